@@ -1,0 +1,15 @@
+# What every target is compiled with: warnings that fail the build, and the floating-point contract.
+
+add_library(mirocup_options INTERFACE)
+target_include_directories(mirocup_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(mirocup_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror
+  # One multiplication and one addition must stay two roundings on every machine, or the state hash
+  # of a match would depend on the compiler (core/README.md, "Bit for bit").
+  -ffp-contract=off)
+
+if(MIROCUP_SANITIZE)
+  target_compile_options(mirocup_options INTERFACE
+    -fsanitize=${MIROCUP_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(mirocup_options INTERFACE -fsanitize=${MIROCUP_SANITIZE})
+endif()

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "core/base/math.hpp"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+namespace mirocup {
+
+namespace {
+
+// pi/2 and ln 2 in pieces whose first ones end in zeros, so that small multiples of them are exact
+// (Cody and Waite): the reduced argument loses nothing to cancellation.
+constexpr double half_pi_1 = 0x1.921fb544p+0;
+constexpr double half_pi_2 = 0x1.0b4611a6p-34;
+constexpr double half_pi_3 = 0x1.3198a2e037073p-69;
+constexpr double ln2_1 = 0x1.62e42feep-1;
+constexpr double ln2_2 = 0x1.a39ef35793c76p-33;
+
+constexpr int sine_terms = 9;    // x^19/19! < 1e-19 for |x| <= pi/4
+constexpr int cosine_terms = 9;  // x^18/18!
+constexpr int exp_terms = 14;    // x^15/15! < 1e-19 for |x| <= ln(2)/2
+
+// 1/k! for k = 0 .. 19.
+constexpr auto inverse_factorial = [] {
+  std::array<double, 20> table{};
+  double factorial = 1.0;  // exact up to 18!, and 19! < 2^57 is a multiple of 2^16
+  table[0] = 1.0;
+  for (int k = 1; k < 20; ++k) {
+    factorial *= k;
+    table[k] = 1.0 / factorial;
+  }
+  return table;
+}();
+
+// For |x| <= pi/4, plus the part `low` of x that its double cannot hold.
+SinCos kernel(double x, double low) {
+  const double z = x * x;
+  double s = 0.0;
+  for (int k = sine_terms; k >= 1; --k) {
+    s = s * z + (k % 2 ? -inverse_factorial[2 * k + 1] : inverse_factorial[2 * k + 1]);
+  }
+  double c = 0.0;
+  for (int k = cosine_terms; k >= 2; --k) {
+    c = c * z + (k % 2 ? -inverse_factorial[2 * k] : inverse_factorial[2 * k]);
+  }
+  const double half = 0.5 * z;
+  const double one_minus_half = 1.0 - half;
+  // The bits that 1 - z/2 dropped are put back, and the derivative carries `low` in.
+  const double cosine = one_minus_half + (((1.0 - one_minus_half) - half) + (z * z * c - x * low));
+  return {x + (x * z * s + low * (1.0 - half)), cosine};
+}
+
+// e^r - 1 for |r| <= ln(2)/2.
+double expm1_kernel(double r) {
+  double p = 0.0;
+  for (int k = exp_terms; k >= 2; --k) p = p * r + inverse_factorial[k];
+  return r + r * r * p;
+}
+
+// 2^k for -1022 <= k <= 1023.
+double power_of_two(int k) {
+  return std::bit_cast<double>(static_cast<std::uint64_t>(k + 1023) << 52);
+}
+
+}  // namespace
+
+SinCos sincos(double x) {
+  constexpr double quarter = 0.78539816339744830962;
+  if (std::abs(x) <= quarter) return kernel(x, 0.0);
+
+  const double turns = std::nearbyint(x * (2.0 / pi));
+  const double a = x - turns * half_pi_1;
+  const double b = turns * half_pi_2;
+  const double high = a - b;
+  const double low = ((a - high) - b) - turns * half_pi_3;
+  const double reduced = high + low;
+  const SinCos r = kernel(reduced, (high - reduced) + low);
+
+  switch (static_cast<std::int64_t>(turns) & 3) {
+    case 0:
+      return r;
+    case 1:
+      return {r.cos, -r.sin};
+    case 2:
+      return {-r.sin, -r.cos};
+    default:
+      return {-r.cos, r.sin};
+  }
+}
+
+double exp(double x) {
+  if (!(x < 709.8)) return x == x ? HUGE_VAL : x;
+  if (x < -745.2) return 0.0;
+  const double k = std::nearbyint(x * (1.0 / (ln2_1 + ln2_2)));
+  const double reduced = (x - k * ln2_1) - k * ln2_2;
+  const double value = 1.0 + expm1_kernel(reduced);
+  const int exponent = static_cast<int>(k);
+  if (exponent > 1023) return value * power_of_two(1023) * power_of_two(exponent - 1023);
+  if (exponent < -1022) return value * power_of_two(-1022) * power_of_two(exponent + 1022);
+  return value * power_of_two(exponent);
+}
+
+double expm1(double x) {
+  return std::abs(x) <= 0.34657359027997264 ? expm1_kernel(x) : exp(x) - 1.0;
+}
+
+double log1p(double x) {
+  // ln(1 + x) = 2 artanh(x / (2 + x)); larger arguments come down by exact halvings of 1 + x first.
+  double extra = 0.0;
+  if (std::abs(x) > 0.25) {
+    int exponent = 0;
+    const double mantissa = std::frexp(1.0 + x, &exponent);  // exact
+    extra = exponent * (ln2_1 + ln2_2);
+    x = mantissa - 1.0;
+    if (x < -0.3) {
+      x = 2.0 * mantissa - 1.0;
+      extra = (exponent - 1) * (ln2_1 + ln2_2);
+    }
+  }
+  const double z = x / (2.0 + x);
+  const double w = z * z;
+  double sum = 0.0;
+  for (int k = 25; k >= 3; k -= 2) sum = sum * w + 1.0 / k;
+  return extra + 2.0 * (z + z * w * sum);
+}
+
+double atan2(double y, double x) {
+  if (x == 0.0 && y == 0.0) return 0.0;
+  // The octant is taken off first, so that the halvings below start at most at 45 degrees.
+  const double ax = std::abs(x);
+  const double ay = std::abs(y);
+  const bool steep = ay > ax;
+  double t = steep ? ax / ay : ay / ax;
+  // atan(t) = 2 atan(t / (1 + sqrt(1 + t^2))), twice: t <= 0.199.
+  t = t / (1.0 + std::sqrt(1.0 + t * t));
+  t = t / (1.0 + std::sqrt(1.0 + t * t));
+  const double z = t * t;
+  double sum = 0.0;
+  for (int k = 23; k >= 3; k -= 2) {
+    sum = ((k / 2) % 2 ? -1.0 / k : 1.0 / k) + sum * z;
+  }
+  double angle = 4.0 * (t + t * z * sum);
+  if (steep) angle = 0.5 * pi - angle;
+  if (x < 0.0) angle = pi - angle;
+  return y < 0.0 ? -angle : angle;
+}
+
+}  // namespace mirocup

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+//
+// A 64-bit fingerprint of a run. Every tick the whole state is folded in, bit by bit, so that two
+// runs agree in the last hash only if they agreed in every bit of every tick. It guards against
+// differences, not against forgery: records carry SHA-256 for that.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <string>
+
+namespace mirocup {
+
+class StateHash {
+ public:
+  StateHash() = default;
+  explicit StateHash(std::uint64_t value) : value_(value) {}
+
+  void add(std::uint64_t word) {
+    // Multiply-xorshift: each step is a bijection of the running value, so no difference is ever
+    // lost.
+    value_ = (value_ ^ word) * 0xff51afd7ed558ccdULL;
+    value_ ^= value_ >> 32;
+  }
+  void add(double number) { add(std::bit_cast<std::uint64_t>(number)); }
+
+  std::uint64_t value() const { return value_; }
+
+  bool operator==(const StateHash&) const = default;
+
+ private:
+  std::uint64_t value_ = 0x6d69726f63757031ULL;  // "mirocup1"
+};
+
+// Sixteen lower-case hexadecimal digits, as in records.
+inline std::string to_hex(std::uint64_t value) {
+  constexpr char digits[] = "0123456789abcdef";
+  std::string text(16, '0');
+  for (int i = 15; i >= 0; --i, value >>= 4) text[i] = digits[value & 15];
+  return text;
+}
+
+}  // namespace mirocup

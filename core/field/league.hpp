@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+//
+// The three MiroSot leagues: small (3 a side), middle (5 a side), large (11 a side).
+#pragma once
+
+#include "core/base/names.hpp"
+
+#include <array>
+#include <string_view>
+
+namespace mirocup {
+
+enum class League { small, middle, large };
+
+template <>
+inline constexpr std::array<std::string_view, 3> enum_names<League>{"small", "middle", "large"};
+
+// The largest league's number of robots of one team; arrays of robots have this size.
+inline constexpr int max_robots_per_team = 11;
+
+}  // namespace mirocup
