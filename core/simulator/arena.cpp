@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "core/simulator/arena.hpp"
+
+#include "core/simulator/contact.hpp"
+#include "core/simulator/time_of_impact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mirocup::simulator {
+
+namespace {
+
+const Segment& obstacle_segment() {
+  static const Segment still = still_segment(Body{}, 0.0, never);
+  return still;
+}
+
+bool is_plane(int obstacle) {
+  return obstacle < plane_walls;
+}
+
+const Shape& end_wall_of(const Arena& arena, int obstacle) {
+  return arena.end_wall_shapes[obstacle - plane_walls];
+}
+
+}  // namespace
+
+Arena make_arena(const field::Field* field, const Parameters& parameters,
+                 const Tolerances& tolerances, int robots, bool has_ball) {
+  Arena arena;
+  arena.parameters = parameters;
+  arena.tolerances = tolerances;
+  arena.robots = robots;
+  arena.has_ball = has_ball;
+  arena.field = field;
+  arena.robot_shape = square(parameters.robot_side);
+  arena.ball_shape = circle(parameters.ball_radius);
+  if (field != nullptr) {
+    for (int i = 0; i < end_walls; ++i) arena.end_wall_shapes[i] = end_wall(field->posts[i]);
+  }
+  arena.free_robot = free_robot_mass(parameters);
+  arena.grounded_robot = robot_mass(parameters, true);
+  arena.ball = ball_mass(parameters);
+  return arena;
+}
+
+double restitution(const Arena& arena, const Pair& pair) {
+  const PerPair& e = arena.parameters.restitution;
+  const bool ball = arena.is_ball(pair.a);
+  if (pair.with_obstacle()) return ball ? e.ball_wall : e.robot_wall;
+  return ball ? e.ball_robot : e.robot_robot;
+}
+
+double gap(const Arena& arena, const Pair& pair, const Body& a, const Body& b) {
+  const Shape& shape = arena.shape(pair.a);
+  if (!pair.with_obstacle()) return gap(shape, a, arena.shape(pair.partner), b);
+  if (is_plane(pair.obstacle())) return gap(shape, a, arena.field->walls[pair.obstacle()]);
+  return gap(shape, a, end_wall_of(arena, pair.obstacle()), Body{});
+}
+
+void add_contacts(const Arena& arena, const Pair& pair, std::span<const Body> bodies, double margin,
+                  ContactList& list) {
+  const Shape& shape = arena.shape(pair.a);
+  const Body& a = bodies[pair.a];
+  ContactPoints found;
+  if (!pair.with_obstacle()) {
+    found = contact_points(shape, a, arena.shape(pair.partner), bodies[pair.partner], margin);
+  } else if (is_plane(pair.obstacle())) {
+    found = contact_points(shape, a, arena.field->walls[pair.obstacle()], margin);
+  } else {
+    found = contact_points(shape, a, end_wall_of(arena, pair.obstacle()), Body{}, margin);
+  }
+  for (int i = 0; i < found.count && !list.full(); ++i) {
+    Contact& c = list.list[list.count++];
+    c = Contact{.pair = pair, .at = found.points[i]};
+    c.a = c.at.point_on_a ? pair.a : pair.b();
+    c.b = c.at.point_on_a ? pair.b() : pair.a;
+    if (c.a != no_body) c.row_a = contact_row(bodies[c.a], c.at);
+    if (c.b != no_body) c.row_b = contact_row(bodies[c.b], c.at);
+    c.restitution = restitution(arena, pair);
+  }
+}
+
+double touch_time(const Arena& arena, const Pair& pair, std::span<const Segment> segments,
+                  double t) {
+  const Segment& a = segments[pair.a];
+  const Mover mover{arena.shape(pair.a), a};
+  const bool plane = pair.with_obstacle() && is_plane(pair.obstacle());
+  const Segment& b = pair.with_obstacle() ? obstacle_segment() : segments[pair.partner];
+  const double end = std::min(a.end, b.end);
+
+  const auto search = [&](double level) {
+    if (plane) return first_touch(mover, arena.field->walls[pair.obstacle()], level, t, end);
+    const Shape& other =
+        pair.with_obstacle() ? end_wall_of(arena, pair.obstacle()) : arena.shape(pair.partner);
+    return first_touch(mover, Mover{other, b}, level, t, end);
+  };
+  const double touch = search(0.0);
+  if (touch > t) return touch;
+  const Body body_b = pair.with_obstacle() ? Body{} : body_at(b, t);
+  const double now = gap(arena, pair, body_at(a, t), body_b);
+  return search(std::min(now, 0.0) - arena.tolerances.sink);
+}
+
+bool boxes_meet(const Arena& arena, const Pair& pair, std::span<const Box> boxes) {
+  const Box& a = boxes[pair.a];
+  const double radius = arena.shape(pair.a).radius + arena.tolerances.touch;
+  if (!pair.with_obstacle()) {
+    const Box& b = boxes[pair.partner];
+    const double reach = radius + arena.shape(pair.partner).radius;
+    return a.low_x - b.high_x <= reach && b.low_x - a.high_x <= reach &&
+           a.low_y - b.high_y <= reach && b.low_y - a.high_y <= reach;
+  }
+  if (is_plane(pair.obstacle())) {
+    const field::Wall& wall = arena.field->walls[pair.obstacle()];
+    const double nearest = std::min(wall.normal.x() * a.low_x, wall.normal.x() * a.high_x) +
+                           std::min(wall.normal.y() * a.low_y, wall.normal.y() * a.high_y);
+    return nearest - wall.offset <= radius;
+  }
+  // An end wall is the quarter-plane behind its post.
+  const field::GoalPost& post = arena.field->posts[pair.obstacle() - plane_walls];
+  const double face = std::min(post.face.x() * (a.low_x - post.post.x()),
+                               post.face.x() * (a.high_x - post.post.x()));
+  const double side = std::min(post.side.y() * (a.low_y - post.post.y()),
+                               post.side.y() * (a.high_y - post.post.y()));
+  return face <= radius && side <= radius;
+}
+
+bool is_far_from_obstacles(const Arena& arena, int body, const Box& box) {
+  if (arena.field == nullptr) return true;
+  // Inside this rectangle neither walls nor corner cuts can be reached.
+  const double margin = arena.field->corner_leg + arena.shape(body).radius + arena.tolerances.touch;
+  const double x = arena.field->half_length - margin;
+  const double y = arena.field->half_width - margin;
+  return box.low_x > -x && box.high_x < x && box.low_y > -y && box.high_y < y;
+}
+
+}  // namespace mirocup::simulator

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+//
+// What does not change while a world runs: outlines, masses, walls; and what a pair can be asked:
+// its gap, its contact points, its next touch.
+#pragma once
+
+#include "core/simulator/impact.hpp"
+#include "core/simulator/pair.hpp"
+#include "core/simulator/parameters.hpp"
+#include "core/simulator/segment.hpp"
+#include "core/simulator/shape.hpp"
+
+#include <array>
+#include <span>
+
+namespace mirocup::simulator {
+
+struct Arena {
+  Parameters parameters;
+  Tolerances tolerances;
+  int robots = 0;
+  bool has_ball = false;
+  const field::Field* field = nullptr;  // null: no obstacles
+
+  Shape robot_shape;
+  Shape ball_shape;
+  std::array<Shape, end_walls> end_wall_shapes;
+  InverseMass free_robot, grounded_robot, ball;
+
+  int bodies() const { return robots + (has_ball ? 1 : 0); }
+  bool is_ball(int body) const { return body == robots; }
+  const Shape& shape(int body) const { return is_ball(body) ? ball_shape : robot_shape; }
+};
+
+Arena make_arena(const field::Field* field, const Parameters& parameters,
+                 const Tolerances& tolerances, int robots, bool has_ball);
+
+// Where the pair's restitution is written in the parameters.
+double restitution(const Arena& arena, const Pair& pair);
+
+double gap(const Arena& arena, const Pair& pair, const Body& a, const Body& b);
+
+// The pair's contacts with a gap of at most `margin`, appended with their Jacobian rows. For an
+// obstacle `bodies` needs only a.
+void add_contacts(const Arena& arena, const Pair& pair, std::span<const Body> bodies, double margin,
+                  ContactList& list);
+
+// When the pair first touches in [t, end of both segments], or never. A pair that touches at t
+// already is looked at until it has come closer by the sink tolerance.
+double touch_time(const Arena& arena, const Pair& pair, std::span<const Segment> segments,
+                  double t);
+
+// Could the pair touch at all, judged by the boxes that hold both bodies' reference points?
+bool boxes_meet(const Arena& arena, const Pair& pair, std::span<const Box> boxes);
+
+// Is a body that stays in the box out of reach of every obstacle?
+bool is_far_from_obstacles(const Arena& arena, int body, const Box& box);
+
+}  // namespace mirocup::simulator

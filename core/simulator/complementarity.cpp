@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "core/simulator/complementarity.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mirocup::simulator {
+
+namespace {
+// A pivot smaller than this against its diagonal says that the unknown depends on the others: two
+// contacts that push the same thing the same way. It is given this much give of its own: where the
+// others leave it open, it hardly moves; where they contradict it, it goes to its bound.
+constexpr double least_pivot = 1e-10;
+}  // namespace
+
+BoxProblem::BoxProblem() : a_(max_unknowns * max_unknowns), factor_(max_unknowns * max_unknowns) {}
+
+void BoxProblem::reset(int size) {
+  size_ = size;
+  for (int i = 0; i < size; ++i) {
+    std::fill_n(&a_[i * max_unknowns], size, 0.0);
+    b[i] = 0.0;
+    low[i] = 0.0;
+    high[i] = std::numeric_limits<double>::infinity();
+  }
+}
+
+double BoxProblem::gradient(int i) const {
+  double w = b[i];
+  for (int j = 0; j < size_; ++j) w += a(i, j) * x[j];
+  return w;
+}
+
+void BoxProblem::solve_free() {
+  int n = 0;
+  for (int i = 0; i < size_; ++i) {
+    target_[i] = x[i];
+    if (bound_[i] != Bound::free) continue;
+    // Row n of the Cholesky factor.
+    double* row = &factor_[n * max_unknowns];
+    double pivot = a(i, i);
+    for (int k = 0; k < n; ++k) {
+      double sum = a(i, order_[k]);
+      const double* other = &factor_[k * max_unknowns];
+      for (int l = 0; l < k; ++l) sum -= row[l] * other[l];
+      row[k] = sum / other[k];
+      pivot -= row[k] * row[k];
+    }
+    if (a(i, i) == 0.0) continue;
+    row[n] = std::sqrt(std::max(pivot, least_pivot * a(i, i)));
+    order_[n++] = i;
+  }
+  for (int k = 0; k < n; ++k) {
+    double sum = -gradient(order_[k]);
+    const double* row = &factor_[k * max_unknowns];
+    for (int l = 0; l < k; ++l) sum -= row[l] * rhs_[l];
+    rhs_[k] = sum / row[k];
+  }
+  for (int k = n - 1; k >= 0; --k) {
+    double sum = rhs_[k];
+    for (int l = k + 1; l < n; ++l) sum -= factor_[l * max_unknowns + k] * rhs_[l];
+    rhs_[k] = sum / factor_[k * max_unknowns + k];
+    target_[order_[k]] = x[order_[k]] + rhs_[k];
+  }
+}
+
+bool BoxProblem::step_to_target() {
+  double fraction = 1.0;
+  for (int i = 0; i < size_; ++i) {
+    if (bound_[i] != Bound::free) continue;
+    const double limit = target_[i] < low[i] ? low[i] : high[i];
+    if (target_[i] >= low[i] && target_[i] <= high[i]) continue;
+    fraction = std::min(fraction, (limit - x[i]) / (target_[i] - x[i]));
+  }
+  fraction = std::max(fraction, 0.0);
+  bool reached = true;
+  for (int i = 0; i < size_; ++i) {
+    if (bound_[i] != Bound::free) continue;
+    const bool outside = target_[i] < low[i] || target_[i] > high[i];
+    const double limit = target_[i] < low[i] ? low[i] : high[i];
+    const bool stops = outside && (limit - x[i]) / (target_[i] - x[i]) <= fraction;
+    x[i] = stops ? limit : x[i] + fraction * (target_[i] - x[i]);
+    if (stops) {
+      bound_[i] = Bound::fixed;
+      reached = false;
+    }
+  }
+  return reached;
+}
+
+int BoxProblem::most_violating(double tolerance) const {
+  int worst = -1;
+  double most = tolerance;
+  for (int i = 0; i < size_; ++i) {
+    if (bound_[i] == Bound::free || banned_[i] || low[i] == high[i]) continue;
+    const double w = gradient(i);
+    const double violation = x[i] <= low[i] ? -w : w;
+    if (violation > most) {
+      most = violation;
+      worst = i;
+    }
+  }
+  return worst;
+}
+
+void BoxProblem::solve() {
+  double scale = 0.0;
+  for (int i = 0; i < size_; ++i) {
+    x[i] = std::clamp(0.0, low[i], high[i]);
+    bound_[i] = low[i] < 0.0 && high[i] > 0.0 ? Bound::free : Bound::fixed;
+    banned_[i] = false;
+    scale = std::max(scale, std::abs(b[i]));
+  }
+  const double tolerance = 1e-14 * scale;
+
+  // Each round releases one bound; far fewer rounds than this are ever needed.
+  for (int round = 0; round < 8 * max_unknowns; ++round) {
+    do {
+      solve_free();
+    } while (!step_to_target());
+
+    const int released = most_violating(tolerance);
+    if (released < 0) return;
+    bound_[released] = Bound::free;
+    solve_free();
+    // Rounding can turn a release against its own bound; then it was no violation.
+    const bool inwards = x[released] <= low[released] ? target_[released] > x[released]
+                                                      : target_[released] < x[released];
+    if (!inwards) {
+      bound_[released] = Bound::fixed;
+      banned_[released] = true;
+    }
+  }
+}
+
+}  // namespace mirocup::simulator

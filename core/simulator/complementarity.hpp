@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+//
+// The one numerical problem behind every contact: minimise 1/2 x.Ax + b.x with low <= x <= high.
+//
+// A is symmetric and positive semidefinite. With w = Ax + b the solution has w_i = 0 inside the
+// bounds, w_i >= 0 at the lower and w_i <= 0 at the upper bound: for low = 0, high = infinity this
+// is the complementarity of contacts (force or separation, never both), for a finite box the grip
+// of wheels.
+//
+// Method: active sets. The free unknowns are solved exactly by Cholesky; on the way to that
+// solution the first unknown to hit a bound stops there; a bound that pulls the wrong way is
+// released. Every step lowers the function, so it ends. The factorisation is our own because a
+// library may order its sums by the size of a cache, and a match must give the same bits
+// everywhere.
+#pragma once
+
+#include <array>
+#include <vector>
+
+namespace mirocup::simulator {
+
+inline constexpr int max_unknowns = 128;
+
+// Kept and reused: making one allocates, solving does not.
+class BoxProblem {
+ public:
+  BoxProblem();
+
+  // Starts a problem of that size with A = 0, b = 0, 0 <= x < infinity.
+  void reset(int size);
+
+  int size() const { return size_; }
+  double& a(int row, int column) { return a_[row * max_unknowns + column]; }
+  double a(int row, int column) const { return a_[row * max_unknowns + column]; }
+  std::array<double, max_unknowns> b, low, high;
+
+  // The solution is in x; where A leaves it open, one of the solutions.
+  void solve();
+  std::array<double, max_unknowns> x;
+
+ private:
+  enum class Bound : unsigned char { free, fixed };
+
+  void solve_free();      // target_ from the free unknowns, the others held
+  bool step_to_target();  // true if no bound was in the way
+  int most_violating(double tolerance) const;
+  double gradient(int i) const;
+
+  int size_ = 0;
+  std::vector<double> a_, factor_;
+  std::array<double, max_unknowns> target_, rhs_;
+  std::array<Bound, max_unknowns> bound_;
+  std::array<bool, max_unknowns> banned_;
+  std::array<int, max_unknowns> order_;  // the unknowns of the factorisation
+};
+
+}  // namespace mirocup::simulator

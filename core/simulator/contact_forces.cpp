@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "core/simulator/contact_forces.hpp"
+
+#include <bitset>
+#include <cmath>
+
+namespace mirocup::simulator {
+
+namespace {
+
+// Forces below this (N) and accelerations below this (m/s^2) are rounding.
+constexpr double least_force = 1e-9;
+constexpr double least_slide = 1e-10;
+
+}  // namespace
+
+ContactForces::ContactForces(const Arena& arena) : arena_(arena), rows_(max_unknowns) {}
+
+const InverseMass& ContactForces::mass(int body, std::span<const Drive> drives) const {
+  if (arena_.is_ball(body)) return arena_.ball;
+  return drives[body].wheels_on_ground ? arena_.grounded_robot : arena_.free_robot;
+}
+
+bool ContactForces::is_held_sideways(int body) const {
+  return grounding_[body].ground == Ground::rolls && arena_.parameters.grip != infinite_grip;
+}
+
+void ContactForces::decide(std::span<const Drive> drives, double rest_speed, std::span<Body> bodies,
+                           std::span<Contact> contacts) {
+  candidate_count_ = 0;
+  std::bitset<max_bodies> in_contact;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    Contact& c = contacts[i];
+    c.holds = false;
+    if (gap_rate(c, bodies) > rest_speed) continue;
+    candidate_[candidate_count_++] = static_cast<int>(i);
+    in_contact.set(c.pair.a);
+    if (!c.pair.with_obstacle()) in_contact.set(c.pair.partner);
+  }
+  if (candidate_count_ == 0) return;
+  member_count_ = 0;
+  for (int i = 0; i < arena_.bodies(); ++i) {
+    if (in_contact[i]) member_[member_count_++] = i;
+  }
+
+  ground_before_contact(drives, bodies);
+  pose(drives, bodies, contacts);
+  problem_.solve();
+
+  const int ball = arena_.robots;
+  const bool rests = arena_.has_ball && in_contact[ball] && bodies[ball].twist.forward == 0.0 &&
+                     bodies[ball].twist.left == 0.0;
+  if (rests) start_ball(drives, bodies, contacts);
+  read(contacts);
+}
+
+// The resistance against a ball that starts is along its push, which depends on the resistance only
+// if there are several contacts: one correction settles it. A ball that is held between its
+// contacts does not start.
+void ContactForces::start_ball(std::span<const Drive> drives, std::span<const Body> bodies,
+                               std::span<const Contact> contacts) {
+  const Parameters& p = arena_.parameters;
+  const double resistance = p.rolling_resistance * p.ball_mass * gravity;
+  const Vec2 push = push_on_ball(contacts);
+  if (std::sqrt(push.squaredNorm()) <= resistance) return;
+  grounding_[arena_.robots].push = push;
+  pose(drives, bodies, contacts);
+  problem_.solve();
+  const double force = std::sqrt(push.squaredNorm());
+  if (push_on_ball(contacts).dot(push) / force - resistance > least_force) return;
+  grounding_[arena_.robots].push = {0.0, 0.0};
+  pose(drives, bodies, contacts);
+  problem_.solve();
+}
+
+void ContactForces::ground_before_contact(std::span<const Drive> drives, std::span<Body> bodies) {
+  wheel_count_ = 0;
+  for (int k = 0; k < member_count_; ++k) {
+    const int i = member_[k];
+    Twist& v = bodies[i].twist;
+    if (arena_.is_ball(i)) {
+      grounding_[i] = {.ground = Ground::ball};
+      if (std::abs(v.forward) + std::abs(v.left) <= no_rolling) v = {};
+    } else if (!drives[i].wheels_on_ground) {
+      grounding_[i] = {.ground = Ground::lifted};
+    } else if (std::abs(v.left) > no_sliding) {
+      grounding_[i] = {.ground = Ground::slides, .slide = v.left > 0.0 ? 1.0 : -1.0};
+    } else {
+      v.left = 0.0;
+      grounding_[i] = {.ground = Ground::rolls};
+      if (is_held_sideways(i)) wheels_[wheel_count_++] = i;
+    }
+  }
+}
+
+void ContactForces::pose(std::span<const Drive> drives, std::span<const Body> bodies,
+                         std::span<const Contact> contacts) {
+  const Parameters& p = arena_.parameters;
+  std::array<InverseMass, max_bodies> mass;
+  for (int k = 0; k < member_count_; ++k) {
+    const int i = member_[k];
+    const Grounding& g = grounding_[i];
+    Segment& s = trial_[i];
+    s = moving_segment(bodies[i], 0.0, 0.0);
+    if (g.ground == Ground::ball) {
+      Braking braking = braking_along({s.forward[0], s.left[0]}, g.push);
+      extend_ball_twist(rolling_deceleration(p), 0, s, braking);
+    } else if (g.ground == Ground::lifted) {
+      extend_twist_lifted(0, s);
+    } else {
+      extend_twist_on_ground(p, drives[i], g.slide, 0, s);
+      // The wheels' sideways force is an unknown: without it a turning robot would drift off its
+      // circle.
+      if (is_held_sideways(i)) s.left[1] = -s.turn[0] * s.forward[0];
+    }
+    integrate_pose(s, 0);
+    mass[i] = this->mass(i, drives);
+  }
+
+  problem_.reset(candidate_count_ + wheel_count_);
+  for (int i = 0; i < candidate_count_; ++i) {
+    const Contact& c = contacts[candidate_[i]];
+    ContactRows& rows = rows_[i];
+    rows = {};
+    extend_rows(arena_, c, trial_, 0, rows);
+    extend_rows(arena_, c, trial_, 1, rows);
+    problem_.b[i] = gap_rate_term(c, rows, trial_, 1);
+    for (int j = 0; j <= i; ++j) {
+      problem_.a(i, j) = problem_.a(j, i) = coupling(c, contacts[candidate_[j]], mass);
+    }
+  }
+  const double grip_force = p.grip * p.robot_mass * gravity;
+  for (int k = 0; k < wheel_count_; ++k) {
+    const int row = candidate_count_ + k;
+    const int body = wheels_[k];
+    problem_.b[row] = trial_[body].left[1];
+    problem_.low[row] = -grip_force;
+    problem_.high[row] = grip_force;
+    problem_.a(row, row) = mass[body].left;
+    for (int i = 0; i < candidate_count_; ++i) {
+      const Contact& c = contacts[candidate_[i]];
+      double sideways = 0.0;
+      if (c.a == body) sideways += c.row_a[1] * mass[body].left;
+      if (c.b == body) sideways -= c.row_b[1] * mass[body].left;
+      problem_.a(row, i) = problem_.a(i, row) = sideways;
+    }
+  }
+}
+
+Vec2 ContactForces::push_on_ball(std::span<const Contact> contacts) const {
+  Vec2 push{0.0, 0.0};
+  for (int i = 0; i < candidate_count_; ++i) {
+    const Contact& c = contacts[candidate_[i]];
+    if (c.a == arena_.robots) push += problem_.x[i] * c.at.normal;
+  }
+  return push;
+}
+
+void ContactForces::read(std::span<Contact> contacts) {
+  for (int i = 0; i < candidate_count_; ++i) {
+    Contact& c = contacts[candidate_[i]];
+    c.force = problem_.x[i];
+    c.holds = c.force > least_force;
+  }
+  for (int k = 0; k < wheel_count_; ++k) {
+    const int row = candidate_count_ + k;
+    double acceleration = problem_.b[row];
+    for (int j = 0; j < problem_.size(); ++j) acceleration += problem_.a(row, j) * problem_.x[j];
+    Grounding& g = grounding_[wheels_[k]];
+    g.hold = problem_.x[row];
+    if (std::abs(acceleration) <= least_slide) continue;
+    g = {.ground = Ground::slides, .slide = acceleration > 0.0 ? 1.0 : -1.0};
+  }
+}
+
+}  // namespace mirocup::simulator

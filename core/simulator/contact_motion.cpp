@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: MIT
+#include "core/simulator/contact_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mirocup::simulator {
+
+namespace {
+
+// The last two terms of every pose at the end of a segment are together below this (m, or of 1).
+constexpr double smooth_to = 1e-13;
+
+// How far (m) a corner may stand out over the end of its edge before the contact is looked at
+// again.
+constexpr double over_the_end = 1e-10;
+
+// As in complementarity.cpp.
+constexpr double dependent_pivot = 1e-11;
+
+}  // namespace
+
+ContactMotion::ContactMotion(const Arena& arena)
+    : arena_(arena), rows_(max_unknowns), factor_(max_unknowns * max_unknowns) {}
+
+void ContactMotion::move(const BodySet& cluster, const ContactForces& forces,
+                         std::span<const Contact> contacts, std::span<const Drive> drives,
+                         double begin, double horizon, std::span<Body> bodies,
+                         std::span<Segment> segments) {
+  forces_ = &forces;
+  drives_ = drives;
+  choose(cluster, contacts);
+  start(begin, horizon, bodies, segments);
+  for (int k = 0; k < series_terms - 1; ++k) {
+    for (int m = 0; m < member_count_; ++m) integrate_pose(segments[members_[m]], k);
+    for (int i = 0; i < held_count_; ++i) extend_rows(arena_, held_[i], segments, k + 1, rows_[i]);
+    extend_twists(k, segments);
+    solve_for_forces(k, segments);
+  }
+  find_end(segments);
+}
+
+// The equations are put in order of how far their forces are from a bound: where some follow from
+// others, the last ones keep their force, and it is better that those with room to change do so.
+void ContactMotion::choose(const BodySet& cluster, std::span<const Contact> contacts) {
+  member_count_ = 0;
+  wheel_count_ = 0;
+  for (int i = 0; i < arena_.bodies(); ++i) {
+    if (!cluster[i]) continue;
+    members_[member_count_++] = i;
+    mass_[i] = forces_->mass(i, drives_);
+    if (!arena_.is_ball(i) && forces_->is_held_sideways(i)) wheels_[wheel_count_++] = i;
+  }
+  std::stable_sort(wheels_.begin(), wheels_.begin() + wheel_count_, [this](int a, int b) {
+    return std::abs(forces_->grounding(a).hold) < std::abs(forces_->grounding(b).hold);
+  });
+
+  held_count_ = 0;
+  loose_count_ = 0;
+  for (const Contact& c : contacts) {
+    const bool belongs = cluster[c.pair.a] || (!c.pair.with_obstacle() && cluster[c.pair.partner]);
+    if (!belongs) continue;
+    if (c.holds) {
+      held_[held_count_++] = c;
+      continue;
+    }
+    loose_[loose_count_++] = c;
+    // A neighbour outside the cluster goes its own way.
+    for (const int body : {c.a, c.b}) {
+      if (body != no_body && !cluster[body]) mass_[body] = {};
+    }
+  }
+  std::stable_sort(held_.begin(), held_.begin() + held_count_,
+                   [](const Contact& a, const Contact& b) { return a.force > b.force; });
+}
+
+void ContactMotion::start(double begin, double horizon, std::span<Body> bodies,
+                          std::span<Segment> segments) {
+  factorise();
+  close_gaps(bodies);
+  for (int m = 0; m < member_count_; ++m) {
+    segments[members_[m]] = moving_segment(bodies[members_[m]], begin, horizon);
+  }
+  for (int i = 0; i < held_count_; ++i) {
+    rows_[i] = {};
+    extend_rows(arena_, held_[i], segments, 0, rows_[i]);
+    for (int d = 0; d < 3; ++d) {
+      held_[i].row_a[d] = rows_[i].row_a[d][0];
+      held_[i].row_b[d] = rows_[i].row_b[d][0];
+    }
+  }
+  for (int k = 0; k < wheel_count_; ++k) hold_[k] = {};
+
+  stop_rates(bodies);
+  factorise();
+  for (int m = 0; m < member_count_; ++m) {
+    const int i = members_[m];
+    const Twist& v = bodies[i].twist;
+    segments[i].forward[0] = v.forward;
+    segments[i].left[0] = v.left;
+    segments[i].turn[0] = v.turn;
+    if (arena_.is_ball(i)) {
+      braking_[i] = braking_along({v.forward, v.left}, forces_->grounding(i).push);
+    }
+  }
+}
+
+// Moves bodies by what rounding has opened or closed.
+void ContactMotion::close_gaps(std::span<Body> bodies) {
+  for (int i = 0; i < equations(); ++i) rhs_[i] = i < held_count_ ? -held_[i].at.gap : 0.0;
+  solve();
+  const auto shift = [&](int body, const JacobianRow& row, double amount) {
+    if (body == no_body) return;
+    const InverseMass& m = mass_[body];
+    Body& b = bodies[body];
+    b.position += b.heading.to_world({amount * row[0] * m.forward, amount * row[1] * m.left});
+    const double turn = amount * row[2] * m.turn;  // far too small for a sine
+    b.heading = Heading{b.heading.cos - turn * b.heading.sin, b.heading.sin + turn * b.heading.cos}
+                    .normalised();
+  };
+  for (int i = 0; i < held_count_; ++i) {
+    shift(held_[i].a, held_[i].row_a, rhs_[i]);
+    shift(held_[i].b, held_[i].row_b, -rhs_[i]);
+  }
+  for (int k = 0; k < wheel_count_; ++k) shift(wheels_[k], {0.0, 1.0, 0.0}, rhs_[held_count_ + k]);
+}
+
+// Makes the velocities fit what was decided: gaps that are held do not change, no other closes,
+// wheels that hold do not slide. Of all such velocities, those nearest to what they were; that
+// never adds energy.
+void ContactMotion::stop_rates(std::span<Body> bodies) {
+  problem_.reset(equations() + loose_count_);
+  const int first_loose = equations();
+  const auto contact_of = [&](int i) -> Contact* {
+    if (i < held_count_) return &held_[i];
+    return i >= first_loose ? &loose_[i - first_loose] : nullptr;
+  };
+  for (int i = 0; i < problem_.size(); ++i) {
+    const Contact* c = contact_of(i);
+    problem_.b[i] = c != nullptr ? gap_rate(*c, bodies) : bodies[wheels_of(i)].twist.left;
+    if (i < first_loose) problem_.low[i] = -std::numeric_limits<double>::infinity();
+    for (int j = 0; j <= i; ++j) problem_.a(i, j) = problem_.a(j, i) = coupling_of(i, j);
+  }
+  problem_.solve();
+  for (int i = 0; i < problem_.size(); ++i) {
+    if (const Contact* c = contact_of(i)) apply_impulse(*c, problem_.x[i], mass_, bodies);
+  }
+  for (int k = 0; k < wheel_count_; ++k) bodies[wheels_[k]].twist.left = 0.0;
+  for (int m = 0; m < member_count_; ++m) {
+    const int i = members_[m];
+    double& left = bodies[i].twist.left;
+    slide_[i] = forces_->grounding(i).slide;
+    if (slide_[i] == 0.0) continue;
+    if (std::abs(left) <= no_sliding) {
+      left = 0.0;
+    } else {
+      slide_[i] = left > 0.0 ? 1.0 : -1.0;
+    }
+  }
+}
+
+double ContactMotion::coupling_of(int i, int j) const {
+  const auto contact_of = [this](int k) -> const Contact* {
+    if (k < held_count_) return &held_[k];
+    return k >= equations() ? &loose_[k - equations()] : nullptr;
+  };
+  const Contact* c = contact_of(i);
+  const Contact* d = contact_of(j);
+  if (c != nullptr && d != nullptr) return coupling(*c, *d, mass_);
+  if (c != nullptr) return coupling_of(j, i);
+  const int body = wheels_of(i);
+  const double inverse = mass_[body].left;
+  if (d == nullptr) return wheels_of(j) == body ? inverse : 0.0;
+  double sum = 0.0;
+  if (d->a == body) sum += d->row_a[1] * inverse;
+  if (d->b == body) sum -= d->row_b[1] * inverse;
+  return sum;
+}
+
+void ContactMotion::factorise() {
+  for (int i = 0; i < equations(); ++i) {
+    double* row = &factor_[i * max_unknowns];
+    const double diagonal = coupling_of(i, i);
+    double pivot = diagonal;
+    for (int k = 0; k < i; ++k) {
+      row[k] = 0.0;
+      if (depends_[k]) continue;
+      double sum = coupling_of(i, k);
+      const double* other = &factor_[k * max_unknowns];
+      for (int l = 0; l < k; ++l) sum -= row[l] * other[l];
+      row[k] = sum / other[k];
+      pivot -= row[k] * row[k];
+    }
+    depends_[i] = pivot <= dependent_pivot * diagonal;
+    row[i] = depends_[i] ? 1.0 : std::sqrt(pivot);
+  }
+}
+
+void ContactMotion::solve() {
+  const int n = equations();
+  for (int i = 0; i < n; ++i) {
+    const double* row = &factor_[i * max_unknowns];
+    double sum = rhs_[i];
+    for (int k = 0; k < i; ++k) sum -= row[k] * rhs_[k];
+    rhs_[i] = depends_[i] ? 0.0 : sum / row[i];
+  }
+  for (int i = n - 1; i >= 0; --i) {
+    if (depends_[i]) continue;
+    double sum = rhs_[i];
+    for (int k = i + 1; k < n; ++k) sum -= factor_[k * max_unknowns + i] * rhs_[k];
+    rhs_[i] = sum / factor_[i * max_unknowns + i];
+  }
+}
+
+// Term k + 1 of the twists, but for what the forces' own term k adds.
+void ContactMotion::extend_twists(int k, std::span<Segment> segments) {
+  const Parameters& p = arena_.parameters;
+  for (int m = 0; m < member_count_; ++m) {
+    const int i = members_[m];
+    const Grounding& g = forces_->grounding(i);
+    Segment& s = segments[i];
+    switch (g.ground) {
+      case Ground::ball:
+        extend_ball_twist(rolling_deceleration(p), k, s, braking_[i]);
+        break;
+      case Ground::lifted:
+        extend_twist_lifted(k, s);
+        break;
+      case Ground::rolls:
+      case Ground::slides:
+        extend_twist_on_ground(p, drives_[i], slide_[i], k, s);
+        break;
+    }
+  }
+  for (int w = 0; w < wheel_count_; ++w) {
+    Segment& s = segments[wheels_[w]];
+    s.left[k + 1] = -product_term(s.turn, s.forward, k) / (k + 1);
+  }
+  for (int i = 0; i < held_count_; ++i) {
+    for (int j = 1; j <= k; ++j) add_force_term(i, j, rows_[i].force[k - j], k, segments);
+  }
+}
+
+// The gaps' rates keep their first term, and v_l stays zero where wheels hold: their next term,
+// with the forces' own term still missing, says what that term must be.
+void ContactMotion::solve_for_forces(int k, std::span<Segment> segments) {
+  // Forces that the equations leave open keep the value that was decided.
+  for (int i = 0; i < equations(); ++i) {
+    if (!depends_[i] || k > 0) continue;
+    if (i < held_count_) {
+      rows_[i].force[0] = held_[i].force;
+      add_force_term(i, 0, held_[i].force, 0, segments);
+    } else {
+      const int body = wheels_of(i);
+      hold_[i - held_count_][0] = forces_->grounding(body).hold;
+      segments[body].left[1] += forces_->grounding(body).hold * mass_[body].left;
+    }
+  }
+  for (int i = 0; i < equations(); ++i) {
+    const double rate = i < held_count_ ? gap_rate_term(held_[i], rows_[i], segments, k + 1)
+                                        : segments[wheels_of(i)].left[k + 1];
+    rhs_[i] = -(k + 1) * rate;
+  }
+  solve();
+  for (int i = 0; i < held_count_; ++i) {
+    if (depends_[i]) continue;
+    rows_[i].force[k] = rhs_[i];
+    add_force_term(i, 0, rhs_[i], k, segments);
+  }
+  for (int w = 0; w < wheel_count_; ++w) {
+    if (!depends_[held_count_ + w]) hold_[w][k] = rhs_[held_count_ + w];
+    segments[wheels_[w]].left[k + 1] = 0.0;
+  }
+}
+
+// Adds term `term` of contact i's rows times a term of its force to term k + 1 of the twists.
+void ContactMotion::add_force_term(int i, int term, double force, int k,
+                                   std::span<Segment> segments) const {
+  const auto add = [&](int body, const std::array<Series, 3>& row, double amount) {
+    if (body == no_body) return;
+    const InverseMass& mass = mass_[body];
+    Segment& s = segments[body];
+    s.forward[k + 1] += amount * row[0][term] * mass.forward;
+    s.left[k + 1] += amount * row[1][term] * mass.left;
+    s.turn[k + 1] += amount * row[2][term] * mass.turn;
+  };
+  const double amount = force / (k + 1);
+  add(held_[i].a, rows_[i].row_a, amount);
+  add(held_[i].b, rows_[i].row_b, -amount);
+}
+
+// The longest length, at most `longest`, over which the series have converged.
+double ContactMotion::smooth_length(double longest, std::span<const Segment> segments) const {
+  constexpr int last = series_terms - 1;
+  double largest_last = 0.0;
+  double largest_before = 0.0;
+  for (int m = 0; m < member_count_; ++m) {
+    const Segment& s = segments[members_[m]];
+    for (const Series* p : {&s.x, &s.y, &s.cos, &s.sin}) {
+      largest_last = std::max(largest_last, std::abs((*p)[last]));
+      largest_before = std::max(largest_before, std::abs((*p)[last - 1]));
+    }
+  }
+  double length = longest;
+  while (true) {
+    double power = 1.0;
+    for (int k = 0; k < last - 1; ++k) power *= length;
+    if (power * (largest_before + length * largest_last) <= smooth_to) return length;
+    length *= 0.75;
+  }
+}
+
+// When a contact lets go or its point leaves the edge; at most `length`.
+double ContactMotion::contacts_change(double length) const {
+  for (int i = 0; i < held_count_; ++i) {
+    if (!depends_[i]) length = std::min(length, first_fall(rows_[i].force, 0.0, 0.0, length));
+    for (const Series& inside : rows_[i].inside) {
+      if (inside[0] <= -over_the_end) continue;  // it was out there when it was hit
+      length = std::min(length, first_fall(inside, -over_the_end, 0.0, length));
+    }
+  }
+  return length;
+}
+
+void ContactMotion::find_end(std::span<Segment> segments) const {
+  const double begin = segments[members_[0]].begin;
+  double length = smooth_length(segments[members_[0]].end - begin, segments);
+  length = contacts_change(length);
+  const double grip = sideways_limit(arena_.parameters) * arena_.parameters.robot_mass;
+  for (int w = 0; w < wheel_count_; ++w) {
+    if (depends_[held_count_ + w]) continue;
+    length = std::min(length, first_fall(hold_[w], -grip, 0.0, length));
+    length = std::min(length, first_fall(-1.0 * hold_[w], -grip, 0.0, length));
+  }
+
+  int settles = no_body;
+  for (int m = 0; m < member_count_; ++m) {
+    const int i = members_[m];
+    const Grounding& g = forces_->grounding(i);
+    Segment& s = segments[i];
+    s.end = begin + length;
+    double ends = never;
+    if (g.ground == Ground::slides) {
+      ends = slide_ends(s, slide_[i]);
+    } else if (g.ground == Ground::ball && braking_[i].speed[0] > 0.0) {
+      ends = first_fall(braking_[i].x[0] * s.forward + braking_[i].y[0] * s.left, 0.0, 0.0, length);
+    }
+    if (ends > length) continue;
+    length = ends;
+    settles = i;
+  }
+  for (int m = 0; m < member_count_; ++m) segments[members_[m]].end = begin + length;
+  if (settles != no_body) {
+    segments[settles].settles = arena_.is_ball(settles) ? Settles::everything : Settles::sideways;
+  }
+}
+
+}  // namespace mirocup::simulator

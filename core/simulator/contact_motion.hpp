@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+//
+// How bodies move while they press on each other: exactly, as one power series for the whole
+// cluster.
+//
+// As long as the same contacts press and the same wheels hold (see contact_forces.hpp), the gaps of
+// those contacts stay zero. That makes each term of the motion a linear system for the same term of
+// the forces, whose matrix is that of the first term. The segment ends where a force would pull, a
+// wheel's grip is used up, a slide ends, a ball stops or starts, or a corner leaves its edge.
+#pragma once
+
+#include "core/simulator/contact_forces.hpp"
+#include "core/simulator/neighbours.hpp"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace mirocup::simulator {
+
+class ContactMotion {
+ public:
+  // Allocates its scratch; moving does not allocate. The arena outlives it.
+  explicit ContactMotion(const Arena& arena);
+
+  // Moves a cluster of bodies that hold each other from `begin` to at most `horizon`: sets the
+  // segments of its bodies, all with the same end. What their gaps and velocities are off by
+  // rounding is put right first.
+  void move(const BodySet& cluster, const ContactForces& forces, std::span<const Contact> contacts,
+            std::span<const Drive> drives, double begin, double horizon, std::span<Body> bodies,
+            std::span<Segment> segments);
+
+ private:
+  // The equations of a cluster: first the contacts that press, then the wheels that hold sideways.
+  // Behind them, for the velocities only, come the contacts that touch but do not press.
+  int equations() const { return held_count_ + wheel_count_; }
+  int wheels_of(int equation) const { return wheels_[equation - held_count_]; }
+
+  void choose(const BodySet& cluster, std::span<const Contact> contacts);
+  void start(double begin, double horizon, std::span<Body> bodies, std::span<Segment> segments);
+  void close_gaps(std::span<Body> bodies);
+  void stop_rates(std::span<Body> bodies);
+  double coupling_of(int i, int j) const;
+  void factorise();
+  void solve();  // rhs_ becomes the solution
+  void extend_twists(int k, std::span<Segment> segments);
+  void solve_for_forces(int k, std::span<Segment> segments);
+  void add_force_term(int i, int term, double force, int k, std::span<Segment> segments) const;
+  double smooth_length(double longest, std::span<const Segment> segments) const;
+  void find_end(std::span<Segment> segments) const;
+  double contacts_change(double length) const;
+
+  const Arena& arena_;
+  BoxProblem problem_;
+  const ContactForces* forces_ = nullptr;
+  std::span<const Drive> drives_;
+
+  std::array<int, max_bodies> members_;
+  int member_count_ = 0;
+  std::array<InverseMass, max_bodies> mass_;
+  std::array<Braking, max_bodies> braking_;
+  std::array<double, max_bodies> slide_;
+
+  std::array<Contact, max_unknowns> held_;
+  int held_count_ = 0;
+  std::vector<ContactRows> rows_;  // of held_
+  std::array<Contact, max_unknowns> loose_;
+  int loose_count_ = 0;
+  std::array<int, max_bodies> wheels_;
+  int wheel_count_ = 0;
+  std::array<Series, max_bodies> hold_;  // N to the left, of wheels_
+
+  std::vector<double> factor_;  // Cholesky, row by row
+  std::array<bool, max_unknowns>
+      depends_;  // an equation that follows from the others: its force stays
+  std::array<double, max_unknowns> rhs_;
+};
+
+}  // namespace mirocup::simulator

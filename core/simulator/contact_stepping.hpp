@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+//
+// Lasting contact by small steps: bodies that push, are pushed, or lie against something.
+//
+// One step finds the impulses of all contacts of a cluster and of its wheels together, as one
+// convex problem: contacts only push, wheels hold sideways up to their grip, and at the end of the
+// step no gap closes further. First order in the step; positions are then corrected so that no
+// overlap builds up.
+#pragma once
+
+#include "core/simulator/impact.hpp"
+#include "core/simulator/robot_motion.hpp"
+
+#include <span>
+
+namespace mirocup::simulator {
+
+// What moves the bodies of a cluster besides their contacts.
+struct Forces {
+  const Parameters& parameters;
+  std::span<const Drive> drives;  // of the robots; the ball has none
+  int ball;                       // its index, or no_body
+};
+
+// Sets the twists of the members to those that hold over the next `step` seconds, and the impulses
+// of the contacts. Members are in increasing order and the contacts are all between members or with
+// walls.
+void step_in_contact(const Forces& forces, std::span<const int> members,
+                     std::span<Contact> contacts, double step, std::span<const InverseMass> mass,
+                     std::span<Body> bodies, BoxProblem& problem);
+
+// Moves bodies apart, as little as their masses allow, until no contact's gap is negative.
+void push_apart(std::span<const Contact> contacts, std::span<const InverseMass> free_mass,
+                std::span<Body> bodies, BoxProblem& problem);
+
+}  // namespace mirocup::simulator

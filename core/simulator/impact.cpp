@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "core/simulator/impact.hpp"
+
+#include <algorithm>
+
+namespace mirocup::simulator {
+
+namespace {
+
+// Slower approaches than this (m/s) are rounding.
+constexpr double no_approach = 1e-13;
+
+// Rounds of throwing back before everything that still approaches is stopped for good.
+constexpr int most_rounds = 64;
+
+double kinetic_energy(std::span<const Contact> contacts, std::span<const InverseMass> mass,
+                      std::span<const Body> bodies) {
+  // Only bodies with a contact change; each counts once, at its first contact.
+  double sum = 0.0;
+  std::array<bool, max_bodies> seen{};
+  const auto add = [&](int i) {
+    if (i == no_body || seen[i]) return;
+    seen[i] = true;
+    const InverseMass& m = mass[i];
+    const Twist& v = bodies[i].twist;
+    if (m.forward > 0.0) sum += v.forward * v.forward / m.forward;
+    if (m.left > 0.0) sum += v.left * v.left / m.left;
+    if (m.turn > 0.0) sum += v.turn * v.turn / m.turn;
+  };
+  for (const Contact& c : contacts) {
+    add(c.a);
+    add(c.b);
+  }
+  return 0.5 * sum;
+}
+
+// Impulses that just stop the chosen contacts: problem.x[i] belongs to contacts[chosen[i]].
+void stop(std::span<const Contact> contacts, std::span<const int> chosen,
+          std::span<const InverseMass> mass, std::span<const Body> bodies, BoxProblem& problem) {
+  const int n = static_cast<int>(chosen.size());
+  problem.reset(n);
+  for (int i = 0; i < n; ++i) {
+    problem.b[i] = gap_rate(contacts[chosen[i]], bodies);
+    for (int j = 0; j <= i; ++j) {
+      problem.a(i, j) = coupling(contacts[chosen[i]], contacts[chosen[j]], mass);
+      problem.a(j, i) = problem.a(i, j);
+    }
+  }
+  problem.solve();
+}
+
+void apply(std::span<Contact> contacts, std::span<const int> chosen, double sign, double least_e,
+           std::span<const InverseMass> mass, std::span<Body> bodies, const BoxProblem& problem) {
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    Contact& c = contacts[chosen[i]];
+    const double e = least_e >= 0.0 ? least_e : c.restitution;
+    const double impulse = sign * (1.0 + e) * problem.x[i];
+    apply_impulse(c, impulse, mass, bodies);
+    c.impulse += impulse;
+  }
+}
+
+// Equation (21).
+void resolve_single(Contact& c, std::span<const InverseMass> mass, std::span<Body> bodies) {
+  if (c.approach <= no_approach) return;
+  const double e = c.approach > c.rest_speed ? c.restitution : 0.0;
+  c.impulse = (1.0 + e) * c.approach / coupling(c, c, mass);
+  apply_impulse(c, c.impulse, mass, bodies);
+}
+
+}  // namespace
+
+InverseMass free_robot_mass(const Parameters& p) {
+  return {1.0 / p.robot_mass, 1.0 / p.robot_mass, 1.0 / p.robot_inertia()};
+}
+
+InverseMass robot_mass(const Parameters& p, bool wheels_on_ground) {
+  InverseMass mass = free_robot_mass(p);
+  if (wheels_on_ground && p.grip == infinite_grip) mass.left = 0.0;
+  return mass;
+}
+
+InverseMass ball_mass(const Parameters& p) {
+  const double inverse = 1.0 / p.effective_ball_mass();
+  return {inverse, inverse, 0.0};
+}
+
+JacobianRow contact_row(const Body& body, const ContactPoint& contact) {
+  const Vec2 n = body.heading.to_body(contact.normal);
+  return {n.x(), n.y(), cross(Vec2{contact.point - body.position}, contact.normal)};
+}
+
+double gap_rate(const Contact& c, std::span<const Body> bodies) {
+  double rate = 0.0;
+  if (c.a != no_body) rate += along(c.row_a, bodies[c.a].twist);
+  if (c.b != no_body) rate -= along(c.row_b, bodies[c.b].twist);
+  return rate;
+}
+
+double coupling(const Contact& c, const Contact& d, std::span<const InverseMass> mass) {
+  const auto through = [&mass](int body, const JacobianRow& p, const JacobianRow& q) {
+    const InverseMass& m = mass[body];
+    return p[0] * m.forward * q[0] + p[1] * m.left * q[1] + p[2] * m.turn * q[2];
+  };
+  double sum = 0.0;
+  if (c.a != no_body) {
+    if (c.a == d.a) sum += through(c.a, c.row_a, d.row_a);
+    if (c.a == d.b) sum -= through(c.a, c.row_a, d.row_b);
+  }
+  if (c.b != no_body) {
+    if (c.b == d.b) sum += through(c.b, c.row_b, d.row_b);
+    if (c.b == d.a) sum -= through(c.b, c.row_b, d.row_a);
+  }
+  return sum;
+}
+
+void apply_impulse(const Contact& c, double impulse, std::span<const InverseMass> mass,
+                   std::span<Body> bodies) {
+  const auto push = [&](int body, const JacobianRow& row, double amount) {
+    Twist& v = bodies[body].twist;
+    v.forward += amount * row[0] * mass[body].forward;
+    v.left += amount * row[1] * mass[body].left;
+    v.turn += amount * row[2] * mass[body].turn;
+  };
+  if (c.a != no_body) push(c.a, c.row_a, impulse);
+  if (c.b != no_body) push(c.b, c.row_b, -impulse);
+}
+
+void resolve_impacts(std::span<Contact> contacts, std::span<const InverseMass> mass,
+                     std::span<Body> bodies, BoxProblem& problem) {
+  for (Contact& c : contacts) {
+    c.approach = -gap_rate(c, bodies);
+    c.impulse = 0.0;
+  }
+  if (contacts.size() == 1) {
+    resolve_single(contacts[0], mass, bodies);
+    return;
+  }
+
+  std::array<int, max_unknowns> chosen;
+  for (int round = 0; round < most_rounds; ++round) {
+    std::size_t n = 0;
+    bool some_bounce = false;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      const double approach = -gap_rate(contacts[i], bodies);
+      if (approach > no_approach) chosen[n++] = static_cast<int>(i);
+      some_bounce = some_bounce || approach > contacts[i].rest_speed;
+    }
+    if (n == 0) return;
+    if (!some_bounce) break;
+
+    const std::span<const int> approaching(chosen.data(), n);
+    stop(contacts, approaching, mass, bodies, problem);
+    const double before = kinetic_energy(contacts, mass, bodies);
+    apply(contacts, approaching, 1.0, -1.0, mass, bodies, problem);
+    if (kinetic_energy(contacts, mass, bodies) > before * (1.0 + 1e-14)) {
+      double least = 1.0;
+      for (const int i : approaching) least = std::min(least, contacts[i].restitution);
+      apply(contacts, approaching, -1.0, -1.0, mass, bodies, problem);
+      apply(contacts, approaching, 1.0, least, mass, bodies, problem);
+    }
+  }
+
+  // What still approaches does so slowly, or has been thrown back often enough: everything stops
+  // together.
+  for (std::size_t i = 0; i < contacts.size(); ++i) chosen[i] = static_cast<int>(i);
+  const std::span<const int> all(chosen.data(), contacts.size());
+  stop(contacts, all, mass, bodies, problem);
+  apply(contacts, all, 1.0, 0.0, mass, bodies, problem);
+}
+
+}  // namespace mirocup::simulator

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+//
+// Impacts: what bodies that run into each other do to their velocities in no time.
+//
+// One contact is equation (21): v_rel+ = -e v_rel-. Several at once go beyond the paper, after
+// Smith, Kaufman, Vouga, Tamstorf and Grinspun 2012, "Reflections on simultaneous impact": all
+// contacts that approach are first stopped together, then thrown back by (1 + e) times what stopped
+// them, again and again until none approaches. A row of equal bodies hands the impulse through, a
+// symmetric hit stays symmetric, and energy never rises.
+#pragma once
+
+#include "core/simulator/complementarity.hpp"
+#include "core/simulator/contact.hpp"
+#include "core/simulator/pair.hpp"
+#include "core/simulator/parameters.hpp"
+
+#include <array>
+#include <span>
+
+namespace mirocup::simulator {
+
+// What a unit impulse along each generalised velocity of a body changes: 1/M, 1/M, 1/I; zero where
+// wheels of infinite grip hold.
+struct InverseMass {
+  double forward = 0.0;
+  double left = 0.0;
+  double turn = 0.0;
+};
+
+InverseMass free_robot_mass(const Parameters& parameters);
+InverseMass robot_mass(const Parameters& parameters, bool wheels_on_ground);
+InverseMass ball_mass(const Parameters& parameters);
+
+// One row of the contact Jacobian: the rate of the gap is row . twist of a minus row . twist of b.
+using JacobianRow = std::array<double, 3>;
+JacobianRow contact_row(const Body& body, const ContactPoint& contact);
+
+inline double along(const JacobianRow& row, const Twist& v) {
+  return row[0] * v.forward + row[1] * v.left + row[2] * v.turn;
+}
+
+struct Contact {
+  Pair pair;
+  int a = no_body;  // the point's side, or no_body if that is a wall's corner
+  int b = no_body;  // the edge's side, or no_body if that is a wall
+  ContactPoint at;
+  JacobianRow row_a{};
+  JacobianRow row_b{};
+  double restitution = 0.0;
+  double rest_speed = 0.0;  // m/s: a slower approach does not bounce
+  double approach = 0.0;    // m/s before the impact, positive if the bodies close
+  double impulse = 0.0;     // N s along the normal, given by the impact
+  bool holds = false;       // presses from here on: the gap stays zero
+  double force = 0.0;       // N, where it holds
+};
+
+// The contacts of the bodies that touch at one instant.
+struct ContactList {
+  std::array<Contact, max_unknowns - max_bodies> list;
+  int count = 0;
+
+  std::span<Contact> contacts() { return {list.data(), static_cast<std::size_t>(count)}; }
+  std::span<const Contact> contacts() const {
+    return {list.data(), static_cast<std::size_t>(count)};
+  }
+  bool full() const { return count == static_cast<int>(list.size()); }
+};
+
+// The rate of the contact's gap, m/s.
+double gap_rate(const Contact& contact, std::span<const Body> bodies);
+
+// J M^-1 J' of two contacts.
+double coupling(const Contact& c, const Contact& d, std::span<const InverseMass> mass);
+
+// Adds the impulse to the twists of both bodies.
+void apply_impulse(const Contact& contact, double impulse, std::span<const InverseMass> mass,
+                   std::span<Body> bodies);
+
+// Changes the twists of the bodies, and sets approach and impulse of the contacts.
+void resolve_impacts(std::span<Contact> contacts, std::span<const InverseMass> mass,
+                     std::span<Body> bodies, BoxProblem& problem);
+
+}  // namespace mirocup::simulator

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "core/simulator/neighbours.hpp"
+
+namespace mirocup::simulator {
+
+void Neighbours::refresh(const Arena& arena, std::span<const Segment> segments,
+                         std::span<const Box> boxes, const BodySet& changed, double t) {
+  int kept = 0;
+  for (int i = 0; i < count_; ++i) {
+    const Pair& pair = list_[i].pair;
+    const bool is_stale = changed[pair.a] || (!pair.with_obstacle() && changed[pair.partner]);
+    if (!is_stale) list_[kept++] = list_[i];
+  }
+  count_ = kept;
+
+  for (int i = 0; i < arena.bodies(); ++i) {
+    if (!changed[i]) continue;
+    for (int j = 0; j < arena.bodies(); ++j) {
+      if (j == i || (changed[j] && j > i)) continue;
+      const Pair pair = pair_of(i, j);
+      if (boxes_meet(arena, pair, boxes)) add(arena, pair, segments, t);
+    }
+    if (is_far_from_obstacles(arena, i, boxes[i])) continue;
+    for (int k = 0; k < plane_walls + end_walls; ++k) {
+      const Pair pair = pair_with_obstacle(i, k);
+      if (boxes_meet(arena, pair, boxes)) add(arena, pair, segments, t);
+    }
+  }
+}
+
+void Neighbours::add(const Arena& arena, const Pair& pair, std::span<const Segment> segments,
+                     double t) {
+  if (count_ == static_cast<int>(list_.size())) return;
+  list_[count_++] = {pair, touch_time(arena, pair, segments, t)};
+}
+
+}  // namespace mirocup::simulator

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "core/simulator/segment.hpp"
+
+namespace mirocup::simulator {
+
+Segment still_segment(const Body& body, double begin, double end) {
+  Segment s;
+  s.begin = begin;
+  s.end = end;
+  s.x[0] = body.position.x();
+  s.y[0] = body.position.y();
+  s.cos[0] = body.heading.cos;
+  s.sin[0] = body.heading.sin;
+  return s;
+}
+
+Segment moving_segment(const Body& body, double begin, double end) {
+  Segment s = still_segment(body, begin, end);
+  s.forward[0] = body.twist.forward;
+  s.left[0] = body.twist.left;
+  s.turn[0] = body.twist.turn;
+  return s;
+}
+
+Segment steady_segment(const Body& body, double begin, double end) {
+  Segment s = moving_segment(body, begin, end);
+  for (int k = 0; k < series_terms - 1; ++k) integrate_pose(s, k);
+  return s;
+}
+
+void integrate_pose(Segment& s, int k) {
+  const double next = k + 1;
+  s.cos[k + 1] = -product_term(s.turn, s.sin, k) / next;
+  s.sin[k + 1] = product_term(s.turn, s.cos, k) / next;
+  s.x[k + 1] = (product_term(s.forward, s.cos, k) - product_term(s.left, s.sin, k)) / next;
+  s.y[k + 1] = (product_term(s.forward, s.sin, k) + product_term(s.left, s.cos, k)) / next;
+}
+
+Body body_at(const Segment& segment, double t) {
+  const double u = t - segment.begin;
+  Body body{.position = {segment.x.at(u), segment.y.at(u)},
+            .heading = Heading{segment.cos.at(u), segment.sin.at(u)}.normalised(),
+            .twist = {segment.forward.at(u), segment.left.at(u), segment.turn.at(u)}};
+  if (t == segment.end && segment.settles != Settles::nothing) {
+    body.twist.left = 0.0;
+    if (segment.settles == Settles::everything) body.twist.forward = 0.0;
+  }
+  return body;
+}
+
+Track track_from(const Segment& segment, double origin) {
+  const double by = origin - segment.begin;
+  return {shifted(segment.x, by), shifted(segment.y, by), shifted(segment.cos, by),
+          shifted(segment.sin, by)};
+}
+
+Box swept_box(const Segment& segment) {
+  const double length = segment.end - segment.begin;
+  const Range x = change_over(segment.x, length);
+  const Range y = change_over(segment.y, length);
+  return {segment.x[0] + x.low, segment.x[0] + x.high, segment.y[0] + y.low, segment.y[0] + y.high};
+}
+
+}  // namespace mirocup::simulator

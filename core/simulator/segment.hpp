@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+//
+// The smooth motion of one body between two events.
+//
+// Robots and the ball are the same kind of thing here: a pose and a twist in the body's own frame.
+// The ball's frame does not turn (heading +x), so its twist is its velocity in the field's frame.
+#pragma once
+
+#include "core/simulator/series.hpp"
+#include "core/simulator/state.hpp"
+
+namespace mirocup::simulator {
+
+struct Body {
+  Vec2 position{0.0, 0.0};
+  Heading heading;
+  Twist twist;
+
+  Vec2 velocity() const { return heading.to_world({twist.forward, twist.left}); }
+};
+
+// What is exactly zero at the end of a segment although its series leave a rounding error there.
+enum class Settles { nothing, sideways, everything };
+
+// Valid for begin <= t <= end, seconds since the begin of the tick. The series count from `begin`.
+struct Segment {
+  double begin = 0.0;
+  double end = 0.0;
+
+  Series x, y;                 // m
+  Series cos, sin;             // heading
+  Series forward, left, turn;  // twist
+
+  Settles settles = Settles::nothing;  // sliding wheels that grip again, a ball that stops
+};
+
+// A body that keeps its place: pose, and a twist of zero.
+Segment still_segment(const Body& body, double begin, double end);
+
+// The first term of every series: pose and twist at the begin. The others are zero.
+Segment moving_segment(const Body& body, double begin, double end);
+
+// A body that keeps its twist: a straight line or an arc.
+Segment steady_segment(const Body& body, double begin, double end);
+
+// One more term of the pose from the twist's terms up to k: dx/dt = v_f cos - v_l sin, d(cos)/dt =
+// -omega sin.
+void integrate_pose(Segment& segment, int k);
+
+// The body at time t of the segment, with a heading of length 1.
+Body body_at(const Segment& segment, double t);
+
+// The same motion with its series counted from `origin` >= segment.begin.
+struct Track {
+  Series x, y, cos, sin;
+};
+Track track_from(const Segment& segment, double origin);
+
+// A box that holds the body's reference point over the whole segment.
+struct Box {
+  double low_x, high_x, low_y, high_y;
+};
+Box swept_box(const Segment& segment);
+
+}  // namespace mirocup::simulator

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "core/simulator/series.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mirocup::simulator {
+
+Series operator+(const Series& a, const Series& b) {
+  Series s;
+  for (int k = 0; k < series_terms; ++k) s[k] = a[k] + b[k];
+  return s;
+}
+
+Series operator-(const Series& a, const Series& b) {
+  Series s;
+  for (int k = 0; k < series_terms; ++k) s[k] = a[k] - b[k];
+  return s;
+}
+
+Series operator*(const Series& a, const Series& b) {
+  Series s;
+  for (int k = 0; k < series_terms; ++k) s[k] = product_term(a, b, k);
+  return s;
+}
+
+Series operator*(double factor, const Series& a) {
+  Series s;
+  for (int k = 0; k < series_terms; ++k) s[k] = factor * a[k];
+  return s;
+}
+
+Series shifted(const Series& p, double by) {
+  if (by == 0.0) return p;
+  Series s = p;
+  // Repeated synthetic division by (t - by).
+  for (int i = 0; i < series_terms - 1; ++i) {
+    for (int k = series_terms - 2; k >= i; --k) s[k] += by * s[k + 1];
+  }
+  return s;
+}
+
+Range change_over(const Series& p, double length) {
+  Range range{0.0, 0.0};
+  double power = 1.0;
+  for (int k = 1; k < series_terms; ++k) {
+    power *= length;
+    (p[k] < 0.0 ? range.low : range.high) += p[k] * power;
+  }
+  return range;
+}
+
+namespace {
+
+struct Value {
+  double p;
+  double slope;
+};
+
+Value evaluate(const Series& p, double t) {
+  double value = p[series_terms - 1];
+  double slope = 0.0;
+  for (int k = series_terms - 2; k >= 0; --k) {
+    slope = slope * t + value;
+    value = value * t + p[k];
+  }
+  return {value, slope};
+}
+
+// Half of the strongest downward curvature on [0, end]. Terms with positive coefficients bend
+// upwards for t >= 0 and may be left out.
+double downward_curvature(const Series& p, double end) {
+  double sum = 0.0;
+  double power = 1.0;
+  for (int k = 2; k < series_terms; ++k) {
+    if (p[k] < 0.0) sum -= 0.5 * k * (k - 1) * p[k] * power;
+    power *= end;
+  }
+  return sum;
+}
+
+// How far the parabola value + slope t - curvature t^2 stays above zero; value > 0.
+double safe_step(double value, double slope, double curvature) {
+  const double root = std::sqrt(slope * slope + 4.0 * curvature * value);
+  if (slope < 0.0) return 2.0 * value / (root - slope);
+  return curvature > 0.0 ? (slope + root) / (2.0 * curvature) : never;
+}
+
+}  // namespace
+
+double first_fall(const Series& p, double level, double begin, double end) {
+  if (p[0] + change_over(p, end).low > level) return never;
+
+  // Looks at one window after the other; a window is made smaller where the bounds over it are too
+  // loose.
+  constexpr int steps_per_window = 8;
+  constexpr int most_windows = 256;
+  double origin = begin;
+  double window = end - begin;
+  for (int i = 0; i < most_windows; ++i) {
+    const Series local = shifted(p, origin);
+    window = std::min(window, end - origin);
+    double t = 0.0;
+    if (local[0] + change_over(local, window).low > level) {
+      t = window;
+    } else {
+      const double curvature = downward_curvature(local, window);
+      for (int step = 0; step < steps_per_window && t < window; ++step) {
+        const Value here = evaluate(local, t);
+        const double height = here.p - level;
+        if (height <= closeness) return origin + t;
+        const double ahead = safe_step(height, here.slope, curvature);
+        if (origin + (t + ahead) <= origin + t)
+          return origin + t;  // closer than the clock can tell
+        t += ahead;
+      }
+    }
+    if (t >= window) {
+      if (origin + window >= end) return never;
+      origin += window;
+      window *= 2.0;
+    } else {
+      origin += t;
+      window *= 0.25;
+    }
+  }
+  return origin;  // p is that close to the level for that long: the caller looks again from here
+}
+
+}  // namespace mirocup::simulator

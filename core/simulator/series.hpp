@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+//
+// Power series in time: how every motion of one tick is written down.
+//
+// Between two events a robot or the ball follows a smooth differential equation whose Taylor
+// coefficients come one from the other by multiplications only. So a position is a polynomial, a
+// gap is a polynomial, and the first touch is the first root of one. Truncation: a segment is kept
+// so short that the first dropped term is below 1e-13 of the motion (see segment_length()).
+#pragma once
+
+#include <array>
+#include <limits>
+
+namespace mirocup::simulator {
+
+inline constexpr int series_terms = 14;  // coefficients of t^0 .. t^13
+
+// "Never", where a time is asked for.
+inline constexpr double never = std::numeric_limits<double>::infinity();
+
+// Values in any unit, t in seconds from the begin of the segment that the series belongs to.
+struct Series {
+  std::array<double, series_terms> c{};
+
+  double operator[](int k) const { return c[k]; }
+  double& operator[](int k) { return c[k]; }
+
+  double at(double t) const {
+    double sum = c[series_terms - 1];
+    for (int k = series_terms - 2; k >= 0; --k) sum = sum * t + c[k];
+    return sum;
+  }
+
+  static Series constant(double value) {
+    Series s;
+    s.c[0] = value;
+    return s;
+  }
+};
+
+Series operator+(const Series& a, const Series& b);
+Series operator-(const Series& a, const Series& b);
+Series operator*(const Series& a, const Series& b);  // truncated
+Series operator*(double factor, const Series& a);
+
+// Coefficient k of a * b, from the coefficients 0 .. k of both: the step of every recurrence.
+inline double product_term(const Series& a, const Series& b, int k) {
+  double sum = 0.0;
+  for (int j = 0; j <= k; ++j) sum += a[j] * b[k - j];
+  return sum;
+}
+
+// The same polynomial counted from a later origin: shifted(p, d).at(t) = p.at(t + d).
+Series shifted(const Series& p, double by);
+
+// Bounds of p over [0, length]: p(t) - p(0) lies between `low` and `high`.
+struct Range {
+  double low;
+  double high;
+};
+Range change_over(const Series& p, double length);
+
+// The first t in [begin, end] at which p has fallen to `level` or below, or never; 0 <= begin.
+//
+// It cannot skip a root: every step stays left of the first root of a parabola that lies below p,
+// and the parabola's curvature bounds that of p from below over the whole interval. Near a simple
+// root it converges quadratically; p at the result is at most `level` + `closeness`.
+inline constexpr double closeness = 1e-14;
+double first_fall(const Series& p, double level, double begin, double end);
+
+// The longest segment over which a motion with rates up to `rate` (1/s: turn rates and reciprocal
+// time constants added) is exact to 1e-13 of itself.
+inline double segment_length(double rate) {
+  return rate > 0.0 ? 0.6 / rate : never;
+}
+
+}  // namespace mirocup::simulator

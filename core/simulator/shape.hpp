@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+//
+// Outlines: a circle, or a convex polygon, given in the body's own frame around its reference
+// point.
+#pragma once
+
+#include "core/base/vec2.hpp"
+#include "core/field/field.hpp"
+
+#include <array>
+#include <span>
+
+namespace mirocup::simulator {
+
+inline constexpr int max_corners = 8;
+
+struct Shape {
+  int corners = 0;  // 0: a circle
+  double radius =
+      0.0;  // of the circle, or of the smallest circle around the reference point that holds all
+
+  // Counter-clockwise. Edge i runs from corner i to corner i + 1; normal . x = offset on it,
+  // outwards.
+  std::array<Vec2, max_corners> corner;
+  std::array<Vec2, max_corners> normal;
+  std::array<double, max_corners> offset;
+
+  bool is_circle() const { return corners == 0; }
+  int next(int i) const { return i + 1 == corners ? 0 : i + 1; }
+};
+
+Shape circle(double radius);
+
+// A square of that side, centred; edge 0 is its front (+x).
+Shape square(double side);
+
+// A convex polygon from its corners, counter-clockwise, at least 3.
+Shape polygon(std::span<const Vec2> corners);
+
+// The solid end wall behind a goal post, in the field's frame. It reaches far outside, where
+// nothing is.
+Shape end_wall(const field::GoalPost& post);
+
+}  // namespace mirocup::simulator

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+//
+// Where everything is and how it moves: plain data, the whole memory of the physics between two
+// ticks.
+#pragma once
+
+#include "core/base/heading.hpp"
+#include "core/base/vec2.hpp"
+#include "core/field/league.hpp"
+
+#include <array>
+#include <optional>
+
+namespace mirocup::simulator {
+
+inline constexpr int max_robots = 2 * max_robots_per_team;
+inline constexpr int max_bodies = max_robots + 1;  // and the ball
+
+// Velocities are those of the body frame: forward and to the left in m/s, turning in rad/s.
+struct Twist {
+  double forward = 0.0;  // v_f
+  double left = 0.0;     // v_l, not zero only while the wheels slide sideways
+  double turn = 0.0;     // omega
+};
+
+struct RobotState {
+  Vec2 position{0.0, 0.0};
+  Heading heading;
+  Twist twist;
+};
+
+struct BallState {
+  Vec2 position{0.0, 0.0};
+  Vec2 velocity{0.0, 0.0};
+};
+
+// What a robot's wheels are asked to do until the next command, rad/s. `nothing` lifts the wheels
+// off the ground: a free body without motor and grip.
+struct WheelSpeeds {
+  double left = 0.0;
+  double right = 0.0;
+};
+using WheelCommand = std::optional<WheelSpeeds>;
+
+}  // namespace mirocup::simulator

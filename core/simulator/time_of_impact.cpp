@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "core/simulator/time_of_impact.hpp"
+
+#include "core/simulator/contact.hpp"
+
+#include <algorithm>
+
+namespace mirocup::simulator {
+
+namespace {
+
+// Separating lines are tried at most this often; two or three are usual. Beyond, the time reached
+// is returned as if it were a touch: the caller finds none there and looks again from it.
+constexpr int most_lines = 64;
+
+struct SeriesPoint {
+  Series x, y;
+
+  Vec2 at(double t) const { return {x.at(t), y.at(t)}; }
+};
+
+// The direction v in a frame with the given heading.
+SeriesPoint to_body(const Track& frame, const SeriesPoint& v) {
+  return {frame.cos * v.x + frame.sin * v.y, frame.cos * v.y - frame.sin * v.x};
+}
+
+SeriesPoint difference(const Track& a, const Track& b) {
+  return {a.x - b.x, a.y - b.y};
+}
+
+// n . (q + R corner), where the heading of R is (cos, sin).
+Series distance_along(const Vec2& n, const SeriesPoint& q, const Series& cos, const Series& sin,
+                      const Vec2& corner) {
+  const double by_cos = n.dot(corner);
+  const double by_sin = cross(corner, n);
+  Series d;
+  for (int k = 0; k < series_terms; ++k) {
+    d[k] = n.x() * q.x[k] + n.y() * q.y[k] + by_cos * cos[k] + by_sin * sin[k];
+  }
+  return d;
+}
+
+// A polygon's motion in the frame of another: position and heading.
+struct RelativeTrack {
+  SeriesPoint position;
+  Series cos, sin;
+};
+
+// When the first corner of `other` comes down to `level` over one edge of `reference`.
+double first_corner_over(const Shape& reference, int edge, const Shape& other,
+                         const RelativeTrack& motion, double level, double begin, double end) {
+  double first = never;
+  for (int i = 0; i < other.corners; ++i) {
+    const Series d = distance_along(reference.normal[edge], motion.position, motion.cos, motion.sin,
+                                    other.corner[i]);
+    first =
+        std::min(first, first_fall(d, reference.offset[edge] + level, begin, std::min(first, end)));
+  }
+  return first;
+}
+
+// From t on, the first time at which the centre comes within `reach` of a corner or leaves the
+// sector in which that corner is what it is nearest to.
+double first_change_at_corner(const Shape& polygon, int corner, const SeriesPoint& centre,
+                              double reach, double t, double end) {
+  SeriesPoint away = centre;
+  away.x[0] -= polygon.corner[corner].x();
+  away.y[0] -= polygon.corner[corner].y();
+  // (distance^2 - reach^2) / 2 reach: for small gaps, the gap.
+  const Series gap = (0.5 / reach) * (away.x * away.x + away.y * away.y);
+  const Vec2& before = polygon.normal[corner == 0 ? polygon.corners - 1 : corner - 1];
+  const Vec2& after = polygon.normal[corner];
+  const double first = first_fall(gap, 0.5 * reach, t, end);
+  const double over_before =
+      first_fall(before.x() * away.y - before.y() * away.x, -4.0 * closeness, t, end);
+  const double over_after =
+      first_fall(after.y() * away.x - after.x() * away.y, -4.0 * closeness, t, end);
+  return std::min({first, over_before, over_after});
+}
+
+double first_touch_of_circle(const Mover& a, const Mover& b, double level, double begin,
+                             double end) {
+  const Track track_b = track_from(b.segment, begin);
+  const SeriesPoint centre = to_body(track_b, difference(track_from(a.segment, begin), track_b));
+  const double length = end - begin;
+  const double reach = a.shape.radius + level;
+  double t = 0.0;
+  for (int line = 0; line < most_lines; ++line) {
+    const Axis axis = nearest_axis(b.shape, centre.at(t));
+    if (axis.separation <= reach + closeness) break;
+    if (axis.corner >= 0) {
+      t = first_change_at_corner(b.shape, axis.corner, centre, reach, t, length);
+    } else {
+      const Series d = axis.normal.x() * centre.x + axis.normal.y() * centre.y;
+      t = first_fall(d, axis.offset + reach, t, length);
+    }
+    if (t == never) return never;
+  }
+  return begin + t;
+}
+
+double first_touch_of_polygons(const Mover& a, const Mover& b, double level, double begin,
+                               double end) {
+  const Track track_a = track_from(a.segment, begin);
+  const Track track_b = track_from(b.segment, begin);
+  const SeriesPoint d = difference(track_a, track_b);
+  const Series cos = track_b.cos * track_a.cos + track_b.sin * track_a.sin;
+  const Series sin = track_b.cos * track_a.sin - track_b.sin * track_a.cos;
+  const RelativeTrack a_in_b{to_body(track_b, d), cos, sin};
+  const SeriesPoint minus_b_in_a = to_body(track_a, d);
+  const RelativeTrack b_in_a{{-1.0 * minus_b_in_a.x, -1.0 * minus_b_in_a.y}, cos, -1.0 * sin};
+
+  const double length = end - begin;
+  double t = 0.0;
+  for (int line = 0; line < most_lines; ++line) {
+    const Heading turned{cos.at(t), sin.at(t)};
+    const EdgeSeparation of_a =
+        best_edge(a.shape, b.shape, b_in_a.position.at(t), {turned.cos, -turned.sin});
+    const EdgeSeparation of_b = best_edge(b.shape, a.shape, a_in_b.position.at(t), turned);
+    if (std::max(of_a.separation, of_b.separation) <= level + closeness) break;
+    t = of_a.separation >= of_b.separation
+            ? first_corner_over(a.shape, of_a.edge, b.shape, b_in_a, level, t, length)
+            : first_corner_over(b.shape, of_b.edge, a.shape, a_in_b, level, t, length);
+    if (t == never) return never;
+  }
+  return begin + t;
+}
+
+}  // namespace
+
+double first_touch(const Mover& a, const Mover& b, double level, double begin, double end) {
+  return a.shape.is_circle() ? first_touch_of_circle(a, b, level, begin, end)
+                             : first_touch_of_polygons(a, b, level, begin, end);
+}
+
+double first_touch(const Mover& a, const field::Wall& wall, double level, double begin,
+                   double end) {
+  const Track track = track_from(a.segment, begin);
+  const double target = wall.offset + level;
+  if (a.shape.is_circle()) {
+    const Series d = wall.normal.x() * track.x + wall.normal.y() * track.y;
+    return begin + first_fall(d, target + a.shape.radius, 0.0, end - begin);
+  }
+  double first = never;
+  for (int i = 0; i < a.shape.corners; ++i) {
+    const Series d =
+        distance_along(wall.normal, {track.x, track.y}, track.cos, track.sin, a.shape.corner[i]);
+    first = std::min(first, first_fall(d, target, 0.0, std::min(first, end - begin)));
+  }
+  return begin + first;
+}
+
+}  // namespace mirocup::simulator

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: MIT
+#include "core/simulator/world.hpp"
+
+#include "core/simulator/ball_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mirocup::simulator {
+
+namespace {
+
+BodySet first_bodies(int count) {
+  BodySet set;
+  for (int i = 0; i < count; ++i) set.set(i);
+  return set;
+}
+
+}  // namespace
+
+World::World(const field::Field* field, const Parameters& parameters, const Tolerances& tolerances,
+             int robots, bool has_ball)
+    : arena_(make_arena(field, parameters, tolerances, robots, has_ball)),
+      problem_(std::make_unique<BoxProblem>()),
+      forces_(std::make_unique<ContactForces>(arena_)),
+      motion_(std::make_unique<ContactMotion>(arena_)) {
+  double rest_speed = tolerances.rest_speed;
+  for (double& speed : bounce_rest_speeds_) {
+    speed = rest_speed;
+    rest_speed *= tolerances.rest_growth_per_bounce;
+  }
+  for (int i = 0; i < robots; ++i) free_mass_[i] = arena_.free_robot;
+  if (has_ball) mass_[robots] = free_mass_[robots] = arena_.ball;
+}
+
+RobotState World::robot(int i) const {
+  return {bodies_[i].position, bodies_[i].heading, bodies_[i].twist};
+}
+
+BallState World::ball() const {
+  const Body& ball = bodies_[arena_.robots];
+  return {ball.position, {ball.twist.forward, ball.twist.left}};
+}
+
+void World::set_robot(int i, const RobotState& state) {
+  bodies_[i] = {state.position, state.heading, state.twist};
+  if (arena_.parameters.grip == infinite_grip) bodies_[i].twist.left = 0.0;
+  bodies_were_set_ = true;
+}
+
+void World::set_ball(const BallState& state) {
+  bodies_[arena_.robots] = {
+      state.position, Heading{}, {state.velocity.x(), state.velocity.y(), 0.0}};
+  bodies_were_set_ = true;
+}
+
+const TickEvents& World::advance(std::span<const WheelCommand> commands, double duration) {
+  events_ = {};
+  bounces_ = {};
+  rest_speed_ = arena_.tolerances.rest_speed;
+  for (int i = 0; i < arena_.robots; ++i) {
+    drives_[i] = drive_of(arena_.parameters, commands[i]);
+    mass_[i] = drives_[i].wheels_on_ground ? arena_.grounded_robot : arena_.free_robot;
+  }
+  const BodySet all = first_bodies(arena_.bodies());
+  neighbours_.clear();
+  if (bodies_were_set_) collect_contacts_anywhere(arena_.tolerances.touch);
+  bodies_were_set_ = false;
+  go_on(all, 0.0, duration);
+
+  BodySet involved;
+  double t = next_event(duration, involved);
+  while (t < duration && events_.events < arena_.tolerances.events_per_tick) {
+    play_event(t, duration, involved);
+    t = next_event(duration, involved);
+  }
+
+  bring_to(t, all);
+  if (t < duration) finish_in_steps(t, duration);
+  collect_contacts(all);
+  return events_;
+}
+
+double World::next_event(double tick_end, BodySet& involved) const {
+  involved.reset();
+  double t = tick_end;
+  for (int i = 0; i < arena_.bodies(); ++i) t = std::min(t, segments_[i].end);
+  const Neighbour* first = nullptr;
+  for (const Neighbour& n : neighbours_.list()) {
+    if (n.touch > t) continue;
+    const bool earlier = first == nullptr || n.touch < t || n.pair.a < first->pair.a ||
+                         (n.pair.a == first->pair.a && n.pair.partner < first->pair.partner);
+    if (!earlier) continue;
+    first = &n;
+    t = n.touch;
+  }
+  if (first != nullptr) {
+    involved.set(first->pair.a);
+    if (!first->pair.with_obstacle()) involved.set(first->pair.partner);
+  } else {
+    for (int i = 0; i < arena_.bodies(); ++i) involved[i] = segments_[i].end <= t;
+  }
+  return t;
+}
+
+void World::play_event(double t, double tick_end, BodySet involved) {
+  ++events_.events;
+  rest_speed_ *= arena_.tolerances.rest_growth_per_event;
+  spread_over_touching(t, involved);
+  bring_to(t, involved);
+  collect_contacts(involved);
+  go_on(involved, t, tick_end);
+}
+
+// From the contacts that the involved bodies have now: who bounces, who presses, and how all of
+// them move on.
+void World::go_on(const BodySet& involved, double t, double tick_end) {
+  note_touches();
+  separate_overlaps();
+  collide();
+  forces_->decide(drives_, rest_speed_, bodies_, contacts_.contacts());
+  start_segments(involved, t, tick_end);
+  neighbours_.refresh(arena_, segments_, boxes_, involved, t);
+}
+
+void World::spread_over_touching(double t, BodySet& involved) const {
+  bool grows = true;
+  while (grows) {
+    grows = false;
+    for (const Neighbour& n : neighbours_.list()) {
+      if (n.pair.with_obstacle() || involved[n.pair.a] == involved[n.pair.partner]) continue;
+      const Body a = body_at(segments_[n.pair.a], t);
+      const Body b = body_at(segments_[n.pair.partner], t);
+      if (gap(arena_, n.pair, a, b) > arena_.tolerances.touch) continue;
+      involved.set(n.pair.a);
+      involved.set(n.pair.partner);
+      grows = true;
+    }
+  }
+}
+
+void World::bring_to(double t, const BodySet& involved) {
+  for (int i = 0; i < arena_.bodies(); ++i) {
+    if (involved[i]) bodies_[i] = body_at(segments_[i], t);
+  }
+}
+
+void World::collect_contacts(const BodySet& involved) {
+  contacts_.count = 0;
+  for (const Neighbour& n : neighbours_.list()) {
+    if (!involved[n.pair.a] || !(n.pair.with_obstacle() || involved[n.pair.partner])) continue;
+    add_contacts(arena_, n.pair, bodies_, arena_.tolerances.touch, contacts_);
+  }
+}
+
+void World::collect_contacts_anywhere(double margin) {
+  contacts_.count = 0;
+  for (int i = 0; i < arena_.bodies(); ++i) {
+    const Vec2& p = bodies_[i].position;
+    boxes_[i] = {p.x() - margin, p.x() + margin, p.y() - margin, p.y() + margin};
+    const auto add = [&](const Pair& pair) {
+      if (boxes_meet(arena_, pair, boxes_)) add_contacts(arena_, pair, bodies_, margin, contacts_);
+    };
+    for (int j = 0; j < i; ++j) add({i, j});
+    if (is_far_from_obstacles(arena_, i, boxes_[i])) continue;
+    for (int k = 0; k < plane_walls + end_walls; ++k) add(pair_with_obstacle(i, k));
+  }
+}
+
+void World::separate_overlaps() {
+  double deepest = 0.0;
+  for (const Contact& c : contacts_.contacts()) deepest = std::max(deepest, -c.at.gap);
+  events_.deepest_overlap = std::max(events_.deepest_overlap, deepest);
+  if (deepest > 2.0 * arena_.tolerances.touch) {
+    push_apart(contacts_.contacts(), free_mass_, bodies_, *problem_);
+  }
+}
+
+void World::collide() {
+  for (Contact& c : contacts_.contacts()) {
+    c.rest_speed = std::max(rest_speed_, bounce_rest_speeds_[bounces_of(c)]);
+  }
+  resolve_impacts(contacts_.contacts(), mass_, bodies_, *problem_);
+  for (const Contact& c : contacts_.contacts()) {
+    if (c.impulse == 0.0 || c.approach <= c.rest_speed) continue;
+    ++events_.impacts;
+    if (bounces_of(c) < most_bounces) ++bounces_of(c);
+  }
+}
+
+void World::note_touches() {
+  for (const Contact& c : contacts_.contacts()) {
+    if (c.pair.with_obstacle()) continue;
+    events_.touched[c.pair.a].set(c.pair.partner);
+    events_.touched[c.pair.partner].set(c.pair.a);
+    if (arena_.is_ball(c.pair.a)) events_.last_to_touch_ball = c.pair.partner;
+  }
+}
+
+void World::start_segments(const BodySet& involved, double t, double tick_end) {
+  BodySet left = involved;
+  for (int i = 0; i < arena_.bodies(); ++i) {
+    if (!left[i]) continue;
+    const BodySet cluster = cluster_of(i);
+    left &= ~cluster;
+    if (cluster.any()) {
+      motion_->move(cluster, *forces_, contacts_.contacts(), drives_, t, tick_end, bodies_,
+                    segments_);
+    } else if (arena_.is_ball(i)) {
+      segments_[i] = roll(rolling_deceleration(arena_.parameters), bodies_[i], t, tick_end);
+    } else {
+      segments_[i] = drive(arena_.parameters, bodies_[i], drives_[i], t, tick_end);
+    }
+  }
+  for (int i = 0; i < arena_.bodies(); ++i) {
+    if (involved[i]) boxes_[i] = swept_box(segments_[i]);
+  }
+}
+
+// The bodies that hold together with this one, itself included; empty if nothing holds it.
+BodySet World::cluster_of(int body) const {
+  BodySet cluster;
+  cluster.set(body);
+  bool held = false;
+  bool grows = true;
+  while (grows) {
+    grows = false;
+    for (const Contact& c : contacts_.contacts()) {
+      if (!c.holds ||
+          !(cluster[c.pair.a] || (c.b != no_body && c.a != no_body && cluster[c.pair.partner]))) {
+        continue;
+      }
+      held = true;
+      if (c.pair.with_obstacle() || cluster[c.pair.a] == cluster[c.pair.partner]) continue;
+      cluster.set(c.pair.a);
+      cluster.set(c.pair.partner);
+      grows = true;
+    }
+  }
+  return held ? cluster : BodySet{};
+}
+
+void World::finish_in_steps(double t, double tick_end) {
+  events_.stepped = true;
+  std::array<int, max_bodies> members;
+  for (int i = 0; i < arena_.bodies(); ++i) members[i] = i;
+  const std::span<const int> all(members.data(), static_cast<std::size_t>(arena_.bodies()));
+  const Forces forces{arena_.parameters, drives_, arena_.has_ball ? arena_.robots : no_body};
+
+  while (t < tick_end) {
+    const double end = std::min(tick_end, t + arena_.tolerances.step);
+    double fastest = 0.0;
+    for (const int i : all) {
+      const Twist& v = bodies_[i].twist;
+      fastest = std::max(fastest, std::abs(v.forward) + std::abs(v.left) +
+                                      std::abs(v.turn) * arena_.shape(i).radius);
+    }
+    // Whatever can meet within the step is a contact of the step.
+    collect_contacts_anywhere(2.0 * fastest * (end - t) + 1e-4);
+    note_touches();
+    step_in_contact(forces, all, contacts_.contacts(), end - t, mass_, bodies_, *problem_);
+    for (const int i : all) bodies_[i] = body_at(steady_segment(bodies_[i], t, end), end);
+    collect_contacts_anywhere(arena_.tolerances.touch);
+    separate_overlaps();
+    t = end;
+  }
+  bodies_were_set_ = true;
+}
+
+}  // namespace mirocup::simulator

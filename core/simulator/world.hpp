@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+//
+// All bodies on the field and how they move through one tick.
+//
+// A tick is played from event to event. Between events every body follows its own segment; an event
+// is the first touch of two bodies, wheels that begin or cease to slide, a ball that stops, or a
+// contact that opens. Only the bodies that touch at an event are looked at again. A tick with more
+// events than anyone can follow is finished in small steps, so no scene can stall the world.
+//
+// Threads: none; one world belongs to one thread. Nothing is allocated after construction. The same
+// commands give the same bits everywhere, and a world turned by 180 degrees stays turned, bit for
+// bit.
+#pragma once
+
+#include "core/simulator/arena.hpp"
+#include "core/simulator/contact_motion.hpp"
+#include "core/simulator/contact_stepping.hpp"
+#include "core/simulator/neighbours.hpp"
+
+#include <array>
+#include <memory>
+#include <span>
+
+namespace mirocup::simulator {
+
+// What happened in a tick, for the referee and for reports.
+struct TickEvents {
+  // touched[a][b]: bodies a and b were in contact at some time of the tick; symmetric. The ball's
+  // index is the number of robots.
+  std::array<BodySet, max_bodies> touched{};
+  int last_to_touch_ball = no_body;  // the last robot that touched the ball, if one did
+  int events = 0;
+  int impacts = 0;
+  bool stepped = false;          // the tick was finished in small steps
+  double deepest_overlap = 0.0;  // m, before it was corrected
+};
+
+class World {
+ public:
+  // `field` may be null: an infinite plane; else it outlives the world. At most max_robots robots.
+  World(const field::Field* field, const Parameters& parameters, const Tolerances& tolerances,
+        int robots, bool has_ball);
+
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  int robots() const { return arena_.robots; }
+  const Parameters& parameters() const { return arena_.parameters; }
+  const Arena& arena() const { return arena_; }
+
+  RobotState robot(int i) const;
+  BallState ball() const;
+
+  // Puts a body somewhere; it must overlap nothing when the next tick begins.
+  void set_robot(int i, const RobotState& state);
+  void set_ball(const BallState& state);
+
+  // Plays `duration` seconds under the commands, one per robot.
+  const TickEvents& advance(std::span<const WheelCommand> commands, double duration);
+
+ private:
+  double next_event(double tick_end, BodySet& involved) const;
+  void play_event(double t, double tick_end, BodySet involved);
+  void go_on(const BodySet& involved, double t, double tick_end);
+  void finish_in_steps(double t, double tick_end);
+
+  void spread_over_touching(double t, BodySet& involved) const;
+  void bring_to(double t, const BodySet& involved);
+  void collect_contacts(const BodySet& involved);
+  void collect_contacts_anywhere(double margin);
+  void separate_overlaps();
+  void collide();
+  void start_segments(const BodySet& involved, double t, double tick_end);
+  BodySet cluster_of(int body) const;
+  void note_touches();
+  unsigned char& bounces_of(const Contact& c) { return bounces_[c.pair.a][c.pair.partner]; }
+
+  static constexpr int most_bounces = 40;  // that are counted
+
+  Arena arena_;
+  std::array<Body, max_bodies> bodies_{};  // each at the begin of its segment
+  std::array<Segment, max_bodies> segments_{};
+  std::array<Box, max_bodies> boxes_{};
+  std::array<Drive, max_robots> drives_{};
+  std::array<InverseMass, max_bodies> mass_{};
+  std::array<InverseMass, max_bodies> free_mass_{};
+  std::array<std::array<unsigned char, max_partners>, max_bodies> bounces_{};  // in this tick
+  std::array<double, most_bounces + 1> bounce_rest_speeds_{};  // after so many bounces
+  double rest_speed_ = 0.0;                                    // after so many events of this tick
+  Neighbours neighbours_;
+  TickEvents events_;
+  bool bodies_were_set_ = true;
+
+  ContactList contacts_;  // of the event being played; between ticks, of all bodies
+  std::unique_ptr<BoxProblem> problem_;
+  std::unique_ptr<ContactForces> forces_;
+  std::unique_ptr<ContactMotion> motion_;
+};
+
+}  // namespace mirocup::simulator

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+//
+// Every solution is held against the conditions that define it. Catches a bound that is not
+// released, a free unknown that is not solved, a singular matrix that stalls.
+#include "core/simulator/complementarity.hpp"
+
+#include "core/base/random.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace mirocup::simulator {
+namespace {
+
+double worst_violation(const BoxProblem& p) {
+  double worst = 0.0;
+  for (int i = 0; i < p.size(); ++i) {
+    double w = p.b[i];
+    for (int j = 0; j < p.size(); ++j) w += p.a(i, j) * p.x[j];
+    worst = std::max({worst, p.low[i] - p.x[i], p.x[i] - p.high[i]});
+    if (p.x[i] > p.low[i]) worst = std::max(worst, w);
+    if (p.x[i] < p.high[i]) worst = std::max(worst, -w);
+  }
+  return worst;
+}
+
+// A = G G' with G of the given rank; every third unknown is boxed.
+void make_random(BoxProblem& p, int size, int rank, Random& random) {
+  p.reset(size);
+  std::vector<double> g(size * rank);
+  for (double& x : g) x = random.uniform(-1.0, 1.0);
+  std::vector<double> v(rank);
+  for (double& x : v) x = random.uniform(-1.0, 1.0);
+  for (int i = 0; i < size; ++i) {
+    // b in the range of G: the problem has a solution even where A is singular.
+    for (int k = 0; k < rank; ++k) p.b[i] += g[i * rank + k] * v[k];
+    for (int j = 0; j < size; ++j) {
+      for (int k = 0; k < rank; ++k) p.a(i, j) += g[i * rank + k] * g[j * rank + k];
+    }
+    if (i % 3 == 2) {
+      p.low[i] = -0.1;
+      p.high[i] = 0.2;
+    }
+  }
+}
+
+TEST(BoxProblem, SolvesRandomProblems) {
+  Random random(1);
+  BoxProblem p;
+  for (int i = 0; i < 3000; ++i) {
+    const int size = 1 + static_cast<int>(random.below(24));
+    make_random(p, size, size + 2, random);
+    p.solve();
+    ASSERT_LE(worst_violation(p), 1e-9) << "case " << i << ", size " << size;
+  }
+}
+
+TEST(BoxProblem, SolvesRedundantContacts) {
+  Random random(2);
+  BoxProblem p;
+  for (int i = 0; i < 3000; ++i) {
+    const int size = 2 + static_cast<int>(random.below(24));
+    make_random(p, size, 1 + static_cast<int>(random.below(size - 1)), random);
+    p.solve();
+    ASSERT_LE(worst_violation(p), 1e-7) << "case " << i << ", size " << size;
+  }
+}
+
+TEST(BoxProblem, OneContactIsADivision) {
+  BoxProblem p;
+  p.reset(1);
+  p.a(0, 0) = 4.0;
+  p.b[0] = -2.0;
+  p.solve();
+  EXPECT_EQ(p.x[0], 0.5);
+  p.b[0] = 2.0;
+  p.solve();
+  EXPECT_EQ(p.x[0], 0.0);
+}
+
+TEST(BoxProblem, ContradictionGoesToTheBound) {
+  // Two equal rows that ask for different things: one of the two contacts lets go.
+  BoxProblem p;
+  p.reset(2);
+  for (int i = 0; i < 2; ++i) {
+    for (int j = 0; j < 2; ++j) p.a(i, j) = 1.0;
+  }
+  p.b[0] = -1.0;
+  p.b[1] = -2.0;
+  p.solve();
+  EXPECT_NEAR(p.x[0], 0.0, 1e-9);
+  EXPECT_NEAR(p.x[1], 2.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace mirocup::simulator
