@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: MIT
+#include "core/match/match.hpp"
+
+#include "core/base/random.hpp"
+#include "core/referee/placement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace mirocup::match {
+
+namespace {
+
+// A team that answers late goes on with its last command for so many ticks, then stands.
+constexpr int ticks_a_command_lasts = 3;
+
+ObservedRobot observed(End end, const simulator::RobotState& robot) {
+  const Vec2 velocity = robot.heading.to_world({robot.twist.forward, robot.twist.left});
+  return {.position = team_frame(end, robot.position),
+          .heading = team_frame(end, robot.heading).angle(),
+          .velocity = team_frame(end, velocity),
+          .turn = robot.twist.turn};
+}
+
+void add(StateHash& hash, const Vec2& v) {
+  hash.add(v.x());
+  hash.add(v.y());
+}
+
+}  // namespace
+
+Match::Match(const Setup& setup)
+    : setup_(setup),
+      field_(field::make_field(setup.league)),
+      pitch_{field_, setup_.rules, setup.parameters.ball_radius, setup.parameters.robot_side} {
+  // The toss: who defends the left end, and who kicks off (MiroSot law 6.1).
+  Random toss(mix_seed(setup.seed));
+  left_ = toss.coin() ? Team::blue : Team::yellow;
+  const Team kick_off = toss.coin() ? Team::blue : Team::yellow;
+  referee_ = std::make_unique<referee::Referee>(pitch_, end_of(kick_off));
+  world_ = std::make_unique<simulator::World>(&field_, setup_.parameters, setup_.tolerances,
+                                              2 * field_.robots_per_team, true);
+  log_.reserve(static_cast<std::size_t>(2.2 * setup_.rules.half_s / setup_.control_period));
+  apply(referee_->opening());
+  place();
+}
+
+Briefing Match::briefing(Team team) const {
+  return {.field = &field_,
+          .parameters = &setup_.parameters,
+          .rules = &setup_.rules,
+          .control_period = setup_.control_period,
+          .team = team,
+          .seed = mix_seed(setup_.seed + 1 + static_cast<std::uint64_t>(index_of(team)))};
+}
+
+void Match::advance(Controller& blue, Controller& yellow) {
+  blue.post(observe(Team::blue));
+  yellow.post(observe(Team::yellow));
+  if (!answer(blue, yellow)) return;
+  simulate();
+  judge();
+  place();
+  record();
+}
+
+// Collects both answers; false if one of them ends the match.
+bool Match::answer(Controller& blue, Controller& yellow) {
+  const ByTeam<Answer> given{blue.collect(), yellow.collect()};
+  std::vector<TeamFault> faults;
+  for (const Team team : both_teams) {
+    const int i = index_of(team);
+    if (const auto* failure = std::get_if<HostFailure>(&given[i])) {
+      declare_void(failure->text);
+      return false;
+    }
+    if (const auto* fault = std::get_if<Fault>(&given[i])) {
+      faults.push_back({team, *fault});
+    } else if (const auto* command = std::get_if<Command>(&given[i])) {
+      const CheckedCommand checked =
+          check(*command, field_.robots_per_team, setup_.parameters.wheel_speed_limit);
+      answers_[i] = checked.command;
+      bad_values_[i] += checked.bad_values > 0 ? 1 : 0;
+      late_in_a_row_[i] = 0;
+    } else {
+      ++late_ticks_[i];
+      if (++late_in_a_row_[i] > ticks_a_command_lasts) answers_[i] = {};
+    }
+  }
+  if (faults.empty()) return true;
+  forfeit(std::move(faults));
+  return false;
+}
+
+void Match::simulate() {
+  std::array<simulator::WheelCommand, simulator::max_robots> wheels;
+  for (const Team team : both_teams) {
+    for (int i = 0; i < field_.robots_per_team; ++i) {
+      const bool plays = state_ == State::PLAY;
+      wheels[body_of(team, i)] =
+          plays ? pending_[index_of(team)].speeds(i) : simulator::WheelSpeeds{};
+    }
+  }
+  ball_before_ = world_->ball().position;
+  events_ = &world_->advance({wheels.data(), static_cast<std::size_t>(world_->robots())},
+                             setup_.control_period);
+}
+
+void Match::judge() {
+  if (state_ != State::PLAY) {
+    if (--ready_ticks_left_ <= 0) state_ = State::PLAY;
+    return;
+  }
+  if (const auto decision = referee_->judge(situation(ball_before_, *events_))) apply(*decision);
+}
+
+void Match::apply(const referee::Decision& decision) {
+  log_decision(decision);
+  if (const auto next = referee_->follow_up(decision)) {
+    log_decision(*next);
+    end(EndKind::mercy);
+    return;
+  }
+  if (decision.verdict == referee::Verdict::MATCH_END) {
+    end(EndKind::full_time);
+  } else if (decision.verdict == referee::Verdict::HALF_END) {
+    left_ = opponent_of(left_);
+    referee_->start_second_half();
+    apply(referee_->opening());
+  } else {
+    restart_ = decision;
+    placement_is_due_ = true;
+  }
+}
+
+void Match::place() {
+  if (!placement_is_due_) return;
+  placement_is_due_ = false;
+  const referee::Placement placement =
+      referee::default_placement(field_, restart_.restart, restart_.taker, restart_.spot);
+  for (const Team team : both_teams) {
+    for (int i = 0; i < field_.robots_per_team; ++i) {
+      const Pose& pose = placement.robots[index_of(end_of(team))][i];
+      world_->set_robot(body_of(team, i), {pose.position, pose.heading, {}});
+    }
+  }
+  world_->set_ball({placement.ball, {0.0, 0.0}});
+  restart_.spot = placement.ball;
+  referee_->resume(restart_);
+  state_ = State::READY;
+  ready_ticks_left_ =
+      std::max(1, static_cast<int>(std::nearbyint(setup_.rules.ready_s / setup_.control_period)));
+}
+
+void Match::record() {
+  hash_.add(static_cast<std::uint64_t>(tick_));
+  hash_.add(static_cast<std::uint64_t>(state_));
+  hash_.add(referee_->clock());
+  for (const int score : referee_->score()) hash_.add(static_cast<std::uint64_t>(score));
+  const simulator::BallState ball = world_->ball();
+  add(hash_, ball.position);
+  add(hash_, ball.velocity);
+  for (int i = 0; i < world_->robots(); ++i) {
+    const simulator::RobotState robot = world_->robot(i);
+    add(hash_, robot.position);
+    hash_.add(robot.heading.cos);
+    hash_.add(robot.heading.sin);
+    hash_.add(robot.twist.forward);
+    hash_.add(robot.twist.left);
+    hash_.add(robot.twist.turn);
+  }
+  log_.push_back({answers_, hash_.value()});
+  pending_ = answers_;
+  ++tick_;
+}
+
+void Match::end(EndKind kind) {
+  state_ = State::END;
+  Result result;
+  result.end = kind;
+  for (const Team team : both_teams) {
+    result.played[index_of(team)] = referee_->score()[index_of(end_of(team))];
+  }
+  result.score = result.played;
+  if (result.score[0] != result.score[1]) {
+    result.winner = result.score[0] > result.score[1] ? Team::blue : Team::yellow;
+  }
+  result_ = std::move(result);
+}
+
+void Match::forfeit(std::vector<TeamFault> faults) {
+  const bool both = faults.size() > 1;
+  end(both ? EndKind::double_forfeit : EndKind::forfeit);
+  result_->score = {0, 0};
+  result_->winner.reset();
+  if (!both) {
+    const Team winner = opponent_of(faults.front().team);
+    result_->winner = winner;
+    result_->score[index_of(winner)] = setup_.rules.forfeit_goals;
+  }
+  result_->faults = std::move(faults);
+}
+
+void Match::declare_void(std::string why) {
+  end(EndKind::void_);
+  result_->winner.reset();
+  result_->why_void = std::move(why);
+}
+
+void Match::log_decision(const referee::Decision& decision) {
+  LoggedDecision logged;
+  logged.tick = tick_;
+  logged.decision = decision;
+  if (decision.team) logged.team = team_at(*decision.team);
+  logged.taker = team_at(decision.taker);
+  decisions_.push_back(std::move(logged));
+}
+
+referee::Situation Match::situation(const Vec2& ball_before,
+                                    const simulator::TickEvents& events) const {
+  referee::Situation s;
+  s.duration = setup_.control_period;
+  s.ball_before = ball_before;
+  s.ball = world_->ball().position;
+  const int ball = world_->robots();
+  for (const Team team : both_teams) {
+    const End end = end_of(team);
+    for (int i = 0; i < field_.robots_per_team; ++i) {
+      const int body = body_of(team, i);
+      const simulator::RobotState robot = world_->robot(body);
+      const simulator::WheelSpeeds wheels = pending_[index_of(team)].speeds(i);
+      s.robots[index_of(end)][i] = {robot.position, robot.heading};
+      s.touched_ball[index_of(end)][i] = events.touched[ball][body];
+      s.commanded[index_of(end)][i] =
+          setup_.parameters.forward_speed(wheels.left, wheels.right) * robot.heading.forward();
+      if (events.last_to_touch_ball == body) s.last_touch = referee::RobotId{end, i};
+    }
+  }
+  return s;
+}
+
+Observation Match::observe(Team team) const {
+  const End end = end_of(team);
+  Observation o;
+  o.tick = tick_;
+  o.time = tick_ * setup_.control_period;
+  o.clock = referee_->clock();
+  o.state = state_;
+  o.phase = referee_->phase();
+  o.restart = restart_.restart;
+  o.own_restart = restart_.taker == end;
+  o.own_score = referee_->score()[index_of(end)];
+  o.opponent_score = referee_->score()[index_of(opposite(end))];
+  o.robots = field_.robots_per_team;
+  const simulator::BallState ball = world_->ball();
+  o.ball = team_frame(end, ball.position);
+  o.ball_velocity = team_frame(end, ball.velocity);
+  for (int i = 0; i < field_.robots_per_team; ++i) {
+    o.own[i] = observed(end, world_->robot(body_of(team, i)));
+    o.opponent[i] = observed(end, world_->robot(body_of(opponent_of(team), i)));
+  }
+  return o;
+}
+
+Scene Match::scene() const {
+  Scene s;
+  s.tick = tick_;
+  s.time = tick_ * setup_.control_period;
+  s.clock = referee_->clock();
+  s.state = state_;
+  s.phase = referee_->phase();
+  s.restart = restart_.restart;
+  s.taker = team_at(restart_.taker);
+  s.left = left_;
+  s.ball = world_->ball();
+  for (const Team team : both_teams) {
+    s.score[index_of(team)] = referee_->score()[index_of(end_of(team))];
+    for (int i = 0; i < field_.robots_per_team; ++i) {
+      s.robots[index_of(team)][i] = world_->robot(body_of(team, i));
+    }
+  }
+  return s;
+}
+
+}  // namespace mirocup::match

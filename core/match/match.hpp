@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+//
+// One leg from the toss to the result, tick by tick.
+//
+// A tick is one control period. Both teams get the observation of its begin; their answers take
+// effect in the next tick: a fixed decision delay, like camera and radio. Simulated time is the
+// only time there is; how fast it passes is the caller's business.
+#pragma once
+
+#include "core/base/state_hash.hpp"
+#include "core/match/controller.hpp"
+#include "core/match/observation.hpp"
+#include "core/simulator/world.hpp"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace mirocup::match {
+
+template <class T>
+using ByTeam = std::array<T, 2>;  // [index_of(Team)]
+
+// Everything that a leg depends on besides the teams.
+struct Setup {
+  League league = League::small;
+  referee::Rules rules;
+  referee::Stage stage = referee::Stage::group;
+  std::uint64_t seed = 1;
+  double control_period = 0.033;  // s
+  simulator::Parameters parameters;
+  simulator::Tolerances tolerances;
+};
+
+enum class EndKind { full_time, golden_goal, shoot_out, forfeit, double_forfeit, mercy, void_ };
+
+struct TeamFault {
+  Team team = Team::blue;
+  Fault fault;
+};
+
+struct Result {
+  ByTeam<int> score{};   // the official one: a forfeit is 0 to forfeit_goals
+  ByTeam<int> played{};  // goals until the end
+  std::optional<Team> winner;
+  EndKind end = EndKind::full_time;
+  std::vector<TeamFault> faults;
+  std::string why_void;
+};
+
+// A decision with the tick that it was made in, and colours in place of ends.
+struct LoggedDecision {
+  std::uint32_t tick = 0;
+  referee::Decision decision;
+  std::optional<Team> team;
+  Team taker = Team::blue;
+};
+
+// What the match writes down of each tick.
+struct TickLog {
+  ByTeam<DrivenCommand> commands;  // the answers to this tick's observation, driven in the next
+  std::uint64_t hash = 0;          // of all ticks up to the end of this one
+};
+
+// The field with a leg's colours, for spectators and tests.
+struct Scene {
+  std::uint32_t tick = 0;
+  double time = 0.0;
+  double clock = 0.0;
+  State state = State::READY;
+  referee::Phase phase = referee::Phase::FIRST_HALF;
+  referee::Restart restart = referee::Restart::none;
+  Team taker = Team::blue;
+  Team left = Team::blue;  // who defends x < 0
+  ByTeam<int> score{};
+  simulator::BallState ball;
+  ByTeam<std::array<simulator::RobotState, max_robots_per_team>> robots;
+};
+
+class Match {
+ public:
+  // Makes the toss and places the first kick-off.
+  explicit Match(const Setup& setup);
+  Match(const Match&) = delete;
+  Match& operator=(const Match&) = delete;
+
+  const Setup& setup() const { return setup_; }
+  const field::Field& field() const { return field_; }
+  Briefing briefing(Team team) const;
+
+  std::uint32_t tick() const { return tick_; }
+  bool is_over() const { return result_.has_value(); }
+  const Result& result() const { return *result_; }  // once over
+
+  // Plays one tick. The controllers steer blue and yellow; not to be called once over.
+  void advance(Controller& blue, Controller& yellow);
+
+  // Ends the leg without a result: the machine failed.
+  void declare_void(std::string why);
+
+  // Ends the leg because of what teams did before the first tick.
+  void forfeit(std::vector<TeamFault> faults);
+
+  Scene scene() const;
+  Observation observe(Team team) const;
+  const std::vector<LoggedDecision>& decisions() const { return decisions_; }
+  const std::vector<TickLog>& log() const { return log_; }
+  std::uint64_t state_hash() const { return hash_.value(); }
+  const ByTeam<int>& bad_values() const { return bad_values_; }
+  const ByTeam<int>& late_ticks() const { return late_ticks_; }
+
+ private:
+  bool answer(Controller& blue, Controller& yellow);
+  void simulate();
+  void judge();
+  void apply(const referee::Decision& decision);
+  void place();
+  void record();
+  void end(EndKind kind);
+  void log_decision(const referee::Decision& decision);
+
+  End end_of(Team team) const { return team == left_ ? End::left : End::right; }
+  Team team_at(End end) const { return end == End::left ? left_ : opponent_of(left_); }
+  int body_of(Team team, int robot) const {
+    return index_of(team) * field_.robots_per_team + robot;
+  }
+  referee::Situation situation(const Vec2& ball_before, const simulator::TickEvents& events) const;
+
+  Setup setup_;
+  field::Field field_;
+  referee::Pitch pitch_;
+  Team left_ = Team::blue;
+  std::unique_ptr<simulator::World> world_;
+  std::unique_ptr<referee::Referee> referee_;
+
+  std::uint32_t tick_ = 0;
+  State state_ = State::READY;
+  int ready_ticks_left_ = 0;
+  referee::Decision restart_;  // the last one
+  bool placement_is_due_ = false;
+  Vec2 ball_before_{0.0, 0.0};
+  const simulator::TickEvents* events_ = nullptr;
+
+  ByTeam<DrivenCommand> pending_;  // answers of the last tick, driven in this one
+  ByTeam<DrivenCommand> answers_;  // of this tick
+  ByTeam<int> late_in_a_row_{};
+  ByTeam<int> late_ticks_{};
+  ByTeam<int> bad_values_{};
+
+  StateHash hash_;
+  std::vector<TickLog> log_;
+  std::vector<LoggedDecision> decisions_;
+  std::optional<Result> result_;
+};
+
+}  // namespace mirocup::match
+
+namespace mirocup {
+
+template <>
+inline constexpr std::array<std::string_view, 7> enum_names<match::EndKind>{
+    "full_time", "golden_goal", "shoot_out", "forfeit", "double_forfeit", "mercy", "void"};
+
+}  // namespace mirocup

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+//
+// The keeper must kick out. Source: MiroSot laws 8.6 and 11.2, within 10 s; judged as "the ball
+// stays in the goal area and no opponent comes near it".
+#pragma once
+
+#include "core/referee/laws/law.hpp"
+
+namespace mirocup::referee {
+
+struct KeeperHoldMemory {
+  ByEnd<double> held_s{};  // since when the ball is uncontested in that end's goal area
+};
+
+std::optional<Decision> judge_keeper_hold(const Pitch& pitch, const Situation& situation,
+                                          KeeperHoldMemory& memory);
+
+}  // namespace mirocup::referee

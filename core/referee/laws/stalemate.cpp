@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "core/referee/laws/stalemate.hpp"
+
+namespace mirocup::referee {
+
+Quarter quarter_of(const Vec2& point) {
+  return {point.x() > 0.0 ? 1.0 : -1.0, point.y() > 0.0 ? 1.0 : -1.0};
+}
+
+std::optional<Decision> judge_stalemate(const Pitch& pitch, const Situation& s,
+                                        StalemateMemory& memory) {
+  const field::Field& field = pitch.field;
+  const double radius = pitch.rules.stalemate_radius_m;
+  if (!memory.anchor) memory.anchor = s.ball_before;
+  memory.still_s += s.duration;
+  if ((s.ball - *memory.anchor).squaredNorm() > radius * radius) {
+    memory.anchor = s.ball;
+    memory.still_s = 0.0;
+  }
+  if (memory.still_s < pitch.rules.stalemate_s) return std::nullopt;
+
+  const std::string reason =
+      "the ball stayed within " + fixed(radius, 3) + " m for " + fixed(memory.still_s, 1) + " s";
+  for (const End end : both_ends) {
+    if (!field.inside(field.goal_area, end, s.ball)) continue;
+    // Alone in it, the keeper is to kick out: another law's business, where that law is in force.
+    if (!is_contested(pitch, s, end) && pitch.rules.keeper_hold_s != off) return std::nullopt;
+    Decision d = decide(Verdict::GOAL_KICK, Law::stalemate, s,
+                        reason + " in the " + std::string(to_string(end)) + " goal area");
+    d.restart = Restart::GOAL_KICK;
+    d.taker = end;
+    return d;
+  }
+  Decision d = decide(Verdict::FREE_BALL, Law::stalemate, s, reason);
+  const Quarter quarter = quarter_of(s.ball);
+  d.restart = Restart::FREE_BALL;
+  d.spot = {quarter.x * field.free_ball_mark.x(), quarter.y * field.free_ball_mark.y()};
+  d.taker = quarter.x > 0.0 ? End::right : End::left;
+  return d;
+}
+
+}  // namespace mirocup::referee

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+//
+// Teams for the match's tests that live in the test itself.
+#pragma once
+
+#include "core/base/random.hpp"
+#include "core/match/match.hpp"
+
+#include <functional>
+#include <utility>
+
+namespace mirocup::test_support {
+
+// Answers whatever a function says.
+class Scripted final : public match::Controller {
+ public:
+  using Script = std::function<match::Answer(const match::Observation&)>;
+  explicit Scripted(Script script) : script_(std::move(script)) {}
+
+  void post(const match::Observation& observation) override { observation_ = observation; }
+  match::Answer collect() override { return script_(observation_); }
+
+ private:
+  Script script_;
+  match::Observation observation_;
+};
+
+inline match::Command both_wheels(double left, double right) {
+  match::Command command;
+  for (auto& wheels : command.wheels) wheels = {left, right};
+  return command;
+}
+
+inline Scripted standing() {
+  return Scripted([](const match::Observation&) { return match::Command{}; });
+}
+
+// Runs about at random; the same seed gives the same run whatever it sees.
+inline Scripted random_team(std::uint64_t seed) {
+  return Scripted([random = Random(seed), command = match::Command{}](
+                      const match::Observation& o) mutable -> match::Answer {
+    if (o.tick % 8 == 0) {
+      for (auto& wheels : command.wheels) {
+        wheels = {random.uniform(-60.0, 60.0), random.uniform(-60.0, 60.0)};
+      }
+    }
+    return command;
+  });
+}
+
+// Every robot turns towards the ball and drives at it.
+inline Scripted ball_hunter() {
+  return Scripted([](const match::Observation& o) -> match::Answer {
+    match::Command command;
+    for (int i = 0; i < o.robots; ++i) {
+      const Vec2 to = o.ball - o.own[i].position;
+      const Vec2 seen = Heading::from_angle(o.own[i].heading).to_body(to);
+      const double turn = 20.0 * atan2(seen.y(), seen.x());
+      command.wheels[i] = {40.0 - turn, 40.0 + turn};
+    }
+    return command;
+  });
+}
+
+inline match::Setup short_setup(std::uint64_t seed, double half_s = 3.0,
+                                League league = League::small) {
+  match::Setup setup;
+  setup.league = league;
+  setup.rules.half_s = half_s;
+  setup.seed = seed;
+  return setup;
+}
+
+inline void play(match::Match& match, match::Controller& blue, match::Controller& yellow) {
+  while (!match.is_over()) match.advance(blue, yellow);
+}
+
+}  // namespace mirocup::test_support

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+//
+// Situations for the laws' tests: a ball and some robots, everybody else out of the way.
+#pragma once
+
+#include "core/referee/laws/law.hpp"
+
+#include <vector>
+
+namespace mirocup::test_support {
+
+struct TestPitch {
+  explicit TestPitch(League league = League::small,
+                     referee::Preset preset = referee::Preset::mirosot)
+      : field(field::make_field(league)), rules(referee::make_rules(preset)) {}
+
+  referee::Pitch pitch() const { return {field, rules, 0.02135, 0.075}; }
+
+  field::Field field;
+  referee::Rules rules;
+};
+
+// Robots stand along the upper wall of the half of the team's own, far from the ball.
+inline referee::Situation empty_situation(const field::Field& field, const Vec2& ball) {
+  referee::Situation s;
+  s.duration = 0.033;
+  s.ball_before = s.ball = ball;
+  for (const End end : both_ends) {
+    for (int i = 0; i < field.robots_per_team; ++i) {
+      const Vec2 at{-0.1 - 0.1 * i, field.half_width - 0.1};
+      s.robots[index_of(end)][i] = {attack_sign(end) * at, Heading{}};
+    }
+  }
+  return s;
+}
+
+// The same situation turned by 180 degrees: what happened to left happens to right.
+inline referee::Situation half_turned(const referee::Situation& s) {
+  referee::Situation t = s;
+  t.ball_before = -s.ball_before;
+  t.ball = -s.ball;
+  for (const End end : both_ends) {
+    const int from = index_of(opposite(end));
+    const int to = index_of(end);
+    for (int i = 0; i < max_robots_per_team; ++i) {
+      t.robots[to][i] = {-s.robots[from][i].position, s.robots[from][i].heading.half_turned()};
+      t.commanded[to][i] = -s.commanded[from][i];
+    }
+    t.touched_ball[to] = s.touched_ball[from];
+  }
+  if (s.last_touch)
+    t.last_touch = referee::RobotId{opposite(s.last_touch->end), s.last_touch->index};
+  return t;
+}
+
+}  // namespace mirocup::test_support
