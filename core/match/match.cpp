@@ -15,14 +15,6 @@ namespace {
 // A team that answers late goes on with its last command for so many ticks, then stands.
 constexpr int ticks_a_command_lasts = 3;
 
-ObservedRobot observed(End end, const simulator::RobotState& robot) {
-  const Vec2 velocity = robot.heading.to_world({robot.twist.forward, robot.twist.left});
-  return {.position = team_frame(end, robot.position),
-          .heading = team_frame(end, robot.heading).angle(),
-          .velocity = team_frame(end, velocity),
-          .turn = robot.twist.turn};
-}
-
 void add(StateHash& hash, const Vec2& v) {
   hash.add(v.x());
   hash.add(v.y());
@@ -56,8 +48,9 @@ Briefing Match::briefing(Team team) const {
 }
 
 void Match::advance(Controller& blue, Controller& yellow) {
-  blue.post(observe(Team::blue));
-  yellow.post(observe(Team::yellow));
+  const Scene now = scene();
+  blue.post(observe(now, Team::blue, field_.robots_per_team));
+  yellow.post(observe(now, Team::yellow, field_.robots_per_team));
   if (!answer(blue, yellow)) return;
   simulate();
   judge();
@@ -238,29 +231,6 @@ referee::Situation Match::situation(const Vec2& ball_before,
     }
   }
   return s;
-}
-
-Observation Match::observe(Team team) const {
-  const End end = end_of(team);
-  Observation o;
-  o.tick = tick_;
-  o.time = tick_ * setup_.control_period;
-  o.clock = referee_->clock();
-  o.state = state_;
-  o.phase = referee_->phase();
-  o.restart = restart_.restart;
-  o.own_restart = restart_.taker == end;
-  o.own_score = referee_->score()[index_of(end)];
-  o.opponent_score = referee_->score()[index_of(opposite(end))];
-  o.robots = field_.robots_per_team;
-  const simulator::BallState ball = world_->ball();
-  o.ball = team_frame(end, ball.position);
-  o.ball_velocity = team_frame(end, ball.velocity);
-  for (int i = 0; i < field_.robots_per_team; ++i) {
-    o.own[i] = observed(end, world_->robot(body_of(team, i)));
-    o.opponent[i] = observed(end, world_->robot(body_of(opponent_of(team), i)));
-  }
-  return o;
 }
 
 Scene Match::scene() const {

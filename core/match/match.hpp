@@ -10,6 +10,7 @@
 #include "core/base/state_hash.hpp"
 #include "core/match/controller.hpp"
 #include "core/match/observation.hpp"
+#include "core/match/scene.hpp"
 #include "core/simulator/world.hpp"
 
 #include <memory>
@@ -17,9 +18,6 @@
 #include <vector>
 
 namespace mirocup::match {
-
-template <class T>
-using ByTeam = std::array<T, 2>;  // [index_of(Team)]
 
 // Everything that a leg depends on besides the teams.
 struct Setup {
@@ -62,21 +60,6 @@ struct TickLog {
   std::uint64_t hash = 0;          // of all ticks up to the end of this one
 };
 
-// The field with a leg's colours, for spectators and tests.
-struct Scene {
-  std::uint32_t tick = 0;
-  double time = 0.0;
-  double clock = 0.0;
-  State state = State::READY;
-  referee::Phase phase = referee::Phase::FIRST_HALF;
-  referee::Restart restart = referee::Restart::none;
-  Team taker = Team::blue;
-  Team left = Team::blue;  // who defends x < 0
-  ByTeam<int> score{};
-  simulator::BallState ball;
-  ByTeam<std::array<simulator::RobotState, max_robots_per_team>> robots;
-};
-
 class Match {
  public:
   // Makes the toss and places the first kick-off.
@@ -102,7 +85,6 @@ class Match {
   void forfeit(std::vector<TeamFault> faults);
 
   Scene scene() const;
-  Observation observe(Team team) const;
   const std::vector<LoggedDecision>& decisions() const { return decisions_; }
   const std::vector<TickLog>& log() const { return log_; }
   std::uint64_t state_hash() const { return hash_.value(); }

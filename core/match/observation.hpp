@@ -4,19 +4,13 @@
 // metres, radians counter-clockwise, m/s, rad/s.
 #pragma once
 
-#include "core/referee/referee.hpp"
+#include "core/match/scene.hpp"
 #include "core/simulator/parameters.hpp"
 
 #include <array>
 #include <cstdint>
 
 namespace mirocup::match {
-
-enum class State {
-  READY,  // placed for a restart; robots stand until the whistle
-  PLAY,
-  END,
-};
 
 struct ObservedRobot {
   Vec2 position{0.0, 0.0};
@@ -42,6 +36,9 @@ struct Observation {
   std::array<ObservedRobot, max_robots_per_team> opponent;
 };
 
+// The scene as a team sees it; `robots` of a team on the field.
+Observation observe(const Scene& scene, Team team, int robots);
+
 // What a team is told once, before the first observation.
 struct Briefing {
   const field::Field* field = nullptr;
@@ -53,10 +50,3 @@ struct Briefing {
 };
 
 }  // namespace mirocup::match
-
-namespace mirocup {
-
-template <>
-inline constexpr std::array<std::string_view, 3> enum_names<match::State>{"READY", "PLAY", "END"};
-
-}  // namespace mirocup

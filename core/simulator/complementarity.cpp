@@ -108,7 +108,9 @@ void BoxProblem::solve() {
   double scale = 0.0;
   for (int i = 0; i < size_; ++i) {
     x[i] = std::clamp(0.0, low[i], high[i]);
-    bound_[i] = low[i] < 0.0 && high[i] > 0.0 ? Bound::free : Bound::fixed;
+    // All are tried together first; those that would go the wrong way stop where they are. Most
+    // contacts of a heap press, so this takes fewer rounds than to begin with none.
+    bound_[i] = low[i] < high[i] ? Bound::free : Bound::fixed;
     banned_[i] = false;
     scale = std::max(scale, std::abs(b[i]));
   }

@@ -22,20 +22,6 @@ Relative relative(const Body& body, const Body& of) {
            of.heading.cos * body.heading.sin - of.heading.sin * body.heading.cos}};
 }
 
-// Which of two polygons offers the better separating edge. On a tie the first, whatever the poses.
-struct Reference {
-  bool is_a;
-  EdgeSeparation best;
-};
-Reference reference_of(const Shape& a, const Body& body_a, const Shape& b, const Body& body_b) {
-  const Relative b_in_a = relative(body_b, body_a);
-  const Relative a_in_b = relative(body_a, body_b);
-  const EdgeSeparation of_a = best_edge(a, b, b_in_a.position, b_in_a.heading);
-  const EdgeSeparation of_b = best_edge(b, a, a_in_b.position, a_in_b.heading);
-  if (of_a.separation >= of_b.separation) return {true, of_a};
-  return {false, of_b};
-}
-
 Axis axis_to_centre(const Body& body_a, const Shape& b, const Body& body_b) {
   return nearest_axis(b, body_b.heading.to_body(body_a.position - body_b.position));
 }
@@ -148,6 +134,15 @@ EdgeSeparation best_edge(const Shape& reference, const Shape& other, const Vec2&
     if (separation > best.separation) best = {edge, separation};
   }
   return best;
+}
+
+Reference reference_of(const Shape& a, const Body& body_a, const Shape& b, const Body& body_b) {
+  const Relative b_in_a = relative(body_b, body_a);
+  const Relative a_in_b = relative(body_a, body_b);
+  const EdgeSeparation of_a = best_edge(a, b, b_in_a.position, b_in_a.heading);
+  const EdgeSeparation of_b = best_edge(b, a, a_in_b.position, a_in_b.heading);
+  if (of_a.separation >= of_b.separation) return {true, of_a};
+  return {false, of_b};
 }
 
 double gap(const Shape& a, const Body& body_a, const Shape& b, const Body& body_b) {

@@ -66,4 +66,11 @@ struct EdgeSeparation {
 EdgeSeparation best_edge(const Shape& reference, const Shape& other, const Vec2& position,
                          const Heading& heading);
 
+// Which of two polygons offers the better separating edge. On a tie the first, whatever the poses.
+struct Reference {
+  bool is_a;
+  EdgeSeparation best;
+};
+Reference reference_of(const Shape& a, const Body& body_a, const Shape& b, const Body& body_b);
+
 }  // namespace mirocup::simulator

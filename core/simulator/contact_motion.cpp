@@ -16,6 +16,11 @@ constexpr double smooth_to = 1e-13;
 // again.
 constexpr double over_the_end = 1e-10;
 
+// A cluster whose speeds (m/s, rad/s) and accelerations (m/s^2, rad/s^2) are below these is at
+// rest.
+constexpr double resting_speed = 1e-10;
+constexpr double resting_acceleration = 1e-9;
+
 // As in complementarity.cpp.
 constexpr double dependent_pivot = 1e-11;
 
@@ -37,8 +42,26 @@ void ContactMotion::move(const BodySet& cluster, const ContactForces& forces,
     for (int i = 0; i < held_count_; ++i) extend_rows(arena_, held_[i], segments, k + 1, rows_[i]);
     extend_twists(k, segments);
     solve_for_forces(k, segments);
+    if (k == 0 && is_at_rest(segments)) {
+      for (int m = 0; m < member_count_; ++m) {
+        segments[members_[m]] = still_segment(bodies[members_[m]], begin, horizon);
+      }
+      return;
+    }
   }
   find_end(segments);
+}
+
+// Nothing moves and nothing gains speed: constant commands keep it so.
+bool ContactMotion::is_at_rest(std::span<const Segment> segments) const {
+  for (int m = 0; m < member_count_; ++m) {
+    const Segment& s = segments[members_[m]];
+    for (const Series* p : {&s.forward, &s.left, &s.turn}) {
+      if (std::abs((*p)[0]) > resting_speed || std::abs((*p)[1]) > resting_acceleration)
+        return false;
+    }
+  }
+  return true;
 }
 
 // The equations are put in order of how far their forces are from a bound: where some follow from

@@ -19,8 +19,12 @@ Series operator-(const Series& a, const Series& b) {
 }
 
 Series operator*(const Series& a, const Series& b) {
+  // The same sums in the same order as product_term(), arranged so that a compiler can do two at a
+  // time.
   Series s;
-  for (int k = 0; k < series_terms; ++k) s[k] = product_term(a, b, k);
+  for (int j = 0; j < series_terms; ++j) {
+    for (int k = j; k < series_terms; ++k) s[k] += a[j] * b[k - j];
+  }
   return s;
 }
 

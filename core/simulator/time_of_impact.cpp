@@ -4,6 +4,7 @@
 #include "core/simulator/contact.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace mirocup::simulator {
 
@@ -45,6 +46,12 @@ struct RelativeTrack {
   SeriesPoint position;
   Series cos, sin;
 };
+
+RelativeTrack relative_track(const Track& moving, const Track& frame) {
+  return {to_body(frame, difference(moving, frame)),
+          frame.cos * moving.cos + frame.sin * moving.sin,
+          frame.cos * moving.sin - frame.sin * moving.cos};
+}
 
 // When the first corner of `other` comes down to `level` over one edge of `reference`.
 double first_corner_over(const Shape& reference, int edge, const Shape& other,
@@ -99,28 +106,44 @@ double first_touch_of_circle(const Mover& a, const Mover& b, double level, doubl
   return begin + t;
 }
 
+// How far any point of the body can be moved between t and the end of its segment.
+double farthest_move(const Mover& m, double t) {
+  const Segment& s = m.segment;
+  const double length = s.end - s.begin;
+  const auto span = [length](const Series& p) {
+    const Range r = change_over(p, length);
+    return r.high - r.low;
+  };
+  const double turn = std::max(span(s.cos), span(s.sin));
+  return t >= s.end ? 0.0 : span(s.x) + span(s.y) + 2.0 * turn * m.shape.radius;
+}
+
 double first_touch_of_polygons(const Mover& a, const Mover& b, double level, double begin,
                                double end) {
+  const Body now_a = body_at(a.segment, begin);
+  const Body now_b = body_at(b.segment, begin);
+  if (gap(a.shape, now_a, b.shape, now_b) - level >
+      farthest_move(a, begin) + farthest_move(b, begin)) {
+    return never;
+  }
   const Track track_a = track_from(a.segment, begin);
   const Track track_b = track_from(b.segment, begin);
-  const SeriesPoint d = difference(track_a, track_b);
-  const Series cos = track_b.cos * track_a.cos + track_b.sin * track_a.sin;
-  const Series sin = track_b.cos * track_a.sin - track_b.sin * track_a.cos;
-  const RelativeTrack a_in_b{to_body(track_b, d), cos, sin};
-  const SeriesPoint minus_b_in_a = to_body(track_a, d);
-  const RelativeTrack b_in_a{{-1.0 * minus_b_in_a.x, -1.0 * minus_b_in_a.y}, cos, -1.0 * sin};
+  std::optional<RelativeTrack> a_in_b, b_in_a;  // made when an edge of that side is needed
 
   const double length = end - begin;
   double t = 0.0;
   for (int line = 0; line < most_lines; ++line) {
-    const Heading turned{cos.at(t), sin.at(t)};
-    const EdgeSeparation of_a =
-        best_edge(a.shape, b.shape, b_in_a.position.at(t), {turned.cos, -turned.sin});
-    const EdgeSeparation of_b = best_edge(b.shape, a.shape, a_in_b.position.at(t), turned);
-    if (std::max(of_a.separation, of_b.separation) <= level + closeness) break;
-    t = of_a.separation >= of_b.separation
-            ? first_corner_over(a.shape, of_a.edge, b.shape, b_in_a, level, t, length)
-            : first_corner_over(b.shape, of_b.edge, a.shape, a_in_b, level, t, length);
+    const Body body_a = line == 0 ? now_a : body_at(a.segment, begin + t);
+    const Body body_b = line == 0 ? now_b : body_at(b.segment, begin + t);
+    const Reference reference = reference_of(a.shape, body_a, b.shape, body_b);
+    if (reference.best.separation <= level + closeness) break;
+    if (reference.is_a) {
+      if (!b_in_a) b_in_a = relative_track(track_b, track_a);
+      t = first_corner_over(a.shape, reference.best.edge, b.shape, *b_in_a, level, t, length);
+    } else {
+      if (!a_in_b) a_in_b = relative_track(track_a, track_b);
+      t = first_corner_over(b.shape, reference.best.edge, a.shape, *a_in_b, level, t, length);
+    }
     if (t == never) return never;
   }
   return begin + t;

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "core/match/observation.hpp"
+
+namespace mirocup::match {
+
+namespace {
+
+ObservedRobot observed(End end, const simulator::RobotState& robot) {
+  const Vec2 velocity = robot.heading.to_world({robot.twist.forward, robot.twist.left});
+  return {.position = team_frame(end, robot.position),
+          .heading = team_frame(end, robot.heading).angle(),
+          .velocity = team_frame(end, velocity),
+          .turn = robot.twist.turn};
+}
+
+}  // namespace
+
+Observation observe(const Scene& scene, Team team, int robots) {
+  const Team other = opponent_of(team);
+  const End end = scene.left == team ? End::left : End::right;
+  Observation o;
+  o.tick = scene.tick;
+  o.time = scene.time;
+  o.clock = scene.clock;
+  o.state = scene.state;
+  o.phase = scene.phase;
+  o.restart = scene.restart;
+  o.own_restart = scene.taker == team;
+  o.own_score = scene.score[index_of(team)];
+  o.opponent_score = scene.score[index_of(other)];
+  o.robots = robots;
+  o.ball = team_frame(end, scene.ball.position);
+  o.ball_velocity = team_frame(end, scene.ball.velocity);
+  for (int i = 0; i < robots; ++i) {
+    o.own[i] = observed(end, scene.robots[index_of(team)][i]);
+    o.opponent[i] = observed(end, scene.robots[index_of(other)][i]);
+  }
+  return o;
+}
+
+}  // namespace mirocup::match

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+//
+// The whole of a leg at one instant, in the field's frame and with its colours: what spectators
+// get, and what a team's view of it is made of.
+#pragma once
+
+#include "core/referee/referee.hpp"
+#include "core/simulator/state.hpp"
+
+#include <array>
+#include <cstdint>
+
+namespace mirocup::match {
+
+template <class T>
+using ByTeam = std::array<T, 2>;  // [index_of(Team)]
+
+enum class State {
+  READY,  // placed for a restart; robots stand until the whistle
+  PLAY,
+  END,
+};
+
+// At the begin of the tick.
+struct Scene {
+  std::uint32_t tick = 0;
+  double time = 0.0;
+  double clock = 0.0;
+  State state = State::READY;
+  referee::Phase phase = referee::Phase::FIRST_HALF;
+  referee::Restart restart = referee::Restart::none;
+  Team taker = Team::blue;  // of the last restart
+  Team left = Team::blue;   // who defends x < 0
+  ByTeam<int> score{};
+  simulator::BallState ball;
+  ByTeam<std::array<simulator::RobotState, max_robots_per_team>> robots;
+};
+
+}  // namespace mirocup::match
+
+namespace mirocup {
+
+template <>
+inline constexpr std::array<std::string_view, 3> enum_names<match::State>{"READY", "PLAY", "END"};
+
+}  // namespace mirocup

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include "plugins/host/mailbox.hpp"
+
+#include <ctime>
+#include <linux/futex.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+namespace mirocup::plugins {
+
+void wait_while_equal(const std::atomic<std::uint32_t>& word, std::uint32_t seen,
+                      std::chrono::nanoseconds at_most) {
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(at_most);
+  const timespec timeout{.tv_sec = seconds.count(), .tv_nsec = (at_most - seconds).count()};
+  // Not the private form: the other side is another process.
+  syscall(SYS_futex, &word, FUTEX_WAIT, seen, &timeout, nullptr, 0);
+}
+
+void wake(const std::atomic<std::uint32_t>& word) {
+  syscall(SYS_futex, &word, FUTEX_WAKE, 1, nullptr, nullptr, 0);
+}
+
+}  // namespace mirocup::plugins

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "plugins/host/plugin.hpp"
+
+#include "plugins/host/floating_point.hpp"
+
+#include <dlfcn.h>
+#include <exception>
+#include <utility>
+
+namespace mirocup::plugins {
+
+namespace {
+
+using match::Fault;
+using match::FaultCode;
+
+tl::unexpected<Fault> fault(FaultCode code, std::string text) {
+  return tl::unexpected<Fault>(Fault{code, std::move(text)});
+}
+
+// Runs foreign code; whatever it throws becomes a sentence.
+template <class Call>
+tl::expected<void, Fault> guarded(const char* function, Call call) {
+  try {
+    call();
+    return {};
+  } catch (const std::exception& e) {
+    return fault(FaultCode::crash, std::string(function) + "() threw: " + e.what());
+  } catch (...) {
+    return fault(FaultCode::crash,
+                 std::string(function) + "() threw something that is not a std::exception");
+  }
+}
+
+}  // namespace
+
+tl::expected<Plugin, Fault> Plugin::load(const std::string& path, const mirocup_setup& setup) {
+  const FloatingPointGuard guard;
+  void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (library == nullptr) {
+    return fault(FaultCode::no_load, std::string("the library does not load: ") + dlerror());
+  }
+  Plugin plugin(library, nullptr, nullptr);
+
+  using Entry = const mirocup_strategy* (*)();
+  const auto entry = reinterpret_cast<Entry>(dlsym(library, "mirocup_entry"));
+  if (entry == nullptr) {
+    return fault(FaultCode::bad_abi, "the library exports no function mirocup_entry()");
+  }
+  if (auto called = guarded("mirocup_entry", [&] { plugin.strategy_ = entry(); }); !called) {
+    return tl::unexpected(called.error());
+  }
+  const mirocup_strategy* strategy = plugin.strategy_;
+  if (strategy == nullptr) return fault(FaultCode::bad_abi, "mirocup_entry() returned null");
+  if (strategy->abi_version != MIROCUP_ABI_VERSION) {
+    return fault(FaultCode::bad_abi,
+                 "the library was built for version " + std::to_string(strategy->abi_version) +
+                     " of strategy.h, this is version " + std::to_string(MIROCUP_ABI_VERSION));
+  }
+  if (strategy->size < sizeof(mirocup_strategy) || strategy->create == nullptr ||
+      strategy->decide == nullptr) {
+    return fault(FaultCode::bad_abi, "mirocup_entry() returned an incomplete structure");
+  }
+  if (auto called = guarded("create", [&] { plugin.team_ = strategy->create(&setup); }); !called) {
+    return tl::unexpected(called.error());
+  }
+  if (plugin.team_ == nullptr) return fault(FaultCode::no_load, "create() returned null");
+  return plugin;
+}
+
+Plugin::Plugin(Plugin&& other) noexcept
+    : library_(std::exchange(other.library_, nullptr)),
+      strategy_(std::exchange(other.strategy_, nullptr)),
+      team_(std::exchange(other.team_, nullptr)) {}
+
+Plugin::~Plugin() {
+  if (library_ == nullptr) return;
+  const FloatingPointGuard guard;
+  if (team_ != nullptr && strategy_->destroy != nullptr) {
+    // A team that throws while it ends has ended all the same.
+    (void)guarded("destroy", [this] { strategy_->destroy(team_); });
+  }
+  dlclose(library_);
+}
+
+std::string Plugin::name() const {
+  return strategy_->name == nullptr ? std::string() : std::string(strategy_->name);
+}
+
+tl::expected<mirocup_command, Fault> Plugin::decide(const mirocup_observation& observation) {
+  const FloatingPointGuard guard;
+  mirocup_command command{};
+  if (auto called = guarded("decide", [&] { strategy_->decide(team_, &observation, &command); });
+      !called) {
+    return tl::unexpected(called.error());
+  }
+  return command;
+}
+
+}  // namespace mirocup::plugins

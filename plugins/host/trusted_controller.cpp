@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "plugins/host/trusted_controller.hpp"
+
+#include "plugins/host/convert.hpp"
+
+#include <utility>
+
+namespace mirocup::plugins {
+
+tl::expected<std::unique_ptr<TrustedController>, match::Fault> TrustedController::load(
+    const std::string& path, const match::Briefing& briefing) {
+  auto setup = std::make_unique<mirocup_setup>(to_setup(briefing));
+  auto plugin = Plugin::load(path, *setup);
+  if (!plugin) return tl::unexpected(plugin.error());
+  return std::unique_ptr<TrustedController>(
+      new TrustedController(std::move(setup), std::move(*plugin)));
+}
+
+TrustedController::TrustedController(std::unique_ptr<mirocup_setup> setup, Plugin plugin)
+    : setup_(std::move(setup)), plugin_(std::move(plugin)) {}
+
+void TrustedController::post(const match::Observation& observation) {
+  observation_ = to_observation(observation);
+}
+
+match::Answer TrustedController::collect() {
+  const auto command = plugin_.decide(observation_);
+  if (!command) return command.error();
+  return to_command(*command);
+}
+
+}  // namespace mirocup::plugins

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+//
+// One robot runs after the ball and pushes it towards the other goal, one keeps the goal, the rest
+// stand in the way. A first team of one's own can start from here.
+#include "mirocup/strategy.hpp"
+#include "plugins/house/skills.hpp"
+
+namespace {
+
+using namespace mirocup::strategy;
+
+class Chaser : public Team {
+ public:
+  using Team::Team;
+
+  void decide(const Observation& now, Command& command) override {
+    const int chaser = nearest_to_ball(now);
+    for (int i = 0; i < now.robots; ++i) {
+      command.wheels[i] = i == chaser ? chase(now, now.own[i]) : wait(now, i);
+    }
+  }
+
+ private:
+  // Robot 0 stays at home.
+  int nearest_to_ball(const Observation& now) const {
+    int nearest = 1;
+    for (int i = 2; i < now.robots; ++i) {
+      if (length(position(now.own[i]) - ball(now)) <
+          length(position(now.own[nearest]) - ball(now))) {
+        nearest = i;
+      }
+    }
+    return nearest;
+  }
+
+  Wheels chase(const Observation& now, const Robot& robot) {
+    if (house::must_kick_off(now)) return house::kick_off(setup(), robot);
+
+    const Point goal{setup().half_length, 0.0};
+    const Point towards = unit(goal - ball(now));
+    const Point behind = ball(now) - 0.08 * towards;
+    const Point from_ball = position(robot) - ball(now);
+    const bool is_behind = dot(from_ball, towards) < -0.5 * length(from_ball);
+    if (is_behind) return drive_to(setup(), robot, ball(now) + 0.1 * towards, 0.8, pace_);
+    return house::drive_clear(setup(), now, robot, behind, 0.0, pace_);
+  }
+
+  Wheels wait(const Observation& now, int i) {
+    if (i == 0) return house::keep_goal(setup(), now, now.own[0]);
+    const double y = 0.2 * (i % 2 == 0 ? 1.0 : -1.0) * ((i + 1) / 2);
+    return house::drive_clear(setup(), now, now.own[i], {-0.4 * setup().half_length, y});
+  }
+
+  double pace_ = 1.3 + 0.3 * random().uniform();  // m/s, of this leg
+};
+
+}  // namespace
+
+MIROCUP_EXPORT_TEAM(Chaser, "chaser")

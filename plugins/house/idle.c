@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Stands where it is put. The smallest team that there is, in C, and the one that everybody should
+ * beat.
+ */
+#include "mirocup/strategy.h"
+
+static void* create(const mirocup_setup* setup) {
+  static int nothing_to_keep;
+  (void)setup;
+  return &nothing_to_keep;
+}
+
+static void decide(void* team, const mirocup_observation* observation, mirocup_command* command) {
+  (void)team;
+  (void)observation;
+  (void)command; /* all zero already */
+}
+
+const mirocup_strategy* mirocup_entry(void) {
+  static const mirocup_strategy entry = {
+      MIROCUP_ABI_VERSION, sizeof(mirocup_strategy), "idle", create, decide, 0};
+  return &entry;
+}

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+//
+// Defends. Robot 0 keeps the goal, the others stand in the ball's way to it and clear what comes
+// near.
+#include "mirocup/strategy.hpp"
+#include "plugins/house/skills.hpp"
+
+namespace {
+
+using namespace mirocup::strategy;
+
+class Keeper : public Team {
+ public:
+  using Team::Team;
+
+  void decide(const Observation& now, Command& command) override {
+    command.wheels[0] = house::keep_goal(setup(), now, now.own[0]);
+    const Point goal{-setup().half_length, 0.0};
+    const Point out = unit(ball(now) - goal);
+    for (int i = 1; i < now.robots; ++i) {
+      const Robot& robot = now.own[i];
+      const bool is_near = length(ball(now) - position(robot)) < 0.25 && now.ball_x < 0.0;
+      if (i == 1 && house::must_kick_off(now)) {
+        command.wheels[i] = house::kick_off(setup(), robot);
+      } else if (i == 1 && is_near && robot.x < now.ball_x) {
+        command.wheels[i] = drive_to(setup(), robot, ball(now) + 0.1 * out, 1.0);
+      } else {
+        // A screen across the line from the ball to the goal.
+        const double aside = 0.09 * (i % 2 == 0 ? 1.0 : -1.0) * (i / 2);
+        const Point post = goal + (distance_ + 0.07 * (i / 3)) * out;
+        command.wheels[i] = house::drive_clear(setup(), now, robot, {post.x, post.y + aside});
+      }
+    }
+  }
+
+ private:
+  double distance_ =
+      0.22 + 0.08 * random().uniform();  // m, of the screen from the goal, in this leg
+};
+
+}  // namespace
+
+MIROCUP_EXPORT_TEAM(Keeper, "keeper")

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+//
+// Plays to score: a keeper, one attacker that takes the ball where it will be and shoots past the
+// other keeper, and the rest behind it for what comes back.
+#include "mirocup/strategy.hpp"
+#include "plugins/house/skills.hpp"
+
+namespace {
+
+using namespace mirocup::strategy;
+
+class Striker : public Team {
+ public:
+  using Team::Team;
+
+  void decide(const Observation& now, Command& command) override {
+    command.wheels[0] = house::keep_goal(setup(), now, now.own[0]);
+    choose_attacker(now);
+    choose_corner(now);
+    int rank = 0;
+    for (int i = 1; i < now.robots; ++i) {
+      command.wheels[i] =
+          i == attacker_ ? attack(now, now.own[i]) : support(now, now.own[i], rank++);
+    }
+  }
+
+ private:
+  // Where the ball will be when a robot gets there.
+  Point meeting_point(const Observation& now, const Robot& robot) const {
+    Point p = ball(now);
+    for (int i = 0; i < 3; ++i) {
+      const double seconds = std::min(length(p - position(robot)) / 1.2, 0.8);
+      p = ball(now) + (seconds * (1.0 - 0.1 * seconds)) * ball_velocity(now);
+    }
+    const double margin = setup().ball_radius;
+    return {std::clamp(p.x, -setup().half_length + margin, setup().half_length - margin),
+            std::clamp(p.y, -setup().half_width + margin, setup().half_width - margin)};
+  }
+
+  // The robot that is soonest behind the ball; it stays the attacker unless another is clearly
+  // better.
+  void choose_attacker(const Observation& now) {
+    const auto cost = [&](int i) {
+      const Point to = meeting_point(now, now.own[i]) - position(now.own[i]);
+      return length(to) + (to.x < 0.0 ? 0.25 : 0.0) - (i == attacker_ ? 0.1 : 0.0);
+    };
+    int best = 1;
+    for (int i = 2; i < now.robots; ++i) {
+      if (cost(i) < cost(best)) best = i;
+    }
+    attacker_ = best;
+  }
+
+  // The side of the goal that the other keeper leaves open, thrown anew after each restart.
+  void choose_corner(const Observation& now) {
+    if (now.state != MIROCUP_PLAY) {
+      taste_ = 0.06 * (random().uniform() - 0.5);
+      return;
+    }
+    double keeper_y = 0.0;
+    double farthest = -10.0;
+    for (int i = 0; i < now.robots; ++i) {
+      if (now.opponent[i].x > farthest) {
+        farthest = now.opponent[i].x;
+        keeper_y = now.opponent[i].y;
+      }
+    }
+    const double open = 0.6 * setup().goal_half_width;
+    corner_ = (keeper_y + taste_ > 0.0 ? -open : open) + taste_;
+  }
+
+  Wheels attack(const Observation& now, const Robot& robot) {
+    if (house::must_kick_off(now)) return house::kick_off(setup(), robot);
+
+    const Point meet = meeting_point(now, robot);
+    const Point shot = unit(Point{setup().half_length + 0.05, corner_} - meet);
+    const Point from_ball = position(robot) - meet;
+    const double behind = -dot(from_ball, shot);
+    const double aside = from_ball.y * shot.x - from_ball.x * shot.y;
+
+    // Behind the ball and nearly on the line of the shot: through it.
+    if (behind > 0.0 && std::abs(aside) < 0.02 + 0.35 * behind && behind < 0.35) {
+      const Point through = meet + 0.3 * shot - (2.0 * aside) * Point{-shot.y, shot.x};
+      return drive_to(setup(), robot, through, 1.7, 1.7);
+    }
+    // Else to a place behind it.
+    return house::drive_clear(setup(), now, robot, inside(meet - 0.11 * shot), 0.3, 1.7);
+  }
+
+  // Between the ball and the own goal, fanned out, ready to take over.
+  Wheels support(const Observation& now, const Robot& robot, int rank) {
+    const double side = now.ball_y > 0.0 ? -1.0 : 1.0;
+    const double back = 0.3 + 0.2 * (rank / 2);
+    const double x = std::max(-0.7 * setup().half_length, now.ball_x - back);
+    const double y = 0.4 * now.ball_y + side * (rank % 2 == 0 ? 0.12 : -0.25);
+    return house::drive_clear(setup(), now, robot, inside({x, y}));
+  }
+
+  Point inside(Point p) const {
+    const double margin = 0.045;
+    return {std::clamp(p.x, -setup().half_length + margin, setup().half_length - margin),
+            std::clamp(p.y, -setup().half_width + margin, setup().half_width - margin)};
+  }
+
+  int attacker_ = 1;
+  double corner_ = 0.1;
+  double taste_ = 0.0;
+};
+
+}  // namespace
+
+MIROCUP_EXPORT_TEAM(Striker, "striker")

@@ -1,0 +1,148 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What a team is: a shared library with one function, mirocup_entry().
+ *
+ * The host calls create() once, then decide() once in every control period (33 ms of simulated
+ * time), and at the end destroy(). All calls come from one thread, one after the other.
+ *
+ * Frame.   Your own: you always attack +x, whatever end you have. The origin is the middle of the
+ * field, y points to the left of +x; metres, m/s, radians counter-clockwise from +x, rad/s, kg.
+ * Wheels.  A robot is a square that two wheels drive. You ask for wheel speeds in rad/s, at most
+ *          wheel_speed_limit either way (beyond, they are clamped; a speed that is not finite
+ * counts as 0). They are rounded to 1/256 rad/s. A motor follows with the time constant
+ * motor_time_constant: forward speed aimed at = wheel_radius * (right + left) / 2 turn rate aimed
+ * at     = wheel_radius * (right - left) / wheel_distance Wheels slide sideways when |turn rate *
+ * forward speed| exceeds grip * 9.81 m/s^2. Delay.   What you answer to the observation of tick t
+ * is driven in tick t + 1, for both teams alike. Robots.  Robot 0 is placed as keeper at restarts,
+ * robot 1 as kicker. While play is stopped (state READY) your commands have no effect, but the
+ * answer to the last observation before the whistle is driven in the first tick of play. Time.    A
+ * match is played as fast as both teams answer. A call that takes more than 1 s of processor time,
+ * or 10 s in all, ends the leg as a loss. Output.  What you print to standard error ends up in the
+ * log of the leg. Chance.  Take it from `seed`: then a leg can be played again exactly. Clocks,
+ * addresses and std::random_device make a leg that nobody can repeat.
+ *
+ * This header is C11 and C++; it needs nothing else. strategy.hpp is a C++ layer on top of it.
+ */
+#ifndef MIROCUP_STRATEGY_H
+#define MIROCUP_STRATEGY_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Changes whenever a structure below does. A library with another number is refused. */
+#define MIROCUP_ABI_VERSION 1u
+
+/* Room in every array of robots; setup.robots and observation.robots say how many there are. */
+#define MIROCUP_MAX_ROBOTS 11
+
+enum mirocup_league { MIROCUP_SMALL = 0, MIROCUP_MIDDLE = 1, MIROCUP_LARGE = 2 };
+
+enum mirocup_team { MIROCUP_BLUE = 0, MIROCUP_YELLOW = 1 };
+
+enum mirocup_state {
+  MIROCUP_READY = 0, /* placed for a restart; robots stand until the whistle */
+  MIROCUP_PLAY = 1,
+  MIROCUP_END = 2
+};
+
+enum mirocup_phase { MIROCUP_FIRST_HALF = 0, MIROCUP_SECOND_HALF = 1 };
+
+/* The last restart. Under MiroSot rules the ball of a kick-off must first go to the kicker's own
+ * side. */
+enum mirocup_restart {
+  MIROCUP_NO_RESTART = 0,
+  MIROCUP_KICK_OFF = 1,
+  MIROCUP_GOAL_KICK = 2,
+  MIROCUP_PENALTY_KICK = 3,
+  MIROCUP_FREE_BALL = 4
+};
+
+typedef struct mirocup_robot {
+  double x, y;    /* centre, m */
+  double heading; /* rad, in (-pi, pi] */
+  double vx, vy;  /* m/s */
+  double turn;    /* rad/s */
+} mirocup_robot;
+
+/* Told once. */
+typedef struct mirocup_setup {
+  uint32_t size;         /* of this structure, bytes */
+  int32_t league;        /* enum mirocup_league */
+  int32_t team;          /* enum mirocup_team: your colour in this leg */
+  int32_t robots;        /* of each team: 3, 5 or 11 */
+  uint64_t seed;         /* for your own random numbers; your opponent's is another */
+  double control_period; /* s between two calls of decide() */
+  double half_seconds;   /* length of a half */
+
+  /* The field: |x| <= half_length, |y| <= half_width, its corners cut off by triangles with legs
+     corner_leg; goals |y| < goal_half_width, goal_depth deep. Your goal is at -half_length. */
+  double half_length, half_width, corner_leg, goal_half_width, goal_depth;
+  double goal_area_depth, goal_area_half_width; /* its arc left out */
+  double centre_circle_radius;
+
+  double robot_side, robot_mass;
+  double wheel_distance, wheel_radius, wheel_speed_limit, motor_time_constant;
+  double grip; /* infinite: wheels that never slide */
+  double ball_radius, ball_mass;
+} mirocup_setup;
+
+/* What you see of one tick. */
+typedef struct mirocup_observation {
+  uint32_t size;       /* of this structure, bytes */
+  uint32_t tick;       /* counts up from 0 */
+  double time;         /* simulated seconds since the match began */
+  double clock;        /* of the half; stands while play is stopped */
+  int32_t state;       /* enum mirocup_state */
+  int32_t phase;       /* enum mirocup_phase */
+  int32_t restart;     /* enum mirocup_restart */
+  int32_t own_restart; /* 1 if it was given to you */
+  int32_t own_score, opponent_score;
+  int32_t robots; /* of each team */
+  int32_t reserved;
+  double ball_x, ball_y, ball_vx, ball_vy;
+  mirocup_robot own[MIROCUP_MAX_ROBOTS];
+  mirocup_robot opponent[MIROCUP_MAX_ROBOTS];
+} mirocup_observation;
+
+typedef struct mirocup_wheels {
+  double left, right; /* rad/s */
+} mirocup_wheels;
+
+/* Your answer. It is all zero when decide() is called. */
+typedef struct mirocup_command {
+  mirocup_wheels wheels[MIROCUP_MAX_ROBOTS];
+} mirocup_command;
+
+typedef struct mirocup_strategy {
+  uint32_t abi_version; /* MIROCUP_ABI_VERSION */
+  uint32_t size;        /* of this structure, bytes */
+  const char* name;     /* of the team, for reports */
+
+  /* Makes whatever you keep between calls. Null is a refusal to play. `setup` stays valid and
+   * unchanged. */
+  void* (*create)(const mirocup_setup* setup);
+
+  /* One tick. `team` is what create() returned; the pointers are valid during the call only. */
+  void (*decide)(void* team, const mirocup_observation* observation, mirocup_command* command);
+
+  /* May be null. Not called if the leg ends by force. */
+  void (*destroy)(void* team);
+} mirocup_strategy;
+
+#if defined(__GNUC__)
+#define MIROCUP_PUBLIC __attribute__((visibility("default")))
+#else
+#define MIROCUP_PUBLIC
+#endif
+
+/* The one function that your library exports. What it returns lives as long as the library. */
+MIROCUP_PUBLIC const mirocup_strategy* mirocup_entry(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

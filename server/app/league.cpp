@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#include "server/app/commands.hpp"
+#include "server/record/locations.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <unistd.h>
+
+namespace mirocup::app {
+
+Result<int> run_league(int argc, char** argv) {
+  std::string program = record::sibling_program("mirocup-league");
+  std::vector<char*> arguments{program.data()};
+  for (int i = 2; i < argc; ++i) arguments.push_back(argv[i]);
+  arguments.push_back(nullptr);
+  execv(program.c_str(), arguments.data());
+  return fail(Errc::unavailable, program + " cannot be run: " + std::strerror(errno));
+}
+
+}  // namespace mirocup::app

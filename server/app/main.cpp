@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+//
+// mirocup: one match, its records, its teams. One file per subcommand.
+#include "server/app/commands.hpp"
+#include "server/record/match_record.hpp"
+
+#include <iostream>
+#include <string_view>
+
+using namespace mirocup;
+
+int main(int argc, char** argv) {
+  const auto report = [](const Result<int>& result) {
+    if (result) return *result;
+    std::cerr << "mirocup: " << result.error().what << '\n';
+    return exit_code(result.error().code);
+  };
+  if (argc > 1 && std::string_view(argv[1]) == "league") return report(app::run_league(argc, argv));
+
+  CLI::App cli("A tournament platform for MiroSot robot soccer.", "mirocup");
+  cli.require_subcommand(1);
+  cli.set_version_flag("--version", record::software_version());
+  cli.footer("mirocup league ... runs tournaments: see mirocup league --help.");
+  app::Run run;
+  app::add_match(cli, run);
+  app::add_join(cli, run);
+  app::add_verify(cli, run);
+  try {
+    cli.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    const bool asked_for_help = e.get_exit_code() == 0;
+    cli.exit(e);
+    return asked_for_help ? exit_yes : exit_code(Errc::input);
+  }
+  return report(run());
+}

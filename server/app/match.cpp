@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+//
+// mirocup match: plays one leg and writes its record.
+#include "server/app/commands.hpp"
+#include "server/app/interrupt.hpp"
+#include "server/app/seats.hpp"
+#include "server/pace/pacer.hpp"
+
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <sched.h>
+
+namespace mirocup::app {
+
+namespace {
+
+struct Options {
+  match::ByTeam<std::string> teams;
+  std::string league = "small";
+  std::string rules = "mirosot";
+  std::string stage = "group";
+  std::uint64_t seed = 1;
+  std::string speed = "max";
+  std::optional<double> half_s;
+  std::string record_path;
+  bool trusted = false;
+  std::string match_id = "1";
+  std::string interface = "lo";
+  double join_within = 60.0;
+  bool json = false;
+};
+
+Result<match::Setup> setup_of(const Options& options) {
+  match::Setup setup;
+  setup.league = *from_string<League>(options.league);
+  setup.rules = referee::make_rules(*from_string<referee::Preset>(options.rules));
+  setup.stage = *from_string<referee::Stage>(options.stage);
+  setup.seed = options.seed;
+  if (setup.stage == referee::Stage::knockout) {
+    return fail(Errc::input, "--stage knockout: extra time and shoot-outs are not judged yet");
+  }
+  if (setup.rules.preset == referee::Preset::simurosot) setup.control_period = 1.0 / 60.0;
+  if (options.half_s) setup.rules.half_s = *options.half_s;
+  return setup;
+}
+
+Result<std::optional<double>> factor_of(const std::string& speed) {
+  if (speed == "max") return std::optional<double>();
+  char* end = nullptr;
+  const double factor = std::strtod(speed.c_str(), &end);
+  if (end == speed.c_str() || *end != '\0' || !(factor > 0.0) || factor > 1e6) {
+    return fail(Errc::input, "--speed " + speed + ": \"max\" or a number above 0 is expected");
+  }
+  return std::optional<double>(factor);
+}
+
+// A match and its teams take turns: on one core handing over costs a microsecond, across cores
+// fifty.
+void stay_on_this_core() {
+  cpu_set_t one;
+  CPU_ZERO(&one);
+  CPU_SET(sched_getcpu(), &one);
+  sched_setaffinity(0, sizeof one, &one);
+}
+
+// One leg with everything that it needs around it.
+class Session {
+ public:
+  Session(const Options& options, const match::Setup& setup, std::optional<double> factor)
+      : options_(options), match_(setup), pacer_(clock_, setup.control_period, factor) {}
+
+  Result<void> seat_teams();
+  Result<void> play();
+  Result<void> write_record();
+  void report() const;
+  bool is_void() const { return match_.result().end == match::EndKind::void_; }
+
+ private:
+  Result<TeamSeat> take_seat(const TeamChoice& choice, Team team);
+  dds::Patience patience() const;
+  void wait_until_ready();
+  record::MatchRecord record() const;
+
+  const Options& options_;
+  Interrupt interrupt_;
+  record::Disk disk_;
+  pace::SteadyClock clock_;
+  match::Match match_;
+  pace::Pacer pacer_;
+  std::unique_ptr<dds::MatchServer> network_;  // if a team plays over it
+  std::vector<TeamSeat> seats_;                // blue, yellow
+  std::string isolation_ = "network";
+};
+
+Result<void> Session::seat_teams() {
+  std::vector<TeamChoice> choices;
+  for (const Team team : both_teams) {
+    auto choice = choose_team(disk_, options_.teams[index_of(team)]);
+    if (!choice) return tl::unexpected(choice.error());
+    choices.push_back(std::move(*choice));
+  }
+  const bool any_dds = choices[0].info.kind == record::TeamKind::dds ||
+                       choices[1].info.kind == record::TeamKind::dds;
+  if (any_dds) {
+    auto server = dds::MatchServer::open(options_.match_id, options_.interface);
+    if (!server) return tl::unexpected(server.error());
+    network_ = std::move(*server);
+  } else if (pacer_.period() == 0.0) {
+    stay_on_this_core();
+  }
+  for (const Team team : both_teams) {
+    auto seat = take_seat(choices[index_of(team)], team);
+    if (!seat) return tl::unexpected(seat.error());
+    seats_.push_back(std::move(*seat));
+  }
+  wait_until_ready();
+  return {};
+}
+
+Result<TeamSeat> Session::take_seat(const TeamChoice& choice, Team team) {
+  const match::Briefing briefing = match_.briefing(team);
+  if (choice.info.kind == record::TeamKind::dds) {
+    return TeamSeat::take_on_network(choice, briefing, *network_, patience());
+  }
+  isolation_ = options_.trusted ? "none" : "process";
+  return options_.trusted ? TeamSeat::take_trusted(choice, briefing)
+                          : TeamSeat::take_in_process(choice, briefing);
+}
+
+dds::Patience Session::patience() const {
+  dds::Patience patience;
+  patience.to_join = options_.join_within;
+  if (pacer_.period() > 0.0) {
+    patience.tick = pacer_.period();
+    patience.is_late_fatal = false;
+  }
+  return patience;
+}
+
+void Session::wait_until_ready() {
+  std::vector<match::TeamFault> faults;
+  for (const Team team : both_teams) {
+    const auto ready = seats_[index_of(team)].wait_until_ready();
+    if (ready) continue;
+    if (const auto* failure = std::get_if<match::HostFailure>(&ready.error())) {
+      match_.declare_void(failure->text);
+      return;
+    }
+    faults.push_back({team, std::get<match::Fault>(ready.error())});
+  }
+  if (!faults.empty()) match_.forfeit(std::move(faults));
+}
+
+Result<void> Session::play() {
+  while (!match_.is_over()) {
+    if (interrupt_.is_asked_for())
+      return fail(Errc::interrupted, "interrupted; nothing was decided");
+    pacer_.wait_for(match_.tick());
+    if (network_) network_->publish(match_);
+    match_.advance(seats_[0].controller(), seats_[1].controller());
+  }
+  if (network_) network_->close(match_);
+  return {};
+}
+
+record::MatchRecord Session::record() const {
+  record::MatchRecord record;
+  record.version = record::software_version();
+  record.build = record::software_build();
+  record.isolation = isolation_;
+  for (const Team team : both_teams) {
+    const int i = index_of(team);
+    record.teams[i] = seats_[i].info();
+    record.budget[i] = seats_[i].budget();
+    record.budget[i].late_ticks = match_.late_ticks()[i];
+    record.budget[i].bad_commands = match_.bad_values()[i];
+  }
+  record.recording = replay::record(match_);
+  return record;
+}
+
+Result<void> Session::write_record() {
+  if (options_.record_path.empty()) return {};
+  if (auto saved = record::save(disk_, options_.record_path, record()); !saved) return saved;
+  for (const Team team : both_teams) {
+    const std::string text = seats_[index_of(team)].output();
+    if (text.empty()) continue;
+    const std::string path = options_.record_path + "." + std::string(to_string(team)) + ".log";
+    if (auto written = disk_.write(path, text); !written) return written;
+  }
+  return {};
+}
+
+void Session::report() const {
+  if (options_.json) {
+    std::cout << record::to_json(record()).dump(-1, ' ', false,
+                                                record::Json::error_handler_t::replace)
+              << '\n';
+    return;
+  }
+  const match::Result& r = match_.result();
+  std::cout << seats_[0].info().name << " (blue) " << r.score[0] << " : " << r.score[1] << " "
+            << seats_[1].info().name << " (yellow), " << to_string(r.end) << " after "
+            << match_.tick() << " ticks, state hash " << to_hex(match_.state_hash()) << '\n';
+  for (const match::TeamFault& f : r.faults) {
+    std::cout << to_string(f.team) << ": " << to_string(f.fault.code) << ": " << f.fault.text
+              << '\n';
+  }
+  if (!r.why_void.empty()) std::cout << "void: " << r.why_void << '\n';
+}
+
+Result<int> run_match(const Options& options) {
+  const auto setup = setup_of(options);
+  if (!setup) return tl::unexpected(setup.error());
+  const auto factor = factor_of(options.speed);
+  if (!factor) return tl::unexpected(factor.error());
+
+  Session session(options, *setup, *factor);
+  if (auto seated = session.seat_teams(); !seated) return tl::unexpected(seated.error());
+  if (auto played = session.play(); !played) return tl::unexpected(played.error());
+  if (auto written = session.write_record(); !written) return tl::unexpected(written.error());
+  session.report();
+  return session.is_void() ? exit_code(Errc::host) : exit_yes;
+}
+
+template <class E>
+CLI::Validator one_of() {
+  std::vector<std::string> names;
+  for (const auto name : enum_names<E>) names.emplace_back(name);
+  return CLI::IsMember(names);
+}
+
+}  // namespace
+
+void add_match(CLI::App& app, Run& run) {
+  auto o = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("match", "Play one leg");
+  command->add_option("--blue", o->teams[0], "a library, a house team's name, or dds:NAME")
+      ->required();
+  command->add_option("--yellow", o->teams[1], "the same for the other team")->required();
+  command->add_option("--league", o->league, "small (3 a side), middle (5), large (11)")
+      ->check(one_of<League>())
+      ->capture_default_str();
+  command->add_option("--rules", o->rules, "rules preset")
+      ->check(one_of<referee::Preset>())
+      ->capture_default_str();
+  command->add_option("--stage", o->stage, "may a draw stand?")
+      ->check(one_of<referee::Stage>())
+      ->capture_default_str();
+  command->add_option("--seed", o->seed, "of the toss and of the teams' random numbers")
+      ->capture_default_str();
+  command->add_option("--speed", o->speed, "max, or a factor: 1 is real time")
+      ->capture_default_str();
+  command->add_option("--half", o->half_s, "seconds of a half")->check(CLI::Range(0.1, 36000.0));
+  command->add_option("--record", o->record_path, "where to write the match record");
+  command->add_flag("--trusted", o->trusted, "run the teams in this process, without protection");
+  command->add_option("--match", o->match_id, "ID that DDS teams join")->capture_default_str();
+  command
+      ->add_option("--interface", o->interface,
+                   "network interface for DDS teams; lo: this host only")
+      ->capture_default_str();
+  command->add_option("--join-within", o->join_within, "seconds that a DDS team has to join")
+      ->capture_default_str();
+  command->add_flag("--json", o->json, "the record on standard output");
+  command->callback([o, &run] { run = [o] { return run_match(*o); }; });
+}
+
+}  // namespace mirocup::app

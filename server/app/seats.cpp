@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "server/app/seats.hpp"
+
+#include "server/record/locations.hpp"
+#include "server/record/digest.hpp"
+
+#include <filesystem>
+
+namespace mirocup::app {
+
+namespace {
+
+constexpr std::string_view dds_prefix = "dds:";
+
+// dlopen() looks names without a slash up in the system's folders.
+std::string with_slash(const std::string& path) {
+  return path.find('/') == std::string::npos ? "./" + path : path;
+}
+
+}  // namespace
+
+Result<TeamChoice> choose_team(record::Files& files, const std::string& text) {
+  TeamChoice choice;
+  if (text.rfind(dds_prefix, 0) == 0) {
+    choice.info = {text.substr(dds_prefix.size()), record::TeamKind::dds, std::nullopt};
+    if (choice.info.name.empty()) return fail(Errc::input, "dds: needs a name, as in dds:NAME");
+    return choice;
+  }
+  choice.library = record::house_team(text);
+  if (!choice.library.empty()) {
+    choice.info = {text, record::TeamKind::house, std::nullopt};
+  } else if (files.exists(text)) {
+    choice.library = with_slash(text);
+    choice.info = {std::filesystem::path(text).stem().string(), record::TeamKind::plugin,
+                   std::nullopt};
+  } else {
+    return fail(Errc::input, "\"" + text + "\" is neither a file nor a house team");
+  }
+  const auto bytes = files.read(choice.library);
+  if (!bytes) return tl::unexpected(bytes.error());
+  choice.info.sha256 = record::sha256(*bytes);
+  return choice;
+}
+
+Result<TeamSeat> TeamSeat::take_in_process(const TeamChoice& choice,
+                                           const match::Briefing& briefing) {
+  TeamSeat seat(choice.info);
+  auto process = plugins::ProcessController::start(
+      record::sibling_program("mirocup-plugin-host"), std::filesystem::absolute(choice.library).string(),
+      briefing, plugins::ProcessLimits{});
+  if (!process) return tl::unexpected(process.error());
+  seat.process_ = process->get();
+  seat.controller_ = process->get();
+  seat.owned_ = std::move(*process);
+  return seat;
+}
+
+Result<TeamSeat> TeamSeat::take_trusted(const TeamChoice& choice, const match::Briefing& briefing) {
+  TeamSeat seat(choice.info);
+  auto controller = plugins::TrustedController::load(choice.library, briefing);
+  if (!controller) {
+    seat.load_fault_ = controller.error();
+    return seat;
+  }
+  seat.controller_ = controller->get();
+  seat.owned_ = std::move(*controller);
+  return seat;
+}
+
+Result<TeamSeat> TeamSeat::take_on_network(const TeamChoice& choice,
+                                           const match::Briefing& briefing,
+                                           dds::MatchServer& server,
+                                           const dds::Patience& patience) {
+  TeamSeat seat(choice.info);
+  auto network = server.add_seat(briefing, patience);
+  if (!network) return tl::unexpected(network.error());
+  seat.network_ = *network;
+  seat.controller_ = *network;
+  return seat;
+}
+
+tl::expected<void, match::Answer> TeamSeat::wait_until_ready() {
+  if (load_fault_) return tl::unexpected<match::Answer>(*load_fault_);
+  if (process_ != nullptr) return process_->wait_until_ready();
+  if (network_ != nullptr) return network_->wait_until_joined(info_.name);
+  return {};
+}
+
+record::Budget TeamSeat::budget() const {
+  record::Budget budget;
+  if (process_ != nullptr) {
+    budget.cpu_seconds = process_->cpu_seconds();
+    budget.slowest_tick_ms = process_->slowest_tick_ms();
+  }
+  return budget;
+}
+
+}  // namespace mirocup::app

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+//
+// Who steers a team: a library in its own process, the same in this one, or somebody on the
+// network.
+#pragma once
+
+#include "plugins/host/process_controller.hpp"
+#include "plugins/host/trusted_controller.hpp"
+#include "server/dds/match_server.hpp"
+#include "server/record/match_record.hpp"
+
+#include <memory>
+#include <string>
+
+namespace mirocup::app {
+
+// What the command line says of a team: "dds:NAME", the path of a library, or a house team's name.
+struct TeamChoice {
+  record::TeamInfo info;
+  std::string library;  // for a DDS team ""
+};
+
+Result<TeamChoice> choose_team(record::Files& files, const std::string& text);
+
+// One team's place in a match.
+class TeamSeat {
+ public:
+  // Starts what has to be started. An error is the host's; a team's own fault comes out of
+  // wait_until_ready().
+  static Result<TeamSeat> take_in_process(const TeamChoice& choice,
+                                          const match::Briefing& briefing);
+  static Result<TeamSeat> take_trusted(const TeamChoice& choice, const match::Briefing& briefing);
+  static Result<TeamSeat> take_on_network(const TeamChoice& choice, const match::Briefing& briefing,
+                                          dds::MatchServer& server, const dds::Patience& patience);
+
+  // Returns when the team can play, or why it never will: a fault of its own, or the host's.
+  tl::expected<void, match::Answer> wait_until_ready();
+
+  match::Controller& controller() { return *controller_; }
+  const record::TeamInfo& info() const { return info_; }
+  record::Budget budget() const;
+  std::string output() { return process_ != nullptr ? process_->output() : std::string(); }
+
+ private:
+  explicit TeamSeat(record::TeamInfo info) : info_(std::move(info)) {}
+
+  record::TeamInfo info_;
+  std::unique_ptr<match::Controller> owned_;
+  match::Controller* controller_ = nullptr;
+  plugins::ProcessController* process_ = nullptr;
+  dds::Seat* network_ = nullptr;
+  std::optional<match::Fault> load_fault_;  // of a trusted team
+};
+
+}  // namespace mirocup::app

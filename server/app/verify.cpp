@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+//
+// mirocup verify RECORD: does the record tell what happened?
+#include "core/replay/verification.hpp"
+#include "server/app/commands.hpp"
+#include "server/record/match_record.hpp"
+
+#include <iostream>
+#include <memory>
+
+namespace mirocup::app {
+
+namespace {
+
+struct Options {
+  std::string path;
+  bool json = false;
+};
+
+Result<int> run_verify(const Options& options) {
+  record::Disk disk;
+  const auto record = record::load(disk, options.path);
+  if (!record) return tl::unexpected(record.error());
+  const auto divergence = replay::verify(record->recording);
+
+  if (options.json) {
+    record::Json answer{{"record", options.path}, {"reproduced", !divergence}};
+    answer["tick"] = divergence ? record::Json(divergence->tick) : record::Json();
+    answer["what"] = divergence ? record::Json(divergence->what) : record::Json();
+    std::cout << answer.dump() << '\n';
+  } else if (divergence) {
+    std::cout << options.path << ": differs from tick " << divergence->tick
+              << " on: " << divergence->what << '\n';
+  } else {
+    std::cout << options.path << ": reproduced, " << record->recording.ticks.size()
+              << " ticks, state hash " << to_hex(record->recording.state_hash) << '\n';
+  }
+  return divergence ? exit_no : exit_yes;
+}
+
+}  // namespace
+
+void add_verify(CLI::App& app, Run& run) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("verify", "Play a record again from its commands and compare everything");
+  command->add_option("RECORD", options->path, "a match record")->required();
+  command->add_flag("--json", options->json, "one JSON object on standard output");
+  command->callback([options, &run] { run = [options] { return run_verify(*options); }; });
+}
+
+}  // namespace mirocup::app

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+//
+// Between the match's structures and the topics of idl/mirocup.idl.
+#pragma once
+
+#include "core/match/match.hpp"
+
+#include <mirocup.h>
+#include <string_view>
+
+namespace mirocup::dds {
+
+mirocup_v1_WorldState to_sample(const match::Scene& scene, int robots);
+match::Scene to_scene(const mirocup_v1_WorldState& sample);
+
+// Accepted, with everything that a team is told once.
+mirocup_v1_Welcome to_sample(const match::Briefing& briefing, std::uint64_t nonce);
+
+// What the briefing's numbers stand for again; points into the structures given. False if a number
+// cannot be.
+struct Told {
+  field::Field field;
+  simulator::Parameters parameters;
+  referee::Rules rules;
+  match::Briefing briefing;
+};
+bool from_sample(const mirocup_v1_Welcome& sample, Told& told);
+
+mirocup_v1_MatchEvent to_sample(const match::LoggedDecision& decision, std::uint32_t number,
+                                const match::ByTeam<int>& score);
+
+mirocup_v1_TeamCommand to_sample(const match::Command& command, Team team, std::uint32_t tick,
+                                 std::uint64_t nonce);
+match::Command to_command(const mirocup_v1_TeamCommand& sample);
+
+// Into a bounded string of a sample; what is too long is cut.
+template <std::size_t size>
+void put_text(char (&to)[size], std::string_view text) {
+  const std::size_t length = text.copy(to, size - 1);
+  to[length] = '\0';
+}
+
+}  // namespace mirocup::dds

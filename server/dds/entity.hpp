@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+//
+// DDS entities that delete themselves, and their creation with the QoS of a topic's row. Members of
+// a class are declared parents first, so that children go first.
+#pragma once
+
+#include "core/base/error.hpp"
+#include "idl/qos.hpp"
+
+#include <dds/dds.h>
+
+#include <string>
+#include <utility>
+
+namespace mirocup::dds {
+
+class Entity {
+ public:
+  Entity() = default;
+  explicit Entity(dds_entity_t handle) : handle_(handle) {}
+  Entity(Entity&& other) noexcept : handle_(std::exchange(other.handle_, 0)) {}
+  Entity& operator=(Entity&& other) noexcept {
+    if (this != &other) {
+      reset();
+      handle_ = std::exchange(other.handle_, 0);
+    }
+    return *this;
+  }
+  ~Entity() { reset(); }
+
+  dds_entity_t get() const { return handle_; }
+  void reset() {
+    if (handle_ > 0) dds_delete(handle_);
+    handle_ = 0;
+  }
+
+ private:
+  dds_entity_t handle_ = 0;
+};
+
+// `what` names the thing in the error's sentence.
+Result<Entity> created(dds_entity_t handle, const std::string& what);
+
+Result<Entity> make_publisher(const Entity& participant, const std::string& partition);
+Result<Entity> make_subscriber(const Entity& participant, const std::string& partition);
+Result<Entity> make_topic(const Entity& participant, const dds_topic_descriptor_t& type,
+                          const idl::TopicQos& qos);
+Result<Entity> make_writer(const Entity& publisher, const Entity& topic, const idl::TopicQos& qos);
+Result<Entity> make_reader(const Entity& subscriber, const Entity& topic, const idl::TopicQos& qos);
+
+// Takes the next valid sample, if there is one; `writer` becomes the handle of who wrote it.
+template <class Sample>
+bool take(const Entity& reader, Sample& sample, dds_instance_handle_t* writer = nullptr) {
+  while (true) {
+    void* into = &sample;
+    dds_sample_info_t info;
+    if (dds_take(reader.get(), &into, &info, 1, 1) <= 0) return false;
+    if (!info.valid_data) continue;
+    if (writer != nullptr) *writer = info.publication_handle;
+    return true;
+  }
+}
+
+}  // namespace mirocup::dds

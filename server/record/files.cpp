@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "server/record/files.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <utility>
+
+namespace mirocup::record {
+
+namespace {
+
+class Descriptor {
+ public:
+  explicit Descriptor(int fd) : fd_(fd) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (fd_ >= 0) close(fd_);
+  }
+  int get() const { return fd_; }
+  bool is_open() const { return fd_ >= 0; }
+
+ private:
+  int fd_;
+};
+
+tl::unexpected<Error> problem(const std::string& path, const char* doing) {
+  return fail(Errc::unavailable, path + " cannot be " + doing + ": " + std::strerror(errno));
+}
+
+bool write_all(int fd, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t n = ::write(fd, bytes.data(), bytes.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(n));
+  }
+  return true;
+}
+
+// A new name is on disk only once its folder is.
+bool sync_folder_of(const std::string& path) {
+  std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  if (folder.empty()) folder = ".";
+  const Descriptor fd(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  return fd.is_open() && fsync(fd.get()) == 0;
+}
+
+}  // namespace
+
+Result<std::string> Disk::read(const std::string& path) {
+  const Descriptor fd(open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!fd.is_open()) return problem(path, "read");
+  std::string bytes;
+  char buffer[65536];
+  while (true) {
+    const ssize_t n = ::read(fd.get(), buffer, sizeof buffer);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) return problem(path, "read");
+    if (n == 0) return bytes;
+    bytes.append(buffer, static_cast<std::size_t>(n));
+  }
+}
+
+Result<void> Disk::write(const std::string& path, std::string_view bytes) {
+  const std::string temporary = path + ".tmp" + std::to_string(getpid());
+  {
+    const Descriptor fd(open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
+    if (!fd.is_open()) return problem(path, "written");
+    if (!write_all(fd.get(), bytes) || fsync(fd.get()) != 0) {
+      const auto failed = problem(path, "written");
+      unlink(temporary.c_str());
+      return failed;
+    }
+  }
+  if (rename(temporary.c_str(), path.c_str()) != 0 || !sync_folder_of(path)) {
+    const auto failed = problem(path, "written");
+    unlink(temporary.c_str());
+    return failed;
+  }
+  return {};
+}
+
+Result<void> Disk::append(const std::string& path, std::string_view bytes) {
+  const bool is_new = !exists(path);
+  const Descriptor fd(open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644));
+  if (!fd.is_open() || !write_all(fd.get(), bytes) || fsync(fd.get()) != 0) {
+    return problem(path, "written");
+  }
+  if (is_new && !sync_folder_of(path)) return problem(path, "written");
+  return {};
+}
+
+Result<void> Disk::truncate(const std::string& path, std::size_t size) {
+  const Descriptor fd(open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  if (!fd.is_open() || ftruncate(fd.get(), static_cast<off_t>(size)) != 0 || fsync(fd.get()) != 0) {
+    return problem(path, "shortened");
+  }
+  return {};
+}
+
+bool Disk::exists(const std::string& path) {
+  return access(path.c_str(), F_OK) == 0;
+}
+
+Result<void> Disk::make_folder(const std::string& path) {
+  std::error_code code;
+  std::filesystem::create_directories(path, code);
+  if (code) return fail(Errc::unavailable, path + " cannot be made: " + code.message());
+  return {};
+}
+
+}  // namespace mirocup::record

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+//
+// The door to the disk. Whole files are written so that there is always either the old one or the
+// new one; journals grow line by line, each on disk before anybody acts on it. Tests put a disk
+// with faults behind it.
+#pragma once
+
+#include "core/base/error.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace mirocup::record {
+
+class Files {
+ public:
+  virtual ~Files() = default;
+
+  virtual Result<std::string> read(const std::string& path) = 0;
+
+  // Replaces the file: a temporary name in the same folder, flushed to disk, renamed, the folder
+  // flushed.
+  virtual Result<void> write(const std::string& path, std::string_view bytes) = 0;
+
+  // Appends and flushes to disk.
+  virtual Result<void> append(const std::string& path, std::string_view bytes) = 0;
+
+  // Cuts the file to its first `size` bytes.
+  virtual Result<void> truncate(const std::string& path, std::size_t size) = 0;
+
+  virtual bool exists(const std::string& path) = 0;
+
+  // Makes the folder and those above it.
+  virtual Result<void> make_folder(const std::string& path) = 0;
+};
+
+// The real one. It holds no state: any number of them may be used from any thread.
+class Disk final : public Files {
+ public:
+  Result<std::string> read(const std::string& path) override;
+  Result<void> write(const std::string& path, std::string_view bytes) override;
+  Result<void> append(const std::string& path, std::string_view bytes) override;
+  Result<void> truncate(const std::string& path, std::size_t size) override;
+  bool exists(const std::string& path) override;
+  Result<void> make_folder(const std::string& path) override;
+};
+
+}  // namespace mirocup::record

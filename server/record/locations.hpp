@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+//
+// Where the program's own parts are: beside it in a build tree, in libexec and lib below a prefix
+// when installed.
+#pragma once
+
+#include <string>
+
+namespace mirocup::record {
+
+// The folder of the running program.
+std::string program_folder();
+
+// The program of that name that belongs to this one.
+std::string sibling_program(const std::string& name);
+
+// The library of a house team, or "" if there is no such team.
+std::string house_team(const std::string& name);
+
+}  // namespace mirocup::record

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+//
+// The record of one leg: a JSON file for people and leagues, and beside it the replay that proves
+// it.
+//
+// This is the only code that knows the JSON of matches; schema.md is its specification. Exceptions
+// of the JSON library end here.
+#pragma once
+
+#include "core/replay/recording.hpp"
+#include "server/record/files.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+#include <string>
+
+namespace mirocup::record {
+
+using Json = nlohmann::ordered_json;
+
+// What steered a team.
+enum class TeamKind { plugin, house, dds };
+
+struct TeamInfo {
+  std::string name;
+  TeamKind kind = TeamKind::plugin;
+  std::optional<std::string> sha256;  // of the library; a DDS team has none
+};
+
+// What a team used of its time. A count of bad commands counts commands, not values.
+struct Budget {
+  double cpu_seconds = 0.0;
+  double slowest_tick_ms = 0.0;
+  int late_ticks = 0;
+  int bad_commands = 0;
+};
+
+struct MatchRecord {
+  std::string version;  // of the software that played it
+  std::string build;
+  match::ByTeam<TeamInfo> teams;
+  match::ByTeam<Budget> budget;
+  std::string isolation;  // "none", "process", ...
+  replay::Recording recording;
+};
+
+// The version and build of this program, for `version` and `build`.
+std::string software_version();
+std::string software_build();
+
+// Everything but the replay's own hash and name, which save() adds.
+Json to_json(const MatchRecord& record);
+
+// Writes the replay, then the record: if the record is there, both are.
+Result<void> save(Files& files, const std::string& path, const MatchRecord& record);
+
+// Reads both. Errors: Errc::unavailable if a file is not there, Errc::damaged for everything else.
+Result<MatchRecord> load(Files& files, const std::string& path);
+
+// "leg.json" -> "leg.replay.zst"
+std::string replay_path_of(const std::string& record_path);
+
+}  // namespace mirocup::record
+
+namespace mirocup {
+
+template <>
+inline constexpr std::array<std::string_view, 3> enum_names<record::TeamKind>{"plugin", "house",
+                                                                              "dds"};
+
+}  // namespace mirocup
