@@ -5,6 +5,7 @@
 #include "server/app/interrupt.hpp"
 #include "server/app/seats.hpp"
 #include "server/pace/pacer.hpp"
+#include "server/record/rules_json.hpp"
 
 #include <iostream>
 #include <memory>
@@ -17,12 +18,14 @@ namespace {
 
 struct Options {
   match::ByTeam<std::string> teams;
+  match::ByTeam<std::string> names;  // "": the team's own
   std::string league = "small";
   std::string rules = "mirosot";
   std::string stage = "group";
   std::uint64_t seed = 1;
   std::string speed = "max";
   std::optional<double> half_s;
+  std::vector<std::string> rule_changes;  // KEY=VALUE
   std::string record_path;
   bool trusted = false;
   std::string match_id = "1";
@@ -31,10 +34,26 @@ struct Options {
   bool json = false;
 };
 
+// The preset with its changes, through the parser of records and league files.
+Result<referee::Rules> rules_of(const Options& options) {
+  record::Json json{{"preset", options.rules}};
+  for (const std::string& change : options.rule_changes) {
+    const std::size_t equals = change.find('=');
+    record::Json value = record::Json::parse(
+        equals == std::string::npos ? "" : change.substr(equals + 1), nullptr, false);
+    if (value.is_discarded())
+      return fail(Errc::input, "--rule " + change + ": KEY=VALUE is expected");
+    json[change.substr(0, equals)] = value;
+  }
+  return record::rules_from_json(json, Errc::input);
+}
+
 Result<match::Setup> setup_of(const Options& options) {
   match::Setup setup;
   setup.league = *from_string<League>(options.league);
-  setup.rules = referee::make_rules(*from_string<referee::Preset>(options.rules));
+  auto rules = rules_of(options);
+  if (!rules) return tl::unexpected(rules.error());
+  setup.rules = *rules;
   setup.stage = *from_string<referee::Stage>(options.stage);
   setup.seed = options.seed;
   if (setup.stage == referee::Stage::knockout) {
@@ -98,6 +117,8 @@ Result<void> Session::seat_teams() {
   for (const Team team : both_teams) {
     auto choice = choose_team(disk_, options_.teams[index_of(team)]);
     if (!choice) return tl::unexpected(choice.error());
+    const std::string& name = options_.names[index_of(team)];
+    if (!name.empty()) choice->info.name = name;
     choices.push_back(std::move(*choice));
   }
   const bool any_dds = choices[0].info.kind == record::TeamKind::dds ||
@@ -239,6 +260,8 @@ void add_match(CLI::App& app, Run& run) {
   command->add_option("--blue", o->teams[0], "a library, a house team's name, or dds:NAME")
       ->required();
   command->add_option("--yellow", o->teams[1], "the same for the other team")->required();
+  command->add_option("--blue-name", o->names[0], "what the record calls the blue team");
+  command->add_option("--yellow-name", o->names[1], "what the record calls the yellow team");
   command->add_option("--league", o->league, "small (3 a side), middle (5), large (11)")
       ->check(one_of<League>())
       ->capture_default_str();
@@ -253,6 +276,8 @@ void add_match(CLI::App& app, Run& run) {
   command->add_option("--speed", o->speed, "max, or a factor: 1 is real time")
       ->capture_default_str();
   command->add_option("--half", o->half_s, "seconds of a half")->check(CLI::Range(0.1, 36000.0));
+  command->add_option("--rule", o->rule_changes,
+                      "KEY=VALUE: another value for a parameter of the rules");
   command->add_option("--record", o->record_path, "where to write the match record");
   command->add_flag("--trusted", o->trusted, "run the teams in this process, without protection");
   command->add_option("--match", o->match_id, "ID that DDS teams join")->capture_default_str();

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+//
+// The subcommands of `mirocup league`.
+#pragma once
+
+#include "core/base/error.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+
+namespace mirocup::league {
+
+// Runs a subcommand; the value is the exit code of an answer (yes or no).
+using Run = std::function<Result<int>()>;
+
+void add_init(CLI::App& app, Run& run);
+void add_start(CLI::App& app, Run& run);
+void add_status(CLI::App& app, Run& run);
+void add_publish(CLI::App& app, Run& run);
+
+}  // namespace mirocup::league

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+//
+// league.json: what the host decided. It may be edited until the league starts.
+#pragma once
+
+#include "core/base/error.hpp"
+#include "core/field/league.hpp"
+#include "core/referee/rules.hpp"
+#include "tournaments/table/table.hpp"
+
+#include <string>
+#include <vector>
+
+namespace mirocup::league {
+
+// How a team gets its library, and where it runs.
+struct TeamEntry {
+  std::string name;
+  std::string source;     // as written: "house:NAME" or a path
+  bool over_dds = false;  // plays through mirocup join instead of in the match server's care
+};
+
+struct LeagueFile {
+  std::string title = "League";
+  League league = League::small;
+  referee::Rules rules;
+  std::uint64_t seed = 1;
+  Points points;
+  std::vector<TieBreak> tie_breaks{default_tie_breaks.begin(), default_tie_breaks.end()};
+  std::vector<TeamEntry> teams;
+};
+
+// `path` is for error messages, which name the file, the place and the reason (Errc::input).
+Result<LeagueFile> parse_league_file(const std::string& text, const std::string& path);
+std::string print_league_file(const LeagueFile& league);
+
+}  // namespace mirocup::league

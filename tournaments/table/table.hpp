@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+//
+// The league table: a pure function of the results. Order: points, then the tie-breaks in their
+// configured order; each row says what separated it from the one below.
+#pragma once
+
+#include "core/base/names.hpp"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mirocup::league {
+
+// One leg's result, as far as tables need it.
+struct LegResult {
+  int home = 0;  // index of the team
+  int away = 0;
+  int home_goals = 0;
+  int away_goals = 0;
+  bool both_lose = false;  // a double forfeit
+  int home_penalties = 0;  // penalties given against the team
+  int away_penalties = 0;
+};
+
+enum class TieBreak {
+  goal_difference,
+  goals,
+  head_to_head_points,
+  head_to_head_goal_difference,
+  penalties,
+  lots,
+};
+
+struct Points {
+  int win = 3;
+  int draw = 1;
+  int loss = 0;
+};
+
+// In the order of the FIRA-like leagues: see README.md.
+inline constexpr std::array<TieBreak, 6> default_tie_breaks{
+    TieBreak::goal_difference,     TieBreak::goals,
+    TieBreak::head_to_head_points, TieBreak::head_to_head_goal_difference,
+    TieBreak::penalties,           TieBreak::lots};
+
+struct Row {
+  int team = 0;
+  int played = 0;
+  int won = 0;
+  int drawn = 0;
+  int lost = 0;
+  int goals_for = 0;
+  int goals_against = 0;
+  int points = 0;
+  int penalties = 0;         // given against the team
+  std::string separated_by;  // what put it above the next row; "" for the last
+
+  int difference() const { return goals_for - goals_against; }
+};
+
+// All teams, best first. `seed` draws the lots.
+std::vector<Row> make_table(int teams, const std::vector<LegResult>& results, const Points& points,
+                            const std::vector<TieBreak>& tie_breaks, std::uint64_t seed);
+
+}  // namespace mirocup::league
+
+namespace mirocup {
+
+template <>
+inline constexpr std::array<std::string_view, 6> enum_names<league::TieBreak>{
+    "goal_difference", "goals", "head_to_head_points", "head_to_head_goal_difference",
+    "penalties",       "lots"};
+
+}  // namespace mirocup
