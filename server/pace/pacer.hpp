@@ -21,8 +21,9 @@ class Pacer {
   // after it.
   void wait_for(std::uint32_t tick) {
     if (period_ == 0.0) return;
-    if (!begin_) begin_ = clock_.now() - tick * period_;
-    const double due = *begin_ + tick * period_;
+    if (!has_begun_) begin_ = clock_.now() - tick * period_;
+    has_begun_ = true;
+    const double due = begin_ + tick * period_;
     if (clock_.now() < due) clock_.sleep_until(due);
   }
 
@@ -32,7 +33,8 @@ class Pacer {
  private:
   Clock& clock_;
   double period_;
-  std::optional<double> begin_;
+  bool has_begun_ = false;
+  double begin_ = 0.0;  // of tick 0
 };
 
 }  // namespace mirocup::pace

@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# Bit for bit: the golden leg of this build, and of core built by other compilers and at other levels, must print the
+# hash in golden.txt. Usage: check.sh GOLDEN_LEG
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+root=$(cd "$here/../.." && pwd)
+expected=$(cat "$here/golden.txt")
+bad=0
+
+compare() {
+  local hash
+  hash=$("$2")
+  if [[ $hash == "$expected" ]]; then
+    echo "$1: $hash"
+  else
+    echo "$1: $hash, but golden.txt has $expected" >&2
+    bad=1
+  fi
+}
+
+compare "this build" "$1"
+for compiler in g++ clang++; do
+  for level in -O0 -O3; do
+    build=$root/build/compilers/$compiler$level
+    cmake -S "$root" -B "$build" -G Ninja -DMIROCUP_CORE_ONLY=ON -DCMAKE_BUILD_TYPE= \
+      -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS="$level" >/dev/null
+    cmake --build "$build" --target golden_leg >/dev/null
+    compare "$compiler $level" "$build/golden_leg"
+  done
+done
+exit $bad

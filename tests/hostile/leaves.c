@@ -1,0 +1,9 @@
+/* SPDX-License-Identifier: MIT */
+#include "tests/hostile/hostile.h"
+
+#include <stdlib.h>
+
+static void misbehave(mirocup_command* command) {
+  (void)command;
+  exit(0);
+}

@@ -1,0 +1,80 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# Dependencies point one way (README.md, "The tree"). Fails on an include, a link or a library call against that order.
+# Run from anywhere: tests/layering/check.sh [ROOT]
+set -euo pipefail
+cd "${1:-$(dirname "$0")/../..}"
+bad=0
+
+complain() {
+  echo "layering: $*" >&2
+  bad=1
+}
+
+# may ROOM REGEX: files below ROOM include, of the project's own headers, only those that match REGEX.
+may() {
+  local room=$1 allowed=$2 line
+  while IFS= read -r line; do
+    complain "$line is against the order ($room may include $allowed)"
+  done < <(grep -rnE '^#include "' "$room" --include='*.hpp' --include='*.cpp' --include='*.h' --include='*.c' |
+    grep -vE "#include \"($allowed)" || true)
+}
+
+may core/base 'core/base/'
+may core/field 'core/(base|field)/'
+may core/simulator 'core/(base|field|simulator)/'
+may core/referee 'core/(base|field|simulator|referee)/'
+may core/match 'core/(base|field|simulator|referee|match)/'
+may core/replay 'core/'
+may plugins/include 'mirocup/strategy\.h"'
+may plugins/house 'mirocup/|plugins/house/'
+may plugins/host 'core/|plugins/host/|mirocup/'
+may idl 'idl/'
+may server/record 'core/|server/record/'
+may server/pace 'server/pace/'
+may server/dds 'core/|idl/|server/dds/'
+may server/app 'core/|plugins/host/|mirocup/|server/'
+may tournaments/table 'core/base/|tournaments/table/'
+may tournaments/format 'core/|server/record/|tournaments/(format|table)/'
+may tournaments/journal 'core/base/|server/record/|tournaments/journal/'
+may tournaments/run 'core/|server/record/|tournaments/(format|table|journal|run)/'
+may tournaments/publish 'core/|server/record/|tournaments/(format|table|journal|run|publish)/'
+may tournaments/app 'core/|server/record/|tournaments/'
+
+# only PATTERN ROOM...: the system's or a library's headers that match PATTERN appear in these rooms only.
+only() {
+  local pattern=$1 line
+  shift
+  while IFS= read -r line; do
+    complain "$line: not in this room"
+  done < <(grep -rnE "^#include <($pattern)" core plugins idl server tournaments |
+    grep -vE "^($(IFS='|'; echo "$*"))/" || true)
+}
+
+only 'dds/|mirocup\.h>' server/dds
+only 'nlohmann/' server/record tournaments
+only 'dlfcn\.h' plugins/host
+only 'CLI/' server/app tournaments/app
+only 'openssl/|zstd' server/record
+only 'thread>|chrono>|mutex>|fstream>|iostream>|filesystem>|random>|sys/|unistd\.h' plugins server tournaments
+
+# Whatever the C library rounds in its own way would change a state hash: core has functions of its own.
+while IFS= read -r line; do
+  complain "$line: core computes this itself (core/base/math.hpp)"
+done < <(grep -rnE 'std::(sin|cos|tan|exp|expm1|log|log1p|pow|hypot|cbrt|asin|acos|atan|atan2|fma|rand)\(' core || true)
+
+# links ROOM REGEX: the room's CMakeLists.txt names no target that matches.
+links_not() {
+  local room=$1 forbidden=$2 line
+  while IFS= read -r line; do
+    complain "$room/CMakeLists.txt: $line is a link against the order"
+  done < <(grep -nE "mirocup::($forbidden)" "$room/CMakeLists.txt" || true)
+}
+links_not core 'plugins|strategy|idl|record|dds|league'
+links_not plugins 'idl|record|dds|league'
+links_not idl 'core|plugins|record|dds|league'
+links_not server 'league'
+links_not tournaments 'plugins|dds|idl'
+
+exit $bad

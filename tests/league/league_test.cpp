@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+//
+// Leagues as a host runs them: one command from start to table, whatever happens on the way.
+#include "tests/support/program.hpp"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+#include <set>
+#include <sstream>
+#include <unistd.h>
+
+namespace mirocup {
+namespace {
+
+using test_support::Outcome;
+using test_support::program;
+using test_support::read_file;
+using test_support::read_json;
+using test_support::run;
+using test_support::Running;
+using test_support::TemporaryFolder;
+
+std::vector<std::string> league(const std::string& command, const std::string& folder,
+                                const std::vector<std::string>& more = {}) {
+  std::vector<std::string> words{program("mirocup"), "league", command, folder};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+// Four teams, one of them over DDS, short halves: twelve legs.
+void make_league(const std::string& folder, const std::string& half = "10") {
+  test_support::write_file(folder + ".json",
+                           R"({"schema": "mirocup/league/1", "title": "Test", "seed": 5,
+    "rules": {"half_s": )" + half +
+                               R"(},
+    "teams": [{"name": "striker", "entry": "house:striker"}, {"name": "chaser", "entry": "house:chaser"},
+              {"name": "idle", "entry": "house:idle"}, {"name": "far", "entry": "house:keeper", "dds": true}]})");
+  const Outcome made = run(league("init", folder, {"--config", folder + ".json"}));
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_EQ(made.out, folder + ": 4 teams, 12 legs\n");
+}
+
+TEST(League, PlaysTheExampleOfTheReadme) {
+  const TemporaryFolder temporary;
+  const std::string folder = temporary / "class";
+  ASSERT_EQ(run(league("init", folder,
+                       {"--config", std::string(MIROCUP_SOURCE_FOLDER) +
+                                        "/tournaments/examples/class/league.json"}))
+                .exit_code,
+            0);
+  const Outcome played = run(league("start", folder));
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+
+  const Outcome status = run(league("status", folder, {"--json"}));
+  const auto table = nlohmann::json::parse(status.out);
+  EXPECT_GE(table["table"].size(), 5u);
+  EXPECT_EQ(table["played"], table["legs"]);
+  bool any_dds = false;
+  int records = 0;
+  for (const auto& file : std::filesystem::directory_iterator(folder + "/records")) {
+    if (file.path().extension() != ".json") continue;
+    ++records;
+    any_dds = any_dds || read_json(file.path())["teams"]["blue"]["kind"] == "dds";
+    const Outcome verified = run({program("mirocup"), "verify", file.path()});
+    EXPECT_EQ(verified.exit_code, 0) << verified.out;
+  }
+  EXPECT_EQ(records, table["legs"]);
+  EXPECT_TRUE(any_dds);
+
+  const std::string journal = read_file(folder + "/journal.jsonl");
+  EXPECT_EQ(run(league("start", folder)).exit_code, 0);
+  EXPECT_EQ(read_file(folder + "/journal.jsonl"), journal) << "nothing is played again";
+}
+
+TEST(League, ComesToTheSameTableAfterBeingKilled) {
+  const TemporaryFolder temporary;
+  make_league(temporary / "whole");
+  ASSERT_EQ(run(league("start", temporary / "whole")).exit_code, 0);
+
+  make_league(temporary / "killed");
+  int kills = 0;
+  while (run(league("status", temporary / "killed")).exit_code != 0) {
+    Running running(league("start", temporary / "killed"));
+    usleep(150'000 + 70'000 * (kills % 5));
+    running.signal(SIGKILL);
+    running.wait();
+    ASSERT_LT(++kills, 200);
+  }
+  EXPECT_GT(kills, 1);
+  ASSERT_EQ(run(league("start", temporary / "killed")).exit_code, 0);
+
+  for (const char* file : {"index.html", "table.json", "crosstable.json", "bracket.json"}) {
+    EXPECT_EQ(read_file(temporary / "killed/site/" + file),
+              read_file(temporary / "whole/site/" + file))
+        << file;
+  }
+  // No leg is missing or booked twice.
+  std::set<std::string> legs;
+  int booked = 0;
+  std::istringstream journal(read_file(temporary / "killed/journal.jsonl"));
+  for (std::string line; std::getline(journal, line);) {
+    const auto json = nlohmann::json::parse(line);
+    if (json["kind"] != "leg") continue;
+    ++booked;
+    legs.insert(json["fixture"].get<std::string>() + "/" + json["leg"].dump());
+  }
+  EXPECT_EQ(booked, 12);
+  EXPECT_EQ(legs.size(), 12u);
+}
+
+TEST(League, ComesToTheSameTableWithAnyNumberOfJobs) {
+  const TemporaryFolder temporary;
+  make_league(temporary / "one", "5");
+  make_league(temporary / "four", "5");
+  ASSERT_EQ(run(league("start", temporary / "one", {"--jobs", "1"})).exit_code, 0);
+  ASSERT_EQ(run(league("start", temporary / "four", {"--jobs", "4"})).exit_code, 0);
+  EXPECT_EQ(read_file(temporary / "one/site/index.html"),
+            read_file(temporary / "four/site/index.html"));
+  EXPECT_EQ(read_file(temporary / "one/site/table.json"),
+            read_file(temporary / "four/site/table.json"));
+}
+
+TEST(League, CanBeStoppedAndGoesOn) {
+  const TemporaryFolder temporary;
+  make_league(temporary / "l", "60");
+  Running running(league("start", temporary / "l"));
+  usleep(300'000);
+  running.signal(SIGTERM);
+  const Outcome stopped = running.wait();
+  EXPECT_EQ(stopped.exit_code, 130) << stopped.err;
+  EXPECT_NE(stopped.err.find("the same command goes on"), std::string::npos);
+}
+
+TEST(League, BooksAMatchServerThatDiesAsVoidAndPlaysAgain) {
+  const TemporaryFolder temporary;
+  ASSERT_EQ(run(league("init", temporary / "l",
+                       {"--team", "a=house:striker", "--team", "b=house:chaser", "--half", "300"}))
+                .exit_code,
+            0);
+  Running running(league("start", temporary / "l", {"--jobs", "1"}));
+  // The match server is the league's only child.
+  const std::string children = "/proc/" + std::to_string(running.pid()) + "/task/" +
+                               std::to_string(running.pid()) + "/children";
+  int killed = 0;
+  for (int i = 0; i < 200 && killed == 0; ++i) {
+    usleep(5'000);
+    const std::string pid = read_file(children);
+    if (!pid.empty() && kill(std::stoi(pid), SIGKILL) == 0) killed = std::stoi(pid);
+  }
+  ASSERT_NE(killed, 0);
+  EXPECT_EQ(running.wait().exit_code, 0);
+  const std::string journal = read_file(temporary / "l/journal.jsonl");
+  EXPECT_NE(journal.find("\"kind\":\"void\""), std::string::npos);
+  EXPECT_EQ(read_json(temporary / "l/site/table.json")["played"], 2);
+}
+
+TEST(League, RefusesToGoOnWhenWhatWasDecidedHasChanged) {
+  const TemporaryFolder temporary;
+  const std::string folder = temporary / "l";
+  ASSERT_EQ(run(league("init", folder,
+                       {"--team", "a=house:idle", "--team", "b=house:idle", "--half", "1"}))
+                .exit_code,
+            0);
+  ASSERT_EQ(run(league("start", folder)).exit_code, 0);
+  const std::string config = read_file(folder + "/league.json");
+
+  std::string changed = config;
+  changed.replace(changed.find("\"seed\": 1"), 9, "\"seed\": 2");
+  test_support::write_file(folder + "/league.json", changed);
+  Outcome outcome = run(league("start", folder));
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("changed after the league started"), std::string::npos) << outcome.err;
+  test_support::write_file(folder + "/league.json", config);
+
+  test_support::write_file(folder + "/entries/a/1/strategy.so", "another library");
+  outcome = run(league("start", folder));
+  EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
+
+  std::string journal = read_file(folder + "/journal.jsonl");
+  journal[journal.size() / 2] ^= 1;
+  test_support::write_file(folder + "/journal.jsonl", journal);
+  outcome = run(league("status", folder));
+  EXPECT_EQ(outcome.exit_code, 4);
+  EXPECT_NE(outcome.err.find("line "), std::string::npos) << outcome.err;
+}
+
+TEST(League, SaysWhatIsWrong) {
+  const TemporaryFolder temporary;
+  EXPECT_EQ(run(league("start", temporary / "nothing")).exit_code, 2);
+  EXPECT_EQ(run(league("init", temporary / "x", {"--team", "a=house:nobody"})).exit_code, 2);
+  EXPECT_EQ(run(league("init", temporary / "x", {"--team", "../a=house:idle"})).exit_code, 2);
+  EXPECT_EQ(run(league("init", temporary / "x", {"--team", "a"})).exit_code, 2);
+  EXPECT_FALSE(std::filesystem::exists(temporary / "x/league.json")) << "nothing half made";
+}
+
+TEST(League, MakesItsPagesAgainWithTheSameBytes) {
+  const TemporaryFolder temporary;
+  const std::string folder = temporary / "l";
+  ASSERT_EQ(run(league("init", folder,
+                       {"--team", "a=house:chaser", "--team", "b=house:idle", "--half", "5"}))
+                .exit_code,
+            0);
+  ASSERT_EQ(run(league("start", folder)).exit_code, 0);
+  const std::string page = read_file(folder + "/site/index.html");
+  std::filesystem::remove_all(folder + "/site");
+  const Outcome published = run(league("publish", folder));
+  EXPECT_EQ(published.exit_code, 0);
+  EXPECT_EQ(published.out, folder + "/site/index.html\n");
+  EXPECT_EQ(read_file(folder + "/site/index.html"), page);
+}
+
+}  // namespace
+}  // namespace mirocup

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+//
+// mirocup match and verify as their users run them.
+#include "tests/support/program.hpp"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <unistd.h>
+
+namespace mirocup {
+namespace {
+
+using test_support::Outcome;
+using test_support::program;
+using test_support::read_json;
+using test_support::run;
+using test_support::Running;
+using test_support::TemporaryFolder;
+
+std::vector<std::string> match(const std::string& blue, const std::string& yellow,
+                               const std::vector<std::string>& more = {}) {
+  std::vector<std::string> words{program("mirocup"), "match", "--blue", blue, "--yellow", yellow};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+std::string state_hash(const Outcome& outcome) {
+  const auto at = outcome.out.find("state hash ");
+  return at == std::string::npos ? "none" : outcome.out.substr(at + 11, 16);
+}
+
+TEST(MatchCommand, PlaysTheSameLegWithTheSameSeed) {
+  const std::vector<std::string> leg{"--half", "20", "--seed", "5"};
+  const std::string hash = state_hash(run(match("striker", "chaser", leg)));
+  EXPECT_EQ(hash.size(), 16u);
+  EXPECT_EQ(state_hash(run(match("striker", "chaser", leg))), hash);
+  EXPECT_NE(state_hash(run(match("striker", "chaser", {"--half", "20", "--seed", "6"}))), hash);
+  EXPECT_EQ(
+      state_hash(run(match("striker", "chaser", {"--half", "20", "--seed", "5", "--trusted"}))),
+      hash)
+      << "in the server's own process";
+}
+
+// Another build of the same sources, named by MIROCUP_OTHER_BUILDS (folders, separated by ':'):
+// debug, clang++.
+TEST(MatchCommand, PlaysTheSameLegInEveryBuild) {
+  const char* others = std::getenv("MIROCUP_OTHER_BUILDS");
+  if (others == nullptr) GTEST_SKIP() << "MIROCUP_OTHER_BUILDS names no other build";
+  const std::vector<std::string> leg{"--half", "20", "--seed", "5"};
+  const std::string hash = state_hash(run(match("striker", "chaser", leg)));
+  std::string folders = others;
+  while (!folders.empty()) {
+    const std::string folder = folders.substr(0, folders.find(':'));
+    folders.erase(0, folder.size() + 1);
+    auto words = match("striker", "chaser", leg);
+    words[0] = folder + "/mirocup";
+    EXPECT_EQ(state_hash(run(words)), hash) << folder;
+  }
+}
+
+TEST(MatchCommand, PlaysEveryLeagueAndPresetAndTheRecordsVerify) {
+  for (const char* league : {"small", "middle", "large"}) {
+    for (const char* rules : {"mirosot", "simurosot", "vsss"}) {
+      const TemporaryFolder folder;
+      const Outcome played = run(match(
+          "striker", "keeper",
+          {"--league", league, "--rules", rules, "--half", "3", "--record", folder / "leg.json"}));
+      EXPECT_EQ(played.exit_code, 0) << league << rules << played.err;
+      EXPECT_EQ(read_json(folder / "leg.json")["rules"]["preset"], rules);
+      const Outcome verified = run({program("mirocup"), "verify", folder / "leg.json"});
+      EXPECT_EQ(verified.exit_code, 0) << league << " " << rules << ": " << verified.out;
+    }
+  }
+}
+
+TEST(MatchCommand, TakesSingleRules) {
+  const TemporaryFolder folder;
+  run(match("idle", "idle",
+            {"--half", "2", "--rule", "stalemate_s=0.5", "--rule", "keeper_hold_s=null", "--record",
+             folder / "leg.json"}));
+  const auto record = read_json(folder / "leg.json");
+  EXPECT_EQ(record["rules"]["stalemate_s"], 0.5);
+  EXPECT_TRUE(record["rules"]["keeper_hold_s"].is_null());
+  bool called = false;
+  for (const auto& d : record["decisions"]) called = called || d["law"] == "stalemate";
+  EXPECT_TRUE(called);
+}
+
+TEST(MatchCommand, SaysWhatIsWrongWithWhatItIsGiven) {
+  const auto fails = [](const std::vector<std::string>& words, const std::string& text) {
+    const Outcome outcome = run(words);
+    EXPECT_EQ(outcome.exit_code, 2) << text;
+    EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+  };
+  fails(match("nobody", "idle"), "\"nobody\" is neither a file nor a house team");
+  fails(match("idle", "idle", {"--league", "huge"}), "huge");
+  fails(match("idle", "idle", {"--speed", "fast"}), "--speed fast");
+  fails(match("idle", "idle", {"--rule", "haste=1"}), "/rules/haste");
+  fails(match("idle", "idle", {"--stage", "knockout"}), "--stage knockout");
+  fails({program("mirocup"), "match", "--blue", "idle"}, "--yellow");
+  fails({program("mirocup")}, "subcommand");
+}
+
+TEST(MatchCommand, WritesNoRecordWhenItIsInterrupted) {
+  const TemporaryFolder folder;
+  Running running(match("idle", "idle", {"--speed", "1", "--record", folder / "leg.json"}));
+  usleep(700'000);
+  running.signal(SIGINT);
+  EXPECT_EQ(running.wait().exit_code, 130);
+  EXPECT_EQ(access((folder / "leg.json").c_str(), F_OK), -1);
+}
+
+TEST(MatchCommand, SaysWhenTheRecordCannotBeWritten) {
+  const Outcome outcome =
+      run(match("idle", "idle", {"--half", "1", "--record", "/no/such/folder/leg.json"}));
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_NE(outcome.err.find("/no/such/folder"), std::string::npos);
+}
+
+TEST(VerifyCommand, TellsTruthFromForgeryAndDamage) {
+  const TemporaryFolder folder;
+  run(match("striker", "chaser", {"--half", "20", "--record", folder / "leg.json"}));
+  const std::string text = test_support::read_file(folder / "leg.json");
+  const auto verify = [&] {
+    return run({program("mirocup"), "verify", folder / "leg.json", "--json"});
+  };
+  EXPECT_EQ(verify().exit_code, 0);
+
+  auto forged = nlohmann::ordered_json::parse(text);
+  forged["result"]["score"]["blue"] = 9;
+  test_support::write_file(folder / "leg.json", forged.dump());
+  Outcome outcome = verify();
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(nlohmann::json::parse(outcome.out)["reproduced"], false);
+
+  test_support::write_file(folder / "leg.json", text.substr(0, text.size() / 2));
+  EXPECT_EQ(verify().exit_code, 4);
+  EXPECT_EQ(run({program("mirocup"), "verify", folder / "nothing.json"}).exit_code, 3);
+}
+
+// Ten legs of a minute each way: who should win does.
+TEST(HouseTeams, AreAsStrongAsTheirNamesSay) {
+  const auto points = [](const std::string& stronger, const std::string& weaker) {
+    int total = 0;
+    for (int seed = 1; seed <= 10; ++seed) {
+      const TemporaryFolder folder;
+      const bool blue = seed % 2 == 0;
+      run(match(
+          blue ? stronger : weaker, blue ? weaker : stronger,
+          {"--half", "120", "--seed", std::to_string(seed), "--record", folder / "leg.json"}));
+      const auto winner = read_json(folder / "leg.json")["result"]["winner"];
+      if (winner.is_null()) continue;
+      total += (winner == "blue") == blue ? 1 : -1;
+    }
+    return total;
+  };
+  EXPECT_GE(points("striker", "chaser"), 5);
+  EXPECT_GE(points("chaser", "idle"), 8);
+}
+
+}  // namespace
+}  // namespace mirocup

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+//
+// A disk in memory, which can be made to fail.
+#pragma once
+
+#include "server/record/files.hpp"
+
+#include <map>
+#include <string>
+
+namespace mirocup::test_support {
+
+class MemoryFiles final : public record::Files {
+ public:
+  // The next `writes` writes or appends succeed, those after them fail.
+  void fail_after(int writes) { writes_left_ = writes; }
+
+  Result<std::string> read(const std::string& path) override {
+    const auto found = files_.find(path);
+    if (found == files_.end()) return fail(Errc::unavailable, path + " cannot be read");
+    return found->second;
+  }
+
+  Result<void> write(const std::string& path, std::string_view bytes) override {
+    if (!may_write()) return fail(Errc::unavailable, path + " cannot be written: no space left");
+    files_[path] = bytes;
+    return {};
+  }
+
+  Result<void> append(const std::string& path, std::string_view bytes) override {
+    if (!may_write()) return fail(Errc::unavailable, path + " cannot be written: no space left");
+    files_[path] += bytes;
+    return {};
+  }
+
+  Result<void> truncate(const std::string& path, std::size_t size) override {
+    files_[path].resize(size);
+    return {};
+  }
+
+  bool exists(const std::string& path) override { return files_.count(path) != 0; }
+
+  Result<void> make_folder(const std::string&) override { return {}; }
+
+ private:
+  bool may_write() { return writes_left_ < 0 || writes_left_-- > 0; }
+
+  std::map<std::string, std::string> files_;
+  int writes_left_ = -1;
+};
+
+}  // namespace mirocup::test_support

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "tests/support/program.hpp"
+
+#include <csignal>
+#include <cstdlib>
+#include <fcntl.h>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace mirocup::test_support {
+
+namespace {
+
+std::string temporary_name() {
+  std::string name = (std::filesystem::temp_directory_path() / "mirocup-test-XXXXXX").string();
+  const int fd = mkstemp(name.data());
+  if (fd < 0) throw std::runtime_error("no temporary file");
+  close(fd);
+  return name;
+}
+
+}  // namespace
+
+Running::Running(const std::vector<std::string>& arguments)
+    : out_(temporary_name()), err_(temporary_name()) {
+  std::vector<std::string> words = arguments;
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  pid_ = fork();
+  if (pid_ == 0) {
+    dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
+    dup2(open(out_.c_str(), O_WRONLY | O_TRUNC), STDOUT_FILENO);
+    dup2(open(err_.c_str(), O_WRONLY | O_TRUNC), STDERR_FILENO);
+    execv(argv[0], argv.data());
+    _exit(126);
+  }
+}
+
+Running::~Running() {
+  if (pid_ > 0) {
+    kill(pid_, SIGKILL);
+    waitpid(pid_, nullptr, 0);
+  }
+  unlink(out_.c_str());
+  unlink(err_.c_str());
+}
+
+void Running::signal(int number) const {
+  kill(pid_, number);
+}
+
+Outcome Running::wait() {
+  int status = 0;
+  waitpid(pid_, &status, 0);
+  pid_ = -1;
+  return {WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status), read_file(out_),
+          read_file(err_)};
+}
+
+Outcome run(const std::vector<std::string>& arguments) {
+  return Running(arguments).wait();
+}
+
+std::string program(const std::string& name) {
+  return std::string(MIROCUP_BUILD_FOLDER) + "/" + name;
+}
+
+TemporaryFolder::TemporaryFolder() {
+  path_ = (std::filesystem::temp_directory_path() / "mirocup-test-XXXXXX").string();
+  if (mkdtemp(path_.data()) == nullptr) throw std::runtime_error("no temporary folder");
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+std::string read_file(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+void write_file(const std::string& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+nlohmann::ordered_json read_json(const std::string& path) {
+  return nlohmann::ordered_json::parse(read_file(path));
+}
+
+}  // namespace mirocup::test_support

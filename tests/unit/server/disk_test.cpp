@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+//
+// Catches a write that leaves half a file or a temporary one, and an error without the file's name.
+#include "server/record/files.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace mirocup::record {
+namespace {
+
+class DiskTest : public testing::Test {
+ protected:
+  DiskTest() {
+    folder_ = (std::filesystem::temp_directory_path() / "mirocup-disk-XXXXXX").string();
+    EXPECT_NE(mkdtemp(folder_.data()), nullptr);
+  }
+  ~DiskTest() override { std::filesystem::remove_all(folder_); }
+
+  std::string at(const std::string& name) const { return folder_ + "/" + name; }
+
+  std::string folder_;
+  Disk disk_;
+};
+
+TEST_F(DiskTest, ReplacesAWholeFileAndLeavesNothingElse) {
+  ASSERT_TRUE(disk_.write(at("a"), "first, and longer"));
+  ASSERT_TRUE(disk_.write(at("a"), "second"));
+  EXPECT_EQ(*disk_.read(at("a")), "second");
+  int files = 0;
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder_)) ++files;
+  EXPECT_EQ(files, 1);
+}
+
+TEST_F(DiskTest, AppendsAndTruncates) {
+  ASSERT_TRUE(disk_.append(at("log"), "one\n"));
+  ASSERT_TRUE(disk_.append(at("log"), "two\n"));
+  EXPECT_EQ(*disk_.read(at("log")), "one\ntwo\n");
+  ASSERT_TRUE(disk_.truncate(at("log"), 4));
+  EXPECT_EQ(*disk_.read(at("log")), "one\n");
+}
+
+TEST_F(DiskTest, NamesTheFileAndTheReason) {
+  const auto missing = disk_.read(at("nothing"));
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().code, Errc::unavailable);
+  EXPECT_EQ(missing.error().what, at("nothing") + " cannot be read: No such file or directory");
+  const auto nowhere = disk_.write(at("no/such/folder/file"), "x");
+  ASSERT_FALSE(nowhere);
+  EXPECT_NE(nowhere.error().what.find("no/such/folder/file"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace mirocup::record

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+//
+// Catches a journal that loses a line, believes a changed one, or cannot be opened after the
+// machine stopped in the middle of one.
+#include "tournaments/journal/journal.hpp"
+
+#include "tests/support/memory_files.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace mirocup::league {
+namespace {
+
+using test_support::MemoryFiles;
+
+Journal opened(MemoryFiles& files) {
+  auto journal = Journal::open(files, "journal.jsonl");
+  EXPECT_TRUE(journal) << journal.error().what;
+  return *journal;
+}
+
+void write_three_lines(MemoryFiles& files) {
+  Journal journal = opened(files);
+  EXPECT_TRUE(journal.append("start", {{"config_sha256", "abc"}}));
+  EXPECT_TRUE(journal.append("leg", {{"fixture", "r1-f1"}, {"leg", 1}}));
+  EXPECT_TRUE(journal.append("leg", {{"fixture", "r1-f1"}, {"leg", 2}}));
+}
+
+TEST(Journal, ReadsBackWhatWasAppended) {
+  MemoryFiles files;
+  write_three_lines(files);
+  const Journal journal = opened(files);
+  ASSERT_EQ(journal.lines().size(), 3u);
+  EXPECT_EQ(journal.lines()[0]["prev"], "");
+  EXPECT_EQ(journal.lines()[2]["n"], 3);
+  EXPECT_EQ(journal.lines()[2]["leg"], 2);
+}
+
+TEST(Journal, SurvivesBeingCutOffAtAnyByte) {
+  MemoryFiles whole;
+  write_three_lines(whole);
+  const std::string text = *whole.read("journal.jsonl");
+  for (std::size_t size = 0; size <= text.size(); ++size) {
+    MemoryFiles files;
+    ASSERT_TRUE(files.write("journal.jsonl", text.substr(0, size)));
+    std::string notice;
+    auto journal = Journal::open(files, "journal.jsonl", &notice);
+    ASSERT_TRUE(journal) << "cut to " << size << " bytes: " << journal.error().what;
+    const std::size_t whole_lines =
+        std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(size), '\n');
+    EXPECT_EQ(journal->lines().size(), whole_lines);
+    const bool torn = size > 0 && text[size - 1] != '\n';
+    EXPECT_EQ(!notice.empty(), torn);
+    // It can be written on, and then reads as a whole.
+    ASSERT_TRUE(journal->append("void", {{"why", "test"}}));
+    EXPECT_EQ(opened(files).lines().size(), whole_lines + 1);
+  }
+}
+
+TEST(Journal, FindsEveryChangedByteButInTheLastLine) {
+  MemoryFiles whole;
+  write_three_lines(whole);
+  const std::string text = *whole.read("journal.jsonl");
+  const std::size_t last_line = text.rfind('\n', text.size() - 2) + 1;
+  for (std::size_t i = 0; i < last_line; ++i) {
+    MemoryFiles files;
+    std::string changed = text;
+    changed[i] ^= 1;
+    ASSERT_TRUE(files.write("journal.jsonl", changed));
+    const auto journal = Journal::open(files, "journal.jsonl");
+    ASSERT_FALSE(journal) << "byte " << i;
+    EXPECT_EQ(journal.error().code, Errc::damaged);
+    EXPECT_NE(journal.error().what.find("line "), std::string::npos);
+  }
+}
+
+TEST(Journal, IsAsBeforeWhenTheDiskIsFull) {
+  MemoryFiles files;
+  write_three_lines(files);
+  Journal journal = opened(files);
+  files.fail_after(0);
+  EXPECT_FALSE(journal.append("leg", {{"fixture", "r1-f2"}}));
+  EXPECT_EQ(journal.lines().size(), 3u);
+  files.fail_after(-1);
+  EXPECT_TRUE(journal.append("leg", {{"fixture", "r1-f2"}}));
+  EXPECT_EQ(opened(files).lines().size(), 4u);
+}
+
+}  // namespace
+}  // namespace mirocup::league

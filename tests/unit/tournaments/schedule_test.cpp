@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+//
+// Catches a pair that meets twice or never, a team that plays twice in a round, one that is always
+// at home.
+#include "tournaments/format/schedule.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <map>
+#include <set>
+
+namespace mirocup::league {
+namespace {
+
+class RoundRobin : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Sizes, RoundRobin, testing::Range(2, 34));
+
+TEST_P(RoundRobin, BringsEveryPairTogetherOnce) {
+  const int n = GetParam();
+  std::set<std::set<int>> pairs;
+  for (const Fixture& f : round_robin(n)) {
+    EXPECT_NE(f.home, f.away);
+    EXPECT_TRUE(pairs.insert({f.home, f.away}).second) << f.id();
+  }
+  EXPECT_EQ(static_cast<int>(pairs.size()), n * (n - 1) / 2);
+}
+
+TEST_P(RoundRobin, LetsATeamPlayAtMostOnceInARound) {
+  std::map<int, std::set<int>> rounds;
+  std::set<std::string> ids;
+  for (const Fixture& f : round_robin(GetParam())) {
+    EXPECT_TRUE(rounds[f.round].insert(f.home).second);
+    EXPECT_TRUE(rounds[f.round].insert(f.away).second);
+    EXPECT_TRUE(ids.insert(f.id()).second);
+  }
+  const int expected = GetParam() % 2 == 0 ? GetParam() - 1 : GetParam();
+  EXPECT_EQ(static_cast<int>(rounds.size()), expected);
+}
+
+TEST_P(RoundRobin, SharesTheHomeFixturesFairly) {
+  std::map<int, int> balance;
+  for (const Fixture& f : round_robin(GetParam())) {
+    ++balance[f.home];
+    --balance[f.away];
+  }
+  for (const auto& [team, difference] : balance) EXPECT_LE(std::abs(difference), 1) << team;
+}
+
+TEST(FixtureSeed, DependsOnTheLeagueAndWhoPlays) {
+  const Fixture f{1, 1, 0, 1};
+  EXPECT_EQ(fixture_seed(5, f), fixture_seed(5, f));
+  EXPECT_NE(fixture_seed(5, f), fixture_seed(6, f));
+  EXPECT_NE(fixture_seed(5, f), fixture_seed(5, Fixture{1, 1, 1, 0}));
+  EXPECT_NE(fixture_seed(5, f), fixture_seed(5, Fixture{2, 1, 0, 1}));
+  EXPECT_LT(fixture_seed(5, f), 1ULL << 53);
+}
+
+}  // namespace
+}  // namespace mirocup::league

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+//
+// Catches tie-breaks in the wrong order, head-to-head counts over the wrong teams, a forfeit that
+// is a draw.
+#include "tournaments/table/table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace mirocup::league {
+namespace {
+
+const std::vector<TieBreak> all_rules(default_tie_breaks.begin(), default_tie_breaks.end());
+
+LegResult result(int home, int away, int home_goals, int away_goals) {
+  LegResult r;
+  r.home = home;
+  r.away = away;
+  r.home_goals = home_goals;
+  r.away_goals = away_goals;
+  return r;
+}
+
+std::vector<int> order(const std::vector<Row>& rows) {
+  std::vector<int> teams;
+  for (const Row& row : rows) teams.push_back(row.team);
+  return teams;
+}
+
+enum { A, B, C, D };
+
+TEST(Table, CountsPointsAndGoals) {
+  const auto rows = make_table(2, {result(A, B, 2, 1), result(B, A, 3, 3)}, {}, all_rules, 1);
+  EXPECT_EQ(order(rows), (std::vector<int>{A, B}));
+  EXPECT_EQ(rows[0].points, 4);
+  EXPECT_EQ(rows[0].goals_for, 5);
+  EXPECT_EQ(rows[1].points, 1);
+  EXPECT_EQ(rows[0].separated_by, "points");
+}
+
+TEST(Table, GoesByGoalDifferenceInARing) {
+  const auto rows =
+      make_table(3, {result(A, B, 2, 1), result(B, C, 3, 1), result(C, A, 1, 0)}, {}, all_rules, 1);
+  EXPECT_EQ(order(rows), (std::vector<int>{B, A, C}));
+  EXPECT_EQ(rows[0].separated_by, "goal_difference");
+}
+
+TEST(Table, GoesByGoalsThenByTheirOwnMeeting) {
+  // A and B are level in points, difference and goals; B won when they met.
+  const std::vector<LegResult> results{result(B, A, 1, 0), result(A, C, 2, 1), result(C, B, 1, 0),
+                                       result(A, C, 1, 1), result(B, C, 2, 2)};
+  const auto rows = make_table(3, results, {}, all_rules, 1);
+  const auto at = [&](int team) {
+    return *std::find_if(rows.begin(), rows.end(), [team](const Row& r) { return r.team == team; });
+  };
+  ASSERT_EQ(at(A).points, at(B).points);
+  ASSERT_EQ(at(A).difference(), at(B).difference());
+  ASSERT_EQ(at(A).goals_for, at(B).goals_for);
+  const auto ranks = order(rows);
+  EXPECT_LT(std::find(ranks.begin(), ranks.end(), B), std::find(ranks.begin(), ranks.end(), A));
+}
+
+TEST(Table, TakesHeadToHeadAnewAmongThoseWhoAreLeft) {
+  // Among A, B, C the mini-table puts A first and leaves B and C level in its points and
+  // difference; between the two alone B is ahead.
+  const std::vector<TieBreak> head_to_head{TieBreak::head_to_head_points, TieBreak::lots};
+  const std::vector<LegResult> results{result(A, B, 1, 0), result(A, C, 1, 0), result(B, C, 1, 0),
+                                       result(C, D, 1, 0), result(B, D, 0, 1), result(D, A, 1, 0)};
+  const auto ranks = order(make_table(4, results, {}, head_to_head, 1));
+  EXPECT_LT(std::find(ranks.begin(), ranks.end(), B), std::find(ranks.begin(), ranks.end(), C));
+}
+
+TEST(Table, PrefersFewerPenaltiesThenDrawsLots) {
+  LegResult r = result(A, B, 1, 1);
+  r.home_penalties = 2;
+  r.away_penalties = 1;
+  auto rows = make_table(2, {r}, {}, all_rules, 1);
+  EXPECT_EQ(order(rows), (std::vector<int>{B, A}));
+  EXPECT_EQ(rows[0].separated_by, "penalties");
+
+  std::vector<int> first_places(2);
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    rows = make_table(2, {result(A, B, 1, 1)}, {}, all_rules, seed);
+    EXPECT_EQ(rows[0].separated_by, "lots");
+    ++first_places[rows[0].team];
+    EXPECT_EQ(order(rows), order(make_table(2, {result(A, B, 1, 1)}, {}, all_rules, seed)));
+  }
+  EXPECT_GT(first_places[0], 8);
+  EXPECT_GT(first_places[1], 8);
+}
+
+TEST(Table, GivesNobodyAnythingForADoubleForfeit) {
+  LegResult r = result(A, B, 0, 0);
+  r.both_lose = true;
+  const auto rows = make_table(2, {r}, {}, all_rules, 1);
+  EXPECT_EQ(rows[0].points, 0);
+  EXPECT_EQ(rows[1].points, 0);
+  EXPECT_EQ(rows[0].lost, 1);
+}
+
+TEST(Table, DoesNotDependOnTheOrderOfTheResults) {
+  std::vector<LegResult> results{result(A, B, 2, 1), result(B, C, 3, 1), result(C, A, 1, 0),
+                                 result(D, A, 0, 0)};
+  const auto before = order(make_table(4, results, {}, all_rules, 9));
+  std::reverse(results.begin(), results.end());
+  EXPECT_EQ(order(make_table(4, results, {}, all_rules, 9)), before);
+}
+
+}  // namespace
+}  // namespace mirocup::league
