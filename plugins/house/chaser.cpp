@@ -47,7 +47,8 @@ class Chaser : public Team {
 
   Wheels wait(const Observation& now, int i) {
     if (i == 0) return house::keep_goal(setup(), now, now.own[0]);
-    const double y = 0.2 * (i % 2 == 0 ? 1.0 : -1.0) * ((i + 1) / 2);
+    const int row = (i + 1) / 2;
+    const double y = 0.2 * (i % 2 == 0 ? 1.0 : -1.0) * row;
     return house::drive_clear(setup(), now, now.own[i], {-0.4 * setup().half_length, y});
   }
 

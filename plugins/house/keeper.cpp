@@ -26,8 +26,10 @@ class Keeper : public Team {
         command.wheels[i] = drive_to(setup(), robot, ball(now) + 0.1 * out, 1.0);
       } else {
         // A screen across the line from the ball to the goal.
-        const double aside = 0.09 * (i % 2 == 0 ? 1.0 : -1.0) * (i / 2);
-        const Point post = goal + (distance_ + 0.07 * (i / 3)) * out;
+        const int column = i / 2;
+        const int row = i / 3;
+        const double aside = 0.09 * (i % 2 == 0 ? 1.0 : -1.0) * column;
+        const Point post = goal + (distance_ + 0.07 * row) * out;
         command.wheels[i] = house::drive_clear(setup(), now, robot, {post.x, post.y + aside});
       }
     }

@@ -90,7 +90,8 @@ class Striker : public Team {
   // Between the ball and the own goal, fanned out, ready to take over.
   Wheels support(const Observation& now, const Robot& robot, int rank) {
     const double side = now.ball_y > 0.0 ? -1.0 : 1.0;
-    const double back = 0.3 + 0.2 * (rank / 2);
+    const int row = rank / 2;
+    const double back = 0.3 + 0.2 * row;
     const double x = std::max(-0.7 * setup().half_length, now.ball_x - back);
     const double y = 0.4 * now.ball_y + side * (rank % 2 == 0 ? 0.12 : -0.25);
     return house::drive_clear(setup(), now, robot, inside({x, y}));

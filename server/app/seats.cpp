@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "server/app/seats.hpp"
 
-#include "server/record/locations.hpp"
 #include "server/record/digest.hpp"
+#include "server/record/locations.hpp"
 
 #include <filesystem>
 
@@ -46,8 +46,8 @@ Result<TeamSeat> TeamSeat::take_in_process(const TeamChoice& choice,
                                            const match::Briefing& briefing) {
   TeamSeat seat(choice.info);
   auto process = plugins::ProcessController::start(
-      record::sibling_program("mirocup-plugin-host"), std::filesystem::absolute(choice.library).string(),
-      briefing, plugins::ProcessLimits{});
+      record::sibling_program("mirocup-plugin-host"),
+      std::filesystem::absolute(choice.library).string(), briefing, plugins::ProcessLimits{});
   if (!process) return tl::unexpected(process.error());
   seat.process_ = process->get();
   seat.controller_ = process->get();

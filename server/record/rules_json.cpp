@@ -76,7 +76,9 @@ Result<Rules> rules_from_json(const Json& object, Errc code) {
     preset = *known;
   }
   Rules rules = referee::make_rules(preset);
-  for (const auto& [key, value] : object.items()) {
+  for (auto item = object.begin(); item != object.end(); ++item) {
+    const std::string& key = item.key();
+    const Json& value = *item;
     if (key == "preset") continue;
     bool known = false;
     bool good = false;

@@ -80,10 +80,14 @@ TEST(League, ComesToTheSameTableAfterBeingKilled) {
   ASSERT_EQ(run(league("start", temporary / "whole")).exit_code, 0);
 
   make_league(temporary / "killed");
+  const std::string growing = temporary / "killed/journal.jsonl";
   int kills = 0;
   while (run(league("status", temporary / "killed")).exit_code != 0) {
+    const std::size_t before = read_file(growing).size();
     Running running(league("start", temporary / "killed"));
-    usleep(150'000 + 70'000 * (kills % 5));
+    // Somewhere in the legs that follow the next decision, however slow this build is.
+    while (read_file(growing).size() == before) usleep(2'000);
+    usleep(30'000 * (kills % 4));
     running.signal(SIGKILL);
     running.wait();
     ASSERT_LT(++kills, 200);

@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# Installs those of Debian's packages that are missing. Usage: install_packages.sh LIST... (files, one package a line).
+# Touches neither the network nor sudo where everything is there already. Exit 3 if it can't install.
+set -euo pipefail
+
+missing=()
+for package in $(cat "$@"); do
+  dpkg-query --show --showformat='${db:Status-Status}\n' "$package" 2>/dev/null | grep -q '^installed$' ||
+    missing+=("$package")
+done
+[[ ${#missing[@]} -eq 0 ]] && exit 0
+
+as_root=()
+if [[ $(id -u) -ne 0 ]]; then
+  if ! command -v sudo >/dev/null; then
+    echo "these Debian packages are missing; install them as root: ${missing[*]}" >&2
+    exit 3
+  fi
+  as_root=(sudo)
+fi
+echo "installing ${missing[*]}" >&2
+export DEBIAN_FRONTEND=noninteractive
+{ "${as_root[@]}" apt-get update -qq &&
+  "${as_root[@]}" apt-get install -y -qq --no-install-recommends "${missing[@]}"; } >&2 || {
+  echo "apt-get could not install ${missing[*]}" >&2
+  exit 3
+}
