@@ -20,6 +20,12 @@ bool is_plane(int obstacle) {
   return obstacle < plane_walls;
 }
 
+double of_pair(const Arena& arena, const Pair& pair, const PerPair& value) {
+  const bool ball = arena.is_ball(pair.a);
+  if (pair.with_obstacle()) return ball ? value.ball_wall : value.robot_wall;
+  return ball ? value.ball_robot : value.robot_robot;
+}
+
 const Shape& end_wall_of(const Arena& arena, int obstacle) {
   return arena.end_wall_shapes[obstacle - plane_walls];
 }
@@ -34,7 +40,7 @@ Arena make_arena(const field::Field* field, const Parameters& parameters,
   arena.robots = robots;
   arena.has_ball = has_ball;
   arena.field = field;
-  arena.robot_shape = square(parameters.robot_side);
+  arena.robot_shape = robot_shape(parameters);
   arena.ball_shape = circle(parameters.ball_radius);
   if (field != nullptr) {
     for (int i = 0; i < end_walls; ++i) arena.end_wall_shapes[i] = end_wall(field->posts[i]);
@@ -46,10 +52,11 @@ Arena make_arena(const field::Field* field, const Parameters& parameters,
 }
 
 double restitution(const Arena& arena, const Pair& pair) {
-  const PerPair& e = arena.parameters.restitution;
-  const bool ball = arena.is_ball(pair.a);
-  if (pair.with_obstacle()) return ball ? e.ball_wall : e.robot_wall;
-  return ball ? e.ball_robot : e.robot_robot;
+  return of_pair(arena, pair, arena.parameters.restitution);
+}
+
+double contact_friction(const Arena& arena, const Pair& pair) {
+  return of_pair(arena, pair, arena.parameters.contact_friction);
 }
 
 double gap(const Arena& arena, const Pair& pair, const Body& a, const Body& b) {
@@ -79,6 +86,7 @@ void add_contacts(const Arena& arena, const Pair& pair, std::span<const Body> bo
     if (c.a != no_body) c.row_a = contact_row(bodies[c.a], c.at);
     if (c.b != no_body) c.row_b = contact_row(bodies[c.b], c.at);
     c.restitution = restitution(arena, pair);
+    c.friction = contact_friction(arena, pair);
   }
 }
 

@@ -35,8 +35,9 @@ struct Arena {
 Arena make_arena(const field::Field* field, const Parameters& parameters,
                  const Tolerances& tolerances, int robots, bool has_ball);
 
-// Where the pair's restitution is written in the parameters.
+// What the parameters say of this kind of pair.
 double restitution(const Arena& arena, const Pair& pair);
+double contact_friction(const Arena& arena, const Pair& pair);
 
 double gap(const Arena& arena, const Pair& pair, const Body& a, const Body& b);
 

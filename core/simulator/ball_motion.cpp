@@ -6,10 +6,50 @@
 
 namespace mirocup::simulator {
 
+namespace {
+
+// A component that rounding has left a hair above k is slow already, and one that gains speed stays
+// slow until it is two hairs above: so a ball never waits at k.
+constexpr double k_margin = 1e-9;
+bool is_slow(const RollingDeceleration& d, double component) {
+  return std::abs(component) <= d.per_axis_below * (1.0 + k_margin);
+}
+
+Segment roll_per_axis(const RollingDeceleration& d, const Body& ball, double begin,
+                      double horizon) {
+  const Vec2 velocity{ball.twist.forward, ball.twist.left};
+  if (velocity.squaredNorm() <= no_rolling * no_rolling) {
+    return still_segment(ball, begin, horizon);
+  }
+  Braking braking = braking_along(d, velocity, Vec2{0.0, 0.0});
+  double end = horizon;
+  double rate = d.linear;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double speed = std::abs(velocity[axis]);
+    if (axis == 0 ? braking.x_is_slow : braking.y_is_slow) {
+      rate = d.slow_rate();
+    } else {
+      // Until it is as slow as k: as if it were to stop, from the resistance that it has at k.
+      const double at_k = d.constant + d.linear * d.per_axis_below;
+      end = std::min(end, begin + stopping_time({.constant = at_k, .linear = d.linear},
+                                                speed - d.per_axis_below));
+    }
+  }
+  Segment s = moving_segment(ball, begin, std::min(end, begin + segment_length(rate)));
+  for (int i = 0; i < series_terms - 1; ++i) {
+    integrate_pose(s, i);
+    extend_ball_twist(d, i, s, braking);
+  }
+  return s;
+}
+
+}  // namespace
+
 RollingDeceleration rolling_deceleration(const Parameters& p) {
   const double mass = p.effective_ball_mass();
   return {.constant = p.rolling_resistance * p.ball_mass * gravity / mass,
-          .linear = p.viscous_friction / mass};
+          .linear = p.viscous_friction / mass,
+          .per_axis_below = p.rolling_friction == RollingFriction::per_axis ? p.k : 0.0};
 }
 
 double stopping_time(const RollingDeceleration& d, double speed) {
@@ -19,8 +59,16 @@ double stopping_time(const RollingDeceleration& d, double speed) {
   return log1p(d.linear * speed / d.constant) / d.linear;
 }
 
-Braking braking_along(const Vec2& velocity, const Vec2& push) {
+Braking braking_along(const RollingDeceleration& d, const Vec2& velocity, const Vec2& push) {
   Braking braking;
+  if (d.is_per_axis()) {
+    braking.is_fixed = true;
+    braking.x_is_slow = is_slow(d, velocity.x());
+    braking.y_is_slow = is_slow(d, velocity.y());
+    if (!braking.x_is_slow) braking.x[0] = velocity.x() > 0.0 ? 1.0 : -1.0;
+    if (!braking.y_is_slow) braking.y[0] = velocity.y() > 0.0 ? 1.0 : -1.0;
+    return braking;
+  }
   double speed = std::sqrt(velocity.squaredNorm());
   if (speed <= no_rolling) speed = 0.0;
   braking.is_fixed = speed < slowest_own_direction;
@@ -53,12 +101,31 @@ void extend_ball_twist(const RollingDeceleration& d, int k, Segment& ball, Braki
     braking.x[k] = x / braking.speed[0];
     braking.y[k] = y / braking.speed[0];
   }
-  ball.forward[k + 1] = -(d.linear * ball.forward[k] + d.constant * braking.x[k]) / (k + 1);
-  ball.left[k + 1] = -(d.linear * ball.left[k] + d.constant * braking.y[k]) / (k + 1);
+  const double rate_x = braking.x_is_slow ? d.slow_rate() : d.linear;
+  const double rate_y = braking.y_is_slow ? d.slow_rate() : d.linear;
+  ball.forward[k + 1] = -(rate_x * ball.forward[k] + d.constant * braking.x[k]) / (k + 1);
+  ball.left[k + 1] = -(rate_y * ball.left[k] + d.constant * braking.y[k]) / (k + 1);
   ball.turn[k + 1] = 0.0;
 }
 
+double braking_changes(const RollingDeceleration& d, const Segment& ball, const Braking& braking,
+                       double length) {
+  if (!d.is_per_axis()) {
+    if (braking.speed[0] <= 0.0) return never;
+    const Series along = braking.x[0] * ball.forward + braking.y[0] * ball.left;
+    return first_fall(along, 0.0, 0.0, length);
+  }
+  const auto passes = [&](const Series& v, bool slow, double sign) {
+    if (!slow) return first_fall(sign * v, d.per_axis_below, 0.0, length);
+    const double above = d.per_axis_below * (1.0 + 2.0 * k_margin);
+    return std::min(first_fall(v, -above, 0.0, length), first_fall(-1.0 * v, -above, 0.0, length));
+  };
+  return std::min(passes(ball.forward, braking.x_is_slow, braking.x[0]),
+                  passes(ball.left, braking.y_is_slow, braking.y[0]));
+}
+
 Segment roll(const RollingDeceleration& d, const Body& ball, double begin, double horizon) {
+  if (d.is_per_axis()) return roll_per_axis(d, ball, begin, horizon);
   const Vec2 velocity{ball.twist.forward, ball.twist.left};
   const double speed = std::sqrt(velocity.squaredNorm());
   if (speed == 0.0) return still_segment(ball, begin, horizon);

@@ -6,6 +6,10 @@
 //
 // The speed s is one exponential, so the time at which it is zero is known in closed form; from
 // there on the ball lies still.
+//
+// The paper's own form, RollingFriction::per_axis, brakes x and y separately (8), with a resistance
+// that falls linearly below the speed k (9), so the ball never quite stops. It is there for
+// comparison.
 #pragma once
 
 #include "core/simulator/parameters.hpp"
@@ -13,10 +17,15 @@
 
 namespace mirocup::simulator {
 
-// The two constants of ds/dt = -constant - linear * s.
+// The constants of ds/dt = -constant - linear * s.
 struct RollingDeceleration {
-  double constant = 0.0;  // K_c m g / m', m/s^2
-  double linear = 0.0;    // f_v / m', 1/s
+  double constant = 0.0;        // K_c m g / m', m/s^2
+  double linear = 0.0;          // f_v / m', 1/s
+  double per_axis_below = 0.0;  // k, m/s; 0: isotropic
+
+  bool is_per_axis() const { return per_axis_below > 0.0; }
+  // Along an axis slower than k: dv/dt = -slow_rate() * v.
+  double slow_rate() const { return linear + constant / per_axis_below; }
 };
 RollingDeceleration rolling_deceleration(const Parameters& parameters);
 
@@ -31,12 +40,19 @@ inline constexpr double no_rolling = 1e-10;
 inline constexpr double slowest_own_direction = 1e-3;  // m/s
 struct Braking {
   bool is_fixed = false;
-  Series x, y;  // unit vector of the motion
+  Series x,
+      y;  // unit vector of the motion; per axis, the sign of each component that is at least k
   Series speed;
+  bool x_is_slow = false, y_is_slow = false;  // per axis, below k
 };
 
 // Unit vector of `velocity` if it is fast enough to have one of its own, else of `push`, else zero.
-Braking braking_along(const Vec2& velocity, const Vec2& push);
+Braking braking_along(const RollingDeceleration& d, const Vec2& velocity, const Vec2& push);
+
+// When a ball in contact has to be looked at again, in seconds from the begin of its segment and at
+// most `length`, or never: it stops, or, per axis, passes k.
+double braking_changes(const RollingDeceleration& d, const Segment& ball, const Braking& braking,
+                       double length);
 
 // One more term of the ball's twist from the terms up to k, without contacts.
 void extend_ball_twist(const RollingDeceleration& d, int k, Segment& ball, Braking& braking);

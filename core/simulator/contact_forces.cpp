@@ -60,6 +60,7 @@ void ContactForces::decide(std::span<const Drive> drives, double rest_speed, std
 void ContactForces::start_ball(std::span<const Drive> drives, std::span<const Body> bodies,
                                std::span<const Contact> contacts) {
   const Parameters& p = arena_.parameters;
+  if (p.rolling_friction == RollingFriction::per_axis) return;  // no resistance at rest
   const double resistance = p.rolling_resistance * p.ball_mass * gravity;
   const Vec2 push = push_on_ball(contacts);
   if (std::sqrt(push.squaredNorm()) <= resistance) return;
@@ -103,7 +104,7 @@ void ContactForces::pose(std::span<const Drive> drives, std::span<const Body> bo
     Segment& s = trial_[i];
     s = moving_segment(bodies[i], 0.0, 0.0);
     if (g.ground == Ground::ball) {
-      Braking braking = braking_along({s.forward[0], s.left[0]}, g.push);
+      Braking braking = braking_along(rolling_deceleration(p), {s.forward[0], s.left[0]}, g.push);
       extend_ball_twist(rolling_deceleration(p), 0, s, braking);
     } else if (g.ground == Ground::lifted) {
       extend_twist_lifted(0, s);

@@ -124,7 +124,8 @@ void ContactMotion::start(double begin, double horizon, std::span<Body> bodies,
     segments[i].left[0] = v.left;
     segments[i].turn[0] = v.turn;
     if (arena_.is_ball(i)) {
-      braking_[i] = braking_along({v.forward, v.left}, forces_->grounding(i).push);
+      braking_[i] = braking_along(rolling_deceleration(arena_.parameters), {v.forward, v.left},
+                                  forces_->grounding(i).push);
     }
   }
 }
@@ -366,12 +367,13 @@ void ContactMotion::find_end(std::span<Segment> segments) const {
     double ends = never;
     if (g.ground == Ground::slides) {
       ends = slide_ends(s, slide_[i]);
-    } else if (g.ground == Ground::ball && braking_[i].speed[0] > 0.0) {
-      ends = first_fall(braking_[i].x[0] * s.forward + braking_[i].y[0] * s.left, 0.0, 0.0, length);
+    } else if (g.ground == Ground::ball) {
+      ends = braking_changes(rolling_deceleration(arena_.parameters), s, braking_[i], length);
     }
     if (ends > length) continue;
     length = ends;
-    settles = i;
+    const bool goes_on = arena_.is_ball(i) && rolling_deceleration(arena_.parameters).is_per_axis();
+    settles = goes_on ? no_body : i;
   }
   for (int m = 0; m < member_count_; ++m) segments[members_[m]].end = begin + length;
   if (settles != no_body) {

@@ -25,10 +25,15 @@ Twist driven(const Parameters& p, const Drive& drive, const Twist& v, double ste
 }
 
 Twist braked(const Parameters& p, const Twist& v, double step) {
-  const double speed = std::sqrt(v.forward * v.forward + v.left * v.left);
-  if (speed == 0.0) return v;
   const RollingDeceleration d = rolling_deceleration(p);
-  const double left = std::max(0.0, 1.0 - step * (d.constant / speed + d.linear));
+  const auto part_left = [&](double speed) {
+    return speed == 0.0 ? 1.0 : std::max(0.0, 1.0 - step * (d.constant / speed + d.linear));
+  };
+  if (d.is_per_axis()) {
+    return {v.forward * part_left(std::max(std::abs(v.forward), d.per_axis_below)),
+            v.left * part_left(std::max(std::abs(v.left), d.per_axis_below)), 0.0};
+  }
+  const double left = part_left(std::sqrt(v.forward * v.forward + v.left * v.left));
   return {v.forward * left, v.left * left, 0.0};
 }
 
@@ -37,12 +42,29 @@ bool has_finite_grip(const Forces& forces, int body) {
          forces.parameters.grip != infinite_grip;
 }
 
-// How a sideways impulse at the wheels of `body` acts on a contact.
-double wheel_coupling(const Contact& c, int body, const InverseMass& mass) {
-  double sum = 0.0;
-  if (c.a == body) sum += c.row_a[1] * mass.left;
-  if (c.b == body) sum -= c.row_b[1] * mass.left;
-  return sum;
+// Rounds in which the bounds of friction follow the normal impulses.
+constexpr int friction_rounds = 10;
+
+// The impulses that a step asks for: of contacts, along their tangents, of wheels.
+struct StepRows {
+  std::array<Contact, max_unknowns> list;
+  int count = 0;
+
+  bool full() const { return count == max_unknowns; }
+  void add(const Contact& c) { list[count++] = c; }
+};
+
+// The ground holds wheels as a contact does whose row is v_l.
+Contact wheels_as_contact(int body) {
+  Contact c;
+  c.a = body;
+  c.row_a = {0.0, 1.0, 0.0};
+  return c;
+}
+
+void set_bounds(BoxProblem& problem, int i, double bound) {
+  problem.low[i] = -bound;
+  problem.high[i] = bound;
 }
 
 }  // namespace
@@ -51,46 +73,47 @@ void step_in_contact(const Forces& forces, std::span<const int> members,
                      std::span<Contact> contacts, double step, std::span<const InverseMass> mass,
                      std::span<Body> bodies, BoxProblem& problem) {
   const Parameters& p = forces.parameters;
-  std::array<int, max_bodies> wheels;  // members whose wheels hold up to their grip
-  int wheel_count = 0;
+  StepRows rows;
   for (const int i : members) {
     Twist& v = bodies[i].twist;
     v = i == forces.ball ? braked(p, v, step) : driven(p, forces.drives[i], v, step);
-    if (has_finite_grip(forces, i)) wheels[wheel_count++] = i;
+  }
+  for (Contact& c : contacts) rows.add(c);
+  const int normals = rows.count;
+  for (const Contact& c : contacts) {
+    if (c.friction > 0.0 && !rows.full()) rows.add(tangent_of(c, bodies));
+  }
+  const int with_tangents = rows.count;
+  for (const int i : members) {
+    if (has_finite_grip(forces, i) && !rows.full()) rows.add(wheels_as_contact(i));
   }
 
-  const int n = static_cast<int>(contacts.size());
-  problem.reset(n + wheel_count);
-  for (int i = 0; i < n; ++i) {
-    problem.b[i] = gap_rate(contacts[i], bodies) + std::max(contacts[i].at.gap, 0.0) / step;
+  problem.reset(rows.count);
+  for (int i = 0; i < rows.count; ++i) {
+    problem.b[i] = gap_rate(rows.list[i], bodies);
+    if (i < normals) problem.b[i] += std::max(contacts[i].at.gap, 0.0) / step;
     for (int j = 0; j <= i; ++j) {
-      problem.a(i, j) = coupling(contacts[i], contacts[j], mass);
-      problem.a(j, i) = problem.a(i, j);
+      problem.a(i, j) = problem.a(j, i) = coupling(rows.list[i], rows.list[j], mass);
     }
   }
   const double grip_impulse = p.grip * p.robot_mass * gravity * step;
-  for (int k = 0; k < wheel_count; ++k) {
-    const int row = n + k;
-    const int body = wheels[k];
-    problem.b[row] = bodies[body].twist.left;
-    problem.low[row] = -grip_impulse;
-    problem.high[row] = grip_impulse;
-    problem.a(row, row) = mass[body].left;
-    for (int i = 0; i < n; ++i) {
-      problem.a(row, i) = wheel_coupling(contacts[i], body, mass[body]);
-      problem.a(i, row) = problem.a(row, i);
-    }
-  }
+  for (int i = with_tangents; i < rows.count; ++i) set_bounds(problem, i, grip_impulse);
+  for (int i = normals; i < with_tangents; ++i) set_bounds(problem, i, 0.0);
   problem.solve();
-
-  for (int i = 0; i < n; ++i) {
-    contacts[i].impulse = problem.x[i];
-    apply_impulse(contacts[i], problem.x[i], mass, bodies);
+  for (int round = 0; round < friction_rounds && with_tangents > normals; ++round) {
+    for (int i = normals, k = 0; i < with_tangents; ++i, ++k) {
+      while (contacts[k].friction == 0.0) ++k;
+      set_bounds(problem, i, contacts[k].friction * problem.x[k]);
+    }
+    problem.solve();
   }
-  for (int k = 0; k < wheel_count; ++k) {
-    double& left = bodies[wheels[k]].twist.left;
-    left += problem.x[n + k] * mass[wheels[k]].left;
-    if (std::abs(left) < no_sliding) left = 0.0;
+
+  for (int i = 0; i < rows.count; ++i) apply_impulse(rows.list[i], problem.x[i], mass, bodies);
+  for (int i = 0; i < normals; ++i) contacts[i].impulse = problem.x[i];
+  for (const int i : members) {
+    if (has_finite_grip(forces, i) && std::abs(bodies[i].twist.left) < no_sliding) {
+      bodies[i].twist.left = 0.0;
+    }
   }
 }
 
@@ -116,7 +139,7 @@ void push_apart(std::span<const Contact> contacts, std::span<const InverseMass> 
   for (int i = 0; i < n; ++i) {
     const double amount = problem.x[i];
     if (amount == 0.0) continue;
-    move(contacts[i].a, contacts[i].row_a, amount);
+    if (contacts[i].a != no_body) move(contacts[i].a, contacts[i].row_a, amount);
     if (contacts[i].b != no_body) move(contacts[i].b, contacts[i].row_b, -amount);
   }
 }

@@ -4,11 +4,12 @@
 //
 // One step finds the impulses of all contacts of a cluster and of its wheels together, as one
 // convex problem: contacts only push, wheels hold sideways up to their grip, and at the end of the
-// step no gap closes further. First order in the step; positions are then corrected so that no
-// overlap builds up.
+// step no gap closes further. Where contacts have friction its bound is not known before the normal
+// impulses are: the problem is solved again with the bounds that it gave, until they hardly change.
+// First order in the step; positions are then corrected so that no overlap builds up.
 #pragma once
 
-#include "core/simulator/impact.hpp"
+#include "core/simulator/friction.hpp"
 #include "core/simulator/robot_motion.hpp"
 
 #include <span>

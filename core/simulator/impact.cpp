@@ -126,6 +126,15 @@ void apply_impulse(const Contact& c, double impulse, std::span<const InverseMass
   if (c.b != no_body) push(c.b, c.row_b, -impulse);
 }
 
+void stop_approaches(std::span<Contact> contacts, std::span<const InverseMass> mass,
+                     std::span<Body> bodies, BoxProblem& problem) {
+  std::array<int, max_unknowns> chosen;
+  for (std::size_t i = 0; i < contacts.size(); ++i) chosen[i] = static_cast<int>(i);
+  const std::span<const int> all(chosen.data(), contacts.size());
+  stop(contacts, all, mass, bodies, problem);
+  apply(contacts, all, 1.0, 0.0, mass, bodies, problem);
+}
+
 void resolve_impacts(std::span<Contact> contacts, std::span<const InverseMass> mass,
                      std::span<Body> bodies, BoxProblem& problem) {
   for (Contact& c : contacts) {
@@ -161,12 +170,8 @@ void resolve_impacts(std::span<Contact> contacts, std::span<const InverseMass> m
     }
   }
 
-  // What still approaches does so slowly, or has been thrown back often enough: everything stops
-  // together.
-  for (std::size_t i = 0; i < contacts.size(); ++i) chosen[i] = static_cast<int>(i);
-  const std::span<const int> all(chosen.data(), contacts.size());
-  stop(contacts, all, mass, bodies, problem);
-  apply(contacts, all, 1.0, 0.0, mass, bodies, problem);
+  // What still approaches does so slowly, or has been thrown back often enough.
+  stop_approaches(contacts, mass, bodies, problem);
 }
 
 }  // namespace mirocup::simulator

@@ -47,6 +47,7 @@ struct Contact {
   JacobianRow row_a{};
   JacobianRow row_b{};
   double restitution = 0.0;
+  double friction = 0.0;    // Coulomb's coefficient
   double rest_speed = 0.0;  // m/s: a slower approach does not bounce
   double approach = 0.0;    // m/s before the impact, positive if the bodies close
   double impulse = 0.0;     // N s along the normal, given by the impact
@@ -78,6 +79,10 @@ void apply_impulse(const Contact& contact, double impulse, std::span<const Inver
 
 // Changes the twists of the bodies, and sets approach and impulse of the contacts.
 void resolve_impacts(std::span<Contact> contacts, std::span<const InverseMass> mass,
+                     std::span<Body> bodies, BoxProblem& problem);
+
+// Stops all contacts that approach, together and without throwing them back; adds to the impulses.
+void stop_approaches(std::span<Contact> contacts, std::span<const InverseMass> mass,
                      std::span<Body> bodies, BoxProblem& problem);
 
 }  // namespace mirocup::simulator

@@ -5,6 +5,10 @@
 // derives the model from the paper.
 #pragma once
 
+#include "core/base/names.hpp"
+#include "core/base/vec2.hpp"
+
+#include <array>
 #include <limits>
 
 namespace mirocup::simulator {
@@ -22,8 +26,22 @@ struct PerPair {
   double robot_robot = 0.0;
 };
 
+// Along what a rolling ball brakes: its own direction, or, as the paper has it, x and y separately.
+enum class RollingFriction { isotropic, per_axis };
+
+// A convex polygon in the robot's frame, counter-clockwise around its centre of mass, m. The wheels'
+// axis goes through the centre of mass.
+inline constexpr int max_corners = 8;
+struct Outline {
+  int corners = 0;  // at least 3, or 0: none is given
+  std::array<double, max_corners> x{}, y{};
+
+  Vec2 corner(int i) const { return {x[i], y[i]}; }
+};
+
 struct Parameters {
   double robot_side = 0.075;          // edge of the square, m
+  Outline robot_outline;              // instead of the square
   double robot_mass = 0.50;           // M, kg
   double wheel_distance = 0.068;      // L, m
   double wheel_radius = 0.0225;       // r, m
@@ -34,10 +52,14 @@ struct Parameters {
   double ball_mass = 0.046;           // m, kg
   double rolling_resistance = 0.01;   // K_c in (6)
   double viscous_friction = 0.01;     // f_v in (7), kg/s
+  RollingFriction rolling_friction = RollingFriction::isotropic;
+  double k = 1e-3;  // m/s: per axis, rolling resistance falls linearly to zero below this, (9)
   PerPair restitution{.ball_wall = 0.8, .ball_robot = 0.6, .robot_wall = 0.3, .robot_robot = 0.3};
 
-  // A uniform square turns about its centre: I = M a^2 / 6.
-  double robot_inertia() const { return robot_mass * robot_side * robot_side / 6.0; }
+  PerPair contact_friction{};  // Coulomb's coefficient; the paper's contacts have none
+
+  // Of a uniform robot about its centre of mass, kg m^2. The square's is M a^2 / 6.
+  double robot_inertia() const;
 
   // A ball that rolls without slipping moves as if it had this mass: m' = m + J/R^2 = 7m/5.
   double effective_ball_mass() const { return 1.4 * ball_mass; }
@@ -51,7 +73,11 @@ struct Parameters {
   }
 };
 
-// How exact the simulator is asked to be.
+// How exact the simulator is asked to be. Free motion and single impacts are exact to rounding at
+// every level; what differs is how closely bodies in lasting contact are followed. A match is always
+// played with the standard ones.
+enum class Accuracy { coarse, standard, reference };
+
 struct Tolerances {
   double touch = 1e-10;  // m: bodies with a smaller gap are in contact
   double sink = 1e-12;   // m: bodies in contact that come closer by this hit each other anew
@@ -66,4 +92,17 @@ struct Tolerances {
   double step = 1e-3;         // s: the longest of those
 };
 
+Tolerances tolerances_of(Accuracy accuracy);
+
 }  // namespace mirocup::simulator
+
+namespace mirocup {
+
+template <>
+inline constexpr std::array<std::string_view, 2> enum_names<simulator::RollingFriction>{"isotropic",
+                                                                                        "per_axis"};
+template <>
+inline constexpr std::array<std::string_view, 3> enum_names<simulator::Accuracy>{
+    "coarse", "standard", "reference"};
+
+}  // namespace mirocup

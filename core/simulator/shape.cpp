@@ -32,6 +32,13 @@ Shape square(double side) {
   return polygon(corners);
 }
 
+Shape robot_shape(const Parameters& p) {
+  if (p.robot_outline.corners == 0) return square(p.robot_side);
+  std::array<Vec2, max_corners> corners;
+  for (int i = 0; i < p.robot_outline.corners; ++i) corners[i] = p.robot_outline.corner(i);
+  return polygon({corners.data(), static_cast<std::size_t>(p.robot_outline.corners)});
+}
+
 Shape end_wall(const field::GoalPost& post) {
   constexpr double reach = 10.0;  // m, larger than any field
   const Vec2 out = -reach * post.face;

@@ -6,13 +6,12 @@
 
 #include "core/base/vec2.hpp"
 #include "core/field/field.hpp"
+#include "core/simulator/parameters.hpp"
 
 #include <array>
 #include <span>
 
 namespace mirocup::simulator {
-
-inline constexpr int max_corners = 8;
 
 struct Shape {
   int corners = 0;  // 0: a circle
@@ -33,6 +32,9 @@ Shape circle(double radius);
 
 // A square of that side, centred; edge 0 is its front (+x).
 Shape square(double side);
+
+// The robot of the parameters.
+Shape robot_shape(const Parameters& parameters);
 
 // A convex polygon from its corners, counter-clockwise, at least 3.
 Shape polygon(std::span<const Vec2> corners);

@@ -44,7 +44,6 @@ BallState World::ball() const {
 
 void World::set_robot(int i, const RobotState& state) {
   bodies_[i] = {state.position, state.heading, state.twist};
-  if (arena_.parameters.grip == infinite_grip) bodies_[i].twist.left = 0.0;
   bodies_were_set_ = true;
 }
 
@@ -57,10 +56,13 @@ void World::set_ball(const BallState& state) {
 const TickEvents& World::advance(std::span<const WheelCommand> commands, double duration) {
   events_ = {};
   bounces_ = {};
+  rubs_ = false;
   rest_speed_ = arena_.tolerances.rest_speed;
   for (int i = 0; i < arena_.robots; ++i) {
     drives_[i] = drive_of(arena_.parameters, commands[i]);
-    mass_[i] = drives_[i].wheels_on_ground ? arena_.grounded_robot : arena_.free_robot;
+    const bool on_ground = drives_[i].wheels_on_ground;
+    mass_[i] = on_ground ? arena_.grounded_robot : arena_.free_robot;
+    if (on_ground && arena_.parameters.grip == infinite_grip) bodies_[i].twist.left = 0.0;
   }
   const BodySet all = first_bodies(arena_.bodies());
   neighbours_.clear();
@@ -68,16 +70,20 @@ const TickEvents& World::advance(std::span<const WheelCommand> commands, double 
   bodies_were_set_ = false;
   go_on(all, 0.0, duration);
 
-  BodySet involved;
-  double t = next_event(duration, involved);
-  while (t < duration && events_.events < arena_.tolerances.events_per_tick) {
-    play_event(t, duration, involved);
+  double t = 0.0;
+  while (!rubs_ && events_.events < arena_.tolerances.events_per_tick) {
+    BodySet involved;
     t = next_event(duration, involved);
+    if (t >= duration) break;
+    play_event(t, duration, involved);
   }
 
   bring_to(t, all);
   if (t < duration) finish_in_steps(t, duration);
   collect_contacts(all);
+  if (trace_ != nullptr) {
+    trace_->deepest_overlap = std::max(trace_->deepest_overlap, events_.deepest_overlap);
+  }
   return events_;
 }
 
@@ -117,8 +123,10 @@ void World::play_event(double t, double tick_end, BodySet involved) {
 void World::go_on(const BodySet& involved, double t, double tick_end) {
   note_touches();
   separate_overlaps();
-  collide();
+  collide(t);
   forces_->decide(drives_, rest_speed_, bodies_, contacts_.contacts());
+  for (const Contact& c : contacts_.contacts()) rubs_ = rubs_ || (c.holds && c.friction > 0.0);
+  if (trace_ != nullptr) trace_pressing(involved);
   start_segments(involved, t, tick_end);
   neighbours_.refresh(arena_, segments_, boxes_, involved, t);
 }
@@ -143,6 +151,7 @@ void World::bring_to(double t, const BodySet& involved) {
   for (int i = 0; i < arena_.bodies(); ++i) {
     if (involved[i]) bodies_[i] = body_at(segments_[i], t);
   }
+  if (trace_ != nullptr) trace_->position_evaluations += static_cast<long>(involved.count());
 }
 
 void World::collect_contacts(const BodySet& involved) {
@@ -176,14 +185,18 @@ void World::separate_overlaps() {
   }
 }
 
-void World::collide() {
+void World::collide(double t) {
   for (Contact& c : contacts_.contacts()) {
     c.rest_speed = std::max(rest_speed_, bounce_rest_speeds_[bounces_of(c)]);
   }
   resolve_impacts(contacts_.contacts(), mass_, bodies_, *problem_);
+  if (has_friction(arena_.parameters)) {
+    resolve_friction(contacts_.contacts(), mass_, bodies_, *problem_);
+  }
   for (const Contact& c : contacts_.contacts()) {
     if (c.impulse == 0.0 || c.approach <= c.rest_speed) continue;
     ++events_.impacts;
+    if (trace_ != nullptr) trace_impact(c, t);
     if (bounces_of(c) < most_bounces) ++bounces_of(c);
   }
 }
@@ -194,6 +207,28 @@ void World::note_touches() {
     events_.touched[c.pair.a].set(c.pair.partner);
     events_.touched[c.pair.partner].set(c.pair.a);
     if (arena_.is_ball(c.pair.a)) events_.last_to_touch_ball = c.pair.partner;
+  }
+}
+
+void World::trace_impact(const Contact& c, double t) const {
+  trace_->impacts.push_back({.time = trace_->origin + t,
+                             .first = c.a,
+                             .second = c.b,
+                             .point = c.at.point,
+                             .normal = c.at.normal,
+                             .impulse = c.impulse});
+}
+
+void World::trace_pressing(const BodySet& involved) const {
+  if (contacts_.count > 0) ++trace_->contact_solves;
+  const auto before = trace_->pressing;
+  for (int i = 0; i < arena_.bodies(); ++i) {
+    if (involved[i]) trace_->pressing[i].reset();
+  }
+  for (const Contact& c : contacts_.contacts()) {
+    if (!c.holds || trace_->pressing[c.pair.a][c.pair.partner]) continue;
+    trace_->pressing[c.pair.a].set(c.pair.partner);
+    if (!before[c.pair.a][c.pair.partner]) ++trace_->lasting_contacts;
   }
 }
 

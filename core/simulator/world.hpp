@@ -5,7 +5,8 @@
 // A tick is played from event to event. Between events every body follows its own segment; an event
 // is the first touch of two bodies, wheels that begin or cease to slide, a ball that stops, or a
 // contact that opens. Only the bodies that touch at an event are looked at again. A tick with more
-// events than anyone can follow is finished in small steps, so no scene can stall the world.
+// events than anyone can follow is finished in small steps, so no scene can stall the world; so is
+// one in which bodies press on each other with friction (an option).
 //
 // Threads: none; one world belongs to one thread. Nothing is allocated after construction. The same
 // commands give the same bits everywhere, and a world turned by 180 degrees stays turned, bit for
@@ -15,7 +16,9 @@
 #include "core/simulator/arena.hpp"
 #include "core/simulator/contact_motion.hpp"
 #include "core/simulator/contact_stepping.hpp"
+#include "core/simulator/friction.hpp"
 #include "core/simulator/neighbours.hpp"
+#include "core/simulator/trace.hpp"
 
 #include <array>
 #include <memory>
@@ -55,6 +58,10 @@ class World {
   void set_robot(int i, const RobotState& state);
   void set_ball(const BallState& state);
 
+  // Where impacts and counts are added from now on; null, as at the beginning: nowhere. It outlives
+  // the world or is taken back.
+  void set_trace(Trace* trace) { trace_ = trace; }
+
   // Plays `duration` seconds under the commands, one per robot.
   const TickEvents& advance(std::span<const WheelCommand> commands, double duration);
 
@@ -69,10 +76,12 @@ class World {
   void collect_contacts(const BodySet& involved);
   void collect_contacts_anywhere(double margin);
   void separate_overlaps();
-  void collide();
+  void collide(double t);
   void start_segments(const BodySet& involved, double t, double tick_end);
   BodySet cluster_of(int body) const;
   void note_touches();
+  void trace_impact(const Contact& contact, double t) const;
+  void trace_pressing(const BodySet& involved) const;
   unsigned char& bounces_of(const Contact& c) { return bounces_[c.pair.a][c.pair.partner]; }
 
   static constexpr int most_bounces = 40;  // that are counted
@@ -90,6 +99,8 @@ class World {
   Neighbours neighbours_;
   TickEvents events_;
   bool bodies_were_set_ = true;
+  bool rubs_ = false;  // bodies press on each other with friction: only small steps can follow them
+  Trace* trace_ = nullptr;
 
   ContactList contacts_;  // of the event being played; between ticks, of all bodies
   std::unique_ptr<BoxProblem> problem_;

@@ -20,8 +20,8 @@ namespace {
 
 // Fixed, so that nothing of the server's surroundings reaches a team. One thread for those who use
 // OpenMP.
-const char* const environment[] = {"LANG=C", "OMP_NUM_THREADS=1", "ASAN_OPTIONS=detect_leaks=0:handle_segv=0",
-                                   nullptr};
+const char* const environment[] = {"LANG=C", "OMP_NUM_THREADS=1",
+                                   "ASAN_OPTIONS=detect_leaks=0:handle_segv=0", nullptr};
 
 // Between fork and exec: only calls that are safe there. `keep` is sorted.
 [[noreturn]] void become(const char* program, char* const* arguments, const int* keep, int kept,

@@ -17,6 +17,7 @@ using Run = std::function<Result<int>()>;
 // Each sets `run` if its subcommand was chosen.
 void add_match(CLI::App& app, Run& run);
 void add_join(CLI::App& app, Run& run);
+void add_scene(CLI::App& app, Run& run);
 void add_verify(CLI::App& app, Run& run);
 
 // `mirocup league ...` is the program mirocup-league; does not return if it can be started.

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "core/simulator/parameters.hpp"
+
+namespace mirocup::simulator {
+
+double Parameters::robot_inertia() const {
+  if (robot_outline.corners == 0) return robot_mass * robot_side * robot_side / 6.0;
+  // Triangles from the centre to each edge.
+  double area = 0.0;    // times 2
+  double second = 0.0;  // moment of area, times 12
+  for (int i = 0; i < robot_outline.corners; ++i) {
+    const Vec2 a = robot_outline.corner(i);
+    const Vec2 b = robot_outline.corner((i + 1) % robot_outline.corners);
+    const double triangle = cross(a, b);
+    area += triangle;
+    second += triangle * (a.squaredNorm() + a.dot(b) + b.squaredNorm());
+  }
+  return robot_mass * second / (6.0 * area);
+}
+
+Tolerances tolerances_of(Accuracy accuracy) {
+  Tolerances t;
+  switch (accuracy) {
+    case Accuracy::coarse:
+      t.touch = 1e-7;
+      t.sink = 1e-8;
+      t.rest_speed = 2e-3;
+      t.events_per_tick = 100;
+      break;
+    case Accuracy::standard:
+      break;
+    case Accuracy::reference:
+      t.sink = 1e-13;
+      t.rest_speed = 5e-6;
+      t.rest_growth_per_event = 1.002;
+      t.events_per_tick = 10'000;
+      t.step = 2e-5;
+      break;
+  }
+  return t;
+}
+
+}  // namespace mirocup::simulator

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "core/simulator/scene.hpp"
+
+#include "core/simulator/world.hpp"
+
+#include <algorithm>
+
+namespace mirocup::simulator {
+
+namespace {
+
+// The longest stretch that is played at once, s: a control period of the paper.
+constexpr double longest_tick = 0.033;
+
+void place(const Scene& scene, World& world) {
+  for (std::size_t i = 0; i < scene.robots.size(); ++i) {
+    world.set_robot(static_cast<int>(i), scene.robots[i].state);
+  }
+  if (scene.ball) world.set_ball(*scene.ball);
+}
+
+// Times at which a tick must end: samples, commands, the end, and often enough in between.
+std::vector<double> tick_ends(const Scene& scene) {
+  std::vector<double> times = scene.sample_at;
+  for (const SceneRobot& robot : scene.robots) {
+    for (const WheelsFrom& w : robot.wheels) times.push_back(w.time);
+  }
+  for (int i = 1; i * longest_tick < scene.duration; ++i) times.push_back(i * longest_tick);
+  times.push_back(scene.duration);
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  std::erase_if(times, [&](double t) { return t <= 0.0 || t > scene.duration; });
+  return times;
+}
+
+std::vector<WheelCommand> commands_at(const Scene& scene, double t) {
+  std::vector<WheelCommand> commands;
+  for (const SceneRobot& robot : scene.robots) {
+    if (!robot.wheels_on_ground) {
+      commands.emplace_back();
+      continue;
+    }
+    WheelSpeeds speeds;
+    for (const WheelsFrom& w : robot.wheels) {
+      if (w.time <= t) speeds = w.speeds;
+    }
+    commands.emplace_back(speeds);
+  }
+  return commands;
+}
+
+Sample sample_of(const Scene& scene, const World& world, double t) {
+  Sample sample;
+  sample.time = t;
+  if (scene.ball) sample.ball = world.ball();
+  for (int i = 0; i < world.robots(); ++i) sample.robots.push_back(world.robot(i));
+  return sample;
+}
+
+}  // namespace
+
+SceneResult run_scene(const Scene& scene, const Tolerances& tolerances) {
+  const field::Field field = field::make_field(scene.league);
+  World world(scene.has_walls ? &field : nullptr, scene.parameters, tolerances,
+              static_cast<int>(scene.robots.size()), scene.ball.has_value());
+  SceneResult result;
+  world.set_trace(&result.trace);
+  place(scene, world);
+
+  std::vector<double> samples = scene.sample_at;
+  samples.push_back(0.0);
+  samples.push_back(scene.duration);
+  std::sort(samples.begin(), samples.end());
+  samples.erase(std::unique(samples.begin(), samples.end()), samples.end());
+  std::size_t next_sample = 0;
+  const auto take_sample = [&](double t) {
+    if (next_sample == samples.size() || samples[next_sample] != t) return;
+    ++next_sample;
+    world.advance(commands_at(scene, t), 0.0);  // an impact at this very time comes first
+    result.samples.push_back(sample_of(scene, world, t));
+  };
+
+  double t = 0.0;
+  take_sample(t);
+  for (const double end : tick_ends(scene)) {
+    result.trace.origin = t;
+    world.advance(commands_at(scene, t), end - t);
+    t = end;
+    result.trace.origin = t;
+    take_sample(t);
+  }
+  return result;
+}
+
+std::optional<Overlap> find_overlap(const Scene& scene, double tolerance) {
+  const field::Field field = field::make_field(scene.league);
+  const int robots = static_cast<int>(scene.robots.size());
+  const Arena arena = make_arena(scene.has_walls ? &field : nullptr, scene.parameters, Tolerances{},
+                                 robots, scene.ball.has_value());
+  std::vector<Body> bodies;
+  for (const SceneRobot& robot : scene.robots) {
+    bodies.push_back({robot.state.position, robot.state.heading, {}});
+  }
+  if (scene.ball) bodies.push_back({scene.ball->position, Heading{}, {}});
+
+  std::optional<Overlap> deepest;
+  const auto check = [&](int a, int b, double depth) {
+    if (depth > (deepest ? deepest->depth : tolerance)) deepest = Overlap{a, b, depth};
+  };
+  for (int i = 0; i < arena.bodies(); ++i) {
+    for (int j = 0; j < i; ++j) check(i, j, -gap(arena, {i, j}, bodies[i], bodies[j]));
+    if (!scene.has_walls) continue;
+    check(i, no_body, -field.clearance(bodies[i].position));
+    for (int k = 0; k < plane_walls + end_walls; ++k) {
+      check(i, no_body, -gap(arena, pair_with_obstacle(i, k), bodies[i], Body{}));
+    }
+  }
+  return deepest;
+}
+
+}  // namespace mirocup::simulator

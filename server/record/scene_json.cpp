@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: MIT
+#include "server/record/scene_json.hpp"
+
+#include "core/base/math.hpp"
+#include "server/record/json_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace mirocup::record {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using namespace simulator;
+
+constexpr std::string_view scene_schema = "mirocup/scene/1";
+constexpr std::string_view result_schema = "mirocup/scene-result/1";
+
+// Samples and rows of commands of one scene, at most.
+constexpr std::size_t most_rows = 1'000'000;
+
+Vec2 read_vector(const JsonReader& json) {
+  if (!json.expect_array(2, 2)) return {0.0, 0.0};
+  return {json.at(0).number(), json.at(1).number()};
+}
+
+void read_per_pair(const JsonReader& json, double most, PerPair& value) {
+  if (!json.expect_object({"ball_wall", "ball_robot", "robot_wall", "robot_robot"})) return;
+  const auto read = [&](const char* key, double& member) {
+    if (json.has(key)) member = json.at(key).number(0.0, most);
+  };
+  read("ball_wall", value.ball_wall);
+  read("ball_robot", value.ball_robot);
+  read("robot_wall", value.robot_wall);
+  read("robot_robot", value.robot_robot);
+}
+
+// Convex, around the origin; in either direction.
+Outline read_outline(const JsonReader& json) {
+  Outline outline;
+  if (!json.expect_array(3, max_corners)) return outline;
+  const std::size_t n = json.size();
+  std::vector<Vec2> corners;
+  for (std::size_t i = 0; i < n; ++i) corners.push_back(read_vector(json.at(i)));
+  double area = 0.0;
+  for (std::size_t i = 0; i < n; ++i) area += cross(corners[i], corners[(i + 1) % n]);
+  if (area < 0.0) std::reverse(corners.begin(), corners.end());
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 edge = corners[(i + 1) % n] - corners[i];
+    const Vec2 next = corners[(i + 2) % n] - corners[(i + 1) % n];
+    if (!(cross(edge, next) > 0.0)) {
+      json.complain("the corners are not those of a convex polygon, one after the other");
+    } else if (!(cross(corners[i], corners[(i + 1) % n]) > 0.0)) {
+      json.complain("the centre of mass, [0, 0], is not inside");
+    }
+    outline.x[i] = corners[i].x();
+    outline.y[i] = corners[i].y();
+  }
+  outline.corners = static_cast<int>(n);
+  return outline;
+}
+
+double read_grip(const JsonReader& json) {
+  if (!json.is_string()) return json.number(0.0);
+  if (json.text() != "infinite") json.complain("a number or \"infinite\" is expected");
+  return infinite_grip;
+}
+
+void read_parameters(const JsonReader& json, Parameters& p) {
+  if (!json.expect_object({"robot_side", "robot_mass", "wheel_distance", "wheel_radius",
+                           "motor_time_constant", "wheel_speed_limit", "grip", "ball_radius",
+                           "ball_mass", "rolling_resistance", "viscous_friction",
+                           "rolling_friction", "k", "restitution", "contact_friction", "shape"})) {
+    return;
+  }
+  const auto positive = [&](const char* key, double& member) {
+    if (json.has(key)) member = json.at(key).positive_number();
+  };
+  const auto not_negative = [&](const char* key, double& member) {
+    if (json.has(key)) member = json.at(key).number(0.0);
+  };
+  positive("robot_side", p.robot_side);
+  positive("robot_mass", p.robot_mass);
+  positive("wheel_distance", p.wheel_distance);
+  positive("wheel_radius", p.wheel_radius);
+  positive("motor_time_constant", p.motor_time_constant);
+  not_negative("wheel_speed_limit", p.wheel_speed_limit);
+  if (json.has("grip")) p.grip = read_grip(json.at("grip"));
+  positive("ball_radius", p.ball_radius);
+  positive("ball_mass", p.ball_mass);
+  not_negative("rolling_resistance", p.rolling_resistance);
+  not_negative("viscous_friction", p.viscous_friction);
+  if (json.has("rolling_friction")) {
+    const JsonReader name = json.at("rolling_friction");
+    const auto known = from_string<RollingFriction>(name.text());
+    if (!known) name.complain("one of " + list_of_names<RollingFriction>() + " is expected");
+    p.rolling_friction = known.value_or(RollingFriction::isotropic);
+  }
+  positive("k", p.k);
+  if (json.has("restitution")) read_per_pair(json.at("restitution"), 1.0, p.restitution);
+  if (json.has("contact_friction")) {
+    read_per_pair(json.at("contact_friction"), infinite_grip, p.contact_friction);
+  }
+  if (json.has("shape")) p.robot_outline = read_outline(json.at("shape"));
+}
+
+void read_wheels(const JsonReader& json, SceneRobot& robot) {
+  robot.wheels_on_ground = !json.is_null();
+  if (json.is_null() || !json.expect_array(0, most_rows)) return;
+  double latest = 0.0;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const JsonReader row = json.at(i);
+    if (!row.expect_array(3, 3)) return;
+    latest = row.at(0).number(latest);
+    robot.wheels.push_back({latest, {row.at(1).number(), row.at(2).number()}});
+  }
+}
+
+SceneRobot read_robot(const JsonReader& json, const std::string& default_name) {
+  SceneRobot robot{.name = default_name, .state = {}, .wheels_on_ground = true, .wheels = {}};
+  if (!json.expect_object({"name", "pose", "twist", "wheels"})) return robot;
+  if (json.has("name")) robot.name = json.at("name").text();
+  if (const JsonReader pose = json.at("pose"); pose.expect_array(3, 3)) {
+    robot.state.position = {pose.at(0).number(), pose.at(1).number()};
+    robot.state.heading = Heading::from_angle(pose.at(2).number());
+  }
+  if (json.has("twist")) {
+    const JsonReader twist = json.at("twist");
+    if (twist.expect_array(3, 3)) {
+      robot.state.twist = {twist.at(0).number(), twist.at(1).number(), twist.at(2).number()};
+    }
+  }
+  if (json.has("wheels")) read_wheels(json.at("wheels"), robot);
+  return robot;
+}
+
+void read_robots(const JsonReader& json, Scene& scene) {
+  if (!json.expect_array(0, max_robots)) return;
+  std::set<std::string> names{"ball", "wall"};
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    scene.robots.push_back(read_robot(json.at(i), "robot" + std::to_string(i + 1)));
+    const std::string& name = scene.robots.back().name;
+    if (names.insert(name).second) continue;
+    json.at(i).at("name").complain("\"" + name + "\" is taken already");
+  }
+}
+
+void read_samples(const JsonReader& json, Scene& scene) {
+  if (!json.expect_array(0, most_rows)) return;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    scene.sample_at.push_back(json.at(i).number(0.0, scene.duration));
+  }
+  std::sort(scene.sample_at.begin(), scene.sample_at.end());
+}
+
+Scene read_scene(const JsonReader& json) {
+  Scene scene;
+  if (!json.expect_object(
+          {"schema", "league", "parameters", "walls", "duration", "ball", "robots", "sample_at"})) {
+    return scene;
+  }
+  if (json.at("schema").text() != scene_schema) {
+    json.at("schema").complain("\"" + std::string(scene_schema) + "\" is expected");
+  }
+  if (json.has("league")) {
+    const auto known = from_string<League>(json.at("league").text());
+    if (!known) json.at("league").complain("one of " + list_of_names<League>() + " is expected");
+    scene.league = known.value_or(League::small);
+  }
+  if (json.has("parameters")) read_parameters(json.at("parameters"), scene.parameters);
+  if (json.has("walls")) scene.has_walls = json.at("walls").boolean();
+  scene.duration = json.at("duration").number(0.0);
+  if (json.has("ball")) {
+    const JsonReader ball = json.at("ball");
+    if (ball.expect_object({"position", "velocity"})) {
+      scene.ball = BallState{.position = read_vector(ball.at("position")), .velocity = {0.0, 0.0}};
+      if (ball.has("velocity")) scene.ball->velocity = read_vector(ball.at("velocity"));
+    }
+  }
+  if (json.has("robots")) read_robots(json.at("robots"), scene);
+  if (json.has("sample_at")) read_samples(json.at("sample_at"), scene);
+  return scene;
+}
+
+std::string pointer_to(const Scene& scene, int body) {
+  return body < static_cast<int>(scene.robots.size()) ? "/robots/" + std::to_string(body) + "/pose"
+                                                      : "/ball/position";
+}
+
+std::string name_of(const Scene& scene, int body) {
+  if (body == no_body) return "wall";
+  return body < static_cast<int>(scene.robots.size()) ? scene.robots[body].name : "ball";
+}
+
+std::optional<JsonProblem> find_problem(const Scene& scene) {
+  const auto overlap = find_overlap(scene);
+  if (!overlap) return std::nullopt;
+  const std::string who = name_of(scene, overlap->first);
+  if (overlap->second == no_body) {
+    return JsonProblem{pointer_to(scene, overlap->first), who + " lies outside the field"};
+  }
+  return JsonProblem{pointer_to(scene, overlap->first),
+                     who + " and " + name_of(scene, overlap->second) + " overlap"};
+}
+
+Json to_json(const Vec2& v) {
+  return Json::array({v.x(), v.y()});
+}
+
+Json to_json(const Scene& scene, const Sample& sample) {
+  Json json{{"t", sample.time}};
+  if (sample.ball) {
+    json["ball"] = {{"position", to_json(sample.ball->position)},
+                    {"velocity", to_json(sample.ball->velocity)}};
+  }
+  json["robots"] = Json::array();
+  for (std::size_t i = 0; i < sample.robots.size(); ++i) {
+    const RobotState& r = sample.robots[i];
+    json["robots"].push_back({{"name", scene.robots[i].name},
+                              {"pose", {r.position.x(), r.position.y(), r.heading.angle()}},
+                              {"twist", {r.twist.forward, r.twist.left, r.twist.turn}}});
+  }
+  return json;
+}
+
+Json to_json(const Scene& scene, const Impact& impact) {
+  return {{"t", impact.time},
+          {"bodies", {name_of(scene, impact.first), name_of(scene, impact.second)}},
+          {"point", to_json(impact.point)},
+          {"normal", to_json(impact.normal)},
+          {"impulse", impact.impulse}};
+}
+
+}  // namespace
+
+Result<Scene> parse_scene(std::string_view text, const std::string& path) {
+  const ParsedJson parsed = parse_json(text);
+  if (!parsed.error.empty()) return fail(Errc::input, path + ": /: " + parsed.error);
+  std::optional<JsonProblem> problem;
+  Scene scene = read_scene(JsonReader(parsed.value, "", problem));
+  if (!problem) problem = find_problem(scene);
+  if (problem) return fail(Errc::input, path + ": " + problem->pointer + ": " + problem->reason);
+  return scene;
+}
+
+Json to_json(const Scene& scene, const SceneResult& result, double cpu_seconds) {
+  Json json{{"schema", result_schema}};
+  json["samples"] = Json::array();
+  for (const Sample& sample : result.samples) json["samples"].push_back(to_json(scene, sample));
+  json["impacts"] = Json::array();
+  for (const Impact& impact : result.trace.impacts) {
+    json["impacts"].push_back(to_json(scene, impact));
+  }
+  const Trace& trace = result.trace;
+  json["statistics"] = {{"max_penetration", trace.deepest_overlap},
+                        {"impacts", trace.impacts.size()},
+                        {"lasting_contacts", trace.lasting_contacts},
+                        {"position_evaluations", trace.position_evaluations},
+                        {"contact_solves", trace.contact_solves},
+                        {"cpu_seconds", cpu_seconds}};
+  return json;
+}
+
+}  // namespace mirocup::record
