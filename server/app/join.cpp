@@ -32,7 +32,8 @@ Result<int> run_join(const Options& options) {
   Interrupt interrupt;
   const Team team = *from_string<Team>(options.team);
   auto client =
-      dds::TeamClient::join(options.server, options.match_id, team, options.name, options.patience);
+      dds::TeamClient::join(options.server, options.match_id, team, options.name, options.patience,
+                            [&interrupt] { return interrupt.is_asked_for(); });
   if (!client) return tl::unexpected(client.error());
 
   const mirocup_setup setup = plugins::to_setup((*client)->briefing());

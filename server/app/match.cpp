@@ -97,7 +97,7 @@ class Session {
 
  private:
   Result<TeamSeat> take_seat(const TeamChoice& choice, Team team);
-  dds::Patience patience() const;
+  dds::Patience patience();
   void wait_until_ready();
   record::MatchRecord record() const;
 
@@ -149,9 +149,10 @@ Result<TeamSeat> Session::take_seat(const TeamChoice& choice, Team team) {
                           : TeamSeat::take_in_process(choice, briefing);
 }
 
-dds::Patience Session::patience() const {
+dds::Patience Session::patience() {
   dds::Patience patience;
   patience.to_join = options_.join_within;
+  patience.interrupted = [this] { return interrupt_.is_asked_for(); };
   if (pacer_.period() > 0.0) {
     patience.tick = pacer_.period();
     patience.is_late_fatal = false;
@@ -163,6 +164,7 @@ void Session::wait_until_ready() {
   std::vector<match::TeamFault> faults;
   for (const Team team : both_teams) {
     const auto ready = seats_[index_of(team)].wait_until_ready();
+    if (interrupt_.is_asked_for()) return;
     if (ready) continue;
     if (const auto* failure = std::get_if<match::HostFailure>(&ready.error())) {
       match_.declare_void(failure->text);

@@ -102,6 +102,9 @@ tl::expected<void, Answer> Seat::wait_until_joined(const std::string& name) {
           Fault{FaultCode::start_timeout,
                 "the team did not join within " + seconds_text(patience_.to_join)});
     }
+    if (patience_.interrupted()) {
+      return tl::unexpected<Answer>(match::HostFailure{"interrupted while a team was awaited"});
+    }
     dds_sleepfor(slice);
   }
   return {};

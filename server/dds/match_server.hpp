@@ -10,6 +10,7 @@
 #include "server/dds/convert.hpp"
 #include "server/dds/domain.hpp"
 
+#include <functional>
 #include <memory>
 
 namespace mirocup::dds {
@@ -23,6 +24,7 @@ struct Patience {
   bool is_late_fatal =
       true;  // no answer in time: in lockstep the leg is lost, in real time the team is late
   int most_late_in_a_row = 60;
+  std::function<bool()> interrupted = [] { return false; };  // asked while it waits for the join
 };
 
 // A team that plays across the network.

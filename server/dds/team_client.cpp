@@ -14,6 +14,7 @@ using std::chrono::duration;
 using std::chrono::steady_clock;
 
 constexpr dds_duration_t slice = DDS_MSECS(20);
+constexpr double hello_again = 0.5;  // s
 
 double seconds_since(steady_clock::time_point begin) {
   return duration<double>(steady_clock::now() - begin).count();
@@ -40,12 +41,13 @@ std::uint64_t draw_nonce() {
 
 Result<std::unique_ptr<TeamClient>> TeamClient::join(const std::string& server,
                                                      const std::string& match_id, Team team,
-                                                     const std::string& name, double patience) {
+                                                     const std::string& name, double patience,
+                                                     const std::function<bool()>& interrupted) {
   auto domain = open_team_domain(server);
   if (!domain) return tl::unexpected(domain.error());
   std::unique_ptr<TeamClient> client(new TeamClient(team, std::move(*domain)));
   if (auto opened = client->open(match_id); !opened) return tl::unexpected(opened.error());
-  if (auto joined = client->shake_hands(name, patience); !joined) {
+  if (auto joined = client->shake_hands(name, patience, interrupted); !joined) {
     return tl::unexpected(joined.error());
   }
   return client;
@@ -102,16 +104,23 @@ Result<void> TeamClient::open(const std::string& match_id) {
       });
 }
 
-Result<void> TeamClient::shake_hands(const std::string& name, double patience) {
+Result<void> TeamClient::shake_hands(const std::string& name, double patience,
+                                     const std::function<bool()>& interrupted) {
   nonce_ = draw_nonce();
   mirocup_v1_Hello hello{};
   hello.team = static_cast<std::uint8_t>(index_of(team_));
   hello.nonce = nonce_;
   put_text(hello.name, name);
-  dds_write(hello_writer_.get(), &hello);
 
   const auto begin = steady_clock::now();
+  double said = -hello_again;
   while (seconds_since(begin) < patience) {
+    if (interrupted()) return fail(Errc::interrupted, "interrupted");
+    // Only the last Hello of anyone is kept for the server, so another may have taken its place.
+    if (seconds_since(begin) - said >= hello_again) {
+      said = seconds_since(begin);
+      dds_write(hello_writer_.get(), &hello);
+    }
     mirocup_v1_Welcome welcome;
     while (take(welcome_reader_, welcome)) {
       if (welcome.nonce != nonce_) continue;

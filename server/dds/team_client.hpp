@@ -6,6 +6,7 @@
 #include "server/dds/convert.hpp"
 #include "server/dds/domain.hpp"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <variant>
@@ -22,10 +23,12 @@ using News = std::variant<match::Scene, MatchOver, Silence>;
 
 class TeamClient {
  public:
-  // Finds the match and takes its seat; waits up to `patience` seconds for the server.
+  // Finds the match and takes its seat; waits up to `patience` seconds for the server, or until
+  // `interrupted` says so.
   static Result<std::unique_ptr<TeamClient>> join(const std::string& server,
                                                   const std::string& match_id, Team team,
-                                                  const std::string& name, double patience);
+                                                  const std::string& name, double patience,
+                                                  const std::function<bool()>& interrupted);
 
   const match::Briefing& briefing() const { return told_.briefing; }
   int robots() const { return told_.field.robots_per_team; }
@@ -38,7 +41,8 @@ class TeamClient {
  private:
   TeamClient(Team team, Domain domain) : team_(team), domain_(std::move(domain)) {}
   Result<void> open(const std::string& match_id);
-  Result<void> shake_hands(const std::string& name, double patience);
+  Result<void> shake_hands(const std::string& name, double patience,
+                           const std::function<bool()>& interrupted);
 
   Team team_;
   Domain domain_;

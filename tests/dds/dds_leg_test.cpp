@@ -105,5 +105,18 @@ TEST(DdsTeam, IsRefusedUnderAnotherName) {
   EXPECT_NE(stranger.err.find("expected"), std::string::npos) << stranger.err;
 }
 
+// Neither side may be deaf to Ctrl-C while it waits for the other.
+TEST(DdsTeam, CanBeInterruptedWhileItIsAwaited) {
+  Running server({program("mirocup"), "match", "--blue", "dds:nobody", "--yellow", "idle",
+                  "--match", "interrupted-server"});
+  Running team({program("mirocup"), "join", "--match", "interrupted-team", "--team", "blue",
+                "--name", "lonely", program("house/idle.so")});
+  usleep(700'000);
+  server.signal(SIGINT);
+  team.signal(SIGTERM);
+  EXPECT_EQ(server.wait().exit_code, 130);
+  EXPECT_EQ(team.wait().exit_code, 130);
+}
+
 }  // namespace
 }  // namespace mirocup

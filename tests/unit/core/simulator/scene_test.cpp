@@ -88,7 +88,7 @@ TEST(Scene, DragsByFriction) {
   const double smooth = run_scene(scene, standard).samples.back().robots[1].position.x();
   scene.parameters.contact_friction.robot_robot = 0.5;
   const double rough = run_scene(scene, standard).samples.back().robots[1].position.x();
-  EXPECT_GT(rough, smooth + 0.01);
+  EXPECT_GT(rough, smooth + 0.005);
 }
 
 TEST(Scene, PlaysWithOtherConvexShapes) {
