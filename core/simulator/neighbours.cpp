@@ -3,8 +3,8 @@
 
 namespace mirocup::simulator {
 
-void Neighbours::refresh(const Arena& arena, std::span<const Segment> segments,
-                         std::span<const Box> boxes, const BodySet& changed, double t) {
+std::span<Neighbour> Neighbours::find(const Arena& arena, std::span<const Box> boxes,
+                                      const BodySet& changed) {
   int kept = 0;
   for (int i = 0; i < count_; ++i) {
     const Pair& pair = list_[i].pair;
@@ -18,20 +18,19 @@ void Neighbours::refresh(const Arena& arena, std::span<const Segment> segments,
     for (int j = 0; j < arena.bodies(); ++j) {
       if (j == i || (changed[j] && j > i)) continue;
       const Pair pair = pair_of(i, j);
-      if (boxes_meet(arena, pair, boxes)) add(arena, pair, segments, t);
+      if (boxes_meet(arena, pair, boxes)) add(pair);
     }
     if (is_far_from_obstacles(arena, i, boxes[i])) continue;
     for (int k = 0; k < plane_walls + end_walls; ++k) {
       const Pair pair = pair_with_obstacle(i, k);
-      if (boxes_meet(arena, pair, boxes)) add(arena, pair, segments, t);
+      if (boxes_meet(arena, pair, boxes)) add(pair);
     }
   }
+  return {list_.data() + kept, static_cast<std::size_t>(count_ - kept)};
 }
 
-void Neighbours::add(const Arena& arena, const Pair& pair, std::span<const Segment> segments,
-                     double t) {
-  if (count_ == static_cast<int>(list_.size())) return;
-  list_[count_++] = {pair, touch_time(arena, pair, segments, t)};
+void Neighbours::add(const Pair& pair) {
+  if (count_ < static_cast<int>(list_.size())) list_[count_++] = {pair, never};
 }
 
 }  // namespace mirocup::simulator

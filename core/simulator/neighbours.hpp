@@ -27,12 +27,12 @@ class Neighbours {
 
   void clear() { count_ = 0; }
 
-  // Finds the neighbours of the changed bodies anew, at time t.
-  void refresh(const Arena& arena, std::span<const Segment> segments, std::span<const Box> boxes,
-               const BodySet& changed, double t);
+  // Finds the pairs of the changed bodies anew: those whose boxes meet. When they touch is for the
+  // caller to say.
+  std::span<Neighbour> find(const Arena& arena, std::span<const Box> boxes, const BodySet& changed);
 
  private:
-  void add(const Arena& arena, const Pair& pair, std::span<const Segment> segments, double t);
+  void add(const Pair& pair);
 
   std::array<Neighbour, 512> list_;
   int count_ = 0;

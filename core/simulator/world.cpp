@@ -64,8 +64,10 @@ const TickEvents& World::advance(std::span<const WheelCommand> commands, double 
     mass_[i] = on_ground ? arena_.grounded_robot : arena_.free_robot;
     if (on_ground && arena_.parameters.grip == infinite_grip) bodies_[i].twist.left = 0.0;
   }
+  if (tick_decay_.span != duration) tick_decay_ = motor_decay(arena_.parameters, duration);
   const BodySet all = first_bodies(arena_.bodies());
   neighbours_.clear();
+  quiet_.reset();
   if (bodies_were_set_) collect_contacts_anywhere(arena_.tolerances.touch);
   bodies_were_set_ = false;
   go_on(all, 0.0, duration);
@@ -128,7 +130,7 @@ void World::go_on(const BodySet& involved, double t, double tick_end) {
   for (const Contact& c : contacts_.contacts()) rubs_ = rubs_ || (c.holds && c.friction > 0.0);
   if (trace_ != nullptr) trace_pressing(involved);
   start_segments(involved, t, tick_end);
-  neighbours_.refresh(arena_, segments_, boxes_, involved, t);
+  meet_neighbours(involved, t, tick_end);
 }
 
 void World::spread_over_touching(double t, BodySet& involved) const {
@@ -137,8 +139,8 @@ void World::spread_over_touching(double t, BodySet& involved) const {
     grows = false;
     for (const Neighbour& n : neighbours_.list()) {
       if (n.pair.with_obstacle() || involved[n.pair.a] == involved[n.pair.partner]) continue;
-      const Body a = body_at(segments_[n.pair.a], t);
-      const Body b = body_at(segments_[n.pair.partner], t);
+      const Body a = body_now(n.pair.a, t);
+      const Body b = body_now(n.pair.partner, t);
       if (gap(arena_, n.pair, a, b) > arena_.tolerances.touch) continue;
       involved.set(n.pair.a);
       involved.set(n.pair.partner);
@@ -147,9 +149,37 @@ void World::spread_over_touching(double t, BodySet& involved) const {
   }
 }
 
+// When the involved bodies meet others. Whoever may do so needs its series.
+void World::meet_neighbours(const BodySet& involved, double t, double tick_end) {
+  const std::span<Neighbour> found = neighbours_.find(arena_, boxes_, involved);
+  for (const Neighbour& n : found) {
+    write_as_series(n.pair.a, t, tick_end);
+    if (!n.pair.with_obstacle()) write_as_series(n.pair.partner, t, tick_end);
+  }
+  for (Neighbour& n : found) {
+    if (boxes_meet(arena_, n.pair, boxes_)) n.touch = touch_time(arena_, n.pair, segments_, t);
+  }
+}
+
+void World::write_as_series(int body, double t, double tick_end) {
+  if (!quiet_[body]) return;
+  bodies_[body] = body_now(body, t);
+  quiet_.reset(body);
+  segments_[body] = drive(arena_.parameters, bodies_[body], drives_[body], t, tick_end);
+  boxes_[body] = swept_box(segments_[body]);
+}
+
+Body World::body_now(int body, double t) const {
+  if (!quiet_[body]) return body_at(segments_[body], t);
+  const double span = t - segments_[body].begin;
+  if (span == 0.0) return bodies_[body];
+  if (span == tick_decay_.span) return moved(bodies_[body], drives_[body], tick_decay_);
+  return moved(bodies_[body], drives_[body], motor_decay(arena_.parameters, span));
+}
+
 void World::bring_to(double t, const BodySet& involved) {
   for (int i = 0; i < arena_.bodies(); ++i) {
-    if (involved[i]) bodies_[i] = body_at(segments_[i], t);
+    if (involved[i]) bodies_[i] = body_now(i, t);
   }
   if (trace_ != nullptr) trace_->position_evaluations += static_cast<long>(involved.count());
 }
@@ -238,17 +268,24 @@ void World::start_segments(const BodySet& involved, double t, double tick_end) {
     if (!left[i]) continue;
     const BodySet cluster = cluster_of(i);
     left &= ~cluster;
+    quiet_.reset(i);
     if (cluster.any()) {
       motion_->move(cluster, *forces_, contacts_.contacts(), drives_, t, tick_end, bodies_,
                     segments_);
     } else if (arena_.is_ball(i)) {
       segments_[i] = roll(rolling_deceleration(arena_.parameters), bodies_[i], t, tick_end);
+    } else if (is_quiet(arena_.parameters, bodies_[i], drives_[i], tick_end - t)) {
+      quiet_.set(i);
+      segments_[i].begin = t;
+      segments_[i].end = tick_end;
     } else {
       segments_[i] = drive(arena_.parameters, bodies_[i], drives_[i], t, tick_end);
     }
   }
   for (int i = 0; i < arena_.bodies(); ++i) {
-    if (involved[i]) boxes_[i] = swept_box(segments_[i]);
+    if (!involved[i]) continue;
+    boxes_[i] =
+        quiet_[i] ? reachable_box(bodies_[i], drives_[i], tick_end - t) : swept_box(segments_[i]);
   }
 }
 

@@ -18,6 +18,7 @@
 #include "core/simulator/contact_stepping.hpp"
 #include "core/simulator/friction.hpp"
 #include "core/simulator/neighbours.hpp"
+#include "core/simulator/quiet_motion.hpp"
 #include "core/simulator/trace.hpp"
 
 #include <array>
@@ -72,6 +73,9 @@ class World {
   void finish_in_steps(double t, double tick_end);
 
   void spread_over_touching(double t, BodySet& involved) const;
+  void meet_neighbours(const BodySet& involved, double t, double tick_end);
+  void write_as_series(int body, double t, double tick_end);
+  Body body_now(int body, double t) const;
   void bring_to(double t, const BodySet& involved);
   void collect_contacts(const BodySet& involved);
   void collect_contacts_anywhere(double margin);
@@ -87,8 +91,10 @@ class World {
   static constexpr int most_bounces = 40;  // that are counted
 
   Arena arena_;
-  std::array<Body, max_bodies> bodies_{};  // each at the begin of its segment
-  std::array<Segment, max_bodies> segments_{};
+  std::array<Body, max_bodies> bodies_{};       // each at the begin of its segment
+  std::array<Segment, max_bodies> segments_{};  // of quiet bodies only begin and end
+  BodySet quiet_;
+  MotorDecay tick_decay_;  // over a whole tick
   std::array<Box, max_bodies> boxes_{};
   std::array<Drive, max_robots> drives_{};
   std::array<InverseMass, max_bodies> mass_{};
