@@ -9,9 +9,6 @@ namespace mirocup::simulator {
 
 namespace {
 
-// The last two terms of every pose at the end of a segment are together below this (m, or of 1).
-constexpr double smooth_to = 1e-13;
-
 // How far (m) a corner may stand out over the end of its edge before the contact is looked at
 // again.
 constexpr double over_the_end = 1e-10;
@@ -313,27 +310,6 @@ void ContactMotion::add_force_term(int i, int term, double force, int k,
   add(held_[i].b, rows_[i].row_b, -amount);
 }
 
-// The longest length, at most `longest`, over which the series have converged.
-double ContactMotion::smooth_length(double longest, std::span<const Segment> segments) const {
-  constexpr int last = series_terms - 1;
-  double largest_last = 0.0;
-  double largest_before = 0.0;
-  for (int m = 0; m < member_count_; ++m) {
-    const Segment& s = segments[members_[m]];
-    for (const Series* p : {&s.x, &s.y, &s.cos, &s.sin}) {
-      largest_last = std::max(largest_last, std::abs((*p)[last]));
-      largest_before = std::max(largest_before, std::abs((*p)[last - 1]));
-    }
-  }
-  double length = longest;
-  while (true) {
-    double power = 1.0;
-    for (int k = 0; k < last - 1; ++k) power *= length;
-    if (power * (largest_before + length * largest_last) <= smooth_to) return length;
-    length *= 0.75;
-  }
-}
-
 // When a contact lets go or its point leaves the edge; at most `length`.
 double ContactMotion::contacts_change(double length) const {
   for (int i = 0; i < held_count_; ++i) {
@@ -348,7 +324,10 @@ double ContactMotion::contacts_change(double length) const {
 
 void ContactMotion::find_end(std::span<Segment> segments) const {
   const double begin = segments[members_[0]].begin;
-  double length = smooth_length(segments[members_[0]].end - begin, segments);
+  double length = segments[members_[0]].end - begin;
+  for (int m = 0; m < member_count_; ++m) {
+    length = converged_length(segments[members_[m]], length);
+  }
   length = contacts_change(length);
   const double grip = sideways_limit(arena_.parameters) * arena_.parameters.robot_mass;
   for (int w = 0; w < wheel_count_; ++w) {

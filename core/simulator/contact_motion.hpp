@@ -47,7 +47,6 @@ class ContactMotion {
   void solve_for_forces(int k, std::span<Segment> segments);
   void add_force_term(int i, int term, double force, int k, std::span<Segment> segments) const;
   bool is_at_rest(std::span<const Segment> segments) const;
-  double smooth_length(double longest, std::span<const Segment> segments) const;
   void find_end(std::span<Segment> segments) const;
   double contacts_change(double length) const;
 
