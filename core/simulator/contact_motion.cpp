@@ -21,6 +21,9 @@ constexpr double resting_acceleration = 1e-9;
 // As in complementarity.cpp.
 constexpr double dependent_pivot = 1e-11;
 
+// Equations with a pivot above this share of their diagonal are clear of the others.
+constexpr double independent_pivot = 1e-3;
+
 }  // namespace
 
 ContactMotion::ContactMotion(const Arena& arena)
@@ -198,38 +201,67 @@ double ContactMotion::coupling_of(int i, int j) const {
   return sum;
 }
 
+// In the order of choose() as long as pivots are large. What nearly depends on others comes behind
+// all of those, the largest pivot first: dividing by what rounding leaves of a small one would
+// spoil the others.
 void ContactMotion::factorise() {
-  for (int i = 0; i < equations(); ++i) {
+  const int n = equations();
+  std::array<double, max_unknowns> pivot;
+  std::array<double, max_unknowns> diagonal;
+  for (int i = 0; i < n; ++i) {
+    pivot[i] = diagonal[i] = coupling_of(i, i);
+    order_[i] = i;
+  }
+  int taken = 0;
+  const auto take = [&](int place) {
+    // Those passed over keep their order.
+    std::rotate(order_.begin() + taken, order_.begin() + place, order_.begin() + place + 1);
+    const int i = order_[taken];
     double* row = &factor_[i * max_unknowns];
-    const double diagonal = coupling_of(i, i);
-    double pivot = diagonal;
-    for (int k = 0; k < i; ++k) {
-      row[k] = 0.0;
-      if (depends_[k]) continue;
-      double sum = coupling_of(i, k);
-      const double* other = &factor_[k * max_unknowns];
-      for (int l = 0; l < k; ++l) sum -= row[l] * other[l];
-      row[k] = sum / other[k];
-      pivot -= row[k] * row[k];
+    depends_[i] = pivot[i] <= dependent_pivot * diagonal[i];
+    row[taken] = depends_[i] ? 1.0 : std::sqrt(pivot[i]);
+    for (int k = taken + 1; k < n; ++k) {
+      const int j = order_[k];
+      double* other = &factor_[j * max_unknowns];
+      other[taken] = 0.0;
+      if (depends_[i]) continue;
+      double sum = coupling_of(j, i);
+      for (int l = 0; l < taken; ++l) sum -= other[l] * row[l];
+      other[taken] = sum / row[taken];
+      pivot[j] -= other[taken] * other[taken];
     }
-    depends_[i] = pivot <= dependent_pivot * diagonal;
-    row[i] = depends_[i] ? 1.0 : std::sqrt(pivot);
+    ++taken;
+  };
+  for (int place = 0; place < n; ++place) {
+    const int i = order_[place];
+    if (pivot[i] > independent_pivot * diagonal[i]) take(place);
+  }
+  while (taken < n) {
+    int largest = taken;
+    for (int place = taken + 1; place < n; ++place) {
+      if (pivot[order_[place]] > pivot[order_[largest]]) largest = place;
+    }
+    take(largest);
   }
 }
 
 void ContactMotion::solve() {
   const int n = equations();
-  for (int i = 0; i < n; ++i) {
+  for (int k = 0; k < n; ++k) {
+    const int i = order_[k];
     const double* row = &factor_[i * max_unknowns];
     double sum = rhs_[i];
-    for (int k = 0; k < i; ++k) sum -= row[k] * rhs_[k];
-    rhs_[i] = depends_[i] ? 0.0 : sum / row[i];
+    for (int l = 0; l < k; ++l) sum -= row[l] * rhs_[order_[l]];
+    rhs_[i] = depends_[i] ? 0.0 : sum / row[k];
   }
-  for (int i = n - 1; i >= 0; --i) {
+  for (int k = n - 1; k >= 0; --k) {
+    const int i = order_[k];
     if (depends_[i]) continue;
     double sum = rhs_[i];
-    for (int k = i + 1; k < n; ++k) sum -= factor_[k * max_unknowns + i] * rhs_[k];
-    rhs_[i] = sum / factor_[i * max_unknowns + i];
+    for (int l = k + 1; l < n; ++l) {
+      sum -= factor_[order_[l] * max_unknowns + k] * rhs_[order_[l]];
+    }
+    rhs_[i] = sum / factor_[i * max_unknowns + k];
   }
 }
 

@@ -70,7 +70,8 @@ class ContactMotion {
   int wheel_count_ = 0;
   std::array<Series, max_bodies> hold_;  // N to the left, of wheels_
 
-  std::vector<double> factor_;  // Cholesky, row by row
+  std::vector<double> factor_;           // Cholesky; row i belongs to equation i
+  std::array<int, max_unknowns> order_;  // of the equations in it
   std::array<bool, max_unknowns>
       depends_;  // an equation that follows from the others: its force stays
   std::array<double, max_unknowns> rhs_;
