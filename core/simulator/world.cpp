@@ -44,7 +44,6 @@ BallState World::ball() const {
 
 void World::set_robot(int i, const RobotState& state) {
   bodies_[i] = {state.position, state.heading, state.twist};
-  if (arena_.parameters.grip == infinite_grip) bodies_[i].twist.left = 0.0;
   bodies_were_set_ = true;
 }
 
@@ -61,6 +60,7 @@ const TickEvents& World::advance(std::span<const WheelCommand> commands, double 
   for (int i = 0; i < arena_.robots; ++i) {
     drives_[i] = drive_of(arena_.parameters, commands[i]);
     mass_[i] = drives_[i].wheels_on_ground ? arena_.grounded_robot : arena_.free_robot;
+    if (mass_[i].left == 0.0) bodies_[i].twist.left = 0.0;  // wheels of infinite grip hold at once
   }
   const BodySet all = first_bodies(arena_.bodies());
   neighbours_.clear();

@@ -29,5 +29,21 @@ TEST(World, RobotsAreExactWhenTheirTurnIsReversed) {
   }
 }
 
+// Wheels of infinite grip hold nothing while they are off the ground; put down, they hold at once.
+TEST(World, LiftedRobotsSlideWhateverTheGrip) {
+  Parameters parameters;
+  parameters.grip = infinite_grip;
+  World world(nullptr, parameters, Tolerances{}, 1, false);
+  world.set_robot(0, {{0.0, 0.0}, {}, {0.0, 0.5, 0.0}});
+  const WheelCommand lifted;
+  world.advance({&lifted, 1}, 0.1);
+  EXPECT_NEAR(world.robot(0).position.y(), 0.05, 1e-15);
+  EXPECT_EQ(world.robot(0).twist.left, 0.5);
+  const WheelCommand standing = WheelSpeeds{};
+  world.advance({&standing, 1}, 0.1);
+  EXPECT_NEAR(world.robot(0).position.y(), 0.05, 1e-15);
+  EXPECT_EQ(world.robot(0).twist.left, 0.0);
+}
+
 }  // namespace
 }  // namespace mirocup::simulator
