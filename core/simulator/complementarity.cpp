@@ -32,35 +32,50 @@ double BoxProblem::gradient(int i) const {
   return w;
 }
 
-void BoxProblem::solve_free() {
-  int n = 0;
+// Each time the unknown with the largest pivot left comes next, so that those that nearly depend on
+// others come last. Otherwise what rounding leaves of a small pivot would be taken for one, and
+// divided by, again and again.
+int BoxProblem::factorise() {
+  int count = 0;
   for (int i = 0; i < size_; ++i) {
-    target_[i] = x[i];
-    if (bound_[i] != Bound::free) continue;
-    // Row n of the Cholesky factor.
-    double* row = &factor_[n * max_unknowns];
-    double pivot = a(i, i);
-    for (int k = 0; k < n; ++k) {
-      double sum = a(i, order_[k]);
-      const double* other = &factor_[k * max_unknowns];
-      for (int l = 0; l < k; ++l) sum -= row[l] * other[l];
-      row[k] = sum / other[k];
-      pivot -= row[k] * row[k];
-    }
-    if (a(i, i) == 0.0) continue;
-    row[n] = std::sqrt(std::max(pivot, least_pivot * a(i, i)));
-    order_[n++] = i;
+    if (bound_[i] != Bound::free || a(i, i) == 0.0) continue;
+    order_[count++] = i;
+    pivot_[i] = a(i, i);
   }
+  for (int n = 0; n < count; ++n) {
+    int next = n;
+    for (int k = n + 1; k < count; ++k) {
+      if (pivot_[order_[k]] > pivot_[order_[next]]) next = k;
+    }
+    std::swap(order_[n], order_[next]);
+    const int i = order_[n];
+    double* row = &factor_[i * max_unknowns];
+    row[n] = std::sqrt(std::max(pivot_[i], least_pivot * a(i, i)));
+    for (int k = n + 1; k < count; ++k) {
+      const int j = order_[k];
+      double* other = &factor_[j * max_unknowns];
+      double sum = a(j, i);
+      for (int l = 0; l < n; ++l) sum -= other[l] * row[l];
+      other[n] = sum / row[n];
+      pivot_[j] -= other[n] * other[n];
+    }
+  }
+  return count;
+}
+
+void BoxProblem::solve_free() {
+  for (int i = 0; i < size_; ++i) target_[i] = x[i];
+  const int n = factorise();
   for (int k = 0; k < n; ++k) {
     double sum = -gradient(order_[k]);
-    const double* row = &factor_[k * max_unknowns];
+    const double* row = &factor_[order_[k] * max_unknowns];
     for (int l = 0; l < k; ++l) sum -= row[l] * rhs_[l];
     rhs_[k] = sum / row[k];
   }
   for (int k = n - 1; k >= 0; --k) {
     double sum = rhs_[k];
-    for (int l = k + 1; l < n; ++l) sum -= factor_[l * max_unknowns + k] * rhs_[l];
-    rhs_[k] = sum / factor_[k * max_unknowns + k];
+    for (int l = k + 1; l < n; ++l) sum -= factor_[order_[l] * max_unknowns + k] * rhs_[l];
+    rhs_[k] = sum / factor_[order_[k] * max_unknowns + k];
     target_[order_[k]] = x[order_[k]] + rhs_[k];
   }
 }

@@ -41,14 +41,15 @@ class BoxProblem {
  private:
   enum class Bound : unsigned char { free, fixed };
 
+  int factorise();        // the free unknowns, in order_; how many
   void solve_free();      // target_ from the free unknowns, the others held
   bool step_to_target();  // true if no bound was in the way
   int most_violating(double tolerance) const;
   double gradient(int i) const;
 
   int size_ = 0;
-  std::vector<double> a_, factor_;
-  std::array<double, max_unknowns> target_, rhs_;
+  std::vector<double> a_, factor_;  // row i of the factor belongs to unknown i
+  std::array<double, max_unknowns> target_, rhs_, pivot_;
   std::array<Bound, max_unknowns> bound_;
   std::array<bool, max_unknowns> banned_;
   std::array<int, max_unknowns> order_;  // the unknowns of the factorisation

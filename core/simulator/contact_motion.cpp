@@ -9,9 +9,6 @@ namespace mirocup::simulator {
 
 namespace {
 
-// The last two terms of every pose at the end of a segment are together below this (m, or of 1).
-constexpr double smooth_to = 1e-13;
-
 // How far (m) a corner may stand out over the end of its edge before the contact is looked at
 // again.
 constexpr double over_the_end = 1e-10;
@@ -23,6 +20,9 @@ constexpr double resting_acceleration = 1e-9;
 
 // As in complementarity.cpp.
 constexpr double dependent_pivot = 1e-11;
+
+// Equations with a pivot above this share of their diagonal are clear of the others.
+constexpr double independent_pivot = 1e-3;
 
 }  // namespace
 
@@ -202,38 +202,67 @@ double ContactMotion::coupling_of(int i, int j) const {
   return sum;
 }
 
+// In the order of choose() as long as pivots are large. What nearly depends on others comes behind
+// all of those, the largest pivot first: dividing by what rounding leaves of a small one would
+// spoil the others.
 void ContactMotion::factorise() {
-  for (int i = 0; i < equations(); ++i) {
+  const int n = equations();
+  std::array<double, max_unknowns> pivot;
+  std::array<double, max_unknowns> diagonal;
+  for (int i = 0; i < n; ++i) {
+    pivot[i] = diagonal[i] = coupling_of(i, i);
+    order_[i] = i;
+  }
+  int taken = 0;
+  const auto take = [&](int place) {
+    // Those passed over keep their order.
+    std::rotate(order_.begin() + taken, order_.begin() + place, order_.begin() + place + 1);
+    const int i = order_[taken];
     double* row = &factor_[i * max_unknowns];
-    const double diagonal = coupling_of(i, i);
-    double pivot = diagonal;
-    for (int k = 0; k < i; ++k) {
-      row[k] = 0.0;
-      if (depends_[k]) continue;
-      double sum = coupling_of(i, k);
-      const double* other = &factor_[k * max_unknowns];
-      for (int l = 0; l < k; ++l) sum -= row[l] * other[l];
-      row[k] = sum / other[k];
-      pivot -= row[k] * row[k];
+    depends_[i] = pivot[i] <= dependent_pivot * diagonal[i];
+    row[taken] = depends_[i] ? 1.0 : std::sqrt(pivot[i]);
+    for (int k = taken + 1; k < n; ++k) {
+      const int j = order_[k];
+      double* other = &factor_[j * max_unknowns];
+      other[taken] = 0.0;
+      if (depends_[i]) continue;
+      double sum = coupling_of(j, i);
+      for (int l = 0; l < taken; ++l) sum -= other[l] * row[l];
+      other[taken] = sum / row[taken];
+      pivot[j] -= other[taken] * other[taken];
     }
-    depends_[i] = pivot <= dependent_pivot * diagonal;
-    row[i] = depends_[i] ? 1.0 : std::sqrt(pivot);
+    ++taken;
+  };
+  for (int place = 0; place < n; ++place) {
+    const int i = order_[place];
+    if (pivot[i] > independent_pivot * diagonal[i]) take(place);
+  }
+  while (taken < n) {
+    int largest = taken;
+    for (int place = taken + 1; place < n; ++place) {
+      if (pivot[order_[place]] > pivot[order_[largest]]) largest = place;
+    }
+    take(largest);
   }
 }
 
 void ContactMotion::solve() {
   const int n = equations();
-  for (int i = 0; i < n; ++i) {
+  for (int k = 0; k < n; ++k) {
+    const int i = order_[k];
     const double* row = &factor_[i * max_unknowns];
     double sum = rhs_[i];
-    for (int k = 0; k < i; ++k) sum -= row[k] * rhs_[k];
-    rhs_[i] = depends_[i] ? 0.0 : sum / row[i];
+    for (int l = 0; l < k; ++l) sum -= row[l] * rhs_[order_[l]];
+    rhs_[i] = depends_[i] ? 0.0 : sum / row[k];
   }
-  for (int i = n - 1; i >= 0; --i) {
+  for (int k = n - 1; k >= 0; --k) {
+    const int i = order_[k];
     if (depends_[i]) continue;
     double sum = rhs_[i];
-    for (int k = i + 1; k < n; ++k) sum -= factor_[k * max_unknowns + i] * rhs_[k];
-    rhs_[i] = sum / factor_[i * max_unknowns + i];
+    for (int l = k + 1; l < n; ++l) {
+      sum -= factor_[order_[l] * max_unknowns + k] * rhs_[order_[l]];
+    }
+    rhs_[i] = sum / factor_[i * max_unknowns + k];
   }
 }
 
@@ -314,27 +343,6 @@ void ContactMotion::add_force_term(int i, int term, double force, int k,
   add(held_[i].b, rows_[i].row_b, -amount);
 }
 
-// The longest length, at most `longest`, over which the series have converged.
-double ContactMotion::smooth_length(double longest, std::span<const Segment> segments) const {
-  constexpr int last = series_terms - 1;
-  double largest_last = 0.0;
-  double largest_before = 0.0;
-  for (int m = 0; m < member_count_; ++m) {
-    const Segment& s = segments[members_[m]];
-    for (const Series* p : {&s.x, &s.y, &s.cos, &s.sin}) {
-      largest_last = std::max(largest_last, std::abs((*p)[last]));
-      largest_before = std::max(largest_before, std::abs((*p)[last - 1]));
-    }
-  }
-  double length = longest;
-  while (true) {
-    double power = 1.0;
-    for (int k = 0; k < last - 1; ++k) power *= length;
-    if (power * (largest_before + length * largest_last) <= smooth_to) return length;
-    length *= 0.75;
-  }
-}
-
 // When a contact lets go or its point leaves the edge; at most `length`.
 double ContactMotion::contacts_change(double length) const {
   for (int i = 0; i < held_count_; ++i) {
@@ -349,7 +357,10 @@ double ContactMotion::contacts_change(double length) const {
 
 void ContactMotion::find_end(std::span<Segment> segments) const {
   const double begin = segments[members_[0]].begin;
-  double length = smooth_length(segments[members_[0]].end - begin, segments);
+  double length = segments[members_[0]].end - begin;
+  for (int m = 0; m < member_count_; ++m) {
+    length = converged_length(segments[members_[m]], length);
+  }
   length = contacts_change(length);
   const double grip = sideways_limit(arena_.parameters) * arena_.parameters.robot_mass;
   for (int w = 0; w < wheel_count_; ++w) {

@@ -47,7 +47,6 @@ class ContactMotion {
   void solve_for_forces(int k, std::span<Segment> segments);
   void add_force_term(int i, int term, double force, int k, std::span<Segment> segments) const;
   bool is_at_rest(std::span<const Segment> segments) const;
-  double smooth_length(double longest, std::span<const Segment> segments) const;
   void find_end(std::span<Segment> segments) const;
   double contacts_change(double length) const;
 
@@ -71,7 +70,8 @@ class ContactMotion {
   int wheel_count_ = 0;
   std::array<Series, max_bodies> hold_;  // N to the left, of wheels_
 
-  std::vector<double> factor_;  // Cholesky, row by row
+  std::vector<double> factor_;           // Cholesky; row i belongs to equation i
+  std::array<int, max_unknowns> order_;  // of the equations in it
   std::array<bool, max_unknowns>
       depends_;  // an equation that follows from the others: its force stays
   std::array<double, max_unknowns> rhs_;

@@ -95,6 +95,8 @@ Segment drive(const Parameters& p, const Body& robot, const Drive& drive, double
     integrate_pose(s, k);
   }
 
+  s.end = begin + converged_length(s, s.end - begin);
+
   if (wheels == Wheels::rolling) s.end = std::min(s.end, begin + slide_begins(p, s, drive));
   if (wheels == Wheels::sliding) {
     const double ends = begin + slide_ends(s, slide);

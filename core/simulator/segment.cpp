@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "core/simulator/segment.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace mirocup::simulator {
 
 Segment still_segment(const Body& body, double begin, double end) {
@@ -34,6 +37,24 @@ void integrate_pose(Segment& s, int k) {
   s.sin[k + 1] = product_term(s.turn, s.cos, k) / next;
   s.x[k + 1] = (product_term(s.forward, s.cos, k) - product_term(s.left, s.sin, k)) / next;
   s.y[k + 1] = (product_term(s.forward, s.sin, k) + product_term(s.left, s.cos, k)) / next;
+}
+
+double converged_length(const Segment& s, double longest) {
+  constexpr double converged_to = 1e-11;
+  constexpr int last = series_terms - 1;
+  double largest_last = 0.0;
+  double largest_before = 0.0;
+  for (const Series* p : {&s.x, &s.y, &s.cos, &s.sin}) {
+    largest_last = std::max(largest_last, std::abs((*p)[last]));
+    largest_before = std::max(largest_before, std::abs((*p)[last - 1]));
+  }
+  double length = longest;
+  while (true) {
+    double power = 1.0;
+    for (int k = 0; k < last - 1; ++k) power *= length;
+    if (power * (largest_before + length * largest_last) <= converged_to) return length;
+    length *= 0.85;
+  }
 }
 
 Body body_at(const Segment& segment, double t) {

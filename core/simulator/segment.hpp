@@ -47,6 +47,11 @@ Segment steady_segment(const Body& body, double begin, double end);
 // -omega sin.
 void integrate_pose(Segment& segment, int k);
 
+// The longest length, at most `longest`, over which the pose's series have converged: their last
+// two terms are together below 1e-11 (m, or of 1), and what they leave out is a hundredth of that
+// or less. All terms must be there.
+double converged_length(const Segment& segment, double longest);
+
 // The body at time t of the segment, with a heading of length 1.
 Body body_at(const Segment& segment, double t);
 

@@ -5,7 +5,7 @@
 // Between two events a robot or the ball follows a smooth differential equation whose Taylor
 // coefficients come one from the other by multiplications only. So a position is a polynomial, a
 // gap is a polynomial, and the first touch is the first root of one. Truncation: a segment is kept
-// so short that the first dropped term is below 1e-13 of the motion (see segment_length()).
+// so short that its series have converged (see converged_length()).
 #pragma once
 
 #include <array>
@@ -68,8 +68,9 @@ Range change_over(const Series& p, double length);
 inline constexpr double closeness = 1e-14;
 double first_fall(const Series& p, double level, double begin, double end);
 
-// The longest segment over which a motion with rates up to `rate` (1/s: turn rates and reciprocal
-// time constants added) is exact to 1e-13 of itself.
+// The longest segment worth trying for a motion with rates up to `rate` (1/s: turn rates and
+// reciprocal time constants added). One exponential, or a steady turn, is exact to 1e-13 of itself
+// over it; a turn that changes may converge more slowly.
 inline double segment_length(double rate) {
   return rate > 0.0 ? 0.6 / rate : never;
 }

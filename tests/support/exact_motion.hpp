@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+//
+// One robot or the ball alone, in extended precision: the yardstick for free motion.
+//
+// Written from the equations and not from core/simulator, of which it uses only the structs of its
+// numbers: angles instead of unit vectors, the C library's sine, and for the robot the
+// extrapolated midpoint rule of Gragg, Bulirsch and Stoer. The moments at which wheels begin or
+// cease to slide are found by bisection.
+#pragma once
+
+#include "core/simulator/parameters.hpp"
+#include "core/simulator/state.hpp"
+
+namespace mirocup::test_support {
+
+using Real = long double;
+
+struct ExactRobot {
+  Real x = 0, y = 0, angle = 0;          // field's frame, m and rad
+  Real forward = 0, left = 0, turn = 0;  // body's frame, m/s and rad/s
+};
+
+struct ExactBall {
+  Real x = 0, y = 0, vx = 0, vy = 0;
+};
+
+ExactRobot exactly(const simulator::RobotState& robot);
+ExactBall exactly(const simulator::BallState& ball);
+simulator::RobotState rounded(const ExactRobot& robot);
+
+// The motion for `duration` seconds under one command, wheels on the ground or not. Exact to about
+// 1e-17 of the motion for every second of it.
+ExactRobot drive_exactly(const simulator::Parameters& parameters, ExactRobot robot,
+                         const simulator::WheelCommand& command, Real duration);
+
+// The same in closed form: ds/dt = -(f_v s + K_c m g) / m' until s = 0.
+ExactBall roll_exactly(const simulator::Parameters& parameters, ExactBall ball, Real duration);
+
+// How long a ball takes for `distance` along its way, at most `limit`; more than `limit` if it does
+// not get there.
+Real time_to_roll(const simulator::Parameters& parameters, Real speed, Real distance, Real limit);
+
+}  // namespace mirocup::test_support
