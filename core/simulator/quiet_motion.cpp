@@ -66,10 +66,19 @@ Body moved(const Body& robot, const Drive& drive, const MotorDecay& decay) {
                 drive.turn + turn_to_lose * decay.at_end}};
 }
 
-Box reachable_box(const Body& robot, const Drive& drive, double span) {
-  const double reach = span * fastest(robot.twist.forward, drive.forward);
-  const Vec2& p = robot.position;
-  return {p.x() - reach, p.x() + reach, p.y() - reach, p.y() + reach};
+// A way of length l lies within l/2 of the middle between its ends.
+Box box_around_way(const Body& robot, const Body& end, const Drive& drive,
+                   const MotorDecay& decay) {
+  const double now = robot.twist.forward;
+  const double aim = drive.forward;
+  const bool turns_back = now * aim < 0.0;
+  const double way =
+      turns_back
+          ? decay.span * fastest(now, aim)
+          : std::abs(aim * decay.span + (now - aim) * decay.time_constant * (1.0 - decay.at_end));
+  const double reach = 0.5 * way * (1.0 + 1e-9);
+  const Vec2 middle = 0.5 * (robot.position + end.position);
+  return {middle.x() - reach, middle.x() + reach, middle.y() - reach, middle.y() + reach};
 }
 
 }  // namespace mirocup::simulator

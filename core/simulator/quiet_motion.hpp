@@ -33,7 +33,7 @@ bool is_quiet(const Parameters& parameters, const Body& robot, const Drive& driv
 // The robot after decay.span seconds.
 Body moved(const Body& robot, const Drive& drive, const MotorDecay& decay);
 
-// A box that holds its centre for `span` seconds.
-Box reachable_box(const Body& robot, const Drive& drive, double span);
+// A box that holds its centre on the way from `robot` to `end`, as moved() gave it.
+Box box_around_way(const Body& robot, const Body& end, const Drive& drive, const MotorDecay& decay);
 
 }  // namespace mirocup::simulator

@@ -86,13 +86,18 @@ Segment drive(const Parameters& p, const Body& robot, const Drive& drive, double
 
   Segment s = moving_segment(robot, begin, std::min(horizon, begin + segment_length(rate)));
   if (wheels != Wheels::lifted && std::abs(s.left[0]) <= no_sliding) s.left[0] = 0.0;
-  for (int k = 0; k < series_terms - 1; ++k) {
+  // As many terms as this length needs.
+  double power = 1.0;
+  int small_terms = 0;
+  for (int k = 0; k < series_terms - 1 && small_terms < 3; ++k) {
     if (wheels == Wheels::lifted) {
       extend_twist_lifted(k, s);
     } else {
       extend_twist_on_ground(p, drive, slide, k, s);
     }
-    integrate_pose(s, k);
+    integrate_pose(s, k, wheels != Wheels::rolling);
+    power *= s.end - s.begin;
+    small_terms = is_negligible(s, k + 1, power) ? small_terms + 1 : 0;
   }
 
   s.end = begin + converged_length(s, s.end - begin);

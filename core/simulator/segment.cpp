@@ -31,12 +31,25 @@ Segment steady_segment(const Body& body, double begin, double end) {
   return s;
 }
 
-void integrate_pose(Segment& s, int k) {
+void integrate_pose(Segment& s, int k, bool drifts) {
   const double next = k + 1;
   s.cos[k + 1] = -product_term(s.turn, s.sin, k) / next;
   s.sin[k + 1] = product_term(s.turn, s.cos, k) / next;
-  s.x[k + 1] = (product_term(s.forward, s.cos, k) - product_term(s.left, s.sin, k)) / next;
-  s.y[k + 1] = (product_term(s.forward, s.sin, k) + product_term(s.left, s.cos, k)) / next;
+  double x = product_term(s.forward, s.cos, k);
+  double y = product_term(s.forward, s.sin, k);
+  if (drifts) {
+    x -= product_term(s.left, s.sin, k);
+    y += product_term(s.left, s.cos, k);
+  }
+  s.x[k + 1] = x / next;
+  s.y[k + 1] = y / next;
+}
+
+bool is_negligible(const Segment& s, int k, double power) {
+  constexpr double negligible = 1e-17;  // m, or of 1
+  const double largest = std::max(std::max(std::abs(s.x[k]), std::abs(s.y[k])),
+                                  std::max(std::abs(s.cos[k]), std::abs(s.sin[k])));
+  return largest * power < negligible;
 }
 
 double converged_length(const Segment& s, double longest) {

@@ -44,8 +44,11 @@ Segment moving_segment(const Body& body, double begin, double end);
 Segment steady_segment(const Body& body, double begin, double end);
 
 // One more term of the pose from the twist's terms up to k: dx/dt = v_f cos - v_l sin, d(cos)/dt =
-// -omega sin.
-void integrate_pose(Segment& segment, int k);
+// -omega sin. Without `drifts`, v_l is zero throughout.
+void integrate_pose(Segment& segment, int k, bool drifts = true);
+
+// Is term k of the pose too small to matter over that power of the segment's length, length^k?
+bool is_negligible(const Segment& segment, int k, double power);
 
 // The longest length, at most `longest`, over which the pose's series have converged: their last
 // two terms are together below 1e-11 (m, or of 1), and what they leave out is a hundredth of that

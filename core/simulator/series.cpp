@@ -23,6 +23,7 @@ Series operator*(const Series& a, const Series& b) {
   // time.
   Series s;
   for (int j = 0; j < series_terms; ++j) {
+    if (a[j] == 0.0) continue;  // short segments have few terms
     for (int k = j; k < series_terms; ++k) s[k] += a[j] * b[k - j];
   }
   return s;

@@ -64,7 +64,6 @@ const TickEvents& World::advance(std::span<const WheelCommand> commands, double 
     mass_[i] = on_ground ? arena_.grounded_robot : arena_.free_robot;
     if (on_ground && arena_.parameters.grip == infinite_grip) bodies_[i].twist.left = 0.0;
   }
-  if (tick_decay_.span != duration) tick_decay_ = motor_decay(arena_.parameters, duration);
   const BodySet all = first_bodies(arena_.bodies());
   neighbours_.clear();
   quiet_.reset();
@@ -161,6 +160,17 @@ void World::meet_neighbours(const BodySet& involved, double t, double tick_end) 
   }
 }
 
+void World::start_quietly(int body, double t, double tick_end) {
+  quiet_.set(body);
+  segments_[body].begin = t;
+  segments_[body].end = tick_end;
+  const double span = tick_end - t;
+  MotorDecay& decay = t == 0.0 ? whole_decay_ : rest_decay_;
+  if (span != decay.span) decay = motor_decay(arena_.parameters, span);
+  quiet_end_[body] = moved(bodies_[body], drives_[body], decay);
+  boxes_[body] = box_around_way(bodies_[body], quiet_end_[body], drives_[body], decay);
+}
+
 void World::write_as_series(int body, double t, double tick_end) {
   if (!quiet_[body]) return;
   bodies_[body] = body_now(body, t);
@@ -171,9 +181,9 @@ void World::write_as_series(int body, double t, double tick_end) {
 
 Body World::body_now(int body, double t) const {
   if (!quiet_[body]) return body_at(segments_[body], t);
+  if (t == segments_[body].end) return quiet_end_[body];
   const double span = t - segments_[body].begin;
   if (span == 0.0) return bodies_[body];
-  if (span == tick_decay_.span) return moved(bodies_[body], drives_[body], tick_decay_);
   return moved(bodies_[body], drives_[body], motor_decay(arena_.parameters, span));
 }
 
@@ -275,17 +285,13 @@ void World::start_segments(const BodySet& involved, double t, double tick_end) {
     } else if (arena_.is_ball(i)) {
       segments_[i] = roll(rolling_deceleration(arena_.parameters), bodies_[i], t, tick_end);
     } else if (is_quiet(arena_.parameters, bodies_[i], drives_[i], tick_end - t)) {
-      quiet_.set(i);
-      segments_[i].begin = t;
-      segments_[i].end = tick_end;
+      start_quietly(i, t, tick_end);
     } else {
       segments_[i] = drive(arena_.parameters, bodies_[i], drives_[i], t, tick_end);
     }
   }
   for (int i = 0; i < arena_.bodies(); ++i) {
-    if (!involved[i]) continue;
-    boxes_[i] =
-        quiet_[i] ? reachable_box(bodies_[i], drives_[i], tick_end - t) : swept_box(segments_[i]);
+    if (involved[i] && !quiet_[i]) boxes_[i] = swept_box(segments_[i]);
   }
 }
 

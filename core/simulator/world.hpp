@@ -74,6 +74,7 @@ class World {
 
   void spread_over_touching(double t, BodySet& involved) const;
   void meet_neighbours(const BodySet& involved, double t, double tick_end);
+  void start_quietly(int body, double t, double tick_end);
   void write_as_series(int body, double t, double tick_end);
   Body body_now(int body, double t) const;
   void bring_to(double t, const BodySet& involved);
@@ -94,7 +95,8 @@ class World {
   std::array<Body, max_bodies> bodies_{};       // each at the begin of its segment
   std::array<Segment, max_bodies> segments_{};  // of quiet bodies only begin and end
   BodySet quiet_;
-  MotorDecay tick_decay_;  // over a whole tick
+  std::array<Body, max_bodies> quiet_end_;  // of quiet bodies
+  MotorDecay whole_decay_, rest_decay_;     // over a whole tick, over a rest of one
   std::array<Box, max_bodies> boxes_{};
   std::array<Drive, max_robots> drives_{};
   std::array<InverseMass, max_bodies> mass_{};
