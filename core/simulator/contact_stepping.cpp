@@ -116,7 +116,7 @@ void push_apart(std::span<const Contact> contacts, std::span<const InverseMass> 
   for (int i = 0; i < n; ++i) {
     const double amount = problem.x[i];
     if (amount == 0.0) continue;
-    move(contacts[i].a, contacts[i].row_a, amount);
+    if (contacts[i].a != no_body) move(contacts[i].a, contacts[i].row_a, amount);
     if (contacts[i].b != no_body) move(contacts[i].b, contacts[i].row_b, -amount);
   }
 }
