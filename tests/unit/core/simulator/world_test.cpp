@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace mirocup::simulator {
 namespace {
 
@@ -43,6 +45,28 @@ TEST(World, LiftedRobotsSlideWhateverTheGrip) {
   world.advance({&standing, 1}, 0.1);
   EXPECT_NEAR(world.robot(0).position.y(), 0.05, 1e-15);
   EXPECT_EQ(world.robot(0).twist.left, 0.0);
+}
+
+// A goal post's corner in a robot's side: the post is the point's side of that contact, and no
+// body. Catches a correction that moves "body -1", which is the memory before the bodies.
+TEST(World, PostsPushRobotsOutAndNothingElse) {
+  const field::Field field = field::make_field(League::small);
+  const Parameters parameters;
+  World world(&field, parameters, Tolerances{}, 1, false);
+  const double overlap = 1e-6;
+  const double diagonal = std::sqrt(0.5);
+  const Vec2 outwards{-diagonal, -diagonal};
+  const Vec2 post{field.half_length, field.goal_half_width};
+  const double reach = parameters.robot_side / 2.0 - overlap;
+  const RobotState start{post + reach * outwards, {diagonal, diagonal}, {}};
+  world.set_robot(0, start);
+  const InverseMass before = world.arena().grounded_robot;
+  const WheelCommand standing = WheelSpeeds{};
+  world.advance({&standing, 1}, 0.033);
+  EXPECT_NEAR(outwards.dot(world.robot(0).position - start.position), overlap, 1e-9);
+  EXPECT_EQ(world.arena().grounded_robot.forward, before.forward);
+  EXPECT_EQ(world.arena().grounded_robot.left, before.left);
+  EXPECT_EQ(world.arena().grounded_robot.turn, before.turn);
 }
 
 }  // namespace
