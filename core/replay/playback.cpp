@@ -32,10 +32,39 @@ bool Playback::differs(std::uint32_t tick, std::string what) {
   return false;
 }
 
+void Playback::play() {
+  match_.advance(blue_, yellow_);
+  if (!recording_.trace.ticks.empty()) trace_.add(match_);
+}
+
+// The bodies that differ after the tick, and both states of the first of them at the next
+// checkpoint.
+std::string Playback::what_differs(std::uint32_t tick) {
+  const int robots = match_.field().robots_per_team;
+  const auto bodies = differing_bodies(recording_.trace, trace_, tick, 2 * robots + 1);
+  if (bodies.empty()) return "";
+  std::string text;
+  for (const int body : bodies) text += (text.empty() ? "; " : ", ") + body_name(body, robots);
+  text += bodies.size() == 1 ? " differs" : " differ";
+
+  const std::size_t checkpoint = (tick + checkpoint_ticks - 1) / checkpoint_ticks;
+  const auto& recorded = recording_.trace.checkpoints;
+  while (trace_.checkpoints.size() <= checkpoint && checkpoint < recorded.size() &&
+         !match_.is_over()) {
+    play();
+  }
+  if (checkpoint >= recorded.size() || checkpoint >= trace_.checkpoints.size()) return text;
+  const int body = bodies.front();
+  return text + ": after tick " + std::to_string(checkpoint * checkpoint_ticks) +
+         " the record has " + body_name(body, robots) + " " +
+         body_text(recorded[checkpoint], body, robots) + ", the replay " +
+         body_text(trace_.checkpoints[checkpoint], body, robots);
+}
+
 bool Playback::advance() {
   if (divergence_ || match_.is_over()) return false;
   const std::uint32_t tick = match_.tick();
-  match_.advance(blue_, yellow_);
+  play();
   if (match_.log().size() <= tick) {  // a fault ended it before anything moved
     if (tick == recording_.ticks.size()) return false;
     return differs(tick, "the replay ends here, the record goes on");
@@ -47,7 +76,7 @@ bool Playback::advance() {
   const std::uint64_t again = match_.log()[tick].hash;
   if (again != expected) {
     return differs(tick, "the state differs: the record's hash is " + to_hex(expected) +
-                             ", the replay's " + to_hex(again));
+                             ", the replay's " + to_hex(again) + what_differs(tick));
   }
   if (match_.is_over() && match_.log().size() != recording_.ticks.size()) {
     return differs(match_.tick(), "the replay ends here, the record goes on");

@@ -40,7 +40,8 @@ class Playback {
   // The leg as it stands: before the first tick, or after the last one that advance() played.
   const match::Match& match() const { return match_; }
 
-  // Plays the next tick and compares its hash; false when there is none, or once they differ.
+  // Plays the next tick and compares its hash; false when there is none, or once they differ. Then it
+  // has played on to where the recording holds the state of the body that differs.
   bool advance();
 
   // Set once a tick, or the number of ticks, was not the recorded one.
@@ -48,11 +49,14 @@ class Playback {
 
  private:
   bool differs(std::uint32_t tick, std::string what);
+  std::string what_differs(std::uint32_t tick);
+  void play();
 
   const Recording& recording_;
   match::Match match_;
   RecordedTeam blue_;
   RecordedTeam yellow_;
+  Trace trace_;
   std::optional<Divergence> divergence_;
 };
 

@@ -46,7 +46,8 @@ std::optional<Divergence> compare_result(const Recording& recording, const match
   const match::Result& recorded = recording.result;
   const match::Result& replayed = again.result();
   if (recorded.end == replayed.end && recorded.score == replayed.score &&
-      recorded.winner == replayed.winner && recording.state_hash == again.state_hash()) {
+      recorded.played == replayed.played && recorded.winner == replayed.winner &&
+      recording.state_hash == again.state_hash()) {
     return std::nullopt;
   }
   return Divergence{again.tick(),

@@ -106,6 +106,7 @@ class Session {
   record::Disk disk_;
   pace::SteadyClock clock_;
   match::Match match_;
+  replay::Trace trace_;
   pace::Pacer pacer_;
   std::unique_ptr<dds::MatchServer> network_;  // if a team plays over it
   std::vector<TeamSeat> seats_;                // blue, yellow
@@ -182,6 +183,7 @@ Result<void> Session::play() {
     pacer_.wait_for(match_.tick());
     if (network_) network_->publish(match_);
     match_.advance(seats_[0].controller(), seats_[1].controller());
+    trace_.add(match_);
   }
   if (network_) network_->close(match_);
   return {};
@@ -199,7 +201,7 @@ record::MatchRecord Session::record() const {
     record.budget[i].late_ticks = match_.late_ticks()[i];
     record.budget[i].bad_commands = match_.bad_values()[i];
   }
-  record.recording = replay::record(match_);
+  record.recording = replay::record(match_, trace_);
   return record;
 }
 

@@ -6,16 +6,6 @@
 
 namespace mirocup::web {
 
-namespace {
-
-// Most decisions name who offended; these name who scored, kicks off or leads.
-bool names_who_has_it(referee::Verdict verdict) {
-  using enum referee::Verdict;
-  return verdict == GOAL || verdict == KICK_OFF || verdict == HALF_END || verdict == MATCH_END;
-}
-
-}  // namespace
-
 Json moment_json(const match::Scene& scene) {
   return {{"state", to_string(scene.state)},
           {"phase", to_string(scene.phase)},
@@ -28,8 +18,10 @@ Json statistics_json(const Statistics& statistics,
   Json teams;
   for (const Team team : both_teams) {
     const TeamNumbers& numbers = statistics.of(team);
+    // Who offended does not take the restart; who concedes a goal does, and is no offender.
     const auto is_foul = [team](const match::LoggedDecision& d) {
-      return d.team == team && !names_who_has_it(d.decision.verdict);
+      return d.team == team && d.decision.restart != referee::Restart::none && d.taker != team &&
+             d.decision.verdict != referee::Verdict::GOAL;
     };
     teams[std::string(to_string(team))] = {
         {"possession", numbers.possession},

@@ -14,7 +14,8 @@ using record::Json;
 // What holds from a tick on: {state, phase, left, score}.
 Json moment_json(const match::Scene& scene);
 
-// {teams: {blue, yellow}, heat}. `fouls` counts the decisions against a team.
+// {teams: {blue, yellow}, heat}. `fouls` counts the decisions that gave the other
+// team a restart.
 Json statistics_json(const Statistics& statistics,
                      const std::vector<match::LoggedDecision>& decisions);
 
