@@ -31,7 +31,9 @@ Json fault_json(const match::TeamFault& f) {
   return {{"team", to_string(f.team)}, {"code", to_string(f.fault.code)}, {"text", f.fault.text}};
 }
 
-Json result_json(const match::Result& result) {
+}  // namespace
+
+Json to_json(const match::Result& result) {
   Json faults = Json::array();
   for (const match::TeamFault& f : result.faults) faults.push_back(fault_json(f));
   return {{"score", score_json(result.score)},
@@ -43,7 +45,7 @@ Json result_json(const match::Result& result) {
           {"why_void", result.why_void.empty() ? Json() : Json(result.why_void)}};
 }
 
-Json decision_json(const match::LoggedDecision& d) {
+Json to_json(const match::LoggedDecision& d) {
   const bool restarts = d.decision.restart != referee::Restart::none;
   return {{"tick", d.tick},
           {"clock", d.decision.clock},
@@ -55,6 +57,8 @@ Json decision_json(const match::LoggedDecision& d) {
           {"restart", restarts ? Json(to_string(d.decision.restart)) : Json()},
           {"taker", restarts ? Json(to_string(d.taker)) : Json()}};
 }
+
+namespace {
 
 Json team_json(const TeamInfo& team) {
   return {{"name", team.name},
@@ -218,7 +222,7 @@ std::string replay_path_of(const std::string& record_path) {
 Json to_json(const MatchRecord& record) {
   const replay::Recording& r = record.recording;
   Json decisions = Json::array();
-  for (const match::LoggedDecision& d : r.decisions) decisions.push_back(decision_json(d));
+  for (const match::LoggedDecision& d : r.decisions) decisions.push_back(to_json(d));
   return {{"schema", schema},
           {"software", {{"version", record.version}, {"build", record.build}}},
           {"league", to_string(r.setup.league)},
@@ -227,7 +231,7 @@ Json to_json(const MatchRecord& record) {
           {"seed", r.setup.seed},
           {"control_period", r.setup.control_period},
           {"teams", {{"blue", team_json(record.teams[0])}, {"yellow", team_json(record.teams[1])}}},
-          {"result", result_json(r.result)},
+          {"result", to_json(r.result)},
           {"decisions", decisions},
           {"budget",
            {{"blue", budget_json(record.budget[0])}, {"yellow", budget_json(record.budget[1])}}},

@@ -49,6 +49,9 @@ struct MatchRecord {
 std::string software_version();
 std::string software_build();
 
+Json to_json(const match::Result& result);
+Json to_json(const match::LoggedDecision& decision);
+
 // Everything but the replay's name and digest and the record's own, which save() adds.
 Json to_json(const MatchRecord& record);
 

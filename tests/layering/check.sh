@@ -56,6 +56,7 @@ only() {
 only 'dds/|mirocup\.h>' server/dds
 only 'nlohmann/' server/record server/web tournaments
 only 'dlfcn\.h' plugins/host
+only 'httplib' server/web
 only 'CLI/' server/app tournaments/app
 only 'openssl/|zstd' server/record
 only 'thread>|chrono>|mutex>|fstream>|iostream>|filesystem>|random>|sys/|unistd\.h' plugins server tournaments

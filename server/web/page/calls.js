@@ -40,6 +40,7 @@ export class Calls {
   spread(firstTick, lastTick) {
     const length = Math.max(lastTick - firstTick, 1);
     this.calls.forEach((call, i) => {
+      this.marks.children[i].hidden = call.tick < firstTick;
       this.marks.children[i].style.left = `${(100 * (call.tick - firstTick)) / length}%`;
     });
   }

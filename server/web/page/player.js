@@ -4,6 +4,7 @@
 
 const catchUp = 8;  // 1/s: how fast a follower closes the gap to what has arrived
 const farBehind = 2;  // s: beyond, it jumps
+const asGoodAs = 0.002;  // s: nearer than this it has arrived
 
 export class Player {
   // `changed` is called whenever something is to be shown anew.
@@ -63,7 +64,8 @@ export class Player {
     this.before = now;
     if (this.isFollowing) {
       const gap = this.end - this.time;
-      this.show(Math.abs(gap) > farBehind ? this.end : this.time + gap * Math.min(1, passed * catchUp));
+      const jumps = Math.abs(gap) > farBehind || Math.abs(gap) < asGoodAs;
+      this.show(jumps ? this.end : this.time + gap * Math.min(1, passed * catchUp));
     } else if (this.isPlaying) {
       if (this.time + passed * this.speed >= this.end) this.isPlaying = false;
       this.show(this.time + passed * this.speed);
