@@ -233,6 +233,13 @@ referee::Situation Match::situation(const Vec2& ball_before,
   return s;
 }
 
+std::optional<Touch> Match::last_touch() const {
+  if (events_ == nullptr || events_->last_to_touch_ball == simulator::no_body) return std::nullopt;
+  const int body = events_->last_to_touch_ball;
+  const int robots = field_.robots_per_team;
+  return Touch{body < robots ? Team::blue : Team::yellow, body % robots};
+}
+
 Scene Match::scene() const {
   Scene s;
   s.tick = tick_;

@@ -54,6 +54,12 @@ struct LoggedDecision {
   Team taker = Team::blue;
 };
 
+// A robot that touched the ball.
+struct Touch {
+  Team team = Team::blue;
+  int robot = 0;
+};
+
 // What the match writes down of each tick.
 struct TickLog {
   ByTeam<DrivenCommand> commands;  // the answers to this tick's observation, driven in the next
@@ -88,6 +94,8 @@ class Match {
   const std::vector<LoggedDecision>& decisions() const { return decisions_; }
   const std::vector<TickLog>& log() const { return log_; }
   std::uint64_t state_hash() const { return hash_.value(); }
+  // Who touched the ball last in the tick that was played, if anybody did.
+  std::optional<Touch> last_touch() const;
   const ByTeam<int>& bad_values() const { return bad_values_; }
   const ByTeam<int>& late_ticks() const { return late_ticks_; }
 

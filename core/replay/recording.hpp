@@ -4,7 +4,7 @@
 // was commanded in every tick, and a hash of the state after each.
 #pragma once
 
-#include "core/match/match.hpp"
+#include "core/replay/trace.hpp"
 
 #include <vector>
 
@@ -16,9 +16,10 @@ struct Recording {
   std::vector<match::LoggedDecision> decisions;
   match::Result result;
   std::uint64_t state_hash = 0;
+  Trace trace;  // may be empty
 };
 
-// Of a match that is over.
-Recording record(const match::Match& match);
+// Of a match that is over, and what was traced of it.
+Recording record(const match::Match& match, Trace trace = {});
 
 }  // namespace mirocup::replay

@@ -7,57 +7,35 @@ namespace mirocup::replay {
 
 namespace {
 
-// Gives the recorded answers of one team, then what ended the leg.
-class Recorded final : public match::Controller {
- public:
-  Recorded(const Recording& recording, Team team) : recording_(recording), team_(team) {}
-
-  void post(const match::Observation& observation) override { tick_ = observation.tick; }
-
-  match::Answer collect() override {
-    if (tick_ < recording_.ticks.size()) return command(tick_);
-    for (const match::TeamFault& fault : recording_.result.faults) {
-      if (fault.team == team_) return fault.fault;
-    }
-    if (recording_.result.end == match::EndKind::void_) {
-      return match::HostFailure{recording_.result.why_void};
-    }
-    return match::Command{};
-  }
-
- private:
-  match::Command command(std::uint32_t tick) const {
-    const match::DrivenCommand& driven = recording_.ticks[tick].commands[index_of(team_)];
-    match::Command command;
-    for (int i = 0; i < max_robots_per_team; ++i) command.wheels[i] = driven.speeds(i);
-    return command;
-  }
-
-  const Recording& recording_;
-  Team team_;
-  std::uint32_t tick_ = 0;
-};
-
 std::string score_text(const match::ByTeam<int>& score) {
   return std::to_string(score[0]) + ":" + std::to_string(score[1]);
 }
 
-std::optional<Divergence> compare_decision(const match::LoggedDecision& recorded,
-                                           const match::LoggedDecision& again) {
-  const auto text = [](const match::LoggedDecision& d) {
-    return std::string(to_string(d.decision.verdict)) + " (" + d.decision.reason + ") at tick " +
-           std::to_string(d.tick);
-  };
-  if (text(recorded) == text(again) && recorded.team == again.team) return std::nullopt;
-  return Divergence{std::min(recorded.tick, again.tick),
-                    "the record says " + text(recorded) + ", the replay says " + text(again)};
+bool agree(const match::LoggedDecision& a, const match::LoggedDecision& b) {
+  const referee::Decision& x = a.decision;
+  const referee::Decision& y = b.decision;
+  return a.tick == b.tick && a.team == b.team && x.verdict == y.verdict && x.law == y.law &&
+         x.clock == y.clock && x.reason == y.reason && x.ball == y.ball && x.restart == y.restart &&
+         (x.restart == referee::Restart::none || a.taker == b.taker);
+}
+
+std::string decision_text(const match::LoggedDecision& d) {
+  return std::string(to_string(d.decision.verdict)) + " at tick " + std::to_string(d.tick) +
+         " (clock " + std::to_string(d.decision.clock) + " s, " +
+         (d.team ? std::string(to_string(*d.team)) : "no team") + ", law " +
+         std::string(to_string(d.decision.law)) + ", ball at " +
+         std::to_string(d.decision.ball.x()) + ", " + std::to_string(d.decision.ball.y()) + ": " +
+         d.decision.reason + ")";
 }
 
 std::optional<Divergence> compare_decisions(const Recording& recording, const match::Match& again) {
   const auto& recorded = recording.decisions;
   const auto& replayed = again.decisions();
   for (std::size_t i = 0; i < std::min(recorded.size(), replayed.size()); ++i) {
-    if (auto difference = compare_decision(recorded[i], replayed[i])) return difference;
+    if (agree(recorded[i], replayed[i])) continue;
+    return Divergence{std::min(recorded[i].tick, replayed[i].tick),
+                      "the record says " + decision_text(recorded[i]) + ", the replay says " +
+                          decision_text(replayed[i])};
   }
   if (recorded.size() == replayed.size()) return std::nullopt;
   return Divergence{again.tick(), "the record has " + std::to_string(recorded.size()) +
@@ -68,7 +46,8 @@ std::optional<Divergence> compare_result(const Recording& recording, const match
   const match::Result& recorded = recording.result;
   const match::Result& replayed = again.result();
   if (recorded.end == replayed.end && recorded.score == replayed.score &&
-      recorded.winner == replayed.winner && recording.state_hash == again.state_hash()) {
+      recorded.played == replayed.played && recorded.winner == replayed.winner &&
+      recording.state_hash == again.state_hash()) {
     return std::nullopt;
   }
   return Divergence{again.tick(),
@@ -81,30 +60,14 @@ std::optional<Divergence> compare_result(const Recording& recording, const match
 }  // namespace
 
 std::optional<Divergence> verify(const Recording& recording) {
-  match::Match again(recording.setup);
-  Recorded blue(recording, Team::blue);
-  Recorded yellow(recording, Team::yellow);
-  while (!again.is_over()) {
-    const std::uint32_t tick = again.tick();
-    if (tick > recording.ticks.size()) {
-      return Divergence{tick, "the record ends here, the replay goes on"};
-    }
-    again.advance(blue, yellow);
-    if (again.log().size() <= tick) break;  // ended before anything moved
-    if (tick >= recording.ticks.size()) {
-      return Divergence{tick, "the record ends here, the replay goes on"};
-    }
-    const std::uint64_t expected = recording.ticks[tick].hash;
-    if (again.log()[tick].hash != expected) {
-      return Divergence{tick, "the state differs: the record's hash is " + to_hex(expected) +
-                                  ", the replay's " + to_hex(again.log()[tick].hash)};
-    }
+  Playback again(recording);
+  while (again.advance()) {
   }
-  if (auto difference = compare_decisions(recording, again)) return difference;
-  if (again.log().size() != recording.ticks.size()) {
-    return Divergence{again.tick(), "the replay ends here, the record goes on"};
-  }
-  return compare_result(recording, again);
+  const auto decision = compare_decisions(recording, again.match());
+  const auto& state = again.divergence();
+  if (state && (!decision || state->tick < decision->tick)) return state;
+  if (decision) return decision;
+  return compare_result(recording, again.match());
 }
 
 }  // namespace mirocup::replay

@@ -4,18 +4,11 @@
 // commands alone.
 #pragma once
 
-#include "core/replay/recording.hpp"
+#include "core/replay/playback.hpp"
 
 #include <optional>
-#include <string>
 
 namespace mirocup::replay {
-
-// The first thing in which the recording and its replay differ.
-struct Divergence {
-  std::uint32_t tick = 0;
-  std::string what;  // a sentence with both values
-};
 
 // Nothing if every hash, decision and the result are reproduced.
 std::optional<Divergence> verify(const Recording& recording);

@@ -25,6 +25,8 @@ int main(int argc, char** argv) {
   app::add_match(cli, run);
   app::add_join(cli, run);
   app::add_verify(cli, run);
+  app::add_rerun(cli, run);
+  app::add_replay(cli, run);
   app::add_scene(cli, run);
   try {
     cli.parse(argc, argv);

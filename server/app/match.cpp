@@ -6,6 +6,7 @@
 #include "server/app/seats.hpp"
 #include "server/pace/pacer.hpp"
 #include "server/record/rules_json.hpp"
+#include "server/web/live_server.hpp"
 
 #include <iostream>
 #include <memory>
@@ -23,7 +24,8 @@ struct Options {
   std::string rules = "mirosot";
   std::string stage = "group";
   std::uint64_t seed = 1;
-  std::string speed = "max";
+  std::string speed;                 // "": real time if it is watched, else as fast as it goes
+  std::optional<std::string> watch;  // where: PORT or HOST:PORT, "" for any port
   std::optional<double> half_s;
   std::vector<std::string> rule_changes;  // KEY=VALUE
   std::string record_path;
@@ -64,8 +66,10 @@ Result<match::Setup> setup_of(const Options& options) {
   return setup;
 }
 
-Result<std::optional<double>> factor_of(const std::string& speed) {
-  if (speed == "max") return std::optional<double>();
+Result<std::optional<double>> factor_of(const Options& options) {
+  const std::string& speed = options.speed;
+  if (speed.empty() && options.watch) return std::optional<double>(1.0);
+  if (speed.empty() || speed == "max") return std::optional<double>();
   char* end = nullptr;
   const double factor = std::strtod(speed.c_str(), &end);
   if (end == speed.c_str() || *end != '\0' || !(factor > 0.0) || factor > 1e6) {
@@ -90,8 +94,12 @@ class Session {
       : options_(options), match_(setup), pacer_(clock_, setup.control_period, factor) {}
 
   Result<void> seat_teams();
+  Result<void> open_live_page();
   Result<void> play();
   Result<void> write_record();
+  void end_live_page() {
+    if (live_) live_->close(match_);
+  }
   void report() const;
   bool is_void() const { return match_.result().end == match::EndKind::void_; }
 
@@ -106,8 +114,10 @@ class Session {
   record::Disk disk_;
   pace::SteadyClock clock_;
   match::Match match_;
+  replay::Trace trace_;
   pace::Pacer pacer_;
   std::unique_ptr<dds::MatchServer> network_;  // if a team plays over it
+  std::unique_ptr<web::LiveServer> live_;      // if it is watched
   std::vector<TeamSeat> seats_;                // blue, yellow
   std::string isolation_ = "network";
 };
@@ -175,6 +185,21 @@ void Session::wait_until_ready() {
   if (!faults.empty()) match_.forfeit(std::move(faults));
 }
 
+Result<void> Session::open_live_page() {
+  if (!options_.watch) return {};
+  const auto address = web::parse_address(options_.watch->empty() ? "0" : *options_.watch);
+  if (!address) return tl::unexpected(address.error());
+  const match::Setup& setup = match_.setup();
+  auto live = web::LiveServer::open(
+      *address, match_, {seats_[0].info().name, seats_[1].info().name},
+      std::string(to_string(setup.league)) + " league, rules " +
+          std::string(to_string(setup.rules.preset)) + ", seed " + std::to_string(setup.seed));
+  if (!live) return tl::unexpected(live.error());
+  live_ = std::move(*live);
+  std::cerr << "mirocup: watch at " << live_->url() << '\n';
+  return {};
+}
+
 Result<void> Session::play() {
   while (!match_.is_over()) {
     if (interrupt_.is_asked_for())
@@ -182,6 +207,8 @@ Result<void> Session::play() {
     pacer_.wait_for(match_.tick());
     if (network_) network_->publish(match_);
     match_.advance(seats_[0].controller(), seats_[1].controller());
+    trace_.add(match_);
+    if (live_) live_->publish(match_);
   }
   if (network_) network_->close(match_);
   return {};
@@ -199,7 +226,7 @@ record::MatchRecord Session::record() const {
     record.budget[i].late_ticks = match_.late_ticks()[i];
     record.budget[i].bad_commands = match_.bad_values()[i];
   }
-  record.recording = replay::record(match_);
+  record.recording = replay::record(match_, trace_);
   return record;
 }
 
@@ -236,13 +263,15 @@ void Session::report() const {
 Result<int> run_match(const Options& options) {
   const auto setup = setup_of(options);
   if (!setup) return tl::unexpected(setup.error());
-  const auto factor = factor_of(options.speed);
+  const auto factor = factor_of(options);
   if (!factor) return tl::unexpected(factor.error());
 
   Session session(options, *setup, *factor);
   if (auto seated = session.seat_teams(); !seated) return tl::unexpected(seated.error());
+  if (auto opened = session.open_live_page(); !opened) return tl::unexpected(opened.error());
   if (auto played = session.play(); !played) return tl::unexpected(played.error());
   if (auto written = session.write_record(); !written) return tl::unexpected(written.error());
+  session.end_live_page();
   session.report();
   return session.is_void() ? exit_code(Errc::host) : exit_yes;
 }
@@ -275,8 +304,14 @@ void add_match(CLI::App& app, Run& run) {
       ->capture_default_str();
   command->add_option("--seed", o->seed, "of the toss and of the teams' random numbers")
       ->capture_default_str();
-  command->add_option("--speed", o->speed, "max, or a factor: 1 is real time")
-      ->capture_default_str();
+  command->add_option("--speed", o->speed,
+                      "max, or a factor: 1 is real time (default: 1 with --watch, else max)");
+  command
+      ->add_option_function<std::string>(
+          "--watch", [o](const std::string& where) { o->watch = where; },
+          "show the match in browsers; [HOST:]PORT, without it any port of this host only")
+      ->expected(0, 1)
+      ->type_name("[PORT]");
   command->add_option("--half", o->half_s, "seconds of a half")->check(CLI::Range(0.1, 36000.0));
   command->add_option("--rule", o->rule_changes,
                       "KEY=VALUE: another value for a parameter of the rules");

@@ -14,6 +14,11 @@ namespace {
 
 constexpr std::string_view schema = "mirocup/match/1";
 
+// What a program that plays matches can be asked for, s.
+constexpr double shortest_period = 1e-3;
+constexpr double longest_period = 1.0;
+constexpr double longest_half = 36000.0;
+
 Json score_json(const match::ByTeam<int>& score) {
   return {{"blue", score[0]}, {"yellow", score[1]}};
 }
@@ -26,7 +31,9 @@ Json fault_json(const match::TeamFault& f) {
   return {{"team", to_string(f.team)}, {"code", to_string(f.fault.code)}, {"text", f.fault.text}};
 }
 
-Json result_json(const match::Result& result) {
+}  // namespace
+
+Json to_json(const match::Result& result) {
   Json faults = Json::array();
   for (const match::TeamFault& f : result.faults) faults.push_back(fault_json(f));
   return {{"score", score_json(result.score)},
@@ -38,7 +45,7 @@ Json result_json(const match::Result& result) {
           {"why_void", result.why_void.empty() ? Json() : Json(result.why_void)}};
 }
 
-Json decision_json(const match::LoggedDecision& d) {
+Json to_json(const match::LoggedDecision& d) {
   const bool restarts = d.decision.restart != referee::Restart::none;
   return {{"tick", d.tick},
           {"clock", d.decision.clock},
@@ -50,6 +57,8 @@ Json decision_json(const match::LoggedDecision& d) {
           {"restart", restarts ? Json(to_string(d.decision.restart)) : Json()},
           {"taker", restarts ? Json(to_string(d.taker)) : Json()}};
 }
+
+namespace {
 
 Json team_json(const TeamInfo& team) {
   return {{"name", team.name},
@@ -141,7 +150,29 @@ match::Setup setup_of(const Json& json) {
   setup.stage = named<referee::Stage>(json.at("stage"));
   setup.seed = json.at("seed").get<std::uint64_t>();
   setup.control_period = json.at("control_period").get<double>();
+  if (!(setup.control_period >= shortest_period && setup.control_period <= longest_period)) {
+    throw Damage{"/control_period: no match has such ticks"};
+  }
+  if (!(setup.rules.half_s <= longest_half)) throw Damage{"/rules/half_s: no half is so long"};
+  if (!(setup.rules.ready_s <= longest_half)) throw Damage{"/rules/ready_s: no wait is so long"};
   return setup;
+}
+
+// The last key of a record is the digest of everything before it.
+std::string seal_of(const std::string& text) {
+  return ",\n \"sha256\": \"" + sha256(text) + "\"\n}\n";
+}
+
+// `object` is the text of an object that is not empty.
+std::string sealed(std::string object) {
+  object.resize(object.rfind("\n}"));
+  const std::string seal = seal_of(object);
+  return object + seal;
+}
+
+bool is_sealed(const std::string& text) {
+  const std::size_t begin = text.rfind(",\n");
+  return begin != std::string::npos && text.substr(begin) == seal_of(text.substr(0, begin));
 }
 
 MatchRecord record_of(const Json& json) {
@@ -191,7 +222,7 @@ std::string replay_path_of(const std::string& record_path) {
 Json to_json(const MatchRecord& record) {
   const replay::Recording& r = record.recording;
   Json decisions = Json::array();
-  for (const match::LoggedDecision& d : r.decisions) decisions.push_back(decision_json(d));
+  for (const match::LoggedDecision& d : r.decisions) decisions.push_back(to_json(d));
   return {{"schema", schema},
           {"software", {{"version", record.version}, {"build", record.build}}},
           {"league", to_string(r.setup.league)},
@@ -200,7 +231,7 @@ Json to_json(const MatchRecord& record) {
           {"seed", r.setup.seed},
           {"control_period", r.setup.control_period},
           {"teams", {{"blue", team_json(record.teams[0])}, {"yellow", team_json(record.teams[1])}}},
-          {"result", result_json(r.result)},
+          {"result", to_json(r.result)},
           {"decisions", decisions},
           {"budget",
            {{"blue", budget_json(record.budget[0])}, {"yellow", budget_json(record.budget[1])}}},
@@ -211,7 +242,7 @@ Json to_json(const MatchRecord& record) {
 
 Result<void> save(Files& files, const std::string& path, const MatchRecord& record) {
   const int robots = field::make_field(record.recording.setup.league).robots_per_team;
-  const std::string replay = pack_replay(record.recording.ticks, robots);
+  const std::string replay = pack_replay(record.recording.ticks, record.recording.trace, robots);
   const std::string replay_path = replay_path_of(path);
   if (auto written = files.write(replay_path, replay); !written) return written;
 
@@ -219,12 +250,15 @@ Result<void> save(Files& files, const std::string& path, const MatchRecord& reco
   json["replay"] = {{"file", std::filesystem::path(replay_path).filename().string()},
                     {"sha256", sha256(replay)}};
   // Names of teams may be any bytes: what is not UTF-8 is replaced.
-  return files.write(path, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+  return files.write(path, sealed(json.dump(1, ' ', false, Json::error_handler_t::replace)));
 }
 
-Result<MatchRecord> load(Files& files, const std::string& path) {
+Result<MatchRecord> load(Files& files, const std::string& path, Seal seal) {
   const auto text = files.read(path);
   if (!text) return tl::unexpected(text.error());
+  if (seal == Seal::checked && !is_sealed(*text)) {
+    return fail(Errc::damaged, path + ": its text is not what was written (sha256)");
+  }
   try {
     const Json json = Json::parse(*text);
     MatchRecord record = record_of(json);
@@ -239,13 +273,14 @@ Result<MatchRecord> load(Files& files, const std::string& path) {
                   replay_path + ": it is not the replay that the record was saved with");
     }
     const int robots = field::make_field(record.recording.setup.league).robots_per_team;
-    auto ticks = unpack_replay(*replay, robots, replay_path);
-    if (!ticks) return tl::unexpected(ticks.error());
-    if (ticks->size() != json.at("ticks").get<std::size_t>()) {
+    auto unpacked = unpack_replay(*replay, robots, replay_path);
+    if (!unpacked) return tl::unexpected(unpacked.error());
+    if (unpacked->ticks.size() != json.at("ticks").get<std::size_t>()) {
       return fail(Errc::damaged,
                   replay_path + ": it has another number of ticks than the record says");
     }
-    record.recording.ticks = std::move(*ticks);
+    record.recording.ticks = std::move(unpacked->ticks);
+    record.recording.trace = std::move(unpacked->trace);
     return record;
   } catch (const Damage& damage) {
     return fail(Errc::damaged, path + ": " + damage.where);

@@ -1,16 +1,32 @@
 // SPDX-License-Identifier: MIT
 #include "server/record/replay_file.hpp"
 
-#include <cstring>
+#include <bit>
 #include <zstd.h>
 
 namespace mirocup::record {
 
 namespace {
 
-constexpr std::string_view magic = "mirocup/replay/1\n";
+constexpr std::string_view magic = "mirocup/replay/2\n";
 constexpr int compression_level = 12;
 constexpr std::size_t most_ticks = 10'000'000;
+constexpr std::size_t head_size = 16;
+
+// How many of everything a replay has.
+struct Counts {
+  std::size_t ticks = 0;
+  std::size_t robots = 0;        // of a team
+  std::size_t fingerprints = 0;  // 0 or ticks
+  std::size_t checkpoints = 0;
+
+  std::size_t bodies() const { return 2 * robots + 1; }
+  std::size_t plain_size() const {
+    const std::size_t commands = 2 * 2 * robots * sizeof(std::int16_t);
+    const std::size_t checkpoint = (2 * robots * 7 + 4) * sizeof(double);
+    return head_size + ticks * (commands + 8) + fingerprints * bodies() + checkpoints * checkpoint;
+  }
+};
 
 void put(std::string& bytes, std::uint64_t value, int width) {
   for (int i = 0; i < width; ++i) bytes += static_cast<char>(value >> (8 * i));
@@ -24,18 +40,27 @@ std::uint64_t get(const std::string& bytes, std::size_t& at, int width) {
   return value;
 }
 
-std::size_t plain_size(std::size_t ticks, int robots) {
-  return 8 + ticks * (2 * 2 * static_cast<std::size_t>(robots) * sizeof(std::int16_t) + 8);
+// Calls visit(number) for each number of a checkpoint, in the order of the file.
+template <class C, class Visit>
+void for_each_number(C& checkpoint, std::size_t robots, Visit visit) {
+  for (std::size_t i = 0; i < 2 * robots; ++i) {
+    auto& robot = checkpoint.robots[i];
+    visit(robot.position.x());
+    visit(robot.position.y());
+    visit(robot.heading.cos);
+    visit(robot.heading.sin);
+    visit(robot.twist.forward);
+    visit(robot.twist.left);
+    visit(robot.twist.turn);
+  }
+  visit(checkpoint.ball.position.x());
+  visit(checkpoint.ball.position.y());
+  visit(checkpoint.ball.velocity.x());
+  visit(checkpoint.ball.velocity.y());
 }
 
-}  // namespace
-
-std::string pack_replay(const std::vector<match::TickLog>& ticks, int robots) {
-  std::string plain;
-  plain.reserve(plain_size(ticks.size(), robots));
-  put(plain, ticks.size(), 4);
-  put(plain, static_cast<std::uint64_t>(robots), 4);
-  // Column by column, each as differences: commands change little from tick to tick.
+// Column by column, each as differences: commands change little from tick to tick.
+void put_commands(std::string& plain, const std::vector<match::TickLog>& ticks, int robots) {
   for (int team = 0; team < 2; ++team) {
     for (int i = 0; i < robots; ++i) {
       for (int wheel = 0; wheel < 2; ++wheel) {
@@ -48,39 +73,10 @@ std::string pack_replay(const std::vector<match::TickLog>& ticks, int robots) {
       }
     }
   }
-  for (const match::TickLog& tick : ticks) put(plain, tick.hash, 8);
-
-  std::string packed(magic);
-  packed.resize(magic.size() + ZSTD_compressBound(plain.size()));
-  const std::size_t size = ZSTD_compress(packed.data() + magic.size(), packed.size() - magic.size(),
-                                         plain.data(), plain.size(), compression_level);
-  packed.resize(magic.size() + size);
-  return packed;
 }
 
-Result<std::vector<match::TickLog>> unpack_replay(std::string_view bytes, int robots,
-                                                  const std::string& path) {
-  const auto damaged = [&path](const char* why) { return fail(Errc::damaged, path + ": " + why); };
-  if (bytes.substr(0, magic.size()) != magic) return damaged("this is not a replay of version 1");
-  bytes.remove_prefix(magic.size());
-  const unsigned long long size = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
-  if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN ||
-      size > plain_size(most_ticks, robots) || size < 8) {
-    return damaged("the compressed data is damaged");
-  }
-  std::string plain(size, '\0');
-  if (ZSTD_decompress(plain.data(), plain.size(), bytes.data(), bytes.size()) != size) {
-    return damaged("the compressed data is damaged");
-  }
-  std::size_t at = 0;
-  const std::size_t count = get(plain, at, 4);
-  if (get(plain, at, 4) != static_cast<std::uint64_t>(robots)) {
-    return damaged("it is of another number of robots than the record");
-  }
-  if (plain.size() != plain_size(count, robots))
-    return damaged("its length does not fit its ticks");
-
-  std::vector<match::TickLog> ticks(count);
+void get_commands(const std::string& plain, std::size_t& at, std::vector<match::TickLog>& ticks,
+                  int robots) {
   for (int team = 0; team < 2; ++team) {
     for (int i = 0; i < robots; ++i) {
       for (int wheel = 0; wheel < 2; ++wheel) {
@@ -92,8 +88,90 @@ Result<std::vector<match::TickLog>> unpack_replay(std::string_view bytes, int ro
       }
     }
   }
-  for (match::TickLog& tick : ticks) tick.hash = get(plain, at, 8);
-  return ticks;
+}
+
+// The bytes behind the magic word, without their compression; empty if they are damaged.
+std::string decompressed(std::string_view bytes, const Counts& largest) {
+  const unsigned long long size = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
+  if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN || size < head_size ||
+      size > largest.plain_size()) {
+    return "";
+  }
+  // More than data can grow to is not worth the memory.
+  constexpr unsigned long long most_growth = 4096;
+  if (size / most_growth > bytes.size()) return "";
+  std::string plain(size, '\0');
+  if (ZSTD_decompress(plain.data(), plain.size(), bytes.data(), bytes.size()) != size) return "";
+  return plain;
+}
+
+}  // namespace
+
+std::string pack_replay(const std::vector<match::TickLog>& ticks, const replay::Trace& trace,
+                        int robots) {
+  const Counts counts{ticks.size(), static_cast<std::size_t>(robots), trace.ticks.size(),
+                      trace.checkpoints.size()};
+  std::string plain;
+  plain.reserve(counts.plain_size());
+  for (const std::size_t count :
+       {counts.ticks, counts.robots, counts.fingerprints, counts.checkpoints}) {
+    put(plain, count, 4);
+  }
+  put_commands(plain, ticks, robots);
+  for (const match::TickLog& tick : ticks) put(plain, tick.hash, 8);
+  for (std::size_t body = 0; body < counts.bodies(); ++body) {
+    for (const replay::Fingerprints& tick : trace.ticks) put(plain, tick[body], 1);
+  }
+  for (const replay::Checkpoint& checkpoint : trace.checkpoints) {
+    for_each_number(checkpoint, counts.robots, [&plain](double number) {
+      put(plain, std::bit_cast<std::uint64_t>(number), 8);
+    });
+  }
+
+  std::string packed(magic);
+  packed.resize(magic.size() + ZSTD_compressBound(plain.size()));
+  const std::size_t size = ZSTD_compress(packed.data() + magic.size(), packed.size() - magic.size(),
+                                         plain.data(), plain.size(), compression_level);
+  packed.resize(magic.size() + size);
+  return packed;
+}
+
+Result<Replay> unpack_replay(std::string_view bytes, int robots, const std::string& path) {
+  const auto damaged = [&path](const char* why) { return fail(Errc::damaged, path + ": " + why); };
+  if (bytes.substr(0, magic.size()) != magic) return damaged("this is not a replay of version 2");
+  bytes.remove_prefix(magic.size());
+  Counts counts{most_ticks, static_cast<std::size_t>(robots), most_ticks, most_ticks};
+  const std::string plain = decompressed(bytes, counts);
+  if (plain.empty()) return damaged("the compressed data is damaged");
+  std::size_t at = 0;
+  for (std::size_t* count :
+       {&counts.ticks, &counts.robots, &counts.fingerprints, &counts.checkpoints}) {
+    *count = get(plain, at, 4);
+  }
+  if (counts.robots != static_cast<std::size_t>(robots)) {
+    return damaged("it is of another number of robots than the record");
+  }
+  if (plain.size() != counts.plain_size()) return damaged("its length does not fit its ticks");
+  if (counts.fingerprints != 0 && counts.fingerprints != counts.ticks) {
+    return damaged("its trace does not fit its ticks");
+  }
+
+  Replay replay;
+  replay.ticks.resize(counts.ticks);
+  get_commands(plain, at, replay.ticks, robots);
+  for (match::TickLog& tick : replay.ticks) tick.hash = get(plain, at, 8);
+  replay.trace.ticks.resize(counts.fingerprints);
+  for (std::size_t body = 0; body < counts.bodies(); ++body) {
+    for (replay::Fingerprints& tick : replay.trace.ticks) {
+      tick[body] = static_cast<std::uint8_t>(get(plain, at, 1));
+    }
+  }
+  replay.trace.checkpoints.resize(counts.checkpoints);
+  for (replay::Checkpoint& checkpoint : replay.trace.checkpoints) {
+    for_each_number(checkpoint, counts.robots,
+                    [&](double& number) { number = std::bit_cast<double>(get(plain, at, 8)); });
+  }
+  return replay;
 }
 
 }  // namespace mirocup::record

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// The replay file beside a record: the commands of every tick and a hash of the state after each,
-// zstd. schema.md has the bytes.
+// The replay file beside a record: the commands of every tick, a hash of the state after each, and
+// the trace of the bodies, zstd. schema.md has the bytes.
 #pragma once
 
 #include "core/base/error.hpp"
-#include "core/match/match.hpp"
+#include "core/replay/trace.hpp"
 
 #include <string>
 #include <string_view>
@@ -13,10 +13,16 @@
 
 namespace mirocup::record {
 
-std::string pack_replay(const std::vector<match::TickLog>& ticks, int robots);
+struct Replay {
+  std::vector<match::TickLog> ticks;
+  replay::Trace trace;
+};
+
+// `robots` of a team.
+std::string pack_replay(const std::vector<match::TickLog>& ticks, const replay::Trace& trace,
+                        int robots);
 
 // `path` is for the error message only. An error is Errc::damaged.
-Result<std::vector<match::TickLog>> unpack_replay(std::string_view bytes, int robots,
-                                                  const std::string& path);
+Result<Replay> unpack_replay(std::string_view bytes, int robots, const std::string& path);
 
 }  // namespace mirocup::record

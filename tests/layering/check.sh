@@ -34,6 +34,7 @@ may idl 'idl/'
 may server/record 'core/|server/record/'
 may server/pace 'server/pace/'
 may server/dds 'core/|idl/|server/dds/'
+may server/web 'core/|server/(record|web)/'
 may server/app 'core/|plugins/host/|mirocup/|server/'
 may tournaments/table 'core/base/|tournaments/table/'
 may tournaments/format 'core/|server/record/|tournaments/(format|table)/'
@@ -53,8 +54,9 @@ only() {
 }
 
 only 'dds/|mirocup\.h>' server/dds
-only 'nlohmann/' server/record tournaments
+only 'nlohmann/' server/record server/web tournaments
 only 'dlfcn\.h' plugins/host
+only 'httplib' server/web
 only 'CLI/' server/app tournaments/app
 only 'openssl/|zstd' server/record
 only 'thread>|chrono>|mutex>|fstream>|iostream>|filesystem>|random>|sys/|unistd\.h' plugins server tournaments

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/html.hpp"
 
+#include "server/record/markup.hpp"
+
 namespace mirocup::league {
+
+using record::escaped;
 
 namespace {
 
@@ -15,32 +19,6 @@ th { font-weight: 600; } tr:nth-child(even) td { background: var(--soft); }
 )";
 
 }  // namespace
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      case '\'':
-        out += "&#39;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
 
 void Html::begin_page(std::string_view title) {
   text_ += "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";

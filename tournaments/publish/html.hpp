@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Writing HTML so that no text can become markup: every text passes through escaped().
+// Writing HTML so that no text can become markup: every text passes through record::escaped().
 #pragma once
 
 #include <string>
@@ -8,8 +8,6 @@
 #include <vector>
 
 namespace mirocup::league {
-
-std::string escaped(std::string_view text);
 
 class Html {
  public:

@@ -5,6 +5,7 @@
 #include "server/record/match_record.hpp"
 
 #include "core/replay/verification.hpp"
+#include "server/record/digest.hpp"
 #include "tests/support/controllers.hpp"
 #include "tests/support/memory_files.hpp"
 
@@ -19,7 +20,11 @@ MatchRecord played(std::uint64_t seed, League league = League::small) {
   match::Match match(test_support::short_setup(seed, 8.0, league));
   auto blue = test_support::ball_hunter();
   auto yellow = test_support::random_team(seed);
-  test_support::play(match, blue, yellow);
+  replay::Trace trace;
+  while (!match.is_over()) {
+    match.advance(blue, yellow);
+    trace.add(match);
+  }
   MatchRecord record;
   record.version = software_version();
   record.build = software_build();
@@ -27,7 +32,7 @@ MatchRecord played(std::uint64_t seed, League league = League::small) {
   record.teams = {TeamInfo{"hunters", TeamKind::plugin, std::string(64, 'a')},
                   TeamInfo{"\"random\" <b>", TeamKind::dds, std::nullopt}};
   record.budget[0] = {1.25, 3.5, 2, 7};
-  record.recording = replay::record(match);
+  record.recording = replay::record(match, trace);
   return record;
 }
 
@@ -42,6 +47,8 @@ TEST_P(Leagues, ARecordReadsBackAsItWasAndVerifies) {
   const auto loaded = load(files, "leg.json");
   ASSERT_TRUE(loaded) << loaded.error().what;
   EXPECT_EQ(to_json(*loaded), to_json(record));
+  EXPECT_EQ(loaded->recording.trace.ticks, record.recording.trace.ticks);
+  EXPECT_EQ(loaded->recording.trace.checkpoints.size(), record.recording.trace.checkpoints.size());
   EXPECT_FALSE(replay::verify(loaded->recording));
 }
 
@@ -82,7 +89,8 @@ TEST(MatchRecord, HasTheKeysThatOthersRelyOn) {
                               "/ticks",
                               "/state_hash",
                               "/replay/file",
-                              "/replay/sha256"}) {
+                              "/replay/sha256",
+                              "/sha256"}) {
     EXPECT_TRUE(json.contains(Json::json_pointer(pointer))) << pointer;
   }
 }
@@ -105,8 +113,10 @@ TEST(MatchRecord, NamesDamage) {
   std::string flipped = replay;
   flipped[replay.size() / 2] ^= 1;
   EXPECT_EQ(problem(record, flipped).code, Errc::damaged);
-  std::string newer = record;
+  const std::string before_seal = record.substr(0, record.rfind(",\n"));
+  std::string newer = before_seal;
   newer.replace(newer.find("match/1"), 7, "match/9");
+  newer += ",\n \"sha256\": \"" + sha256(newer) + "\"\n}\n";
   const Error error = problem(newer, replay);
   EXPECT_EQ(error.code, Errc::damaged);
   EXPECT_NE(error.what.find("mirocup/match/9"), std::string::npos) << error.what;
@@ -125,9 +135,13 @@ TEST(MatchRecord, StaysSmall) {
   match::Match match(test_support::short_setup(5, 60.0, League::large));
   auto blue = test_support::random_team(1);
   auto yellow = test_support::random_team(2);
-  test_support::play(match, blue, yellow);
+  replay::Trace trace;
+  while (!match.is_over()) {
+    match.advance(blue, yellow);
+    trace.add(match);
+  }
   MatchRecord record = played(1);
-  record.recording = replay::record(match);
+  record.recording = replay::record(match, trace);
   ASSERT_TRUE(save(files, "leg.json", record));
   // Two minutes of 22 robots with commands that say nothing: a fifth of a ten-minute leg at most.
   EXPECT_LT(files.read("leg.replay.zst")->size(), 400'000u);

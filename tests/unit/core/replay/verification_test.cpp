@@ -18,8 +18,12 @@ Recording played(std::uint64_t seed, double half_s = 10.0) {
   match::Match match(test_support::short_setup(seed, half_s));
   Scripted blue = ball_hunter();
   Scripted yellow = random_team(seed);
-  test_support::play(match, blue, yellow);
-  return record(match);
+  Trace trace;
+  while (!match.is_over()) {
+    match.advance(blue, yellow);
+    trace.add(match);
+  }
+  return record(match, trace);
 }
 
 TEST(Verification, ReproducesALeg) {
@@ -35,6 +39,51 @@ TEST(Verification, FindsAChangedCommandInTheTickAfterIt) {
   const auto divergence = verify(r);
   ASSERT_TRUE(divergence);
   EXPECT_EQ(divergence->tick, 201u);
+}
+
+// Catches a trace of another tick or body than it says.
+TEST(Verification, NamesTheBodyThatDiffersAndBothItsStates) {
+  Recording r = played(1);
+  r.ticks[14].commands[1].wheels[2][1] ^= 256;  // nobody has met anybody yet
+  const auto divergence = verify(r);
+  ASSERT_TRUE(divergence);
+  EXPECT_EQ(divergence->tick, 15u);
+  const std::string& what = divergence->what;
+  EXPECT_NE(what.find("; yellow robot 2 differs: after tick 90 the record has yellow robot 2 at ("),
+            std::string::npos)
+      << what;
+  EXPECT_NE(what.find(", the replay at ("), std::string::npos) << what;
+}
+
+TEST(Verification, ShowsTheStateOfTheVeryTickAtACheckpoint) {
+  Recording r = played(1);
+  r.ticks[180].hash ^= 1;
+  r.trace.ticks[180][6] ^= 1;
+  r.trace.checkpoints[2].ball.position.x() = 0.125;
+  const auto divergence = verify(r);
+  ASSERT_TRUE(divergence);
+  EXPECT_EQ(divergence->tick, 180u);
+  EXPECT_NE(
+      divergence->what.find("the ball differs: after tick 180 the record has the ball at (0.125, "),
+      std::string::npos)
+      << divergence->what;
+}
+
+TEST(Verification, DoesWithoutATrace) {
+  Recording r = played(1);
+  r.trace = {};
+  EXPECT_FALSE(verify(r));
+  r.ticks[123].hash ^= 1;
+  EXPECT_EQ(verify(r)->tick, 123u);
+}
+
+TEST(Verification, FindsAForgedTimeAndPlaceOfADecision) {
+  Recording clock = played(2);
+  clock.decisions.back().decision.clock += 1e-9;
+  EXPECT_TRUE(verify(clock));
+  Recording ball = played(2);
+  ball.decisions.back().decision.ball.y() += 1e-9;
+  EXPECT_TRUE(verify(ball));
 }
 
 TEST(Verification, FindsAChangedHash) {

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+//
+// mirocup replay RECORD: a page to look at, or a picture of one moment.
+#include "server/app/commands.hpp"
+#include "server/web/page.hpp"
+#include "server/web/picture.hpp"
+
+#include <iostream>
+#include <memory>
+#include <optional>
+
+namespace mirocup::app {
+
+namespace {
+
+constexpr double trail_seconds = 1.0;
+
+struct Options {
+  std::string record;
+  std::string output;
+  std::optional<double> at;  // s since the match began
+  bool svg = false;
+};
+
+tl::expected<std::string, replay::Divergence> picture_at(const replay::Recording& recording,
+                                                         double time) {
+  replay::Playback playback(recording);
+  const double period = recording.setup.control_period;
+  std::vector<Vec2> balls;
+  while (playback.match().tick() * period < time) {
+    balls.push_back(playback.match().scene().ball.position);
+    if (!playback.advance()) break;
+  }
+  if (playback.divergence()) return tl::unexpected(*playback.divergence());
+  const auto trail = std::min(balls.size(), static_cast<std::size_t>(trail_seconds / period));
+  web::Moment moment{playback.match().scene(),
+                     {balls.end() - static_cast<std::ptrdiff_t>(trail), balls.end()}};
+  return web::picture(playback.match().field(), recording.setup.parameters, moment);
+}
+
+Result<int> run_replay(const Options& options) {
+  if (options.svg != options.at.has_value()) {
+    return fail(Errc::input, "--at T and --svg belong together: a still picture of a moment");
+  }
+  record::Disk disk;
+  const auto record = record::load(disk, options.record);
+  if (!record) return tl::unexpected(record.error());
+  const auto made =
+      options.svg ? picture_at(record->recording, *options.at) : web::replay_page(*record);
+  if (!made) {
+    std::cerr << "mirocup: " << options.record << ": cannot be shown, it differs from tick "
+              << made.error().tick << " on: " << made.error().what << '\n';
+    return exit_no;
+  }
+  if (auto written = disk.write(options.output, *made); !written) {
+    return tl::unexpected(written.error());
+  }
+  std::cout << options.output << '\n';
+  return exit_yes;
+}
+
+}  // namespace
+
+void add_replay(CLI::App& app, Run& run) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("replay", "Make a page that shows a record in a browser");
+  command->add_option("RECORD", options->record, "a match record")->required();
+  command->add_option("-o,--output", options->output, "the page, or the picture")->required();
+  command->add_option("--at", options->at, "a moment, in seconds since the match began")
+      ->check(CLI::Range(0.0, 1e6));
+  command->add_flag("--svg", options->svg, "a still picture of that moment");
+  command->callback([options, &run] { run = [options] { return run_replay(*options); }; });
+}
+
+}  // namespace mirocup::app

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+//
+// mirocup rerun RECORD: do the teams, asked again, give the commands that the record says?
+#include "server/app/commands.hpp"
+#include "server/app/interrupt.hpp"
+#include "server/app/seats.hpp"
+#include "server/record/digest.hpp"
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+namespace mirocup::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  std::string record;
+  std::string entries;  // "": those of the league that the record lies in
+  bool json = false;
+};
+
+// The first command, or fault, that is not the recorded one.
+struct Difference {
+  std::uint32_t tick = 0;
+  std::optional<Team> team;
+  std::string what;
+};
+
+// A record of a league lies in LEAGUE/records/, its entries in LEAGUE/entries/.
+std::string entries_folder(const Options& options) {
+  if (!options.entries.empty()) return options.entries;
+  return (fs::absolute(options.record).parent_path().parent_path() / "entries").string();
+}
+
+// The library below the folder that has the digest, or "".
+std::string library_with(record::Files& files, const std::string& folder,
+                         const std::string& sha256) {
+  std::error_code none;
+  for (fs::recursive_directory_iterator at(folder, none), end; !none && at != end;
+       at.increment(none)) {
+    if (at->path().extension() != ".so" || !at->is_regular_file(none)) continue;
+    const auto bytes = files.read(at->path().string());
+    if (bytes && record::sha256(*bytes) == sha256) return at->path().string();
+  }
+  return "";
+}
+
+Result<TeamChoice> choose_again(record::Files& files, const record::TeamInfo& team,
+                                const std::string& entries) {
+  if (team.kind == record::TeamKind::dds) {
+    return fail(Errc::unavailable,
+                "\"" + team.name + "\" played over the network: only its owner can run it again");
+  }
+  const std::string sha256 = team.sha256.value_or("");
+  if (team.kind == record::TeamKind::house) {
+    auto choice = choose_team(files, team.name);
+    if (choice && choice->info.sha256 == sha256) return choice;
+  }
+  const std::string library = library_with(files, entries, sha256);
+  if (library.empty()) {
+    return fail(Errc::unavailable, "the library of \"" + team.name + "\" (sha256 " + sha256 +
+                                       ") is not in " + entries + "; name its folder by --entries");
+  }
+  auto choice = choose_team(files, library);
+  if (choice) choice->info = team;
+  return choice;
+}
+
+std::string wheels_text(const match::DrivenCommand& command, int robot) {
+  const auto wheels = command.speeds(robot);
+  return "(" + std::to_string(wheels.left) + ", " + std::to_string(wheels.right) + ") rad/s";
+}
+
+std::optional<Difference> compare_commands(const replay::Recording& recording,
+                                           const match::Match& again) {
+  const std::uint32_t tick = again.tick() - 1;
+  if (tick >= recording.ticks.size()) {
+    return Difference{tick, std::nullopt, "the record ends here, the teams play on"};
+  }
+  for (const Team team : both_teams) {
+    const match::DrivenCommand& recorded = recording.ticks[tick].commands[index_of(team)];
+    const match::DrivenCommand& now = again.log()[tick].commands[index_of(team)];
+    for (int i = 0; i < again.field().robots_per_team; ++i) {
+      if (recorded.wheels[i] == now.wheels[i]) continue;
+      return Difference{tick, team,
+                        "robot " + std::to_string(i) + " was driven at " +
+                            wheels_text(recorded, i) + " in the record, is now at " +
+                            wheels_text(now, i)};
+    }
+  }
+  return std::nullopt;
+}
+
+std::string end_text(const match::Result& result) {
+  std::string text(to_string(result.end));
+  for (const match::TeamFault& f : result.faults) {
+    text += ", " + std::string(to_string(f.team)) + " " + std::string(to_string(f.fault.code));
+  }
+  return text;
+}
+
+std::optional<Difference> compare_ends(const replay::Recording& recording,
+                                       const match::Match& again) {
+  const std::string recorded = end_text(recording.result);
+  const std::string now = end_text(again.result());
+  if (recorded == now && again.log().size() == recording.ticks.size()) return std::nullopt;
+  Difference difference{again.tick(), std::nullopt,
+                        "the record ends " + recorded + " after " +
+                            std::to_string(recording.ticks.size()) + " ticks, now it ends " + now};
+  const auto& faults =
+      again.result().faults.empty() ? recording.result.faults : again.result().faults;
+  if (!faults.empty()) difference.team = faults.front().team;
+  return difference;
+}
+
+// Faults of teams that never become ready end the match before its first tick.
+void wait_until_ready(std::vector<TeamSeat>& seats, match::Match& match) {
+  std::vector<match::TeamFault> faults;
+  for (const Team team : both_teams) {
+    const auto ready = seats[index_of(team)].wait_until_ready();
+    if (ready) continue;
+    if (const auto* failure = std::get_if<match::HostFailure>(&ready.error())) {
+      match.declare_void(failure->text);
+      return;
+    }
+    faults.push_back({team, std::get<match::Fault>(ready.error())});
+  }
+  if (!faults.empty()) match.forfeit(std::move(faults));
+}
+
+Result<std::optional<Difference>> play_again(const replay::Recording& recording,
+                                             const std::vector<TeamChoice>& choices) {
+  Interrupt interrupt;
+  match::Match match(recording.setup);
+  std::vector<TeamSeat> seats;
+  for (const Team team : both_teams) {
+    auto seat = TeamSeat::take_in_process(choices[index_of(team)], match.briefing(team));
+    if (!seat) return tl::unexpected(seat.error());
+    seats.push_back(std::move(*seat));
+  }
+  wait_until_ready(seats, match);
+  while (!match.is_over()) {
+    if (interrupt.is_asked_for()) return fail(Errc::interrupted, "interrupted");
+    const std::size_t before = match.log().size();
+    match.advance(seats[0].controller(), seats[1].controller());
+    if (match.log().size() == before) break;  // a fault
+    if (auto difference = compare_commands(recording, match)) return difference;
+  }
+  if (match.result().end == match::EndKind::void_) {
+    return fail(Errc::host, match.result().why_void);
+  }
+  return compare_ends(recording, match);
+}
+
+void report(const Options& options, const std::optional<Difference>& difference) {
+  if (options.json) {
+    record::Json answer{{"record", options.record}, {"reproduced", !difference}};
+    answer["tick"] = difference ? record::Json(difference->tick) : record::Json();
+    answer["team"] = difference && difference->team ? record::Json(to_string(*difference->team))
+                                                    : record::Json();
+    answer["what"] = difference ? record::Json(difference->what) : record::Json();
+    std::cout << answer.dump() << '\n';
+  } else if (difference) {
+    const std::string team =
+        difference->team ? std::string(to_string(*difference->team)) + ": " : std::string();
+    std::cout << options.record << ": differs from tick " << difference->tick << " on: " << team
+              << difference->what << '\n';
+  } else {
+    std::cout << options.record << ": both teams give the recorded commands\n";
+  }
+}
+
+Result<int> run_rerun(const Options& options) {
+  record::Disk disk;
+  const auto record = record::load(disk, options.record);
+  if (!record) return tl::unexpected(record.error());
+  if (record->recording.result.end == match::EndKind::void_) {
+    return fail(Errc::input, options.record + ": the leg is void, there is nothing to run again");
+  }
+  std::vector<TeamChoice> choices;
+  for (const record::TeamInfo& team : record->teams) {
+    auto choice = choose_again(disk, team, entries_folder(options));
+    if (!choice) return tl::unexpected(choice.error());
+    choices.push_back(std::move(*choice));
+  }
+  const auto difference = play_again(record->recording, choices);
+  if (!difference) return tl::unexpected(difference.error());
+  report(options, *difference);
+  return *difference ? exit_no : exit_yes;
+}
+
+}  // namespace
+
+void add_rerun(CLI::App& app, Run& run) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("rerun", "Play a record's teams again and compare their commands");
+  command->add_option("RECORD", options->record, "a match record")->required();
+  command->add_option("--entries", options->entries,
+                      "folder with the teams' libraries, found by their sha256 (default: the "
+                      "entries of the league that the record lies in)");
+  command->add_flag("--json", options->json, "one JSON object on standard output");
+  command->callback([options, &run] { run = [options] { return run_rerun(*options); }; });
+}
+
+}  // namespace mirocup::app

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "server/web/live_feed.hpp"
+
+#include "server/record/match_record.hpp"
+#include "server/web/page_json.hpp"
+
+namespace mirocup::web {
+
+namespace {
+
+constexpr std::uint64_t statistics_every = 30;  // states
+
+std::string event(const char* name, const Json& data) {
+  // One line: a name of a team cannot begin another event.
+  return std::string("event: ") + name +
+         "\ndata: " + data.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n\n";
+}
+
+Json calls_json(const std::vector<match::LoggedDecision>& decisions, std::size_t from) {
+  Json calls = Json::array();
+  for (std::size_t i = from; i < decisions.size(); ++i) {
+    calls.push_back(record::to_json(decisions[i]));
+  }
+  return calls;
+}
+
+}  // namespace
+
+LiveFeed::LiveFeed(const match::Match& match)
+    : robots_(match.field().robots_per_team), counted_(match.field()), statistics_(match.field()) {
+  publish(match);
+}
+
+void LiveFeed::copy(const match::Match& match) {
+  ++version_;
+  scene_ = match.scene();
+  const auto& decisions = match.decisions();
+  decisions_.insert(decisions_.end(),
+                    decisions.begin() + static_cast<std::ptrdiff_t>(decisions_.size()),
+                    decisions.end());
+  statistics_ = counted_;
+}
+
+void LiveFeed::publish(const match::Match& match) {
+  counted_.add(match);
+  const std::unique_lock lock(mutex_, std::try_to_lock);
+  if (lock.owns_lock()) copy(match);
+}
+
+void LiveFeed::close(const match::Match& match) {
+  const std::lock_guard lock(mutex_);
+  copy(match);
+  result_ = match.result();
+}
+
+std::string LiveFeed::news(Viewer& viewer) const {
+  std::unique_lock lock(mutex_);
+  if (viewer.version == version_ || viewer.has_ended) return "";
+  const match::Scene scene = scene_;
+  const std::vector<match::LoggedDecision> decisions(
+      decisions_.begin() + static_cast<std::ptrdiff_t>(viewer.decisions), decisions_.end());
+  const std::optional<match::Result> result = result_;
+  std::optional<Json> numbers;
+  if (!viewer.has_started || result || version_ - viewer.statistics >= statistics_every) {
+    numbers = statistics_json(statistics_, decisions_);
+    viewer.statistics = version_;
+  }
+  viewer.version = version_;
+  lock.unlock();
+
+  std::string text;
+  if (!viewer.has_started) {
+    text += event("start", {{"decisions", calls_json(decisions, 0)}});
+  } else {
+    for (const Json& call : calls_json(decisions, 0)) text += event("call", call);
+  }
+  viewer.has_started = true;
+  viewer.decisions += decisions.size();
+  viewer.frame = frame_of(scene, robots_, viewer.frame);
+  text += event("frame",
+                {{"tick", scene.tick}, {"frame", viewer.frame}, {"moment", moment_json(scene)}});
+  if (numbers) text += event("statistics", *numbers);
+  if (result) {
+    text += event("end", record::to_json(*result));
+    viewer.has_ended = true;
+  }
+  return text;
+}
+
+}  // namespace mirocup::web

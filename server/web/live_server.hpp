@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+//
+// The live page of one match over HTTP: the page at /, its events at /events, and nothing else. No
+// request changes anything, no file is read.
+//
+// Threads: its own, at a lower priority than the match. A viewer that does not take what it is sent
+// holds up its own thread only, and is dropped after a few seconds.
+#pragma once
+
+#include "core/base/error.hpp"
+#include "server/web/live_feed.hpp"
+#include "server/web/page.hpp"
+
+#include <memory>
+#include <string>
+
+namespace mirocup::web {
+
+// "8080", "0.0.0.0:8080", "[::1]:8080"; without a host this host only, port 0: any that is free.
+struct Address {
+  std::string host = "127.0.0.1";
+  int port = 0;
+};
+Result<Address> parse_address(const std::string& text);
+
+class LiveServer {
+ public:
+  // `about` is the last line of the page. Errc::unavailable if the address cannot be had.
+  static Result<std::unique_ptr<LiveServer>> open(const Address& address, const match::Match& match,
+                                                  const match::ByTeam<std::string>& names,
+                                                  const std::string& about);
+  ~LiveServer();
+  LiveServer(const LiveServer&) = delete;
+  LiveServer& operator=(const LiveServer&) = delete;
+
+  std::string url() const;
+
+  // After every tick.
+  void publish(const match::Match& match);
+
+  // Tells the viewers how the match ended, and waits a moment for them to take it.
+  void close(const match::Match& match);
+
+ private:
+  struct Impl;  // keeps the HTTP library in one file
+  explicit LiveServer(std::unique_ptr<Impl> impl);
+
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace mirocup::web

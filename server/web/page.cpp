@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "server/web/page.hpp"
+
+#include "server/record/digest.hpp"
+#include "server/record/markup.hpp"
+#include "server/web/assets.hpp"
+#include "server/web/page_json.hpp"
+#include "server/web/picture.hpp"
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace mirocup::web {
+
+namespace {
+
+// The modules of the page in an order in which each needs only those before it.
+constexpr std::array<std::string_view, 8> modules{"text.js",   "track.js", "field.js",
+                                                  "player.js", "calls.js", "statistics.js",
+                                                  "live.js",   "main.js"};
+
+// A page that opens from disk cannot import: its modules become one. They share no names.
+std::string script() {
+  std::string all;
+  for (const std::string_view name : modules) {
+    std::string_view rest = asset(name);
+    while (!rest.empty()) {
+      const std::size_t end = std::min(rest.find('\n'), rest.size() - 1) + 1;
+      std::string_view line = rest.substr(0, end);
+      rest.remove_prefix(end);
+      if (line.starts_with("import ")) continue;
+      if (line.starts_with("export ")) line.remove_prefix(7);
+      all += line;
+    }
+  }
+  return all;
+}
+
+// The digest of a script as a content security policy names it.
+std::string policy_digest(const std::string& text) {
+  const std::string hex = record::sha256(text);
+  std::string bytes;
+  for (std::size_t i = 0; i < hex.size(); i += 2) {
+    bytes += static_cast<char>(std::stoi(hex.substr(i, 2), nullptr, 16));
+  }
+  return "sha256-" + base64(bytes);
+}
+
+// JSON inside a <script>: nothing in it can end the element.
+std::string embedded(const Json& json) {
+  std::string text;
+  for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
+    c == '<' ? text += "\\u003c" : text += c;
+  }
+  return text;
+}
+
+using Values = std::vector<std::pair<std::string_view, std::string>>;
+
+// The template with {{key}} replaced, each once and not within what was put in.
+std::string filled(std::string_view page, const Values& values) {
+  std::string out;
+  while (true) {
+    const std::size_t open = page.find("{{");
+    if (open == std::string_view::npos) return out.append(page);
+    const std::size_t close = page.find("}}", open);
+    const std::string_view key = page.substr(open + 2, close - open - 2);
+    out += page.substr(0, open);
+    for (const auto& [name, value] : values) {
+      if (name == key) out += value;
+    }
+    page.remove_prefix(close + 2);
+  }
+}
+
+std::string page(const match::Match& first_moment, const match::ByTeam<std::string>& names,
+                 const Json& data) {
+  const std::string code = script();
+  // No source but this page, no code but this script: what is no script stays none.
+  const std::string policy =
+      "default-src 'none'; style-src 'unsafe-inline'; connect-src 'self'; script-src '" +
+      policy_digest(code) + "'";
+  return filled(asset("page.html"),
+                {{"title", record::escaped(names[0] + " – " + names[1])},
+                 {"blue", record::escaped(names[0])},
+                 {"yellow", record::escaped(names[1])},
+                 {"policy", policy},
+                 {"style", std::string(asset("page.css"))},
+                 {"picture", picture(first_moment.field(), first_moment.setup().parameters,
+                                     {first_moment.scene(), {}})},
+                 {"data", embedded(data)},
+                 {"script", code}});
+}
+
+Json teams_json(const match::ByTeam<std::string>& names) {
+  return {{"blue", {{"name", names[0]}}}, {"yellow", {{"name", names[1]}}}};
+}
+
+// A leg as a page holds it: the track, what changed when, and the numbers.
+class Film {
+ public:
+  explicit Film(const match::Match& match)
+      : track_(match.field().robots_per_team), statistics_(match.field()) {
+    add(match);
+  }
+
+  void add(const match::Match& match) {
+    const match::Scene scene = match.scene();
+    track_.add(scene);
+    statistics_.add(match);
+    Json moment = moment_json(scene);
+    if (moment == last_moment_) return;
+    last_moment_ = moment;
+    moment["tick"] = scene.tick;
+    moments_.push_back(std::move(moment));
+  }
+
+  Json track_json() const { return {{"frames", track_.frames()}, {"packed", track_.packed()}}; }
+  const Json& moments() const { return moments_; }
+  const Statistics& statistics() const { return statistics_; }
+
+ private:
+  Track track_;
+  Statistics statistics_;
+  Json moments_ = Json::array();
+  Json last_moment_;
+};
+
+std::string about(const record::MatchRecord& record) {
+  const match::Setup& setup = record.recording.setup;
+  return std::string(to_string(setup.league)) + " league, rules " +
+         std::string(to_string(setup.rules.preset)) + ", seed " + std::to_string(setup.seed) +
+         ", " + std::to_string(record.recording.ticks.size()) + " ticks, mirocup " +
+         record.version + ", state hash " + to_hex(record.recording.state_hash);
+}
+
+}  // namespace
+
+tl::expected<std::string, replay::Divergence> replay_page(const record::MatchRecord& record) {
+  replay::Playback playback(record.recording);
+  const match::Match begin(record.recording.setup);
+  Film film(playback.match());
+  while (playback.advance()) film.add(playback.match());
+  if (playback.divergence()) return tl::unexpected(*playback.divergence());
+
+  const Json whole = record::to_json(record);
+  Json statistics = statistics_json(film.statistics(), record.recording.decisions);
+  for (const char* team : {"blue", "yellow"}) {
+    statistics["teams"][team]["budget"] = whole["budget"][team];
+  }
+  const Json data{{"schema", "mirocup/page/1"},
+                  {"teams", whole["teams"]},
+                  {"period", record.recording.setup.control_period},
+                  {"robots", begin.field().robots_per_team},
+                  {"about", about(record)},
+                  {"result", whole["result"]},
+                  {"decisions", whole["decisions"]},
+                  {"moments", film.moments()},
+                  {"statistics", statistics},
+                  {"track", film.track_json()}};
+  return page(begin, {record.teams[0].name, record.teams[1].name}, data);
+}
+
+std::string live_page(const match::Match& match, const LiveMatch& live) {
+  const Json data{{"schema", "mirocup/page/1"},
+                  {"teams", teams_json(live.names)},
+                  {"period", match.setup().control_period},
+                  {"robots", match.field().robots_per_team},
+                  {"about", live.about},
+                  {"live", live.events}};
+  return page(match, live.names, data);
+}
+
+}  // namespace mirocup::web

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+//
+// What the referee said: a list to click, marks on the time line, a banner when it happens.
+import { element, minutes, words } from './text.js';
+
+const bannerTicks = 60;  // so long a call stays up
+
+export class Calls {
+  // `names` by colour; `jump(tick)` goes there.
+  constructor(list, marks, banner, names, jump) {
+    Object.assign(this, { list, marks, banner, names, jump });
+    this.calls = [];
+    this.rows = [];
+    this.shown = -1;
+  }
+
+  add(call) {
+    this.calls.push(call);
+    const row = element('li', call.decision === 'GOAL' ? 'goal' : '');
+    const button = element('button', call.team ?? 'nobody');
+    button.append(element('span', 'when', minutes(call.clock, 0)),
+      element('span', 'what', this.title(call)), element('span', 'why', call.reason));
+    button.addEventListener('click', () => this.jump(call.tick));
+    row.append(button);
+    this.list.append(row);
+    this.rows.push(row);
+    const mark = element('button', `${call.decision === 'GOAL' ? 'goal' : 'call'} ${call.team ?? 'nobody'}`);
+    mark.title = `${minutes(call.clock, 0)} ${this.title(call)}`;
+    mark.tabIndex = -1;  // the list is there for the keyboard
+    mark.setAttribute('aria-hidden', 'true');
+    mark.addEventListener('click', () => this.jump(call.tick));
+    this.marks.append(mark);
+  }
+
+  title(call) {
+    return words(call.decision) + (call.team ? ` · ${this.names[call.team]}` : '');
+  }
+
+  // Puts the marks where they belong between the ends of the time line.
+  spread(firstTick, lastTick) {
+    const length = Math.max(lastTick - firstTick, 1);
+    this.calls.forEach((call, i) => {
+      this.marks.children[i].hidden = call.tick < firstTick;
+      this.marks.children[i].style.left = `${(100 * (call.tick - firstTick)) / length}%`;
+    });
+  }
+
+  show(tick) {
+    let now = this.calls.length - 1;
+    while (now >= 0 && this.calls[now].tick > tick) --now;
+    const call = this.calls[now];
+    const isFresh = call !== undefined && tick - call.tick < bannerTicks;
+    this.banner.hidden = !isFresh;
+    if (now === this.shown) return;
+    this.rows[this.shown]?.removeAttribute('aria-current');
+    this.shown = now;
+    const row = this.rows[now];
+    if (!row) return;
+    row.setAttribute('aria-current', 'true');
+    this.list.scrollTop = row.offsetTop - this.list.clientHeight / 2;
+    this.banner.textContent = this.title(call);
+    this.banner.className = `${call.team ?? 'nobody'}${call.decision === 'GOAL' ? ' goal' : ''}`;
+  }
+
+  // The tick of the call before or after that one.
+  neighbour(tick, direction) {
+    const found = direction < 0
+      ? this.calls.findLast((call) => call.tick < tick)
+      : this.calls.find((call) => call.tick > tick);
+    return found?.tick;
+  }
+}

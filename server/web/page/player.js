@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+//
+// The time that is shown: standing, running at some speed, or following a match that is being played.
+
+const catchUp = 8;  // 1/s: how fast a follower closes the gap to what has arrived
+const farBehind = 2;  // s: beyond, it jumps
+const asGoodAs = 0.002;  // s: nearer than this it has arrived
+
+export class Player {
+  // `changed` is called whenever something is to be shown anew.
+  constructor(track, changed) {
+    this.track = track;
+    this.changed = changed;
+    this.time = 0;
+    this.speed = 1;
+    this.isPlaying = false;
+    this.isFollowing = false;
+    this.before = 0;
+  }
+
+  get begin() { return this.track.firstTick * this.track.period; }
+  get end() { return this.track.lastTick * this.track.period; }
+
+  seek(time) {
+    this.isFollowing = false;
+    this.show(time);
+  }
+
+  step(ticks) {
+    this.isPlaying = false;
+    const tick = Math.floor(this.time / this.track.period + 1e-6);
+    this.seek((tick + ticks) * this.track.period);
+  }
+
+  toggle() {
+    this.isPlaying = !this.isPlaying;
+    this.isFollowing = false;
+    if (this.isPlaying && this.time >= this.end) this.time = this.begin;
+    this.wake();
+    this.changed();
+  }
+
+  follow() {
+    this.isFollowing = true;
+    this.isPlaying = false;
+    this.wake();
+    this.changed();
+  }
+
+  show(time) {
+    this.time = Math.min(Math.max(time, this.begin), this.end);
+    this.changed();
+  }
+
+  wake() {
+    if (this.isAwake) return;
+    this.isAwake = true;
+    this.before = performance.now();
+    requestAnimationFrame((now) => this.frame(now));
+  }
+
+  frame(now) {
+    const passed = Math.max(now - this.before, 0) / 1000;
+    this.before = now;
+    if (this.isFollowing) {
+      const gap = this.end - this.time;
+      const jumps = Math.abs(gap) > farBehind || Math.abs(gap) < asGoodAs;
+      this.show(jumps ? this.end : this.time + gap * Math.min(1, passed * catchUp));
+    } else if (this.isPlaying) {
+      if (this.time + passed * this.speed >= this.end) this.isPlaying = false;
+      this.show(this.time + passed * this.speed);
+    }
+    this.isAwake = this.isPlaying || this.isFollowing;
+    if (this.isAwake) requestAnimationFrame((later) => this.frame(later));
+  }
+}

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "server/web/page_json.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace mirocup::web {
+
+Json moment_json(const match::Scene& scene) {
+  return {{"state", to_string(scene.state)},
+          {"phase", to_string(scene.phase)},
+          {"left", to_string(scene.left)},
+          {"score", {{"blue", scene.score[0]}, {"yellow", scene.score[1]}}}};
+}
+
+Json statistics_json(const Statistics& statistics,
+                     const std::vector<match::LoggedDecision>& decisions) {
+  Json teams;
+  for (const Team team : both_teams) {
+    const TeamNumbers& numbers = statistics.of(team);
+    // Who offended does not take the restart; who concedes a goal does, and is no offender.
+    const auto is_foul = [team](const match::LoggedDecision& d) {
+      return d.team == team && d.decision.restart != referee::Restart::none && d.taker != team &&
+             d.decision.verdict != referee::Verdict::GOAL;
+    };
+    teams[std::string(to_string(team))] = {
+        {"possession", numbers.possession},
+        {"shots", numbers.shots},
+        {"distance", std::accumulate(numbers.distance.begin(), numbers.distance.end(), 0.0)},
+        {"fouls", std::count_if(decisions.begin(), decisions.end(), is_foul)}};
+  }
+  return {{"teams", teams},
+          {"heat", {{"columns", statistics.columns()}, {"cells", statistics.heat()}}}};
+}
+
+}  // namespace mirocup::web

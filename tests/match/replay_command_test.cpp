@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+//
+// mirocup replay as its users run it.
+#include "tests/support/program.hpp"
+
+#include <gtest/gtest.h>
+
+namespace mirocup {
+namespace {
+
+using test_support::Outcome;
+using test_support::program;
+using test_support::read_file;
+using test_support::run;
+using test_support::TemporaryFolder;
+
+Outcome replay(const std::vector<std::string>& arguments) {
+  std::vector<std::string> words{program("mirocup"), "replay"};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return run(words);
+}
+
+class ReplayCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_EQ(run({program("mirocup"), "match", "--blue", "striker", "--yellow", "chaser", "--half",
+                   "20", "--record", record_})
+                  .exit_code,
+              0);
+  }
+
+  TemporaryFolder folder_;
+  std::string record_ = folder_ / "leg.json";
+};
+
+TEST_F(ReplayCommand, MakesTheSamePageEveryTime) {
+  const Outcome first = replay({record_, "-o", folder_ / "a.html"});
+  EXPECT_EQ(first.exit_code, 0) << first.err;
+  EXPECT_EQ(replay({record_, "-o", folder_ / "b.html"}).exit_code, 0);
+  const std::string page = read_file(folder_ / "a.html");
+  EXPECT_EQ(page, read_file(folder_ / "b.html"));
+  EXPECT_EQ(page.rfind("<!doctype html>", 0), 0u);
+}
+
+TEST_F(ReplayCommand, DrawsAMoment) {
+  EXPECT_EQ(replay({record_, "--at", "5", "--svg", "-o", folder_ / "a.svg"}).exit_code, 0);
+  EXPECT_EQ(replay({record_, "--at", "5.5", "--svg", "-o", folder_ / "b.svg"}).exit_code, 0);
+  const std::string picture = read_file(folder_ / "a.svg");
+  EXPECT_EQ(picture.rfind("<svg ", 0), 0u);
+  EXPECT_NE(picture, read_file(folder_ / "b.svg"));
+  EXPECT_EQ(replay({record_, "--at", "1e5", "--svg", "-o", folder_ / "end.svg"}).exit_code, 0)
+      << "after the end is the end";
+}
+
+TEST_F(ReplayCommand, SaysWhatIsWrong) {
+  EXPECT_EQ(replay({record_, "--svg", "-o", folder_ / "a.svg"}).exit_code, 2);
+  EXPECT_EQ(replay({record_, "-o", folder_ / "no/folder/a.html"}).exit_code, 3);
+  EXPECT_EQ(replay({folder_ / "nothing.json", "-o", folder_ / "a.html"}).exit_code, 3);
+}
+
+}  // namespace
+}  // namespace mirocup

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+//
+// mirocup rerun as its users run it: teams whose commands depend on anything but what they saw are
+// found.
+#include "tests/support/program.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace mirocup {
+namespace {
+
+using test_support::Outcome;
+using test_support::program;
+using test_support::run;
+using test_support::TemporaryFolder;
+
+std::string library(const std::string& name) {
+  return program("house/" + name + ".so");
+}
+
+Outcome play(const std::string& blue, const std::string& yellow, const std::string& record) {
+  return run({program("mirocup"), "match", "--blue", blue, "--yellow", yellow, "--half", "15",
+              "--record", record});
+}
+
+Outcome rerun(const std::string& record, const std::vector<std::string>& more = {}) {
+  std::vector<std::string> words{program("mirocup"), "rerun", record, "--json"};
+  words.insert(words.end(), more.begin(), more.end());
+  return run(words);
+}
+
+TEST(RerunCommand, FindsThatHouseTeamsPlayTheSameAgain) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(play("striker", "chaser", folder / "leg.json").exit_code, 0);
+  const Outcome again = rerun(folder / "leg.json");
+  EXPECT_EQ(again.exit_code, 0) << again.out << again.err;
+  EXPECT_EQ(nlohmann::json::parse(again.out)["reproduced"], true);
+}
+
+TEST(RerunCommand, FindsTheLibraryByItsDigest) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "entries/a/1");
+  std::filesystem::create_directories(folder / "records");
+  std::filesystem::copy_file(library("keeper"), folder / "entries/a/1/strategy.so");
+  ASSERT_EQ(
+      play(folder / "entries/a/1/strategy.so", "chaser", folder / "records/leg.json").exit_code, 0);
+  EXPECT_EQ(rerun(folder / "records/leg.json").exit_code, 0) << "as in a league";
+  EXPECT_EQ(rerun(folder / "records/leg.json", {"--entries", folder / "entries"}).exit_code, 0);
+  EXPECT_EQ(rerun(folder / "records/leg.json", {"--entries", folder / "records"}).exit_code, 3);
+}
+
+TEST(RerunCommand, NamesTheTeamWhoseCommandsDiffer) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(play("striker", program("teams/moody.so"), folder / "leg.json").exit_code, 0);
+  const Outcome again = rerun(folder / "leg.json", {"--entries", program("teams")});
+  ASSERT_EQ(again.exit_code, 1) << again.err;
+  const auto answer = nlohmann::json::parse(again.out);
+  EXPECT_EQ(answer["team"], "yellow");
+  EXPECT_EQ(answer["tick"], 40) << "the first tick in which it looks at the time";
+}
+
+TEST(RerunCommand, ReproducesAForfeit) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(play("striker", program("teams/gives_up.so"), folder / "leg.json").exit_code, 0);
+  ASSERT_EQ(test_support::read_json(folder / "leg.json")["result"]["end"], "forfeit");
+  const Outcome again = rerun(folder / "leg.json", {"--entries", program("teams")});
+  EXPECT_EQ(again.exit_code, 0) << again.out << again.err;
+}
+
+}  // namespace
+}  // namespace mirocup

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+//
+// Catches a page that a name can write to, that needs anything from elsewhere, that shows what was
+// not played, or that has grown too big.
+#include "server/web/page.hpp"
+
+#include "server/web/assets.hpp"
+#include "tests/support/controllers.hpp"
+
+#include <gtest/gtest.h>
+
+namespace mirocup::web {
+namespace {
+
+record::MatchRecord played(double half_s, League league = League::small) {
+  match::Match match(test_support::short_setup(3, half_s, league));
+  auto blue = test_support::ball_hunter();
+  auto yellow = test_support::random_team(3);
+  test_support::play(match, blue, yellow);
+  record::MatchRecord record;
+  record.version = record::software_version();
+  record.teams[0].name = "</script><img src=x onerror=alert(1)>";
+  record.teams[1].name = "\"{{script}}\" & 'co'";
+  record.recording = replay::record(match);
+  return record;
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+TEST(ReplayPage, CannotBeWrittenToByANameOfATeam) {
+  const auto page = replay_page(played(4.0));
+  ASSERT_TRUE(page);
+  EXPECT_EQ(page->find("<img"), std::string::npos);
+  EXPECT_EQ(count(*page, "</script>"), 2u) << "the leg's data and the page's script";
+  EXPECT_NE(page->find("&quot;{{script}}&quot; &amp; &#39;co&#39;"), std::string::npos)
+      << "a name that looks like a part of the template stays text";
+}
+
+TEST(ReplayPage, NeedsNothingElse) {
+  record::MatchRecord record = played(4.0);
+  record.teams[0].name = "hunters";
+  const auto page = replay_page(record);
+  ASSERT_TRUE(page);
+  for (const char* elsewhere : {"src=", "href=", "@import", "url(", "\nimport "}) {
+    EXPECT_EQ(page->find(elsewhere), std::string::npos) << elsewhere;
+  }
+}
+
+TEST(ReplayPage, IsNotMadeOfARecordThatIsNotReproduced) {
+  record::MatchRecord record = played(4.0);
+  record.recording.ticks[50].commands[1].wheels[0][0] ^= 64;
+  const auto page = replay_page(record);
+  ASSERT_FALSE(page);
+  EXPECT_EQ(page.error().tick, 51u);
+}
+
+// Forty seconds of the largest league, of teams that change their mind all the time: a fifteenth of
+// ten minutes.
+TEST(ReplayPage, StaysSmall) {
+  const auto page = replay_page(played(20.0, League::large));
+  ASSERT_TRUE(page);
+  EXPECT_LT(page->size(), 200'000u);
+}
+
+TEST(Assets, AreAllThere) {
+  for (const char* name : {"page.html", "page.css", "picture.css", "main.js", "track.js"}) {
+    EXPECT_FALSE(asset(name).empty()) << name;
+  }
+  EXPECT_TRUE(asset("nothing").empty());
+}
+
+}  // namespace
+}  // namespace mirocup::web

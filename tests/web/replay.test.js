@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+//
+// The replay page as its readers use it, from disk.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { closeBrowser, evil, folder, match, openPage, readJson, run } from './support.js';
+
+const record = join(folder, 'leg.json');
+const address = `file://${join(folder, 'leg.html')}`;
+let leg;
+let goal;
+
+before(() => {
+  run(...match('--half', '40', '--seed', '2', '--record', record));
+  run('replay', record, '-o', join(folder, 'leg.html'));
+  leg = readJson(record);
+  goal = leg.decisions.find((call) => call.decision === 'GOAL');
+  assert.ok(goal, 'the leg of this seed has a goal');
+});
+after(closeBrowser);
+
+const seconds = (tick) => (tick * leg.control_period).toFixed(3);
+const text = (page, id) => page.locator(`#${id}`).textContent();
+
+test('a link to the second of a goal shows it, and the score after it', async () => {
+  const page = await openPage(`${address}#t=${seconds(goal.tick + 0.01)}`);
+  assert.match(await text(page, 'banner'), /^Goal/);
+  assert.equal(await text(page, 'score'), '0 : 0');
+  await page.keyboard.press('.');
+  const score = goal.team === 'blue' ? '1 : 0' : '0 : 1';
+  assert.equal(await text(page, 'score'), score);
+  await page.keyboard.press('End');
+  const { blue, yellow } = leg.result.score;
+  assert.equal(await text(page, 'score'), `${blue} : ${yellow}`);
+  assert.deepEqual(page.problems, []);
+});
+
+test('bodies stand where a picture of the moment has them', async () => {
+  for (const tick of [0, 7, 200, 333]) {
+    const time = seconds(tick + 0.01);
+    const file = join(folder, 'moment.svg');
+    run('replay', record, '--at', seconds(tick - 0.01 > 0 ? tick - 0.01 : 0), '--svg', '-o', file);
+    const page = await openPage(`${address}#t=${time}`);
+    const places = (source) => [...source.matchAll(/class="(?:robot \w+|ball"[^>]*)"?[^>]*translate\((\S+) (\S+)\)/g)]
+      .map((found) => [Number(found[1]), Number(found[2])]);
+    const still = places(readFileSync(file, 'utf8'));
+    const shown = places(await page.locator('.field').evaluate((svg) => svg.outerHTML));
+    assert.equal(shown.length, 7);
+    assert.equal(still.length, 7);
+    shown.forEach(([x, y], i) => {
+      assert.ok(Math.hypot(x - still[i][0], y - still[i][1]) < 1.5, `tick ${tick}, body ${i}: ${x} ${y}, not ${still[i]}`);
+    });
+    await page.close();
+  }
+});
+
+test('keys, buttons and the time line move the time', async () => {
+  const page = await openPage(`${address}#t=5`);
+  const tick = async () => Number(/tick (\d+)/.exec(await text(page, 'time'))[1]);
+  const at = await tick();
+  await page.keyboard.press('.');
+  assert.equal(await tick(), at + 1);
+  await page.keyboard.press(',');
+  assert.equal(await tick(), at);
+  await page.keyboard.press('ArrowRight');
+  assert.ok(Math.abs((await tick()) - at - 1 / leg.control_period) <= 1);
+  await page.keyboard.press('Home');
+  assert.equal(await tick(), 0);
+  await page.keyboard.press(']');
+  assert.equal(await tick(), leg.decisions.find((call) => call.tick > 0).tick);
+  await page.locator('#scrub').fill('400');
+  assert.equal(await tick(), 400);
+  await page.locator('#calls button', { hasText: 'Goal' }).first().click();
+  assert.equal(await tick(), goal.tick);
+  await page.keyboard.press('Home');
+  await page.locator('body').click({ position: { x: 2, y: 2 } });
+  await page.keyboard.press(' ');
+  await page.waitForFunction(() => Number(/tick (\d+)/.exec(document.getElementById('time').textContent)[1]) > 3);
+  assert.equal(await page.locator('#play').getAttribute('aria-label'), 'Pause');
+  assert.deepEqual(page.problems, []);
+});
+
+test('everything is there at the width of a phone', async () => {
+  const page = await openPage(address, { width: 390, height: 844 });
+  const wider = await page.evaluate(() => document.documentElement.scrollWidth > innerWidth);
+  assert.equal(wider, false, 'nothing sticks out to the side');
+  for (const part of ['.field', '#play', '#scrub', '#calls', '#statistics', '#heat canvas']) {
+    const box = await page.locator(part).boundingBox();
+    assert.ok(box.width > 20 && box.x >= 0 && box.x + box.width <= 390.5, part);
+  }
+});
+
+test('the name of a team stays text', async () => {
+  const page = await openPage(address);
+  assert.equal(await page.locator('.side.blue .name').textContent(), evil);
+  assert.equal(await page.locator('img').count(), 0);
+  assert.equal(await page.title(), `${evil} – chaser`);
+  await page.keyboard.press('End');
+  assert.deepEqual(page.problems, []);
+});

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+//
+// Plays legs and opens pages for the tests of this folder.
+import { execFileSync, spawn } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+
+const { chromium } = createRequire(join(process.env.MIROCUP_WEB_MODULES, 'x'))('playwright-core');
+const mirocup = join(process.env.MIROCUP_BUILD, 'mirocup');
+
+export const folder = mkdtempSync(join(tmpdir(), 'mirocup-web-'));
+process.on('exit', () => rmSync(folder, { recursive: true }));
+
+export const evil = '<img src=x onerror="document.title=\'written by a team\'">';
+
+export function run(...args) {
+  return execFileSync(mirocup, args, { encoding: 'utf8' });
+}
+
+export function match(...more) {
+  return ['match', '--blue', 'striker', '--yellow', 'chaser', '--blue-name', evil, ...more];
+}
+
+export function readJson(path) {
+  return JSON.parse(readFileSync(path, 'utf8'));
+}
+
+// A match that is being played and watched: {url, ended}.
+export function watched(...more) {
+  const child = spawn(mirocup, match('--watch', ...more));
+  const ended = new Promise((resolve) => { child.on('exit', resolve); });
+  const url = new Promise((resolve) => {
+    let text = '';
+    child.stderr.on('data', (part) => {
+      text += part;
+      const found = /http:\S+/.exec(text);
+      if (found) resolve(found[0]);
+    });
+  });
+  return { url, ended, child };
+}
+
+let browser;
+export async function openPage(url, viewport = { width: 1280, height: 800 }) {
+  browser ??= await chromium.launch({ executablePath: '/usr/bin/chromium', args: ['--no-sandbox'] });
+  const page = await browser.newPage({ viewport });
+  page.problems = [];
+  page.on('pageerror', (error) => page.problems.push(String(error)));
+  page.on('console', (message) => {
+    if (message.type() === 'error' && !message.text().includes('favicon')) page.problems.push(message.text());
+  });
+  await page.goto(url);
+  return page;
+}
+
+export async function closeBrowser() {
+  await browser?.close();
+}
