@@ -1,15 +1,17 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# Installs those of Debian's packages that are missing. Usage: install_packages.sh LIST... (files, one package a line).
+# Installs those of Debian's packages that are missing. Usage: install_packages.sh LIST... (files, one package a line;
+# a second word is a command: who has it, from wherever, needs no package).
 # Touches neither the network nor sudo where everything is there already. Exit 3 if it can't install.
 set -euo pipefail
 
 missing=()
-for package in $(cat "$@"); do
+while read -r package command; do
+  [[ -n $command ]] && command -v "$command" >/dev/null && continue
   dpkg-query --show --showformat='${db:Status-Status}\n' "$package" 2>/dev/null | grep -q '^installed$' ||
     missing+=("$package")
-done
+done < <(cat "$@")
 [[ ${#missing[@]} -eq 0 ]] && exit 0
 
 as_root=()
