@@ -10,8 +10,10 @@ target_compile_options(mirocup_options INTERFACE
   # of a match would depend on the compiler (core/README.md, "Bit for bit").
   -ffp-contract=off)
 
+# A target with the property MIROCUP_NOT_SANITIZED is built without sanitizers.
 if(MIROCUP_SANITIZE)
+  set(sanitized $<NOT:$<BOOL:$<TARGET_PROPERTY:MIROCUP_NOT_SANITIZED>>>)
   target_compile_options(mirocup_options INTERFACE
-    -fsanitize=${MIROCUP_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
-  target_link_options(mirocup_options INTERFACE -fsanitize=${MIROCUP_SANITIZE})
+    "$<${sanitized}:-fsanitize=${MIROCUP_SANITIZE};-fno-sanitize-recover=all;-fno-omit-frame-pointer>")
+  target_link_options(mirocup_options INTERFACE "$<${sanitized}:-fsanitize=${MIROCUP_SANITIZE}>")
 endif()

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// A child process that dies with its parent, and tells how it died.
+// A child process: how it ended, what it used.
 #pragma once
 
-#include "core/base/error.hpp"
-
+#include <ctime>
 #include <optional>
 #include <string>
 #include <sys/types.h>
-#include <vector>
 
 namespace mirocup::plugins {
 
@@ -16,39 +14,35 @@ namespace mirocup::plugins {
 struct Ending {
   int exit_code = 0;
   int signal = 0;  // 0: it exited
-
-  std::string text()
-      const;  // "ended itself with exit code 3", "died of signal 11 (Segmentation fault)"
 };
+
+// "signal 11 (Segmentation fault)"
+std::string signal_text(int signal);
 
 class Child {
  public:
-  // Runs `program` with the arguments, an empty input, `output` as its output and error output, and
-  // the listed descriptors under their own numbers; everything else is closed. Its environment is
-  // fixed.
-  static Result<Child> start(const std::string& program, const std::vector<std::string>& arguments,
-                             const std::vector<int>& descriptors, int output);
-
+  // Takes over a process that was forked here.
+  explicit Child(pid_t pid);
   Child(Child&& other) noexcept;
   Child& operator=(Child&&) = delete;
   ~Child();  // kills and reaps
 
-  pid_t pid() const { return pid_; }
-
   // How it ended, or nothing while it runs.
   std::optional<Ending> ending();
 
-  // Ends it and all it started in its session; returns when it is gone.
+  // Ends it, and in a process namespace all that it started; returns when it is gone.
   void kill();
 
-  // Processor time that it has used, s.
-  double cpu_seconds() const;
+  // Processor time that it has used, s; after its end what it had at the last question.
+  double cpu_seconds();
+
+  // The most memory that it had in use so far, bytes; 0 once it is gone.
+  std::size_t peak_memory() const;
 
  private:
-  explicit Child(pid_t pid);
-
   pid_t pid_;
-  int cpu_clock_ = 0;
+  clockid_t cpu_clock_ = 0;
+  double cpu_ = 0.0;
   std::optional<Ending> ending_;
 };
 

@@ -24,6 +24,8 @@ class FloatingPointGuard {
 
   ~FloatingPointGuard() {
 #if defined(__x86_64__)
+    // An x87 stack that is not empty, or copying backwards, would do harm as well.
+    asm volatile("emms\n\tcld" ::: "cc");
     asm volatile("ldmxcsr %0" : : "m"(sse_));
     asm volatile("fldcw %0" : : "m"(x87_));
 #elif defined(__aarch64__)

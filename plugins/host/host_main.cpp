@@ -1,14 +1,25 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup-plugin-host OBSERVATION_FD COMMAND_FD LIBRARY: one team in a process of its own.
+// mirocup-plugin-host T1|T2: one team in a process of its own. Started by the match server only,
+// with the descriptors of launch.hpp.
 //
-// Loads the library and answers observations until it is killed. Started by the match server only.
+// Shuts itself in, loads the library, shuts itself in more, and answers observations until it is
+// killed. Nothing of the library runs before the first sandbox stands, its constructors included.
+#include "plugins/host/fault_report.hpp"
+#include "plugins/host/launch.hpp"
 #include "plugins/host/mailbox.hpp"
 #include "plugins/host/plugin.hpp"
+#include "plugins/host/sandbox/file_access.hpp"
+#include "plugins/host/sandbox/filter.hpp"
+#include "plugins/host/sandbox/limits.hpp"
+#include "plugins/host/sandbox/private_root.hpp"
 
 #include <algorithm>
-#include <cstdlib>
+#include <cerrno>
 #include <cstring>
+#include <malloc.h>
+#include <string>
+#include <string_view>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -20,10 +31,9 @@ namespace {
 constexpr std::chrono::hours for_ever{1};
 
 template <class Page>
-Page* map(const char* descriptor, int protection) {
-  const int fd = std::atoi(descriptor);
-  void* page = mmap(nullptr, sizeof(Page), protection, MAP_SHARED, fd, 0);
-  close(fd);
+Page* map(int descriptor, int protection) {
+  void* page = mmap(nullptr, sizeof(Page), protection, MAP_SHARED, descriptor, 0);
+  close(descriptor);
   return page == MAP_FAILED ? nullptr : static_cast<Page*>(page);
 }
 
@@ -38,26 +48,61 @@ LoadState state_of(match::FaultCode code) {
   }
 }
 
-// Says why and ends: 1 tells the server that the text is there.
+// Says why and ends.
 [[noreturn]] void refuse(CommandPage& page, const match::Fault& fault) {
   const std::size_t length = std::min(fault.text.size(), sizeof page.text - 1);
   std::memcpy(page.text, fault.text.data(), length);
   page.text[length] = '\0';
   page.load_state.store(state_of(fault.code), std::memory_order_release);
   wake(page.answer);
-  _exit(1);
+  _exit(exit_refused);
+}
+
+// The sandbox cannot be built: the host's fault, not the team's.
+[[noreturn]] void give_up(const char* step) {
+  const std::string text = std::string(step) + ": " + std::strerror(errno);
+  (void)!write(setup_descriptor, text.data(), text.size());
+  _exit(127);
+}
+
+// Memory that a team gave back stays with its process: to get it again costs page faults.
+void keep_memory() {
+  mallopt(M_TRIM_THRESHOLD, 256 << 20);
+  mallopt(M_MMAP_THRESHOLD, 64 << 20);
+}
+
+// Returns what the library is to be loaded as.
+const char* shut_in(Isolation isolation, CommandPage& page) {
+  const bool is_inner = isolation == Isolation::T2;
+  if (!limit_this_process()) give_up("limits");
+  if (!report_faults_to(page)) give_up("fault handlers");
+  if (!allow_libraries_only(is_inner ? private_entry_path : nullptr)) give_up("Landlock");
+  if (!filter_for_loading()) give_up("the filter of system calls");
+  if (write(setup_descriptor, &sandbox_stands, 1) != 1) _exit(127);
+  close(setup_descriptor);
+  // In tier T1 there is no file with that path, but Landlock does not concern sealed memory.
+  static_assert(entry_descriptor == 6);
+  return is_inner ? private_entry_path : "/proc/self/fd/6";
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 4) return 2;
-  const auto* in = map<const ObservationPage>(argv[1], PROT_READ);
-  auto* out = map<CommandPage>(argv[2], PROT_READ | PROT_WRITE);
-  if (in == nullptr || out == nullptr) return 2;
+  const auto isolation = argc == 2 ? from_string<Isolation>(argv[1]) : std::nullopt;
+  if (!isolation) return 2;
+  const auto* in = map<const ObservationPage>(observation_descriptor, PROT_READ);
+  auto* out = map<CommandPage>(command_descriptor, PROT_READ | PROT_WRITE);
+  if (in == nullptr || out == nullptr) give_up("the mailbox");
+  keep_memory();
+  const char* library = shut_in(*isolation, *out);
 
-  auto plugin = Plugin::load(argv[3], in->setup);
+  mirocup_setup setup = in->setup;
+  setup.log = write_line;
+  auto plugin = Plugin::load(library, setup);
+  close(entry_descriptor);
   if (!plugin) refuse(*out, plugin.error());
+  if (!allow_no_files() || !filter_for_playing())
+    refuse(*out, {match::FaultCode::crash, "the library changed the sandbox while it was loaded"});
   out->load_state.store(LoadState::ready, std::memory_order_release);
   wake(out->answer);
 

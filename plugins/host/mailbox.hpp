@@ -29,10 +29,18 @@ struct ObservationPage {
 // could write anything here, so it can only ever cost its own team the leg.
 enum class LoadState : std::uint32_t { loading, ready, no_load, bad_abi, crash };
 
+// Exit codes of the team's process that come with something on its page.
+inline constexpr int exit_refused = 1;  // load_state and text
+inline constexpr int exit_faulted = 3;  // fault_signal and fault_call
+
+inline constexpr int no_call = -1;
+
 struct CommandPage {
   std::atomic<std::uint32_t> answer;  // the request that was answered last
   std::atomic<LoadState> load_state;
-  char text[256];  // why it does not play, or what it threw
+  std::atomic<int> fault_signal;  // 0: none
+  std::atomic<int> fault_call;    // number of a forbidden system call, or no_call
+  char text[256];                 // why it does not play, or what it threw
   mirocup_command command;
 };
 

@@ -5,6 +5,7 @@
 
 #include <dlfcn.h>
 #include <exception>
+#include <unistd.h>
 #include <utility>
 
 namespace mirocup::plugins {
@@ -33,6 +34,11 @@ tl::expected<void, Fault> guarded(const char* function, Call call) {
 }
 
 }  // namespace
+
+void write_line(const char* text) {
+  const std::string line = std::string(text) + "\n";
+  (void)!write(STDERR_FILENO, line.data(), line.size());
+}
 
 tl::expected<Plugin, Fault> Plugin::load(const std::string& path, const mirocup_setup& setup) {
   const FloatingPointGuard guard;

@@ -13,6 +13,9 @@
 
 namespace mirocup::plugins {
 
+// For setup.log where a team's error output is its log.
+void write_line(const char* text);
+
 class Plugin {
  public:
   // Loads the library at `path` (with a slash in it), checks its version and creates its team.

@@ -2,14 +2,17 @@
 #include "plugins/host/process_controller.hpp"
 
 #include "plugins/host/convert.hpp"
+#include "plugins/host/launch.hpp"
+#include "plugins/host/sandbox/filter.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/mman.h>
-#include <unistd.h>
 #include <utility>
 
 namespace mirocup::plugins {
@@ -20,25 +23,15 @@ using match::Answer;
 using match::Fault;
 using match::FaultCode;
 using match::HostFailure;
-using std::chrono::steady_clock;
 
 // The death of a process wakes nobody, so every wait is cut into slices.
 constexpr std::chrono::milliseconds slice{2};
 
-class Descriptor {
- public:
-  explicit Descriptor(int fd) : fd_(fd) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (fd_ >= 0) close(fd_);
-  }
-  int get() const { return fd_; }
-  int release() { return std::exchange(fd_, -1); }
+// A full pipe refuses what a team prints, so it is emptied now and then.
+constexpr std::uint32_t ticks_between_readings = 32;
 
- private:
-  int fd_;
-};
+// How long the sandbox itself may take, s. Only a machine in great trouble needs so long.
+constexpr double longest_setup = 60.0;
 
 // A sealed piece of memory of that size, mapped here for writing.
 template <class Page>
@@ -49,57 +42,119 @@ Page* make_page(int fd) {
   return new (page) Page{};
 }
 
-tl::unexpected<Error> no_memory(const char* what) {
-  return fail(Errc::host, std::string(what) + ": " + std::strerror(errno));
+tl::unexpected<Error> not_available(const char* what) {
+  return fail(Errc::unavailable, std::string(what) + ": " + std::strerror(errno));
+}
+
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+std::string seconds_text(double seconds) {
+  return std::to_string(static_cast<int>(seconds)) + " s";
 }
 
 }  // namespace
 
-Result<std::unique_ptr<ProcessController>> ProcessController::start(const std::string& host_program,
-                                                                    const std::string& library,
-                                                                    const match::Briefing& briefing,
-                                                                    const ProcessLimits& limits) {
+Result<std::unique_ptr<ProcessController>> ProcessController::start(
+    const std::string& host_program, Isolation isolation, const Entry& entry,
+    const match::Briefing& briefing, const Budget& budget, std::optional<Deadline> deadline) {
   const Descriptor in_fd(memfd_create("observation", MFD_CLOEXEC | MFD_ALLOW_SEALING));
   const Descriptor out_fd(memfd_create("command", MFD_CLOEXEC | MFD_ALLOW_SEALING));
   ObservationPage* in = make_page<ObservationPage>(in_fd.get());
   CommandPage* out = make_page<CommandPage>(out_fd.get());
-  if (in == nullptr || out == nullptr) return no_memory("the mailbox of a team cannot be made");
+  if (in == nullptr || out == nullptr) return not_available("the mailbox of a team");
   // From now on nobody can map the observations for writing, or shrink either page under the
   // server.
-  fcntl(in_fd.get(), F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_FUTURE_WRITE | F_SEAL_SEAL);
-  fcntl(out_fd.get(), F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL);
+  const int no_resizing = F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL;
+  if (fcntl(in_fd.get(), F_ADD_SEALS, no_resizing | F_SEAL_FUTURE_WRITE) != 0 ||
+      fcntl(out_fd.get(), F_ADD_SEALS, no_resizing) != 0) {
+    return not_available("the seals of a team's mailbox");
+  }
   in->setup = to_setup(briefing);
 
-  int pipe_ends[2];
-  if (pipe2(pipe_ends, O_CLOEXEC | O_NONBLOCK) != 0) return no_memory("a pipe cannot be made");
-  Descriptor output(pipe_ends[0]);
-  const Descriptor child_output(pipe_ends[1]);
+  int log_ends[2];
+  int setup_ends[2];
+  if (pipe2(log_ends, O_CLOEXEC | O_NONBLOCK) != 0) return not_available("a pipe");
+  Descriptor log(log_ends[0]);
+  const Descriptor child_log(log_ends[1]);
+  if (pipe2(setup_ends, O_CLOEXEC) != 0) return not_available("a pipe");
+  Descriptor setup(setup_ends[0]);
+  const Descriptor child_setup(setup_ends[1]);
 
-  auto child = Child::start(host_program,
-                            {std::to_string(in_fd.get()), std::to_string(out_fd.get()), library},
-                            {in_fd.get(), out_fd.get()}, child_output.get());
+  auto child = launch({.program = host_program,
+                       .isolation = isolation,
+                       .observation = in_fd.get(),
+                       .command = out_fd.get(),
+                       .setup = child_setup.get(),
+                       .entry = entry.descriptor(),
+                       .log = child_log.get()});
   if (!child) return tl::unexpected(child.error());
-  return std::unique_ptr<ProcessController>(
-      new ProcessController(std::move(*child), in, out, output.release(), limits));
+  return std::unique_ptr<ProcessController>(new ProcessController(
+      std::move(*child), in, out, std::move(setup), std::move(log), budget, deadline));
 }
 
-ProcessController::ProcessController(Child child, ObservationPage* in, CommandPage* out, int output,
-                                     const ProcessLimits& limits)
-    : child_(std::move(child)), in_(in), out_(out), output_(output), limits_(limits) {}
+ProcessController::ProcessController(Child child, ObservationPage* in, CommandPage* out,
+                                     Descriptor setup, Descriptor log, const Budget& budget,
+                                     std::optional<Deadline> deadline)
+    : child_(std::move(child)),
+      in_(in),
+      out_(out),
+      setup_(std::move(setup)),
+      log_pipe_(std::move(log)),
+      budget_(budget),
+      deadline_(deadline),
+      posted_at_(Clock::now()),
+      asked_at_(posted_at_) {}
 
 ProcessController::~ProcessController() {
   child_.kill();
   munmap(in_, sizeof *in_);
   munmap(out_, sizeof *out_);
-  close(output_);
 }
 
-Answer ProcessController::death(const Ending& ending) {
-  // A process that refused said why before it ended.
-  if (ending.signal == 0 && ending.exit_code == 1) {
-    char text[sizeof out_->text];
-    std::memcpy(text, out_->text, sizeof text);
-    text[sizeof text - 1] = '\0';
+// Until the process says that its sandbox stands, all that goes wrong is the host's. It says so
+// through a pipe that it closes before it touches the library.
+std::optional<HostFailure> ProcessController::wait_for_sandbox() {
+  pollfd readable{setup_.get(), POLLIN, 0};
+  char text[128];
+  ssize_t length = 0;
+  if (poll(&readable, 1, static_cast<int>(1e3 * longest_setup)) > 0)
+    length = read(setup_.get(), text, sizeof text);
+  if (length == 1 && text[0] == sandbox_stands) {
+    setup_.reset();
+    return std::nullopt;
+  }
+  std::string why = "it ended without a word";
+  if (length > 0) {
+    why.assign(text, static_cast<std::size_t>(length));
+    // A message may come in pieces.
+    while ((length = read(setup_.get(), text, sizeof text)) > 0)
+      why.append(text, static_cast<std::size_t>(length));
+  }
+  child_.kill();
+  return HostFailure{"the sandbox of a team could not be built: " + why};
+}
+
+// What the process itself said of its end.
+std::optional<Fault> ProcessController::label(const Ending& ending) const {
+  if (ending.signal == SIGSYS)
+    return Fault{FaultCode::illegal_call, "the team made a system call that is not allowed"};
+  if (ending.signal == 0 && ending.exit_code == exit_faulted) {
+    const int signal = out_->fault_signal.load(std::memory_order_acquire);
+    if (signal == SIGSYS) {
+      return Fault{FaultCode::illegal_call,
+                   "the team made a system call that is not allowed: " +
+                       system_call_name(out_->fault_call.load(std::memory_order_relaxed))};
+    }
+    if (signal > 0 && signal < NSIG)
+      return Fault{FaultCode::crash, "the team's process died of " + signal_text(signal)};
+  }
+  if (ending.signal == 0 && ending.exit_code == exit_refused) {
+    char copy[sizeof out_->text];
+    std::memcpy(copy, out_->text, sizeof copy);
+    copy[sizeof copy - 1] = '\0';
+    const std::string text = escaped(copy);
     switch (out_->load_state.load(std::memory_order_acquire)) {
       case LoadState::no_load:
         return Fault{FaultCode::no_load, text};
@@ -107,79 +162,136 @@ Answer ProcessController::death(const Ending& ending) {
         return Fault{FaultCode::bad_abi, text};
       case LoadState::crash:
         return Fault{FaultCode::crash, text};
-      case LoadState::loading:
-      case LoadState::ready:
+      default:
         break;
     }
   }
+  return std::nullopt;
+}
+
+Answer ProcessController::death(const Ending& ending) {
+  // The filter keeps a team from killing itself in this way.
   if (ending.signal == SIGKILL) {
     return HostFailure{
         "a team's process was killed from outside: out of memory, or a cancelled job"};
   }
-  return Fault{FaultCode::crash, "the team's process " + ending.text()};
+  Fault fault = label(ending).value_or(Fault{
+      FaultCode::crash,
+      ending.signal != 0
+          ? "the team's process died of " + signal_text(ending.signal)
+          : "the team's process ended itself with exit code " + std::to_string(ending.exit_code)});
+  if (!is_ready_ && fault.code != FaultCode::no_load && fault.code != FaultCode::bad_abi)
+    fault.text += ", while its library was loaded";
+  return fault;
 }
 
 template <class Done>
-std::optional<Answer> ProcessController::wait(Done done, double cpu_limit, double wall_limit,
-                                              FaultCode late, const char* doing) {
-  const auto begin = steady_clock::now();
-  const double cpu_begin = cpu_;
+std::optional<Answer> ProcessController::wait(Done done, const Patience& patience,
+                                              std::optional<Clock::time_point> until) {
   while (true) {
     const std::uint32_t seen = out_->answer.load(std::memory_order_acquire);
     if (done()) break;
-    wait_while_equal(out_->answer, seen, slice);
+    std::chrono::nanoseconds pause = slice;
+    if (until) pause = std::clamp<std::chrono::nanoseconds>(*until - Clock::now(), {}, slice);
+    wait_while_equal(out_->answer, seen, pause);
     if (done()) break;
     if (const auto ending = child_.ending()) return death(*ending);
     cpu_ = child_.cpu_seconds();
-    const double wall = std::chrono::duration<double>(steady_clock::now() - begin).count();
-    if (cpu_ - cpu_begin <= cpu_limit && wall <= wall_limit) continue;
-    child_.kill();
-    const bool busy = cpu_ - cpu_begin > cpu_limit;
-    return Fault{late, std::string("the team used more than ") +
-                           std::to_string(static_cast<int>(busy ? cpu_limit : wall_limit)) +
-                           (busy ? " s of processor time " : " s ") + doing};
+    const bool is_busy = cpu_ - cpu_at_post_ > patience.cpu;
+    if (is_busy || seconds_since(asked_at_) > patience.wall) {
+      child_.kill();
+      return Fault{patience.late, "the team used more than " +
+                                      (is_busy ? seconds_text(patience.cpu) + " of processor time "
+                                               : seconds_text(patience.wall) + " ") +
+                                      patience.doing};
+    }
+    if (until && Clock::now() >= *until) return match::Late{};
   }
   cpu_ = child_.cpu_seconds();
   return std::nullopt;
 }
 
 tl::expected<void, Answer> ProcessController::wait_until_ready() {
+  if (auto failure = wait_for_sandbox()) return tl::unexpected<Answer>(*failure);
   const auto is_ready = [this] { return out_->load_state.load() == LoadState::ready; };
-  if (auto problem = wait(is_ready, limits_.start_cpu, limits_.start_wall, FaultCode::start_timeout,
-                          "to load and create its team")) {
-    return tl::unexpected(*problem);
-  }
+  const Patience patience{budget_.start_cpu, budget_.start_wall, FaultCode::start_timeout,
+                          "to load its library and create its team"};
+  if (auto problem = wait(is_ready, patience, std::nullopt)) return tl::unexpected(*problem);
+  is_ready_ = true;
+  cpu_at_ready_ = cpu_;
+  start_wall_ = seconds_since(posted_at_);
   return {};
 }
 
 void ProcessController::post(const match::Observation& observation) {
+  posted_at_ = Clock::now();
+  // A team that still thinks about an older one gets the newest when it comes back. Without a
+  // deadline that never happens.
+  if (is_awaited_) return;
+  is_awaited_ = true;
+  asked_at_ = posted_at_;
+  cpu_at_post_ = cpu_;
   in_->observation = to_observation(observation);
   in_->request.store(++request_, std::memory_order_release);
   wake(in_->request);
 }
 
+Answer ProcessController::late() {
+  ++late_;
+  ++late_in_a_row_;
+  if (late_in_a_row_ <= deadline_->most_late_in_a_row && late_ <= deadline_->most_late)
+    return match::Late{};
+  child_.kill();
+  return Fault{FaultCode::hang,
+               "the team was late " + (late_ > deadline_->most_late
+                                           ? std::to_string(late_) + " times in this leg"
+                                           : std::to_string(late_in_a_row_) + " times in a row")};
+}
+
 Answer ProcessController::collect() {
-  const double before = cpu_;
   const auto is_answered = [this] {
     return out_->answer.load(std::memory_order_acquire) == request_;
   };
-  if (auto problem = wait(is_answered, limits_.tick_cpu, limits_.tick_wall, FaultCode::hang,
-                          "on one tick and was stopped")) {
-    return *problem;
+  const Patience patience{budget_.tick_cpu, budget_.tick_wall, FaultCode::hang,
+                          "on one tick and was stopped"};
+  std::optional<Clock::time_point> until;
+  if (deadline_) {
+    until = posted_at_ + std::chrono::duration_cast<Clock::duration>(
+                             std::chrono::duration<double>(deadline_->tick));
   }
-  slowest_tick_ = std::max(slowest_tick_, cpu_ - before);
-  const mirocup_command copy = out_->command;
+  if (auto problem = wait(is_answered, patience, until))
+    return std::holds_alternative<match::Late>(*problem) ? late() : *problem;
+  is_awaited_ = false;
+  late_in_a_row_ = 0;
+  slowest_tick_ = std::max(slowest_tick_, cpu_ - cpu_at_post_);
+  if (cpu_ - cpu_at_ready_ > bank_seconds()) {
+    child_.kill();
+    return Fault{FaultCode::budget, "the team used up its processor time: more than " +
+                                        seconds_text(budget_.bank) + " and " +
+                                        std::to_string(1e3 * budget_.bank_per_tick).substr(0, 4) +
+                                        " ms for each of " + std::to_string(request_) + " ticks"};
+  }
+  if (request_ % ticks_between_readings == 0) read_log();
+  // Copied once, so that what is checked is what is driven, whatever the team writes meanwhile.
+  mirocup_command copy;
+  std::memcpy(&copy, &out_->command, sizeof copy);
+  std::atomic_signal_fence(std::memory_order_seq_cst);
   return to_command(copy);
 }
 
-std::string ProcessController::output() {
-  std::string text;
-  char buffer[4096];
-  while (true) {
-    const ssize_t n = read(output_, buffer, sizeof buffer);
-    if (n <= 0) return text;
-    text.append(buffer, static_cast<std::size_t>(n));
+void ProcessController::read_log() {
+  std::array<char, 1 << 14> buffer;
+  // As much as the pipe holds: who writes while this reads cannot keep it here.
+  for (int i = 0; i < 4; ++i) {
+    const ssize_t n = read(log_pipe_.get(), buffer.data(), buffer.size());
+    if (n <= 0) return;
+    log_.append({buffer.data(), static_cast<std::size_t>(n)});
   }
+}
+
+std::string ProcessController::output() {
+  read_log();
+  return log_.text();
 }
 
 }  // namespace mirocup::plugins

@@ -1,36 +1,58 @@
 // SPDX-License-Identifier: MIT
 //
-// A team in a process of its own. Whatever the team does, the server goes on: a process that dies,
-// hangs or answers nonsense is a fault of its team; one that somebody else killed is a failure of
-// the host.
+// A team in a sandboxed process of its own. Whatever the team does, the server goes on: a process
+// that dies, hangs or answers nonsense is a fault of its team; one that somebody else killed is a
+// failure of the host.
+//
+// Of all that the process writes, only its answers count. The rest (why it ended, what it printed)
+// are labels: a team that forges them forges the reason of its own loss.
 #pragma once
 
 #include "core/match/controller.hpp"
 #include "plugins/host/child.hpp"
+#include "plugins/host/descriptor.hpp"
+#include "plugins/host/entry.hpp"
+#include "plugins/host/log.hpp"
 #include "plugins/host/mailbox.hpp"
+#include "plugins/host/sandbox/isolation.hpp"
 
+#include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace mirocup::plugins {
 
-// Processor time where a busy machine must not cost a team the leg, wall time against sleepers.
-// Seconds.
-struct ProcessLimits {
+// Where time is no object: a match waits for both teams, and processor time is what a team has.
+// It has a bank for the whole leg; the caps for one tick only stop what would never end. Wall time
+// is against sleepers. Seconds.
+struct Budget {
   double start_cpu = 10.0;
   double start_wall = 30.0;
   double tick_cpu = 1.0;
   double tick_wall = 10.0;
+  double bank = 2.0;
+  double bank_per_tick = 1e-3;
+
+  double bank_after(std::uint32_t ticks) const { return bank + bank_per_tick * ticks; }
+};
+
+// Where simulated time passes with the clock on the wall: who is not there in time is late.
+struct Deadline {
+  double tick = 0.0;            // s after the observation
+  int most_late_in_a_row = 90;  // 3 s at 33 ms
+  int most_late = 600;
 };
 
 class ProcessController final : public match::Controller {
  public:
-  // Starts mirocup-plugin-host at `host_program` with the library at `library`. An error is the
-  // host's; what the library does comes out of wait_until_ready().
+  // Starts mirocup-plugin-host at `host_program` with the entry. An error is the host's; what the
+  // library does comes out of wait_until_ready(). Without a deadline a tick lasts until the answer.
   static Result<std::unique_ptr<ProcessController>> start(const std::string& host_program,
-                                                          const std::string& library,
+                                                          Isolation isolation, const Entry& entry,
                                                           const match::Briefing& briefing,
-                                                          const ProcessLimits& limits);
+                                                          const Budget& budget,
+                                                          std::optional<Deadline> deadline);
   ~ProcessController() override;
 
   // Returns when the library is loaded, or why it never will be.
@@ -39,30 +61,63 @@ class ProcessController final : public match::Controller {
   void post(const match::Observation& observation) override;
   match::Answer collect() override;
 
+  // Processor time since the start, loading included.
   double cpu_seconds() const { return cpu_; }
   double slowest_tick_ms() const { return 1e3 * slowest_tick_; }
+  double start_seconds() const { return start_wall_; }
+  // Of the leg so far.
+  double bank_seconds() const { return budget_.bank_after(request_); }
+  // At most so many bytes of memory at a time; 0 once its process has ended.
+  std::size_t peak_memory() const { return child_.peak_memory(); }
 
-  // What the team printed, at most 64 KiB of it.
+  // What the team printed: capped and harmless to show.
   std::string output();
 
  private:
-  ProcessController(Child child, ObservationPage* in, CommandPage* out, int output,
-                    const ProcessLimits& limits);
+  using Clock = std::chrono::steady_clock;
 
-  // Waits until done() holds; else why the team has lost or the leg is void.
+  // How long to wait, and what it is called not to be there then.
+  struct Patience {
+    double cpu = 0.0;
+    double wall = 0.0;
+    match::FaultCode late = match::FaultCode::hang;
+    const char* doing = "";
+  };
+
+  ProcessController(Child child, ObservationPage* in, CommandPage* out, Descriptor setup,
+                    Descriptor log, const Budget& budget, std::optional<Deadline> deadline);
+
+  std::optional<match::HostFailure> wait_for_sandbox();
+  // Waits until done() holds, or `until`; else why the team has lost or the leg is void.
   template <class Done>
-  std::optional<match::Answer> wait(Done done, double cpu_limit, double wall_limit,
-                                    match::FaultCode late, const char* doing);
+  std::optional<match::Answer> wait(Done done, const Patience& patience,
+                                    std::optional<Clock::time_point> until);
   match::Answer death(const Ending& ending);
+  std::optional<match::Fault> label(const Ending& ending) const;
+  match::Answer late();
+  void read_log();
 
   Child child_;
   ObservationPage* in_;
   CommandPage* out_;
-  int output_;
-  ProcessLimits limits_;
-  std::uint32_t request_ = 0;
+  Descriptor setup_;
+  Descriptor log_pipe_;
+  Log log_;
+  Budget budget_;
+  std::optional<Deadline> deadline_;
+  bool is_ready_ = false;
+
+  std::uint32_t request_ = 0;  // the last that was posted
+  bool is_awaited_ = false;    // it has not been answered
+  Clock::time_point posted_at_;
+  Clock::time_point asked_at_;  // of the oldest observation without an answer
+  double cpu_at_post_ = 0.0;
   double cpu_ = 0.0;
+  double cpu_at_ready_ = 0.0;
   double slowest_tick_ = 0.0;
+  double start_wall_ = 0.0;
+  int late_in_a_row_ = 0;
+  int late_ = 0;
 };
 
 }  // namespace mirocup::plugins

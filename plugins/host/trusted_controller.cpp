@@ -10,6 +10,7 @@ namespace mirocup::plugins {
 tl::expected<std::unique_ptr<TrustedController>, match::Fault> TrustedController::load(
     const std::string& path, const match::Briefing& briefing) {
   auto setup = std::make_unique<mirocup_setup>(to_setup(briefing));
+  setup->log = write_line;
   auto plugin = Plugin::load(path, *setup);
   if (!plugin) return tl::unexpected(plugin.error());
   return std::unique_ptr<TrustedController>(

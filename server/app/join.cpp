@@ -36,7 +36,8 @@ Result<int> run_join(const Options& options) {
                             [&interrupt] { return interrupt.is_asked_for(); });
   if (!client) return tl::unexpected(client.error());
 
-  const mirocup_setup setup = plugins::to_setup((*client)->briefing());
+  mirocup_setup setup = plugins::to_setup((*client)->briefing());
+  setup.log = plugins::write_line;
   const std::string path =
       options.library.find('/') == std::string::npos ? "./" + options.library : options.library;
   auto plugin = plugins::Plugin::load(path, setup);

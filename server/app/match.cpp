@@ -30,6 +30,7 @@ struct Options {
   std::vector<std::string> rule_changes;  // KEY=VALUE
   std::string record_path;
   bool trusted = false;
+  std::string isolation;  // "": the strongest that there is
   std::string match_id = "1";
   std::string interface = "lo";
   double join_within = 60.0;
@@ -106,6 +107,7 @@ class Session {
  private:
   Result<TeamSeat> take_seat(const TeamChoice& choice, Team team);
   dds::Patience patience();
+  Result<ProcessTerms> process_terms() const;
   void wait_until_ready();
   record::MatchRecord record() const;
 
@@ -125,7 +127,7 @@ class Session {
 Result<void> Session::seat_teams() {
   std::vector<TeamChoice> choices;
   for (const Team team : both_teams) {
-    auto choice = choose_team(disk_, options_.teams[index_of(team)]);
+    auto choice = choose_team(options_.teams[index_of(team)]);
     if (!choice) return tl::unexpected(choice.error());
     const std::string& name = options_.names[index_of(team)];
     if (!name.empty()) choice->info.name = name;
@@ -154,9 +156,32 @@ Result<TeamSeat> Session::take_seat(const TeamChoice& choice, Team team) {
   if (choice.info.kind == record::TeamKind::dds) {
     return TeamSeat::take_on_network(choice, briefing, *network_, patience());
   }
-  isolation_ = options_.trusted ? "none" : "process";
-  return options_.trusted ? TeamSeat::take_trusted(choice, briefing)
-                          : TeamSeat::take_in_process(choice, briefing);
+  if (options_.trusted) {
+    isolation_ = to_string(plugins::Isolation::none);
+    return TeamSeat::take_trusted(choice, briefing);
+  }
+  const auto terms = process_terms();
+  if (!terms) return tl::unexpected(terms.error());
+  isolation_ = to_string(terms->isolation);
+  return TeamSeat::take_in_process(choice, briefing, *terms);
+}
+
+Result<ProcessTerms> Session::process_terms() const {
+  ProcessTerms terms;
+  const auto strongest = plugins::strongest_isolation();
+  if (!strongest) return tl::unexpected(strongest.error());
+  const auto wanted = from_string<plugins::Isolation>(options_.isolation);
+  terms.isolation = wanted.value_or(*strongest);
+  if (terms.isolation > *strongest) {
+    return fail(Errc::unavailable, "--isolation " + options_.isolation + ": this system allows " +
+                                       std::string(to_string(*strongest)) +
+                                       " only (namespaces are not allowed here)");
+  }
+  if (pacer_.period() > 0.0) {
+    terms.deadline.emplace();
+    terms.deadline->tick = pacer_.period();
+  }
+  return terms;
 }
 
 dds::Patience Session::patience() {
@@ -317,6 +342,11 @@ void add_match(CLI::App& app, Run& run) {
                       "KEY=VALUE: another value for a parameter of the rules");
   command->add_option("--record", o->record_path, "where to write the match record");
   command->add_flag("--trusted", o->trusted, "run the teams in this process, without protection");
+  command
+      ->add_option("--isolation", o->isolation,
+                   "T2 or T1: play in exactly this tier of the sandbox, or not at all")
+      ->check(CLI::IsMember({"T1", "T2"}))
+      ->excludes("--trusted");
   command->add_option("--match", o->match_id, "ID that DDS teams join")->capture_default_str();
   command
       ->add_option("--interface", o->interface,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/app/seats.hpp"
 
+#include "plugins/host/elf.hpp"
 #include "server/record/digest.hpp"
 #include "server/record/locations.hpp"
 
@@ -17,9 +18,13 @@ std::string with_slash(const std::string& path) {
   return path.find('/') == std::string::npos ? "./" + path : path;
 }
 
+match::Fault no_load(std::string why) {
+  return {match::FaultCode::no_load, std::move(why)};
+}
+
 }  // namespace
 
-Result<TeamChoice> choose_team(record::Files& files, const std::string& text) {
+Result<TeamChoice> choose_team(const std::string& text) {
   TeamChoice choice;
   if (text.rfind(dds_prefix, 0) == 0) {
     choice.info = {text.substr(dds_prefix.size()), record::TeamKind::dds, std::nullopt};
@@ -29,25 +34,37 @@ Result<TeamChoice> choose_team(record::Files& files, const std::string& text) {
   choice.library = record::house_team(text);
   if (!choice.library.empty()) {
     choice.info = {text, record::TeamKind::house, std::nullopt};
-  } else if (files.exists(text)) {
+  } else if (std::error_code none;
+             std::filesystem::exists(std::filesystem::symlink_status(text, none))) {
     choice.library = with_slash(text);
     choice.info = {std::filesystem::path(text).stem().string(), record::TeamKind::plugin,
                    std::nullopt};
   } else {
     return fail(Errc::input, "\"" + text + "\" is neither a file nor a house team");
   }
-  const auto bytes = files.read(choice.library);
-  if (!bytes) return tl::unexpected(bytes.error());
-  choice.info.sha256 = record::sha256(*bytes);
+  auto entry = plugins::Entry::open(choice.library);
+  if (entry) {
+    choice.info.sha256 = record::sha256(entry->bytes());
+    const auto library = plugins::read_shared_library(entry->bytes());
+    if (!library) choice.fault = no_load(choice.library + ": " + library.error());
+    choice.entry = std::move(*entry);
+  } else if (entry.error().code == Errc::input) {
+    choice.fault = no_load(entry.error().what);
+  } else {
+    return tl::unexpected(entry.error());
+  }
   return choice;
 }
 
 Result<TeamSeat> TeamSeat::take_in_process(const TeamChoice& choice,
-                                           const match::Briefing& briefing) {
+                                           const match::Briefing& briefing,
+                                           const ProcessTerms& terms) {
   TeamSeat seat(choice.info);
-  auto process = plugins::ProcessController::start(
-      record::sibling_program("mirocup-plugin-host"),
-      std::filesystem::absolute(choice.library).string(), briefing, plugins::ProcessLimits{});
+  seat.load_fault_ = choice.fault;
+  if (choice.fault) return seat;
+  auto process = plugins::ProcessController::start(record::sibling_program("mirocup-plugin-host"),
+                                                   terms.isolation, *choice.entry, briefing,
+                                                   terms.budget, terms.deadline);
   if (!process) return tl::unexpected(process.error());
   seat.process_ = process->get();
   seat.controller_ = process->get();
@@ -57,6 +74,8 @@ Result<TeamSeat> TeamSeat::take_in_process(const TeamChoice& choice,
 
 Result<TeamSeat> TeamSeat::take_trusted(const TeamChoice& choice, const match::Briefing& briefing) {
   TeamSeat seat(choice.info);
+  seat.load_fault_ = choice.fault;
+  if (choice.fault) return seat;
   auto controller = plugins::TrustedController::load(choice.library, briefing);
   if (!controller) {
     seat.load_fault_ = controller.error();
@@ -91,6 +110,7 @@ record::Budget TeamSeat::budget() const {
   if (process_ != nullptr) {
     budget.cpu_seconds = process_->cpu_seconds();
     budget.slowest_tick_ms = process_->slowest_tick_ms();
+    budget.bank_seconds = process_->bank_seconds();
   }
   return budget;
 }

@@ -17,18 +17,27 @@ namespace mirocup::app {
 // What the command line says of a team: "dds:NAME", the path of a library, or a house team's name.
 struct TeamChoice {
   record::TeamInfo info;
-  std::string library;  // for a DDS team ""
+  std::string library;                  // for a DDS team ""
+  std::optional<plugins::Entry> entry;  // what the library was when it was chosen
+  std::optional<match::Fault> fault;    // of a library that cannot be one
 };
 
-Result<TeamChoice> choose_team(record::Files& files, const std::string& text);
+Result<TeamChoice> choose_team(const std::string& text);
+
+// How a team in a process of its own is treated.
+struct ProcessTerms {
+  plugins::Isolation isolation = plugins::Isolation::T2;
+  plugins::Budget budget;
+  std::optional<plugins::Deadline> deadline;
+};
 
 // One team's place in a match.
 class TeamSeat {
  public:
   // Starts what has to be started. An error is the host's; a team's own fault comes out of
   // wait_until_ready().
-  static Result<TeamSeat> take_in_process(const TeamChoice& choice,
-                                          const match::Briefing& briefing);
+  static Result<TeamSeat> take_in_process(const TeamChoice& choice, const match::Briefing& briefing,
+                                          const ProcessTerms& terms);
   static Result<TeamSeat> take_trusted(const TeamChoice& choice, const match::Briefing& briefing);
   static Result<TeamSeat> take_on_network(const TeamChoice& choice, const match::Briefing& briefing,
                                           dds::MatchServer& server, const dds::Patience& patience);
@@ -39,6 +48,8 @@ class TeamSeat {
   match::Controller& controller() { return *controller_; }
   const record::TeamInfo& info() const { return info_; }
   record::Budget budget() const;
+  // The process that the team plays in, or null.
+  const plugins::ProcessController* process() const { return process_; }
   std::string output() { return process_ != nullptr ? process_->output() : std::string(); }
 
  private:
@@ -49,7 +60,7 @@ class TeamSeat {
   match::Controller* controller_ = nullptr;
   plugins::ProcessController* process_ = nullptr;
   dds::Seat* network_ = nullptr;
-  std::optional<match::Fault> load_fault_;  // of a trusted team
+  std::optional<match::Fault> load_fault_;
 };
 
 }  // namespace mirocup::app

@@ -69,6 +69,7 @@ Json team_json(const TeamInfo& team) {
 Json budget_json(const Budget& b) {
   return {{"cpu_seconds", b.cpu_seconds},
           {"slowest_tick_ms", b.slowest_tick_ms},
+          {"bank_seconds", b.bank_seconds},
           {"late_ticks", b.late_ticks},
           {"bad_commands", b.bad_commands}};
 }
@@ -137,6 +138,7 @@ TeamInfo team_of(const Json& json) {
 Budget budget_of(const Json& json) {
   return {.cpu_seconds = json.at("cpu_seconds").get<double>(),
           .slowest_tick_ms = json.at("slowest_tick_ms").get<double>(),
+          .bank_seconds = json.value("bank_seconds", 0.0),
           .late_ticks = json.at("late_ticks").get<int>(),
           .bad_commands = json.at("bad_commands").get<int>()};
 }

@@ -32,6 +32,7 @@ struct TeamInfo {
 struct Budget {
   double cpu_seconds = 0.0;
   double slowest_tick_ms = 0.0;
+  double bank_seconds = 0.0;  // what it had; 0: nobody counted
   int late_ticks = 0;
   int bad_commands = 0;
 };
@@ -41,7 +42,7 @@ struct MatchRecord {
   std::string build;
   match::ByTeam<TeamInfo> teams;
   match::ByTeam<Budget> budget;
-  std::string isolation;  // "none", "process", ...
+  std::string isolation;  // "T2", "T1", "none" (--trusted), "network"
   replay::Recording recording;
 };
 

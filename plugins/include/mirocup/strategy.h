@@ -87,6 +87,9 @@ typedef struct mirocup_setup {
   double wheel_distance, wheel_radius, wheel_speed_limit, motor_time_constant;
   double grip; /* infinite: wheels that never slide */
   double ball_radius, ball_mass;
+
+  /* Writes a line to the log of the leg. Never null. */
+  void (*log)(const char* text);
 } mirocup_setup;
 
 /* What you see of one tick. */

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+#include "plugins/host/sandbox/filter.hpp"
+
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <fcntl.h>
+#include <linux/futex.h>
+#include <linux/seccomp.h>
+#include <memory>
+#include <seccomp.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+namespace mirocup::plugins {
+
+namespace {
+
+// Calls without a condition, by what they are for.
+constexpr const char* memory[] = {"brk", "mmap", "munmap", "mremap", "mprotect", "madvise"};
+constexpr const char* time_and_waiting[] = {
+    "clock_gettime",   "clock_getres", "gettimeofday",   "time", "nanosleep",
+    "clock_nanosleep", "sched_yield",  "pause",          "poll", "ppoll",
+    "select",          "pselect6",     "restart_syscall"};
+constexpr const char* own_signals[] = {"rt_sigprocmask", "rt_sigreturn",  "sigaltstack",
+                                       "rt_sigpending",  "rt_sigsuspend", "rt_sigtimedwait"};
+constexpr const char* facts_about_itself[] = {"getpid",
+                                              "gettid",
+                                              "getppid",
+                                              "getuid",
+                                              "geteuid",
+                                              "getgid",
+                                              "getegid",
+                                              "getresuid",
+                                              "getresgid",
+                                              "getgroups",
+                                              "getpgrp",
+                                              "getpgid",
+                                              "getsid",
+                                              "getrusage",
+                                              "times",
+                                              "getcpu",
+                                              "getrandom",
+                                              "sched_getaffinity",
+                                              "set_tid_address",
+                                              "set_robust_list",
+                                              "rseq",
+                                              "uname",
+                                              "sysinfo",
+                                              "getpriority",
+                                              "sched_getscheduler",
+                                              "getrlimit",
+                                              "sched_getparam",
+                                              "arch_prctl"};
+constexpr const char* open_files[] = {"read",  "write", "readv",       "writev", "pread64",
+                                      "close", "lseek", "close_range", "fstat",  "newfstatat"};
+constexpr const char* loading[] = {"openat", "landlock_create_ruleset", "landlock_restrict_self"};
+constexpr const char* end[] = {"exit", "exit_group"};
+
+// Calls that are answered with an error.
+constexpr const char* not_permitted[] = {
+    "sched_setaffinity", "sched_setscheduler", "sched_setparam", "sched_setattr", "setpriority",
+    "ioprio_set",        "setrlimit",          "mlock",          "mlock2",        "mlockall",
+    "munlock",           "munlockall"};
+constexpr const char* no_access[] = {"open",   "access",     "faccessat", "faccessat2",
+                                     "stat",   "lstat",      "readlink",  "readlinkat",
+                                     "getcwd", "getdents64", "socket",    "socketpair"};
+constexpr const char* not_there[] = {"statx", "clone3", "membarrier", "set_mempolicy",
+                                     "get_mempolicy"};
+constexpr const char* no_descriptors[] = {
+    "dup",     "dup2",          "dup3",         "pipe",           "pipe2",        "eventfd2",
+    "eventfd", "epoll_create1", "epoll_create", "timerfd_create", "inotify_init1"};
+constexpr const char* try_again[] = {"clone", "fork", "vfork"};
+
+constexpr int futex_operations[] = {FUTEX_WAIT,       FUTEX_WAKE,        FUTEX_REQUEUE,
+                                    FUTEX_WAKE_OP,    FUTEX_CMP_REQUEUE, FUTEX_WAIT_BITSET,
+                                    FUTEX_WAKE_BITSET};
+
+// Any of these in the flags of openat() would change something.
+constexpr unsigned writing_flags[] = {O_WRONLY, O_RDWR, O_CREAT, O_TRUNC, O_APPEND, O_PATH};
+
+// A filter under construction. Rules that a kernel or architecture does not know are left out:
+// nothing is allowed by that.
+class Filter {
+ public:
+  explicit Filter(std::uint32_t otherwise) : context_(seccomp_init(otherwise), seccomp_release) {
+    if (context_ == nullptr) return;
+    seccomp_attr_set(context_.get(), SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS);
+    seccomp_attr_set(context_.get(), SCMP_FLTATR_CTL_NNP, 0);       // is set already
+    seccomp_attr_set(context_.get(), SCMP_FLTATR_CTL_OPTIMIZE, 2);  // a tree, not a list
+  }
+
+  template <class... Conditions>
+  void add(std::uint32_t action, const char* name, Conditions... conditions) {
+    if (context_ == nullptr) return;
+    const int call = seccomp_syscall_resolve_name(name);
+    if (call == __NR_SCMP_ERROR) return;
+    const int result =
+        seccomp_rule_add(context_.get(), action, call, sizeof...(conditions), conditions...);
+    if (result != 0 && error_ == 0) error_ = -result;
+  }
+
+  template <std::size_t n>
+  void add_all(std::uint32_t action, const char* const (&names)[n]) {
+    for (const char* name : names) add(action, name);
+  }
+
+  bool load() {
+    if (context_ == nullptr) {
+      errno = ENOMEM;
+      return false;
+    }
+    const int result = error_ != 0 ? -error_ : seccomp_load(context_.get());
+    if (result != 0) errno = -result;
+    return result == 0;
+  }
+
+ private:
+  std::unique_ptr<void, void (*)(scmp_filter_ctx)> context_;
+  int error_ = 0;
+};
+
+void allow_some_forms(Filter& filter) {
+  const auto is = [](unsigned argument, scmp_datum_t value) {
+    return scmp_arg_cmp{argument, SCMP_CMP_EQ, value, 0};
+  };
+  for (const int operation : futex_operations) {
+    const auto mask = static_cast<scmp_datum_t>(FUTEX_CMD_MASK & 0xffffffff);
+    filter.add(SCMP_ACT_ALLOW, "futex",
+               scmp_arg_cmp{1, SCMP_CMP_MASKED_EQ, mask, static_cast<scmp_datum_t>(operation)});
+  }
+  // abort() and raise(), but neither stopping nor SIGKILL: that looks as if the host had done it.
+  for (int signal = 1; signal < 32; ++signal) {
+    if (signal == SIGKILL || signal == SIGSTOP || signal == SIGTSTP || signal == SIGTTIN ||
+        signal == SIGTTOU) {
+      continue;
+    }
+    filter.add(SCMP_ACT_ALLOW, "tgkill", is(0, static_cast<scmp_datum_t>(getpid())),
+               is(2, static_cast<scmp_datum_t>(signal)));
+  }
+  // SIGSYS is what the filter itself speaks with.
+  filter.add(SCMP_ACT_ALLOW, "rt_sigaction", scmp_arg_cmp{0, SCMP_CMP_NE, SIGSYS, 0});
+  filter.add(SCMP_ACT_ERRNO(EPERM), "rt_sigaction", is(0, SIGSYS));
+  for (const int command : {F_GETFD, F_SETFD, F_GETFL}) {
+    filter.add(SCMP_ACT_ALLOW, "fcntl", is(1, static_cast<scmp_datum_t>(command)));
+  }
+  for (const int command : {F_DUPFD, F_DUPFD_CLOEXEC}) {
+    filter.add(SCMP_ACT_ERRNO(EMFILE), "fcntl", is(1, static_cast<scmp_datum_t>(command)));
+  }
+  filter.add(SCMP_ACT_ALLOW, "prlimit64", is(2, 0));
+  filter.add(SCMP_ACT_ERRNO(EPERM), "prlimit64", scmp_arg_cmp{2, SCMP_CMP_NE, 0, 0});
+  static_assert(PR_SET_NAME + 1 == PR_GET_NAME);
+  filter.add(SCMP_ACT_ALLOW, "prctl", is(0, PR_SET_NAME));
+  filter.add(SCMP_ACT_ALLOW, "prctl", is(0, PR_GET_NAME));
+  filter.add(SCMP_ACT_ERRNO(EPERM), "prctl", scmp_arg_cmp{0, SCMP_CMP_LT, PR_SET_NAME, 0});
+  filter.add(SCMP_ACT_ERRNO(EPERM), "prctl", scmp_arg_cmp{0, SCMP_CMP_GT, PR_GET_NAME, 0});
+  // For phase 2; without the flags that would hand out a listener or fill the kernel's log.
+  filter.add(SCMP_ACT_ALLOW, "seccomp", is(0, SECCOMP_SET_MODE_FILTER), is(1, 0));
+  filter.add(SCMP_ACT_ERRNO(EFAULT), "seccomp", is(0, SECCOMP_GET_ACTION_AVAIL));
+}
+
+// A second filter can only take away: files are opened for reading, whatever the first allows.
+bool open_for_reading_only() {
+  Filter filter(SCMP_ACT_ALLOW);
+  for (const unsigned flag : writing_flags) {
+    filter.add(SCMP_ACT_ERRNO(EACCES), "openat", scmp_arg_cmp{2, SCMP_CMP_MASKED_EQ, flag, flag});
+  }
+  return filter.load();
+}
+
+}  // namespace
+
+bool filter_for_loading() {
+  if (!open_for_reading_only()) return false;
+  Filter filter(SCMP_ACT_TRAP);
+  filter.add_all(SCMP_ACT_ALLOW, memory);
+  filter.add_all(SCMP_ACT_ALLOW, time_and_waiting);
+  filter.add_all(SCMP_ACT_ALLOW, own_signals);
+  filter.add_all(SCMP_ACT_ALLOW, facts_about_itself);
+  filter.add_all(SCMP_ACT_ALLOW, open_files);
+  filter.add_all(SCMP_ACT_ALLOW, loading);
+  filter.add_all(SCMP_ACT_ALLOW, end);
+  allow_some_forms(filter);
+  filter.add_all(SCMP_ACT_ERRNO(EPERM), not_permitted);
+  filter.add_all(SCMP_ACT_ERRNO(EACCES), no_access);
+  filter.add_all(SCMP_ACT_ERRNO(ENOSYS), not_there);
+  filter.add_all(SCMP_ACT_ERRNO(EMFILE), no_descriptors);
+  filter.add_all(SCMP_ACT_ERRNO(EAGAIN), try_again);
+  filter.add(SCMP_ACT_ERRNO(ENOTTY), "ioctl");
+  return filter.load();
+}
+
+bool filter_for_playing() {
+  Filter filter(SCMP_ACT_ALLOW);
+  filter.add(SCMP_ACT_ERRNO(EACCES), "openat");
+  filter.add(SCMP_ACT_ERRNO(EACCES), "newfstatat");
+  for (const char* call : {"mmap", "mprotect"}) {
+    filter.add(SCMP_ACT_ERRNO(EACCES), call,
+               scmp_arg_cmp{2, SCMP_CMP_MASKED_EQ, PROT_EXEC, PROT_EXEC});
+  }
+  for (const char* call : {"seccomp", "landlock_create_ruleset", "landlock_restrict_self"}) {
+    filter.add(SCMP_ACT_TRAP, call);
+  }
+  return filter.load();
+}
+
+std::string system_call_name(int number) {
+  const std::unique_ptr<char, void (*)(void*)> name(
+      seccomp_syscall_resolve_num_arch(SCMP_ARCH_NATIVE, number), std::free);
+  return name != nullptr ? std::string(name.get()) : "number " + std::to_string(number);
+}
+
+}  // namespace mirocup::plugins

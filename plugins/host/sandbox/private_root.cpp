@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "plugins/host/sandbox/private_root.hpp"
+
+#include "plugins/host/descriptor.hpp"
+
+#include <climits>
+
+#include <cerrno>
+#include <fcntl.h>
+#include <linux/mount.h>
+#include <sys/mount.h>
+#include <sys/sendfile.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+
+namespace mirocup::plugins {
+
+namespace {
+
+// Where the tree is put together, over what is there: the namespace is the child's own.
+constexpr const char* workshop = "/tmp";
+
+// Room for the largest entry.
+constexpr const char* root_options = "size=40m,mode=755";
+
+bool make_read_only(const char* path) {
+  mount_attr attributes{};
+  attributes.attr_set = MOUNT_ATTR_RDONLY | MOUNT_ATTR_NOSUID | MOUNT_ATTR_NODEV;
+  return syscall(SYS_mount_setattr, AT_FDCWD, path, AT_RECURSIVE, &attributes, sizeof attributes) ==
+         0;
+}
+
+// `path` + 1 is where it goes, relative to the workshop.
+bool bind(const char* path) {
+  return mount(path, path + 1, nullptr, MS_BIND | MS_REC, nullptr) == 0 && make_read_only(path + 1);
+}
+
+// A folder is bound; a link, as /lib is on most systems, stays one.
+bool add_folder(const char* path) {
+  struct stat status {};
+  if (lstat(path, &status) != 0) return errno == ENOENT;
+  if (S_ISLNK(status.st_mode)) {
+    char target[PATH_MAX];
+    const ssize_t length = readlink(path, target, sizeof target - 1);
+    if (length < 0) return false;
+    target[length] = '\0';
+    return symlink(target, path + 1) == 0;
+  }
+  return mkdir(path + 1, 0755) == 0 && bind(path);
+}
+
+bool add_loader_cache() {
+  struct stat status {};
+  if (stat(loader_cache, &status) != 0) return errno == ENOENT;
+  const Descriptor file(open(loader_cache + 1, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
+  return file.get() >= 0 && bind(loader_cache);
+}
+
+bool add_entry(int entry) {
+  struct stat status {};
+  if (fstat(entry, &status) != 0) return false;
+  const Descriptor file(
+      open(private_entry_path + 1, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0444));
+  off_t done = 0;
+  while (done < status.st_size) {
+    const auto rest = static_cast<std::size_t>(status.st_size - done);
+    if (sendfile(file.get(), entry, &done, rest) <= 0) return false;
+  }
+  return true;
+}
+
+bool make_folders() {
+  for (const char* folder : {"usr", "usr/local", "etc", "entry"}) {
+    if (mkdir(folder, 0755) != 0) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+const char* enter_private_root(int entry) {
+  if (mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0) return "private mounts";
+  if (mount("mirocup", workshop, "tmpfs", MS_NOSUID | MS_NODEV, root_options) != 0 ||
+      chdir(workshop) != 0) {
+    return "an empty root";
+  }
+  if (!make_folders()) return "the folders of the root";
+  for (const char* folder : library_folders) {
+    if (!add_folder(folder)) return folder;
+  }
+  if (!add_loader_cache()) return loader_cache;
+  if (entry != no_entry && !add_entry(entry)) return "the copy of the library";
+  // The old root is put over the new one and taken off at once, which leaves the new one.
+  if (syscall(SYS_pivot_root, ".", ".") != 0 || umount2(".", MNT_DETACH) != 0 || chdir("/") != 0) {
+    return "the change of root";
+  }
+  if (!make_read_only("/")) return "a root that is read only";
+  return nullptr;
+}
+
+}  // namespace mirocup::plugins
