@@ -5,20 +5,67 @@
 #ifndef MIROCUP_TESTS_HOSTILE_H
 #define MIROCUP_TESTS_HOSTILE_H
 
+#ifndef _GNU_SOURCE
+#define _GNU_SOURCE
+#endif
 #include "mirocup/strategy.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/syscall.h>
+#include <time.h>
+#include <unistd.h>
 
 enum { hostile_tick = 25 };
 
+/* MIROCUP_TARGET is a folder outside with a file that must not be read and one that must not
+ * change. */
+#define SECRET MIROCUP_TARGET "/secret"
+#define RECORD MIROCUP_TARGET "/record"
+
+/* The test looks for these words in the log. */
+static inline void got_through(const char* what) {
+  fprintf(stderr, "GOT THROUGH: %s\n", what);
+}
+static inline void expect_failure(long result, const char* what) {
+  if (result >= 0) got_through(what);
+}
+
+/* Where the compiler cannot see what a loop or an address is. */
+static volatile uintptr_t hostile_nowhere = 16;
+static volatile int hostile_for_ever = 1;
+
+/* Of processor time. */
+static inline void burn(double seconds) {
+  struct timespec begin, now;
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &begin);
+  do {
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  } while ((double)(now.tv_sec - begin.tv_sec) + 1e-9 * (double)(now.tv_nsec - begin.tv_nsec) <
+           seconds);
+}
+
+#ifndef HOSTILE_CUSTOM_ENTRY
+/* Called in every tick from hostile_tick on. */
 static void misbehave(mirocup_command* command);
+static const mirocup_observation* hostile_now;
 
 static void* hostile_create(const mirocup_setup* setup) {
   static int something;
   (void)setup;
+  (void)hostile_nowhere;
+  (void)hostile_for_ever;
   return &something;
 }
 
 static void hostile_decide(void* team, const mirocup_observation* now, mirocup_command* command) {
   (void)team;
+  hostile_now = now;
   if (now->tick >= hostile_tick) misbehave(command);
 }
 
@@ -27,5 +74,12 @@ const mirocup_strategy* mirocup_entry(void) {
                                          hostile_create,      hostile_decide,           0};
   return &entry;
 }
+
+/* For those that do it while they are loaded. */
+#define BEHAVES_LATER                               \
+  static void misbehave(mirocup_command* command) { \
+    (void)command;                                  \
+  }
+#endif
 
 #endif

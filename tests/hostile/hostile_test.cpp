@@ -1,102 +1,213 @@
 // SPDX-License-Identifier: MIT
 //
 // What a team does wrong costs that team, whatever its colour; the other one and the server go on,
-// and the record says why.
+// nothing outside is touched, nothing is left over, and the record says why.
+#include "tests/hostile/kinds.hpp"
 #include "tests/support/program.hpp"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <sys/prctl.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace mirocup {
 namespace {
 
 using test_support::Outcome;
 using test_support::program;
+using test_support::read_file;
 using test_support::read_json;
 using test_support::run;
 using test_support::TemporaryFolder;
+using test_support::write_file;
+using Json = nlohmann::ordered_json;
 
 std::string hostile(const std::string& name) {
   return program("hostile/" + name + ".so");
 }
 
-struct Case {
-  std::string name;
-  std::string code;  // of the fault
-  std::string text;  // part of its sentence
+// The folder that strategies attack: everybody may read and write there, but they must not.
+const std::string target = MIROCUP_TARGET;
+const std::string secret = "the secret of the server";
+const std::string untouched = "as it was";
+
+void prepare_target() {
+  std::filesystem::create_directories(target);
+  chmod(target.c_str(), 0777);
+  if (read_file(target + "/secret") == secret) return;
+  write_file(target + "/secret", secret);
+  write_file(target + "/record", untouched);
+  chmod((target + "/record").c_str(), 0666);
+}
+
+void expect_target_is_untouched() {
+  EXPECT_EQ(read_file(target + "/record"), untouched);
+  EXPECT_FALSE(std::filesystem::exists(target + "/dropped"));
+  EXPECT_FALSE(std::filesystem::exists(target + "/record.old"));
+}
+
+// Whether the server runs as the user who started the test, or as nobody.
+enum class User { caller, nobody };
+
+struct SetUp {
+  std::string isolation;
+  User user;
+  std::string colour;  // of the hostile team
 };
 
-class Hostile : public testing::TestWithParam<Case> {};
-INSTANTIATE_TEST_SUITE_P(Teams, Hostile,
-                         testing::Values(Case{"crash", "crash", "signal"},
-                                         Case{"hang", "hang", "processor time"},
-                                         Case{"leaves", "crash", "exit code 0"},
-                                         Case{"throws", "crash", "thrown on purpose"},
-                                         Case{"other_version", "bad_abi", "version 2"},
-                                         Case{"no_entry", "bad_abi", "mirocup_entry"}),
+// Every tier, with and without root where the test may choose; both colours.
+std::vector<SetUp> set_ups() {
+  std::vector<SetUp> all{{"T2", User::caller, "blue"}, {"T1", User::caller, "yellow"}};
+  if (geteuid() == 0) {
+    all.push_back({"T2", User::nobody, "yellow"});
+    all.push_back({"T1", User::nobody, "blue"});
+  }
+  return all;
+}
+
+std::string other_than(const std::string& colour) {
+  return colour == "blue" ? "yellow" : "blue";
+}
+
+struct Leg {
+  Outcome outcome;
+  Json record;
+  std::string log;  // of the hostile team
+};
+
+Leg play(const SetUp& set_up, const std::string& library) {
+  const TemporaryFolder folder;
+  std::vector<std::string> words;
+  if (set_up.user == User::nobody) {
+    chmod((folder / "").c_str(), 0777);
+    words = {"/usr/bin/setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"};
+  }
+  for (const std::string& word :
+       {program("mirocup"), std::string("match"), "--" + set_up.colour, library,
+        "--" + other_than(set_up.colour), std::string("chaser"), std::string("--half"),
+        std::string("2"), std::string("--isolation"), set_up.isolation, std::string("--record"),
+        folder / "leg.json"}) {
+    words.push_back(word);
+  }
+  Leg leg;
+  leg.outcome = run(words);
+  EXPECT_EQ(leg.outcome.exit_code, 0) << leg.outcome.err;
+  if (leg.outcome.exit_code != 0) return leg;
+  leg.record = read_json(folder / "leg.json");
+  leg.log = read_file(folder / ("leg.json." + set_up.colour + ".log"));
+  EXPECT_EQ(run({program("mirocup"), "verify", folder / "leg.json"}).exit_code, 0);
+  return leg;
+}
+
+// "code: text", "code" or "plays"; alternatives are separated by '|'.
+bool is_outcome(const Json& result, const std::string& expected) {
+  const auto bar = expected.find('|');
+  if (bar != std::string::npos) {
+    return is_outcome(result, expected.substr(0, bar)) ||
+           is_outcome(result, expected.substr(bar + 1));
+  }
+  if (expected == "plays") return result["end"] == "full_time" && result["fault"].is_null();
+  if (result["end"] != "forfeit") return false;
+  const std::string code = expected.substr(0, expected.find(": "));
+  const std::string text = code == expected ? "" : expected.substr(code.size() + 2);
+  return result["fault"]["code"] == code &&
+         result["fault"]["text"].get<std::string>().find(text) != std::string::npos;
+}
+
+// Whatever a match leaves behind becomes a child of this process.
+void expect_nothing_is_left() {
+  EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1);
+  EXPECT_EQ(errno, ECHILD);
+}
+
+class Hostile : public testing::TestWithParam<Kind> {
+ protected:
+  void SetUp() override {
+    prepare_target();
+    setenv("MIROCUP_TEST_SECRET", secret.c_str(), 1);
+    prctl(PR_SET_CHILD_SUBREAPER, 1);
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Teams, Hostile, testing::ValuesIn(kinds),
                          [](const auto& c) { return c.param.name; });
 
-TEST_P(Hostile, LosesTheLegAndTheRecordSaysWhy) {
-  const TemporaryFolder folder;
-  for (const std::string colour : {"blue", "yellow"}) {
-    const std::string other = colour == "blue" ? "yellow" : "blue";
-    const Outcome played =
-        run({program("mirocup"), "match", "--" + colour, hostile(GetParam().name), "--" + other,
-             "chaser", "--half", "2", "--record", folder / "leg.json"});
-    EXPECT_EQ(played.exit_code, 0) << played.err;
-    const auto record = read_json(folder / "leg.json");
-    EXPECT_EQ(record["result"]["end"], "forfeit");
-    EXPECT_EQ(record["result"]["winner"], other);
-    EXPECT_EQ(record["result"]["score"][other], 10);
-    EXPECT_EQ(record["result"]["fault"]["team"], colour);
-    EXPECT_EQ(record["result"]["fault"]["code"], GetParam().code);
-    const std::string text = record["result"]["fault"]["text"];
-    EXPECT_NE(text.find(GetParam().text), std::string::npos) << text;
-    EXPECT_EQ(run({program("mirocup"), "verify", folder / "leg.json"}).exit_code, 0);
+TEST_P(Hostile, HurtsOnlyItself) {
+  for (const auto& set_up : set_ups()) {
+    SCOPED_TRACE(set_up.isolation + (set_up.user == User::nobody ? ", nobody" : ""));
+    const Leg leg = play(set_up, hostile(GetParam().name));
+    if (leg.record.is_null()) continue;
+    const bool is_in_t1 = set_up.isolation == "T1" && !GetParam().in_t1.empty();
+    const std::string expected = is_in_t1 ? GetParam().in_t1 : GetParam().outcome;
+    const Json& result = leg.record["result"];
+    EXPECT_TRUE(is_outcome(result, expected)) << "not " << expected << " but " << result.dump();
+    EXPECT_EQ(leg.record["isolation"], set_up.isolation);
+    if (!result["fault"].is_null()) {
+      EXPECT_EQ(result["fault"]["team"], set_up.colour);
+      EXPECT_EQ(result["winner"], other_than(set_up.colour));
+    }
+    EXPECT_EQ(leg.record["budget"][other_than(set_up.colour)]["bad_commands"], 0);
+    EXPECT_EQ(leg.log.find("GOT THROUGH"), std::string::npos) << leg.log;
+    EXPECT_EQ(leg.log.find(secret), std::string::npos) << leg.log;
+    expect_target_is_untouched();
+    expect_nothing_is_left();
   }
 }
 
+// A source without a line in the table would be a strategy that nobody tries.
+TEST(HostileTable, HasEveryKind) {
+  std::size_t sources = 0;
+  for (const auto& file :
+       std::filesystem::directory_iterator(MIROCUP_SOURCE_FOLDER "/tests/hostile/kinds")) {
+    ++sources;
+    const std::string name = file.path().stem();
+    EXPECT_TRUE(std::any_of(kinds.begin(), kinds.end(), [&](const Kind& kind) {
+      return kind.name == name;
+    })) << name;
+  }
+  EXPECT_EQ(sources, kinds.size());
+}
+
 TEST(HostileTeam, ThatAnswersNonsenseDrivesWithZeros) {
-  const TemporaryFolder folder;
-  run({program("mirocup"), "match", "--blue", hostile("not_a_number"), "--yellow", "chaser",
-       "--half", "2", "--record", folder / "leg.json"});
-  const auto record = read_json(folder / "leg.json");
-  EXPECT_EQ(record["result"]["end"], "full_time");
-  EXPECT_GT(record["budget"]["blue"]["bad_commands"], 50);
-  EXPECT_EQ(record["budget"]["yellow"]["bad_commands"], 0);
+  const Leg leg = play({"T1", User::caller, "blue"}, hostile("out_nan"));
+  EXPECT_GT(leg.record["budget"]["blue"]["bad_commands"], 50);
 }
 
 TEST(HostileTeam, OfBothColoursLosesForBoth) {
   const TemporaryFolder folder;
-  run({program("mirocup"), "match", "--blue", hostile("crash"), "--yellow", hostile("crash"),
-       "--half", "2", "--record", folder / "leg.json"});
+  run({program("mirocup"), "match", "--blue", hostile("crash_segv"), "--yellow",
+       hostile("crash_segv"), "--half", "2", "--record", folder / "leg.json"});
   const auto record = read_json(folder / "leg.json");
   EXPECT_EQ(record["result"]["end"], "double_forfeit");
   EXPECT_TRUE(record["result"]["winner"].is_null());
 }
 
 TEST(HostileTeam, ThatTalksIsHeardUpToALimit) {
-  const TemporaryFolder folder;
-  run({program("mirocup"), "match", "--blue", hostile("talks"), "--yellow", "idle", "--half", "2",
-       "--record", folder / "leg.json"});
-  const std::string log = test_support::read_file(folder / "leg.json.blue.log");
-  EXPECT_EQ(log.rfind("a line that nobody asked for, 0\n", 0), 0u);
-  EXPECT_LE(log.size(), 65536u);
-  EXPECT_EQ(read_json(folder / "leg.json")["result"]["end"], "full_time");
+  const Leg leg = play({"T1", User::caller, "blue"}, hostile("log_flood"));
+  EXPECT_EQ(leg.log.rfind("a line that nobody asked for, 0\n", 0), 0u);
+  EXPECT_NE(leg.log.find("bytes are left out here"), std::string::npos);
+  EXPECT_LE(leg.log.size(), 65536u);
 }
 
-TEST(HostileTeam, ThatIsNoLibraryDoesNotLoad) {
-  const TemporaryFolder folder;
-  test_support::write_file(folder / "text.so", "not a library\n");
-  const Outcome played = run({program("mirocup"), "match", "--blue", folder / "text.so", "--yellow",
-                              "idle", "--half", "1", "--record", folder / "leg.json"});
-  EXPECT_EQ(played.exit_code, 0);
-  EXPECT_EQ(read_json(folder / "leg.json")["result"]["fault"]["code"], "no_load");
+TEST(HostileTeam, CannotWriteToATerminal) {
+  const Leg leg = play({"T1", User::caller, "blue"}, hostile("log_escape"));
+  EXPECT_EQ(
+      leg.log.rfind("\\x1b[2J\\x1b]0;title\\x07\\xc2\\x9b1m\\xff\\xe2\\x80\\xae<script>\\x0d\n", 0),
+      0u)
+      << leg.log.substr(0, 200);
 }
 
 TEST(HostileTeam, InTheServersOwnProcessAtLeastMayThrow) {
   const TemporaryFolder folder;
-  const Outcome played = run({program("mirocup"), "match", "--trusted", "--blue", hostile("throws"),
-                              "--yellow", "idle", "--half", "2", "--record", folder / "leg.json"});
+  const Outcome played =
+      run({program("mirocup"), "match", "--trusted", "--blue", hostile("throw_std"), "--yellow",
+           "idle", "--half", "2", "--record", folder / "leg.json"});
   EXPECT_EQ(played.exit_code, 0);
   const auto record = read_json(folder / "leg.json");
   EXPECT_EQ(record["result"]["fault"]["code"], "crash");

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "tests/hostile/hostile.h"
 
-#include <stdlib.h>
-
 static void misbehave(mirocup_command* command) {
   (void)command;
-  exit(0);
+  int* volatile twice = malloc(16);
+  free(twice);
+  free(twice);
 }

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+//
+// Every kind of hostile strategy (kinds/NAME.c) and what becomes of it.
+//
+// "plays": the leg goes to its end; whatever was tried was answered with an error, or harms only
+// the team. Else the code of the fault, and after a colon a part of its sentence.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace mirocup {
+
+struct Kind {
+  std::string name;
+  std::string outcome;  // in tier T2
+  std::string in_t1;    // if it is another there: an attack on what T2 does not even show
+};
+
+inline const std::vector<Kind> kinds{
+    // Ends by itself.
+    {"crash_abort", "crash: signal 6", ""},
+    {"crash_fpe", "crash: signal 8", ""},
+    {"crash_heap", "crash: signal 6", ""},
+    {"crash_segv", "crash: signal 11", ""},
+    {"crash_stack", "crash: signal 11", ""},
+    {"stack_frames", "crash: signal 11", ""},
+    {"stack_no_signal_stack", "crash: signal 11", ""},
+    {"exit_zero", "crash: exit code 0", ""},
+    {"exit_raw", "crash: exit code 0", ""},
+    {"exit_like_the_host", "crash: exit code 127", ""},
+    {"exit_thread", "crash", ""},
+    {"exit_slowly", "hang: processor time", ""},
+    {"longjmp_out", "crash: signal 11", ""},
+    {"throw_std", "crash: thrown on purpose", ""},
+    {"throw_int", "crash: not a std::exception", ""},
+    {"throw_escapes", "crash: \\x1b[2J\\xff\\xe2\\x80\\xaered", ""},
+    {"throw_while_throwing", "crash: signal 6", ""},
+    {"sig_raise", "crash: signal 4", "crash: signal 1"},
+    {"sig_kill_self", "illegal_call: tgkill", ""},
+    {"sig_stop_self", "illegal_call: tgkill", ""},
+    {"sig_own_handler", "illegal_call: kill", ""},
+    {"sig_blocked", "illegal_call", ""},
+    // Takes time.
+    {"loop_forever", "hang: processor time", ""},
+    {"sleep_forever", "hang: 10 s", ""},
+    {"futex_hold", "hang: 10 s", ""},
+    {"sig_immortal", "hang: processor time", ""},
+    {"sig_catch_segv", "hang: processor time", ""},
+    {"futex_storm", "plays", ""},
+    {"slow_every_tick", "plays", ""},
+    {"slow_bank", "budget: processor time", ""},
+    {"clock_random", "plays", ""},
+    // Takes memory.
+    {"mem_bomb", "hang: processor time|plays", ""},
+    {"mem_leak", "plays", ""},
+    {"mem_shared", "illegal_call: memfd_create", ""},
+    {"mem_new", "crash: bad_alloc", ""},
+    {"mem_locked", "plays", ""},
+    {"mem_code", "plays", ""},
+    // Plays with the mailbox.
+    {"shm_mprotect", "plays", ""},
+    {"shm_write", "crash: signal 11", ""},
+    {"shm_scribble", "crash", ""},
+    {"shm_flip", "plays", ""},
+    {"shm_unmap", "crash: signal 11", ""},
+    {"shm_truncate", "illegal_call: ftruncate", ""},
+    {"shm_truncate_others", "illegal_call: fcntl", ""},
+    // Descriptors, files, libraries.
+    {"fd_close_all", "plays", ""},
+    {"fd_dup_flood", "plays", ""},
+    {"fd_inherited", "plays", ""},
+    {"fd_unblock", "illegal_call: fcntl", ""},
+    {"file_read", "plays", ""},
+    {"file_write", "illegal_call: truncate", ""},
+    {"file_rename", "illegal_call: rename", ""},
+    {"file_stat", "plays", ""},
+    {"file_iostream", "plays", ""},
+    {"lib_late", "plays", ""},
+    {"env_peek", "plays", ""},
+    {"ld_runpath", "no_load: libevil.so", ""},
+    {"ld_exec_stack", "plays", ""},
+    // Before it is asked for anything.
+    {"ctor_attack", "plays", "illegal_call: kill"},
+    {"ctor_read", "plays", ""},
+    {"ctor_write", "plays", ""},
+    {"ctor_exit", "crash: while its library was loaded", ""},
+    {"ctor_loop", "start_timeout: 10 s of processor time", ""},
+    {"ctor_prctl", "plays", ""},
+    {"ctor_listener", "illegal_call: seccomp", ""},
+    {"ctor_filter", "crash: changed the sandbox", ""},
+    {"ctor_exec", "illegal_call: execve", ""},
+    {"ctor_close_all", "plays", ""},
+    {"ctor_limits", "plays", ""},
+    {"dtor_loop", "plays", ""},
+    {"ifunc_resolver", "plays", ""},
+    {"tls_ctor", "illegal_call: kill", ""},
+    {"entry_null", "bad_abi: null", ""},
+    {"entry_garbage", "crash: signal 11", ""},
+    {"entry_no_functions", "bad_abi: incomplete", ""},
+    {"init_fail", "crash: while its library was loaded", ""},
+    {"init_refuses", "no_load: null", ""},
+    {"no_entry", "bad_abi: mirocup_entry", ""},
+    {"other_version", "bad_abi: version", ""},
+    // Processes and the kernel.
+    {"proc_exec", "illegal_call: execve", ""},
+    {"proc_kill_group", "illegal_call: kill", ""},
+    {"proc_kill_parent", "plays", "illegal_call: kill"},
+    {"proc_kill_all", "illegal_call: kill", ""},
+    {"proc_namespaces", "illegal_call: unshare", ""},
+    {"proc_priority", "plays", ""},
+    {"proc_ptrace", "plays", "illegal_call: process_vm_readv"},
+    {"proc_ptrace_self", "illegal_call: ptrace", ""},
+    {"fork_bomb", "plays", ""},
+    {"thread_bomb", "plays", ""},
+    {"thread_clone3", "plays", ""},
+    {"timer_think", "illegal_call: setitimer", ""},
+    {"call_io_uring", "illegal_call: io_uring_setup", ""},
+    {"call_bpf", "illegal_call: bpf", ""},
+    {"call_userfaultfd", "illegal_call: userfaultfd", ""},
+    {"call_keyctl", "illegal_call: keyctl", ""},
+    {"call_mount", "illegal_call: mount", ""},
+    {"call_unknown", "illegal_call: 9999", ""},
+    {"call_32_bit", "illegal_call", ""},
+    {"call_x32", "illegal_call", ""},
+    {"net_loopback", "plays", ""},
+    // What it says.
+    {"log_flood", "plays", ""},
+    {"log_escape", "plays", ""},
+    {"out_nan", "plays", ""},
+    {"out_too_much", "crash: signal 11", ""},
+    {"fp_env", "plays|crash: signal 8", ""},
+};
+
+}  // namespace mirocup

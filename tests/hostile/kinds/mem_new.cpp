@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+#include "tests/hostile/hostile.h"
+
+#include <vector>
+
+static void misbehave(mirocup_command*) {
+  const std::vector<double> much(std::size_t{1} << 34);
+  hostile_for_ever = much.empty() ? 1 : 2;
+}
