@@ -94,12 +94,13 @@ std::string Plugin::name() const {
 }
 
 tl::expected<mirocup_command, Fault> Plugin::decide(const mirocup_observation& observation) {
-  const FloatingPointGuard guard;
   mirocup_command command{};
-  if (auto called = guarded("decide", [&] { strategy_->decide(team_, &observation, &command); });
-      !called) {
-    return tl::unexpected(called.error());
+  tl::expected<void, Fault> called;
+  {
+    const FloatingPointGuard guard;
+    called = guarded("decide", [&] { strategy_->decide(team_, &observation, &command); });
   }
+  if (!called) return tl::unexpected(called.error());
   return command;
 }
 

@@ -264,7 +264,7 @@ Answer ProcessController::collect() {
   is_awaited_ = false;
   late_in_a_row_ = 0;
   slowest_tick_ = std::max(slowest_tick_, cpu_ - cpu_at_post_);
-  if (cpu_ - cpu_at_ready_ > bank_seconds()) {
+  if (playing_seconds() > bank_seconds()) {
     child_.kill();
     return Fault{FaultCode::budget, "the team used up its processor time: more than " +
                                         seconds_text(budget_.bank) + " and " +

@@ -63,6 +63,8 @@ class ProcessController final : public match::Controller {
 
   // Processor time since the start, loading included.
   double cpu_seconds() const { return cpu_; }
+  // The same from the first tick on: what counts against the bank.
+  double playing_seconds() const { return cpu_ - cpu_at_ready_; }
   double slowest_tick_ms() const { return 1e3 * slowest_tick_; }
   double start_seconds() const { return start_wall_; }
   // Of the leg so far.

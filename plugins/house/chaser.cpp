@@ -3,7 +3,6 @@
 // One robot runs after the ball and pushes it towards the other goal, one keeps the goal, the rest
 // stand in the way. A first team of one's own can start from here.
 #include "mirocup/strategy.hpp"
-#include "plugins/house/skills.hpp"
 
 namespace {
 
@@ -34,7 +33,7 @@ class Chaser : public Team {
   }
 
   Wheels chase(const Observation& now, const Robot& robot) {
-    if (house::must_kick_off(now)) return house::kick_off(setup(), robot);
+    if (must_kick_off(now)) return kick_off(setup(), robot);
 
     const Point goal{setup().half_length, 0.0};
     const Point towards = unit(goal - ball(now));
@@ -42,14 +41,14 @@ class Chaser : public Team {
     const Point from_ball = position(robot) - ball(now);
     const bool is_behind = dot(from_ball, towards) < -0.5 * length(from_ball);
     if (is_behind) return drive_to(setup(), robot, ball(now) + 0.1 * towards, 0.8, pace_);
-    return house::drive_clear(setup(), now, robot, behind, 0.0, pace_);
+    return drive_clear(setup(), now, robot, behind, 0.0, pace_);
   }
 
   Wheels wait(const Observation& now, int i) {
-    if (i == 0) return house::keep_goal(setup(), now, now.own[0]);
+    if (i == 0) return keep_goal(setup(), now, now.own[0]);
     const int row = (i + 1) / 2;
     const double y = 0.2 * (i % 2 == 0 ? 1.0 : -1.0) * row;
-    return house::drive_clear(setup(), now, now.own[i], {-0.4 * setup().half_length, y});
+    return drive_clear(setup(), now, now.own[i], {-0.4 * setup().half_length, y});
   }
 
   double pace_ = 1.3 + 0.3 * random().uniform();  // m/s, of this leg

@@ -3,7 +3,6 @@
 // Defends. Robot 0 keeps the goal, the others stand in the ball's way to it and clear what comes
 // near.
 #include "mirocup/strategy.hpp"
-#include "plugins/house/skills.hpp"
 
 namespace {
 
@@ -14,14 +13,14 @@ class Keeper : public Team {
   using Team::Team;
 
   void decide(const Observation& now, Command& command) override {
-    command.wheels[0] = house::keep_goal(setup(), now, now.own[0]);
+    command.wheels[0] = keep_goal(setup(), now, now.own[0]);
     const Point goal{-setup().half_length, 0.0};
     const Point out = unit(ball(now) - goal);
     for (int i = 1; i < now.robots; ++i) {
       const Robot& robot = now.own[i];
       const bool is_near = length(ball(now) - position(robot)) < 0.25 && now.ball_x < 0.0;
-      if (i == 1 && house::must_kick_off(now)) {
-        command.wheels[i] = house::kick_off(setup(), robot);
+      if (i == 1 && must_kick_off(now)) {
+        command.wheels[i] = kick_off(setup(), robot);
       } else if (i == 1 && is_near && robot.x < now.ball_x) {
         command.wheels[i] = drive_to(setup(), robot, ball(now) + 0.1 * out, 1.0);
       } else {
@@ -30,7 +29,7 @@ class Keeper : public Team {
         const int row = i / 3;
         const double aside = 0.09 * (i % 2 == 0 ? 1.0 : -1.0) * column;
         const Point post = goal + (distance_ + 0.07 * row) * out;
-        command.wheels[i] = house::drive_clear(setup(), now, robot, {post.x, post.y + aside});
+        command.wheels[i] = drive_clear(setup(), now, robot, {post.x, post.y + aside});
       }
     }
   }

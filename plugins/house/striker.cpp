@@ -3,7 +3,6 @@
 // Plays to score: a keeper, one attacker that takes the ball where it will be and shoots past the
 // other keeper, and the rest behind it for what comes back.
 #include "mirocup/strategy.hpp"
-#include "plugins/house/skills.hpp"
 
 namespace {
 
@@ -14,7 +13,7 @@ class Striker : public Team {
   using Team::Team;
 
   void decide(const Observation& now, Command& command) override {
-    command.wheels[0] = house::keep_goal(setup(), now, now.own[0]);
+    command.wheels[0] = keep_goal(setup(), now, now.own[0]);
     choose_attacker(now);
     choose_corner(now);
     int rank = 0;
@@ -25,23 +24,11 @@ class Striker : public Team {
   }
 
  private:
-  // Where the ball will be when a robot gets there.
-  Point meeting_point(const Observation& now, const Robot& robot) const {
-    Point p = ball(now);
-    for (int i = 0; i < 3; ++i) {
-      const double seconds = std::min(length(p - position(robot)) / 1.2, 0.8);
-      p = ball(now) + (seconds * (1.0 - 0.1 * seconds)) * ball_velocity(now);
-    }
-    const double margin = setup().ball_radius;
-    return {std::clamp(p.x, -setup().half_length + margin, setup().half_length - margin),
-            std::clamp(p.y, -setup().half_width + margin, setup().half_width - margin)};
-  }
-
   // The robot that is soonest behind the ball; it stays the attacker unless another is clearly
   // better.
   void choose_attacker(const Observation& now) {
     const auto cost = [&](int i) {
-      const Point to = meeting_point(now, now.own[i]) - position(now.own[i]);
+      const Point to = meeting_point(setup(), now, now.own[i]) - position(now.own[i]);
       return length(to) + (to.x < 0.0 ? 0.25 : 0.0) - (i == attacker_ ? 0.1 : 0.0);
     };
     int best = 1;
@@ -70,21 +57,9 @@ class Striker : public Team {
   }
 
   Wheels attack(const Observation& now, const Robot& robot) {
-    if (house::must_kick_off(now)) return house::kick_off(setup(), robot);
+    if (must_kick_off(now)) return kick_off(setup(), robot);
 
-    const Point meet = meeting_point(now, robot);
-    const Point shot = unit(Point{setup().half_length + 0.05, corner_} - meet);
-    const Point from_ball = position(robot) - meet;
-    const double behind = -dot(from_ball, shot);
-    const double aside = from_ball.y * shot.x - from_ball.x * shot.y;
-
-    // Behind the ball and nearly on the line of the shot: through it.
-    if (behind > 0.0 && std::abs(aside) < 0.02 + 0.35 * behind && behind < 0.35) {
-      const Point through = meet + 0.3 * shot - (2.0 * aside) * Point{-shot.y, shot.x};
-      return drive_to(setup(), robot, through, 1.7, 1.7);
-    }
-    // Else to a place behind it.
-    return house::drive_clear(setup(), now, robot, inside(meet - 0.11 * shot), 0.3, 1.7);
+    return kick_to(setup(), now, robot, {setup().half_length + 0.05, corner_}, 1.7);
   }
 
   // Between the ball and the own goal, fanned out, ready to take over.
@@ -94,13 +69,7 @@ class Striker : public Team {
     const double back = 0.3 + 0.2 * row;
     const double x = std::max(-0.7 * setup().half_length, now.ball_x - back);
     const double y = 0.4 * now.ball_y + side * (rank % 2 == 0 ? 0.12 : -0.25);
-    return house::drive_clear(setup(), now, robot, inside({x, y}));
-  }
-
-  Point inside(Point p) const {
-    const double margin = 0.045;
-    return {std::clamp(p.x, -setup().half_length + margin, setup().half_length - margin),
-            std::clamp(p.y, -setup().half_width + margin, setup().half_width - margin)};
+    return drive_clear(setup(), now, robot, inside(setup(), {x, y}));
   }
 
   int attacker_ = 1;

@@ -16,7 +16,9 @@ using Run = std::function<Result<int>()>;
 
 // Each sets `run` if its subcommand was chosen.
 void add_match(CLI::App& app, Run& run);
+void add_check(CLI::App& app, Run& run);
 void add_join(CLI::App& app, Run& run);
+void add_new(CLI::App& app, Run& run);
 void add_scene(CLI::App& app, Run& run);
 void add_verify(CLI::App& app, Run& run);
 void add_rerun(CLI::App& app, Run& run);

@@ -23,7 +23,9 @@ int main(int argc, char** argv) {
   cli.footer("mirocup league ... runs tournaments: see mirocup league --help.");
   app::Run run;
   app::add_match(cli, run);
+  app::add_check(cli, run);
   app::add_join(cli, run);
+  app::add_new(cli, run);
   app::add_verify(cli, run);
   app::add_rerun(cli, run);
   app::add_replay(cli, run);

@@ -17,6 +17,18 @@ std::string sibling_program(const std::string& name) {
   return fs::exists(here / name) ? (here / name).string() : installed.string();
 }
 
+TeamKit team_kit() {
+  const fs::path program = fs::read_symlink("/proc/self/exe");
+  // A build tree has its programs at the top.
+  const bool is_installed = program.parent_path().filename() == "bin";
+  const fs::path prefix =
+      is_installed ? program.parent_path().parent_path() : program.parent_path();
+  return {.program = program.string(),
+          .prefix = prefix.string(),
+          .headers = (prefix / "include" / "mirocup").string(),
+          .templates = (prefix / "share" / "mirocup" / "team").string()};
+}
+
 std::string house_team(const std::string& name) {
   if (name.empty() || name.find('/') != std::string::npos) return "";
   const fs::path here = program_folder();

@@ -11,9 +11,10 @@ inline constexpr int no_entry = -1;
 // Where the team's library is in that tree.
 inline constexpr const char* private_entry_path = "/entry/strategy.so";
 
-// The folders that the dynamic loader looks into. Those that are missing are left out.
-inline constexpr const char* library_folders[] = {"/lib", "/lib64", "/usr/lib", "/usr/lib64",
-                                                  "/usr/local/lib"};
+// The folders that the dynamic loader looks into, and the one that Debian's choices between
+// libraries are links in. Those that are missing are left out.
+inline constexpr const char* library_folders[] = {
+    "/lib", "/lib64", "/usr/lib", "/usr/lib64", "/usr/local/lib", "/etc/alternatives"};
 inline constexpr const char* loader_cache = "/etc/ld.so.cache";
 
 // Makes the tree, with a copy of the library that is open as `entry`, and makes it the root. To be

@@ -5,21 +5,48 @@
  * The host calls create() once, then decide() once in every control period (33 ms of simulated
  * time), and at the end destroy(). All calls come from one thread, one after the other.
  *
- * Frame.   Your own: you always attack +x, whatever end you have. The origin is the middle of the
- * field, y points to the left of +x; metres, m/s, radians counter-clockwise from +x, rad/s, kg.
- * Wheels.  A robot is a square that two wheels drive. You ask for wheel speeds in rad/s, at most
- *          wheel_speed_limit either way (beyond, they are clamped; a speed that is not finite
- * counts as 0). They are rounded to 1/256 rad/s. A motor follows with the time constant
- * motor_time_constant: forward speed aimed at = wheel_radius * (right + left) / 2 turn rate aimed
- * at     = wheel_radius * (right - left) / wheel_distance Wheels slide sideways when |turn rate *
- * forward speed| exceeds grip * 9.81 m/s^2. Delay.   What you answer to the observation of tick t
- * is driven in tick t + 1, for both teams alike. Robots.  Robot 0 is placed as keeper at restarts,
- * robot 1 as kicker. While play is stopped (state READY) your commands have no effect, but the
- * answer to the last observation before the whistle is driven in the first tick of play. Time.    A
- * match is played as fast as both teams answer. A call that takes more than 1 s of processor time,
- * or 10 s in all, ends the leg as a loss. Output.  What you print to standard error ends up in the
- * log of the leg. Chance.  Take it from `seed`: then a leg can be played again exactly. Clocks,
- * addresses and std::random_device make a leg that nobody can repeat.
+ * Frame
+ *   Your own: you always attack +x, whatever end you have, and your goal is at x = -half_length.
+ *   The origin is the middle of the field, y points to the left of +x. Metres, m/s, radians
+ *   counter-clockwise from +x, rad/s, kg, seconds.
+ *
+ * Wheels
+ *   A robot is a square that two wheels drive. You ask for wheel speeds in rad/s, at most
+ *   wheel_speed_limit either way: beyond, they are clamped, and a speed that is not finite counts
+ *   as 0; both are counted in the record. They are rounded to 1/256 rad/s. A motor follows with
+ *   the time constant motor_time_constant:
+ *     forward speed aimed at = wheel_radius * (right + left) / 2
+ *     turn rate aimed at     = wheel_radius * (right - left) / wheel_distance
+ *   Wheels slide sideways when |turn rate * forward speed| exceeds grip * 9.81 m/s^2.
+ *
+ * Tick and delay
+ *   One tick is control_period (33 ms of simulated time; 1/60 s under SimuroSot rules). What you
+ *   answer to the observation of tick t is driven in tick t + 1, for both teams alike.
+ *
+ * Play
+ *   Robot 0 is placed as keeper at restarts, robot 1 as kicker. While play is stopped (state READY)
+ *   your commands have no effect, but the answer to the last observation before the whistle is
+ *   driven in the first tick of play.
+ *
+ * Time
+ *   A match is played as fast as both teams answer; what is counted is your processor time. A leg
+ *   has 2 s and 1 ms for each tick; one tick may take 1 s (10 s if you wait for something), loading
+ *   and create() 10 s. Who needs more loses the leg. Thinking between two calls counts, too.
+ *   `mirocup check` shows what you use. In matches at the speed of real time, who is late drives on
+ *   with the last command for a few ticks, then stands.
+ *
+ * Surroundings
+ *   Your library plays in a process of its own, shut in: 1 GiB of memory, 8 MiB of stack, one
+ *   thread. Files, network, processes and threads answer with errors, or end the leg as a loss.
+ *   Put tables that you need into the library. Any language that can make a C library will do.
+ *
+ * Log
+ *   setup->log("text") and what you print to standard output or error end up in the log of the leg;
+ *   64 KiB of it are kept.
+ *
+ * Chance
+ *   Take it from `seed`: then a leg can be played again exactly. Clocks, addresses and
+ *   std::random_device make a leg that nobody can repeat; `mirocup check` refuses such a library.
  *
  * This header is C11 and C++; it needs nothing else. strategy.hpp is a C++ layer on top of it.
  */

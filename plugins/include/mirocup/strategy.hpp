@@ -14,7 +14,16 @@
 //   MIROCUP_EXPORT_TEAM(Mine, "mine")
 //
 // Frames, units, delays and limits are those of strategy.h, which says all of them. This header has
-// no other dependency; everything in it is inline.
+// no other dependency; everything in it is inline, and none of it keeps anything between two calls.
+//
+//   points      Point, + - *, dot, length, unit, inside, wrapped
+//   what is     ball, ball_velocity, position, ball_after, meeting_point, must_kick_off
+//   one robot   wheels_for, turn_to, drive_to, drive_to_pose, drive_clear (round the ball)
+//   roles       kick_to (behind the ball, then through it), keep_goal, kick_off
+//   a team      Team: setup(), random(), log("form", values...)
+//
+// All that drive return wheel speeds for this tick; call them anew in every tick. They are good
+// enough to start from, and meant to be copied and bettered.
 #pragma once
 
 #include "mirocup/strategy.h"
@@ -22,6 +31,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 
 namespace mirocup::strategy {
 
@@ -117,6 +127,118 @@ inline Wheels drive_to(const Setup& setup, const Robot& robot, Point target, dou
   return wheels_for(setup, direction * speed, turn);
 }
 
+// Drives to a point and turns to a heading there. From far off it aims at a place before the point,
+// so that it arrives facing the right way; a robot that stands beside the point backs off first.
+inline Wheels drive_to_pose(const Setup& setup, const Robot& robot, Point target, double heading,
+                            double fastest = 1.5) {
+  const Point forward{std::cos(heading), std::sin(heading)};
+  const Point to = target - position(robot);
+  const double distance = length(to);
+  if (distance < 0.01) return turn_to(setup, robot, heading);
+  const bool is_on_line = dot(to, forward) > 0.9 * distance;
+  if (is_on_line) return drive_to(setup, robot, target, 0.0, fastest);
+  const double run_up = std::clamp(0.6 * distance, 0.05, 0.3);
+  return drive_to(setup, robot, target - run_up * forward, 0.2, fastest);
+}
+
+// Where the ball will be in some seconds if nobody touches it and there were no walls: it slows down
+// a little.
+inline Point ball_after(const Observation& now, double seconds) {
+  return ball(now) + (seconds * (1.0 - 0.1 * seconds)) * ball_velocity(now);
+}
+
+// Between the middle of a robot and a wall that it can still turn beside, m.
+inline constexpr double elbow_room = 0.045;
+
+// The nearest point of the field that is `margin` off its walls (the corners are left out).
+inline Point inside(const Setup& setup, Point p, double margin = elbow_room) {
+  return {std::clamp(p.x, -setup.half_length + margin, setup.half_length - margin),
+          std::clamp(p.y, -setup.half_width + margin, setup.half_width - margin)};
+}
+
+// Where a robot that drives at `pace` m/s meets the ball.
+inline Point meeting_point(const Setup& setup, const Observation& now, const Robot& robot,
+                           double pace = 1.2) {
+  Point p = ball(now);
+  for (int i = 0; i < 3; ++i) {
+    p = ball_after(now, std::min(length(p - position(robot)) / pace, 0.8));
+  }
+  return inside(setup, p, setup.ball_radius);
+}
+
+// Drives to a point, and round the ball if that is in the way: a robot on its way home must not
+// push it there.
+inline Wheels drive_clear(const Setup& setup, const Observation& now, const Robot& robot,
+                          Point target, double arrival = 0.0, double fastest = 1.5) {
+  const double berth = 0.11;
+  const Point here = position(robot);
+  const Point way = target - here;
+  const Point to_ball = ball(now) - here;
+  const Point along = unit(way);
+  const double ahead = dot(to_ball, along);
+  const double aside = along.x * to_ball.y - along.y * to_ball.x;
+  if (ahead <= 0.0 || ahead >= length(way) || std::abs(aside) >= berth) {
+    return drive_to(setup, robot, target, arrival, fastest);
+  }
+  // Too near to turn past it: back off first.
+  if (length(to_ball) < 0.115)
+    return drive_to(setup, robot, here - 0.1 * unit(to_ball), 0.0, fastest);
+  const double side = aside > 0.0 ? -1.0 : 1.0;
+  const Point beside = ball(now) + (side * berth * 1.2) * Point{-along.y, along.x};
+  return drive_to(setup, robot, beside, 0.3, std::min(fastest, 0.9));
+}
+
+// Kicks the ball towards a point: first to a place behind it, then through it. `point` may lie
+// behind the goal line; the other goal's middle is {half_length, 0}.
+inline Wheels kick_to(const Setup& setup, const Observation& now, const Robot& robot, Point point,
+                      double pace = 1.5) {
+  const Point meet = meeting_point(setup, now, robot);
+  const Point along = unit(point - meet);
+  const Point from_ball = position(robot) - meet;
+  const double behind = -dot(from_ball, along);
+  const double aside = from_ball.y * along.x - from_ball.x * along.y;
+  if (behind > 0.0 && behind < 0.35 && std::abs(aside) < 0.02 + 0.35 * behind) {
+    const Point through = meet + 0.3 * along - (2.0 * aside) * Point{-along.y, along.x};
+    return drive_to(setup, robot, through, pace, pace);
+  }
+  return drive_clear(setup, now, robot, inside(setup, meet - 0.11 * along), 0.3, pace);
+}
+
+// Is the ball still on the spot of a kick-off of yours? It has to go backwards first.
+inline bool must_kick_off(const Observation& now) {
+  return now.restart == MIROCUP_KICK_OFF && now.own_restart != 0 &&
+         std::hypot(now.ball_x, now.ball_y) < 0.055;
+}
+
+// Nudges it home and aside, so slowly that it does not roll to the own goal.
+inline Wheels kick_off(const Setup& setup, const Robot& robot) {
+  return drive_to(setup, robot, {-0.2, 0.1}, 0.2, 0.2);
+}
+
+// Stays on a line before the goal where the ball will cross it, and kicks out what lies near.
+inline Wheels keep_goal(const Setup& setup, const Observation& now, const Robot& robot) {
+  const double line = -setup.half_length + 0.055;
+  const Point here = position(robot);
+  const Point away = ball(now) - here;
+
+  const bool is_slow = length(ball_velocity(now)) < 0.4;
+  const bool is_in_reach = now.ball_x > here.x + 0.02 && length(away) < 0.16 &&
+                           now.ball_x < -setup.half_length + setup.goal_area_depth + 0.02;
+  if (is_slow && is_in_reach) return drive_to(setup, robot, ball(now) + 0.2 * unit(away), 1.0);
+
+  // Where the ball will cross the line, if it comes.
+  double y = now.ball_y;
+  if (now.ball_vx < -0.1) {
+    const double seconds = (line - now.ball_x) / now.ball_vx;
+    if (seconds > 0.0 && seconds < 1.5) y = now.ball_y + now.ball_vy * seconds;
+  }
+  const double reach = setup.goal_half_width - 0.02;
+  const Point post{line, std::clamp(y, -reach, reach)};
+  if (length(post - here) < 0.01)
+    return turn_to(setup, robot, robot.heading > 0.0 ? pi / 2.0 : -pi / 2.0);
+  return drive_clear(setup, now, robot, post);
+}
+
 // Random numbers that a leg can be repeated with (splitmix64).
 class Random {
  public:
@@ -145,6 +267,15 @@ class Team {
  protected:
   const Setup& setup() const { return setup_; }
   Random& random() { return random_; }
+
+  // A line in the log of the leg, in the form of printf(): log("ball at %.2f", now.ball_x).
+  void log(const char* text) const { setup_.log(text); }
+  template <class... Values>
+  void log(const char* form, Values... values) const {
+    char line[256];
+    std::snprintf(line, sizeof line, form, values...);
+    setup_.log(line);
+  }
 
  private:
   Setup setup_;

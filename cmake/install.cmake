@@ -1,0 +1,29 @@
+# What a prefix holds, and find_package(mirocup) from it and from the build tree. Programs find their parts relative to
+# themselves (server/record/locations.hpp), so a prefix can be moved.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/mirocup)
+
+install(TARGETS mirocup mirocup_strategy EXPORT mirocup)
+install(TARGETS mirocup-league)
+install(TARGETS mirocup-plugin-host RUNTIME DESTINATION libexec/mirocup)
+install(TARGETS house_idle house_chaser house_keeper house_striker LIBRARY DESTINATION lib/mirocup/house)
+install(DIRECTORY plugins/include/ TYPE INCLUDE)
+install(DIRECTORY plugins/template/ DESTINATION share/mirocup/team)
+install(EXPORT mirocup NAMESPACE mirocup:: FILE mirocup-targets.cmake DESTINATION ${package_folder})
+
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup-config-version.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES cmake/mirocup-config.cmake ${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup-config-version.cmake
+  DESTINATION ${package_folder})
+
+# The build tree looks like a prefix to find_package and to `mirocup new`.
+export(TARGETS mirocup mirocup_strategy NAMESPACE mirocup::
+  FILE ${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup-targets.cmake)
+configure_file(cmake/mirocup-config.cmake ${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup-config.cmake COPYONLY)
+foreach(file CMakeLists.txt CMakePresets.json README.md team.cpp team_test.cpp)
+  configure_file(plugins/template/${file} ${PROJECT_BINARY_DIR}/share/mirocup/team/${file} COPYONLY)
+endforeach()
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/include)
+file(CREATE_LINK ${PROJECT_SOURCE_DIR}/plugins/include/mirocup ${PROJECT_BINARY_DIR}/include/mirocup
+  COPY_ON_ERROR SYMBOLIC)

@@ -1,0 +1,2 @@
+# find_package(mirocup): mirocup::strategy, the headers that a team is built against, and mirocup::mirocup, the program.
+include("${CMAKE_CURRENT_LIST_DIR}/mirocup-targets.cmake")

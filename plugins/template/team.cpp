@@ -1,0 +1,43 @@
+// A keeper, one robot that kicks to the other goal, and the rest in the ball's way home.
+#include "mirocup/strategy.hpp"
+
+using namespace mirocup::strategy;
+
+class Mine : public Team {
+ public:
+  using Team::Team;
+
+  void decide(const Observation& now, Command& command) override {
+    if (now.tick == 0) log("%d robots a side, seed %llu", now.robots, seed());
+    command.wheels[0] = keep_goal(setup(), now, now.own[0]);
+    const int kicker = nearest(now);
+    for (int i = 1; i < now.robots; ++i) {
+      command.wheels[i] = i == kicker ? kick(now, now.own[i]) : wait(now, i);
+    }
+  }
+
+ private:
+  unsigned long long seed() const { return setup().seed; }
+
+  // The robot next to the ball; robot 0 stays in the goal.
+  static int nearest(const Observation& now) {
+    int best = 1;
+    for (int i = 2; i < now.robots; ++i) {
+      if (length(position(now.own[i]) - ball(now)) < length(position(now.own[best]) - ball(now)))
+        best = i;
+    }
+    return best;
+  }
+
+  Wheels kick(const Observation& now, const Robot& robot) const {
+    if (must_kick_off(now)) return kick_off(setup(), robot);
+    return kick_to(setup(), now, robot, {setup().half_length, 0.0});
+  }
+
+  Wheels wait(const Observation& now, int i) const {
+    const double side = i % 2 == 0 ? 0.2 : -0.2;
+    return drive_clear(setup(), now, now.own[i], {-0.4 * setup().half_length, side});
+  }
+};
+
+MIROCUP_EXPORT_TEAM(Mine, "mine")

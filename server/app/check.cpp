@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+//
+// mirocup check FILE.so: would this entry be accepted?
+#include "server/app/commands.hpp"
+#include "server/app/entry_check.hpp"
+#include "server/record/match_record.hpp"
+
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+namespace mirocup::app {
+
+namespace {
+
+// Of the processor time of a leg; who uses more than that is warned.
+constexpr double much_of_the_bank = 0.6;
+
+struct Options {
+  std::string path;
+  std::string league = "small";
+  bool json = false;
+};
+
+record::Json to_json(const Options& options, const EntryReport& report) {
+  record::Json checks = record::Json::array();
+  for (const Check& check : report.checks) {
+    checks.push_back({{"name", check.name},
+                      {"passed", check.passed ? record::Json(*check.passed) : record::Json()},
+                      {"text", check.text}});
+  }
+  const Check* failure = report.failure();
+  return {{"file", options.path},
+          {"sha256", report.sha256.empty() ? record::Json() : record::Json(report.sha256)},
+          {"accepted", failure == nullptr},
+          {"reason", failure == nullptr ? record::Json()
+                                        : record::Json(failure->name + ": " + failure->text)},
+          {"checks", checks},
+          {"isolation", to_string(report.isolation)},
+          {"timing",
+           {{"start_ms", report.start_ms},
+            {"mean_tick_ms", report.mean_tick_ms},
+            {"slowest_tick_ms", report.slowest_tick_ms},
+            {"bank_share", report.bank_share}}},
+          {"peak_memory_bytes", report.peak_memory},
+          {"log", report.log}};
+}
+
+void print(const Options& options, const EntryReport& report) {
+  for (const Check& check : report.checks) {
+    const char* mark = !check.passed ? "  - " : *check.passed ? " ok " : "NO  ";
+    std::cout << mark << check.name << ": " << check.text << '\n';
+  }
+  char text[200];
+  if (report.mean_tick_ms > 0.0) {
+    std::snprintf(text, sizeof text,
+                  "    a tick takes %.3f ms of processor time in the mean, %.3f ms at most; start "
+                  "%.1f ms; memory %.1f MiB; sandbox %s\n",
+                  report.mean_tick_ms, report.slowest_tick_ms, report.start_ms,
+                  static_cast<double>(report.peak_memory) / (1 << 20),
+                  std::string(to_string(report.isolation)).c_str());
+    std::cout << text;
+  }
+  if (report.bank_share > much_of_the_bank) {
+    std::snprintf(text, sizeof text,
+                  "    warning: that is %.0f %% of the time that a leg has; leave room for slower "
+                  "machines\n",
+                  100.0 * report.bank_share);
+    std::cout << text;
+  }
+  if (!report.log.empty()) std::cout << "--- log\n" << report.log << "\n--- end of log\n";
+  const Check* failure = report.failure();
+  if (failure == nullptr) {
+    std::cout << options.path << ": accepted\n";
+  } else {
+    std::cout << options.path << ": not accepted, " << failure->name << ": " << failure->text
+              << '\n';
+  }
+}
+
+Result<int> run_check(const Options& options) {
+  const auto report = check_entry(options.path, *from_string<League>(options.league));
+  if (!report) return tl::unexpected(report.error());
+  if (options.json) {
+    std::cout
+        << to_json(options, *report).dump(-1, ' ', false, record::Json::error_handler_t::replace)
+        << '\n';
+  } else {
+    print(options, *report);
+  }
+  return report->failure() == nullptr ? exit_yes : exit_no;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, Run& run) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("check", "Would this library be accepted as an entry?");
+  command->add_option("FILE.so", options->path, "the team's library")->required();
+  command->add_option("--league", options->league, "small (3 a side), middle (5), large (11)")
+      ->check(CLI::IsMember({"small", "middle", "large"}))
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "the report as one object on standard output");
+  command->callback([options, &run] { run = [options] { return run_check(*options); }; });
+}
+
+}  // namespace mirocup::app

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+//
+// mirocup new DIR: a team that builds as it is.
+#include "server/app/commands.hpp"
+#include "server/record/files.hpp"
+#include "server/record/locations.hpp"
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <utility>
+
+namespace mirocup::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string replaced(std::string text, const std::string& word, const std::string& by) {
+  for (std::size_t at = text.find(word); at != std::string::npos;
+       at = text.find(word, at + by.size())) {
+    text.replace(at, word.size(), by);
+  }
+  return text;
+}
+
+Result<int> run_new(const std::string& folder) {
+  record::Disk disk;
+  std::error_code none;
+  if (fs::exists(folder, none) && !fs::is_empty(folder, none))
+    return fail(Errc::input, folder + ": there is something in it already; name a new folder");
+  const record::TeamKit kit = record::team_kit();
+  if (!fs::is_directory(kit.templates, none))
+    return fail(Errc::unavailable, kit.templates + ": the files of a new team are missing here");
+  if (auto made = disk.make_folder(folder); !made) return tl::unexpected(made.error());
+
+  for (const auto& file : fs::directory_iterator(kit.templates)) {
+    auto text = disk.read(file.path().string());
+    if (!text) return tl::unexpected(text.error());
+    std::string filled = replaced(std::move(*text), "@MIROCUP@", kit.program);
+    filled = replaced(std::move(filled), "@MIROCUP_PREFIX@", kit.prefix);
+    filled = replaced(std::move(filled), "@MIROCUP_HEADERS@", kit.headers);
+    const std::string path = (fs::path(folder) / file.path().filename()).string();
+    if (auto written = disk.write(path, filled); !written) return tl::unexpected(written.error());
+  }
+  std::cout << folder << ": a team. Build, test and check it: cd " << folder
+            << " && cmake --workflow --preset team\n";
+  return exit_yes;
+}
+
+}  // namespace
+
+void add_new(CLI::App& app, Run& run) {
+  auto folder = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand("new", "Start a team of your own");
+  command->add_option("DIR", *folder, "the folder to make")->required();
+  command->callback([folder, &run] { run = [folder] { return run_new(*folder); }; });
+}
+
+}  // namespace mirocup::app

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+//
+// mirocup check: the first thing that is wrong is named, with what to do about it.
+#include "tests/support/program.hpp"
+
+#include <gtest/gtest.h>
+
+namespace mirocup {
+namespace {
+
+using test_support::Outcome;
+using test_support::program;
+using test_support::read_file;
+using test_support::run;
+using test_support::TemporaryFolder;
+using test_support::write_file;
+using Json = nlohmann::ordered_json;
+
+struct Examined {
+  int exit_code;
+  Json report;
+};
+
+Examined check(const std::string& library, const std::vector<std::string>& more = {}) {
+  std::vector<std::string> words{program("mirocup"), "check", library, "--json"};
+  words.insert(words.end(), more.begin(), more.end());
+  const Outcome outcome = run(words);
+  return {outcome.exit_code, Json::parse(outcome.out, nullptr, false)};
+}
+
+std::string hostile(const std::string& name) {
+  return program("hostile/" + name + ".so");
+}
+
+TEST(Check, AcceptsTheHouseTeams) {
+  for (const char* name : {"idle", "chaser", "keeper", "striker"}) {
+    for (const char* league : {"small", "large"}) {
+      const Examined examined =
+          check(program("house/" + std::string(name) + ".so"), {"--league", league});
+      EXPECT_EQ(examined.exit_code, 0) << examined.report.dump();
+      EXPECT_EQ(examined.report["accepted"], true);
+      EXPECT_EQ(examined.report["sha256"].get<std::string>().size(), 64u);
+      for (const Json& one : examined.report["checks"]) EXPECT_EQ(one["passed"], true);
+      EXPECT_GT(examined.report["timing"]["mean_tick_ms"], 0.0);
+      EXPECT_GT(examined.report["peak_memory_bytes"], 100'000);
+    }
+  }
+}
+
+void expect_rejected(const std::string& library, const std::string& first_failed,
+                     const std::string& text) {
+  const Examined examined = check(library);
+  EXPECT_EQ(examined.exit_code, 1) << library;
+  EXPECT_EQ(examined.report["accepted"], false);
+  const std::string reason = examined.report["reason"];
+  EXPECT_EQ(reason.rfind(first_failed + ": ", 0), 0u) << reason;
+  EXPECT_NE(reason.find(text), std::string::npos) << reason;
+  // All before it passed, none after it was tried.
+  bool has_failed = false;
+  for (const Json& one : examined.report["checks"]) {
+    if (one["passed"] == false) {
+      EXPECT_EQ(one["name"], first_failed);
+      has_failed = true;
+    } else if (has_failed) {
+      EXPECT_TRUE(one["passed"].is_null());
+    } else {
+      EXPECT_EQ(one["passed"], true);
+    }
+  }
+}
+
+TEST(Check, NamesTheFirstThingThatIsWrong) {
+  const TemporaryFolder folder;
+  write_file(folder / "text.so", "not a library\n");
+  expect_rejected(folder / "text.so", "complete", "hand in the shared library");
+  write_file(folder / "cut.so", read_file(program("house/chaser.so")).substr(0, 9000));
+  expect_rejected(folder / "cut.so", "complete", "copy it again");
+  write_file(folder / "empty.so", "");
+  expect_rejected(folder / "empty.so", "file", "empty");
+  expect_rejected(program("mirocup"), "complete", "-shared");
+  expect_rejected(hostile("no_entry"), "entry", "MIROCUP_EXPORT_TEAM");
+  expect_rejected(hostile("ld_runpath"), "libraries", "link it statically");
+  expect_rejected(hostile("other_version"), "loads", "strategy.h of this version");
+  expect_rejected(hostile("init_refuses"), "loads", "null");
+  expect_rejected(hostile("ctor_exit"), "loads", "ended itself");
+  expect_rejected(hostile("crash_segv"), "ticks", "--trusted in a debugger");
+  expect_rejected(hostile("slow_bank"), "ticks", "1 ms of processor time");
+  expect_rejected(hostile("call_bpf"), "ticks", "bpf");
+  expect_rejected(hostile("clock_random"), "repeatable", "tick 25");
+}
+
+TEST(Check, OfWhatIsNotThereIsNoAnswer) {
+  const Outcome outcome = run({program("mirocup"), "check", "/no/such/file.so"});
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_NE(outcome.err.find("/no/such/file.so"), std::string::npos);
+}
+
+TEST(Check, ShowsTheLog) {
+  const Examined examined = check(hostile("throw_std"));
+  EXPECT_NE(examined.report["reason"].get<std::string>().find("thrown on purpose"),
+            std::string::npos);
+  const Examined talking = check(hostile("log_escape"));
+  EXPECT_NE(talking.report["log"].get<std::string>().find("\\x1b"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace mirocup

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+//
+// What honest students write plays unchanged in the sandbox, and plays the same leg in every tier
+// and in the server's own process. A server that lets a library keep its floating-point mode, or a
+// sandbox that forbids what a run-time library needs, fails here.
+#include "tests/support/program.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace mirocup {
+namespace {
+
+using test_support::Outcome;
+using test_support::program;
+using test_support::read_file;
+using test_support::read_json;
+using test_support::run;
+using test_support::TemporaryFolder;
+
+struct HonestTeam {
+  std::string name;
+  std::string says;  // part of its log
+};
+
+class Honest : public testing::TestWithParam<HonestTeam> {};
+INSTANTIATE_TEST_SUITE_P(
+    Teams, Honest,
+    testing::Values(
+        HonestTeam{"plain", "in C"}, HonestTeam{"standard_library", "with the standard library"},
+        HonestTeam{"streams", "with streams and exceptions"}, HonestTeam{"eigen", "with Eigen"},
+        HonestTeam{"openmp", "with OpenMP, 1 thread"}, HonestTeam{"threads", "without threads"},
+        HonestTeam{"fast_math", "with -Ofast"}, HonestTeam{"rounding", "with rounding of its own"},
+        HonestTeam{"fortran", "in Fortran"}),
+    [](const auto& c) { return c.param.name; });
+
+TEST_P(Honest, PlaysTheSameEverywhere) {
+  const std::string library = program("honest/" + GetParam().name + ".so");
+  if (!std::filesystem::exists(library)) GTEST_SKIP() << "no compiler for it here";
+  std::string hash;
+  for (const std::vector<std::string>& how : std::vector<std::vector<std::string>>{
+           {"--isolation", "T2"}, {"--isolation", "T1"}, {"--trusted"}}) {
+    const TemporaryFolder folder;
+    std::vector<std::string> words{
+        program("mirocup"), "match",  "--blue", library,    "--yellow",
+        "chaser",           "--half", "4",      "--record", folder / "leg.json"};
+    words.insert(words.end(), how.begin(), how.end());
+    const Outcome played = run(words);
+    ASSERT_EQ(played.exit_code, 0) << played.err;
+    const auto record = read_json(folder / "leg.json");
+    EXPECT_EQ(record["result"]["end"], "full_time") << record["result"].dump();
+    if (hash.empty()) hash = record["state_hash"];
+    EXPECT_EQ(record["state_hash"], hash) << how.back();
+    if (how.front() == "--trusted") continue;
+    const std::string log = read_file(folder / "leg.json.blue.log");
+    EXPECT_NE(log.find(GetParam().says), std::string::npos) << log;
+  }
+}
+
+}  // namespace
+}  // namespace mirocup

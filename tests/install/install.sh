@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# What a new user does with an installed mirocup and nothing else: a team from an empty folder, built, tested, played. The
+# sources and the build folder are hidden where the system allows it. Usage: install.sh ROOT BUILD
+set -euo pipefail
+root=$(realpath "$1")
+build=$(realpath "$2")
+
+if [[ ${3:-} != hidden ]]; then
+  folder=$(mktemp -d)
+  trap 'rm -rf "$folder"' EXIT
+  cmake --install "$build" --prefix "$folder/first" >/dev/null
+  mv "$folder/first" "$folder/prefix"  # a prefix can be moved
+  cp "$0" "$folder/install.sh"
+  cd "$folder"
+  if unshare --mount --map-root-user true 2>/dev/null; then
+    unshare --mount --map-root-user ./install.sh "$root" "$build" hidden
+  else
+    ./install.sh "$root" "$build" hidden
+  fi
+  exit
+fi
+
+folder=$PWD
+if [[ $(id -u) -eq 0 && $folder != "$root"* ]]; then
+  mount -t tmpfs none "$root" 2>/dev/null && echo "the sources are hidden"
+fi
+cd /
+mirocup() { env -i PATH=/usr/bin:/bin HOME=/ "$folder/prefix/bin/mirocup" "$@"; }
+
+mirocup new "$folder/team"
+cd "$folder/team"
+env -i PATH=/usr/bin:/bin HOME=/ cmake --workflow --preset team
+mirocup match --blue build/team.so --yellow idle --half 40 --record leg.json
+mirocup verify leg.json
+grep -q '"winner": "blue"' leg.json
+grep -q '3 robots a side' leg.json.blue.log
+mirocup new "$folder/team" && exit 1  # does not write over a team
+[[ $? -eq 2 ]]
+mirocup league init league --team mine=build/team.so --team house=house:chaser --half 2
+mirocup league start league
