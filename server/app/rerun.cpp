@@ -56,7 +56,7 @@ Result<TeamChoice> choose_again(record::Files& files, const record::TeamInfo& te
   }
   const std::string sha256 = team.sha256.value_or("");
   if (team.kind == record::TeamKind::house) {
-    auto choice = choose_team(files, team.name);
+    auto choice = choose_team(team.name);
     if (choice && choice->info.sha256 == sha256) return choice;
   }
   const std::string library = library_with(files, entries, sha256);
@@ -64,7 +64,7 @@ Result<TeamChoice> choose_again(record::Files& files, const record::TeamInfo& te
     return fail(Errc::unavailable, "the library of \"" + team.name + "\" (sha256 " + sha256 +
                                        ") is not in " + entries + "; name its folder by --entries");
   }
-  auto choice = choose_team(files, library);
+  auto choice = choose_team(library);
   if (choice) choice->info = team;
   return choice;
 }
@@ -136,8 +136,12 @@ Result<std::optional<Difference>> play_again(const replay::Recording& recording,
   Interrupt interrupt;
   match::Match match(recording.setup);
   std::vector<TeamSeat> seats;
+  const auto isolation = plugins::strongest_isolation();
+  if (!isolation) return tl::unexpected(isolation.error());
+  ProcessTerms terms;
+  terms.isolation = *isolation;
   for (const Team team : both_teams) {
-    auto seat = TeamSeat::take_in_process(choices[index_of(team)], match.briefing(team));
+    auto seat = TeamSeat::take_in_process(choices[index_of(team)], match.briefing(team), terms);
     if (!seat) return tl::unexpected(seat.error());
     seats.push_back(std::move(*seat));
   }
