@@ -59,6 +59,14 @@ double Child::cpu_seconds() {
   return cpu_;
 }
 
+std::optional<double> Child::processor_delay(pid_t pid) {
+  std::ifstream statistics("/proc/" + std::to_string(pid) + "/schedstat");
+  double run_ns = 0.0;
+  double delay_ns = 0.0;
+  if (!(statistics >> run_ns >> delay_ns)) return std::nullopt;
+  return 1e-9 * delay_ns;
+}
+
 std::size_t Child::peak_memory() const {
   if (ending_) return 0;
   std::ifstream status("/proc/" + std::to_string(pid_) + "/status");

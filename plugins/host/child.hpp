@@ -36,6 +36,10 @@ class Child {
   // Processor time that it has used, s; after its end what it had at the last question.
   double cpu_seconds();
 
+  // How long it could have run but had no processor, s; nothing where the kernel does not say.
+  std::optional<double> processor_delay() const { return processor_delay(pid_); }
+  static std::optional<double> processor_delay(pid_t pid);
+
   // The most memory that it had in use so far, bytes; 0 once it is gone.
   std::size_t peak_memory() const;
 

@@ -225,6 +225,7 @@ tl::expected<void, Answer> ProcessController::wait_until_ready() {
 
 void ProcessController::post(const match::Observation& observation) {
   posted_at_ = Clock::now();
+  ++ticks_;
   // A team that still thinks about an older one gets the newest when it comes back. Without a
   // deadline that never happens.
   if (is_awaited_) return;
@@ -248,6 +249,32 @@ Answer ProcessController::late() {
                                            : std::to_string(late_in_a_row_) + " times in a row")};
 }
 
+// What a team owes at the end of a tick.
+std::optional<Fault> ProcessController::overdraft() {
+  if (playing_seconds() > bank_seconds()) {
+    return Fault{FaultCode::budget, "the team used up its processor time: more than " +
+                                        seconds_text(budget_.bank) + " and " +
+                                        std::to_string(1e3 * budget_.bank_per_tick).substr(0, 4) +
+                                        " ms for each of " + std::to_string(ticks_) + " ticks"};
+  }
+  if (has_slept_too_long()) {
+    return Fault{FaultCode::hang,
+                 "the team slept more than " + seconds_text(budget_.sleep) + " in this leg"};
+  }
+  return std::nullopt;
+}
+
+// What the server waited for, less what both had to wait for a processor: a busy machine is not the
+// team's fault.
+bool ProcessController::has_slept_too_long() {
+  if (waited_ < budget_.sleep || waited_ < next_look_) return false;
+  next_look_ = waited_ + 1.0;
+  const auto own_delay = Child::processor_delay(getpid());
+  const auto delay = child_.processor_delay();
+  if (!own_delay || !delay) return false;
+  return waited_ - playing_seconds() - *delay - *own_delay > budget_.sleep;
+}
+
 Answer ProcessController::collect() {
   const auto is_answered = [this] {
     return out_->answer.load(std::memory_order_acquire) == request_;
@@ -259,19 +286,18 @@ Answer ProcessController::collect() {
     until = posted_at_ + std::chrono::duration_cast<Clock::duration>(
                              std::chrono::duration<double>(deadline_->tick));
   }
+  const auto begin = Clock::now();
   if (auto problem = wait(is_answered, patience, until))
     return std::holds_alternative<match::Late>(*problem) ? late() : *problem;
+  waited_ += seconds_since(begin);
   is_awaited_ = false;
   late_in_a_row_ = 0;
   slowest_tick_ = std::max(slowest_tick_, cpu_ - cpu_at_post_);
-  if (playing_seconds() > bank_seconds()) {
+  if (auto fault = overdraft()) {
     child_.kill();
-    return Fault{FaultCode::budget, "the team used up its processor time: more than " +
-                                        seconds_text(budget_.bank) + " and " +
-                                        std::to_string(1e3 * budget_.bank_per_tick).substr(0, 4) +
-                                        " ms for each of " + std::to_string(request_) + " ticks"};
+    return *fault;
   }
-  if (request_ % ticks_between_readings == 0) read_log();
+  if (ticks_ % ticks_between_readings == 0) read_log();
   // Copied once, so that what is checked is what is driven, whatever the team writes meanwhile.
   mirocup_command copy;
   std::memcpy(&copy, &out_->command, sizeof copy);

@@ -33,6 +33,7 @@ struct Budget {
   double tick_wall = 10.0;
   double bank = 2.0;
   double bank_per_tick = 1e-3;
+  double sleep = 10.0;  // of the leg: neither computing nor waiting for a processor
 
   double bank_after(std::uint32_t ticks) const { return bank + bank_per_tick * ticks; }
 };
@@ -68,7 +69,7 @@ class ProcessController final : public match::Controller {
   double slowest_tick_ms() const { return 1e3 * slowest_tick_; }
   double start_seconds() const { return start_wall_; }
   // Of the leg so far.
-  double bank_seconds() const { return budget_.bank_after(request_); }
+  double bank_seconds() const { return budget_.bank_after(ticks_); }
   // At most so many bytes of memory at a time; 0 once its process has ended.
   std::size_t peak_memory() const { return child_.peak_memory(); }
 
@@ -97,6 +98,8 @@ class ProcessController final : public match::Controller {
   match::Answer death(const Ending& ending);
   std::optional<match::Fault> label(const Ending& ending) const;
   match::Answer late();
+  std::optional<match::Fault> overdraft();
+  bool has_slept_too_long();
   void read_log();
 
   Child child_;
@@ -109,7 +112,8 @@ class ProcessController final : public match::Controller {
   std::optional<Deadline> deadline_;
   bool is_ready_ = false;
 
-  std::uint32_t request_ = 0;  // the last that was posted
+  std::uint32_t ticks_ = 0;    // observations that there were
+  std::uint32_t request_ = 0;  // the last that was handed over
   bool is_awaited_ = false;    // it has not been answered
   Clock::time_point posted_at_;
   Clock::time_point asked_at_;  // of the oldest observation without an answer
@@ -118,6 +122,8 @@ class ProcessController final : public match::Controller {
   double cpu_at_ready_ = 0.0;
   double slowest_tick_ = 0.0;
   double start_wall_ = 0.0;
+  double waited_ = 0.0;     // wall time that the server waited for answers
+  double next_look_ = 0.0;  // at how much of it to ask next what the team did meanwhile
   int late_in_a_row_ = 0;
   int late_ = 0;
 };

@@ -203,6 +203,25 @@ TEST(HostileTeam, CannotWriteToATerminal) {
       << leg.log.substr(0, 200);
 }
 
+// At the speed of real time nobody waits for a team: it drives on, stands, and at last has lost.
+TEST(RealTime, GoesOnWithoutATeamThatIsLate) {
+  const TemporaryFolder folder;
+  const auto play_slowly = [&](const std::string& name, const std::string& half) {
+    run({program("mirocup"), "match", "--blue", hostile(name), "--yellow", "idle", "--speed", "1",
+         "--half", half, "--record", folder / "leg.json"});
+    return read_json(folder / "leg.json");
+  };
+  // 50 ms of processor time for a tick of 33 ms.
+  const Json late = play_slowly("slow_bank", "0.5");
+  EXPECT_EQ(late["result"]["end"], "full_time") << late["result"].dump();
+  EXPECT_GT(late["budget"]["blue"]["late_ticks"], 5);
+
+  const Json asleep = play_slowly("sleep_forever", "60");
+  EXPECT_EQ(asleep["result"]["fault"]["code"], "hang") << asleep["result"].dump();
+  EXPECT_EQ(asleep["result"]["fault"]["text"], "the team was late 91 times in a row");
+  EXPECT_EQ(asleep["budget"]["blue"]["late_ticks"], 90);
+}
+
 TEST(HostileTeam, InTheServersOwnProcessAtLeastMayThrow) {
   const TemporaryFolder folder;
   const Outcome played =

@@ -44,6 +44,7 @@ inline const std::vector<Kind> kinds{
     // Takes time.
     {"loop_forever", "hang: processor time", ""},
     {"sleep_forever", "hang: 10 s", ""},
+    {"sleep_often", "hang: slept more than 10 s", ""},
     {"futex_hold", "hang: 10 s", ""},
     {"sig_immortal", "hang: processor time", ""},
     {"sig_catch_segv", "hang: processor time", ""},

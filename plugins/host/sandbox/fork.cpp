@@ -12,6 +12,7 @@
 #include <sched.h>
 #include <string>
 #include <sys/prctl.h>
+#include <sys/socket.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 
@@ -50,41 +51,8 @@ bool write_id_maps(pid_t pid) {
   return map_to(geteuid(), getegid());
 }
 
-}  // namespace
-
-Result<pid_t> fork_isolated(Isolation isolation, const std::function<void()>& run) {
-  int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0)
-    return fail(Errc::unavailable, std::string("a pipe cannot be made: ") + std::strerror(errno));
-  Descriptor wait_end(ends[0]);
-  Descriptor go_end(ends[1]);
-  const int namespaces = CLONE_NEWUSER | CLONE_NEWPID | CLONE_NEWNS | CLONE_NEWNET | CLONE_NEWIPC |
-                         CLONE_NEWUTS | CLONE_NEWCGROUP;
-  const long flags = SIGCHLD | (isolation == Isolation::T2 ? namespaces : 0);
-  const auto pid = static_cast<pid_t>(syscall(SYS_clone, flags, 0, 0, 0, 0));
-  if (pid < 0) {
-    return fail(Errc::unavailable,
-                std::string("a process cannot be started: ") + std::strerror(errno));
-  }
-  if (pid == 0) {
-    go_end.reset();
-    char go = 0;
-    if (read(wait_end.get(), &go, 1) != 1) _exit(127);
-    run();
-    _exit(127);
-  }
-  if (isolation == Isolation::T2 && !write_id_maps(pid)) {
-    const int why = errno;
-    kill(pid, SIGKILL);
-    waitpid(pid, nullptr, 0);
-    return fail(Errc::unavailable,
-                std::string("the users of a namespace cannot be mapped: ") + std::strerror(why));
-  }
-  // If the child is gone already, its ending tells.
-  (void)!write(go_end.get(), "", 1);
-  return pid;
-}
-
+// In the child: stops being root, and dies with the parent from here on. In T2 it becomes the only
+// user of its namespace.
 bool become_inner_user() {
   return setresgid(inner_user, inner_user, inner_user) == 0 &&
          setresuid(inner_user, inner_user, inner_user) == 0 &&
@@ -104,6 +72,54 @@ bool become_other_user() {
     }
   }
   return prctl(PR_SET_PDEATHSIG, SIGKILL) == 0;
+}
+
+tl::unexpected<Error> not_available(const char* what) {
+  return fail(Errc::unavailable, std::string(what) + ": " + std::strerror(errno));
+}
+
+// A byte over the line that the two have; false: the other one is gone.
+bool say(const Descriptor& line) {
+  return send(line.get(), "", 1, MSG_NOSIGNAL) == 1;
+}
+bool hear(const Descriptor& line) {
+  char byte = 0;
+  ssize_t n = 0;
+  while ((n = read(line.get(), &byte, 1)) < 0 && errno == EINTR) {
+  }
+  return n == 1;
+}
+
+}  // namespace
+
+// A parent that dies while the child becomes another user is not noticed, so the child goes on only
+// when it has heard of its parent again afterwards.
+Result<pid_t> fork_isolated(Isolation isolation, const std::function<void()>& run) {
+  const bool is_inner = isolation == Isolation::T2;
+  int ends[2];
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
+    return not_available("a pair of sockets cannot be made");
+  Descriptor line(ends[0]);
+  Descriptor child_line(ends[1]);
+  const int namespaces = CLONE_NEWUSER | CLONE_NEWPID | CLONE_NEWNS | CLONE_NEWNET | CLONE_NEWIPC |
+                         CLONE_NEWUTS | CLONE_NEWCGROUP;
+  const long flags = SIGCHLD | (is_inner ? namespaces : 0);
+  const auto pid = static_cast<pid_t>(syscall(SYS_clone, flags, 0, 0, 0, 0));
+  if (pid < 0) return not_available("a process cannot be started");
+  if (pid == 0) {
+    line.reset();
+    if (hear(child_line) && (is_inner ? become_inner_user() : become_other_user()) &&
+        say(child_line) && hear(child_line)) {
+      run();
+    }
+    _exit(127);
+  }
+  child_line.reset();
+  if ((!is_inner || write_id_maps(pid)) && say(line) && hear(line) && say(line)) return pid;
+  const auto error = not_available("a team's process cannot have a user of its own");
+  kill(pid, SIGKILL);
+  waitpid(pid, nullptr, 0);
+  return error;
 }
 
 }  // namespace mirocup::plugins

@@ -30,8 +30,8 @@
  *
  * Time
  *   A match is played as fast as both teams answer; what is counted is your processor time. A leg
- *   has 2 s and 1 ms for each tick; one tick may take 1 s (10 s if you wait for something), loading
- *   and create() 10 s. Who needs more loses the leg. Thinking between two calls counts, too.
+ *   has 2 s and 1 ms for each tick; one tick may take 1 s, loading and create() 10 s; who sleeps
+ *   or waits has 10 s in all. Who needs more loses the leg. Thinking between two calls counts, too.
  *   `mirocup check` shows what you use. In matches at the speed of real time, who is late drives on
  *   with the last command for a few ticks, then stands.
  *
