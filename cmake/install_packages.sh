@@ -5,10 +5,12 @@
 # Touches neither the network nor sudo where everything is there already. Exit 3 if it can't install.
 set -euo pipefail
 
+# Some packages bring others with them: NodeSource's nodejs, for example, is npm, too.
+there=$(dpkg-query --show --showformat='${db:Status-Status} ${Package}, ${Provides}\n' | sed -n 's/^installed //p' |
+  tr ',' '\n' | sed 's/(.*//; s/ //g')
 missing=()
 for package in $(cat "$@"); do
-  dpkg-query --show --showformat='${db:Status-Status}\n' "$package" 2>/dev/null | grep -q '^installed$' ||
-    missing+=("$package")
+  grep -qxF "$package" <<<"$there" || missing+=("$package")
 done
 [[ ${#missing[@]} -eq 0 ]] && exit 0
 
