@@ -1,17 +1,17 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# Installs those of Debian's packages that are missing. Usage: install_packages.sh LIST... (files, one package a line;
-# a second word is a command: who has it, from wherever, needs no package).
+# Installs those of Debian's packages that are missing. Usage: install_packages.sh LIST... (files, one package a line).
 # Touches neither the network nor sudo where everything is there already. Exit 3 if it can't install.
 set -euo pipefail
 
+# Some packages bring others with them: NodeSource's nodejs, for example, is npm, too.
+there=$(dpkg-query --show --showformat='${db:Status-Status} ${Package}, ${Provides}\n' | sed -n 's/^installed //p' |
+  tr ',' '\n' | sed 's/(.*//; s/ //g')
 missing=()
-while read -r package command; do
-  [[ -n $command ]] && command -v "$command" >/dev/null && continue
-  dpkg-query --show --showformat='${db:Status-Status}\n' "$package" 2>/dev/null | grep -q '^installed$' ||
-    missing+=("$package")
-done < <(cat "$@")
+for package in $(cat "$@"); do
+  grep -qxF "$package" <<<"$there" || missing+=("$package")
+done
 [[ ${#missing[@]} -eq 0 ]] && exit 0
 
 as_root=()

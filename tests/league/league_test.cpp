@@ -212,7 +212,19 @@ TEST(League, MakesItsPagesAgainWithTheSameBytes) {
   const Outcome published = run(league("publish", folder));
   EXPECT_EQ(published.exit_code, 0);
   EXPECT_EQ(published.out, folder + "/site/index.html\n");
-  EXPECT_EQ(read_file(folder + "/site/index.html"), page);
+
+  // Every leg that was played has a page, and the table of legs links to it.
+  const std::string index = read_file(folder + "/site/index.html");
+  int pages = 0;
+  for (const auto& file : std::filesystem::directory_iterator(folder + "/records")) {
+    if (file.path().extension() != ".json") continue;
+    const std::string link = "replays/" + file.path().stem().string() + ".html";
+    EXPECT_NE(index.find("href=\"" + link + "\""), std::string::npos) << link;
+    EXPECT_EQ(read_file(folder + "/site/" + link).rfind("<!doctype html>", 0), 0u) << link;
+    ++pages;
+  }
+  EXPECT_GT(pages, 0);
+  EXPECT_EQ(index, page);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/app/commands.hpp"
 
+#include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/site.hpp"
 #include "tournaments/run/runner.hpp"
 
@@ -76,6 +77,12 @@ Result<void> publish_site(record::Files& files, const Folder& folder, const Leag
   for (const SiteFile& file : make_site(state)) {
     if (auto written = files.write(folder.site() + "/" + file.name, file.bytes); !written)
       return written;
+  }
+  const auto failed = make_replay_pages(files, folder, state);
+  if (!failed) return tl::unexpected(failed.error());
+  if (*failed > 0) {
+    std::cerr << "mirocup: " << *failed
+              << " replay pages could not be made; mirocup replay RECORD says why\n";
   }
   return {};
 }

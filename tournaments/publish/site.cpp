@@ -2,6 +2,7 @@
 #include "tournaments/publish/site.hpp"
 
 #include "tournaments/publish/html.hpp"
+#include "tournaments/publish/replay_pages.hpp"
 
 #include <iomanip>
 #include <sstream>
@@ -146,7 +147,7 @@ std::string crosstable_html(const LeagueState& state) {
 std::string fixtures_html(const LeagueState& state) {
   Html html;
   html.open("table");
-  html.row("th", {"Round", "Leg", "Home", "", "Away", "How it ended", "Record"});
+  html.row("th", {"Round", "Leg", "Home", "", "Away", "How it ended", "Replay", "Record"});
   for (const FixtureState& f : state.fixtures) {
     for (int leg = 0; leg < legs_per_fixture; ++leg) {
       const auto& played = f.legs[leg];
@@ -159,8 +160,10 @@ std::string fixtures_html(const LeagueState& state) {
       html.cell("td",
                 played ? played->end + (played->fault.empty() ? "" : ": " + played->fault) : "");
       if (played) {
+        html.link_cell(replay_page_of(played->record), "replay");
         html.link_cell("../" + played->record, "record");
       } else {
+        html.cell("td", "");
         html.cell("td", "");
       }
       html.close("tr");

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+//
+// Any bytes as a record: the reader may only say no.
+#include "server/record/match_record.hpp"
+#include "tests/support/memory_files.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  mirocup::test_support::MemoryFiles files;
+  (void)files.write("leg.json", {reinterpret_cast<const char*>(data), size});
+  (void)mirocup::record::load(files, "leg.json", mirocup::record::Seal::ignored);
+  return 0;
+}

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+//
+// A match server that is killed, or whose disk is full, at any moment of writing leaves a whole
+// record or none. Catches a record that is there before its replay, or before all of it is.
+#include "tests/support/program.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <sys/mount.h>
+#include <unistd.h>
+
+namespace mirocup {
+namespace {
+
+using test_support::Outcome;
+using test_support::program;
+using test_support::run;
+using test_support::Running;
+using test_support::TemporaryFolder;
+
+std::vector<std::string> match(const std::string& record) {
+  return {program("mirocup"), "match",  "--blue", "idle",     "--yellow", "idle",
+          "--trusted",        "--half", "10",     "--record", record};
+}
+
+// True if there is a record, which then is whole.
+bool is_there(const std::string& record) {
+  const Outcome verified = run({program("mirocup"), "verify", record});
+  if (verified.exit_code == 3 && !std::filesystem::exists(record)) return false;
+  EXPECT_EQ(verified.exit_code, 0) << verified.err << verified.out;
+  return true;
+}
+
+TEST(BrokenWrite, ByAKillLeavesTheWholeRecordOrNone) {
+  const auto begin = std::chrono::steady_clock::now();
+  {
+    const TemporaryFolder folder;
+    ASSERT_EQ(run(match(folder / "leg.json")).exit_code, 0);
+  }
+  const std::chrono::duration<double, std::micro> whole = std::chrono::steady_clock::now() - begin;
+  constexpr int kills = 200;
+  int there = 0;
+  int killed = 0;
+  for (int i = 0; i < kills; ++i) {
+    const TemporaryFolder folder;
+    Running server(match(folder / "leg.json"));
+    // Most of the moments are those around the end, in which it writes.
+    usleep(static_cast<useconds_t>(whole.count() * (0.5 + 0.6 * i / kills)));
+    server.signal(SIGKILL);
+    if (server.wait().exit_code != 0) ++killed;
+    if (is_there(folder / "leg.json")) ++there;
+    ASSERT_FALSE(HasFailure());
+  }
+  EXPECT_GT(killed, 0);
+  EXPECT_GT(there, 0);
+}
+
+TEST(BrokenWrite, ByAFullDiskLeavesTheWholeRecordOrNone) {
+  int there = 0;
+  int refused = 0;
+  for (int kibibytes = 4; kibibytes <= 48; kibibytes += 4) {
+    const TemporaryFolder folder;
+    const std::string disk = folder / "disk";
+    std::filesystem::create_directory(disk);
+    const std::string size = "size=" + std::to_string(kibibytes) + "k";
+    if (mount("none", disk.c_str(), "tmpfs", 0, size.c_str()) != 0) {
+      GTEST_SKIP() << "no file system of a test's own may be mounted here";
+    }
+    const Outcome played = run(match(disk + "/leg.json"));
+    const bool is_written = is_there(disk + "/leg.json");
+    umount(disk.c_str());
+    EXPECT_EQ(is_written, played.exit_code == 0) << played.err;
+    there += is_written ? 1 : 0;
+    if (played.exit_code == 3) ++refused;
+  }
+  EXPECT_GT(there, 0);
+  EXPECT_GT(refused, 0);
+}
+
+}  // namespace
+}  // namespace mirocup

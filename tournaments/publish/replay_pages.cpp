@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/publish/replay_pages.hpp"
+
+#include "server/record/locations.hpp"
+#include "tournaments/run/process_set.hpp"
+
+#include <filesystem>
+
+namespace mirocup::league {
+
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+// The commands that make the pages that are missing.
+std::vector<Arguments> missing_pages(record::Files& files, const Folder& folder,
+                                     const LeagueState& state) {
+  std::vector<Arguments> commands;
+  for (const FixtureState& f : state.fixtures) {
+    for (const auto& leg : f.legs) {
+      if (!leg) continue;
+      const std::string page = folder.site() + "/" + replay_page_of(leg->record);
+      if (files.exists(page)) continue;
+      commands.push_back({record::sibling_program("mirocup"), "replay",
+                          folder.path + "/" + leg->record, "-o", page});
+    }
+  }
+  return commands;
+}
+
+}  // namespace
+
+std::string replay_page_of(const std::string& record) {
+  return "replays/" + std::filesystem::path(record).stem().string() + ".html";
+}
+
+Result<int> make_replay_pages(record::Files& files, const Folder& folder,
+                              const LeagueState& state) {
+  const std::vector<Arguments> commands = missing_pages(files, folder, state);
+  if (commands.empty()) return 0;
+  if (auto made = files.make_folder(folder.site() + "/replays"); !made) {
+    return tl::unexpected(made.error());
+  }
+  const std::size_t at_once = processors().size();
+  ProcessSet processes;
+  int failed = 0;
+  std::size_t next = 0;
+  while (next < commands.size() || processes.running() > 0) {
+    if (next < commands.size() && processes.running() < at_once) {
+      if (auto started = processes.start(commands[next++], 0, -1, "/dev/null"); !started) {
+        return tl::unexpected(started.error());
+      }
+      continue;
+    }
+    const auto exit = processes.wait();
+    if (!exit) return fail(Errc::interrupted, "interrupted while making replay pages");
+    if (exit->code != exit_yes || exit->signal != 0) ++failed;
+  }
+  return failed;
+}
+
+}  // namespace mirocup::league

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+//
+// A replay page for every leg that was played: `mirocup replay` makes them, several at once. A page
+// that is there already is not made again; its record does not change.
+#pragma once
+
+#include "tournaments/run/folder.hpp"
+
+#include <string>
+
+namespace mirocup::league {
+
+// The page of a record ("records/x.json"), inside site/.
+std::string replay_page_of(const std::string& record);
+
+// Returns how many could not be made, which does not keep a league from being published.
+Result<int> make_replay_pages(record::Files& files, const Folder& folder, const LeagueState& state);
+
+}  // namespace mirocup::league
