@@ -8,10 +8,12 @@ static_assert(static_cast<int>(League::large) == MIROCUP_LARGE);
 static_assert(static_cast<int>(Team::yellow) == MIROCUP_YELLOW);
 static_assert(static_cast<int>(match::State::END) == MIROCUP_END);
 static_assert(static_cast<int>(referee::Phase::SECOND_HALF) == MIROCUP_SECOND_HALF);
+static_assert(static_cast<int>(referee::Phase::SHOOT_OUT) == MIROCUP_SHOOT_OUT);
 static_assert(static_cast<int>(referee::Restart::KICK_OFF) == MIROCUP_KICK_OFF);
 static_assert(static_cast<int>(referee::Restart::GOAL_KICK) == MIROCUP_GOAL_KICK);
 static_assert(static_cast<int>(referee::Restart::PENALTY_KICK) == MIROCUP_PENALTY_KICK);
 static_assert(static_cast<int>(referee::Restart::FREE_BALL) == MIROCUP_FREE_BALL);
+static_assert(static_cast<int>(referee::Restart::FREE_KICK) == MIROCUP_FREE_KICK);
 static_assert(max_robots_per_team == MIROCUP_MAX_ROBOTS);
 
 namespace {

@@ -18,6 +18,7 @@ using Run = std::function<Result<int>()>;
 void add_match(CLI::App& app, Run& run);
 void add_join(CLI::App& app, Run& run);
 void add_verify(CLI::App& app, Run& run);
+void add_referee(CLI::App& app, Run& run);
 
 // `mirocup league ...` is the program mirocup-league; does not return if it can be started.
 Result<int> run_league(int argc, char** argv);

@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
   app::add_match(cli, run);
   app::add_join(cli, run);
   app::add_verify(cli, run);
+  app::add_referee(cli, run);
   try {
     cli.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -45,7 +45,7 @@ Result<referee::Rules> rules_of(const Options& options) {
       return fail(Errc::input, "--rule " + change + ": KEY=VALUE is expected");
     json[change.substr(0, equals)] = value;
   }
-  return record::rules_from_json(json, Errc::input);
+  return record::rules_from_json(json, Errc::input, *from_string<League>(options.league));
 }
 
 Result<match::Setup> setup_of(const Options& options) {
@@ -56,9 +56,6 @@ Result<match::Setup> setup_of(const Options& options) {
   setup.rules = *rules;
   setup.stage = *from_string<referee::Stage>(options.stage);
   setup.seed = options.seed;
-  if (setup.stage == referee::Stage::knockout) {
-    return fail(Errc::input, "--stage knockout: extra time and shoot-outs are not judged yet");
-  }
   if (setup.rules.preset == referee::Preset::simurosot) setup.control_period = 1.0 / 60.0;
   if (options.half_s) setup.rules.half_s = *options.half_s;
   return setup;

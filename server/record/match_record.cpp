@@ -31,6 +31,7 @@ Json result_json(const match::Result& result) {
   for (const match::TeamFault& f : result.faults) faults.push_back(fault_json(f));
   return {{"score", score_json(result.score)},
           {"played", score_json(result.played)},
+          {"shoot_out", result.shoot_out ? score_json(*result.shoot_out) : Json()},
           {"winner", optional_name(result.winner)},
           {"end", to_string(result.end)},
           {"fault", faults.empty() ? Json() : faults.front()},
@@ -90,6 +91,8 @@ match::Result result_of(const Json& json) {
   match::Result result;
   result.score = score_of(json.at("score"));
   result.played = score_of(json.at("played"));
+  if (json.contains("shoot_out") && !json.at("shoot_out").is_null())
+    result.shoot_out = score_of(json.at("shoot_out"));
   result.winner = optional_team(json.at("winner"));
   result.end = named<match::EndKind>(json.at("end"));
   for (const Json& f : json.at("faults")) {
@@ -135,7 +138,7 @@ Budget budget_of(const Json& json) {
 match::Setup setup_of(const Json& json) {
   match::Setup setup;
   setup.league = named<League>(json.at("league"));
-  auto rules = rules_from_json(json.at("rules"), Errc::damaged);
+  auto rules = rules_from_json(json.at("rules"), Errc::damaged, setup.league);
   if (!rules) throw Damage{rules.error().what};
   setup.rules = *rules;
   setup.stage = named<referee::Stage>(json.at("stage"));

@@ -99,7 +99,7 @@ TEST(MatchCommand, SaysWhatIsWrongWithWhatItIsGiven) {
   fails(match("idle", "idle", {"--league", "huge"}), "huge");
   fails(match("idle", "idle", {"--speed", "fast"}), "--speed fast");
   fails(match("idle", "idle", {"--rule", "haste=1"}), "/rules/haste");
-  fails(match("idle", "idle", {"--stage", "knockout"}), "--stage knockout");
+  fails(match("idle", "idle", {"--stage", "final"}), "final");
   fails({program("mirocup"), "match", "--blue", "idle"}, "--yellow");
   fails({program("mirocup")}, "subcommand");
 }

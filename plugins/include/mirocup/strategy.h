@@ -48,7 +48,12 @@ enum mirocup_state {
   MIROCUP_END = 2
 };
 
-enum mirocup_phase { MIROCUP_FIRST_HALF = 0, MIROCUP_SECOND_HALF = 1 };
+enum mirocup_phase {
+  MIROCUP_FIRST_HALF = 0,
+  MIROCUP_SECOND_HALF = 1,
+  MIROCUP_EXTRA = 2,    /* knock-out matches that are level */
+  MIROCUP_SHOOT_OUT = 3 /* only the kicker (robot 1) and the keeper (robot 0) may move */
+};
 
 /* The last restart. Under MiroSot rules the ball of a kick-off must first go to the kicker's own
  * side. */
@@ -57,7 +62,8 @@ enum mirocup_restart {
   MIROCUP_KICK_OFF = 1,
   MIROCUP_GOAL_KICK = 2,
   MIROCUP_PENALTY_KICK = 3,
-  MIROCUP_FREE_BALL = 4
+  MIROCUP_FREE_BALL = 4,
+  MIROCUP_FREE_KICK = 5
 };
 
 typedef struct mirocup_robot {
