@@ -43,6 +43,10 @@ mirocup_setup to_setup(const match::Briefing& briefing) {
   s.goal_depth = field.goal_depth;
   s.goal_area_depth = field.goal_area.depth;
   s.goal_area_half_width = field.goal_area.half_width;
+  if (field.penalty_area) {
+    s.penalty_area_depth = field.penalty_area->depth;
+    s.penalty_area_half_width = field.penalty_area->half_width;
+  }
   s.centre_circle_radius = field.centre_circle_radius;
   s.robot_side = p.robot_side;
   s.robot_mass = p.robot_mass;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the house teams do alike: keep the goal, kick off, go home without taking the ball along.
+// What the house teams do alike: keep the goal, kick off, go home without taking the ball along,
+// and keep to the laws.
 #pragma once
 
 #include "mirocup/strategy.hpp"
@@ -18,8 +19,55 @@ inline mirocup_wheels kick_off(const mirocup_setup& setup, const mirocup_robot& 
   return mirocup::strategy::drive_to(setup, robot, {-0.2, 0.1}, 0.2, 0.2);
 }
 
-// Drives to a point, and round the ball if that is in the way: a robot on its way home must not
-// push it there.
+// Where a robot other than the keeper may go: not into its own goal area, which is the keeper's,
+// and from the third on not into the penalty area either.
+inline mirocup::strategy::Point keep_out(const mirocup_setup& setup, int i,
+                                         mirocup::strategy::Point p) {
+  const double margin = 0.095;  // the arc in front of the area, and half a robot
+  const bool crowd = i >= 3 && setup.penalty_area_depth > 0.0;
+  const double depth = (crowd ? setup.penalty_area_depth : setup.goal_area_depth) + margin;
+  const double half_width =
+      (crowd ? setup.penalty_area_half_width : setup.goal_area_half_width) + margin;
+  if (p.x < -setup.half_length + depth && std::abs(p.y) < half_width) {
+    p.x = -setup.half_length + depth;
+  }
+  return p;
+}
+
+// The same wheels, unless they would push an opponent without playing the ball: then the robot
+// slows down before it and backs off.
+inline mirocup_wheels without_pushing(const mirocup_setup& setup, const mirocup_observation& now,
+                                      const mirocup_robot& robot, mirocup_wheels wheels) {
+  using namespace mirocup::strategy;
+  const Point here = position(robot);
+  const Point nose{std::cos(robot.heading), std::sin(robot.heading)};
+  const double forward = setup.wheel_radius * (wheels.left + wheels.right) / 2.0;
+  const double turn = setup.wheel_radius * (wheels.right - wheels.left) / setup.wheel_distance;
+  const Point way = (forward < 0.0 ? -1.0 : 1.0) * nose;
+  // The ball before it and not an opponent: that is playing, and pushing ball and robot is allowed.
+  const Point to_ball = ball(now) - here;
+  const bool plays = length(to_ball) < 0.075 && dot(to_ball, way) > 0.0;
+  double allowed = std::abs(forward);
+  for (int j = 0; j < now.robots && !plays; ++j) {
+    const Point to = position(now.opponent[j]) - here;
+    if (dot(to, way) <= 0.0 || std::abs(to.x * way.y - to.y * way.x) > 0.09) continue;
+    const double gap = length(to) - 0.1;
+    allowed = std::min(allowed, gap > 0.0 ? 0.1 + 4.0 * gap : -0.2);
+  }
+  if (allowed == std::abs(forward)) return wheels;
+  return wheels_for(setup, forward < 0.0 ? -allowed : allowed, turn);
+}
+
+// All robots of a command.
+inline void keep_laws(const mirocup_setup& setup, const mirocup_observation& now,
+                      mirocup_command& command) {
+  for (int i = 0; i < now.robots; ++i) {
+    command.wheels[i] = without_pushing(setup, now, now.own[i], command.wheels[i]);
+  }
+}
+
+// Drives to a point, and round the ball and other robots that are in the way: a robot on its way
+// home must not push the ball there, and nobody may push an opponent.
 inline mirocup_wheels drive_clear(const mirocup_setup& setup, const mirocup_observation& now,
                                   const mirocup_robot& robot, mirocup::strategy::Point target,
                                   double arrival = 0.0, double fastest = 1.5) {
@@ -27,18 +75,26 @@ inline mirocup_wheels drive_clear(const mirocup_setup& setup, const mirocup_obse
   const double berth = 0.11;
   const Point here = position(robot);
   const Point way = target - here;
-  const Point to_ball = ball(now) - here;
   const Point along = unit(way);
-  const double ahead = dot(to_ball, along);
-  const double aside = along.x * to_ball.y - along.y * to_ball.x;
-  if (ahead <= 0.0 || ahead >= length(way) || std::abs(aside) >= berth) {
-    return drive_to(setup, robot, target, arrival, fastest);
-  }
+  Point obstacle{0.0, 0.0};
+  double nearest = length(way);
+  const auto consider = [&](Point p) {
+    const Point to = p - here;
+    const double ahead = dot(to, along);
+    if (ahead <= 0.0 || ahead >= nearest) return;
+    if (std::abs(along.x * to.y - along.y * to.x) >= berth) return;
+    nearest = ahead;
+    obstacle = p;
+  };
+  consider(ball(now));
+  for (int j = 0; j < now.robots; ++j) consider(position(now.opponent[j]));
+  if (nearest == length(way)) return drive_to(setup, robot, target, arrival, fastest);
+
+  const Point to = obstacle - here;
   // Too near to turn past it: back off first.
-  if (length(to_ball) < 0.115)
-    return drive_to(setup, robot, here - 0.1 * unit(to_ball), 0.0, fastest);
-  const double side = aside > 0.0 ? -1.0 : 1.0;
-  const Point beside = ball(now) + (side * berth * 1.2) * Point{-along.y, along.x};
+  if (length(to) < 0.115) return drive_to(setup, robot, here - 0.1 * unit(to), 0.0, fastest);
+  const double side = along.x * to.y - along.y * to.x > 0.0 ? -1.0 : 1.0;
+  const Point beside = obstacle + (side * berth * 1.2) * Point{-along.y, along.x};
   return drive_to(setup, robot, beside, 0.3, std::min(fastest, 0.9));
 }
 

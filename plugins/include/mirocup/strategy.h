@@ -86,7 +86,8 @@ typedef struct mirocup_setup {
   /* The field: |x| <= half_length, |y| <= half_width, its corners cut off by triangles with legs
      corner_leg; goals |y| < goal_half_width, goal_depth deep. Your goal is at -half_length. */
   double half_length, half_width, corner_leg, goal_half_width, goal_depth;
-  double goal_area_depth, goal_area_half_width; /* its arc left out */
+  double goal_area_depth, goal_area_half_width;       /* its arc left out */
+  double penalty_area_depth, penalty_area_half_width; /* 0: the small league has none */
   double centre_circle_radius;
 
   double robot_side, robot_mass;
