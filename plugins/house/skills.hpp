@@ -44,13 +44,15 @@ inline mirocup_wheels without_pushing(const mirocup_setup& setup, const mirocup_
   const double forward = setup.wheel_radius * (wheels.left + wheels.right) / 2.0;
   const double turn = setup.wheel_radius * (wheels.right - wheels.left) / setup.wheel_distance;
   const Point way = (forward < 0.0 ? -1.0 : 1.0) * nose;
-  // The ball before it and not an opponent: that is playing, and pushing ball and robot is allowed.
   const Point to_ball = ball(now) - here;
-  const bool plays = length(to_ball) < 0.075 && dot(to_ball, way) > 0.0;
+  const bool ball_ahead =
+      dot(to_ball, way) > 0.0 && std::abs(to_ball.x * way.y - to_ball.y * way.x) < 0.055;
   double allowed = std::abs(forward);
-  for (int j = 0; j < now.robots && !plays; ++j) {
+  for (int j = 0; j < now.robots; ++j) {
     const Point to = position(now.opponent[j]) - here;
     if (dot(to, way) <= 0.0 || std::abs(to.x * way.y - to.y * way.x) > 0.09) continue;
+    // The ball before it and the opponent behind that: to push both is playing.
+    if (ball_ahead && dot(to_ball, way) < dot(to, way)) continue;
     const double gap = length(to) - 0.1;
     allowed = std::min(allowed, gap > 0.0 ? 0.1 + 4.0 * gap : -0.2);
   }
@@ -58,44 +60,53 @@ inline mirocup_wheels without_pushing(const mirocup_setup& setup, const mirocup_
   return wheels_for(setup, forward < 0.0 ? -allowed : allowed, turn);
 }
 
-// All robots of a command.
+// All robots of a command but the keeper, which holds its place.
 inline void keep_laws(const mirocup_setup& setup, const mirocup_observation& now,
                       mirocup_command& command) {
-  for (int i = 0; i < now.robots; ++i) {
+  for (int i = 1; i < now.robots; ++i) {
     command.wheels[i] = without_pushing(setup, now, now.own[i], command.wheels[i]);
   }
 }
 
-// Drives to a point, and round the ball and other robots that are in the way: a robot on its way
-// home must not push the ball there, and nobody may push an opponent.
-inline mirocup_wheels drive_clear(const mirocup_setup& setup, const mirocup_observation& now,
-                                  const mirocup_robot& robot, mirocup::strategy::Point target,
-                                  double arrival = 0.0, double fastest = 1.5) {
+// Drives to a point, and round a place that is in the way.
+inline mirocup_wheels drive_round(const mirocup_setup& setup, const mirocup_robot& robot,
+                                  mirocup::strategy::Point target,
+                                  mirocup::strategy::Point obstacle, double arrival,
+                                  double fastest) {
   using namespace mirocup::strategy;
   const double berth = 0.11;
   const Point here = position(robot);
   const Point way = target - here;
-  const Point along = unit(way);
-  Point obstacle{0.0, 0.0};
-  double nearest = length(way);
-  const auto consider = [&](Point p) {
-    const Point to = p - here;
-    const double ahead = dot(to, along);
-    if (ahead <= 0.0 || ahead >= nearest) return;
-    if (std::abs(along.x * to.y - along.y * to.x) >= berth) return;
-    nearest = ahead;
-    obstacle = p;
-  };
-  consider(ball(now));
-  for (int j = 0; j < now.robots; ++j) consider(position(now.opponent[j]));
-  if (nearest == length(way)) return drive_to(setup, robot, target, arrival, fastest);
-
   const Point to = obstacle - here;
+  const Point along = unit(way);
+  const double ahead = dot(to, along);
+  const double aside = along.x * to.y - along.y * to.x;
+  if (ahead <= 0.0 || ahead >= length(way) || std::abs(aside) >= berth) {
+    return drive_to(setup, robot, target, arrival, fastest);
+  }
   // Too near to turn past it: back off first.
   if (length(to) < 0.115) return drive_to(setup, robot, here - 0.1 * unit(to), 0.0, fastest);
-  const double side = along.x * to.y - along.y * to.x > 0.0 ? -1.0 : 1.0;
+  const double side = aside > 0.0 ? -1.0 : 1.0;
   const Point beside = obstacle + (side * berth * 1.2) * Point{-along.y, along.x};
   return drive_to(setup, robot, beside, 0.3, std::min(fastest, 0.9));
+}
+
+// Drives to a point, and round what is in the way: a robot on its way home must not push the ball
+// there, and nobody may push an opponent.
+inline mirocup_wheels drive_clear(const mirocup_setup& setup, const mirocup_observation& now,
+                                  const mirocup_robot& robot, mirocup::strategy::Point target,
+                                  double arrival = 0.0, double fastest = 1.5) {
+  using namespace mirocup::strategy;
+  const Point here = position(robot);
+  Point obstacle = ball(now);
+  for (int j = 0; j < now.robots; ++j) {
+    const Point p = position(now.opponent[j]);
+    if (length(p - here) < 0.2 && length(p - here) < length(obstacle - here) &&
+        dot(p - here, target - here) > 0.0) {
+      obstacle = p;
+    }
+  }
+  return drive_round(setup, robot, target, obstacle, arrival, fastest);
 }
 
 // Stays on a line before the goal where the ball will cross it, and kicks out what lies near.
@@ -121,7 +132,7 @@ inline mirocup_wheels keep_goal(const mirocup_setup& setup, const mirocup_observ
   const Point post{line, std::clamp(y, -reach, reach)};
   if (length(post - here) < 0.01)
     return turn_to(setup, robot, robot.heading > 0.0 ? pi / 2.0 : -pi / 2.0);
-  return drive_clear(setup, now, robot, post);
+  return drive_round(setup, robot, post, ball(now), 0.0, 1.5);
 }
 
 }  // namespace house
