@@ -7,7 +7,18 @@ namespace mirocup::referee {
 
 namespace {
 
-bool blocks(const Pitch& pitch, const Situation& s, const Watch& watch, const RobotId& attacker,
+// Is the attacker kept there by a team-mate of the keeper?
+bool is_kept_there(const Pitch& pitch, const Situation& s, const RobotId& attacker,
+                   const RobotId& keeper) {
+  for (int j = 0; j < pitch.field.robots_per_team; ++j) {
+    const RobotId mate{keeper.end, j};
+    if (mate == keeper || !s.touch(attacker, j)) continue;
+    if (drives_at(pitch, s, mate, attacker) && !drives_at(pitch, s, attacker, mate)) return true;
+  }
+  return false;
+}
+
+bool blocks(const Pitch& pitch, const Situation& s, const RobotId& attacker,
             const RobotId& keeper) {
   const Rules& rules = pitch.rules;
   const Pose& a = s.pose(attacker);
@@ -17,8 +28,7 @@ bool blocks(const Pitch& pitch, const Situation& s, const Watch& watch, const Ro
     return false;
   }
   return robot_gap(pitch, a, k, rules.block_gap_m) <= rules.block_gap_m &&
-         drives_at(pitch, s, keeper, attacker) &&
-         !watch.shoved[index_of(attacker.end)][attacker.index];
+         drives_at(pitch, s, keeper, attacker) && !is_kept_there(pitch, s, attacker, keeper);
 }
 
 }  // namespace
@@ -34,7 +44,7 @@ std::optional<Decision> judge_keeper_block(const Pitch& pitch, const Situation& 
     for (int i = 0; i < pitch.field.robots_per_team; ++i) {
       const RobotId attacker{team, i};
       Dwell& standing = memory.blocks[index_of(team)][i];
-      standing.see(keeper && ball_in_half(s, end) && blocks(pitch, s, watch, attacker, *keeper),
+      standing.see(keeper && ball_in_half(s, end) && blocks(pitch, s, attacker, *keeper),
                    s.duration);
       if (called || !standing.reached(rules.block_s, s.duration)) continue;
       called =
