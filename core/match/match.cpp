@@ -112,11 +112,12 @@ bool Match::plays(Team team, int robot) const {
 }
 
 void Match::judge() {
+  judged_.reset();
   if (state_ != State::PLAY) {
     if (--ready_ticks_left_ <= 0) state_ = State::PLAY;
     return;
   }
-  const referee::Judgement judgement = referee_->judge(situation());
+  const referee::Judgement judgement = referee_->judge(judged_.emplace(situation()));
   for (const referee::Decision& note : judgement.notes) log_decision(note);
   if (judgement.decision) apply(*judgement.decision);
 }
@@ -259,6 +260,9 @@ void Match::log_decision(const referee::Decision& decision) {
   logged.decision = decision;
   if (decision.team) logged.team = team_at(*decision.team);
   logged.taker = team_at(decision.taker);
+  for (const Team team : both_teams) {
+    logged.robots[index_of(team)] = decision.robots[index_of(end_of(team))];
+  }
   decisions_.push_back(std::move(logged));
 }
 
@@ -315,7 +319,11 @@ Scene Match::scene() const {
   s.taker = team_at(restart_.taker);
   s.left = left_;
   s.ball = world_->ball();
+  const referee::Belief belief = referee_->belief();
+  s.stalemate_s = belief.stalemate_s;
+  s.advantage_s = belief.advantage_s;
   for (const Team team : both_teams) {
+    s.counts[index_of(team)] = belief.teams[index_of(end_of(team))];
     s.score[index_of(team)] = referee_->score()[index_of(end_of(team))];
     for (int i = 0; i < field_.robots_per_team; ++i) {
       s.robots[index_of(team)][i] = world_->robot(body_of(team, i));

@@ -54,6 +54,7 @@ struct LoggedDecision {
   referee::Decision decision;
   std::optional<Team> team;
   Team taker = Team::blue;
+  ByTeam<referee::RobotSet> robots;  // who had a part in it
 };
 
 // What the match writes down of each tick.
@@ -87,6 +88,10 @@ class Match {
   void forfeit(std::vector<TeamFault> faults);
 
   Scene scene() const;
+  const referee::Referee& referee() const { return *referee_; }
+  const referee::Decision& restart() const { return restart_; }  // the last one
+  // What the referee was shown in the last tick, or nothing while play stood.
+  const std::optional<referee::Situation>& judged() const { return judged_; }
   const std::vector<LoggedDecision>& decisions() const { return decisions_; }
   const std::vector<TickLog>& log() const { return log_; }
   std::uint64_t state_hash() const { return hash_.value(); }
@@ -130,6 +135,7 @@ class Match {
   Vec2 ball_before_{0.0, 0.0};
   ByTeam<std::array<Vec2, max_robots_per_team>> velocity_before_;  // in the field's frame
   const simulator::TickEvents* events_ = nullptr;
+  std::optional<referee::Situation> judged_;
 
   ByTeam<DrivenCommand> pending_;  // answers of the last tick, driven in this one
   ByTeam<DrivenCommand> answers_;  // of this tick

@@ -76,7 +76,8 @@ double Referee::phase_length() const {
 }
 
 // A goal whose ball crossed the line before the end counts; a penalty that was given before the end
-// is still taken.
+// is still taken. Defenders who foul again then get another one against them, but not for ever: a
+// phase is prolonged by the length of one attempt at most.
 bool Referee::is_time_up(const Situation& s, const std::optional<Decision>& goal) {
   const bool prolonged = book_.attempt.is_on;
   if (prolonged) {
@@ -86,7 +87,8 @@ bool Referee::is_time_up(const Situation& s, const std::optional<Decision>& goal
     }
   }
   if (now_.clock < phase_length()) return false;
-  if (prolonged) return !goal && !book_.attempt.is_on;
+  const bool may_be_longer = now_.clock < phase_length() + pitch_.rules.attempt_s;
+  if (prolonged) return !goal && !(book_.attempt.is_on && may_be_longer);
   return !goal || goal->clock > phase_length();
 }
 

@@ -60,6 +60,7 @@ class Referee {
   const ByEnd<int>& score() const { return now_.score; }
   const ShootOut& shoot_out() const { return now_.shoot_out; }
   const std::optional<RobotId>& last_touch() const { return last_touch_; }
+  const Progress& progress() const { return now_; }
   Belief belief() const;
 
   // The restart that opens the phase.

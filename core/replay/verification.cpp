@@ -1,42 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "core/replay/verification.hpp"
 
+#include "core/replay/recorded.hpp"
+
 #include <algorithm>
 
 namespace mirocup::replay {
 
 namespace {
-
-// Gives the recorded answers of one team, then what ended the leg.
-class Recorded final : public match::Controller {
- public:
-  Recorded(const Recording& recording, Team team) : recording_(recording), team_(team) {}
-
-  void post(const match::Observation& observation) override { tick_ = observation.tick; }
-
-  match::Answer collect() override {
-    if (tick_ < recording_.ticks.size()) return command(tick_);
-    for (const match::TeamFault& fault : recording_.result.faults) {
-      if (fault.team == team_) return fault.fault;
-    }
-    if (recording_.result.end == match::EndKind::void_) {
-      return match::HostFailure{recording_.result.why_void};
-    }
-    return match::Command{};
-  }
-
- private:
-  match::Command command(std::uint32_t tick) const {
-    const match::DrivenCommand& driven = recording_.ticks[tick].commands[index_of(team_)];
-    match::Command command;
-    for (int i = 0; i < max_robots_per_team; ++i) command.wheels[i] = driven.speeds(i);
-    return command;
-  }
-
-  const Recording& recording_;
-  Team team_;
-  std::uint32_t tick_ = 0;
-};
 
 std::string score_text(const match::ByTeam<int>& score) {
   return std::to_string(score[0]) + ":" + std::to_string(score[1]);

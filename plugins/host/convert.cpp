@@ -23,6 +23,20 @@ mirocup_robot to_robot(const match::ObservedRobot& robot) {
           robot.velocity.x(), robot.velocity.y(), robot.turn};
 }
 
+mirocup_counts to_counts(const referee::TeamCounts& from) {
+  mirocup_counts c{};
+  c.defenders = from.defenders;
+  c.area_defenders = from.area_defenders;
+  c.attackers = from.attackers;
+  c.keeper = from.keeper;
+  c.advantage_against = from.advantage_against ? 1 : 0;
+  c.two_defenders_s = from.two_defenders_s;
+  c.four_defenders_s = from.four_defenders_s;
+  c.two_attackers_s = from.two_attackers_s;
+  c.keeper_hold_s = from.keeper_hold_s;
+  return c;
+}
+
 }  // namespace
 
 mirocup_setup to_setup(const match::Briefing& briefing) {
@@ -81,6 +95,10 @@ mirocup_observation to_observation(const match::Observation& from) {
     o.own[i] = to_robot(from.own[i]);
     o.opponent[i] = to_robot(from.opponent[i]);
   }
+  o.own_counts = to_counts(from.own_counts);
+  o.opponent_counts = to_counts(from.opponent_counts);
+  o.stalemate_s = from.stalemate_s;
+  o.advantage_s = from.advantage_s;
   return o;
 }
 

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
 // mirocup referee TRACE.jsonl: one situation a line in, one verdict a line out, in the same order.
+// mirocup referee --record FILE: a played match judged with other parameters.
+#include "core/replay/appeal.hpp"
 #include "server/app/commands.hpp"
-#include "server/record/files.hpp"
+#include "server/record/match_record.hpp"
+#include "server/record/rules_json.hpp"
 #include "server/record/trace_verdict.hpp"
 
 #include <iostream>
 #include <memory>
 #include <sstream>
+#include <vector>
 
 namespace mirocup::app {
 
@@ -16,8 +20,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Options {
-  std::string path;
-  bool json = true;  // a verdict is one object a line, asked for or not
+  std::string trace_path;
+  std::string record_path;
+  std::vector<std::string> rule_changes;  // KEY=VALUE
+  bool json = false;                      // verdicts on traces are, asked for or not
 };
 
 std::string id_of(const Json& json) {
@@ -55,15 +61,81 @@ Result<int> judge_traces(const std::string& path) {
   return all_judged ? exit_yes : exit_no;
 }
 
+Json decision_json(const std::optional<match::LoggedDecision>& logged) {
+  if (!logged) return nullptr;
+  return {{"decision", to_string(logged->decision.verdict)},
+          {"law", to_string(logged->decision.law)},
+          {"team", logged->team ? Json(to_string(*logged->team)) : Json()},
+          {"reason", logged->decision.reason}};
+}
+
+std::string decision_text(const std::optional<match::LoggedDecision>& logged) {
+  if (!logged) return "nothing";
+  return std::string(to_string(logged->decision.verdict)) + " (" +
+         std::string(to_string(logged->decision.law)) + ": " + logged->decision.reason + ")";
+}
+
+Result<int> judge_record(const Options& options) {
+  record::Disk disk;
+  const auto record = record::load(disk, options.record_path);
+  if (!record) return tl::unexpected(record.error());
+  const match::Setup& setup = record->recording.setup;
+  const auto rules =
+      record::rules_with_changes(record::to_json(setup.rules), options.rule_changes, setup.league);
+  if (!rules) return tl::unexpected(rules.error());
+  const std::vector<replay::Difference> differences = replay::appeal(record->recording, *rules);
+
+  Json list = Json::array();
+  for (const replay::Difference& d : differences) {
+    const match::LoggedDecision& any = d.given ? *d.given : *d.would_be;
+    if (options.json) {
+      list.push_back({{"tick", d.tick},
+                      {"clock", any.decision.clock},
+                      {"given", decision_json(d.given)},
+                      {"would_be", decision_json(d.would_be)}});
+    } else {
+      std::cout << "tick " << d.tick << ", clock " << any.decision.clock << " s: given "
+                << decision_text(d.given) << ", would be " << decision_text(d.would_be) << '\n';
+    }
+  }
+  if (options.json) {
+    std::cout << Json{{"record", options.record_path},
+                      {"rules", record::to_json(*rules)},
+                      {"differences", list}}
+                     .dump()
+              << '\n';
+  } else {
+    std::cout << options.record_path << ": " << differences.size()
+              << " decisions would differ, for the match as it was played\n";
+  }
+  return differences.empty() ? exit_yes : exit_no;
+}
+
 }  // namespace
 
 void add_referee(CLI::App& app, Run& run) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("referee", "Judge recorded situations");
-  command->add_option("TRACE", options->path, "situations, one line of JSON each")->required();
-  command->add_flag("--json", options->json,
-                    "verdicts are one JSON object a line with or without it");
-  command->callback([options, &run] { run = [options] { return judge_traces(options->path); }; });
+  CLI::App* command = app.add_subcommand(
+      "referee", "Judge recorded situations, or a played match with other parameters");
+  CLI::Option* trace =
+      command->add_option("TRACE", options->trace_path, "situations, one line of JSON each");
+  CLI::Option* record =
+      command->add_option("--record", options->record_path, "a match record to judge again")
+          ->excludes(trace);
+  command
+      ->add_option("--rule", options->rule_changes,
+                   "KEY=VALUE: another value for a parameter of the record's rules")
+      ->needs(record);
+  command->add_flag("--json", options->json, "one JSON object on standard output");
+  command->callback([options, &run] {
+    if (options->trace_path.empty() && options->record_path.empty()) {
+      throw CLI::RequiredError("TRACE or --record");
+    }
+    run = [options] {
+      return options->record_path.empty() ? judge_traces(options->trace_path)
+                                          : judge_record(*options);
+    };
+  });
 }
 
 }  // namespace mirocup::app

@@ -39,6 +39,17 @@ Json result_json(const match::Result& result) {
           {"why_void", result.why_void.empty() ? Json() : Json(result.why_void)}};
 }
 
+Json robots_json(const match::ByTeam<referee::RobotSet>& robots) {
+  Json json = Json::object();
+  for (const Team team : both_teams) {
+    Json& list = json[std::string(to_string(team))] = Json::array();
+    for (int i = 0; i < max_robots_per_team; ++i) {
+      if (robots[index_of(team)][i]) list.push_back(i);
+    }
+  }
+  return json;
+}
+
 Json decision_json(const match::LoggedDecision& d) {
   const bool restarts = d.decision.restart != referee::Restart::none;
   return {{"tick", d.tick},
@@ -46,6 +57,7 @@ Json decision_json(const match::LoggedDecision& d) {
           {"law", to_string(d.decision.law)},
           {"decision", to_string(d.decision.verdict)},
           {"team", optional_name(d.team)},
+          {"robots", robots_json(d.robots)},
           {"reason", d.decision.reason},
           {"ball", {d.decision.ball.x(), d.decision.ball.y()}},
           {"restart", restarts ? Json(to_string(d.decision.restart)) : Json()},
@@ -111,6 +123,13 @@ match::LoggedDecision decision_of(const Json& json) {
   d.decision.law = named<referee::Law>(json.at("law"));
   d.decision.verdict = named<referee::Verdict>(json.at("decision"));
   d.team = optional_team(json.at("team"));
+  for (const Team team : both_teams) {
+    for (const Json& robot : json.at("robots").at(std::string(to_string(team)))) {
+      const int i = robot.get<int>();
+      if (i < 0 || i >= max_robots_per_team) throw Damage{"there is no robot " + robot.dump()};
+      d.robots[index_of(team)].set(i);
+    }
+  }
   d.decision.reason = json.at("reason").get<std::string>();
   d.decision.ball = {json.at("ball").at(0).get<double>(), json.at("ball").at(1).get<double>()};
   if (!json.at("restart").is_null()) {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace mirocup::record {
 
@@ -133,6 +134,20 @@ Result<Rules> rules_from_json(const Json& object, Errc code, League league) {
     if (!good) return fail(code, "/rules/" + key + ": " + value.dump() + " is not a value for it");
   }
   return rules;
+}
+
+Result<Rules> rules_with_changes(Json object, const std::vector<std::string>& changes,
+                                 League league) {
+  for (const std::string& change : changes) {
+    const std::size_t equals = change.find('=');
+    const std::string text = equals == std::string::npos ? "" : change.substr(equals + 1);
+    Json value = Json::parse(text, nullptr, false);
+    if (value.is_discarded()) {
+      return fail(Errc::input, "--rule " + change + ": KEY=VALUE is expected");
+    }
+    object[change.substr(0, equals)] = std::move(value);
+  }
+  return rules_from_json(object, Errc::input, league);
 }
 
 }  // namespace mirocup::record

@@ -9,6 +9,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <string>
+#include <vector>
+
 namespace mirocup::record {
 
 nlohmann::ordered_json to_json(const referee::Rules& rules);
@@ -17,5 +20,9 @@ nlohmann::ordered_json to_json(const referee::Rules& rules);
 // the other keys. An unknown key or a wrong type is an error of `code` that names it.
 Result<referee::Rules> rules_from_json(const nlohmann::ordered_json& object, Errc code,
                                        League league);
+
+// The same with changes from a command line, each KEY=VALUE with a value of JSON. Errors of usage.
+Result<referee::Rules> rules_with_changes(nlohmann::ordered_json object,
+                                          const std::vector<std::string>& changes, League league);
 
 }  // namespace mirocup::record

@@ -96,6 +96,19 @@ typedef struct mirocup_setup {
   double ball_radius, ball_mass;
 } mirocup_setup;
 
+/* What the referee counts about a team. Robots count with more than half of their body inside, and
+   not if they were pushed there. A time is that of the law: 0 while nothing is wrong. */
+typedef struct mirocup_counts {
+  int32_t defenders;         /* in its own goal area: one may be */
+  int32_t area_defenders;    /* in its own penalty area */
+  int32_t attackers;         /* in the other goal area: one may be */
+  int32_t keeper;            /* its robot that counts as keeper; -1: none is at home */
+  int32_t advantage_against; /* 1: it fouled, and is called unless the others score at once */
+  int32_t reserved;
+  double two_defenders_s, four_defenders_s, two_attackers_s;
+  double keeper_hold_s; /* the ball is in its goal area with no opponent near */
+} mirocup_counts;
+
 /* What you see of one tick. */
 typedef struct mirocup_observation {
   uint32_t size;       /* of this structure, bytes */
@@ -112,6 +125,9 @@ typedef struct mirocup_observation {
   double ball_x, ball_y, ball_vx, ball_vy;
   mirocup_robot own[MIROCUP_MAX_ROBOTS];
   mirocup_robot opponent[MIROCUP_MAX_ROBOTS];
+  mirocup_counts own_counts, opponent_counts;
+  double stalemate_s; /* for so long the ball has got nowhere */
+  double advantage_s; /* for so long a foul has waited for a goal; 0: none does */
 } mirocup_observation;
 
 typedef struct mirocup_wheels {
