@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/match/match.hpp"
 
-#include "core/base/random.hpp"
 #include "core/referee/placement.hpp"
+#include "core/referee/touches.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,12 +25,13 @@ void add(StateHash& hash, const Vec2& v) {
 Match::Match(const Setup& setup)
     : setup_(setup),
       field_(field::make_field(setup.league)),
-      pitch_{field_, setup_.rules, setup.parameters.ball_radius, setup.parameters.robot_side} {
+      pitch_{field_, setup_.rules, setup.parameters.ball_radius, setup.parameters.robot_side},
+      coins_(mix_seed(setup.seed)) {
   // The toss: who defends the left end, and who kicks off (MiroSot law 6.1).
-  Random toss(mix_seed(setup.seed));
-  left_ = toss.coin() ? Team::blue : Team::yellow;
-  const Team kick_off = toss.coin() ? Team::blue : Team::yellow;
-  referee_ = std::make_unique<referee::Referee>(pitch_, end_of(kick_off));
+  left_ = coins_.coin() ? Team::blue : Team::yellow;
+  const Team kick_off = coins_.coin() ? Team::blue : Team::yellow;
+  referee_ = std::make_unique<referee::Referee>(
+      pitch_, referee::Progress{.stage = setup.stage, .first = end_of(kick_off)});
   world_ = std::make_unique<simulator::World>(&field_, setup_.parameters, setup_.tolerances,
                                               2 * field_.robots_per_team, true);
   log_.reserve(static_cast<std::size_t>(2.2 * setup_.rules.half_s / setup_.control_period));
@@ -90,9 +91,11 @@ void Match::simulate() {
   std::array<simulator::WheelCommand, simulator::max_robots> wheels;
   for (const Team team : both_teams) {
     for (int i = 0; i < field_.robots_per_team; ++i) {
-      const bool plays = state_ == State::PLAY;
-      wheels[body_of(team, i)] =
-          plays ? pending_[index_of(team)].speeds(i) : simulator::WheelSpeeds{};
+      const int body = body_of(team, i);
+      wheels[body] = plays(team, i) ? pending_[index_of(team)].speeds(i) : simulator::WheelSpeeds{};
+      const simulator::RobotState robot = world_->robot(body);
+      velocity_before_[index_of(team)][i] =
+          robot.heading.to_world({robot.twist.forward, robot.twist.left});
     }
   }
   ball_before_ = world_->ball().position;
@@ -100,30 +103,56 @@ void Match::simulate() {
                              setup_.control_period);
 }
 
+// Do the robot's commands count? In a shoot-out the kicker and the keeper are alone; the others
+// stand in the kicker's half, where an attempt ends.
+bool Match::plays(Team team, int robot) const {
+  if (state_ != State::PLAY) return false;
+  if (referee_->phase() != referee::Phase::SHOOT_OUT) return true;
+  return robot == (team_at(restart_.taker) == team ? referee::kicker : referee::keeper);
+}
+
 void Match::judge() {
+  judged_.reset();
   if (state_ != State::PLAY) {
     if (--ready_ticks_left_ <= 0) state_ = State::PLAY;
     return;
   }
-  if (const auto decision = referee_->judge(situation(ball_before_, *events_))) apply(*decision);
+  const referee::Judgement judgement = referee_->judge(judged_.emplace(situation()));
+  for (const referee::Decision& note : judgement.notes) log_decision(note);
+  if (judgement.decision) apply(*judgement.decision);
 }
 
 void Match::apply(const referee::Decision& decision) {
   log_decision(decision);
-  if (const auto next = referee_->follow_up(decision)) {
-    log_decision(*next);
-    end(EndKind::mercy);
-    return;
-  }
   if (decision.verdict == referee::Verdict::MATCH_END) {
-    end(EndKind::full_time);
-  } else if (decision.verdict == referee::Verdict::HALF_END) {
-    left_ = opponent_of(left_);
-    referee_->start_second_half();
+    end(decision);
+  } else if (const auto next = referee_->follow_up(decision)) {
+    apply(*next);
+  } else if (decision.verdict == referee::Verdict::HALF_END ||
+             decision.verdict == referee::Verdict::PHASE) {
+    start_phase(decision.phase);
     apply(referee_->opening());
   } else {
     restart_ = decision;
     placement_is_due_ = true;
+  }
+}
+
+// Ends change between halves; extra time and the shoot-out begin with a toss of their own.
+void Match::start_phase(referee::Phase phase) {
+  const bool next_half = phase == referee::Phase::SECOND_HALF ||
+                         (phase == referee::Phase::EXTRA && referee_->phase() == phase);
+  if (next_half) {
+    left_ = opponent_of(left_);
+    referee_->start_half(phase);
+    return;
+  }
+  const Team first = coins_.coin() ? Team::blue : Team::yellow;
+  if (phase == referee::Phase::EXTRA) {
+    referee_->start_extra_time(end_of(first));
+  } else {
+    const Team lots = coins_.coin() ? Team::blue : Team::yellow;
+    referee_->start_shoot_out(end_of(first), end_of(lots));
   }
 }
 
@@ -182,6 +211,30 @@ void Match::end(EndKind kind) {
   result_ = std::move(result);
 }
 
+void Match::end(const referee::Decision& decision) {
+  using referee::Law;
+  switch (decision.law) {
+    case Law::mercy:
+      end(EndKind::mercy);
+      break;
+    case Law::golden_goal:
+      end(EndKind::golden_goal);
+      break;
+    case Law::shoot_out:
+    case Law::lots:
+      end(EndKind::shoot_out);
+      result_->winner = team_at(*decision.team);
+      result_->shoot_out.emplace();
+      for (const Team team : both_teams) {
+        (*result_->shoot_out)[index_of(team)] =
+            referee_->shoot_out().scored[index_of(end_of(team))];
+      }
+      break;
+    default:
+      end(EndKind::full_time);
+  }
+}
+
 void Match::forfeit(std::vector<TeamFault> faults) {
   const bool both = faults.size() > 1;
   end(both ? EndKind::double_forfeit : EndKind::forfeit);
@@ -207,29 +260,31 @@ void Match::log_decision(const referee::Decision& decision) {
   logged.decision = decision;
   if (decision.team) logged.team = team_at(*decision.team);
   logged.taker = team_at(decision.taker);
+  for (const Team team : both_teams) {
+    logged.robots[index_of(team)] = decision.robots[index_of(end_of(team))];
+  }
   decisions_.push_back(std::move(logged));
 }
 
-referee::Situation Match::situation(const Vec2& ball_before,
-                                    const simulator::TickEvents& events) const {
+referee::Situation Match::situation() const {
   referee::Situation s;
   s.duration = setup_.control_period;
-  s.ball_before = ball_before;
+  s.ball_before = ball_before_;
   s.ball = world_->ball().position;
-  const int ball = world_->robots();
   for (const Team team : both_teams) {
-    const End end = end_of(team);
+    const int e = index_of(end_of(team));
     for (int i = 0; i < field_.robots_per_team; ++i) {
-      const int body = body_of(team, i);
-      const simulator::RobotState robot = world_->robot(body);
+      const simulator::RobotState robot = world_->robot(body_of(team, i));
+      s.robots[e][i] = {robot.position, robot.heading};
+      s.velocity[e][i] = velocity_before_[index_of(team)][i];
+      if (!plays(team, i)) continue;
       const simulator::WheelSpeeds wheels = pending_[index_of(team)].speeds(i);
-      s.robots[index_of(end)][i] = {robot.position, robot.heading};
-      s.touched_ball[index_of(end)][i] = events.touched[ball][body];
-      s.commanded[index_of(end)][i] =
+      s.commanded[e][i] =
           setup_.parameters.forward_speed(wheels.left, wheels.right) * robot.heading.forward();
-      if (events.last_to_touch_ball == body) s.last_touch = referee::RobotId{end, i};
     }
   }
+  add_touches(*events_, s);
+  referee::add_near_touches(pitch_, s);
   return s;
 }
 
@@ -238,6 +293,26 @@ std::optional<Touch> Match::last_touch() const {
   const int body = events_->last_to_touch_ball;
   const int robots = field_.robots_per_team;
   return Touch{body < robots ? Team::blue : Team::yellow, body % robots};
+}
+
+void Match::add_touches(const simulator::TickEvents& events, referee::Situation& s) const {
+  const int ball = world_->robots();
+  const auto robot_of = [&](int body) {
+    const Team team = body < field_.robots_per_team ? Team::blue : Team::yellow;
+    return referee::RobotId{end_of(team), body - body_of(team, 0)};
+  };
+  for (int body = 0; body < ball; ++body) {
+    const simulator::BodySet& touched = events.touched[body];
+    if (touched.none()) continue;
+    const referee::RobotId robot = robot_of(body);
+    if (touched[ball]) s.touched_ball[index_of(robot.end)].set(robot.index);
+    for (int other = 0; other < body; ++other) {
+      if (touched[other]) referee::set_touch(s, robot, robot_of(other));
+    }
+  }
+  if (events.last_to_touch_ball != simulator::no_body) {
+    s.last_touch = robot_of(events.last_to_touch_ball);
+  }
 }
 
 Scene Match::scene() const {
@@ -251,7 +326,11 @@ Scene Match::scene() const {
   s.taker = team_at(restart_.taker);
   s.left = left_;
   s.ball = world_->ball();
+  const referee::Belief belief = referee_->belief();
+  s.stalemate_s = belief.stalemate_s;
+  s.advantage_s = belief.advantage_s;
   for (const Team team : both_teams) {
+    s.counts[index_of(team)] = belief.teams[index_of(end_of(team))];
     s.score[index_of(team)] = referee_->score()[index_of(end_of(team))];
     for (int i = 0; i < field_.robots_per_team; ++i) {
       s.robots[index_of(team)][i] = world_->robot(body_of(team, i));

@@ -7,6 +7,7 @@
 // only time there is; how fast it passes is the caller's business.
 #pragma once
 
+#include "core/base/random.hpp"
 #include "core/base/state_hash.hpp"
 #include "core/match/controller.hpp"
 #include "core/match/observation.hpp"
@@ -39,8 +40,9 @@ struct TeamFault {
 
 struct Result {
   ByTeam<int> score{};   // the official one: a forfeit is 0 to forfeit_goals
-  ByTeam<int> played{};  // goals until the end
+  ByTeam<int> played{};  // goals until the end, those of extra time with them
   std::optional<Team> winner;
+  std::optional<ByTeam<int>> shoot_out;  // attempts scored, if there was one; not goals
   EndKind end = EndKind::full_time;
   std::vector<TeamFault> faults;
   std::string why_void;
@@ -52,6 +54,7 @@ struct LoggedDecision {
   referee::Decision decision;
   std::optional<Team> team;
   Team taker = Team::blue;
+  ByTeam<referee::RobotSet> robots;  // who had a part in it
 };
 
 // A robot that touched the ball.
@@ -91,6 +94,10 @@ class Match {
   void forfeit(std::vector<TeamFault> faults);
 
   Scene scene() const;
+  const referee::Referee& referee() const { return *referee_; }
+  const referee::Decision& restart() const { return restart_; }  // the last one
+  // What the referee was shown in the last tick, or nothing while play stood.
+  const std::optional<referee::Situation>& judged() const { return judged_; }
   const std::vector<LoggedDecision>& decisions() const { return decisions_; }
   const std::vector<TickLog>& log() const { return log_; }
   std::uint64_t state_hash() const { return hash_.value(); }
@@ -104,9 +111,12 @@ class Match {
   void simulate();
   void judge();
   void apply(const referee::Decision& decision);
+  void start_phase(referee::Phase phase);
+  bool plays(Team team, int robot) const;
   void place();
   void record();
   void end(EndKind kind);
+  void end(const referee::Decision& decision);
   void log_decision(const referee::Decision& decision);
 
   End end_of(Team team) const { return team == left_ ? End::left : End::right; }
@@ -114,11 +124,13 @@ class Match {
   int body_of(Team team, int robot) const {
     return index_of(team) * field_.robots_per_team + robot;
   }
-  referee::Situation situation(const Vec2& ball_before, const simulator::TickEvents& events) const;
+  referee::Situation situation() const;
+  void add_touches(const simulator::TickEvents& events, referee::Situation& s) const;
 
   Setup setup_;
   field::Field field_;
   referee::Pitch pitch_;
+  Random coins_;  // of every toss and lot
   Team left_ = Team::blue;
   std::unique_ptr<simulator::World> world_;
   std::unique_ptr<referee::Referee> referee_;
@@ -129,7 +141,9 @@ class Match {
   referee::Decision restart_;  // the last one
   bool placement_is_due_ = false;
   Vec2 ball_before_{0.0, 0.0};
+  ByTeam<std::array<Vec2, max_robots_per_team>> velocity_before_;  // in the field's frame
   const simulator::TickEvents* events_ = nullptr;
+  std::optional<referee::Situation> judged_;
 
   ByTeam<DrivenCommand> pending_;  // answers of the last tick, driven in this one
   ByTeam<DrivenCommand> answers_;  // of this tick

@@ -29,6 +29,10 @@ Observation observe(const Scene& scene, Team team, int robots) {
   o.own_score = scene.score[index_of(team)];
   o.opponent_score = scene.score[index_of(other)];
   o.robots = robots;
+  o.stalemate_s = scene.stalemate_s;
+  o.advantage_s = scene.advantage_s;
+  o.own_counts = scene.counts[index_of(team)];
+  o.opponent_counts = scene.counts[index_of(other)];
   o.ball = team_frame(end, scene.ball.position);
   o.ball_velocity = team_frame(end, scene.ball.velocity);
   for (int i = 0; i < robots; ++i) {

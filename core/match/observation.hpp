@@ -30,6 +30,11 @@ struct Observation {
   int own_score = 0;
   int opponent_score = 0;
   int robots = 0;  // of a team
+  // What the referee counts, so that nobody is surprised by a whistle.
+  double stalemate_s = 0.0;
+  double advantage_s = 0.0;
+  referee::TeamCounts own_counts;
+  referee::TeamCounts opponent_counts;
   Vec2 ball{0.0, 0.0};
   Vec2 ball_velocity{0.0, 0.0};
   std::array<ObservedRobot, max_robots_per_team> own;

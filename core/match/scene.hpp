@@ -32,6 +32,10 @@ struct Scene {
   Team taker = Team::blue;  // of the last restart
   Team left = Team::blue;   // who defends x < 0
   ByTeam<int> score{};
+  // What the referee counts (referee.hpp).
+  double stalemate_s = 0.0;
+  double advantage_s = 0.0;
+  ByTeam<referee::TeamCounts> counts;
   simulator::BallState ball;
   ByTeam<std::array<simulator::RobotState, max_robots_per_team>> robots;
 };

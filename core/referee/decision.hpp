@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the referee says. Every decision names its law, the team, the place, the time and the reason
-// with the numbers that decided it.
+// What the referee says. Every decision names its law, the team, the robots, the place, the time
+// and the reason with the numbers that decided it.
 #pragma once
 
 #include "core/base/names.hpp"
@@ -15,31 +15,79 @@
 namespace mirocup::referee {
 
 enum class Verdict {
+  NONE,  // noted, without effect
   GOAL,
   KICK_OFF,
   KICK_OFF_VIOLATION,
   PENALTY_KICK,
   GOAL_KICK,
+  FREE_KICK,
   FREE_BALL,
   HALF_END,
+  PHASE,  // extra time or the shoot-out begins
+  ATTEMPT_END,
+  PLACEMENT_FIXED,
+  RESTART,
+  TIME_OUT,
+  REJECTED,
+  FORFEIT,
   MATCH_END,
 };
 
-enum class Law { toss, kick_off, goal, own_goal, keeper_hold, stalemate, half_time, mercy };
+// One file each in laws/; `forfeit` is the match's.
+enum class Law {
+  toss,
+  kick_off,
+  goal,
+  own_goal,
+  two_defenders,
+  four_defenders,
+  two_attackers,
+  four_attackers,
+  keeper_hold,
+  keeper_charge,
+  keeper_push_in,
+  keeper_block,
+  keeper_catch,
+  stalemate,
+  push,
+  attacking_push,
+  collision,
+  holding,
+  wall_push,
+  placement,
+  half_time,
+  golden_goal,
+  extra_time,
+  penalty_attempt,
+  shoot_out,
+  lots,
+  mercy,
+  time_out,
+  forfeit,
+};
+
+enum class Phase { FIRST_HALF, SECOND_HALF, EXTRA, SHOOT_OUT };
 
 // How play goes on.
-enum class Restart { none, KICK_OFF, GOAL_KICK, PENALTY_KICK, FREE_BALL };
+enum class Restart { none, KICK_OFF, GOAL_KICK, PENALTY_KICK, FREE_BALL, FREE_KICK };
 
 struct Decision {
-  Verdict verdict = Verdict::GOAL;
+  Verdict verdict = Verdict::NONE;
   Law law = Law::goal;
   double clock = 0.0;       // match clock, s
-  std::optional<End> team;  // who scored, offended, or nobody
+  std::optional<End> team;  // who scored, offended, won, or nobody
+  ByEnd<RobotSet> robots;   // who had a part in it
   std::string reason;
   Vec2 ball{0.0, 0.0};  // where it was, m
   Restart restart = Restart::none;
-  End taker = End::left;  // of the restart; of a free ball, the defender of that half
-  Vec2 spot{0.0, 0.0};    // where the ball is put, m
+  End taker = End::left;            // of the restart; of a free ball, the defender of that half
+  Vec2 spot{0.0, 0.0};              // where a free ball is put, m
+  Phase phase = Phase::FIRST_HALF;  // that begins: HALF_END, PHASE
+  bool goal_cancelled = false;
+  bool scored = false;  // ATTEMPT_END
+
+  void names(const RobotId& robot) { robots[index_of(robot.end)].set(robot.index); }
 };
 
 }  // namespace mirocup::referee
@@ -47,14 +95,25 @@ struct Decision {
 namespace mirocup {
 
 template <>
-inline constexpr std::array<std::string_view, 8> enum_names<referee::Verdict>{
-    "GOAL",      "KICK_OFF",  "KICK_OFF_VIOLATION", "PENALTY_KICK",
-    "GOAL_KICK", "FREE_BALL", "HALF_END",           "MATCH_END"};
+inline constexpr std::array<std::string_view, 17> enum_names<referee::Verdict>{
+    "NONE",         "GOAL",      "KICK_OFF",    "KICK_OFF_VIOLATION",
+    "PENALTY_KICK", "GOAL_KICK", "FREE_KICK",   "FREE_BALL",
+    "HALF_END",     "PHASE",     "ATTEMPT_END", "PLACEMENT_FIXED",
+    "RESTART",      "TIME_OUT",  "REJECTED",    "FORFEIT",
+    "MATCH_END"};
 template <>
-inline constexpr std::array<std::string_view, 8> enum_names<referee::Law>{
-    "toss", "kick_off", "goal", "own_goal", "keeper_hold", "stalemate", "half_time", "mercy"};
+inline constexpr std::array<std::string_view, 29> enum_names<referee::Law>{
+    "toss",           "kick_off",      "goal",           "own_goal",        "two_defenders",
+    "four_defenders", "two_attackers", "four_attackers", "keeper_hold",     "keeper_charge",
+    "keeper_push_in", "keeper_block",  "keeper_catch",   "stalemate",       "push",
+    "attacking_push", "collision",     "holding",        "wall_push",       "placement",
+    "half_time",      "golden_goal",   "extra_time",     "penalty_attempt", "shoot_out",
+    "lots",           "mercy",         "time_out",       "forfeit"};
 template <>
-inline constexpr std::array<std::string_view, 5> enum_names<referee::Restart>{
-    "none", "KICK_OFF", "GOAL_KICK", "PENALTY_KICK", "FREE_BALL"};
+inline constexpr std::array<std::string_view, 4> enum_names<referee::Phase>{
+    "FIRST_HALF", "SECOND_HALF", "EXTRA", "SHOOT_OUT"};
+template <>
+inline constexpr std::array<std::string_view, 6> enum_names<referee::Restart>{
+    "none", "KICK_OFF", "GOAL_KICK", "PENALTY_KICK", "FREE_BALL", "FREE_KICK"};
 
 }  // namespace mirocup

@@ -36,6 +36,10 @@ Table small_table(Restart restart) {
       return {{0.375, 0.0},
               {{-0.7, 0.0, along}, {0.3, 0.0, forward}, {-0.1, 0.25, forward}},
               {{0.7125, 0.0, along}, {-0.1, -0.25, forward}, {-0.1, -0.5, forward}}};
+    case Restart::FREE_KICK:
+      return {{0.375, 0.0},
+              {{-0.7, 0.0, along}, {0.3, 0.0, forward}, {-0.1, 0.25, forward}},
+              {{0.7125, 0.0, along}, {0.5625, 0.1375, home}, {0.5625, -0.1375, home}}};
     case Restart::GOAL_KICK:
       return {{-0.62, 0.2},
               {{-0.7, 0.2, forward}, {-0.45, 0.32, forward}, {-0.3, -0.47, forward}},
@@ -75,6 +79,18 @@ Table middle_table(Restart restart) {
                {-0.083, 0.81, forward},
                {-0.083, -0.31, forward},
                {-0.083, -0.81, forward}}};
+    case Restart::FREE_KICK:
+      return {{0.725, 0.0},
+              {{-1.05, 0.0, along},
+               {0.65, 0.0, forward},
+               {-0.1, 0.4, forward},
+               {-0.1, -0.4, forward},
+               {-0.3, 0.0, forward}},
+              {{1.0625, 0.0, along},
+               {0.9125, 0.2125, home},
+               {0.9125, -0.2125, home},
+               {0.9125, 0.4375, home},
+               {0.9125, -0.4375, home}}};
     case Restart::GOAL_KICK:
       return {{-0.98, 0.0},
               {{-1.06, 0.0, forward},
@@ -127,6 +143,19 @@ Table large_table(Restart restart) {
                {{1.9625, 0.0, along}, {-0.1, 0.25, forward}}};
       add_columns(table.takers, -0.3, -0.6, forward, 0.1);
       add_columns(table.opponents, -0.3, -0.6, forward, -0.1);
+      break;
+    case Restart::FREE_KICK:
+      table = {{1.5, 0.0},
+               {{-1.95, 0.0, along}, {1.42, 0.0, forward}},
+               {{1.9625, 0.0, along},
+                {1.7125, 0.3875, home},
+                {1.7125, -0.3875, home},
+                {1.7125, 0.6375, home},
+                {1.7125, -0.6375, home}}};
+      add_columns(table.takers, -0.3, -0.6, forward, 0.1);
+      for (const double y : {-1.0, -0.6, -0.2, 0.2, 0.6, 1.0}) {
+        table.opponents.push_back({0.6, y, home});
+      }
       break;
     case Restart::GOAL_KICK:
       table = {{-1.8, 0.0},

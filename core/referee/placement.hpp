@@ -14,6 +14,10 @@
 
 namespace mirocup::referee {
 
+// Roles at restarts, by index.
+inline constexpr int keeper = 0;
+inline constexpr int kicker = 1;
+
 struct Placement {
   Vec2 ball{0.0, 0.0};
   ByEnd<std::array<Pose, max_robots_per_team>> robots;

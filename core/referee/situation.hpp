@@ -25,19 +25,33 @@ struct RobotId {
 template <class T>
 using ByEnd = std::array<T, 2>;
 
+template <class T>
+using ByRobot = ByEnd<std::array<T, max_robots_per_team>>;
+
 struct Situation {
   double begin = 0.0;     // match clock at the begin of the tick, s
-  double duration = 0.0;  // of the tick, s
+  double duration = 0.0;  // of the tick, s; 0 for what a camera sees first
 
   Vec2 ball_before{0.0, 0.0};  // m, at the begin; between them the ball moves on a straight line
   Vec2 ball{0.0, 0.0};         // at the end
-  ByEnd<std::array<Pose, max_robots_per_team>> robots;
+  ByRobot<Pose> robots;        // at the end
 
-  ByEnd<RobotSet> touched_ball;  // at some time of the tick
-  std::optional<RobotId>
-      last_touch;  // the last robot that touched the ball, in this tick or before
-  ByEnd<std::array<Vec2, max_robots_per_team>>
-      commanded{};  // velocity that its wheels are asked for, m/s
+  // m/s: before anything was hit in this tick, and as asked of the wheels.
+  ByRobot<Vec2> velocity{};
+  ByRobot<Vec2> commanded{};
+
+  // Touches at some time of the tick, or within the touching distance at its end (touches.hpp).
+  ByEnd<RobotSet> touched_ball;
+  ByRobot<RobotSet> touched_opponents;  // symmetric: the set of each robot's opponents
+  ByRobot<RobotSet> touched_mates;      // symmetric, too
+  // The last robot that touched the ball, in this tick or before.
+  std::optional<RobotId> last_touch;
+
+  const Pose& pose(const RobotId& id) const { return robots[index_of(id.end)][id.index]; }
+  bool touches_ball(const RobotId& id) const { return touched_ball[index_of(id.end)][id.index]; }
+  bool touch(const RobotId& robot, int opponent) const {
+    return touched_opponents[index_of(robot.end)][robot.index][opponent];
+  }
 };
 
 }  // namespace mirocup::referee

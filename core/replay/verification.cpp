@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/replay/verification.hpp"
 
+#include "core/replay/recorded.hpp"
+
 #include <algorithm>
 
 namespace mirocup::replay {

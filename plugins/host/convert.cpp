@@ -8,10 +8,12 @@ static_assert(static_cast<int>(League::large) == MIROCUP_LARGE);
 static_assert(static_cast<int>(Team::yellow) == MIROCUP_YELLOW);
 static_assert(static_cast<int>(match::State::END) == MIROCUP_END);
 static_assert(static_cast<int>(referee::Phase::SECOND_HALF) == MIROCUP_SECOND_HALF);
+static_assert(static_cast<int>(referee::Phase::SHOOT_OUT) == MIROCUP_SHOOT_OUT);
 static_assert(static_cast<int>(referee::Restart::KICK_OFF) == MIROCUP_KICK_OFF);
 static_assert(static_cast<int>(referee::Restart::GOAL_KICK) == MIROCUP_GOAL_KICK);
 static_assert(static_cast<int>(referee::Restart::PENALTY_KICK) == MIROCUP_PENALTY_KICK);
 static_assert(static_cast<int>(referee::Restart::FREE_BALL) == MIROCUP_FREE_BALL);
+static_assert(static_cast<int>(referee::Restart::FREE_KICK) == MIROCUP_FREE_KICK);
 static_assert(max_robots_per_team == MIROCUP_MAX_ROBOTS);
 
 namespace {
@@ -19,6 +21,20 @@ namespace {
 mirocup_robot to_robot(const match::ObservedRobot& robot) {
   return {robot.position.x(), robot.position.y(), robot.heading,
           robot.velocity.x(), robot.velocity.y(), robot.turn};
+}
+
+mirocup_counts to_counts(const referee::TeamCounts& from) {
+  mirocup_counts c{};
+  c.defenders = from.defenders;
+  c.area_defenders = from.area_defenders;
+  c.attackers = from.attackers;
+  c.keeper = from.keeper;
+  c.advantage_against = from.advantage_against ? 1 : 0;
+  c.two_defenders_s = from.two_defenders_s;
+  c.four_defenders_s = from.four_defenders_s;
+  c.two_attackers_s = from.two_attackers_s;
+  c.keeper_hold_s = from.keeper_hold_s;
+  return c;
 }
 
 }  // namespace
@@ -41,6 +57,10 @@ mirocup_setup to_setup(const match::Briefing& briefing) {
   s.goal_depth = field.goal_depth;
   s.goal_area_depth = field.goal_area.depth;
   s.goal_area_half_width = field.goal_area.half_width;
+  if (field.penalty_area) {
+    s.penalty_area_depth = field.penalty_area->depth;
+    s.penalty_area_half_width = field.penalty_area->half_width;
+  }
   s.centre_circle_radius = field.centre_circle_radius;
   s.robot_side = p.robot_side;
   s.robot_mass = p.robot_mass;
@@ -75,6 +95,10 @@ mirocup_observation to_observation(const match::Observation& from) {
     o.own[i] = to_robot(from.own[i]);
     o.opponent[i] = to_robot(from.opponent[i]);
   }
+  o.own_counts = to_counts(from.own_counts);
+  o.opponent_counts = to_counts(from.opponent_counts);
+  o.stalemate_s = from.stalemate_s;
+  o.advantage_s = from.advantage_s;
   return o;
 }
 

@@ -15,8 +15,9 @@ class Chaser : public Team {
   void decide(const Observation& now, Command& command) override {
     const int chaser = nearest_to_ball(now);
     for (int i = 0; i < now.robots; ++i) {
-      command.wheels[i] = i == chaser ? chase(now, now.own[i]) : wait(now, i);
+      command.wheels[i] = i == chaser ? chase(now, i) : wait(now, i);
     }
+    keep_laws(setup(), now, command);
   }
 
  private:
@@ -32,7 +33,8 @@ class Chaser : public Team {
     return nearest;
   }
 
-  Wheels chase(const Observation& now, const Robot& robot) {
+  Wheels chase(const Observation& now, int i) {
+    const Robot& robot = now.own[i];
     if (must_kick_off(now)) return kick_off(setup(), robot);
 
     const Point goal{setup().half_length, 0.0};
@@ -40,15 +42,19 @@ class Chaser : public Team {
     const Point behind = ball(now) - 0.08 * towards;
     const Point from_ball = position(robot) - ball(now);
     const bool is_behind = dot(from_ball, towards) < -0.5 * length(from_ball);
-    if (is_behind) return drive_to(setup(), robot, ball(now) + 0.1 * towards, 0.8, pace_);
-    return drive_clear(setup(), now, robot, behind, 0.0, pace_);
+    if (is_behind) {
+      const Point through = keep_out(setup(), i, ball(now) + 0.1 * towards);
+      return drive_to(setup(), robot, through, 0.8, pace_);
+    }
+    return drive_clear(setup(), now, robot, keep_out(setup(), i, behind), 0.0, pace_);
   }
 
   Wheels wait(const Observation& now, int i) {
     if (i == 0) return keep_goal(setup(), now, now.own[0]);
     const int row = (i + 1) / 2;
     const double y = 0.2 * (i % 2 == 0 ? 1.0 : -1.0) * row;
-    return drive_clear(setup(), now, now.own[i], {-0.4 * setup().half_length, y});
+    const Point place = keep_out(setup(), i, {-0.4 * setup().half_length, y});
+    return drive_clear(setup(), now, now.own[i], place);
   }
 
   double pace_ = 1.3 + 0.3 * random().uniform();  // m/s, of this leg

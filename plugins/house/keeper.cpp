@@ -22,16 +22,19 @@ class Keeper : public Team {
       if (i == 1 && must_kick_off(now)) {
         command.wheels[i] = kick_off(setup(), robot);
       } else if (i == 1 && is_near && robot.x < now.ball_x) {
-        command.wheels[i] = drive_to(setup(), robot, ball(now) + 0.1 * out, 1.0);
+        command.wheels[i] =
+            drive_to(setup(), robot, keep_out(setup(), i, ball(now) + 0.1 * out), 1.0);
       } else {
         // A screen across the line from the ball to the goal.
         const int column = i / 2;
         const int row = i / 3;
         const double aside = 0.09 * (i % 2 == 0 ? 1.0 : -1.0) * column;
         const Point post = goal + (distance_ + 0.07 * row) * out;
-        command.wheels[i] = drive_clear(setup(), now, robot, {post.x, post.y + aside});
+        const Point place = keep_out(setup(), i, {post.x, post.y + aside});
+        command.wheels[i] = drive_clear(setup(), now, robot, place);
       }
     }
+    keep_laws(setup(), now, command);
   }
 
  private:

@@ -18,9 +18,9 @@ class Striker : public Team {
     choose_corner(now);
     int rank = 0;
     for (int i = 1; i < now.robots; ++i) {
-      command.wheels[i] =
-          i == attacker_ ? attack(now, now.own[i]) : support(now, now.own[i], rank++);
+      command.wheels[i] = i == attacker_ ? attack(now, i) : support(now, i, rank++);
     }
+    keep_laws(setup(), now, command);
   }
 
  private:
@@ -56,20 +56,35 @@ class Striker : public Team {
     corner_ = (keeper_y + taste_ > 0.0 ? -open : open) + taste_;
   }
 
-  Wheels attack(const Observation& now, const Robot& robot) {
+  Wheels attack(const Observation& now, int i) {
+    const Robot& robot = now.own[i];
     if (must_kick_off(now)) return kick_off(setup(), robot);
 
-    return kick_to(setup(), now, robot, {setup().half_length + 0.05, corner_}, 1.7);
+    const Point meet = meeting_point(setup(), now, robot);
+    const Point shot = unit(Point{setup().half_length + 0.05, corner_} - meet);
+    const Point from_ball = position(robot) - meet;
+    const double behind = -dot(from_ball, shot);
+    const double aside = from_ball.y * shot.x - from_ball.x * shot.y;
+
+    // Behind the ball and nearly on the line of the shot: through it.
+    if (behind > 0.0 && std::abs(aside) < 0.02 + 0.35 * behind && behind < 0.35) {
+      const Point through = meet + 0.3 * shot - (2.0 * aside) * Point{-shot.y, shot.x};
+      return drive_to(setup(), robot, keep_out(setup(), i, through), 1.7, 1.7);
+    }
+    // Else to a place behind it.
+    const Point behind_it = keep_out(setup(), i, inside(setup(), meet - 0.11 * shot));
+    return drive_clear(setup(), now, robot, behind_it, 0.3, 1.7);
   }
 
   // Between the ball and the own goal, fanned out, ready to take over.
-  Wheels support(const Observation& now, const Robot& robot, int rank) {
+  Wheels support(const Observation& now, int i, int rank) {
     const double side = now.ball_y > 0.0 ? -1.0 : 1.0;
     const int row = rank / 2;
     const double back = 0.3 + 0.2 * row;
     const double x = std::max(-0.7 * setup().half_length, now.ball_x - back);
     const double y = 0.4 * now.ball_y + side * (rank % 2 == 0 ? 0.12 : -0.25);
-    return drive_clear(setup(), now, robot, inside(setup(), {x, y}));
+    const Point place = keep_out(setup(), i, inside(setup(), {x, y}));
+    return drive_clear(setup(), now, now.own[i], place);
   }
 
   int attacker_ = 1;

@@ -23,6 +23,7 @@ void add_scene(CLI::App& app, Run& run);
 void add_verify(CLI::App& app, Run& run);
 void add_rerun(CLI::App& app, Run& run);
 void add_replay(CLI::App& app, Run& run);
+void add_referee(CLI::App& app, Run& run);
 
 // `mirocup league ...` is the program mirocup-league; does not return if it can be started.
 Result<int> run_league(int argc, char** argv);

@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
   app::add_rerun(cli, run);
   app::add_replay(cli, run);
   app::add_scene(cli, run);
+  app::add_referee(cli, run);
   try {
     cli.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

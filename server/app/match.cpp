@@ -37,31 +37,15 @@ struct Options {
   bool json = false;
 };
 
-// The preset with its changes, through the parser of records and league files.
-Result<referee::Rules> rules_of(const Options& options) {
-  record::Json json{{"preset", options.rules}};
-  for (const std::string& change : options.rule_changes) {
-    const std::size_t equals = change.find('=');
-    record::Json value = record::Json::parse(
-        equals == std::string::npos ? "" : change.substr(equals + 1), nullptr, false);
-    if (value.is_discarded())
-      return fail(Errc::input, "--rule " + change + ": KEY=VALUE is expected");
-    json[change.substr(0, equals)] = value;
-  }
-  return record::rules_from_json(json, Errc::input);
-}
-
 Result<match::Setup> setup_of(const Options& options) {
   match::Setup setup;
   setup.league = *from_string<League>(options.league);
-  auto rules = rules_of(options);
+  auto rules =
+      record::rules_with_changes({{"preset", options.rules}}, options.rule_changes, setup.league);
   if (!rules) return tl::unexpected(rules.error());
   setup.rules = *rules;
   setup.stage = *from_string<referee::Stage>(options.stage);
   setup.seed = options.seed;
-  if (setup.stage == referee::Stage::knockout) {
-    return fail(Errc::input, "--stage knockout: extra time and shoot-outs are not judged yet");
-  }
   if (setup.rules.preset == referee::Preset::simurosot) setup.control_period = 1.0 / 60.0;
   if (options.half_s) setup.rules.half_s = *options.half_s;
   return setup;

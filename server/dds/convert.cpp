@@ -18,6 +18,16 @@ simulator::RobotState to_robot(const mirocup_v1_RobotState& r) {
   return {{r.x, r.y}, {r.heading_cos, r.heading_sin}, {r.forward, r.left, r.turn}};
 }
 
+mirocup_v1_TeamCounts to_sample(const referee::TeamCounts& c) {
+  return {c.defenders,       c.two_defenders_s, c.area_defenders, c.four_defenders_s, c.attackers,
+          c.two_attackers_s, c.keeper_hold_s,   c.keeper,         c.advantage_against};
+}
+
+referee::TeamCounts to_counts(const mirocup_v1_TeamCounts& c) {
+  return {c.defenders,       c.two_defenders_s, c.area_defenders, c.four_defenders_s, c.attackers,
+          c.two_attackers_s, c.keeper_hold_s,   c.keeper,         c.advantage_against};
+}
+
 template <class E>
 std::uint8_t octet(E value) {
   return static_cast<std::uint8_t>(value);
@@ -52,6 +62,9 @@ mirocup_v1_WorldState to_sample(const match::Scene& scene, int robots) {
     s.blue[i] = to_sample(scene.robots[0][i]);
     s.yellow[i] = to_sample(scene.robots[1][i]);
   }
+  s.stalemate_s = scene.stalemate_s;
+  s.advantage_s = scene.advantage_s;
+  for (int team = 0; team < 2; ++team) s.counts[team] = to_sample(scene.counts[team]);
   return s;
 }
 
@@ -71,6 +84,9 @@ match::Scene to_scene(const mirocup_v1_WorldState& s) {
     scene.robots[0][i] = to_robot(s.blue[i]);
     scene.robots[1][i] = to_robot(s.yellow[i]);
   }
+  scene.stalemate_s = s.stalemate_s;
+  scene.advantage_s = s.advantage_s;
+  for (int team = 0; team < 2; ++team) scene.counts[team] = to_counts(s.counts[team]);
   return scene;
 }
 

@@ -31,6 +31,17 @@ Json fault_json(const match::TeamFault& f) {
   return {{"team", to_string(f.team)}, {"code", to_string(f.fault.code)}, {"text", f.fault.text}};
 }
 
+Json robots_json(const match::ByTeam<referee::RobotSet>& robots) {
+  Json json = Json::object();
+  for (const Team team : both_teams) {
+    Json& list = json[std::string(to_string(team))] = Json::array();
+    for (int i = 0; i < max_robots_per_team; ++i) {
+      if (robots[index_of(team)][i]) list.push_back(i);
+    }
+  }
+  return json;
+}
+
 }  // namespace
 
 Json to_json(const match::Result& result) {
@@ -38,6 +49,7 @@ Json to_json(const match::Result& result) {
   for (const match::TeamFault& f : result.faults) faults.push_back(fault_json(f));
   return {{"score", score_json(result.score)},
           {"played", score_json(result.played)},
+          {"shoot_out", result.shoot_out ? score_json(*result.shoot_out) : Json()},
           {"winner", optional_name(result.winner)},
           {"end", to_string(result.end)},
           {"fault", faults.empty() ? Json() : faults.front()},
@@ -52,6 +64,7 @@ Json to_json(const match::LoggedDecision& d) {
           {"law", to_string(d.decision.law)},
           {"decision", to_string(d.decision.verdict)},
           {"team", optional_name(d.team)},
+          {"robots", robots_json(d.robots)},
           {"reason", d.decision.reason},
           {"ball", {d.decision.ball.x(), d.decision.ball.y()}},
           {"restart", restarts ? Json(to_string(d.decision.restart)) : Json()},
@@ -100,6 +113,8 @@ match::Result result_of(const Json& json) {
   match::Result result;
   result.score = score_of(json.at("score"));
   result.played = score_of(json.at("played"));
+  if (json.contains("shoot_out") && !json.at("shoot_out").is_null())
+    result.shoot_out = score_of(json.at("shoot_out"));
   result.winner = optional_team(json.at("winner"));
   result.end = named<match::EndKind>(json.at("end"));
   for (const Json& f : json.at("faults")) {
@@ -118,6 +133,13 @@ match::LoggedDecision decision_of(const Json& json) {
   d.decision.law = named<referee::Law>(json.at("law"));
   d.decision.verdict = named<referee::Verdict>(json.at("decision"));
   d.team = optional_team(json.at("team"));
+  for (const Team team : both_teams) {
+    for (const Json& robot : json.at("robots").at(std::string(to_string(team)))) {
+      const int i = robot.get<int>();
+      if (i < 0 || i >= max_robots_per_team) throw Damage{"there is no robot " + robot.dump()};
+      d.robots[index_of(team)].set(i);
+    }
+  }
   d.decision.reason = json.at("reason").get<std::string>();
   d.decision.ball = {json.at("ball").at(0).get<double>(), json.at("ball").at(1).get<double>()};
   if (!json.at("restart").is_null()) {
@@ -146,7 +168,7 @@ Budget budget_of(const Json& json) {
 match::Setup setup_of(const Json& json) {
   match::Setup setup;
   setup.league = named<League>(json.at("league"));
-  auto rules = rules_from_json(json.at("rules"), Errc::damaged);
+  auto rules = rules_from_json(json.at("rules"), Errc::damaged, setup.league);
   if (!rules) throw Damage{rules.error().what};
   setup.rules = *rules;
   setup.stage = named<referee::Stage>(json.at("stage"));

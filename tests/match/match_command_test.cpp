@@ -75,6 +75,21 @@ TEST(MatchCommand, PlaysEveryLeagueAndPresetAndTheRecordsVerify) {
   }
 }
 
+TEST(MatchCommand, FindsAWinnerInAKnockOutMatch) {
+  const TemporaryFolder folder;
+  const Outcome played =
+      run(match("idle", "idle",
+                {"--stage", "knockout", "--half", "2", "--rule", "golden_goal_s=2", "--rule",
+                 "shoot_out_most_rounds=3", "--record", folder / "leg.json"}));
+  EXPECT_EQ(played.exit_code, 0) << played.err;
+  const auto result = read_json(folder / "leg.json")["result"];
+  EXPECT_EQ(result["end"], "shoot_out");
+  EXPECT_EQ(result["score"]["blue"], 0);
+  EXPECT_EQ(result["shoot_out"]["yellow"], 0);
+  EXPECT_FALSE(result["winner"].is_null()) << "lots are drawn";
+  EXPECT_EQ(run({program("mirocup"), "verify", folder / "leg.json"}).exit_code, 0);
+}
+
 TEST(MatchCommand, TakesSingleRules) {
   const TemporaryFolder folder;
   run(match("idle", "idle",
@@ -99,7 +114,7 @@ TEST(MatchCommand, SaysWhatIsWrongWithWhatItIsGiven) {
   fails(match("idle", "idle", {"--league", "huge"}), "huge");
   fails(match("idle", "idle", {"--speed", "fast"}), "--speed fast");
   fails(match("idle", "idle", {"--rule", "haste=1"}), "/rules/haste");
-  fails(match("idle", "idle", {"--stage", "knockout"}), "--stage knockout");
+  fails(match("idle", "idle", {"--stage", "final"}), "final");
   fails({program("mirocup"), "match", "--blue", "idle"}, "--yellow");
   fails({program("mirocup")}, "subcommand");
 }
@@ -118,6 +133,21 @@ TEST(MatchCommand, SaysWhenTheRecordCannotBeWritten) {
       run(match("idle", "idle", {"--half", "1", "--record", "/no/such/folder/leg.json"}));
   EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_NE(outcome.err.find("/no/such/folder"), std::string::npos);
+}
+
+TEST(RefereeCommand, JudgesARecordWithOtherParameters) {
+  const TemporaryFolder folder;
+  run(match("striker", "chaser", {"--half", "20", "--record", folder / "leg.json"}));
+  const std::vector<std::string> referee{program("mirocup"), "referee", "--record",
+                                         folder / "leg.json"};
+  EXPECT_EQ(run(referee).exit_code, 0) << "with its own it differs nowhere";
+  auto shorter = referee;
+  for (const char* word : {"--rule", "half_s=10", "--json"}) shorter.push_back(word);
+  const Outcome outcome = run(shorter);
+  EXPECT_EQ(outcome.exit_code, 1);
+  const auto answer = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(answer["rules"]["half_s"], 10);
+  EXPECT_EQ(answer["differences"][0]["would_be"]["decision"], "HALF_END");
 }
 
 TEST(VerifyCommand, TellsTruthFromForgeryAndDamage) {

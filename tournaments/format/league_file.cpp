@@ -82,7 +82,7 @@ LeagueFile league_of(const Json& json) {
   file.league = *league;
   file.seed = get<std::uint64_t>(json, "", "seed", file.seed);
   if (json.contains("rules")) {
-    auto rules = record::rules_from_json(json["rules"], Errc::input);
+    auto rules = record::rules_from_json(json["rules"], Errc::input, file.league);
     if (!rules) throw Wrong{"", rules.error().what};
     file.rules = *rules;
   }

@@ -18,9 +18,9 @@ constexpr int joiner_tag = -1;
 constexpr int entry_number = 1;
 
 // The rules that differ from their preset, as options of mirocup match.
-std::vector<std::string> rule_options(const referee::Rules& rules) {
+std::vector<std::string> rule_options(const referee::Rules& rules, League league) {
   std::vector<std::string> options{"--rules", std::string(to_string(rules.preset))};
-  const Json preset = record::to_json(referee::make_rules(rules.preset));
+  const Json preset = record::to_json(referee::make_rules(rules.preset, league));
   const Json own = record::to_json(rules);
   for (const auto& [key, value] : own.items()) {
     if (value == preset.at(key)) continue;
@@ -183,7 +183,7 @@ Result<void> Runner::start_leg(Slot& slot) {
                                      match_id,
                                      "--record",
                                      record};
-  const std::vector<std::string> rules = rule_options(file.rules);
+  const std::vector<std::string> rules = rule_options(file.rules, file.league);
   arguments.insert(arguments.end(), rules.begin(), rules.end());
   const int tag = static_cast<int>(&slot - slots_.data());
   if (auto started = processes_.start(arguments, tag, slot.cpu, record + ".out"); !started) {

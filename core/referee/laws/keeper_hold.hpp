@@ -4,12 +4,13 @@
 // stays in the goal area and no opponent comes near it".
 #pragma once
 
+#include "core/referee/dwell.hpp"
 #include "core/referee/laws/law.hpp"
 
 namespace mirocup::referee {
 
 struct KeeperHoldMemory {
-  ByEnd<double> held_s{};  // since when the ball is uncontested in that end's goal area
+  ByEnd<Dwell> held;  // the ball is uncontested in that end's goal area
 };
 
 std::optional<Decision> judge_keeper_hold(const Pitch& pitch, const Situation& situation,

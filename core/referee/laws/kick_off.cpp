@@ -37,7 +37,7 @@ std::optional<Decision> judge_kick_off(const Pitch& pitch, const Situation& s,
 
   memory.waited_s += s.duration;
   memory.was_touched = memory.was_touched || s.touched_ball[0].any() || s.touched_ball[1].any();
-  if (!memory.was_touched && memory.waited_s >= rules.kickoff_limit_s) {
+  if (!memory.was_touched && memory.waited_s + s.duration / 2.0 >= rules.kickoff_limit_s) {
     return violation(s, memory, "nobody touched the ball for " + fixed(memory.waited_s, 1) + " s");
   }
 

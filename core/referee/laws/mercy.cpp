@@ -7,7 +7,7 @@ namespace mirocup::referee {
 
 std::optional<Decision> judge_mercy(const Pitch& pitch, const ByEnd<int>& score,
                                     const Decision& goal) {
-  const int limit = pitch.rules.mercy_goal_difference;
+  const int limit = pitch.rules.mercy_goal_diff;
   const int lead = std::abs(score[0] - score[1]);
   if (limit <= 0 || lead < limit) return std::nullopt;
   Decision d;

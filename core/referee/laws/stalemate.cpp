@@ -3,8 +3,8 @@
 
 namespace mirocup::referee {
 
-Quarter quarter_of(const Vec2& point) {
-  return {point.x() > 0.0 ? 1.0 : -1.0, point.y() > 0.0 ? 1.0 : -1.0};
+bool is_stalemate(const Pitch& pitch, const StalemateMemory& memory, double duration) {
+  return memory.still_s + duration / 2.0 >= pitch.rules.stalemate_s;
 }
 
 std::optional<Decision> judge_stalemate(const Pitch& pitch, const Situation& s,
@@ -17,7 +17,7 @@ std::optional<Decision> judge_stalemate(const Pitch& pitch, const Situation& s,
     memory.anchor = s.ball;
     memory.still_s = 0.0;
   }
-  if (memory.still_s < pitch.rules.stalemate_s) return std::nullopt;
+  if (!is_stalemate(pitch, memory, s.duration)) return std::nullopt;
 
   const std::string reason =
       "the ball stayed within " + fixed(radius, 3) + " m for " + fixed(memory.still_s, 1) + " s";
@@ -32,10 +32,7 @@ std::optional<Decision> judge_stalemate(const Pitch& pitch, const Situation& s,
     return d;
   }
   Decision d = decide(Verdict::FREE_BALL, Law::stalemate, s, reason);
-  const Quarter quarter = quarter_of(s.ball);
-  d.restart = Restart::FREE_BALL;
-  d.spot = {quarter.x * field.free_ball_mark.x(), quarter.y * field.free_ball_mark.y()};
-  d.taker = quarter.x > 0.0 ? End::right : End::left;
+  give_free_ball(pitch, s.ball, d);
   return d;
 }
 

@@ -14,12 +14,8 @@ struct StalemateMemory {
   double still_s = 0.0;
 };
 
-// The quarter of a point, as the signs of its coordinates; 0 counts as negative.
-struct Quarter {
-  double x = 1.0;
-  double y = 1.0;
-};
-Quarter quarter_of(const Vec2& point);
+// Has it been still for the time of the rules?
+bool is_stalemate(const Pitch& pitch, const StalemateMemory& memory, double duration);
 
 std::optional<Decision> judge_stalemate(const Pitch& pitch, const Situation& situation,
                                         StalemateMemory& memory);

@@ -75,7 +75,12 @@ enum mirocup_state {
   MIROCUP_END = 2
 };
 
-enum mirocup_phase { MIROCUP_FIRST_HALF = 0, MIROCUP_SECOND_HALF = 1 };
+enum mirocup_phase {
+  MIROCUP_FIRST_HALF = 0,
+  MIROCUP_SECOND_HALF = 1,
+  MIROCUP_EXTRA = 2,    /* knock-out matches that are level */
+  MIROCUP_SHOOT_OUT = 3 /* only the kicker (robot 1) and the keeper (robot 0) may move */
+};
 
 /* The last restart. Under MiroSot rules the ball of a kick-off must first go to the kicker's own
  * side. */
@@ -84,7 +89,8 @@ enum mirocup_restart {
   MIROCUP_KICK_OFF = 1,
   MIROCUP_GOAL_KICK = 2,
   MIROCUP_PENALTY_KICK = 3,
-  MIROCUP_FREE_BALL = 4
+  MIROCUP_FREE_BALL = 4,
+  MIROCUP_FREE_KICK = 5
 };
 
 typedef struct mirocup_robot {
@@ -107,7 +113,8 @@ typedef struct mirocup_setup {
   /* The field: |x| <= half_length, |y| <= half_width, its corners cut off by triangles with legs
      corner_leg; goals |y| < goal_half_width, goal_depth deep. Your goal is at -half_length. */
   double half_length, half_width, corner_leg, goal_half_width, goal_depth;
-  double goal_area_depth, goal_area_half_width; /* its arc left out */
+  double goal_area_depth, goal_area_half_width;       /* its arc left out */
+  double penalty_area_depth, penalty_area_half_width; /* 0: the small league has none */
   double centre_circle_radius;
 
   double robot_side, robot_mass;
@@ -118,6 +125,19 @@ typedef struct mirocup_setup {
   /* Writes a line to the log of the leg. Never null. */
   void (*log)(const char* text);
 } mirocup_setup;
+
+/* What the referee counts about a team. Robots count with more than half of their body inside, and
+   not if they were pushed there. A time is that of the law: 0 while nothing is wrong. */
+typedef struct mirocup_counts {
+  int32_t defenders;         /* in its own goal area: one may be */
+  int32_t area_defenders;    /* in its own penalty area */
+  int32_t attackers;         /* in the other goal area: one may be */
+  int32_t keeper;            /* its robot that counts as keeper; -1: none is at home */
+  int32_t advantage_against; /* 1: it fouled, and is called unless the others score at once */
+  int32_t reserved;
+  double two_defenders_s, four_defenders_s, two_attackers_s;
+  double keeper_hold_s; /* the ball is in its goal area with no opponent near */
+} mirocup_counts;
 
 /* What you see of one tick. */
 typedef struct mirocup_observation {
@@ -135,6 +155,9 @@ typedef struct mirocup_observation {
   double ball_x, ball_y, ball_vx, ball_vy;
   mirocup_robot own[MIROCUP_MAX_ROBOTS];
   mirocup_robot opponent[MIROCUP_MAX_ROBOTS];
+  mirocup_counts own_counts, opponent_counts;
+  double stalemate_s; /* for so long the ball has got nowhere */
+  double advantage_s; /* for so long a foul has waited for a goal; 0: none does */
 } mirocup_observation;
 
 typedef struct mirocup_wheels {

@@ -18,7 +18,8 @@
 //
 //   points      Point, + - *, dot, length, unit, inside, wrapped
 //   what is     ball, ball_velocity, position, ball_after, meeting_point, must_kick_off
-//   one robot   wheels_for, turn_to, drive_to, drive_to_pose, drive_clear (round the ball)
+//   one robot   wheels_for, turn_to, drive_to, drive_to_pose, drive_round, drive_clear
+//   the laws    keep_out (of the goal area), without_pushing, keep_laws
 //   roles       kick_to (behind the ball, then through it), keep_goal, kick_off
 //   a team      Team: setup(), random(), log("form", values...)
 //
@@ -166,26 +167,86 @@ inline Point meeting_point(const Setup& setup, const Observation& now, const Rob
   return inside(setup, p, setup.ball_radius);
 }
 
-// Drives to a point, and round the ball if that is in the way: a robot on its way home must not
-// push it there.
-inline Wheels drive_clear(const Setup& setup, const Observation& now, const Robot& robot,
-                          Point target, double arrival = 0.0, double fastest = 1.5) {
+// Where a robot other than the keeper may go: not into its own goal area, which is the keeper's,
+// and from the third on not into the penalty area either.
+inline Point keep_out(const Setup& setup, int i, Point p) {
+  const double margin = 0.095;  // the arc in front of the area, and half a robot
+  const bool crowd = i >= 3 && setup.penalty_area_depth > 0.0;
+  const double depth = (crowd ? setup.penalty_area_depth : setup.goal_area_depth) + margin;
+  const double half_width =
+      (crowd ? setup.penalty_area_half_width : setup.goal_area_half_width) + margin;
+  if (p.x < -setup.half_length + depth && std::abs(p.y) < half_width) {
+    p.x = -setup.half_length + depth;
+  }
+  return p;
+}
+
+// The same wheels, unless they would push an opponent without playing the ball: then the robot
+// slows down before it and backs off.
+inline Wheels without_pushing(const Setup& setup, const Observation& now, const Robot& robot,
+                              Wheels wheels) {
+  const Point here = position(robot);
+  const Point nose{std::cos(robot.heading), std::sin(robot.heading)};
+  const double forward = setup.wheel_radius * (wheels.left + wheels.right) / 2.0;
+  const double turn = setup.wheel_radius * (wheels.right - wheels.left) / setup.wheel_distance;
+  const Point way = (forward < 0.0 ? -1.0 : 1.0) * nose;
+  const Point to_ball = ball(now) - here;
+  const bool ball_ahead =
+      dot(to_ball, way) > 0.0 && std::abs(to_ball.x * way.y - to_ball.y * way.x) < 0.055;
+  double allowed = std::abs(forward);
+  for (int j = 0; j < now.robots; ++j) {
+    const Point to = position(now.opponent[j]) - here;
+    if (dot(to, way) <= 0.0 || std::abs(to.x * way.y - to.y * way.x) > 0.09) continue;
+    // The ball before it and the opponent behind that: to push both is playing.
+    if (ball_ahead && dot(to_ball, way) < dot(to, way)) continue;
+    const double gap = length(to) - 0.1;
+    allowed = std::min(allowed, gap > 0.0 ? 0.1 + 4.0 * gap : -0.2);
+  }
+  if (allowed == std::abs(forward)) return wheels;
+  return wheels_for(setup, forward < 0.0 ? -allowed : allowed, turn);
+}
+
+// All robots of a command but the keeper, which holds its place.
+inline void keep_laws(const Setup& setup, const Observation& now, Command& command) {
+  for (int i = 1; i < now.robots; ++i) {
+    command.wheels[i] = without_pushing(setup, now, now.own[i], command.wheels[i]);
+  }
+}
+
+// Drives to a point, and round a place that is in the way.
+inline Wheels drive_round(const Setup& setup, const Robot& robot, Point target, Point obstacle,
+                          double arrival, double fastest) {
   const double berth = 0.11;
   const Point here = position(robot);
   const Point way = target - here;
-  const Point to_ball = ball(now) - here;
+  const Point to = obstacle - here;
   const Point along = unit(way);
-  const double ahead = dot(to_ball, along);
-  const double aside = along.x * to_ball.y - along.y * to_ball.x;
+  const double ahead = dot(to, along);
+  const double aside = along.x * to.y - along.y * to.x;
   if (ahead <= 0.0 || ahead >= length(way) || std::abs(aside) >= berth) {
     return drive_to(setup, robot, target, arrival, fastest);
   }
   // Too near to turn past it: back off first.
-  if (length(to_ball) < 0.115)
-    return drive_to(setup, robot, here - 0.1 * unit(to_ball), 0.0, fastest);
+  if (length(to) < 0.115) return drive_to(setup, robot, here - 0.1 * unit(to), 0.0, fastest);
   const double side = aside > 0.0 ? -1.0 : 1.0;
-  const Point beside = ball(now) + (side * berth * 1.2) * Point{-along.y, along.x};
+  const Point beside = obstacle + (side * berth * 1.2) * Point{-along.y, along.x};
   return drive_to(setup, robot, beside, 0.3, std::min(fastest, 0.9));
+}
+
+// Drives to a point, and round what is in the way: a robot on its way home must not push the ball
+// there, and nobody may push an opponent.
+inline Wheels drive_clear(const Setup& setup, const Observation& now, const Robot& robot,
+                          Point target, double arrival = 0.0, double fastest = 1.5) {
+  const Point here = position(robot);
+  Point obstacle = ball(now);
+  for (int j = 0; j < now.robots; ++j) {
+    const Point p = position(now.opponent[j]);
+    if (length(p - here) < 0.2 && length(p - here) < length(obstacle - here) &&
+        dot(p - here, target - here) > 0.0) {
+      obstacle = p;
+    }
+  }
+  return drive_round(setup, robot, target, obstacle, arrival, fastest);
 }
 
 // Kicks the ball towards a point: first to a place behind it, then through it. `point` may lie
@@ -236,7 +297,7 @@ inline Wheels keep_goal(const Setup& setup, const Observation& now, const Robot&
   const Point post{line, std::clamp(y, -reach, reach)};
   if (length(post - here) < 0.01)
     return turn_to(setup, robot, robot.heading > 0.0 ? pi / 2.0 : -pi / 2.0);
-  return drive_clear(setup, now, robot, post);
+  return drive_round(setup, robot, post, ball(now), 0.0, 1.5);
 }
 
 // Random numbers that a leg can be repeated with (splitmix64).

@@ -25,7 +25,8 @@ std::vector<Case> all_cases() {
   for (const League league : {League::small, League::middle, League::large}) {
     const field::Field field = field::make_field(league);
     for (const End taker : both_ends) {
-      for (const Restart restart : {Restart::KICK_OFF, Restart::GOAL_KICK, Restart::PENALTY_KICK}) {
+      for (const Restart restart :
+           {Restart::KICK_OFF, Restart::GOAL_KICK, Restart::PENALTY_KICK, Restart::FREE_KICK}) {
         cases.push_back({league, restart, taker, {0.0, 0.0}});
       }
     }
@@ -105,6 +106,17 @@ TEST_P(DefaultPlacement, KeepsTheRuleOfItsRestart) {
         if (i != 0) {
           EXPECT_LE(opponent(i).x(), -half) << i;
         }
+      }
+      break;
+    case Restart::FREE_KICK:
+      EXPECT_NEAR(ball().x(), field_.penalty_mark_x, 1e-12);
+      EXPECT_LT(own(1).x(), ball().x()) << "the kicker is behind the ball";
+      EXPECT_TRUE(field_.inside(field_.goal_area, End::right, opponent(0)));
+      for (int i = 0; i < n; ++i) {
+        if (i != 1) {
+          EXPECT_LE(own(i).x(), -half) << i;
+        }
+        EXPECT_GE(opponent(i).x(), half) << i;
       }
       break;
     case Restart::GOAL_KICK:

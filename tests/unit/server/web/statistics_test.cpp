@@ -27,7 +27,7 @@ Statistics of(match::Match& match, match::Controller& blue, match::Controller& y
 // One team drives, the other stands: all distance and possession are the driver's.
 TEST(Statistics, AreThoseOfTheTeamThatPlays) {
   match::Setup setup = test_support::short_setup(1, 20.0);
-  setup.rules.mercy_goal_difference = 0;
+  setup.rules.mercy_goal_diff = 0;
   match::Match match(setup);
   auto blue = test_support::ball_hunter();
   auto yellow = test_support::standing();

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "core/referee/law_book.hpp"
+
+#include <utility>
+
+namespace mirocup::referee {
+
+namespace {
+
+// A foul that may have to wait for a goal. A second one in the same tick is noted; while one waits,
+// others change nothing.
+void wait_for_goal(std::optional<Decision> foul, Advantage& advantage, Judgement& judgement) {
+  if (!foul) return;
+  if (!advantage.foul) {
+    advantage = {std::move(foul), 0.0};
+  } else if (advantage.for_s == 0.0) {
+    judgement.note(*std::move(foul));
+  }
+}
+
+// Could the ball, as it rolls, cross the goal line of that end within the advantage?
+bool may_come_in(const Pitch& pitch, const Situation& s, End end) {
+  if (s.duration <= 0.0) return false;
+  const double out = -attack_sign(end);
+  const double way = pitch.field.half_length + pitch.ball_radius - out * s.ball.x();
+  const double speed = out * (s.ball.x() - s.ball_before.x()) / s.duration;
+  return speed * pitch.rules.advantage_s >= way;
+}
+
+}  // namespace
+
+void Judgement::call(std::optional<Decision> called) {
+  if (!called) return;
+  if (decision) {
+    note(*std::move(called));
+  } else {
+    decision = std::move(called);
+  }
+}
+
+void Judgement::note(Decision noted) {
+  noted.verdict = Verdict::NONE;
+  noted.restart = Restart::none;
+  notes.push_back(std::move(noted));
+}
+
+Decision advantage_is_over(const Situation& s, Advantage& advantage) {
+  Decision foul = *std::exchange(advantage.foul, std::nullopt);
+  if (advantage.for_s > 0.0) {
+    foul.reason += "; no goal came in the " + fixed(advantage.for_s, 2) + " s after it";
+  }
+  foul.clock = s.begin + s.duration;
+  foul.ball = s.ball;
+  return foul;
+}
+
+Judgement judge_attackers(const Pitch& pitch, const Situation& s,
+                          const std::optional<Decision>& goal, LawBook& book) {
+  const std::optional<End> goal_at = goal ? std::optional(opposite(*goal->team)) : std::nullopt;
+  Judgement judgement;
+  judgement.call(judge_keeper_charge(pitch, s, book.watch, book.keeper_charge));
+  judgement.call(judge_keeper_push_in(pitch, s, book.watch, goal_at, book.keeper_push_in));
+  judgement.call(judge_two_attackers(pitch, s, book.watch, goal_at, book.two_attackers));
+  judgement.call(judge_four_attackers(pitch, s, book.watch, goal_at, book.four_attackers));
+  if (judgement.decision && goal && goal->team == judgement.decision->team) {
+    judgement.decision->goal_cancelled = true;
+    judgement.decision->reason += "; the goal does not count";
+  }
+  return judgement;
+}
+
+Judgement judge_play(const Pitch& pitch, const Situation& s, const std::optional<Decision>& goal,
+                     LawBook& book) {
+  Advantage& advantage = book.advantage;
+  advantage.for_s += s.duration;
+
+  Judgement judgement = judge_attackers(pitch, s, goal, book);
+  // The earlier foul wins: the attackers had their advantage and spoilt it.
+  if (judgement.decision && advantage.foul) {
+    Decision earlier = advantage_is_over(s, advantage);
+    earlier.goal_cancelled = judgement.decision->goal_cancelled;
+    judgement.note(*std::exchange(judgement.decision, std::move(earlier)));
+  }
+  if (goal && !(judgement.decision && judgement.decision->goal_cancelled)) judgement.call(goal);
+  judgement.call(judge_kick_off(pitch, s, book.kick_off));
+
+  auto crowd = judge_two_defenders(pitch, s, book.watch, book.two_defenders);
+  auto large_crowd = judge_four_defenders(pitch, s, book.watch, book.four_defenders);
+  auto push = judge_push(pitch, s, book.watch, book.push);
+  wait_for_goal(std::move(crowd), advantage, judgement);
+  wait_for_goal(std::move(large_crowd), advantage, judgement);
+  // Defenders who crowd their goal are given time in any case, a push only if the ball rolls there.
+  if (push && push->law == Law::push && may_come_in(pitch, s, *push->team)) {
+    wait_for_goal(std::exchange(push, std::nullopt), advantage, judgement);
+  }
+  if (advantage.foul && advantage.for_s + s.duration / 2.0 >= pitch.rules.advantage_s) {
+    judgement.call(advantage_is_over(s, advantage));
+  }
+  judgement.call(judge_keeper_hold(pitch, s, book.keeper_hold));
+  judgement.call(judge_keeper_block(pitch, s, book.watch, book.keeper_block));
+  judgement.call(std::move(push));
+  if (auto met = judge_collision(pitch, s, book.collision)) judgement.note(*std::move(met));
+  judgement.call(judge_keeper_catch(pitch, s, book.watch, book.keeper_catch));
+  judgement.call(judge_holding(pitch, s, book.watch, book.holding));
+  judgement.call(judge_wall_push(pitch, s, book.wall_push));
+  judgement.call(judge_stalemate(pitch, s, book.stalemate));
+  return judgement;
+}
+
+}  // namespace mirocup::referee

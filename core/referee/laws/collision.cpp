@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "core/referee/laws/collision.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mirocup::referee {
+
+namespace {
+
+struct Meeting {
+  double closing = 0.0;     // speed along the line of centres, m/s
+  double difference = 0.0;  // of the left robot's speed over the right one's
+};
+
+Meeting meeting_of(const Situation& s, const RobotId& left, const RobotId& right) {
+  const Vec2 way = s.pose(right).position - s.pose(left).position;
+  const double length = std::sqrt(way.squaredNorm());
+  const Vec2& a = s.velocity[index_of(left.end)][left.index];
+  const Vec2& b = s.velocity[index_of(right.end)][right.index];
+  return {length > 0.0 ? (a - b).dot(way) / length : 0.0,
+          std::sqrt(a.squaredNorm()) - std::sqrt(b.squaredNorm())};
+}
+
+}  // namespace
+
+std::optional<Decision> judge_collision(const Pitch& pitch, const Situation& s,
+                                        CollisionMemory& memory) {
+  const Rules& rules = pitch.rules;
+  if (rules.collision_mps == off) return std::nullopt;
+  std::optional<Decision> noted;
+  const int n = pitch.field.robots_per_team;
+  for (const End end : both_ends) {
+    for (double& muted : memory.muted_s[index_of(end)]) muted = std::max(muted - s.duration, 0.0);
+  }
+  for (int i = 0; i < n; ++i) {
+    const RobotId left{End::left, i};
+    const RobotSet fresh = s.touched_opponents[0][i] & ~memory.touched[0][i];
+    memory.touched[0][i] = s.touched_opponents[0][i];
+    for (int j = 0; j < n && fresh.any(); ++j) {
+      if (!fresh[j] || noted) continue;
+      const RobotId right{End::right, j};
+      const Meeting meeting = meeting_of(s, left, right);
+      if (meeting.closing <= rules.collision_mps ||
+          std::abs(meeting.difference) <= rules.collision_differ_mps) {
+        continue;
+      }
+      const RobotId& faster = meeting.difference > 0.0 ? left : right;
+      double& muted = memory.muted_s[index_of(faster.end)][faster.index];
+      if (muted > 0.0) continue;
+      muted = rules.cooldown_s;
+      noted = decide(Verdict::NONE, Law::collision, s,
+                     name_of(left) + " and " + name_of(right) + " met at " +
+                         fixed(meeting.closing, 2) + " m/s, " + name_of(faster) + " faster by " +
+                         fixed(std::abs(meeting.difference), 2) + " m/s");
+      noted->team = faster.end;
+      noted->names(left);
+      noted->names(right);
+    }
+  }
+  return noted;
+}
+
+}  // namespace mirocup::referee

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+//
+// Blocking the goalkeeper. Source: MiroSot laws 8.7 and 12.3, a goal kick. Intent is standing in
+// front of the keeper, which wants to pass, with no business with the ball.
+#pragma once
+
+#include "core/referee/dwell.hpp"
+#include "core/referee/watch.hpp"
+
+namespace mirocup::referee {
+
+struct KeeperBlockMemory {
+  ByEnd<std::array<Dwell, max_robots_per_team>> blocks;  // by attacker
+};
+
+std::optional<Decision> judge_keeper_block(const Pitch& pitch, const Situation& situation,
+                                           const Watch& watch, KeeperBlockMemory& memory);
+
+}  // namespace mirocup::referee

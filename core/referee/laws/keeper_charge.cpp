@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "core/referee/laws/keeper_charge.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mirocup::referee {
+
+namespace {
+
+// Does the ball lie between the two, touching one of them?
+bool ball_is_between(const Pitch& pitch, const Situation& s, const RobotId& a, const RobotId& b) {
+  if (!s.touches_ball(a) && !s.touches_ball(b)) return false;
+  const Vec2 from = s.pose(a).position;
+  const Vec2 way = s.pose(b).position - from;
+  const double length = way.squaredNorm();
+  const double along = length > 0.0 ? (s.ball - from).dot(way) / length : 0.0;
+  const Vec2 nearest = from + std::clamp(along, 0.0, 1.0) * way;
+  const double reach = pitch.robot_side / 2.0 + pitch.ball_radius;
+  return (s.ball - nearest).squaredNorm() <= reach * reach;
+}
+
+// How fast the attacker came at the keeper, m/s: both speeds along the line of centres. Nothing if
+// it was the keeper that ran into the attacker.
+double closing_speed(const Situation& s, const RobotId& attacker, const RobotId& keeper) {
+  const Vec2 way = s.pose(keeper).position - s.pose(attacker).position;
+  const double length = std::sqrt(way.squaredNorm());
+  if (length == 0.0) return 0.0;
+  const double own = s.velocity[index_of(attacker.end)][attacker.index].dot(way) / length;
+  const double other = -s.velocity[index_of(keeper.end)][keeper.index].dot(way) / length;
+  return own >= other ? own + other : 0.0;
+}
+
+}  // namespace
+
+std::optional<Decision> judge_keeper_charge(const Pitch& pitch, const Situation& s,
+                                            const Watch& watch, KeeperChargeMemory& memory) {
+  const Rules& rules = pitch.rules;
+  if (rules.charge_s == off && rules.charge_speed_mps == off) return std::nullopt;
+  std::optional<Decision> called;
+  for (const End end : ends_from_ball(s)) {
+    const std::optional<RobotId>& keeper = watch.keeper[index_of(end)];
+    const End team = opposite(end);
+    for (int i = 0; i < pitch.field.robots_per_team; ++i) {
+      const RobotId attacker{team, i};
+      Dwell& driven = memory.driven[index_of(team)][i];
+      bool& touched = memory.touched[index_of(team)][i];
+      const bool touches = keeper && s.touch(attacker, keeper->index);
+      const bool is_first = touches && !touched;
+      touched = touches;
+      const bool is_foul =
+          touches && ball_in_half(s, end) && !ball_is_between(pitch, s, attacker, *keeper);
+      driven.see(is_foul && drives_at(pitch, s, attacker, *keeper), s.duration);
+      if (called || !is_foul) continue;
+
+      const double speed = is_first ? closing_speed(s, attacker, *keeper) : -1.0;
+      const bool too_hard = speed >= rules.charge_speed_mps;
+      if (!too_hard && !driven.reached(rules.charge_s, s.duration)) continue;
+      called =
+          decide(Verdict::GOAL_KICK, Law::keeper_charge, s,
+                 name_of(attacker) + " " +
+                     (too_hard ? "hit the keeper at " + fixed(speed, 2) + " m/s"
+                               : "drove into the keeper for " + fixed(driven.for_s, 2) + " s") +
+                     ", the ball not between them");
+      called->names(attacker);
+      called->names(*keeper);
+      called = against(*std::move(called), team, Restart::GOAL_KICK);
+    }
+  }
+  return called;
+}
+
+}  // namespace mirocup::referee

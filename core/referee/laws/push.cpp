@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "core/referee/laws/push.hpp"
+
+#include "core/base/math.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace mirocup::referee {
+
+namespace {
+
+bool is_pushing(const Pitch& pitch, const Situation& s, const Watch& watch, const RobotId& pusher,
+                const RobotId& pushed) {
+  return s.touch(pusher, pushed.index) && !s.touches_ball(pusher) &&
+         watch.keeper[index_of(pushed.end)] != pushed && drives_at(pitch, s, pusher, pushed) &&
+         !drives_at(pitch, s, pushed, pusher);
+}
+
+// Was the pushed one moved far enough, and away from the pusher?
+bool is_moved(const Pitch& pitch, const Situation& s, const RobotId& pusher, const RobotId& pushed,
+              const Vec2& from) {
+  const Vec2 moved = s.pose(pushed).position - from;
+  const double limit = pitch.rules.push_dist_m;
+  if (moved.squaredNorm() < limit * limit) return false;
+  const Vec2 way = s.pose(pushed).position - s.pose(pusher).position;
+  return std::abs(atan2(cross(way, moved), way.dot(moved))) <= pitch.rules.push_angle_rad;
+}
+
+Decision call(const Pitch& pitch, const Situation& s, const RobotId& pusher, const RobotId& pushed,
+              const Vec2& from) {
+  const double moved = std::sqrt((s.pose(pushed).position - from).squaredNorm());
+  std::string reason =
+      name_of(pusher) + " pushed " + name_of(pushed) + " " + fixed(moved, 3) + " m";
+  const bool defends =
+      ball_in_half(s, pusher.end) || (s.last_touch && s.last_touch->end == pushed.end);
+  Decision d;
+  if (defends) {
+    reason += ball_in_half(s, pusher.end) ? ", the ball in its own half"
+                                          : ", the ball last touched by the pushed team";
+    d = against(decide(Verdict::FREE_KICK, Law::push, s, std::move(reason)), pusher.end,
+                Restart::FREE_KICK);
+  } else if (pitch.field.inside(pitch.field.goal_area, pushed.end, s.ball)) {
+    d = against(decide(Verdict::GOAL_KICK, Law::attacking_push, s,
+                       reason + " while its team attacked, the ball in the goal area"),
+                pusher.end, Restart::GOAL_KICK);
+  } else {
+    d = decide(Verdict::FREE_BALL, Law::attacking_push, s, reason + " while its team attacked");
+    give_free_ball(pitch, s.ball, d);
+    d.team = pusher.end;
+  }
+  d.names(pusher);
+  d.names(pushed);
+  return d;
+}
+
+}  // namespace
+
+std::optional<Decision> judge_push(const Pitch& pitch, const Situation& s, const Watch& watch,
+                                   PushMemory& memory) {
+  const Rules& rules = pitch.rules;
+  if (rules.push_dist_m == off) return std::nullopt;
+  std::optional<Decision> called;
+  for (const End end : ends_from_ball(s)) {
+    for (int i = 0; i < pitch.field.robots_per_team; ++i) {
+      const RobotId pusher{end, i};
+      RobotSet& on = memory.on[index_of(end)][i];
+      const RobotSet touched = s.touched_opponents[index_of(end)][i];
+      if ((on | touched).none()) continue;
+      for (int j = 0; j < pitch.field.robots_per_team; ++j) {
+        if (!on[j] && !touched[j]) continue;
+        const RobotId pushed{opposite(end), j};
+        Push& push = memory.pairs[index_of(end)][i][j];
+        push.muted_s = std::max(push.muted_s - s.duration, 0.0);
+        if (!is_pushing(pitch, s, watch, pusher, pushed)) {
+          push.is_on = false;
+          on[j] = push.muted_s > 0.0;
+          continue;
+        }
+        if (!push.is_on) push.from = s.pose(pushed).position;
+        push.is_on = true;
+        on.set(j);
+        if (called || push.muted_s > 0.0 || !is_moved(pitch, s, pusher, pushed, push.from)) {
+          continue;
+        }
+        called = call(pitch, s, pusher, pushed, push.from);
+        push.is_on = false;
+        push.muted_s = rules.cooldown_s;
+      }
+    }
+  }
+  return called;
+}
+
+}  // namespace mirocup::referee

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "core/referee/placement_check.hpp"
+
+#include "core/referee/standing_rules.hpp"
+#include "core/referee/touches.hpp"
+
+namespace mirocup::referee {
+
+namespace {
+
+constexpr double search_step = 0.05;  // m, of the last resort
+
+// Puts robots one after the other.
+class Placer {
+ public:
+  Placer(const Standing& standing, CheckedPlacement& result)
+      : s_(standing), pitch_(standing.pitch), result_(result) {}
+
+  // Accepts what a team asked for and may have.
+  void accept(End team, const Placement& asked) {
+    const auto& poses = asked.robots[index_of(team)];
+    const int holder = special_robot(team, poses);
+    for (int i = 0; i < pitch_.field.robots_per_team; ++i) {
+      const bool special = i == holder && has_special_place(s_, team, poses[i]);
+      const bool owes_special = i == holder && !special;
+      const bool allowed =
+          special || exempt(team, i, poses[i]) ||
+          (!owes_special && may_stand(s_, team, poses[i]) && !second_in_goal_area(team, poses[i]));
+      if (allowed && is_inside_walls(pitch_, poses[i]) && is_free(poses[i])) {
+        put(team, i, poses[i]);
+      }
+    }
+  }
+
+  // Finds a place for the robots of a team that have none.
+  void move_the_others(End team) {
+    for (int i = 0; i < pitch_.field.robots_per_team; ++i) {
+      if (placed_[index_of(team)][i]) continue;
+      result_.moved[index_of(team)].set(i);
+      put(team, i, free_pose(team, i));
+    }
+  }
+
+ private:
+  // The robot that stands in the team's special place, or the one that has to.
+  int special_robot(End team, const std::array<Pose, max_robots_per_team>& poses) const {
+    for (int i = 0; i < pitch_.field.robots_per_team; ++i) {
+      if (has_special_place(s_, team, poses[i])) return i;
+    }
+    return holder_of_special_place(s_, team);
+  }
+
+  // At a free ball a keeper may stay in its goal area, wherever the ball is.
+  bool exempt(End team, int robot, const Pose& pose) const {
+    return s_.restart == Restart::FREE_BALL && robot == keeper &&
+           pitch_.field.inside(pitch_.field.goal_area, team, pose.position);
+  }
+
+  // At a goal kick the taker's team may have one robot in the other goal area.
+  bool second_in_goal_area(End team, const Pose& pose) {
+    if (s_.restart != Restart::GOAL_KICK || team != s_.taker) return false;
+    if (!pitch_.field.inside(pitch_.field.goal_area, opposite(team), pose.position)) return false;
+    return ++in_other_goal_area_ > 1;
+  }
+
+  bool is_free(const Pose& pose) const {
+    if (ball_gap(pitch_, s_.ball, pose) <= 0.0) return false;
+    for (const End end : both_ends) {
+      for (int i = 0; i < pitch_.field.robots_per_team; ++i) {
+        if (!placed_[index_of(end)][i]) continue;
+        const Pose& other = result_.placement.robots[index_of(end)][i];
+        if (robot_gap(pitch_, pose, other, pitch_.rules.touch_m) < pitch_.rules.touch_m) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  Pose free_pose(End team, int robot) const {
+    const auto& defaults = s_.defaults.robots[index_of(team)];
+    if (is_free(defaults[robot])) return defaults[robot];
+    for (int i = 0; i < pitch_.field.robots_per_team; ++i) {
+      if (is_free(defaults[i])) return defaults[i];
+    }
+    // Columns from the own goal line on, rows from the middle outwards, the same for both ends.
+    const field::Field& field = pitch_.field;
+    for (double x = search_step; x < 2.0 * field.half_length; x += search_step) {
+      for (double y = 0.0; y < field.half_width; y += search_step) {
+        for (const double side : {1.0, -1.0}) {
+          const Pose pose = team_frame(team, Pose{{x - field.half_length, side * y}, Heading{}});
+          if (is_inside_walls(pitch_, pose) && may_stand(s_, team, pose) && is_free(pose)) {
+            return pose;
+          }
+        }
+      }
+    }
+    return defaults[robot];
+  }
+
+  void put(End team, int robot, const Pose& pose) {
+    result_.placement.robots[index_of(team)][robot] = pose;
+    placed_[index_of(team)].set(robot);
+  }
+
+  const Standing& s_;
+  const Pitch& pitch_;
+  CheckedPlacement& result_;
+  ByEnd<RobotSet> placed_;
+  int in_other_goal_area_ = 0;
+};
+
+// Where the ball is put: a kick-off and a goal kick leave a choice.
+bool may_lie(const Pitch& pitch, Restart restart, End taker, const Vec2& ball) {
+  const field::Field& field = pitch.field;
+  if (restart == Restart::KICK_OFF) {
+    return ball.squaredNorm() <= field.centre_circle_radius * field.centre_circle_radius;
+  }
+  return restart == Restart::GOAL_KICK && field.inside(field.goal_area, taker, ball) &&
+         field.clearance(ball) >= pitch.ball_radius;
+}
+
+}  // namespace
+
+End first_placer(Restart restart, End taker) {
+  const bool opponents_first = restart == Restart::PENALTY_KICK || restart == Restart::FREE_KICK;
+  return opponents_first ? opposite(taker) : taker;
+}
+
+CheckedPlacement check_placement(const Pitch& pitch, Restart restart, End taker, const Vec2& spot,
+                                 const Placement& asked) {
+  const Placement defaults = default_placement(pitch.field, restart, taker, spot);
+  CheckedPlacement result;
+  result.placement = defaults;
+  const bool ball_is_fine = (asked.ball - defaults.ball).squaredNorm() == 0.0 ||
+                            may_lie(pitch, restart, taker, asked.ball);
+  if (ball_is_fine) result.placement.ball = asked.ball;
+  result.ball_moved = !ball_is_fine;
+
+  const Standing standing{pitch, restart, taker, defaults, result.placement.ball};
+  const End first = first_placer(restart, taker);
+  Placer placer(standing, result);
+  for (const End team : {first, opposite(first)}) placer.accept(team, asked);
+  for (const End team : {first, opposite(first)}) placer.move_the_others(team);
+  return result;
+}
+
+}  // namespace mirocup::referee
