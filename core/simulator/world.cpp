@@ -112,7 +112,9 @@ double World::next_event(double tick_end, BodySet& involved) const {
 
 void World::play_event(double t, double tick_end, BodySet involved) {
   ++events_.events;
-  rest_speed_ *= arena_.tolerances.rest_growth_per_event;
+  const Tolerances& tolerances = arena_.tolerances;
+  rest_speed_ *= events_.events > tolerances.patient_events ? tolerances.impatient_growth
+                                                            : tolerances.rest_growth_per_event;
   spread_over_touching(t, involved);
   bring_to(t, involved);
   collect_contacts(involved);

@@ -7,7 +7,6 @@
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
-#include <grp.h>
 #include <linux/securebits.h>
 #include <sched.h>
 #include <string>
@@ -51,19 +50,23 @@ bool write_id_maps(pid_t pid) {
   return map_to(geteuid(), getegid());
 }
 
+// In the child. The C library's own calls would tell the threads of the parent, which the child does
+// not have, and wait for their answer for ever.
+bool set_user(uid_t user) {
+  return syscall(SYS_setresgid, user, user, user) == 0 &&
+         syscall(SYS_setresuid, user, user, user) == 0;
+}
+
 // In the child: stops being root, and dies with the parent from here on. In T2 it becomes the only
 // user of its namespace.
 bool become_inner_user() {
-  return setresgid(inner_user, inner_user, inner_user) == 0 &&
-         setresuid(inner_user, inner_user, inner_user) == 0 &&
-         prctl(PR_SET_PDEATHSIG, SIGKILL) == 0;
+  return set_user(inner_user) && prctl(PR_SET_PDEATHSIG, SIGKILL) == 0;
 }
 
 bool become_other_user() {
   if (geteuid() == 0) {
     const uid_t user = outer_user(getpid());
-    const bool is_other = setgroups(0, nullptr) == 0 && setresgid(user, user, user) == 0 &&
-                          setresuid(user, user, user) == 0;
+    const bool is_other = syscall(SYS_setgroups, 0, nullptr) == 0 && set_user(user);
     // Root of a container that has no other users: at least it loses root's privileges with exec.
     if (!is_other &&
         prctl(PR_SET_SECUREBITS, SECBIT_NOROOT | SECBIT_NOROOT_LOCKED | SECBIT_NO_SETUID_FIXUP |
