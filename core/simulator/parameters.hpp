@@ -88,10 +88,10 @@ struct Tolerances {
   // and a little with each event of the whole field.
   double rest_growth_per_bounce = 1.5;
   double rest_growth_per_event = 1.03;
-  int patient_events = 40;         // in a tick; beyond, what counts as rest grows faster,
+  int patient_events = 40;        // in a tick; beyond, what counts as rest grows faster,
   double impatient_growth = 1.2;  // by this for each event
-  int events_per_tick = 400;       // beyond, the rest of the tick is done in small steps
-  double step = 1e-3;              // s: the longest of those
+  int events_per_tick = 400;      // beyond, the rest of the tick is done in small steps
+  double step = 1e-3;             // s: the longest of those
 };
 
 Tolerances tolerances_of(Accuracy accuracy);
