@@ -77,7 +77,7 @@ TEST(Check, NamesTheFirstThingThatIsWrong) {
   expect_rejected(folder / "cut.so", "complete", "copy it again");
   write_file(folder / "empty.so", "");
   expect_rejected(folder / "empty.so", "file", "empty");
-  expect_rejected(program("mirocup"), "complete", "-shared");
+  expect_rejected(program("mirocup-plugin-host"), "complete", "-shared");
   expect_rejected(hostile("no_entry"), "entry", "MIROCUP_EXPORT_TEAM");
   expect_rejected(hostile("ld_runpath"), "libraries", "link it statically");
   expect_rejected(hostile("other_version"), "loads", "strategy.h of this version");

@@ -54,7 +54,7 @@ TEST(HostileEntry, ThatIsNoLibraryDoesNotLoad) {
   fs::create_directory(folder / "folder.so");
   expect_no_load(folder / "folder.so", "not a regular file");
   expect_no_load("/dev/zero", "not a regular file");
-  expect_no_load(program("mirocup"), "not a library");
+  expect_no_load(program("mirocup-plugin-host"), "not a library");
 }
 
 // Opening a pipe waits for its other end, unless one takes care.
