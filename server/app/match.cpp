@@ -92,7 +92,6 @@ class Session {
   Result<TeamSeat> take_seat(const TeamChoice& choice, Team team);
   dds::Patience patience();
   Result<ProcessTerms> process_terms() const;
-  void wait_until_ready();
   record::MatchRecord record() const;
 
   const Options& options_;
@@ -131,7 +130,7 @@ Result<void> Session::seat_teams() {
     if (!seat) return tl::unexpected(seat.error());
     seats_.push_back(std::move(*seat));
   }
-  wait_until_ready();
+  wait_until_ready(seats_, match_, interrupt_);
   return {};
 }
 
@@ -177,21 +176,6 @@ dds::Patience Session::patience() {
     patience.is_late_fatal = false;
   }
   return patience;
-}
-
-void Session::wait_until_ready() {
-  std::vector<match::TeamFault> faults;
-  for (const Team team : both_teams) {
-    const auto ready = seats_[index_of(team)].wait_until_ready();
-    if (interrupt_.is_asked_for()) return;
-    if (ready) continue;
-    if (const auto* failure = std::get_if<match::HostFailure>(&ready.error())) {
-      match_.declare_void(failure->text);
-      return;
-    }
-    faults.push_back({team, std::get<match::Fault>(ready.error())});
-  }
-  if (!faults.empty()) match_.forfeit(std::move(faults));
 }
 
 Result<void> Session::open_live_page() {

@@ -117,20 +117,6 @@ std::optional<Difference> compare_ends(const replay::Recording& recording,
 }
 
 // Faults of teams that never become ready end the match before its first tick.
-void wait_until_ready(std::vector<TeamSeat>& seats, match::Match& match) {
-  std::vector<match::TeamFault> faults;
-  for (const Team team : both_teams) {
-    const auto ready = seats[index_of(team)].wait_until_ready();
-    if (ready) continue;
-    if (const auto* failure = std::get_if<match::HostFailure>(&ready.error())) {
-      match.declare_void(failure->text);
-      return;
-    }
-    faults.push_back({team, std::get<match::Fault>(ready.error())});
-  }
-  if (!faults.empty()) match.forfeit(std::move(faults));
-}
-
 Result<std::optional<Difference>> play_again(const replay::Recording& recording,
                                              const std::vector<TeamChoice>& choices) {
   Interrupt interrupt;
@@ -145,7 +131,7 @@ Result<std::optional<Difference>> play_again(const replay::Recording& recording,
     if (!seat) return tl::unexpected(seat.error());
     seats.push_back(std::move(*seat));
   }
-  wait_until_ready(seats, match);
+  wait_until_ready(seats, match, interrupt);
   while (!match.is_over()) {
     if (interrupt.is_asked_for()) return fail(Errc::interrupted, "interrupted");
     const std::size_t before = match.log().size();

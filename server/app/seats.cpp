@@ -115,4 +115,19 @@ record::Budget TeamSeat::budget() const {
   return budget;
 }
 
+void wait_until_ready(std::span<TeamSeat> seats, match::Match& match, Interrupt& interrupt) {
+  std::vector<match::TeamFault> faults;
+  for (const Team team : both_teams) {
+    const auto ready = seats[index_of(team)].wait_until_ready();
+    if (interrupt.is_asked_for()) return;
+    if (ready) continue;
+    if (const auto* failure = std::get_if<match::HostFailure>(&ready.error())) {
+      match.declare_void(failure->text);
+      return;
+    }
+    faults.push_back({team, std::get<match::Fault>(ready.error())});
+  }
+  if (!faults.empty()) match.forfeit(std::move(faults));
+}
+
 }  // namespace mirocup::app

@@ -6,10 +6,12 @@
 
 #include "plugins/host/process_controller.hpp"
 #include "plugins/host/trusted_controller.hpp"
+#include "server/app/interrupt.hpp"
 #include "server/dds/match_server.hpp"
 #include "server/record/match_record.hpp"
 
 #include <memory>
+#include <span>
 #include <string>
 
 namespace mirocup::app {
@@ -62,5 +64,9 @@ class TeamSeat {
   dds::Seat* network_ = nullptr;
   std::optional<match::Fault> load_fault_;
 };
+
+// Until both teams, blue first, can play; a match whose teams cannot is void or forfeited. Returns
+// early if it is interrupted.
+void wait_until_ready(std::span<TeamSeat> seats, match::Match& match, Interrupt& interrupt);
 
 }  // namespace mirocup::app

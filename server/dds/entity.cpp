@@ -78,4 +78,10 @@ Result<Entity> make_reader(const Entity& subscriber, const Entity& topic,
                  std::string("the reader of ") + qos.name);
 }
 
+Result<void> keep(Entity& into, Result<Entity> made) {
+  if (!made) return tl::unexpected(made.error());
+  into = std::move(*made);
+  return {};
+}
+
 }  // namespace mirocup::dds

@@ -61,4 +61,7 @@ bool take(const Entity& reader, Sample& sample, dds_instance_handle_t* writer = 
   }
 }
 
+// Puts what was made into its place, or passes the error on.
+Result<void> keep(Entity& into, Result<Entity> made);
+
 }  // namespace mirocup::dds

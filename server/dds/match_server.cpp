@@ -27,12 +27,6 @@ std::string seconds_text(double seconds) {
 }
 
 // The rest of a Result<Entity> chain: puts the entity into `into`, or says what went wrong.
-Result<void> keep(Entity& into, Result<Entity> made) {
-  if (!made) return tl::unexpected(made.error());
-  into = std::move(*made);
-  return {};
-}
-
 }  // namespace
 
 Seat::Seat(MatchServer& server, const match::Briefing& briefing, const Patience& patience)

@@ -20,12 +20,6 @@ double seconds_since(steady_clock::time_point begin) {
   return duration<double>(steady_clock::now() - begin).count();
 }
 
-Result<void> keep(Entity& into, Result<Entity> made) {
-  if (!made) return tl::unexpected(made.error());
-  into = std::move(*made);
-  return {};
-}
-
 // Tells this process from all others that may claim to be the team; never zero.
 std::uint64_t draw_nonce() {
   std::uint64_t nonce = 0;
