@@ -37,7 +37,7 @@ plugins::Budget budget() {
   plugins::Budget budget;
   budget.start_cpu = 4.0;
   budget.start_wall = 5.0;
-  budget.tick_wall = 2.0;
+  budget.tick_wall = 5.0;
   return budget;
 }
 

@@ -5,6 +5,7 @@
 __attribute__((noinline)) static int huge(int depth) {
   volatile char frame[8 << 20];
   frame[0] = 1;
+  __asm__ volatile("" : : "r"(frame) : "memory"); /* it is needed, whatever the compiler thinks */
   return depth > 0 ? huge(depth - 1) + frame[0] : frame[0];
 }
 

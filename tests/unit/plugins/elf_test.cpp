@@ -44,7 +44,7 @@ TEST(Elf, OfAnyBytesIsReadOrRefused) {
       // Most where the tables are.
       const double where = random.uniform();
       const auto at = static_cast<std::size_t>(where * where * where * double(bytes.size() - 1));
-      bytes[at] = static_cast<char>(random.uniform() < 0.5 ? 0xff : 256 * random.uniform());
+      bytes[at] = static_cast<char>(random.uniform() < 0.5 ? 0xff : random.below(256));
     }
     (void)read_shared_library(bytes);
   }
