@@ -52,16 +52,19 @@ void Match::advance(Controller& blue, Controller& yellow) {
   const Scene now = scene();
   blue.post(observe(now, Team::blue, field_.robots_per_team));
   yellow.post(observe(now, Team::yellow, field_.robots_per_team));
-  if (!answer(blue, yellow)) return;
+  advance({blue.collect(), yellow.collect()});
+}
+
+void Match::advance(const ByTeam<Answer>& answers) {
+  if (!take(answers)) return;
   simulate();
   judge();
   place();
   record();
 }
 
-// Collects both answers; false if one of them ends the match.
-bool Match::answer(Controller& blue, Controller& yellow) {
-  const ByTeam<Answer> given{blue.collect(), yellow.collect()};
+// False if one of the answers ends the match.
+bool Match::take(const ByTeam<Answer>& given) {
   std::vector<TeamFault> faults;
   for (const Team team : both_teams) {
     const int i = index_of(team);

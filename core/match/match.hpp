@@ -87,6 +87,9 @@ class Match {
   // Plays one tick. The controllers steer blue and yellow; not to be called once over.
   void advance(Controller& blue, Controller& yellow);
 
+  // The same with answers that are known already: nobody has to see anything.
+  void advance(const ByTeam<Answer>& answers);
+
   // Ends the leg without a result: the machine failed.
   void declare_void(std::string why);
 
@@ -107,7 +110,7 @@ class Match {
   const ByTeam<int>& late_ticks() const { return late_ticks_; }
 
  private:
-  bool answer(Controller& blue, Controller& yellow);
+  bool take(const ByTeam<Answer>& given);
   void simulate();
   void judge();
   void apply(const referee::Decision& decision);

@@ -87,15 +87,13 @@ class Onlooker {
 
 std::vector<Difference> appeal(const Recording& recording, const referee::Rules& rules) {
   match::Match again(recording.setup);
-  Recorded blue(recording, Team::blue);
-  Recorded yellow(recording, Team::yellow);
   Onlooker onlooker(again, rules);
   std::vector<Difference> differences;
   while (!again.is_over() && again.tick() < recording.ticks.size()) {
     const std::uint32_t tick = again.tick();
     const std::size_t decisions = again.decisions().size();
     const Team left = again.scene().left;
-    again.advance(blue, yellow);
+    again.advance(recorded_answers(recording, tick));
     if (auto difference = onlooker.look(tick, decisions, left)) {
       differences.push_back(*std::move(difference));
     }

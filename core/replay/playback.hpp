@@ -19,20 +19,6 @@ struct Divergence {
   std::string what;  // a sentence with both values
 };
 
-// One team's seat in a playback: gives the recorded answers, then what ended the leg.
-class RecordedTeam final : public match::Controller {
- public:
-  RecordedTeam(const Recording& recording, Team team) : recording_(recording), team_(team) {}
-
-  void post(const match::Observation& observation) override { tick_ = observation.tick; }
-  match::Answer collect() override;
-
- private:
-  const Recording& recording_;
-  Team team_;
-  std::uint32_t tick_ = 0;
-};
-
 class Playback {
  public:
   explicit Playback(const Recording& recording);
@@ -40,8 +26,7 @@ class Playback {
   // The leg as it stands: before the first tick, or after the last one that advance() played.
   const match::Match& match() const { return match_; }
 
-  // Plays the next tick and compares its hash; false when there is none, or once they differ. Then it
-  // has played on to where the recording holds the state of the body that differs.
+  // Plays the next tick and compares its hash; false when there is none, or once they differ.
   bool advance();
 
   // Set once a tick, or the number of ticks, was not the recorded one.
@@ -49,14 +34,9 @@ class Playback {
 
  private:
   bool differs(std::uint32_t tick, std::string what);
-  std::string what_differs(std::uint32_t tick);
-  void play();
 
   const Recording& recording_;
   match::Match match_;
-  RecordedTeam blue_;
-  RecordedTeam yellow_;
-  Trace trace_;
   std::optional<Divergence> divergence_;
 };
 

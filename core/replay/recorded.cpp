@@ -3,22 +3,32 @@
 
 namespace mirocup::replay {
 
-match::Answer Recorded::collect() {
-  if (tick_ < recording_.ticks.size()) return command(tick_);
-  for (const match::TeamFault& fault : recording_.result.faults) {
-    if (fault.team == team_) return fault.fault;
+namespace {
+
+match::Command driven(const match::DrivenCommand& recorded, int robots) {
+  match::Command command;
+  for (int i = 0; i < robots; ++i) command.wheels[i] = recorded.speeds(i);
+  return command;
+}
+
+match::Answer last_answer(const Recording& recording, Team team) {
+  for (const match::TeamFault& fault : recording.result.faults) {
+    if (fault.team == team) return fault.fault;
   }
-  if (recording_.result.end == match::EndKind::void_) {
-    return match::HostFailure{recording_.result.why_void};
+  if (recording.result.end == match::EndKind::void_) {
+    return match::HostFailure{recording.result.why_void};
   }
   return match::Command{};
 }
 
-match::Command Recorded::command(std::uint32_t tick) const {
-  const match::DrivenCommand& driven = recording_.ticks[tick].commands[index_of(team_)];
-  match::Command command;
-  for (int i = 0; i < max_robots_per_team; ++i) command.wheels[i] = driven.speeds(i);
-  return command;
+}  // namespace
+
+match::ByTeam<match::Answer> recorded_answers(const Recording& recording, std::uint32_t tick) {
+  if (tick >= recording.ticks.size()) {
+    return {last_answer(recording, Team::blue), last_answer(recording, Team::yellow)};
+  }
+  const match::ByTeam<match::DrivenCommand>& commands = recording.ticks[tick].commands;
+  return {driven(commands[0], max_robots_per_team), driven(commands[1], max_robots_per_team)};
 }
 
 }  // namespace mirocup::replay

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/replay/verification.hpp"
 
-#include "core/replay/recorded.hpp"
-
 #include <algorithm>
 
 namespace mirocup::replay {
@@ -16,9 +14,9 @@ std::string score_text(const match::ByTeam<int>& score) {
 bool agree(const match::LoggedDecision& a, const match::LoggedDecision& b) {
   const referee::Decision& x = a.decision;
   const referee::Decision& y = b.decision;
-  return a.tick == b.tick && a.team == b.team && x.verdict == y.verdict && x.law == y.law &&
-         x.clock == y.clock && x.reason == y.reason && x.ball == y.ball && x.restart == y.restart &&
-         (x.restart == referee::Restart::none || a.taker == b.taker);
+  return a.tick == b.tick && a.team == b.team && a.robots == b.robots && x.verdict == y.verdict &&
+         x.law == y.law && x.clock == y.clock && x.reason == y.reason && x.ball == y.ball &&
+         x.restart == y.restart && (x.restart == referee::Restart::none || a.taker == b.taker);
 }
 
 std::string decision_text(const match::LoggedDecision& d) {
@@ -49,7 +47,7 @@ std::optional<Divergence> compare_result(const Recording& recording, const match
   const match::Result& replayed = again.result();
   if (recorded.end == replayed.end && recorded.score == replayed.score &&
       recorded.played == replayed.played && recorded.winner == replayed.winner &&
-      recording.state_hash == again.state_hash()) {
+      recorded.shoot_out == replayed.shoot_out && recording.state_hash == again.state_hash()) {
     return std::nullopt;
   }
   return Divergence{again.tick(),
