@@ -9,6 +9,7 @@ install(TARGETS mirocup-league)
 install(TARGETS mirocup-plugin-host RUNTIME DESTINATION libexec/mirocup)
 install(TARGETS house_idle house_chaser house_keeper house_striker LIBRARY DESTINATION lib/mirocup/house)
 install(DIRECTORY plugins/include/ TYPE INCLUDE)
+install(FILES server/record/record.schema.json DESTINATION share/mirocup)
 install(DIRECTORY plugins/template/ DESTINATION share/mirocup/team)
 install(EXPORT mirocup NAMESPACE mirocup:: FILE mirocup-targets.cmake DESTINATION ${package_folder})
 

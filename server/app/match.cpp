@@ -11,7 +11,6 @@
 #include <iostream>
 #include <memory>
 #include <optional>
-#include <sched.h>
 
 namespace mirocup::app {
 
@@ -61,15 +60,6 @@ Result<std::optional<double>> factor_of(const Options& options) {
     return fail(Errc::input, "--speed " + speed + ": \"max\" or a number above 0 is expected");
   }
   return std::optional<double>(factor);
-}
-
-// A match and its teams take turns: on one core handing over costs a microsecond, across cores
-// fifty.
-void stay_on_this_core() {
-  cpu_set_t one;
-  CPU_ZERO(&one);
-  CPU_SET(sched_getcpu(), &one);
-  sched_setaffinity(0, sizeof one, &one);
 }
 
 // One leg with everything that it needs around it.
@@ -209,8 +199,7 @@ Result<void> Session::play() {
 
 record::MatchRecord Session::record() const {
   record::MatchRecord record;
-  record.version = record::software_version();
-  record.build = record::software_build();
+  record.software = record::this_software();
   record.isolation = isolation_;
   for (const Team team : both_teams) {
     const int i = index_of(team);

@@ -47,6 +47,9 @@ Result<int> run_replay(const Options& options) {
   if (!record) return tl::unexpected(record.error());
   const auto made =
       options.svg ? picture_at(record->recording, *options.at) : web::replay_page(*record);
+  if (!made && record::is_of_another_game(*record)) {
+    return tl::unexpected(record::another_game(options.record, *record, made.error().tick));
+  }
   if (!made) {
     std::cerr << "mirocup: " << options.record << ": cannot be shown, it differs from tick "
               << made.error().tick << " on: " << made.error().what << '\n';

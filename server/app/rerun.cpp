@@ -120,6 +120,7 @@ std::optional<Difference> compare_ends(const replay::Recording& recording,
 Result<std::optional<Difference>> play_again(const replay::Recording& recording,
                                              const std::vector<TeamChoice>& choices) {
   Interrupt interrupt;
+  stay_on_this_core();
   match::Match match(recording.setup);
   std::vector<TeamSeat> seats;
   const auto isolation = plugins::strongest_isolation();
@@ -178,6 +179,9 @@ Result<int> run_rerun(const Options& options) {
   }
   const auto difference = play_again(record->recording, choices);
   if (!difference) return tl::unexpected(difference.error());
+  if (*difference && record::is_of_another_game(*record)) {
+    return tl::unexpected(record::another_game(options.record, *record, (*difference)->tick));
+  }
   report(options, *difference);
   return *difference ? exit_no : exit_yes;
 }

@@ -6,6 +6,7 @@
 #include "server/record/locations.hpp"
 
 #include <filesystem>
+#include <sched.h>
 
 namespace mirocup::app {
 
@@ -113,6 +114,13 @@ record::Budget TeamSeat::budget() const {
     budget.bank_seconds = process_->bank_seconds();
   }
   return budget;
+}
+
+void stay_on_this_core() {
+  cpu_set_t one;
+  CPU_ZERO(&one);
+  CPU_SET(sched_getcpu(), &one);
+  sched_setaffinity(0, sizeof one, &one);
 }
 
 void wait_until_ready(std::span<TeamSeat> seats, match::Match& match, Interrupt& interrupt) {

@@ -25,6 +25,9 @@ Result<int> run_verify(const Options& options) {
   if (!record) return tl::unexpected(record.error());
   const auto divergence = replay::verify(record->recording);
   if (!whole && !divergence) return tl::unexpected(whole.error());
+  if (divergence && record::is_of_another_game(*record)) {
+    return tl::unexpected(record::another_game(options.path, *record, divergence->tick));
+  }
 
   if (options.json) {
     record::Json answer{{"record", options.path}, {"reproduced", !divergence}};

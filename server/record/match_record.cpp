@@ -205,8 +205,10 @@ MatchRecord record_of(const Json& json) {
                  std::string(schema)};
   }
   MatchRecord record;
-  record.version = json.at("software").at("version").get<std::string>();
-  record.build = json.at("software").at("build").get<std::string>();
+  const Json& software = json.at("software");
+  record.software = {.version = software.at("version").get<std::string>(),
+                     .build = software.at("build").get<std::string>(),
+                     .game = software.value("game", "")};
   for (const Team team : both_teams) {
     const std::string colour(to_string(team));
     record.teams[index_of(team)] = team_of(json.at("teams").at(colour));
@@ -226,6 +228,8 @@ std::string software_version() {
   return MIROCUP_VERSION;
 }
 
+namespace {
+
 std::string software_build() {
 #if defined(__clang__)
   const std::string compiler = "clang++ " __clang_version__;
@@ -239,6 +243,25 @@ std::string software_build() {
 #endif
 }
 
+}  // namespace
+
+Software this_software() {
+  return {.version = software_version(), .build = software_build(), .game = MIROCUP_GAME};
+}
+
+bool is_of_another_game(const MatchRecord& record) {
+  return record.software.game != MIROCUP_GAME;
+}
+
+Error another_game(const std::string& path, const MatchRecord& record, std::uint32_t tick) {
+  const std::string game = record.software.game.empty() ? "unknown" : record.software.game;
+  return {Errc::damaged, path + ": it was played by another version of the game (" + game +
+                             ", mirocup " + record.software.version + "; this program plays " +
+                             MIROCUP_GAME + ") and goes another way here from tick " +
+                             std::to_string(tick) +
+                             " on, which says nothing against it: use the program that played it"};
+}
+
 std::string replay_path_of(const std::string& record_path) {
   return std::filesystem::path(record_path).replace_extension(".replay.zst").string();
 }
@@ -248,7 +271,10 @@ Json to_json(const MatchRecord& record) {
   Json decisions = Json::array();
   for (const match::LoggedDecision& d : r.decisions) decisions.push_back(to_json(d));
   return {{"schema", schema},
-          {"software", {{"version", record.version}, {"build", record.build}}},
+          {"software",
+           {{"version", record.software.version},
+            {"build", record.software.build},
+            {"game", record.software.game}}},
           {"league", to_string(r.setup.league)},
           {"rules", to_json(r.setup.rules)},
           {"stage", to_string(r.setup.stage)},

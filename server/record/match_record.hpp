@@ -37,18 +37,34 @@ struct Budget {
   int bad_commands = 0;
 };
 
-struct MatchRecord {
-  std::string version;  // of the software that played it
+// What plays or played a match. `game` stands for the physics and the laws: the hash of the golden
+// leg (tests/compilers). Programs of another game may get another leg from the same commands.
+struct Software {
+  std::string version;
   std::string build;
+  std::string game;  // "": a record from before it was written down
+
+  bool operator==(const Software&) const = default;
+};
+
+struct MatchRecord {
+  Software software;  // that played it
   match::ByTeam<TeamInfo> teams;
   match::ByTeam<Budget> budget;
   std::string isolation;  // "T2", "T1", "none" (--trusted), "network"
   replay::Recording recording;
 };
 
-// The version and build of this program, for `version` and `build`.
+// Of this program.
 std::string software_version();
-std::string software_build();
+Software this_software();
+
+// A record that this program should not reproduce, for it was played by another game: what differs
+// then says nothing about the record or its teams.
+bool is_of_another_game(const MatchRecord& record);
+
+// What to say if it indeed differs from that tick on. Errc::damaged: "of another version".
+Error another_game(const std::string& path, const MatchRecord& record, std::uint32_t tick);
 
 Json to_json(const match::Result& result);
 Json to_json(const match::LoggedDecision& decision);

@@ -132,7 +132,7 @@ std::string about(const record::MatchRecord& record) {
   return std::string(to_string(setup.league)) + " league, rules " +
          std::string(to_string(setup.rules.preset)) + ", seed " + std::to_string(setup.seed) +
          ", " + std::to_string(record.recording.ticks.size()) + " ticks, mirocup " +
-         record.version + ", state hash " + to_hex(record.recording.state_hash);
+         record.software.version + ", state hash " + to_hex(record.recording.state_hash);
 }
 
 }  // namespace

@@ -26,8 +26,7 @@ MatchRecord played(std::uint64_t seed, League league = League::small) {
     trace.add(match);
   }
   MatchRecord record;
-  record.version = software_version();
-  record.build = software_build();
+  record.software = this_software();
   record.isolation = "none";
   record.teams = {TeamInfo{"hunters", TeamKind::plugin, std::string(64, 'a')},
                   TeamInfo{"\"random\" <b>", TeamKind::dds, std::nullopt}};
@@ -59,6 +58,7 @@ TEST(MatchRecord, HasTheKeysThatOthersRelyOn) {
   EXPECT_EQ(json["schema"], "mirocup/match/1");
   for (const char* pointer : {"/software/version",
                               "/software/build",
+                              "/software/game",
                               "/league",
                               "/rules/preset",
                               "/stage",

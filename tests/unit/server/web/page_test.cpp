@@ -18,7 +18,7 @@ record::MatchRecord played(double half_s, League league = League::small) {
   auto yellow = test_support::random_team(3);
   test_support::play(match, blue, yellow);
   record::MatchRecord record;
-  record.version = record::software_version();
+  record.software = record::this_software();
   record.teams[0].name = "</script><img src=x onerror=alert(1)>";
   record.teams[1].name = "\"{{script}}\" & 'co'";
   record.recording = replay::record(match);
