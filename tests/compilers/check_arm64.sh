@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# Bit for bit on arm64: builds core and the golden leg for aarch64, runs it under qemu and compares with golden.txt. Takes
-# some minutes, so it is a command of its own and no test. Usage: check_arm64.sh; exit 3 if a Debian package is missing.
+# Bit for bit on arm64: builds core and the golden leg for aarch64, runs it under qemu and compares with golden.txt; the flat
+# recordings that are named must be reproduced. Takes some minutes, so it is a command of its own and no test.
+# Usage: check_arm64.sh [FLAT...]; exit 3 if a Debian package is missing.
 # Installs nothing; needs: g++-aarch64-linux-gnu, qemu-user, and what core is built with anyway.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
@@ -24,7 +25,7 @@ for level in -O0 -O3; do
     -DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64 \
     -DCMAKE_C_COMPILER=aarch64-linux-gnu-gcc -DCMAKE_CXX_COMPILER=aarch64-linux-gnu-g++ \
     -DCMAKE_CXX_FLAGS="$level" -DGTest_DIR="/usr/lib/$(gcc -print-multiarch)/cmake/GTest" >/dev/null
-  cmake --build "$build" --target golden_leg >/dev/null
+  cmake --build "$build" --target golden_leg verify_flat >/dev/null
   hash=$(qemu-aarch64 -L /usr/aarch64-linux-gnu "$build/golden_leg")
   if [[ $hash == "$expected" ]]; then
     echo "aarch64 $level: $hash"
@@ -32,5 +33,6 @@ for level in -O0 -O3; do
     echo "aarch64 $level: $hash, but golden.txt has $expected" >&2
     bad=1
   fi
+  [[ $# -eq 0 ]] || qemu-aarch64 -L /usr/aarch64-linux-gnu "$build/verify_flat" "$@" || bad=1
 done
 exit $bad

@@ -3,7 +3,9 @@
 // Records as files: of every ending, of earlier versions, of another game. Catches a record that its
 // schema does not describe, a reader that no longer reads what was written once, and a record that
 // is called wrong only because the game has changed since.
+#include "core/replay/verification.hpp"
 #include "server/record/match_record.hpp"
+#include "tests/compilers/flat_recording.hpp"
 #include "tests/records/endings.hpp"
 #include "tests/support/program.hpp"
 
@@ -68,6 +70,20 @@ TEST(Records, OfEveryEndingFitTheSchemaAndVerify) {
     EXPECT_EQ(verified.exit_code, 0) << paths.back() << verified.out << verified.err;
   }
   expect_valid(paths);
+}
+
+// As the other compilers get them.
+TEST(Records, LoseNothingWhenTheyAreMadeFlat) {
+  for (const auto end : {match::EndKind::shoot_out, match::EndKind::double_forfeit}) {
+    const std::string flat = test_support::flat(leg_that_ends(end));
+    auto recording = test_support::recording_from(flat);
+    ASSERT_TRUE(recording);
+    EXPECT_FALSE(replay::verify(*recording));
+    EXPECT_EQ(test_support::flat(*recording), flat);
+    recording->decisions.back().decision.reason += "!";
+    EXPECT_TRUE(replay::verify(*recording));
+    EXPECT_FALSE(test_support::recording_from(flat.substr(0, flat.size() - 1)));
+  }
 }
 
 TEST(Records, OfEarlierVersionsAreRead) {

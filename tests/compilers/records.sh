@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# Bit for bit, with legs of real teams: ten records of the release build must be reproduced by core as other compilers, other
+# levels and arm64 build it. Takes some minutes, so it is a command of its own. Usage: records.sh BUILD [RECORD...]; without
+# records it plays ten. arm64 is left out where check_arm64.sh cannot run.
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+build=$(cd "$1" && pwd)
+shift
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+
+play() {
+  local name=$1 blue=$2 yellow=$3
+  shift 3
+  "$build/mirocup" match --blue "$blue" --yellow "$yellow" --record "$folder/$name.json" "$@" >/dev/null
+}
+
+records=("$@")
+if [[ ${#records[@]} -eq 0 ]]; then
+  play small-mirosot striker chaser --half 20 --seed 1
+  play small-simurosot chaser keeper --rules simurosot --half 10 --seed 2
+  play small-vsss striker keeper --rules vsss --half 20 --seed 3
+  play middle-mirosot striker chaser --league middle --half 10 --seed 4
+  play middle-simurosot keeper striker --league middle --rules simurosot --half 5 --seed 5
+  play middle-vsss chaser striker --league middle --rules vsss --half 10 --seed 6
+  play large-mirosot striker chaser --league large --half 4 --seed 7
+  play large-vsss keeper chaser --league large --rules vsss --half 4 --seed 8
+  play golden-goal striker idle --stage knockout --half 1 --rule golden_goal_s=60 --seed 9
+  play shoot-out striker keeper --stage knockout --half 1 --rule golden_goal_s=0 --rule attempt_s=5 --seed 10
+  records=("$folder"/*.json)
+fi
+flat=()
+for record in "${records[@]}"; do
+  flat+=("$folder/$(basename "$record" .json).flat")
+  "$build/flatten" "$record" "${flat[-1]}"
+done
+"$here/check.sh" "$build/golden_leg" "${flat[@]}"
+"$here/check_arm64.sh" "${flat[@]}" || { code=$?; [[ $code -eq 3 ]] || exit "$code"; }
