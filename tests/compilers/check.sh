@@ -24,6 +24,7 @@ compare() {
 }
 
 compare "this build" "$golden_leg"
+[[ $# -eq 0 ]] || "$(dirname "$golden_leg")/verify_flat" "$@" || bad=1
 for kind in "g++ -O0" "clang++ -O0" "clang++ -O3"; do  # this build is g++ -O3
   read -r compiler level <<<"$kind"
   build=$root/build/compilers/$compiler$level
