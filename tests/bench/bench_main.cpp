@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <sched.h>
@@ -21,13 +22,15 @@ struct Options {
   bool json = false;
   std::string plot;    // where the picture goes
   std::string engine;  // "": all
+  std::string point;   // "": all
   std::string scene;   // not "": play this one once, for instructions.sh
-  std::string point;   // of `engine`, there
+  int rounds = 0;      // 0: as many as it takes
 };
 
 constexpr const char* usage =
-    "usage: mirocup bench [--quick] [--json] [--plot FILE.svg] [--engine NAME]\n"
-    "       mirocup bench --scene NAME --engine NAME --point POINT\n";
+    "usage: mirocup bench [--quick] [--json] [--plot FILE.svg] [--rounds N]\n"
+    "                     [--engine NAME] [--point POINT]\n"
+    "       mirocup bench --scene NAME --engine NAME --point POINT    plays it once\n";
 
 bool parse(int argc, char** argv, Options& options) {
   for (int i = 1; i < argc; ++i) {
@@ -49,6 +52,9 @@ bool parse(int argc, char** argv, Options& options) {
       if (!value(options.scene)) return false;
     } else if (word == "--point") {
       if (!value(options.point)) return false;
+    } else if (word == "--rounds") {
+      std::string number;
+      if (!value(number) || (options.rounds = std::atoi(number.c_str())) < 1) return false;
     } else {
       return false;
     }
@@ -83,7 +89,7 @@ void stay_on_this_core() {
 Report measure(const Options& options) {
   Report report;
   report.quick = options.quick;
-  report.rounds = options.quick ? 3 : 9;
+  report.rounds = options.rounds > 0 ? options.rounds : options.quick ? 3 : 9;
   report.scenes = scenes(options.quick);
   const Moments alone = free_motion(options.quick ? 20 : 200);
   const Moments together = options.quick ? crowds(10, 1e-4) : crowds(200, 1e-5);
@@ -107,7 +113,7 @@ Report measure(const Options& options) {
       }
     }
   }
-  report.legs = play_legs(options.quick ? 1 : 5);
+  report.legs = play_legs(options.quick ? 1 : report.rounds);
   return report;
 }
 
@@ -138,7 +144,8 @@ int main(int argc, char** argv) {
   }
   if (!options.scene.empty()) return play_once(options);
   if (contenders(options).empty()) {
-    std::fprintf(stderr, "mirocup-bench: no engine \"%s\" was built in\n", options.engine.c_str());
+    std::fprintf(stderr, "mirocup-bench: no engine \"%s\" with a point \"%s\" was built in\n",
+                 options.engine.c_str(), options.point.c_str());
     return 2;
   }
   stay_on_this_core();

@@ -3,7 +3,6 @@
 // Box2D 2.4. In plain SI units its tolerances (5 mm) are a quarter of the ball, so lengths are
 // scaled by 20; polygons are shrunk by the skin that Box2D puts around them.
 #include "tests/bench/kicks.hpp"
-#include "tests/support/outline.hpp"
 
 #include <box2d/box2d.h>
 
@@ -121,15 +120,11 @@ class Box2d {
   }
 
   void add_walls(League league) {
-    for (const auto& solid : test_support::solids_around(field::make_field(league))) {
-      Vec2 centre{0.0, 0.0};
-      for (const Vec2& c : solid.corners) centre += c / static_cast<double>(solid.corners.size());
-      const Vec2 along = solid.corners[1] - solid.corners[0];
-      const Vec2 across = solid.corners[2] - solid.corners[1];
+    for (const WallBox& wall : walls_of(league)) {
       b2PolygonShape box;
-      box.SetAsBox(static_cast<float>(scale * along.norm() / 2.0) - b2_polygonRadius,
-                   static_cast<float>(scale * across.norm() / 2.0) - b2_polygonRadius);
-      add_body(centre, std::atan2(along.y(), along.x()), box, Kind::wall, false);
+      box.SetAsBox(static_cast<float>(scale * wall.half.x()) - b2_polygonRadius,
+                   static_cast<float>(scale * wall.half.y()) - b2_polygonRadius);
+      add_body(wall.centre, wall.angle, box, Kind::wall, false);
     }
   }
 

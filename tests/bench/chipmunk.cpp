@@ -3,7 +3,6 @@
 // Chipmunk 7. Its restitution is the product of both shapes'; as no three numbers give all four
 // products of the model, each wall is there twice: once for the ball, once for robots.
 #include "tests/bench/kicks.hpp"
-#include "tests/support/outline.hpp"
 
 #include <chipmunk/chipmunk.h>
 
@@ -101,15 +100,19 @@ class Chipmunk {
   }
 
   void add_walls(League league, const simulator::PerPair& e) {
-    for (const auto& solid : test_support::solids_around(field::make_field(league))) {
-      std::vector<cpVect> corners;
-      for (const Vec2& corner : solid.corners) corners.push_back(to_cp(corner));
-      const auto wall = [&] {
-        return cpPolyShapeNewRaw(cpSpaceGetStaticBody(space_), static_cast<int>(corners.size()),
-                                 corners.data(), 0.0);
-      };
-      add_shape(wall(), e.ball_wall / ball_elasticity_, wall_for_ball, CP_ALL_CATEGORIES);
-      add_shape(wall(), e.robot_wall / robot_elasticity_, wall_for_robots, CP_ALL_CATEGORIES);
+    for (const WallBox& wall : walls_of(league)) {
+      const Heading along = Heading::from_angle(wall.angle);
+      cpVect corners[4];
+      for (int i = 0; i < 4; ++i) {
+        const double x = i == 0 || i == 3 ? -wall.half.x() : wall.half.x();
+        const double y = i < 2 ? -wall.half.y() : wall.half.y();
+        corners[i] = to_cp(wall.centre + along.to_world({x, y}));
+      }
+      cpBody* still = cpSpaceGetStaticBody(space_);
+      add_shape(cpPolyShapeNewRaw(still, 4, corners, 0.0), e.ball_wall / ball_elasticity_,
+                wall_for_ball, CP_ALL_CATEGORIES);
+      add_shape(cpPolyShapeNewRaw(still, 4, corners, 0.0), e.robot_wall / robot_elasticity_,
+                wall_for_robots, CP_ALL_CATEGORIES);
     }
   }
 

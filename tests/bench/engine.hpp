@@ -60,6 +60,16 @@ std::vector<Contender> chipmunk_contenders();
 std::vector<Contender> ode_contenders();
 std::vector<Contender> mujoco_contenders();
 
+// A solid box that stands around the field.
+struct WallBox {
+  Vec2 centre;
+  Vec2 half;           // of its length and width
+  double angle = 0.0;  // of its length, rad
+};
+// What a user of a general engine would build: the corner cuts are small, because the box of axes
+// around a large tilted wall would meet every body on the field.
+std::vector<WallBox> walls_of(League league);
+
 // Half the length and half the width of a robot: its outline is a rectangle in every scene.
 Vec2 half_size(const simulator::Parameters& parameters);
 

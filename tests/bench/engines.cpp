@@ -4,6 +4,8 @@
 #include "core/simulator/world.hpp"
 #include "tests/bench/engine.hpp"
 
+#include <cmath>
+
 namespace mirocup::bench {
 
 namespace {
@@ -52,6 +54,28 @@ Vec2 half_size(const simulator::Parameters& p) {
     half = half.cwiseMax(p.robot_outline.corner(i).cwiseAbs());
   }
   return half;
+}
+
+std::vector<WallBox> walls_of(League league) {
+  constexpr double thick = 0.5;  // m
+  const field::Field f = field::make_field(league);
+  const double x = f.half_length, y = f.half_width;
+  const double back = x + f.goal_depth;
+  const double beside = 0.5 * (y - f.goal_half_width);  // half an end wall
+  std::vector<WallBox> walls;
+  for (const double side : {-1.0, 1.0}) {
+    walls.push_back({{0.0, side * (y + thick / 2.0)}, {back, thick / 2.0}});
+    walls.push_back({{side * (back + thick / 2.0), 0.0}, {thick / 2.0, f.goal_half_width}});
+    for (const double up : {-1.0, 1.0}) {
+      walls.push_back({{side * (x + thick / 2.0), up * (y - beside)}, {thick / 2.0, beside}});
+      const double across = f.corner_leg / std::sqrt(2.0);  // half of the cut, and how deep it is
+      const double out = 0.5 * f.corner_leg - 0.5 * across / std::sqrt(2.0);
+      walls.push_back({{side * (x - out), up * (y - out)},
+                       {across, 0.5 * across},
+                       side * up > 0.0 ? -pi / 4.0 : pi / 4.0});
+    }
+  }
+  return walls;
 }
 
 #ifndef MIROCUP_BENCH_BOX2D

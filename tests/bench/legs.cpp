@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "tests/bench/legs.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <chrono>
 #include <fcntl.h>
 #include <filesystem>
+#include <fstream>
 #include <optional>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -21,8 +24,8 @@ double seconds(const timeval& t) {
   return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
 }
 
-// How long the program took, or nothing if it failed.
-std::optional<Leg> run(std::vector<std::string> words) {
+// How long the program took, or nothing if it failed; it writes the record.
+std::optional<Leg> run(std::vector<std::string> words, const fs::path& record) {
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
@@ -40,7 +43,9 @@ std::optional<Leg> run(std::vector<std::string> words) {
   leg.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   leg.cpu_seconds = seconds(used.ru_utime) + seconds(used.ru_stime);
-  leg.played_seconds = 2.0 * half;
+  const auto json = nlohmann::json::parse(std::ifstream(record), nullptr, false);
+  if (json.is_discarded()) return std::nullopt;
+  leg.played_seconds = json.value("ticks", 0.0) * json.value("control_period", 0.0);
   return leg;
 }
 
@@ -57,7 +62,7 @@ std::vector<Leg> play_legs(int rounds) {
                                      "--yellow",       "chaser", "--half",   std::to_string(half),
                                      "--speed",        "max",    "--record", folder + "/leg.json"};
       if (trusted) words.push_back("--trusted");
-      auto leg = run(std::move(words));
+      auto leg = run(std::move(words), folder + "/leg.json");
       if (!leg) continue;
       leg->name = trusted ? "trusted" : "sandboxed";
       bool is_new = true;

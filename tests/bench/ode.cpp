@@ -3,7 +3,6 @@
 // ODE held to the plane: spheres and boxes, each with a joint that keeps it there. Of the mirrored
 // contacts above and below the plane one is kept, in the plane.
 #include "tests/bench/kicks.hpp"
-#include "tests/support/outline.hpp"
 
 #include <ode/ode.h>
 #ifdef __SSE2__
@@ -147,14 +146,11 @@ class Ode {
   }
 
   void add_walls(League league) {
-    for (const auto& solid : test_support::solids_around(field::make_field(league))) {
-      const Vec2 centre = 0.5 * (solid.corners[0] + solid.corners[2]);
-      const Vec2 along = solid.corners[1] - solid.corners[0];
-      const Vec2 across = solid.corners[2] - solid.corners[1];
-      const dGeomID box = dCreateBox(space_, along.norm(), across.norm(), height);
+    for (const WallBox& wall : walls_of(league)) {
+      const dGeomID box = dCreateBox(space_, 2.0 * wall.half.x(), 2.0 * wall.half.y(), height);
       dMatrix3 turned;
-      dRFromAxisAndAngle(turned, 0.0, 0.0, 1.0, std::atan2(along.y(), along.x()));
-      dGeomSetPosition(box, centre.x(), centre.y(), 0.0);
+      dRFromAxisAndAngle(turned, 0.0, 0.0, 1.0, wall.angle);
+      dGeomSetPosition(box, wall.centre.x(), wall.centre.y(), 0.0);
       dGeomSetRotation(box, turned);
     }
   }
