@@ -89,10 +89,10 @@ void stay_on_this_core() {
 Report measure(const Options& options) {
   Report report;
   report.quick = options.quick;
-  report.rounds = options.rounds > 0 ? options.rounds : options.quick ? 3 : 9;
+  report.rounds = options.rounds > 0 ? options.rounds : options.quick ? 3 : 7;
   report.scenes = scenes(options.quick);
   const Moments alone = free_motion(options.quick ? 20 : 200);
-  const Moments together = options.quick ? crowds(10, 1e-4) : crowds(200, 1e-5);
+  const Moments together = options.quick ? crowds(10, 1e-4) : crowds(100, 2e-5);
   report.yardstick_one = together.after_one;
   report.yardstick_five = together.after_all;
   for (Contender& contender : contenders(options)) {

@@ -58,9 +58,13 @@ std::vector<Leg> play_legs(int rounds) {
   std::vector<Leg> legs;
   for (int round = 0; round < rounds; ++round) {
     for (const bool trusted : {false, true}) {
-      std::vector<std::string> words{program.string(), "match",  "--blue",   "striker",
-                                     "--yellow",       "chaser", "--half",   std::to_string(half),
-                                     "--speed",        "max",    "--record", folder + "/leg.json"};
+      std::vector<std::string> words{program.string(), "match",
+                                     "--blue",         "striker",
+                                     "--yellow",       "chaser",
+                                     "--half",         std::to_string(half),
+                                     "--rule",         "mercy_goal_diff=1000",
+                                     "--speed",        "max",
+                                     "--record",       folder + "/leg.json"};
       if (trusted) words.push_back("--trusted");
       auto leg = run(std::move(words), folder + "/leg.json");
       if (!leg) continue;

@@ -151,13 +151,13 @@ double cpu_seconds() {
 }
 
 std::vector<Scene> scenes(bool quick) {
-  const int whole = quick ? 300 : 1800;  // 10 s, 60 s
-  return {{SceneKind::quiet, 100, quick ? 5 : 20},
+  const int whole = quick ? 300 : 900;  // 10 s, 30 s
+  return {{SceneKind::quiet, 100, quick ? 5 : 10},
           {SceneKind::game, whole},
           {SceneKind::game_5, whole / 3},
           {SceneKind::game_11, whole / 3},
           {SceneKind::jam, whole},
-          {SceneKind::scrum, quick ? 200 : 600},
+          {SceneKind::scrum, quick ? 200 : 300},
           {SceneKind::pinch, 180}};
 }
 
