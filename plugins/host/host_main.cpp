@@ -28,8 +28,6 @@ using namespace mirocup::plugins;
 
 namespace {
 
-constexpr std::chrono::hours for_ever{1};
-
 template <class Page>
 Page* map(int descriptor, int protection) {
   void* page = mmap(nullptr, sizeof(Page), protection, MAP_SHARED, descriptor, 0);
@@ -110,14 +108,15 @@ int main(int argc, char** argv) {
   while (true) {
     std::uint32_t request = in->request.load(std::memory_order_acquire);
     while (request == answered) {
-      wait_while_equal(in->request, answered, for_ever);
+      wait_while_equal(in->request, answered);
       request = in->request.load(std::memory_order_acquire);
     }
     const auto command = plugin->decide(in->observation);
     if (!command) refuse(*out, command.error());
     out->command = *command;
     answered = request;
-    out->answer.store(request, std::memory_order_release);
-    wake(out->answer);
+    // In one order with the server's: it says that it sleeps, then looks for the answer once more.
+    out->answer.store(request, std::memory_order_seq_cst);
+    if (in->is_awaited.load(std::memory_order_seq_cst) != 0) wake(out->answer);
   }
 }

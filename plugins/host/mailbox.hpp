@@ -13,14 +13,15 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <optional>
 
 namespace mirocup::plugins {
 
 static_assert(std::atomic<std::uint32_t>::is_always_lock_free);
 
 struct ObservationPage {
-  std::atomic<std::uint32_t> request;  // counts the observations, from 1
-  std::uint32_t unused;
+  std::atomic<std::uint32_t> request;     // counts the observations, from 1
+  std::atomic<std::uint32_t> is_awaited;  // 1 while the server sleeps until the answer comes
   mirocup_setup setup;
   mirocup_observation observation;
 };
@@ -45,8 +46,9 @@ struct CommandPage {
 };
 
 // Sleeps until the word is no longer `seen`, it is woken, or the time is over. May return early.
+// Without a time it sets no timer.
 void wait_while_equal(const std::atomic<std::uint32_t>& word, std::uint32_t seen,
-                      std::chrono::nanoseconds at_most);
+                      std::optional<std::chrono::nanoseconds> at_most = std::nullopt);
 void wake(const std::atomic<std::uint32_t>& word);
 
 }  // namespace mirocup::plugins

@@ -24,8 +24,10 @@ using match::Fault;
 using match::FaultCode;
 using match::HostFailure;
 
-// The death of a process wakes nobody, so every wait is cut into slices.
-constexpr std::chrono::milliseconds slice{2};
+// The death of a process wakes nobody, so every wait is cut into slices. They are longer than the
+// kernel's own clock tick: a timer that is due before that has to be programmed into the hardware
+// and out again, in every wait, which costs more than handing over.
+constexpr std::chrono::milliseconds slice{20};
 
 // A full pipe refuses what a team prints, so it is emptied now and then.
 constexpr std::uint32_t ticks_between_readings = 32;
@@ -189,7 +191,9 @@ template <class Done>
 std::optional<Answer> ProcessController::wait(Done done, const Patience& patience,
                                               std::optional<Clock::time_point> until) {
   while (true) {
-    const std::uint32_t seen = out_->answer.load(std::memory_order_acquire);
+    if (done()) break;
+    in_->is_awaited.store(1, std::memory_order_seq_cst);
+    const std::uint32_t seen = out_->answer.load(std::memory_order_seq_cst);
     if (done()) break;
     std::chrono::nanoseconds pause = slice;
     if (until) pause = std::clamp<std::chrono::nanoseconds>(*until - Clock::now(), {}, slice);
@@ -207,6 +211,7 @@ std::optional<Answer> ProcessController::wait(Done done, const Patience& patienc
     }
     if (until && Clock::now() >= *until) return match::Late{};
   }
+  in_->is_awaited.store(0, std::memory_order_relaxed);
   cpu_ = child_.cpu_seconds();
   return std::nullopt;
 }

@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include <functional>
+#include <string>
 
 namespace mirocup::app {
 
@@ -25,7 +26,8 @@ void add_rerun(CLI::App& app, Run& run);
 void add_replay(CLI::App& app, Run& run);
 void add_referee(CLI::App& app, Run& run);
 
-// `mirocup league ...` is the program mirocup-league; does not return if it can be started.
-Result<int> run_league(int argc, char** argv);
+// `mirocup league ...` is the program mirocup-league, `mirocup bench ...` mirocup-bench: becomes that
+// program with the arguments that follow. Does not return if it can be started.
+Result<int> run_program(const std::string& name, int argc, char** argv);
 
 }  // namespace mirocup::app

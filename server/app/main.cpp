@@ -15,12 +15,16 @@ int main(int argc, char** argv) {
     std::cerr << "mirocup: " << result.error().what << '\n';
     return exit_code(result.error().code);
   };
-  if (argc > 1 && std::string_view(argv[1]) == "league") return report(app::run_league(argc, argv));
+  const std::string_view command = argc > 1 ? argv[1] : "";
+  if (command == "league") return report(app::run_program("mirocup-league", argc, argv));
+  if (command == "bench") return report(app::run_program("mirocup-bench", argc, argv));
 
   CLI::App cli("A tournament platform for MiroSot robot soccer.", "mirocup");
   cli.require_subcommand(1);
   cli.set_version_flag("--version", record::software_version());
-  cli.footer("mirocup league ... runs tournaments: see mirocup league --help.");
+  cli.footer(
+      "mirocup league ... runs tournaments: see mirocup league --help.\n"
+      "mirocup bench ... compares speed and error with other engines: see mirocup bench --help.");
   app::Run run;
   app::add_match(cli, run);
   app::add_check(cli, run);

@@ -8,8 +8,8 @@
 
 namespace mirocup::app {
 
-Result<int> run_league(int argc, char** argv) {
-  std::string program = record::sibling_program("mirocup-league");
+Result<int> run_program(const std::string& name, int argc, char** argv) {
+  std::string program = record::sibling_program(name);
   std::vector<char*> arguments{program.data()};
   for (int i = 2; i < argc; ++i) arguments.push_back(argv[i]);
   arguments.push_back(nullptr);

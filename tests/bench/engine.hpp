@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+//
+// What the comparison asks of an engine: to play ticks of a scene under wheel commands. One file
+// for each engine; the laws of wheels and rolling that a peer lacks are in kicks.hpp.
+#pragma once
+
+#include "core/field/league.hpp"
+#include "core/simulator/parameters.hpp"
+#include "core/simulator/state.hpp"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace mirocup::bench {
+
+inline constexpr double tick = 0.033;  // s: the control period
+
+// What a scene begins with. Every scene has a ball.
+struct Start {
+  std::optional<League> league;  // whose walls stand around; none: a plane
+  simulator::Parameters parameters;
+  std::vector<simulator::RobotState> robots;
+  simulator::BallState ball;
+};
+
+using Commands = std::vector<simulator::WheelCommand>;  // one for each robot
+
+class Engine {
+ public:
+  virtual ~Engine() = default;
+
+  // Plays one tick.
+  virtual void advance(std::span<const simulator::WheelCommand> commands) = 0;
+
+  virtual simulator::RobotState robot(int i) const = 0;
+  virtual simulator::BallState ball() const = 0;
+};
+
+// An engine with its settings at one point of its scale from fast to exact.
+struct Contender {
+  std::string engine;
+  std::string settings;    // how it is set up, for those who read the results
+  std::string point;       // "standard", "1 ms"
+  int steps_per_tick = 0;  // 0: it has no steps
+  std::function<std::unique_ptr<Engine>(const Start&)> make;
+};
+
+// Steps of 0.5, 1, 2, 4, 8, 16 and 33 ms.
+inline constexpr int step_counts[] = {66, 33, 16, 8, 4, 2, 1};
+inline constexpr int millisecond_steps = 33;
+
+// Each engine's contenders; a peer that this program was built without has none.
+std::vector<Contender> own_contenders();
+std::vector<Contender> box2d_contenders();
+std::vector<Contender> chipmunk_contenders();
+std::vector<Contender> ode_contenders();
+std::vector<Contender> mujoco_contenders();
+
+// A solid box that stands around the field.
+struct WallBox {
+  Vec2 centre;
+  Vec2 half;           // of its length and width
+  double angle = 0.0;  // of its length, rad
+};
+// What a user of a general engine would build: the corner cuts are small, because the box of axes
+// around a large tilted wall would meet every body on the field.
+std::vector<WallBox> walls_of(League league);
+
+// Half the length and half the width of a robot: its outline is a rectangle in every scene.
+Vec2 half_size(const simulator::Parameters& parameters);
+
+}  // namespace mirocup::bench

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+//
+// What a run of the comparison found, and how it is shown.
+#pragma once
+
+#include "tests/bench/errors.hpp"
+#include "tests/bench/legs.hpp"
+#include "tests/bench/scenes.hpp"
+
+#include <string>
+
+namespace mirocup::bench {
+
+// One contender in one scene.
+struct Timing {
+  std::vector<double> rounds_us;  // for each tick, one value a round
+  Play play;
+};
+
+struct Row {
+  Contender contender;
+  std::vector<Timing> timings;  // of each scene
+  MomentErrors free, crowd;
+  Shots shots;
+};
+
+struct Report {
+  bool quick = false;
+  int rounds = 0;
+  std::vector<Scene> scenes;
+  std::vector<Row> rows;
+  Spread yardstick_one, yardstick_five;  // of crowds, against itself
+  std::vector<Leg> legs;
+
+  // Medians over rounds; a ratio is the median of the rounds' ratios.
+  double cost(const Row& row, SceneKind kind) const;
+  double ratio(const Row& row, SceneKind kind, const Row& other, SceneKind other_kind) const;
+  const Timing& timing(const Row& row, SceneKind kind) const;
+  // Null if there is none.
+  const Row* find(const std::string& engine, const std::string& point) const;
+  // What ratios are given to: Box2D at 1 ms, or the next best that is there.
+  const Row& base() const;
+};
+
+// Error against cost, one figure for each pair of what is asked.
+struct Plot {
+  std::string title;
+  std::string error_name;
+  double error_unit = 1.0;  // m
+  SceneKind scene = SceneKind::quiet;
+  double (*error)(const Report&, const Row&) = nullptr;  // m
+};
+const std::vector<Plot>& plots();
+
+// What is asked of the simulator, and what this run says of it.
+struct Bar {
+  std::string name;
+  double measured = 0.0;
+  double limit = 0.0;
+  bool at_least = false;  // the limit is a lower one
+
+  bool met() const { return at_least ? measured >= limit : measured <= limit; }
+};
+std::vector<Bar> bars(const Report& report);
+
+std::string to_json(const Report& report);
+std::string to_text(const Report& report);
+std::string to_svg(const Report& report);
+
+// "Intel(R) Xeon(R) ..., g++ 12.2.0"
+std::string machine();
+
+}  // namespace mirocup::bench
