@@ -10,6 +10,7 @@ match::Answer RecordedTeam::collect() {
   if (tick_ < recording_.ticks.size()) {
     const match::DrivenCommand& driven = recording_.ticks[tick_].commands[index_of(team_)];
     for (int i = 0; i < max_robots_per_team; ++i) command.wheels[i] = driven.speeds(i);
+    command.poses = asked_in(recording_, tick_, team_);
     return command;
   }
   for (const match::TeamFault& fault : recording_.result.faults) {

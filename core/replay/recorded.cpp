@@ -18,6 +18,7 @@ match::Command Recorded::command(std::uint32_t tick) const {
   const match::DrivenCommand& driven = recording_.ticks[tick].commands[index_of(team_)];
   match::Command command;
   for (int i = 0; i < max_robots_per_team; ++i) command.wheels[i] = driven.speeds(i);
+  command.poses = asked_in(recording_, tick, team_);
   return command;
 }
 
