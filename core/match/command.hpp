@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a team answers to an observation: the speeds of all its wheels.
+// What a team answers to an observation: the speeds of all its wheels, and at a restart where it
+// wants to stand.
 //
 // A command is checked once, where it enters the match: what is not finite becomes 0, what is out
 // of range is clamped, both are counted; then it is rounded to the resolution of the radio. From
@@ -8,10 +9,12 @@
 #pragma once
 
 #include "core/field/league.hpp"
+#include "core/match/poses.hpp"
 #include "core/simulator/state.hpp"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 namespace mirocup::match {
 
@@ -21,6 +24,7 @@ inline constexpr double largest_wheel_speed = 127.0;
 
 struct Command {
   std::array<simulator::WheelSpeeds, max_robots_per_team> wheels{};  // rad/s
+  std::optional<Poses> poses;  // counts while it is the team's turn to place (Scene::placing)
 };
 
 // As driven and as recorded: left and right of each robot in units of wheel_speed_step.

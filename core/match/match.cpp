@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/match/match.hpp"
 
-#include "core/referee/placement.hpp"
+#include "core/referee/placement_check.hpp"
 #include "core/referee/touches.hpp"
 
 #include <algorithm>
@@ -14,6 +14,9 @@ namespace {
 
 // A team that answers late goes on with its last command for so many ticks, then stands.
 constexpr int ticks_a_command_lasts = 3;
+
+// Both teams have a tick to place in before the whistle.
+constexpr int fewest_ready_ticks = 2;
 
 void add(StateHash& hash, const Vec2& v) {
   hash.add(v.x());
@@ -78,6 +81,7 @@ bool Match::take(const ByTeam<Answer>& given) {
       const CheckedCommand checked =
           check(*command, field_.robots_per_team, setup_.parameters.wheel_speed_limit);
       answers_[i] = checked.command;
+      if (command->poses && placing_ == team) hear(team, *command->poses);
       bad_values_[i] += checked.bad_values > 0 ? 1 : 0;
       late_in_a_row_[i] = 0;
     } else {
@@ -88,6 +92,15 @@ bool Match::take(const ByTeam<Answer>& given) {
   if (faults.empty()) return true;
   forfeit(std::move(faults));
   return false;
+}
+
+// What the team asks for is granted at the end of the tick.
+void Match::hear(Team team, const Poses& poses) {
+  const int robots = field_.robots_per_team;
+  const Scene now = scene();
+  if (is_same(poses, standing(observe(now, team, robots)), robots)) return;
+  wanted_ = poses;
+  wanted_placement_ = asked_placement(now, team, poses, robots);
 }
 
 void Match::simulate() {
@@ -160,10 +173,43 @@ void Match::start_phase(referee::Phase phase) {
 }
 
 void Match::place() {
-  if (!placement_is_due_) return;
-  placement_is_due_ = false;
-  const referee::Placement placement =
-      referee::default_placement(field_, restart_.restart, restart_.taker, restart_.spot);
+  using referee::first_placer;
+  const Team first = team_at(first_placer(restart_.restart, restart_.taker));
+  if (std::exchange(placement_is_due_, false)) {
+    put(referee::default_placement(field_, restart_.restart, restart_.taker, restart_.spot));
+    placing_ = first;
+    state_ = State::READY;
+    ready_ticks_left_ =
+        std::max(fewest_ready_ticks,
+                 static_cast<int>(std::nearbyint(setup_.rules.ready_s / setup_.control_period)));
+  } else if (placing_) {
+    if (wanted_) grant();
+    placing_ = placing_ == first ? std::optional(opponent_of(first)) : std::nullopt;
+  }
+}
+
+void Match::grant() {
+  asked_.push_back({tick_, *placing_, *std::exchange(wanted_, std::nullopt)});
+  const referee::Placement& wanted = wanted_placement_;
+  const End end = end_of(*placing_);
+  const auto roles =
+      referee_->phase() == referee::Phase::SHOOT_OUT ? referee::Roles::fixed : referee::Roles::any;
+  const referee::CheckedPlacement granted = check_turn(pitch_, restart_, end, roles, wanted);
+  if (granted.any_moved()) {
+    referee::Decision fixed;
+    fixed.verdict = referee::Verdict::PLACEMENT_FIXED;
+    fixed.law = referee::Law::placement;
+    fixed.clock = referee_->clock();
+    if (granted.ball_moved || granted.moved[index_of(end)].any()) fixed.team = end;
+    fixed.robots = granted.moved;
+    fixed.reason = reason_of(pitch_, wanted, granted);
+    fixed.ball = granted.placement.ball;
+    log_decision(fixed);
+  }
+  put(granted.placement);
+}
+
+void Match::put(const referee::Placement& placement) {
   for (const Team team : both_teams) {
     for (int i = 0; i < field_.robots_per_team; ++i) {
       const Pose& pose = placement.robots[index_of(end_of(team))][i];
@@ -173,9 +219,6 @@ void Match::place() {
   world_->set_ball({placement.ball, {0.0, 0.0}});
   restart_.spot = placement.ball;
   referee_->resume(restart_);
-  state_ = State::READY;
-  ready_ticks_left_ =
-      std::max(1, static_cast<int>(std::nearbyint(setup_.rules.ready_s / setup_.control_period)));
 }
 
 void Match::record() {
@@ -328,6 +371,7 @@ Scene Match::scene() const {
   s.restart = restart_.restart;
   s.taker = team_at(restart_.taker);
   s.left = left_;
+  s.placing = placing_;
   s.ball = world_->ball();
   const referee::Belief belief = referee_->belief();
   s.stalemate_s = belief.stalemate_s;

@@ -5,6 +5,10 @@
 // A tick is one control period. Both teams get the observation of its begin; their answers take
 // effect in the next tick: a fixed decision delay, like camera and radio. Simulated time is the
 // only time there is; how fast it passes is the caller's business.
+//
+// At a restart everybody is put in the default places in the tick of the decision. In the next tick
+// the team that places first may ask for others, in the one after it the other team, which sees
+// where the first stands.
 #pragma once
 
 #include "core/base/random.hpp"
@@ -69,6 +73,13 @@ struct TickLog {
   std::uint64_t hash = 0;          // of all ticks up to the end of this one
 };
 
+// Where a team asked to stand, other than where it stood, in the tick that was its turn.
+struct LoggedPoses {
+  std::uint32_t tick = 0;
+  Team team = Team::blue;
+  Poses poses;
+};
+
 class Match {
  public:
   // Makes the toss and places the first kick-off.
@@ -103,6 +114,7 @@ class Match {
   const std::optional<referee::Situation>& judged() const { return judged_; }
   const std::vector<LoggedDecision>& decisions() const { return decisions_; }
   const std::vector<TickLog>& log() const { return log_; }
+  const std::vector<LoggedPoses>& asked() const { return asked_; }
   std::uint64_t state_hash() const { return hash_.value(); }
   // Who touched the ball last in the tick that was played, if anybody did.
   std::optional<Touch> last_touch() const;
@@ -116,7 +128,10 @@ class Match {
   void apply(const referee::Decision& decision);
   void start_phase(referee::Phase phase);
   bool plays(Team team, int robot) const;
+  void hear(Team team, const Poses& poses);
   void place();
+  void grant();
+  void put(const referee::Placement& placement);
   void record();
   void end(EndKind kind);
   void end(const referee::Decision& decision);
@@ -143,6 +158,11 @@ class Match {
   int ready_ticks_left_ = 0;
   referee::Decision restart_;  // the last one
   bool placement_is_due_ = false;
+  std::optional<Team> placing_;  // whose turn it is
+  std::optional<Poses>
+      wanted_;  // what it asked for in this tick, and the same in the field's frame
+  referee::Placement wanted_placement_;
+  std::vector<LoggedPoses> asked_;
   Vec2 ball_before_{0.0, 0.0};
   ByTeam<std::array<Vec2, max_robots_per_team>> velocity_before_;  // in the field's frame
   const simulator::TickEvents* events_ = nullptr;

@@ -26,6 +26,7 @@ Observation observe(const Scene& scene, Team team, int robots) {
   o.phase = scene.phase;
   o.restart = scene.restart;
   o.own_restart = scene.taker == team;
+  o.placing = scene.placing == team;
   o.own_score = scene.score[index_of(team)];
   o.opponent_score = scene.score[index_of(other)];
   o.robots = robots;

@@ -27,6 +27,7 @@ struct Observation {
   referee::Phase phase = referee::Phase::FIRST_HALF;
   referee::Restart restart = referee::Restart::none;  // the last one
   bool own_restart = false;                           // it is the observer's
+  bool placing = false;                               // the observer may say where it stands
   int own_score = 0;
   int opponent_score = 0;
   int robots = 0;  // of a team

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 namespace mirocup::match {
 
@@ -31,6 +32,8 @@ struct Scene {
   referee::Restart restart = referee::Restart::none;
   Team taker = Team::blue;  // of the last restart
   Team left = Team::blue;   // who defends x < 0
+  // Whose turn it is to say where its robots stand; its answer to this tick counts.
+  std::optional<Team> placing;
   ByTeam<int> score{};
   // What the referee counts (referee.hpp).
   double stalemate_s = 0.0;

@@ -4,6 +4,8 @@
 #include "core/referee/standing_rules.hpp"
 #include "core/referee/touches.hpp"
 
+#include <cmath>
+
 namespace mirocup::referee {
 
 namespace {
@@ -13,22 +15,24 @@ constexpr double search_step = 0.05;  // m, of the last resort
 // Puts robots one after the other.
 class Placer {
  public:
-  Placer(const Standing& standing, CheckedPlacement& result)
-      : s_(standing), pitch_(standing.pitch), result_(result) {}
+  Placer(const Standing& standing, Roles roles, CheckedPlacement& result)
+      : s_(standing), pitch_(standing.pitch), roles_(roles), result_(result) {}
+
+  // Leaves a team where it stands.
+  void keep(End team, const Placement& standing) {
+    for (int i = 0; i < pitch_.field.robots_per_team; ++i) {
+      put(team, i, standing.robots[index_of(team)][i]);
+    }
+  }
 
   // Accepts what a team asked for and may have.
   void accept(End team, const Placement& asked) {
     const auto& poses = asked.robots[index_of(team)];
     const int holder = special_robot(team, poses);
     for (int i = 0; i < pitch_.field.robots_per_team; ++i) {
-      const bool special = i == holder && has_special_place(s_, team, poses[i]);
-      const bool owes_special = i == holder && !special;
-      const bool allowed =
-          special || exempt(team, i, poses[i]) ||
-          (!owes_special && may_stand(s_, team, poses[i]) && !second_in_goal_area(team, poses[i]));
-      if (allowed && is_inside_walls(pitch_, poses[i]) && is_free(poses[i])) {
-        put(team, i, poses[i]);
-      }
+      const Misplaced why = misplaced(team, i, poses[i], i == holder);
+      result_.why[index_of(team)][i] = why;
+      if (why == Misplaced::no) put(team, i, poses[i]);
     }
   }
 
@@ -44,10 +48,23 @@ class Placer {
  private:
   // The robot that stands in the team's special place, or the one that has to.
   int special_robot(End team, const std::array<Pose, max_robots_per_team>& poses) const {
+    if (roles_ == Roles::fixed) return holder_of_special_place(s_, team);
     for (int i = 0; i < pitch_.field.robots_per_team; ++i) {
       if (has_special_place(s_, team, poses[i])) return i;
     }
     return holder_of_special_place(s_, team);
+  }
+
+  Misplaced misplaced(End team, int robot, const Pose& pose, bool holds_special_place) {
+    if (!is_inside_walls(pitch_, pose)) return Misplaced::outside_walls;
+    const bool special = holds_special_place && has_special_place(s_, team, pose);
+    if (!special && !exempt(team, robot, pose)) {
+      if (holds_special_place) return Misplaced::special_place_empty;
+      if (!may_stand(s_, team, pose)) return Misplaced::not_allowed;
+      if (second_in_goal_area(team, pose)) return Misplaced::second_in_goal_area;
+    }
+    if (ball_gap(pitch_, s_.ball, pose) <= 0.0) return Misplaced::too_near_ball;
+    return is_free(pose) ? Misplaced::no : Misplaced::too_near_robot;
   }
 
   // At a free ball a keeper may stay in its goal area, wherever the ball is.
@@ -105,6 +122,7 @@ class Placer {
 
   const Standing& s_;
   const Pitch& pitch_;
+  const Roles roles_;
   CheckedPlacement& result_;
   ByEnd<RobotSet> placed_;
   int in_other_goal_area_ = 0;
@@ -118,6 +136,31 @@ bool may_lie(const Pitch& pitch, Restart restart, End taker, const Vec2& ball) {
   }
   return restart == Restart::GOAL_KICK && field.inside(field.goal_area, taker, ball) &&
          field.clearance(ball) >= pitch.ball_radius;
+}
+
+std::string point_text(const Vec2& p) {
+  if (!std::isfinite(p.x()) || !std::isfinite(p.y())) return "nowhere";
+  return "(" + fixed(p.x(), 3) + ", " + fixed(p.y(), 3) + ") m";
+}
+
+const char* why_text(Misplaced why) {
+  switch (why) {
+    case Misplaced::no:
+      break;
+    case Misplaced::outside_walls:
+      return "not inside the walls";
+    case Misplaced::not_allowed:
+      return "not allowed at this restart";
+    case Misplaced::special_place_empty:
+      return "not where this restart needs it";
+    case Misplaced::second_in_goal_area:
+      return "the second one in that goal area";
+    case Misplaced::too_near_ball:
+      return "in the ball";
+    case Misplaced::too_near_robot:
+      return "too near to another robot";
+  }
+  return "";
 }
 
 }  // namespace
@@ -139,10 +182,59 @@ CheckedPlacement check_placement(const Pitch& pitch, Restart restart, End taker,
 
   const Standing standing{pitch, restart, taker, defaults, result.placement.ball};
   const End first = first_placer(restart, taker);
-  Placer placer(standing, result);
+  Placer placer(standing, Roles::any, result);
   for (const End team : {first, opposite(first)}) placer.accept(team, asked);
   for (const End team : {first, opposite(first)}) placer.move_the_others(team);
   return result;
+}
+
+CheckedPlacement check_turn(const Pitch& pitch, const Decision& restart, End team, Roles roles,
+                            const Placement& asked) {
+  const Placement defaults =
+      default_placement(pitch.field, restart.restart, restart.taker, restart.spot);
+  const bool is_first = team == first_placer(restart.restart, restart.taker);
+  CheckedPlacement result;
+  // The ball lies where the restart was given, unless the taker may choose and does.
+  result.placement = defaults;
+  result.placement.ball = restart.spot;
+  if ((asked.ball - restart.spot).squaredNorm() != 0.0) {
+    result.ball_moved = !(is_first && team == restart.taker &&
+                          may_lie(pitch, restart.restart, restart.taker, asked.ball));
+    if (!result.ball_moved) result.placement.ball = asked.ball;
+  }
+
+  const Standing standing{pitch, restart.restart, restart.taker, defaults, result.placement.ball};
+  Placer placer(standing, roles, result);
+  if (!is_first) placer.keep(opposite(team), asked);
+  placer.accept(team, asked);
+  placer.move_the_others(team);
+  if (is_first) {
+    placer.accept(opposite(team), asked);
+    placer.move_the_others(opposite(team));
+  }
+  return result;
+}
+
+std::string reason_of(const Pitch& pitch, const Placement& asked, const CheckedPlacement& checked) {
+  if (!checked.any_moved()) return "everybody stands where the law of the restart allows it";
+  std::string text;
+  const auto add = [&text](const std::string& who, const Vec2& from, const Vec2& to,
+                           const char* why) {
+    text += (text.empty() ? "" : "; ") + who + " from " + point_text(from) + " to " +
+            point_text(to) + ": " + why;
+  };
+  if (checked.ball_moved) {
+    add("the ball", asked.ball, checked.placement.ball, "not free to choose there");
+  }
+  for (const End end : both_ends) {
+    const int e = index_of(end);
+    for (int i = 0; i < pitch.field.robots_per_team; ++i) {
+      if (!checked.moved[e][i]) continue;
+      add(name_of({end, i}), asked.robots[e][i].position, checked.placement.robots[e][i].position,
+          why_text(checked.why[e][i]));
+    }
+  }
+  return text;
 }
 
 }  // namespace mirocup::referee

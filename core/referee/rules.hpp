@@ -43,7 +43,7 @@ struct Rules {
   double time_out_s = 120.0;
   int mercy_goal_diff = 10;  // a lead of so many ends the match
   int forfeit_goals = 10;    // a forfeit counts as 0 to so many
-  double ready_s = 0.33;     // between placement and whistle; robots stand, teams see where
+  double ready_s = 0.33;  // between placement and whistle; robots stand, teams choose and see where
 
   // What several laws mean by their words.
   double touch_m = 0.004;       // bodies this near touch

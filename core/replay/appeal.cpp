@@ -12,11 +12,13 @@ namespace {
 using match::LoggedDecision;
 using referee::Decision;
 
-// The first decision that counts among those from an index on.
+// The first decision about play among those from an index on.
 std::optional<LoggedDecision> decision_since(const match::Match& match, std::size_t from) {
+  using referee::Verdict;
   for (std::size_t i = from; i < match.decisions().size(); ++i) {
     const LoggedDecision& logged = match.decisions()[i];
-    if (logged.decision.verdict != referee::Verdict::NONE) return logged;
+    const Verdict verdict = logged.decision.verdict;
+    if (verdict != Verdict::NONE && verdict != Verdict::PLACEMENT_FIXED) return logged;
   }
   return std::nullopt;
 }
@@ -69,6 +71,8 @@ class Onlooker {
       if (difference.given->decision.restart == referee::Restart::none) said_phase_is_over_ = false;
     } else if (would_be) {
       referee_->resume(Decision{});
+    } else if (match_.scene().state == match::State::READY) {
+      referee_->resume(match_.restart());  // a team may have moved the ball
     }
     const bool both = difference.given && difference.would_be;
     if (!difference.given && !difference.would_be) return std::nullopt;

@@ -5,9 +5,11 @@ namespace mirocup::replay {
 
 namespace {
 
-match::Command driven(const match::DrivenCommand& recorded, int robots) {
+match::Command answer(const Recording& recording, std::uint32_t tick, Team team) {
+  const match::DrivenCommand& driven = recording.ticks[tick].commands[index_of(team)];
   match::Command command;
-  for (int i = 0; i < robots; ++i) command.wheels[i] = recorded.speeds(i);
+  for (int i = 0; i < max_robots_per_team; ++i) command.wheels[i] = driven.speeds(i);
+  command.poses = asked_in(recording, tick, team);
   return command;
 }
 
@@ -27,8 +29,7 @@ match::ByTeam<match::Answer> recorded_answers(const Recording& recording, std::u
   if (tick >= recording.ticks.size()) {
     return {last_answer(recording, Team::blue), last_answer(recording, Team::yellow)};
   }
-  const match::ByTeam<match::DrivenCommand>& commands = recording.ticks[tick].commands;
-  return {driven(commands[0], max_robots_per_team), driven(commands[1], max_robots_per_team)};
+  return {answer(recording, tick, Team::blue), answer(recording, tick, Team::yellow)};
 }
 
 }  // namespace mirocup::replay

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // A leg written down so that it can be played again without the teams: what it depended on, what
-// was commanded in every tick, and a hash of the state after each.
+// was commanded in every tick and asked for at restarts, and a hash of the state after each.
 #pragma once
 
 #include "core/replay/trace.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace mirocup::replay {
@@ -13,6 +14,7 @@ namespace mirocup::replay {
 struct Recording {
   match::Setup setup;
   std::vector<match::TickLog> ticks;
+  std::vector<match::LoggedPoses> asked;  // at restarts, in the order of the ticks
   std::vector<match::LoggedDecision> decisions;
   match::Result result;
   std::uint64_t state_hash = 0;
@@ -21,5 +23,8 @@ struct Recording {
 
 // Of a match that is over, and what was traced of it.
 Recording record(const match::Match& match, Trace trace = {});
+
+// What the team asked for in that tick, if it did.
+std::optional<match::Poses> asked_in(const Recording& recording, std::uint32_t tick, Team team);
 
 }  // namespace mirocup::replay

@@ -87,6 +87,7 @@ mirocup_observation to_observation(const match::Observation& from) {
   o.own_score = from.own_score;
   o.opponent_score = from.opponent_score;
   o.robots = from.robots;
+  o.placing = from.placing ? 1 : 0;
   o.ball_x = from.ball.x();
   o.ball_y = from.ball.y();
   o.ball_vx = from.ball_velocity.x();
@@ -108,6 +109,14 @@ match::Command to_command(const mirocup_command& from) {
     command.wheels[i] = {from.wheels[i].left, from.wheels[i].right};
   }
   return command;
+}
+
+match::Poses to_poses(const mirocup_placement& from) {
+  match::Poses poses{.ball_x = from.ball_x, .ball_y = from.ball_y, .robots = {}};
+  for (int i = 0; i < max_robots_per_team; ++i) {
+    poses.robots[i] = {from.robots[i].x, from.robots[i].y, from.robots[i].heading};
+  }
+  return poses;
 }
 
 }  // namespace mirocup::plugins

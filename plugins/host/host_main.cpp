@@ -111,6 +111,11 @@ int main(int argc, char** argv) {
       wait_while_equal(in->request, answered);
       request = in->request.load(std::memory_order_acquire);
     }
+    if (in->observation.placing != 0) {
+      const auto placement = plugin->place(in->observation);
+      if (!placement) refuse(*out, placement.error());
+      out->placement = *placement;
+    }
     const auto command = plugin->decide(in->observation);
     if (!command) refuse(*out, command.error());
     out->command = *command;

@@ -43,6 +43,7 @@ struct CommandPage {
   std::atomic<int> fault_call;    // number of a forbidden system call, or no_call
   char text[256];                 // why it does not play, or what it threw
   mirocup_command command;
+  mirocup_placement placement;  // while the observation says that the team places
 };
 
 // Sleeps until the word is no longer `seen`, it is woken, or the time is over. May return early.

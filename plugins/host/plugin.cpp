@@ -3,6 +3,7 @@
 
 #include "plugins/host/floating_point.hpp"
 
+#include <cstddef>
 #include <dlfcn.h>
 #include <exception>
 #include <unistd.h>
@@ -14,6 +15,9 @@ namespace {
 
 using match::Fault;
 using match::FaultCode;
+
+// Libraries may be older than the members that were added at the end.
+constexpr std::size_t smallest_strategy = offsetof(mirocup_strategy, place);
 
 tl::unexpected<Fault> fault(FaultCode code, std::string text) {
   return tl::unexpected<Fault>(Fault{code, std::move(text)});
@@ -63,7 +67,7 @@ tl::expected<Plugin, Fault> Plugin::load(const std::string& path, const mirocup_
                  "the library was built for version " + std::to_string(strategy->abi_version) +
                      " of strategy.h, this is version " + std::to_string(MIROCUP_ABI_VERSION));
   }
-  if (strategy->size < sizeof(mirocup_strategy) || strategy->create == nullptr ||
+  if (strategy->size < smallest_strategy || strategy->create == nullptr ||
       strategy->decide == nullptr) {
     return fault(FaultCode::bad_abi, "mirocup_entry() returned an incomplete structure");
   }
@@ -102,6 +106,24 @@ tl::expected<mirocup_command, Fault> Plugin::decide(const mirocup_observation& o
   }
   if (!called) return tl::unexpected(called.error());
   return command;
+}
+
+tl::expected<mirocup_placement, Fault> Plugin::place(const mirocup_observation& observation) {
+  mirocup_placement placement{};
+  placement.ball_x = observation.ball_x;
+  placement.ball_y = observation.ball_y;
+  for (int i = 0; i < observation.robots; ++i) {
+    const mirocup_robot& robot = observation.own[i];
+    placement.robots[i] = {robot.x, robot.y, robot.heading};
+  }
+  if (strategy_->size < sizeof(mirocup_strategy) || strategy_->place == nullptr) return placement;
+  tl::expected<void, Fault> called;
+  {
+    const FloatingPointGuard guard;
+    called = guarded("place", [&] { strategy_->place(team_, &observation, &placement); });
+  }
+  if (!called) return tl::unexpected(called.error());
+  return placement;
 }
 
 }  // namespace mirocup::plugins

@@ -33,6 +33,9 @@ class Plugin {
   // caller before and after.
   tl::expected<mirocup_command, match::Fault> decide(const mirocup_observation& observation);
 
+  // The same at a restart. A team without place() leaves everything where it is.
+  tl::expected<mirocup_placement, match::Fault> place(const mirocup_observation& observation);
+
  private:
   Plugin(void* library, const mirocup_strategy* strategy, void* team)
       : library_(library), strategy_(strategy), team_(team) {}

@@ -235,6 +235,8 @@ void ProcessController::post(const match::Observation& observation) {
   // deadline that never happens.
   if (is_awaited_) return;
   is_awaited_ = true;
+  is_placing_ = observation.placing;
+  if (is_placing_) ++places_;
   asked_at_ = posted_at_;
   cpu_at_post_ = cpu_;
   in_->observation = to_observation(observation);
@@ -257,10 +259,10 @@ Answer ProcessController::late() {
 // What a team owes at the end of a tick.
 std::optional<Fault> ProcessController::overdraft() {
   if (playing_seconds() > bank_seconds()) {
-    return Fault{FaultCode::budget, "the team used up its processor time: more than " +
-                                        seconds_text(budget_.bank) + " and " +
-                                        std::to_string(1e3 * budget_.bank_per_tick).substr(0, 4) +
-                                        " ms for each of " + std::to_string(ticks_) + " ticks"};
+    return Fault{FaultCode::budget,
+                 "the team used up its processor time: more than " + seconds_text(budget_.bank) +
+                     " and " + std::to_string(1e3 * budget_.bank_per_tick).substr(0, 4) +
+                     " ms for each of " + std::to_string(ticks_) + " ticks, more for each place()"};
   }
   if (has_slept_too_long()) {
     return Fault{FaultCode::hang,
@@ -284,8 +286,10 @@ Answer ProcessController::collect() {
   const auto is_answered = [this] {
     return out_->answer.load(std::memory_order_acquire) == request_;
   };
-  const Patience patience{budget_.tick_cpu, budget_.tick_wall, FaultCode::hang,
-                          "on one tick and was stopped"};
+  const Patience patience{
+      budget_.tick_cpu + (is_placing_ ? budget_.place_cpu : 0.0), budget_.tick_wall,
+      FaultCode::hang,
+      is_placing_ ? "on one tick and place() and was stopped" : "on one tick and was stopped"};
   std::optional<Clock::time_point> until;
   if (deadline_) {
     until = posted_at_ + std::chrono::duration_cast<Clock::duration>(
@@ -306,8 +310,16 @@ Answer ProcessController::collect() {
   // Copied once, so that what is checked is what is driven, whatever the team writes meanwhile.
   mirocup_command copy;
   std::memcpy(&copy, &out_->command, sizeof copy);
+  std::optional<match::Poses> poses;
+  if (is_placing_) {
+    mirocup_placement placement;
+    std::memcpy(&placement, &out_->placement, sizeof placement);
+    poses = to_poses(placement);
+  }
   std::atomic_signal_fence(std::memory_order_seq_cst);
-  return to_command(copy);
+  match::Command command = to_command(copy);
+  command.poses = poses;
+  return command;
 }
 
 void ProcessController::read_log() {

@@ -31,11 +31,15 @@ struct Budget {
   double start_wall = 30.0;
   double tick_cpu = 1.0;
   double tick_wall = 10.0;
+  double place_cpu = 1.0;  // more in a tick in which the team places
   double bank = 2.0;
   double bank_per_tick = 1e-3;
+  double bank_per_place = 20e-3;
   double sleep = 10.0;  // of the leg: neither computing nor waiting for a processor
 
-  double bank_after(std::uint32_t ticks) const { return bank + bank_per_tick * ticks; }
+  double bank_after(std::uint32_t ticks, std::uint32_t places) const {
+    return bank + bank_per_tick * ticks + bank_per_place * places;
+  }
 };
 
 // Where simulated time passes with the clock on the wall: who is not there in time is late.
@@ -69,7 +73,7 @@ class ProcessController final : public match::Controller {
   double slowest_tick_ms() const { return 1e3 * slowest_tick_; }
   double start_seconds() const { return start_wall_; }
   // Of the leg so far.
-  double bank_seconds() const { return budget_.bank_after(ticks_); }
+  double bank_seconds() const { return budget_.bank_after(ticks_, places_); }
   // At most so many bytes of memory at a time; 0 once its process has ended.
   std::size_t peak_memory() const { return child_.peak_memory(); }
 
@@ -113,8 +117,10 @@ class ProcessController final : public match::Controller {
   bool is_ready_ = false;
 
   std::uint32_t ticks_ = 0;    // observations that there were
+  std::uint32_t places_ = 0;   // those in which the team was to place
   std::uint32_t request_ = 0;  // the last that was handed over
   bool is_awaited_ = false;    // it has not been answered
+  bool is_placing_ = false;    // it asks for poses, too
   Clock::time_point posted_at_;
   Clock::time_point asked_at_;  // of the oldest observation without an answer
   double cpu_at_post_ = 0.0;

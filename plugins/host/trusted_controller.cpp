@@ -3,6 +3,7 @@
 
 #include "plugins/host/convert.hpp"
 
+#include <optional>
 #include <utility>
 
 namespace mirocup::plugins {
@@ -25,9 +26,17 @@ void TrustedController::post(const match::Observation& observation) {
 }
 
 match::Answer TrustedController::collect() {
-  const auto command = plugin_.decide(observation_);
-  if (!command) return command.error();
-  return to_command(*command);
+  std::optional<match::Poses> poses;
+  if (observation_.placing != 0) {
+    const auto placement = plugin_.place(observation_);
+    if (!placement) return placement.error();
+    poses = to_poses(*placement);
+  }
+  const auto decided = plugin_.decide(observation_);
+  if (!decided) return decided.error();
+  match::Command command = to_command(*decided);
+  command.poses = poses;
+  return command;
 }
 
 }  // namespace mirocup::plugins

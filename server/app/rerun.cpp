@@ -91,6 +91,17 @@ std::optional<Difference> compare_commands(const replay::Recording& recording,
                             wheels_text(now, i)};
     }
   }
+  for (const Team team : both_teams) {
+    const int robots = again.field().robots_per_team;
+    const auto recorded = asked_in(recording, tick, team);
+    const auto now = !again.asked().empty() && again.asked().back().tick == tick &&
+                             again.asked().back().team == team
+                         ? std::optional(again.asked().back().poses)
+                         : std::nullopt;
+    if (!recorded && !now) continue;
+    if (recorded && now && is_same(*recorded, *now, robots)) continue;
+    return Difference{tick, team, "it asks for other poses at a restart than in the record"};
+  }
   return std::nullopt;
 }
 

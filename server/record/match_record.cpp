@@ -292,7 +292,7 @@ Json to_json(const MatchRecord& record) {
 
 Result<void> save(Files& files, const std::string& path, const MatchRecord& record) {
   const int robots = field::make_field(record.recording.setup.league).robots_per_team;
-  const std::string replay = pack_replay(record.recording.ticks, record.recording.trace, robots);
+  const std::string replay = pack_replay(record.recording, robots);
   const std::string replay_path = replay_path_of(path);
   if (auto written = files.write(replay_path, replay); !written) return written;
 
@@ -331,6 +331,7 @@ Result<MatchRecord> load(Files& files, const std::string& path, Seal seal) {
     }
     record.recording.ticks = std::move(unpacked->ticks);
     record.recording.trace = std::move(unpacked->trace);
+    record.recording.asked = std::move(unpacked->asked);
     return record;
   } catch (const Damage& damage) {
     return fail(Errc::damaged, path + ": " + damage.where);

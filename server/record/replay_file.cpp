@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/record/replay_file.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <zstd.h>
 
@@ -28,6 +29,8 @@ struct Counts {
     const std::size_t checkpoint = (2 * robots * 7 + 4) * sizeof(double);
     return head_size + ticks * (commands + 8) + fingerprints * bodies() + checkpoints * checkpoint;
   }
+  // Of one team's answer at a restart.
+  std::size_t asked_size() const { return 4 + 1 + (2 + 3 * robots) * sizeof(double); }
 };
 
 void put(std::string& bytes, std::uint64_t value, int width) {
@@ -59,6 +62,46 @@ void for_each_number(C& checkpoint, std::size_t robots, Visit visit) {
   visit(checkpoint.ball.position.y());
   visit(checkpoint.ball.velocity.x());
   visit(checkpoint.ball.velocity.y());
+}
+
+// The same for poses that were asked for.
+template <class P, class Visit>
+void for_each_asked_number(P& poses, std::size_t robots, Visit visit) {
+  visit(poses.ball_x);
+  visit(poses.ball_y);
+  for (std::size_t i = 0; i < robots; ++i) {
+    visit(poses.robots[i].x);
+    visit(poses.robots[i].y);
+    visit(poses.robots[i].heading);
+  }
+}
+
+void put_asked(std::string& plain, const std::vector<match::LoggedPoses>& asked,
+               std::size_t robots) {
+  for (const match::LoggedPoses& logged : asked) {
+    put(plain, logged.tick, 4);
+    put(plain, static_cast<std::uint64_t>(index_of(logged.team)), 1);
+    for_each_asked_number(logged.poses, robots, [&plain](double number) {
+      put(plain, std::bit_cast<std::uint64_t>(number), 8);
+    });
+  }
+}
+
+// All that is left; false if it is not in the order of the ticks.
+bool get_asked(const std::string& plain, std::size_t& at, std::vector<match::LoggedPoses>& asked,
+               std::size_t robots) {
+  for (match::LoggedPoses& logged : asked) {
+    logged.tick = static_cast<std::uint32_t>(get(plain, at, 4));
+    const std::uint64_t team = get(plain, at, 1);
+    if (team >= both_teams.size()) return false;
+    logged.team = both_teams[team];
+    for_each_asked_number(logged.poses, robots, [&](double& number) {
+      number = std::bit_cast<double>(get(plain, at, 8));
+    });
+  }
+  return std::is_sorted(
+      asked.begin(), asked.end(),
+      [](const match::LoggedPoses& a, const match::LoggedPoses& b) { return a.tick < b.tick; });
 }
 
 // Column by column, each as differences: commands change little from tick to tick.
@@ -96,7 +139,7 @@ void get_commands(const std::string& plain, std::size_t& at, std::vector<match::
 std::string decompressed(std::string_view bytes, const Counts& largest) {
   const unsigned long long size = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
   if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN || size < head_size ||
-      size > largest.plain_size()) {
+      size > largest.plain_size() + largest.ticks * largest.asked_size()) {
     return "";
   }
   // More than data can grow to is not worth the memory.
@@ -109,8 +152,9 @@ std::string decompressed(std::string_view bytes, const Counts& largest) {
 
 }  // namespace
 
-std::string pack_replay(const std::vector<match::TickLog>& ticks, const replay::Trace& trace,
-                        int robots) {
+std::string pack_replay(const replay::Recording& recording, int robots) {
+  const std::vector<match::TickLog>& ticks = recording.ticks;
+  const replay::Trace& trace = recording.trace;
   const Counts counts{ticks.size(), static_cast<std::size_t>(robots), trace.ticks.size(),
                       trace.checkpoints.size()};
   std::string plain;
@@ -129,6 +173,8 @@ std::string pack_replay(const std::vector<match::TickLog>& ticks, const replay::
       put(plain, std::bit_cast<std::uint64_t>(number), 8);
     });
   }
+
+  put_asked(plain, recording.asked, counts.robots);
 
   std::string packed(magic);
   packed.resize(magic.size() + ZSTD_compressBound(plain.size()));
@@ -153,7 +199,9 @@ Result<Replay> unpack_replay(std::string_view bytes, int robots, const std::stri
   if (counts.robots != static_cast<std::size_t>(robots)) {
     return damaged("it is of another number of robots than the record");
   }
-  if (plain.size() != counts.plain_size()) return damaged("its length does not fit its ticks");
+  const bool is_whole = plain.size() >= counts.plain_size() &&
+                        (plain.size() - counts.plain_size()) % counts.asked_size() == 0;
+  if (!is_whole) return damaged("its length does not fit its ticks");
   if (counts.fingerprints != 0 && counts.fingerprints != counts.ticks) {
     return damaged("its trace does not fit its ticks");
   }
@@ -172,6 +220,10 @@ Result<Replay> unpack_replay(std::string_view bytes, int robots, const std::stri
   for (replay::Checkpoint& checkpoint : replay.trace.checkpoints) {
     for_each_number(checkpoint, counts.robots,
                     [&](double& number) { number = std::bit_cast<double>(get(plain, at, 8)); });
+  }
+  replay.asked.resize((plain.size() - counts.plain_size()) / counts.asked_size());
+  if (!get_asked(plain, at, replay.asked, counts.robots)) {
+    return damaged("what was asked for at restarts does not fit its ticks");
   }
   return replay;
 }

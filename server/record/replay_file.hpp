@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// The replay file beside a record: the commands of every tick, a hash of the state after each, and
-// the trace of the bodies, zstd. schema.md has the bytes.
+// The replay file beside a record: the commands of every tick, a hash of the state after each, the
+// trace of the bodies, and the poses that were asked for, zstd. schema.md has the bytes.
 #pragma once
 
 #include "core/base/error.hpp"
-#include "core/replay/trace.hpp"
+#include "core/replay/recording.hpp"
 
 #include <string>
 #include <string_view>
@@ -15,12 +15,12 @@ namespace mirocup::record {
 
 struct Replay {
   std::vector<match::TickLog> ticks;
+  std::vector<match::LoggedPoses> asked;
   replay::Trace trace;
 };
 
 // `robots` of a team.
-std::string pack_replay(const std::vector<match::TickLog>& ticks, const replay::Trace& trace,
-                        int robots);
+std::string pack_replay(const replay::Recording& recording, int robots);
 
 // `path` is for the error message only. An error is Errc::damaged.
 Result<Replay> unpack_replay(std::string_view bytes, int robots, const std::string& path);

@@ -148,7 +148,7 @@ class Viewer {
     d.verdict = checked.any_moved() ? Verdict::PLACEMENT_FIXED : Verdict::RESTART;
     d.law = referee::Law::placement;
     d.clock = trace_.progress.clock;
-    d.reason = describe(checked);
+    d.reason = reason_of(pitch_, *trace_.asked, checked);
     Json json = verdict(d, 0.0);
     for (const End end : both_ends) {
       const int e = index_of(end);
@@ -248,24 +248,6 @@ class Viewer {
     Json json{{"decision", to_string(d.verdict)}, {"law", to_string(d.law)}, {"reason", d.reason}};
     add_parties(d, json);
     return json;
-  }
-
-  std::string describe(const referee::CheckedPlacement& checked) const {
-    if (!checked.any_moved()) return "everybody stands where the law of the restart allows it";
-    std::string text;
-    const auto add = [&text](const std::string& what) {
-      text += (text.empty() ? "" : ", ") + what;
-    };
-    for (const End end : both_ends) {
-      for (int i = 0; i < field_.robots_per_team; ++i) {
-        if (!checked.moved[index_of(end)][i]) continue;
-        const Pose& to = checked.placement.robots[index_of(end)][i];
-        add(referee::name_of({end, i}) + " moved to x = " + referee::fixed(to.position.x(), 3) +
-            " m, y = " + referee::fixed(to.position.y(), 3) + " m");
-      }
-    }
-    if (checked.ball_moved) add("the ball moved to its spot");
-    return text;
   }
 
   const Trace& trace_;

@@ -32,6 +32,7 @@ INSTANTIATE_TEST_SUITE_P(
         HonestTeam{"streams", "with streams and exceptions"}, HonestTeam{"eigen", "with Eigen"},
         HonestTeam{"openmp", "with OpenMP, 1 thread"}, HonestTeam{"threads", "without threads"},
         HonestTeam{"fast_math", "with -Ofast"}, HonestTeam{"rounding", "with rounding of its own"},
+        HonestTeam{"places", "with places of its own"}, HonestTeam{"older", "from before place()"},
         HonestTeam{"fortran", "in Fortran"}),
     [](const auto& c) { return c.param.name; });
 
@@ -52,6 +53,7 @@ TEST_P(Honest, PlaysTheSameEverywhere) {
     EXPECT_EQ(record["result"]["end"], "full_time") << record["result"].dump();
     if (hash.empty()) hash = record["state_hash"];
     EXPECT_EQ(record["state_hash"], hash) << how.back();
+    EXPECT_EQ(run({program("mirocup"), "verify", folder / "leg.json"}).exit_code, 0);
     if (how.front() == "--trusted") continue;
     const std::string log = read_file(folder / "leg.json.blue.log");
     EXPECT_NE(log.find(GetParam().says), std::string::npos) << log;

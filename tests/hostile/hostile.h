@@ -69,9 +69,17 @@ static void hostile_decide(void* team, const mirocup_observation* now, mirocup_c
   if (now->tick >= hostile_tick) misbehave(command);
 }
 
+/* For those that do it at a restart: HOSTILE_PLACE is the name of their function. */
+#ifdef HOSTILE_PLACE
+static void HOSTILE_PLACE(void* team, const mirocup_observation* now, mirocup_placement* placement);
+#else
+#define HOSTILE_PLACE 0
+#endif
+
 const mirocup_strategy* mirocup_entry(void) {
   static const mirocup_strategy entry = {MIROCUP_ABI_VERSION, sizeof(mirocup_strategy), "hostile",
-                                         hostile_create,      hostile_decide,           0};
+                                         hostile_create,      hostile_decide,           0,
+                                         HOSTILE_PLACE};
   return &entry;
 }
 

@@ -205,6 +205,15 @@ TEST(HostileTeam, ThatAnswersNonsenseDrivesWithZeros) {
   EXPECT_GT(leg.record["budget"]["blue"]["bad_commands"], 50);
 }
 
+TEST(HostileTeam, ThatPlacesNonsenseStandsWhereItMay) {
+  const Leg leg = play({"T1", User::caller, "blue"}, hostile("place_nonsense"));
+  const auto fixes = std::count_if(
+      leg.record["decisions"].begin(), leg.record["decisions"].end(), [](const Json& decision) {
+        return decision["decision"] == "PLACEMENT_FIXED" && decision["team"] == "blue";
+      });
+  EXPECT_GE(fixes, 2) << "the kick-offs of both halves";
+}
+
 TEST(HostileTeam, OfBothColoursLosesForBoth) {
   const TemporaryFolder folder;
   run({program("mirocup"), "match", "--blue", hostile("crash_segv"), "--yellow",

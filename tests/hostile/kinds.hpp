@@ -58,6 +58,10 @@ inline const std::vector<Kind> kinds{
     {"slow_every_tick", "plays", ""},
     {"slow_bank", "budget: processor time", ""},
     {"clock_random", "plays", ""},
+    // Does it at a restart.
+    {"place_loop", "hang: processor time on one tick and place()", ""},
+    {"place_crash", "crash: signal 11", ""},
+    {"place_nonsense", "plays", ""},
     // Takes memory.
     {"mem_bomb", "hang: processor time|plays", ""},
     {"mem_leak", "plays", ""},

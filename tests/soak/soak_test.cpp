@@ -41,6 +41,28 @@ test_support::Scripted controller(std::uint64_t kind, std::uint64_t seed, const 
   }
 }
 
+// The same team, which asks for places at restarts, too: some legal, some not.
+test_support::Scripted restless(test_support::Scripted team, std::uint64_t seed,
+                                const Setup& setup) {
+  const field::Field field = field::make_field(setup.league);
+  return test_support::Scripted(
+      [team, random = Random(seed), field](const Observation& o) mutable -> Answer {
+        team.post(o);
+        Answer answer = team.collect();
+        auto* command = std::get_if<Command>(&answer);
+        if (command == nullptr || !o.placing) return answer;
+        command->poses = standing(o);
+        const auto within = [&random](double size) { return random.uniform(-1.1, 1.1) * size; };
+        for (int i = 0; i < o.robots; ++i) {
+          if (random.coin()) continue;
+          command->poses->robots[i] = {within(field.half_length), within(field.half_width),
+                                       within(3.0)};
+        }
+        if (random.coin()) command->poses->ball_y += within(0.2);
+        return answer;
+      });
+}
+
 Setup setup_of(int number) {
   Random random(mix_seed(static_cast<std::uint64_t>(number)));
   Setup setup;
@@ -88,6 +110,8 @@ void soak(int number, std::map<std::string, int>& laws) {
   Match match(setup);
   auto blue = controller(random.below(7), random.next(), setup);
   auto yellow = controller(random.below(7), random.next(), setup);
+  if (random.coin()) blue = restless(blue, random.next(), setup);
+  if (random.coin()) yellow = restless(yellow, random.next(), setup);
   while (!match.is_over() && match.tick() * setup.control_period < longest) {
     const Scene before = match.scene();
     match.advance(blue, yellow);
@@ -97,7 +121,10 @@ void soak(int number, std::map<std::string, int>& laws) {
       const double expected = before.state == State::PLAY ? setup.control_period : 0.0;
       ASSERT_NEAR(passed, expected, 1e-9) << "tick " << before.tick;
     }
-    if (before.state == State::PLAY && after.state == State::READY) expect_legal(match);
+    const bool was_placed = before.placing || before.state == State::PLAY;
+    if (after.state != State::END && was_placed && after.placing != before.placing) {
+      expect_legal(match);
+    }
   }
   ASSERT_TRUE(match.is_over()) << "it hangs in " << to_string(match.scene().phase)
                                << ", last: " << match.decisions().back().decision.reason;
@@ -136,7 +163,8 @@ TEST(Soak, EveryMatchEndsByALawAndAddsUp) {
        {"goal GOAL", "own_goal GOAL", "kick_off KICK_OFF_VIOLATION", "two_defenders PENALTY_KICK",
         "two_attackers GOAL_KICK", "keeper_charge GOAL_KICK", "stalemate FREE_BALL",
         "push FREE_KICK", "attacking_push FREE_BALL", "half_time HALF_END", "extra_time PHASE",
-        "shoot_out PHASE", "penalty_attempt ATTEMPT_END", "shoot_out MATCH_END"}) {
+        "shoot_out PHASE", "penalty_attempt ATTEMPT_END", "shoot_out MATCH_END",
+        "placement PLACEMENT_FIXED"}) {
     EXPECT_GT(laws[law], 0) << law << " was never seen";
   }
 }

@@ -3,7 +3,8 @@
  * What a team is: a shared library with one function, mirocup_entry().
  *
  * The host calls create() once, then decide() once in every control period (33 ms of simulated
- * time), and at the end destroy(). All calls come from one thread, one after the other.
+ * time), at restarts place(), and at the end destroy(). All calls come from one thread, one after
+ * the other.
  *
  * Frame
  *   Your own: you always attack +x, whatever end you have, and your goal is at x = -half_length.
@@ -28,12 +29,33 @@
  *   your commands have no effect, but the answer to the last observation before the whistle is
  *   driven in the first tick of play.
  *
+ * Restarts
+ *   First everybody is put in default places. A team that has place() may then choose others, in
+ *   the tick in which `placing` is 1, before decide(): at a kick-off, a goal kick and a free ball
+ *   first the team that takes it (at a free ball: that defends that half), at a penalty kick and a
+ *   free kick first the opponents; the other team a tick later, when it sees where the first
+ *   stands. Whole bodies count; all inside the walls, clear of the ball, 4 mm from other robots:
+ *     kick-off     the taker: own half and centre circle, the ball anywhere in the circle;
+ *                  opponents: own half, outside the circle
+ *     goal kick    the taker: a robot in its goal area, the ball anywhere in that area, the others
+ *                  outside the penalty area (small league: goal area), at most one in the other
+ *                  goal area; opponents: own half
+ *     penalty kick the taker: one robot behind the ball; opponents: one robot on its goal line,
+ *                  between the posts; all others in the taker's half
+ *     free kick    the taker: one robot behind the ball, the others in their half; opponents: one
+ *                  robot in its goal area, the others on the default places, whoever takes which
+ *     free ball    one robot of each team on its default place, all others outside that quarter,
+ *                  robot 0 also in its goal area
+ *   In a shoot-out robot 1 takes and robot 0 keeps. A robot that may not stand where you want it is
+ *   moved to its default place or the nearest free one, and the record says why; nothing worse
+ *   happens.
+ *
  * Time
  *   A match is played as fast as both teams answer; what is counted is your processor time. A leg
- *   has 2 s and 1 ms for each tick; one tick may take 1 s, loading and create() 10 s; who sleeps
- *   or waits has 10 s in all. Who needs more loses the leg. Thinking between two calls counts, too.
+ *   has 2 s, 1 ms for each tick and 20 ms for each place(); one tick may take 1 s, a place() 1 s
+ *   more, loading and create() 10 s; who sleeps or waits has 10 s in all. Who needs more loses the leg. Thinking between two calls counts, too.
  *   `mirocup check` shows what you use. In matches at the speed of real time, who is late drives on
- *   with the last command for a few ticks, then stands.
+ *   with the last command for a few ticks, then stands; at a restart its robots stay where they are.
  *
  * Surroundings
  *   Your library plays in a process of its own, shut in: 1 GiB of memory, 8 MiB of stack, one
@@ -59,7 +81,8 @@
 extern "C" {
 #endif
 
-/* Changes whenever a structure below does. A library with another number is refused. */
+/* A library with another number is refused. It changes whenever libraries that were built before
+ * could not play any more; what was added without harm is told by the structures' sizes. */
 #define MIROCUP_ABI_VERSION 1u
 
 /* Room in every array of robots; setup.robots and observation.robots say how many there are. */
@@ -150,8 +173,8 @@ typedef struct mirocup_observation {
   int32_t restart;     /* enum mirocup_restart */
   int32_t own_restart; /* 1 if it was given to you */
   int32_t own_score, opponent_score;
-  int32_t robots; /* of each team */
-  int32_t reserved;
+  int32_t robots;  /* of each team */
+  int32_t placing; /* 1: place() is called for this tick */
   double ball_x, ball_y, ball_vx, ball_vy;
   mirocup_robot own[MIROCUP_MAX_ROBOTS];
   mirocup_robot opponent[MIROCUP_MAX_ROBOTS];
@@ -169,6 +192,18 @@ typedef struct mirocup_command {
   mirocup_wheels wheels[MIROCUP_MAX_ROBOTS];
 } mirocup_command;
 
+typedef struct mirocup_pose {
+  double x, y;    /* centre, m */
+  double heading; /* rad */
+} mirocup_pose;
+
+/* Where you want to stand at a restart. It has everything where it is when place() is called: change
+ * what you like. The ball is yours to move at your own kick-off and goal kick. */
+typedef struct mirocup_placement {
+  double ball_x, ball_y;
+  mirocup_pose robots[MIROCUP_MAX_ROBOTS]; /* your own */
+} mirocup_placement;
+
 typedef struct mirocup_strategy {
   uint32_t abi_version; /* MIROCUP_ABI_VERSION */
   uint32_t size;        /* of this structure, bytes */
@@ -183,6 +218,10 @@ typedef struct mirocup_strategy {
 
   /* May be null. Not called if the leg ends by force. */
   void (*destroy)(void* team);
+
+  /* May be null, or left out by libraries that were built before there was one: then your robots
+   * stand in the default places. The pointers are valid during the call only. */
+  void (*place)(void* team, const mirocup_observation* observation, mirocup_placement* placement);
 } mirocup_strategy;
 
 #if defined(__GNUC__)

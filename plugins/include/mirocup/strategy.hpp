@@ -21,7 +21,7 @@
 //   one robot   wheels_for, turn_to, drive_to, drive_to_pose, drive_round, drive_clear
 //   the laws    keep_out (of the goal area), without_pushing, keep_laws
 //   roles       kick_to (behind the ball, then through it), keep_goal, kick_off
-//   a team      Team: setup(), random(), log("form", values...)
+//   a team      Team: decide(), place(), setup(), random(), log("form", values...)
 //
 // All that drive return wheel speeds for this tick; call them anew in every tick. They are good
 // enough to start from, and meant to be copied and bettered.
@@ -41,6 +41,7 @@ using Observation = mirocup_observation;
 using Command = mirocup_command;
 using Robot = mirocup_robot;
 using Wheels = mirocup_wheels;
+using Placement = mirocup_placement;
 
 inline constexpr double pi = 3.14159265358979323846;
 
@@ -325,6 +326,13 @@ class Team {
 
   virtual void decide(const Observation& now, Command& command) = 0;
 
+  // At a restart: where the robots, and at an own kick-off or goal kick the ball, are to stand.
+  // strategy.h says where they may; what is left as it is stays.
+  virtual void place(const Observation& now, Placement& placement) {
+    (void)now;
+    (void)placement;
+  }
+
  protected:
   const Setup& setup() const { return setup_; }
   Random& random() { return random_; }
@@ -346,16 +354,19 @@ class Team {
 }  // namespace mirocup::strategy
 
 // Makes a class the library's team. Its constructor takes the setup.
-#define MIROCUP_EXPORT_TEAM(Class, Name)                                           \
-  extern "C" MIROCUP_PUBLIC const mirocup_strategy* mirocup_entry(void) {          \
-    static const mirocup_strategy entry = {                                        \
-        MIROCUP_ABI_VERSION,                                                       \
-        sizeof(mirocup_strategy),                                                  \
-        Name,                                                                      \
-        [](const mirocup_setup* setup) -> void* { return new Class(*setup); },     \
-        [](void* team, const mirocup_observation* now, mirocup_command* command) { \
-          static_cast<Class*>(team)->decide(*now, *command);                       \
-        },                                                                         \
-        [](void* team) { delete static_cast<Class*>(team); }};                     \
-    return &entry;                                                                 \
+#define MIROCUP_EXPORT_TEAM(Class, Name)                                               \
+  extern "C" MIROCUP_PUBLIC const mirocup_strategy* mirocup_entry(void) {              \
+    static const mirocup_strategy entry = {                                            \
+        MIROCUP_ABI_VERSION,                                                           \
+        sizeof(mirocup_strategy),                                                      \
+        Name,                                                                          \
+        [](const mirocup_setup* setup) -> void* { return new Class(*setup); },         \
+        [](void* team, const mirocup_observation* now, mirocup_command* command) {     \
+          static_cast<Class*>(team)->decide(*now, *command);                           \
+        },                                                                             \
+        [](void* team) { delete static_cast<Class*>(team); },                          \
+        [](void* team, const mirocup_observation* now, mirocup_placement* placement) { \
+          static_cast<Class*>(team)->place(*now, *placement);                          \
+        }};                                                                            \
+    return &entry;                                                                     \
   }

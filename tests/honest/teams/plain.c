@@ -20,7 +20,11 @@ static void decide(void* team, const mirocup_observation* now, mirocup_command* 
 }
 
 const mirocup_strategy* mirocup_entry(void) {
-  static const mirocup_strategy entry = {
-      MIROCUP_ABI_VERSION, sizeof(mirocup_strategy), "plain", create, decide, free};
+  static const mirocup_strategy entry = {.abi_version = MIROCUP_ABI_VERSION,
+                                         .size = sizeof(mirocup_strategy),
+                                         .name = "plain",
+                                         .create = create,
+                                         .decide = decide,
+                                         .destroy = free};
   return &entry;
 }

@@ -23,7 +23,10 @@ static void decide(void* team, const mirocup_observation* now, mirocup_command* 
 }
 
 const mirocup_strategy* mirocup_entry(void) {
-  static const mirocup_strategy entry = {
-      MIROCUP_ABI_VERSION, sizeof(mirocup_strategy), "moody", create, decide, 0};
+  static const mirocup_strategy entry = {.abi_version = MIROCUP_ABI_VERSION,
+                                         .size = sizeof(mirocup_strategy),
+                                         .name = "moody",
+                                         .create = create,
+                                         .decide = decide};
   return &entry;
 }

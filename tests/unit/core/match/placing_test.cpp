@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+//
+// Catches a team that is asked out of its turn, poses that are taken for another end's or leave
+// bits behind, an illegal pose that is granted or not told of, and a replay without the poses.
+#include "core/referee/standing_rules.hpp"
+#include "core/referee/touches.hpp"
+#include "core/replay/verification.hpp"
+#include "tests/support/controllers.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace mirocup::match {
+namespace {
+
+using test_support::play;
+using test_support::Scripted;
+using test_support::short_setup;
+using test_support::standing;
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+// Asks for what a function makes of what it sees, whenever it is its turn.
+template <class Change>
+Scripted placer(Change change) {
+  return Scripted([change](const Observation& o) mutable -> Answer {
+    Command command;
+    if (!o.placing) return command;
+    command.poses = match::standing(o);
+    change(o, *command.poses);
+    return command;
+  });
+}
+
+// The seed of a match whose first kick-off that team has, from that end.
+Setup with_kick_off(Team team, Team left) {
+  for (std::uint64_t seed = 1;; ++seed) {
+    const Setup setup = short_setup(seed);
+    const Scene scene = Match(setup).scene();
+    if (scene.taker == team && scene.left == left) return setup;
+  }
+}
+
+int fixes(const Match& match) {
+  int count = 0;
+  for (const LoggedDecision& d : match.decisions()) {
+    if (d.decision.verdict == referee::Verdict::PLACEMENT_FIXED) ++count;
+  }
+  return count;
+}
+
+TEST(Placing, AsksTheTakerOfAKickOffFirstAndTheOthersWhenTheySeeIt) {
+  for (const Team taker : both_teams) {
+    for (const Team left : both_teams) {
+      Match match(with_kick_off(taker, left));
+      std::vector<Team> turns;
+      double seen = 0.0;
+      Scripted takes = placer([&](const Observation&, Poses& poses) {
+        turns.push_back(taker);
+        poses.robots[2] = {-0.2, 0.3, 0.5};
+      });
+      Scripted waits = placer([&](const Observation& o, Poses& poses) {
+        turns.push_back(opponent_of(taker));
+        seen = o.opponent[2].position.x();
+        poses.robots[1] = {-0.5, -0.4, -1.0};
+      });
+      const bool is_blue = taker == Team::blue;
+      for (int i = 0; i < 3; ++i) match.advance(is_blue ? takes : waits, is_blue ? waits : takes);
+      EXPECT_EQ(turns, (std::vector<Team>{taker, opponent_of(taker)}));
+      EXPECT_EQ(seen, 0.2) << "its own -0.2, from the other end";
+      const Observation own = observe(match.scene(), taker, 3);
+      EXPECT_EQ(own.own[2].position, (Vec2{-0.2, 0.3}));
+      EXPECT_NEAR(own.own[2].heading, 0.5, 1e-15);
+      const Observation other = observe(match.scene(), opponent_of(taker), 3);
+      EXPECT_EQ(other.own[1].position, (Vec2{-0.5, -0.4}));
+      EXPECT_EQ(fixes(match), 0);
+    }
+  }
+}
+
+TEST(Placing, LeavesNoTraceOfATeamThatAsksForNothing) {
+  Match plain(short_setup(4));
+  Match asked(short_setup(4));
+  Scripted a = standing(), b = standing();
+  Scripted c = placer([](const Observation&, Poses&) {});
+  Scripted d = placer([](const Observation&, Poses&) {});
+  play(plain, a, b);
+  play(asked, c, d);
+  EXPECT_EQ(plain.state_hash(), asked.state_hash());
+  EXPECT_TRUE(asked.asked().empty());
+}
+
+TEST(Placing, MovesOnlyWhatMayNotStandThereAndSaysWhy) {
+  Match match(with_kick_off(Team::blue, Team::blue));
+  Scripted blue = placer([](const Observation&, Poses& poses) {
+    poses.robots[0] = {not_a_number, 0.0, 0.0};
+    poses.robots[1] = {0.3, 0.0, 0.0};   // beyond the circle
+    poses.robots[2] = {-0.3, 0.2, 0.0};  // this one is fine
+  });
+  Scripted yellow = standing();
+  match.advance(blue, yellow);
+  ASSERT_EQ(fixes(match), 1);
+  const LoggedDecision& fix = match.decisions().back();
+  EXPECT_EQ(fix.team, Team::blue);
+  EXPECT_EQ(fix.robots[0].to_ulong(), 0b011u);
+  EXPECT_EQ(fix.decision.reason,
+            "left robot 0 from nowhere to (-0.700, 0.000) m: not inside the walls; "
+            "left robot 1 from (0.300, 0.000) m to (0.080, 0.000) m: not allowed at this restart");
+  EXPECT_EQ(match.scene().robots[0][2].position, (Vec2{-0.3, 0.2}));
+}
+
+TEST(Placing, MovesTheBallForTheTakerOnly) {
+  for (const Team asker : both_teams) {
+    Match match(with_kick_off(Team::blue, Team::blue));
+    const auto with_ball = placer([](const Observation&, Poses& poses) {
+      poses.ball_x = -0.1;
+      poses.ball_y = 0.05;
+    });
+    Scripted blue = asker == Team::blue ? with_ball : standing();
+    Scripted yellow = asker == Team::blue ? standing() : with_ball;
+    for (int i = 0; i < 3; ++i) match.advance(blue, yellow);
+    const bool is_taker = asker == Team::blue;
+    EXPECT_EQ(match.scene().ball.position, (is_taker ? Vec2{-0.1, 0.05} : Vec2{0.0, 0.0}));
+    EXPECT_EQ(fixes(match), is_taker ? 0 : 1);
+    EXPECT_EQ(match.restart().spot, match.scene().ball.position) << "where the law counts from";
+  }
+}
+
+TEST(Placing, IsNotForWhoseTurnItIsNot) {
+  Match match(with_kick_off(Team::blue, Team::blue));
+  Scripted blue = standing();
+  Scripted always([](const Observation& o) -> Answer {
+    Command command;
+    command.poses = match::standing(o);
+    command.poses->robots[1].y = o.placing ? o.own[1].position.y() : 0.5;
+    return command;
+  });
+  const Vec2 before = match.scene().robots[1][1].position;
+  for (int i = 0; i < 20; ++i) match.advance(blue, always);
+  EXPECT_EQ(match.scene().robots[1][1].position, before);
+}
+
+// Any numbers at all, in all leagues and at many restarts: everything stands legally, the leg goes
+// on, and plays again from its record alone.
+TEST(Placing, SurvivesAnything) {
+  for (const League league : {League::small, League::middle, League::large}) {
+    match::Setup setup = short_setup(5, league == League::large ? 4.0 : 10.0, league);
+    setup.rules.stalemate_s = 0.5;
+    Match match(setup);
+    const auto wild = [](std::uint64_t seed) {
+      return placer([random = Random(seed)](const Observation& o, Poses& poses) mutable {
+        const auto number = [&]() -> double {
+          switch (random.below(8)) {
+            case 0:
+              return not_a_number;
+            case 1:
+              return std::numeric_limits<double>::infinity();
+            case 2:
+              return -1e300;
+            default:
+              return random.uniform(-1.0, 1.0);
+          }
+        };
+        for (int i = 0; i < o.robots; ++i) poses.robots[i] = {number(), number(), number()};
+        poses.ball_x = number();
+        poses.ball_y = number();
+      });
+    };
+    Scripted blue = wild(1), yellow = wild(2);
+    const referee::Pitch pitch{match.field(), setup.rules, setup.parameters.ball_radius,
+                               setup.parameters.robot_side};
+    while (!match.is_over()) {
+      match.advance(blue, yellow);
+      const Scene scene = match.scene();
+      if (scene.state != State::READY) continue;
+      std::vector<Pose> placed;
+      for (const Team team : both_teams) {
+        for (int i = 0; i < match.field().robots_per_team; ++i) {
+          const simulator::RobotState& r = scene.robots[index_of(team)][i];
+          const Pose pose{r.position, r.heading};
+          ASSERT_TRUE(is_inside_walls(pitch, pose)) << to_string(team) << " " << i;
+          ASSERT_GT(ball_gap(pitch, scene.ball.position, pose), 0.0);
+          for (const Pose& other : placed) ASSERT_GE(robot_gap(pitch, pose, other, 0.004), 0.004);
+          placed.push_back(pose);
+        }
+      }
+    }
+    EXPECT_GT(fixes(match), 5);
+    replay::Recording recording = replay::record(match);
+    EXPECT_FALSE(replay::verify(recording));
+    recording.asked.pop_back();
+    EXPECT_TRUE(replay::verify(recording)) << "the poses are a part of the leg";
+  }
+}
+
+TEST(Placing, HasTimeForBothTeamsHoweverShortTheBreak) {
+  match::Setup setup = short_setup(1);
+  setup.rules.ready_s = 0.0;
+  Match match(setup);
+  int turns = 0;
+  Scripted blue = placer([&](const Observation&, Poses&) { ++turns; });
+  Scripted yellow = placer([&](const Observation&, Poses&) { ++turns; });
+  while (match.scene().state == State::READY) match.advance(blue, yellow);
+  EXPECT_EQ(turns, 2);
+}
+
+}  // namespace
+}  // namespace mirocup::match
