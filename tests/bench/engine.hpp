@@ -49,7 +49,7 @@ struct Contender {
   std::function<std::unique_ptr<Engine>(const Start&)> make;
 };
 
-// Steps of 0.5, 1, 2, 4, 8, 16 and 33 ms.
+// Steps of 0.5, 1, 2, 4, 8, 17 and 33 ms.
 inline constexpr int step_counts[] = {66, 33, 16, 8, 4, 2, 1};
 inline constexpr int millisecond_steps = 33;
 
@@ -58,7 +58,6 @@ std::vector<Contender> own_contenders();
 std::vector<Contender> box2d_contenders();
 std::vector<Contender> chipmunk_contenders();
 std::vector<Contender> ode_contenders();
-std::vector<Contender> mujoco_contenders();
 
 // A solid box that stands around the field.
 struct WallBox {

@@ -164,7 +164,7 @@ const Row* Report::find(const std::string& engine, const std::string& point) con
 }
 
 const Row& Report::base() const {
-  for (const char* name : {"Box2D, all bullets", "Chipmunk", "ODE", "MuJoCo"}) {
+  for (const char* name : {"Box2D, all bullets", "Chipmunk", "ODE"}) {
     if (const Row* row = find(name, "1 ms"); row != nullptr) return *row;
   }
   const Row* own = find("mirocup", "standard");

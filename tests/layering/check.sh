@@ -59,7 +59,7 @@ only 'dlfcn\.h' plugins/host
 only 'httplib' server/web
 only 'CLI/' server/app tournaments/app
 only 'openssl/|zstd' server/record
-only 'box2d/|chipmunk/|ode/|mujoco/' none  # peers: tests/bench alone
+only 'box2d/|chipmunk/|ode/' none  # peers: tests/bench alone
 only 'thread>|chrono>|mutex>|fstream>|iostream>|filesystem>|random>|sys/|unistd\.h' plugins server tournaments
 
 # Whatever the C library rounds in its own way would change a state hash: core has functions of its own.
