@@ -107,7 +107,7 @@ void say_what_is_left(const LeagueState& state) {
     for (int leg = 0; leg < f.needed(); ++leg) {
       if (f.legs[leg].played || f.legs[leg].host_faults < most_attempts) continue;
       std::cerr << "mirocup: " << f.fixture.id() << " leg " << leg + 1 << ": the host failed "
-                << most_attempts << " times; see the journal\n";
+                << f.legs[leg].host_faults << " times; see the journal, then start again\n";
     }
   }
 }

@@ -22,6 +22,9 @@ void add_status(CLI::App& app, Run& run);
 void add_publish(CLI::App& app, Run& run);
 void add_export(CLI::App& app, Run& run);
 
+// Playing on other machines: plan, run-shard.
+void add_shards(CLI::App& app, Run& run);
+
 // Entries.
 void add_submit(CLI::App& app, Run& run);
 void add_compare(CLI::App& app, Run& run);

@@ -33,7 +33,7 @@ int lock(int fd, int how) {
 Result<FileLock> FileLock::wait(const std::string& path) {
   FileLock taken(open_lock(path));
   if (taken.fd_ < 0 || lock(taken.fd_, LOCK_EX) != 0) return problem(path);
-  return taken;
+  return Result<FileLock>(std::move(taken));
 }
 
 Result<std::optional<FileLock>> FileLock::take(const std::string& path, const std::string& text) {

@@ -16,11 +16,12 @@ body { font: 16px/1.45 system-ui, sans-serif; max-width: 72rem; margin: 2rem aut
 h1 { margin-bottom: 0; } h2 { margin-top: 2.2rem; }
 .wide { overflow-x: auto; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
-th, td { padding: .3rem .7rem; border-bottom: 1px solid var(--line); text-align: left; }
+th, td { padding: .3rem .7rem; border-bottom: 1px solid var(--line); text-align: left; white-space: nowrap; }
 th { font-weight: 600; } tr:nth-child(even) td { background: var(--soft); }
 tr:target td { background: #fc05; }
 td.number { text-align: right; } td.W { color: var(--won); font-weight: 600; }
 td.L { color: var(--lost); } td.small, p.small { font-size: .88rem; }
+td.small { white-space: normal; min-width: 11rem; }
 svg.bracket { font: 14px system-ui, sans-serif; max-width: none; }
 svg.bracket rect { fill: var(--soft); stroke: var(--line); }
 svg.bracket path { fill: none; stroke: var(--line); }

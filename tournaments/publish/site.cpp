@@ -99,13 +99,15 @@ void crosstable_html(Html& html, const Overview& o) {
 void legs_html(Html& html, const Overview& o) {
   html.cell("h2", "Fixtures");
   html.open_table();
-  html.row("th", {"Round", "Leg", "Home", "", "Away", "How it ended", "Replay", "Record"});
+  html.row("th",
+           {"Fixture", "Round", "Leg", "Home", "", "Away", "How it ended", "Replay", "Record"});
   for (const LegView& leg : o.legs) {
     if (leg.leg == 1) {
       html.open_with_id("tr", leg.fixture);
     } else {
       html.open("tr");
     }
+    html.cell("td", leg.fixture);
     html.cell("td", leg.round);
     html.cell("td", std::to_string(leg.leg));
     html.cell("td", o.state.name(leg.home));

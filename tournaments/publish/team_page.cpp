@@ -62,7 +62,7 @@ void statistics(Html& html, const Overview& o, int team) {
     (is_blue(leg, team) ? blue : yellow).add(leg, team, o.state.name(team));
   }
   html.open_table();
-  html.row("th", {"", "Legs", "Won", "Drawn", "Lost", "Goals", "a leg", "Own faults"});
+  html.row("th", {"", "Legs", "Won", "Drawn", "Lost", "Goals", "Goals a leg", "Own faults"});
   html.row("td", all.cells("All"));
   html.row("td", blue.cells("As blue"));
   html.row("td", yellow.cells("As yellow"));
@@ -82,11 +82,12 @@ std::string form(const Overview& o, int team) {
 
 void legs(Html& html, const Overview& o, int team) {
   html.open_table();
-  html.row("th", {"Round", "Leg", "Opponent", "", "", "How it ended", "", ""});
+  html.row("th", {"Fixture", "Round", "Leg", "Opponent", "", "", "How it ended", "", ""});
   for (const LegView& leg : o.legs) {
     if (!leg.is_of(team)) continue;
     const std::string& other = o.state.name(leg.home == team ? leg.away : leg.home);
     html.open("tr");
+    html.cell("td", leg.fixture);
     html.cell("td", leg.round);
     html.cell("td", std::to_string(leg.leg));
     html.link_cell("../" + team_page_of(other), other);

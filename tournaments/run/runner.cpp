@@ -3,8 +3,8 @@
 
 #include "server/record/digest.hpp"
 #include "server/record/locations.hpp"
-#include "server/record/match_record.hpp"
-#include "server/record/rules_json.hpp"
+#include "tournaments/run/begin.hpp"
+#include "tournaments/run/leg_command.hpp"
 
 #include <algorithm>
 
@@ -18,19 +18,6 @@ constexpr int joiner_tag = -1;
 // What a loaded host can cause: such a loss counts when it happens again.
 bool is_by_a_clock(const std::string& fault) {
   return fault == "budget" || fault == "hang" || fault == "start_timeout";
-}
-
-// The rules that differ from their preset, as options of mirocup match.
-std::vector<std::string> rule_options(const referee::Rules& rules, League league) {
-  std::vector<std::string> options{"--rules", std::string(to_string(rules.preset))};
-  const Json preset = record::to_json(referee::make_rules(rules.preset, league));
-  const Json own = record::to_json(rules);
-  for (const auto& [key, value] : own.items()) {
-    if (value == preset.at(key)) continue;
-    options.push_back("--rule");
-    options.push_back(key + "=" + value.dump());
-  }
-  return options;
 }
 
 std::string last_line_of(record::Files& files, const std::string& path) {
@@ -49,8 +36,7 @@ Runner::Runner(record::Files& files, Book book, Progress& progress)
     : files_(files), book_(std::move(book)), progress_(progress) {}
 
 Result<int> Runner::run(const RunOptions& options) {
-  if (auto started = start_league(); !started) return tl::unexpected(started.error());
-  if (auto booked = book_entries(); !booked) return tl::unexpected(booked.error());
+  if (auto begun = begin_league(files_, book_); !begun) return tl::unexpected(begun.error());
   const std::vector<int> cpus = processors();
   const int jobs = options.jobs > 0 ? options.jobs : static_cast<int>(cpus.size());
   slots_.resize(jobs);
@@ -87,47 +73,6 @@ int Runner::playing() const {
       std::count_if(slots_.begin(), slots_.end(), [](const Slot& s) { return s.leg != 0; }));
 }
 
-Result<void> Runner::start_league() {
-  if (state().is_started) return {};
-  const std::string why =
-      objection(state().file.format, static_cast<int>(state().file.teams.size()));
-  if (!why.empty()) return fail(Errc::input, book_.folder().config() + ": " + why);
-  for (const TeamEntry& team : state().file.teams) {
-    if (last_accepted_entry(files_, book_.folder(), team.name) == 0)
-      return fail(Errc::input, team.name + " has no entry that was accepted");
-  }
-  const auto config = files_.read(book_.folder().config());
-  if (!config) return tl::unexpected(config.error());
-  return book_.write("start", {{"config_sha256", record::sha256(*config)},
-                               {"version", record::software_version()}});
-}
-
-// The libraries that play are those that the journal names: booked at the start, unchanged ever
-// since.
-Result<void> Runner::book_entries() {
-  for (std::size_t i = 0; i < state().teams.size(); ++i) {
-    const std::string& team = state().file.teams[i].name;
-    const TeamState& booked = state().teams[i];
-    if (booked.standing == Standing::withdrawn) continue;
-    const int number =
-        booked.entry > 0 ? booked.entry : last_accepted_entry(files_, book_.folder(), team);
-    const std::string path = book_.folder().library(team, number);
-    const auto library = files_.read(path);
-    if (!library) return tl::unexpected(library.error());
-    const std::string sha256 = record::sha256(*library);
-    if (booked.entry == 0) {
-      if (auto written =
-              book_.write("entry", {{"team", team}, {"entry", number}, {"sha256", sha256}});
-          !written) {
-        return written;
-      }
-    } else if (booked.sha256 != sha256) {
-      return fail(Errc::damaged, path + " is not the library that the league was started with");
-    }
-  }
-  return {};
-}
-
 const FixtureState* Runner::find(const std::string& id) const {
   const auto index = state().find_fixture(id);
   return index ? &state().fixtures[*index] : nullptr;
@@ -143,7 +88,8 @@ std::optional<int> Runner::next_leg(const FixtureState& fixture) const {
     if (now.played) continue;
     // What decides a tie waits for the others.
     if (leg > fixture.fixture.legs && fixture.decided() < fixture.fixture.legs) continue;
-    if (now.host_faults < most_attempts) return leg;
+    const auto spoiled = spoiled_.find(Folder::record_name(fixture.fixture, leg, now.version));
+    if (spoiled == spoiled_.end() || spoiled->second < most_attempts) return leg;
   }
   return std::nullopt;
 }
@@ -163,81 +109,60 @@ Result<bool> Runner::fill_slots() {
   return any;
 }
 
+const FixtureState* Runner::next_fixture(const Slot& slot) const {
+  // The legs of a fixture stay on one processor.
+  const FixtureState* own = slot.fixture.empty() ? nullptr : find(slot.fixture);
+  if (own != nullptr && next_leg(*own)) return own;
+  const auto& fixtures = state().fixtures;
+  for (std::size_t i = state().first_open(); i < fixtures.size(); ++i) {
+    const std::string id = fixtures[i].fixture.id();
+    if (next_leg(fixtures[i]) && (id == slot.fixture || !is_taken(id))) return &fixtures[i];
+  }
+  return nullptr;
+}
+
 // Gives a free slot its next leg; false if there is none and it plays nothing.
 Result<bool> Runner::fill(Slot& slot) {
-  if (slot.leg != 0) return true;
-  const FixtureState* next = slot.fixture.empty() ? nullptr : find(slot.fixture);
-  if (next == nullptr || !next_leg(*next)) {
+  while (slot.leg == 0) {
+    const FixtureState* next = next_fixture(slot);
     slot.fixture.clear();
-    next = nullptr;
-    const auto& fixtures = state().fixtures;
-    for (std::size_t i = state().first_open(); i < fixtures.size() && next == nullptr; ++i) {
-      if (next_leg(fixtures[i]) && !is_taken(fixtures[i].fixture.id())) next = &fixtures[i];
-    }
     if (next == nullptr) return false;
     slot.fixture = next->fixture.id();
+    slot.playing = next->fixture;
+    slot.leg = *next_leg(*next);
+    slot.attempt = next->legs[slot.leg - 1].voids + 1;
+    slot.version = next->legs[slot.leg - 1].version;
+    // A shard may have played it, or this program died before it could book it.
+    const std::string name = Folder::record_name(slot.playing, slot.leg, slot.version);
+    std::optional<Json> record;
+    if (looked_at_.insert(name).second)
+      record = played_record(files_, book_.folder(), state(), id_of(slot));
+    if (record) {
+      if (auto booked = book_record(slot, *record); !booked) return tl::unexpected(booked.error());
+      slot.leg = 0;
+    } else if (auto started = start_leg(slot); !started) {
+      return tl::unexpected(started.error());
+    }
   }
-  if (auto started = start_leg(slot, *next); !started) return tl::unexpected(started.error());
   return true;
 }
 
-std::string Runner::seat_of(int team) const {
-  const TeamEntry& entry = state().file.teams[team];
-  return entry.over_dds ? "dds:" + entry.name
-                        : book_.folder().library(entry.name, state().teams[team].entry);
+LegId Runner::id_of(const Slot& slot) const {
+  return {slot.playing, slot.leg, slot.version};
 }
 
-std::vector<std::string> Runner::arguments_of(const Slot& slot, const std::string& match_id,
-                                              const std::string& record) const {
-  const Fixture& fixture = slot.playing;
-  const LeagueFile& file = state().file;
-  const int blue = blue_team(fixture, slot.leg);
-  const int yellow = blue == fixture.home ? fixture.away : fixture.home;
-  std::vector<std::string> arguments{record::sibling_program("mirocup"),
-                                     "match",
-                                     "--blue",
-                                     seat_of(blue),
-                                     "--blue-name",
-                                     file.teams[blue].name,
-                                     "--yellow",
-                                     seat_of(yellow),
-                                     "--yellow-name",
-                                     file.teams[yellow].name,
-                                     "--league",
-                                     std::string(to_string(file.league)),
-                                     "--seed",
-                                     std::to_string(fixture_seed(file.seed, fixture)),
-                                     "--match",
-                                     match_id,
-                                     "--record",
-                                     record};
-  if (slot.leg > fixture.legs) {
-    // Golden goal and shoot-out: somebody wins.
-    arguments.insert(arguments.end(), {"--stage", "knockout"});
-  }
-  const std::vector<std::string> rules = rule_options(file.rules, file.league);
-  arguments.insert(arguments.end(), rules.begin(), rules.end());
-  return arguments;
-}
-
-Result<void> Runner::start_leg(Slot& slot, const FixtureState& fixture) {
-  slot.playing = fixture.fixture;
-  slot.leg = *next_leg(fixture);
-  slot.attempt = fixture.legs[slot.leg - 1].voids + 1;
-  slot.version = fixture.legs[slot.leg - 1].version;
+Result<void> Runner::start_leg(Slot& slot) {
   const int blue = blue_team(slot.playing, slot.leg);
   const int yellow = blue == slot.playing.home ? slot.playing.away : slot.playing.home;
   // Other leagues may play on this host at the same time.
   const std::string match_id =
       record::sha256(book_.folder().path + state().config_sha256).substr(0, 12) + "-" +
       slot.fixture + "-" + std::to_string(slot.leg);
-  const std::string record = book_.folder().record(slot.playing, slot.leg, slot.version);
+  const std::string log = book_.folder().record(slot.playing, slot.leg, slot.version) + ".out";
   const int tag = static_cast<int>(&slot - slots_.data());
-  if (auto started =
-          processes_.start(arguments_of(slot, match_id, record), tag, slot.cpu, record + ".out");
-      !started) {
+  const auto command = leg_command(book_.folder(), state(), id_of(slot), match_id);
+  if (auto started = processes_.start(command, tag, slot.cpu, log); !started)
     return tl::unexpected(started.error());
-  }
   if (auto joined = start_joiner(slot, blue, "blue", match_id); !joined) return joined;
   return start_joiner(slot, yellow, "yellow", match_id);
 }
@@ -272,10 +197,8 @@ Result<void> Runner::finish(Slot& slot, const Exit& exit) {
                                              : last_line_of(files_, record + ".out");
     booked = book_void(slot, "host", why);
   }
-  const Fixture fixture = slot.playing;
   slot.leg = 0;
-  if (!booked) return booked;
-  return pause_after_strikes(fixture);
+  return booked;
 }
 
 // A line that no longer fits, because a person decided otherwise meanwhile, is dropped.
@@ -291,6 +214,10 @@ Result<void> Runner::book(const Slot& slot) {
   if (!text) return book_void(slot, "host", text.error().what);
   const Json record = Json::parse(*text, nullptr, false);
   if (record.is_discarded()) return book_void(slot, "host", path + " is not JSON");
+  return book_record(slot, record);
+}
+
+Result<void> Runner::book_record(const Slot& slot, const Json& record) {
   const Json line = leg_line(state().file, slot.playing, slot.leg, slot.attempt, record,
                              Folder::record_name(slot.playing, slot.leg, slot.version));
   const Json& fault = line.at("fault");
@@ -308,10 +235,11 @@ Result<void> Runner::book(const Slot& slot) {
                 " : " + line.at("score").at("away").dump() + " " +
                 line.at("away").get<std::string>() + "  (" + line.at("end").get<std::string>() +
                 ")");
-  return {};
+  return pause_after_strikes(slot.playing);
 }
 
 Result<void> Runner::book_void(const Slot& slot, const std::string& cause, const std::string& why) {
+  if (cause == "host") ++spoiled_[Folder::record_name(slot.playing, slot.leg, slot.version)];
   progress_.say(slot.fixture + " leg " + std::to_string(slot.leg) + ": void: " + why);
   return written(book_.write("void", {{"fixture", slot.fixture},
                                       {"leg", slot.leg},

@@ -9,10 +9,13 @@
 #pragma once
 
 #include "tournaments/run/book.hpp"
+#include "tournaments/run/leg_command.hpp"
 #include "tournaments/run/process_set.hpp"
 #include "tournaments/run/progress.hpp"
 
+#include <map>
 #include <optional>
+#include <set>
 
 namespace mirocup::league {
 
@@ -20,7 +23,8 @@ struct RunOptions {
   int jobs = 0;  // 0: one for each processor
 };
 
-// After so many attempts that the host spoiled a leg is left for a person to look at.
+// After so many attempts that the host spoiled a leg is left until the next start, when somebody may
+// have looked after the host.
 inline constexpr int most_attempts = 3;
 
 class Runner {
@@ -46,24 +50,22 @@ class Runner {
     pid_t joiner[2] = {0, 0};  // mirocup join for DDS teams, blue and yellow
   };
 
-  Result<void> start_league();
-  Result<void> book_entries();
   Result<bool> fill_slots();
   Result<bool> fill(Slot& slot);
   const FixtureState* find(const std::string& id) const;
   std::optional<int> next_leg(const FixtureState& fixture) const;
   bool is_taken(const std::string& id) const;
-  Result<void> start_leg(Slot& slot, const FixtureState& fixture);
-  std::vector<std::string> arguments_of(const Slot& slot, const std::string& match_id,
-                                        const std::string& record) const;
+  const FixtureState* next_fixture(const Slot& slot) const;
+  Result<void> start_leg(Slot& slot);
+  LegId id_of(const Slot& slot) const;
   Result<void> start_joiner(Slot& slot, int team, const std::string& colour,
                             const std::string& match_id);
   Result<void> finish(Slot& slot, const Exit& exit);
   Result<void> book(const Slot& slot);
+  Result<void> book_record(const Slot& slot, const Json& record);
   Result<void> book_void(const Slot& slot, const std::string& cause, const std::string& why);
   Result<void> pause_after_strikes(const Fixture& fixture);
   Result<void> written(Result<void> result);
-  std::string seat_of(int team) const;
   int playing() const;
 
   record::Files& files_;
@@ -71,6 +73,8 @@ class Runner {
   Progress& progress_;
   ProcessSet processes_;
   std::vector<Slot> slots_;
+  std::set<std::string> looked_at_;     // records: was it there already?
+  std::map<std::string, int> spoiled_;  // by the host in this run: records
 };
 
 }  // namespace mirocup::league
