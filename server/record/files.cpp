@@ -52,9 +52,21 @@ bool sync_folder_of(const std::string& path) {
 
 }  // namespace
 
+Result<std::string> Files::read_from(const std::string& path, std::size_t offset) {
+  auto bytes = read(path);
+  if (bytes) bytes->erase(0, offset);
+  return bytes;
+}
+
 Result<std::string> Disk::read(const std::string& path) {
+  return read_from(path, 0);
+}
+
+Result<std::string> Disk::read_from(const std::string& path, std::size_t offset) {
   const Descriptor fd(open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (!fd.is_open()) return problem(path, "read");
+  if (offset > 0 && lseek(fd.get(), static_cast<off_t>(offset), SEEK_SET) < 0)
+    return problem(path, "read");
   std::string bytes;
   char buffer[65536];
   while (true) {

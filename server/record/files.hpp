@@ -18,6 +18,9 @@ class Files {
 
   virtual Result<std::string> read(const std::string& path) = 0;
 
+  // What stands behind the first `offset` bytes.
+  virtual Result<std::string> read_from(const std::string& path, std::size_t offset);
+
   // Replaces the file: a temporary name in the same folder, flushed to disk, renamed, the folder
   // flushed.
   virtual Result<void> write(const std::string& path, std::string_view bytes) = 0;
@@ -38,6 +41,7 @@ class Files {
 class Disk final : public Files {
  public:
   Result<std::string> read(const std::string& path) override;
+  Result<std::string> read_from(const std::string& path, std::size_t offset) override;
   Result<void> write(const std::string& path, std::string_view bytes) override;
   Result<void> append(const std::string& path, std::string_view bytes) override;
   Result<void> truncate(const std::string& path, std::size_t size) override;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Leagues as a host runs them: one command from start to table, whatever happens on the way.
-#include "tests/support/program.hpp"
+#include "tests/league/league_command.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +14,7 @@
 namespace mirocup {
 namespace {
 
+using test_support::league;
 using test_support::Outcome;
 using test_support::program;
 using test_support::read_file;
@@ -21,13 +22,6 @@ using test_support::read_json;
 using test_support::run;
 using test_support::Running;
 using test_support::TemporaryFolder;
-
-std::vector<std::string> league(const std::string& command, const std::string& folder,
-                                const std::vector<std::string>& more = {}) {
-  std::vector<std::string> words{program("mirocup"), "league", command, folder};
-  words.insert(words.end(), more.begin(), more.end());
-  return words;
-}
 
 // Four teams, one of them over DDS, short halves: twelve legs.
 void make_league(const std::string& folder, const std::string& half = "10") {

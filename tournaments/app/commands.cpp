@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/app/commands.hpp"
 
+#include "tournaments/app/progress_bar.hpp"
+#include "tournaments/journal/file_lock.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/site.hpp"
 #include "tournaments/run/runner.hpp"
 
+#include <csignal>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <unistd.h>
 
 namespace mirocup::league {
 
@@ -17,9 +21,12 @@ struct Options {
   std::string folder;
   std::string config;              // init
   std::vector<std::string> teams;  // init: NAME=ENTRY
+  std::string format;              // init
   double half_s = 0.0;             // init; 0: as the rules say
   std::uint64_t seed = 1;          // init
   int jobs = 0;                    // start
+  bool now = false;                // stop
+  std::string output;              // export
   bool json = false;
 };
 
@@ -48,6 +55,9 @@ Result<LeagueFile> file_from(record::Files& files, const Options& options) {
   LeagueFile file;
   file.seed = options.seed;
   file.title = std::filesystem::path(options.folder).filename().string();
+  if (!options.format.empty()) file.format.kind = *from_string<FormatKind>(options.format);
+  if (file.format.kind == FormatKind::swiss)
+    file.tie_breaks.insert(file.tie_breaks.begin(), TieBreak::opponents_points);
   if (options.half_s > 0.0) file.rules.half_s = options.half_s;
   for (const std::string& text : options.teams) {
     const std::size_t equals = text.find('=');
@@ -66,14 +76,13 @@ Result<int> init(const Options& options) {
   if (!file) return tl::unexpected(file.error());
   const Folder folder{options.folder};
   if (auto made = init_folder(disk, folder, *file); !made) return tl::unexpected(made.error());
-  std::cout << folder.path << ": " << file->teams.size() << " teams, "
-            << legs_per_fixture * round_robin(static_cast<int>(file->teams.size())).size()
-            << " legs\n";
+  const LeagueState state = new_league(*file);
+  std::cout << folder.path << ": " << file->teams.size() << " teams, " << state.legs() << " legs\n";
   return exit_yes;
 }
 
 Result<void> publish_site(record::Files& files, const Folder& folder, const LeagueState& state) {
-  if (auto made = files.make_folder(folder.site()); !made) return made;
+  if (auto made = files.make_folder(folder.site() + "/teams"); !made) return made;
   for (const SiteFile& file : make_site(state)) {
     if (auto written = files.write(folder.site() + "/" + file.name, file.bytes); !written)
       return written;
@@ -87,39 +96,89 @@ Result<void> publish_site(record::Files& files, const Folder& folder, const Leag
   return {};
 }
 
+void say_what_is_left(const LeagueState& state) {
+  std::cerr << "mirocup: " << state.legs() - state.played() << " legs are not decided\n";
+  for (std::size_t i = 0; i < state.teams.size(); ++i) {
+    if (state.teams[i].standing != Standing::paused) continue;
+    std::cerr << "mirocup: " << state.file.teams[i].name << " is paused: " << state.teams[i].why
+              << "; league resume or league withdraw decides\n";
+  }
+  for (const FixtureState& f : state.fixtures) {
+    for (int leg = 0; leg < f.needed(); ++leg) {
+      if (f.legs[leg].played || f.legs[leg].host_faults < most_attempts) continue;
+      std::cerr << "mirocup: " << f.fixture.id() << " leg " << leg + 1 << ": the host failed "
+                << f.legs[leg].host_faults << " times; see the journal, then start again\n";
+    }
+  }
+}
+
 Result<int> start(const Options& options) {
   record::Disk disk;
   const Folder folder{options.folder};
   std::string notice;
-  auto league = open_folder(disk, folder, &notice);
-  if (!league) return tl::unexpected(league.error());
+  auto book = Book::open(disk, folder, &notice);
+  if (!book) return tl::unexpected(book.error());
   if (!notice.empty()) std::cerr << "mirocup: " << notice << '\n';
+  const auto mine = FileLock::take(folder.running(), std::to_string(getpid()) + "\n");
+  if (!mine) return tl::unexpected(mine.error());
+  if (!*mine) {
+    return fail(Errc::unavailable, folder.path + " is being played already; mirocup league stop " +
+                                       folder.path + " ends that");
+  }
 
-  Runner runner(disk, folder, std::move(*league),
-                [](const std::string& line) { std::cerr << line << '\n'; });
+  const auto progress = make_progress();
+  Runner runner(disk, std::move(*book), *progress);
   const auto left = runner.run({.jobs = options.jobs});
   if (!left) return tl::unexpected(left.error());
+  progress->say("making pages");
   if (auto published = publish_site(disk, folder, runner.state()); !published) {
     return tl::unexpected(published.error());
   }
   std::cout << table_text(runner.state());
   if (*left == 0) return exit_yes;
-  std::cerr << "mirocup: " << *left << " legs could not be decided: the host failed "
-            << most_attempts << " times each; see the journal\n";
+  say_what_is_left(runner.state());
   return exit_no;
+}
+
+// Asks the process that plays the league to stop; the kernel knows whether there is one.
+Result<int> stop(const Options& options) {
+  record::Disk disk;
+  const Folder folder{options.folder};
+  if (!FileLock::is_taken(folder.running())) {
+    std::cout << folder.path << " is not being played\n";
+    return exit_no;
+  }
+  const auto text = disk.read(folder.running());
+  if (!text) return tl::unexpected(text.error());
+  const int pid = std::atoi(text->c_str());
+  if (pid <= 0 || kill(pid, SIGINT) != 0)
+    return fail(Errc::unavailable, "process " + *text + " cannot be asked to stop");
+  if (options.now) {
+    // Signals of one kind do not queue up: the other kind says the same.
+    kill(pid, SIGTERM);
+  }
+  std::cout << folder.path << (options.now ? " stops\n" : " stops when its legs are played\n");
+  return exit_yes;
 }
 
 Result<int> status(const Options& options) {
   record::Disk disk;
-  const auto league = open_folder(disk, Folder{options.folder});
-  if (!league) return tl::unexpected(league.error());
-  const LeagueState& state = league->state;
+  const auto book = Book::open(disk, Folder{options.folder});
+  if (!book) return tl::unexpected(book.error());
+  const LeagueState& state = book->state();
   if (options.json) {
-    std::cout << table_json(state).dump() << '\n';
+    std::cout << table_json(overview(state)).dump() << '\n';
   } else {
     std::cout << state.file.title << ": " << state.played() << " of " << state.legs()
               << " legs played\n"
               << table_text(state);
+    for (std::size_t i = 0; i < state.teams.size(); ++i) {
+      const TeamState& team = state.teams[i];
+      if (team.standing == Standing::playing) continue;
+      std::cout << state.file.teams[i].name
+                << (team.standing == Standing::paused ? " is paused: " : " has withdrawn: ")
+                << team.why << '\n';
+    }
   }
   return state.played() == state.legs() ? exit_yes : exit_no;
 }
@@ -127,13 +186,27 @@ Result<int> status(const Options& options) {
 Result<int> publish(const Options& options) {
   record::Disk disk;
   const Folder folder{options.folder};
-  const auto league = open_folder(disk, folder);
-  if (!league) return tl::unexpected(league.error());
-  if (auto published = publish_site(disk, folder, league->state); !published) {
+  const auto book = Book::open(disk, folder);
+  if (!book) return tl::unexpected(book.error());
+  if (auto published = publish_site(disk, folder, book->state()); !published) {
     return tl::unexpected(published.error());
   }
   std::cout << std::filesystem::absolute(folder.site() + "/index.html").lexically_normal().string()
             << '\n';
+  return exit_yes;
+}
+
+Result<int> export_files(const Options& options) {
+  record::Disk disk;
+  const auto book = Book::open(disk, Folder{options.folder});
+  if (!book) return tl::unexpected(book.error());
+  if (auto made = disk.make_folder(options.output); !made) return tl::unexpected(made.error());
+  for (const SiteFile& file : exports(overview(book->state()))) {
+    const std::string path = options.output + "/" + file.name;
+    if (auto written = disk.write(path, file.bytes); !written)
+      return tl::unexpected(written.error());
+    std::cout << path << '\n';
+  }
   return exit_yes;
 }
 
@@ -145,6 +218,11 @@ void add_init(CLI::App& app, Run& run) {
   sub->add_option("--config", options->config, "a league.json to start from");
   sub->add_option("--team", options->teams, "NAME=house:TEAM or NAME=FILE.so, once for each team")
       ->excludes("--config");
+  std::vector<std::string> formats;
+  for (const auto name : enum_names<FormatKind>) formats.emplace_back(name);
+  sub->add_option("--format", options->format, "who meets whom (default: double_round_robin)")
+      ->check(CLI::IsMember(formats))
+      ->excludes("--config");
   sub->add_option("--half", options->half_s, "seconds of a half")->excludes("--config");
   sub->add_option("--seed", options->seed, "of everything that is drawn")->excludes("--config");
 }
@@ -154,6 +232,21 @@ void add_start(CLI::App& app, Run& run) {
   CLI::App* sub = add(app, "start", "Play the league, or go on with it", run, options, start);
   sub->add_option("--jobs", options->jobs, "legs at once (default: one for each processor)")
       ->check(CLI::Range(1, 1024));
+}
+
+void add_stop(CLI::App& app, Run& run) {
+  auto options = std::make_shared<Options>();
+  CLI::App* sub = add(app, "stop", "Let a league that is being played stop", run, options, stop);
+  sub->add_flag("--now", options->now, "do not play the present legs to their end");
+}
+
+void add_export(CLI::App& app, Run& run) {
+  auto options = std::make_shared<Options>();
+  CLI::App* sub =
+      add(app, "export", "Write table, legs and bracket as files", run, options, export_files);
+  sub->add_option("-o,--output", options->output, "the folder for them")
+      ->default_str("export")
+      ->default_val("export");
 }
 
 void add_status(CLI::App& app, Run& run) {

@@ -15,9 +15,15 @@ int main(int argc, char** argv) {
   cli.set_version_flag("--version", record::software_version());
   league::Run run;
   league::add_init(cli, run);
+  league::add_submit(cli, run);
   league::add_start(cli, run);
+  league::add_stop(cli, run);
   league::add_status(cli, run);
   league::add_publish(cli, run);
+  league::add_export(cli, run);
+  league::add_rulings(cli, run);
+  league::add_compare(cli, run);
+  league::add_shards(cli, run);
   try {
     cli.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <set>
 
 namespace mirocup::league {
@@ -14,7 +15,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view schema = "mirocup/league/1";
-constexpr std::string_view format = "double_round_robin";
 
 // What a league file says that cannot be; caught in parse_league_file().
 struct Wrong {
@@ -39,17 +39,6 @@ void only_keys(const Json& object, const std::string& at, const std::set<std::st
   }
 }
 
-// Names become folders, partitions and lines of tables.
-bool is_good_name(const std::string& name) {
-  if (name.empty() || name.size() > 40 || name[0] == '.' || name[0] == '-') return false;
-  for (const char c : name) {
-    const bool good = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                      c == '-' || c == '_' || c == '.';
-    if (!good) return false;
-  }
-  return true;
-}
-
 TeamEntry team_of(const Json& json, const std::string& at) {
   only_keys(json, at, {"name", "entry", "dds"});
   TeamEntry team;
@@ -65,17 +54,79 @@ TeamEntry team_of(const Json& json, const std::string& at) {
   return team;
 }
 
+int count_of(const Json& json, const std::string& at, const std::string& key, int fallback,
+             int least, int most) {
+  const int value = get<int>(json, at, key, fallback);
+  if (value < least || value > most) {
+    throw Wrong{at + "/" + key, std::to_string(least) + " to " + std::to_string(most) +
+                                    " is expected, not " + std::to_string(value)};
+  }
+  return value;
+}
+
+FormatKind kind_of(const std::string& name, const std::string& at) {
+  const auto kind = from_string<FormatKind>(name);
+  if (!kind) {
+    throw Wrong{at, "\"" + name + "\" is not one of " + list_of_names<FormatKind>()};
+  }
+  return *kind;
+}
+
+// A name alone, or an object with its settings.
+Format format_of(const Json& json) {
+  const std::string at = "/format";
+  Format format;
+  if (json.is_string()) {
+    format.kind = kind_of(json.get<std::string>(), at);
+    return format;
+  }
+  only_keys(json, at, {"kind", "legs", "groups", "qualifiers", "third_place", "rounds", "sample"});
+  format.kind = kind_of(get<std::string>(json, at, "kind", ""), at + "/kind");
+  const bool is_knockout = format.kind == FormatKind::knockout;
+  format.legs = count_of(json, at, "legs", format.legs, 1, is_knockout ? legs_per_fixture : 100);
+  format.groups = count_of(json, at, "groups", format.groups, 1, 500);
+  format.qualifiers = count_of(json, at, "qualifiers", format.qualifiers, 1, 500);
+  format.rounds = count_of(json, at, "rounds", format.rounds, 0, 500);
+  format.sample = count_of(json, at, "sample", format.sample, 1, 1000);
+  format.third_place = get<bool>(json, at, "third_place", format.third_place);
+  return format;
+}
+
+// The settings that differ from those of a format's name alone.
+Json format_json(const Format& format) {
+  const Format plain;
+  Json json{{"kind", to_string(format.kind)}};
+  if (format.legs != plain.legs) json["legs"] = format.legs;
+  if (format.groups != plain.groups) json["groups"] = format.groups;
+  if (format.qualifiers != plain.qualifiers) json["qualifiers"] = format.qualifiers;
+  if (format.third_place != plain.third_place) json["third_place"] = format.third_place;
+  if (format.rounds != plain.rounds) json["rounds"] = format.rounds;
+  if (format.sample != plain.sample) json["sample"] = format.sample;
+  return json.size() == 1 ? json["kind"] : json;
+}
+
+bool is_time(const std::string& text) {
+  const std::string pattern = "dddd-dd-ddTdd:dd:ddZ";
+  return text.size() == pattern.size() &&
+         std::equal(text.begin(), text.end(), pattern.begin(), [](char c, char expected) {
+           return expected == 'd' ? c >= '0' && c <= '9' : c == expected;
+         });
+}
+
 LeagueFile league_of(const Json& json) {
-  only_keys(
-      json, "",
-      {"schema", "title", "format", "league", "rules", "seed", "points", "tie_breaks", "teams"});
+  only_keys(json, "",
+            {"schema", "title", "format", "league", "rules", "seed", "points", "tie_breaks",
+             "freeze", "strikes", "teams"});
   LeagueFile file;
   if (get<std::string>(json, "", "schema", "") != schema) {
     throw Wrong{"/schema", "\"" + std::string(schema) + "\" is expected"};
   }
-  if (get<std::string>(json, "", "format", std::string(format)) != format) {
-    throw Wrong{"/format", "\"" + std::string(format) + "\" is expected"};
+  if (json.contains("format")) file.format = format_of(json["format"]);
+  file.freeze = get<std::string>(json, "", "freeze", "");
+  if (!file.freeze.empty() && !is_time(file.freeze)) {
+    throw Wrong{"/freeze", "a time like \"2026-11-30T18:00:00Z\" is expected"};
   }
+  file.strikes = count_of(json, "", "strikes", file.strikes, 0, 1000);
   file.title = get<std::string>(json, "", "title", file.title);
   const auto league = from_string<League>(get<std::string>(json, "", "league", "small"));
   if (!league) throw Wrong{"/league", "one of " + list_of_names<League>() + " is expected"};
@@ -91,6 +142,10 @@ LeagueFile league_of(const Json& json) {
     file.points.win = get<int>(json["points"], "/points", "win", file.points.win);
     file.points.draw = get<int>(json["points"], "/points", "draw", file.points.draw);
     file.points.loss = get<int>(json["points"], "/points", "loss", file.points.loss);
+  }
+  if (file.format.kind == FormatKind::swiss) {
+    // Who met stronger opponents for the same points did more.
+    file.tie_breaks.insert(file.tie_breaks.begin(), TieBreak::opponents_points);
   }
   if (json.contains("tie_breaks")) {
     file.tie_breaks.clear();
@@ -117,6 +172,16 @@ LeagueFile league_of(const Json& json) {
 
 }  // namespace
 
+bool is_good_name(const std::string& name) {
+  if (name.empty() || name.size() > 40 || name[0] == '.' || name[0] == '-') return false;
+  for (const char c : name) {
+    const bool good = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                      c == '-' || c == '_' || c == '.';
+    if (!good) return false;
+  }
+  return true;
+}
+
 Result<LeagueFile> parse_league_file(const std::string& text, const std::string& path) {
   try {
     return league_of(Json::parse(text));
@@ -137,17 +202,18 @@ std::string print_league_file(const LeagueFile& file) {
     if (team.over_dds) json["dds"] = true;
     teams.push_back(json);
   }
-  const Json json{
-      {"schema", schema},
-      {"title", file.title},
-      {"format", format},
-      {"league", to_string(file.league)},
-      {"rules", record::to_json(file.rules)},
-      {"seed", file.seed},
-      {"points",
-       {{"win", file.points.win}, {"draw", file.points.draw}, {"loss", file.points.loss}}},
-      {"tie_breaks", tie_breaks},
-      {"teams", teams}};
+  Json json{{"schema", schema},
+            {"title", file.title},
+            {"format", format_json(file.format)},
+            {"league", to_string(file.league)},
+            {"rules", record::to_json(file.rules)},
+            {"seed", file.seed},
+            {"points",
+             {{"win", file.points.win}, {"draw", file.points.draw}, {"loss", file.points.loss}}},
+            {"tie_breaks", tie_breaks},
+            {"strikes", file.strikes}};
+  if (!file.freeze.empty()) json["freeze"] = file.freeze;
+  json["teams"] = teams;
   return json.dump(2) + "\n";
 }
 

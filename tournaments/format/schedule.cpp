@@ -3,9 +3,16 @@
 
 #include "core/base/random.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace mirocup::league {
+
+std::string Fixture::id() const {
+  std::string text = part == Part::knockout ? "k" : "r";
+  text += std::to_string(round) + "-f" + std::to_string(number);
+  return part == Part::group ? "g" + std::to_string(group) + "-" + text : text;
+}
 
 std::vector<Fixture> round_robin(int teams) {
   // The last place of the circle stays, the others turn by one each round. With an odd number of
@@ -20,7 +27,27 @@ std::vector<Fixture> round_robin(int teams) {
       if (a >= teams || b >= teams) continue;
       const bool swapped = pair == 0 ? round % 2 == 1 : pair % 2 == 1;
       if (swapped) std::swap(a, b);
-      fixtures.push_back({round + 1, number++, a, b});
+      Fixture fixture;
+      fixture.round = round + 1;
+      fixture.number = number++;
+      fixture.home = a;
+      fixture.away = b;
+      fixtures.push_back(fixture);
+    }
+  }
+  return fixtures;
+}
+
+std::vector<Fixture> round_robin(int teams, int legs) {
+  const std::vector<Fixture> once = round_robin(teams);
+  const int rounds = once.empty() ? 0 : once.back().round;
+  std::vector<Fixture> fixtures;
+  for (int time = 0; time * legs_per_fixture < legs; ++time) {
+    for (Fixture fixture : once) {
+      fixture.round += time * rounds;
+      fixture.legs = std::min(legs_per_fixture, legs - time * legs_per_fixture);
+      if (time % 2 == 1) std::swap(fixture.home, fixture.away);
+      fixtures.push_back(fixture);
     }
   }
   return fixtures;
@@ -31,6 +58,8 @@ std::uint64_t fixture_seed(std::uint64_t league_seed, const Fixture& fixture) {
   for (const int part : {fixture.round, fixture.home, fixture.away}) {
     seed = mix_seed(seed ^ static_cast<std::uint64_t>(part));
   }
+  // Two that met in a group meet again with another seed.
+  if (fixture.part == Part::knockout) seed = mix_seed(~seed);
   // JSON readers in other languages hold 53 bits exactly.
   return seed >> 11;
 }

@@ -20,11 +20,22 @@ class Html {
   // <tag>text</tag>
   void cell(std::string_view tag, std::string_view text);
 
-  // A table cell with a link.
+  // A table cell of a style class.
+  void cell_of(std::string_view style, std::string_view text);
+
+  // A link by itself, and one in a table cell.
+  void link(std::string_view target, std::string_view text);
   void link_cell(std::string_view target, std::string_view text);
+
+  // <tag id="...">, for links to "#id".
+  void open_with_id(std::string_view tag, std::string_view id);
 
   // A table row of cells: "th" or "td".
   void row(std::string_view tag, const std::vector<std::string>& cells);
+
+  // A table that may be wider than the page.
+  void open_table();
+  void close_table();
 
   // What another Html wrote.
   void raw(std::string_view html) { text_ += html; }

@@ -17,12 +17,12 @@ std::vector<Arguments> missing_pages(record::Files& files, const Folder& folder,
                                      const LeagueState& state) {
   std::vector<Arguments> commands;
   for (const FixtureState& f : state.fixtures) {
-    for (const auto& leg : f.legs) {
-      if (!leg) continue;
-      const std::string page = folder.site() + "/" + replay_page_of(leg->record);
+    for (const LegState& leg : f.legs) {
+      if (!leg.played || leg.played->record.empty()) continue;
+      const std::string page = folder.site() + "/" + replay_page_of(leg.played->record);
       if (files.exists(page)) continue;
       commands.push_back({record::sibling_program("mirocup"), "replay",
-                          folder.path + "/" + leg->record, "-o", page});
+                          folder.path + "/" + leg.played->record, "-o", page});
     }
   }
   return commands;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/site.hpp"
 
+#include "tournaments/publish/bracket.hpp"
 #include "tournaments/publish/html.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 
@@ -11,209 +14,149 @@ namespace mirocup::league {
 
 namespace {
 
-std::string score_text(const PlayedLeg& leg) {
-  return std::to_string(leg.result.home_goals) + " : " + std::to_string(leg.result.away_goals);
+// A crosstable of more teams is no longer read by a person; crosstable.json has it.
+constexpr std::size_t most_in_crosstable = 64;
+
+std::string strength_text(const Strength& s) {
+  return std::to_string(std::lround(s.value)) + " (" + std::to_string(std::lround(s.low)) + " … " +
+         std::to_string(std::lround(s.high)) + ")";
 }
 
-// The legs that two teams played, from the row's point of view.
-std::vector<std::string> meetings(const LeagueState& state, int row, int column) {
-  std::vector<std::string> scores;
-  for (const FixtureState& f : state.fixtures) {
-    const bool home = f.fixture.home == row && f.fixture.away == column;
-    const bool away = f.fixture.home == column && f.fixture.away == row;
-    if (!home && !away) continue;
-    for (const auto& leg : f.legs) {
-      if (!leg) continue;
-      const int own = home ? leg->result.home_goals : leg->result.away_goals;
-      const int other = home ? leg->result.away_goals : leg->result.home_goals;
-      scores.push_back(std::to_string(own) + ":" + std::to_string(other));
-    }
-  }
-  return scores;
+std::string standing_text(const TeamState& team) {
+  if (team.standing == Standing::paused) return ", paused";
+  return team.standing == Standing::withdrawn ? ", withdrawn" : "";
 }
 
-Json crosstable_json(const LeagueState& state) {
-  const int n = static_cast<int>(state.file.teams.size());
-  Json teams = Json::array();
-  Json rows = Json::array();
-  for (int i = 0; i < n; ++i) {
-    teams.push_back(state.file.teams[i].name);
-    Json row = Json::array();
-    for (int j = 0; j < n; ++j) row.push_back(i == j ? Json() : Json(meetings(state, i, j)));
-    rows.push_back(row);
-  }
-  return {{"teams", teams}, {"results", rows}};
-}
-
-// The tables of brackets-model: every row has an id and its parents' ids.
-Json bracket_json(const LeagueState& state) {
-  // Status of a match there: 2 ready, 4 completed.
-  constexpr int ready = 2;
-  constexpr int completed = 4;
-  Json participants = Json::array();
-  for (std::size_t i = 0; i < state.file.teams.size(); ++i) {
-    participants.push_back({{"id", i}, {"tournament_id", 0}, {"name", state.file.teams[i].name}});
-  }
-  Json rounds = Json::array();
-  Json matches = Json::array();
-  Json games = Json::array();
-  for (const FixtureState& f : state.fixtures) {
-    const int round = f.fixture.round - 1;
-    if (static_cast<int>(rounds.size()) <= round) {
-      rounds.push_back({{"id", round}, {"stage_id", 0}, {"group_id", 0}, {"number", round + 1}});
-    }
-    const std::size_t match = matches.size();
-    int played = 0;
-    int home_wins = 0;
-    int away_wins = 0;
-    for (int leg = 0; leg < legs_per_fixture; ++leg) {
-      Json game{{"id", games.size()}, {"stage_id", 0}, {"parent_id", match}, {"number", leg + 1}};
-      game["status"] = f.legs[leg] ? completed : ready;
-      Json home{{"id", f.fixture.home}};
-      Json away{{"id", f.fixture.away}};
-      if (f.legs[leg]) {
-        const LegResult& r = f.legs[leg]->result;
-        home["score"] = r.home_goals;
-        away["score"] = r.away_goals;
-        ++played;
-        home_wins += r.home_goals > r.away_goals ? 1 : 0;
-        away_wins += r.away_goals > r.home_goals ? 1 : 0;
-      }
-      game["opponent1"] = home;
-      game["opponent2"] = away;
-      games.push_back(game);
-    }
-    matches.push_back({{"id", match},
-                       {"stage_id", 0},
-                       {"group_id", 0},
-                       {"round_id", round},
-                       {"number", f.fixture.number},
-                       {"child_count", legs_per_fixture},
-                       {"status", played == legs_per_fixture ? completed : ready},
-                       {"opponent1", {{"id", f.fixture.home}, {"score", home_wins}}},
-                       {"opponent2", {{"id", f.fixture.away}, {"score", away_wins}}}});
-  }
-  return {{"participant", participants},
-          {"stage",
-           {{{"id", 0},
-             {"tournament_id", 0},
-             {"name", state.file.title},
-             {"type", "round_robin"},
-             {"number", 1}}}},
-          {"group", {{{"id", 0}, {"stage_id", 0}, {"number", 1}}}},
-          {"round", rounds},
-          {"match", matches},
-          {"match_game", games}};
-}
-
-std::string table_html(const LeagueState& state) {
-  Html html;
-  html.open("table");
-  html.row("th", {"", "Team", "Legs", "Won", "Drawn", "Lost", "Goals", "Diff.", "Points",
-                  "Ahead of the next by"});
-  int rank = 1;
-  for (const Row& row : state.table()) {
-    html.row("td",
-             {std::to_string(rank++), state.file.teams[row.team].name, std::to_string(row.played),
-              std::to_string(row.won), std::to_string(row.drawn), std::to_string(row.lost),
-              std::to_string(row.goals_for) + " : " + std::to_string(row.goals_against),
-              std::to_string(row.difference()), std::to_string(row.points), row.separated_by});
-  }
-  html.close("table");
-  return html.text();
-}
-
-std::string crosstable_html(const LeagueState& state) {
-  const int n = static_cast<int>(state.file.teams.size());
-  Html html;
-  html.open("table");
-  std::vector<std::string> head{""};
-  for (const TeamEntry& team : state.file.teams) head.push_back(team.name);
+void rows_html(Html& html, const Overview& o, const std::vector<Row>& table, bool has_strength) {
+  html.open_table();
+  std::vector<std::string> head{"",     "Team",  "Legs",  "Won",    "Drawn",
+                                "Lost", "Goals", "Diff.", "Points", "Ahead of the next by"};
+  if (has_strength) head.push_back("Strength (95 %)");
   html.row("th", head);
-  for (int i = 0; i < n; ++i) {
-    std::vector<std::string> cells{state.file.teams[i].name};
-    for (int j = 0; j < n; ++j) {
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const Row& row = table[i];
+    const std::string& name = o.state.name(row.team);
+    html.open("tr");
+    html.cell_of("number", std::to_string(i + 1));
+    html.open("td");
+    html.link(team_page_of(name), name);
+    html.raw(standing_text(o.state.teams[row.team]));
+    html.close("td");
+    for (const int number : {row.played, row.won, row.drawn, row.lost})
+      html.cell_of("number", std::to_string(number));
+    html.cell_of("number",
+                 std::to_string(row.goals_for) + " : " + std::to_string(row.goals_against));
+    html.cell_of("number", std::to_string(row.difference()));
+    html.cell_of("number", std::to_string(row.points));
+    html.cell_of("small", reason_in_words(row, i + 1 < table.size() ? &table[i + 1] : nullptr));
+    if (has_strength) html.cell_of("small", strength_text(o.strengths[row.team]));
+    html.close("tr");
+  }
+  html.close_table();
+}
+
+void groups_html(Html& html, const Overview& o) {
+  if (o.state.file.format.kind != FormatKind::groups) return;
+  const auto groups =
+      deal_groups(static_cast<int>(o.state.teams.size()), o.state.file.format.groups);
+  for (std::size_t group = 0; group < groups.size(); ++group) {
+    std::vector<LegResult> results;
+    for (const FixtureState& f : o.state.fixtures) {
+      if (f.fixture.part != Part::group || f.fixture.group != static_cast<int>(group) + 1) continue;
+      for (const LegState& leg : f.legs) {
+        if (leg.played && !f.is_annulled) results.push_back(leg.played->result);
+      }
+    }
+    html.cell("h2", "Group " + std::to_string(group + 1));
+    rows_html(html, o, make_table(groups[group], results, o.state.file.table_rules()), false);
+  }
+}
+
+void crosstable_html(Html& html, const Overview& o) {
+  const std::size_t n = o.table.size();
+  if (n > most_in_crosstable) return;
+  html.cell("h2", "Crosstable");
+  html.cell("p", "Scores as the team on the left sees them.");
+  const Meetings met = meetings(o);
+  html.open_table();
+  std::vector<std::string> head{"", ""};
+  for (std::size_t j = 0; j < n; ++j) head.push_back(std::to_string(j + 1));
+  html.row("th", head);
+  for (std::size_t i = 0; i < n; ++i) {
+    const int team = o.table[i].team;
+    std::vector<std::string> cells{std::to_string(i + 1), o.state.name(team)};
+    for (std::size_t j = 0; j < n; ++j) {
       std::string cell = i == j ? "–" : "";
-      for (const std::string& score : meetings(state, i, j))
+      for (const std::string& score : met[team][o.table[j].team])
         cell += (cell.empty() ? "" : ", ") + score;
       cells.push_back(cell);
     }
     html.row("td", cells);
   }
-  html.close("table");
-  return html.text();
+  html.close_table();
 }
 
-std::string fixtures_html(const LeagueState& state) {
-  Html html;
-  html.open("table");
-  html.row("th", {"Round", "Leg", "Home", "", "Away", "How it ended", "Replay", "Record"});
-  for (const FixtureState& f : state.fixtures) {
-    for (int leg = 0; leg < legs_per_fixture; ++leg) {
-      const auto& played = f.legs[leg];
+void legs_html(Html& html, const Overview& o) {
+  html.cell("h2", "Fixtures");
+  html.open_table();
+  html.row("th",
+           {"Fixture", "Round", "Leg", "Home", "", "Away", "How it ended", "Replay", "Record"});
+  for (const LegView& leg : o.legs) {
+    if (leg.leg == 1) {
+      html.open_with_id("tr", leg.fixture);
+    } else {
       html.open("tr");
-      html.cell("td", std::to_string(f.fixture.round));
-      html.cell("td", std::to_string(leg + 1));
-      html.cell("td", state.file.teams[f.fixture.home].name);
-      html.cell("td", played ? score_text(*played) : "");
-      html.cell("td", state.file.teams[f.fixture.away].name);
-      html.cell("td",
-                played ? played->end + (played->fault.empty() ? "" : ": " + played->fault) : "");
-      if (played) {
-        html.link_cell(replay_page_of(played->record), "replay");
-        html.link_cell("../" + played->record, "record");
-      } else {
-        html.cell("td", "");
-        html.cell("td", "");
-      }
-      html.close("tr");
     }
+    html.cell("td", leg.fixture);
+    html.cell("td", leg.round);
+    html.cell("td", std::to_string(leg.leg));
+    html.cell("td", o.state.name(leg.home));
+    html.cell("td", leg.played == nullptr ? ""
+                                          : std::to_string(leg.played->result.home_goals) + " : " +
+                                                std::to_string(leg.played->result.away_goals));
+    html.cell("td", o.state.name(leg.away));
+    html.cell_of("small", leg.played == nullptr ? "" : end_in_words(o.state, *leg.played));
+    if (leg.played != nullptr && !leg.played->record.empty()) {
+      html.link_cell(replay_page_of(leg.played->record), "replay");
+      html.link_cell("../" + leg.played->record, "record");
+    } else {
+      html.cell("td", "");
+      html.cell("td", "");
+    }
+    html.close("tr");
   }
-  html.close("table");
-  return html.text();
+  html.close_table();
 }
 
-std::string index_html(const LeagueState& state) {
-  const std::string progress =
-      std::to_string(state.played()) + " of " + std::to_string(state.legs()) + " legs played.";
+std::string index_html(const Overview& o) {
+  const LeagueState& state = o.state;
   Html html;
   html.begin_page(state.file.title);
-  html.cell("p", progress);
+  html.cell("p", std::to_string(state.played()) + " of " + std::to_string(state.legs()) +
+                     " legs played.");
+  const std::string bracket = bracket_svg(state);
+  if (!bracket.empty()) {
+    html.cell("h2", "Bracket");
+    html.raw("<div class=\"wide\">\n" + bracket + "</div>\n");
+  }
   html.cell("h2", "Table");
-  html.raw(table_html(state));
-  html.cell("h2", "Crosstable");
-  html.cell("p", "Scores from the point of view of the team on the left.");
-  html.raw(crosstable_html(state));
-  html.cell("h2", "Fixtures");
-  html.raw(fixtures_html(state));
+  rows_html(html, o, o.table, true);
+  html.raw(
+      "<p class=\"small\">Strength is fitted to all results together; 400 more means to win "
+      "ten times as often as to lose. The points decide, not the strength. As files: \n");
+  for (const char* file :
+       {"table.csv", "legs.csv", "table.json", "legs.json", "crosstable.json", "bracket.json"}) {
+    html.link(file, file);
+  }
+  html.close("p");
+  groups_html(html, o);
+  crosstable_html(html, o);
+  legs_html(html, o);
   html.end_page();
   return html.text();
 }
 
 }  // namespace
-
-Json table_json(const LeagueState& state) {
-  Json rows = Json::array();
-  int rank = 1;
-  for (const Row& row : state.table()) {
-    rows.push_back({{"rank", rank++},
-                    {"team", state.file.teams[row.team].name},
-                    {"played", row.played},
-                    {"won", row.won},
-                    {"drawn", row.drawn},
-                    {"lost", row.lost},
-                    {"goals_for", row.goals_for},
-                    {"goals_against", row.goals_against},
-                    {"goal_difference", row.difference()},
-                    {"points", row.points},
-                    {"penalties", row.penalties},
-                    {"separated_by", row.separated_by.empty() ? Json() : Json(row.separated_by)}});
-  }
-  return {{"title", state.file.title},
-          {"played", state.played()},
-          {"legs", state.legs()},
-          {"table", rows}};
-}
 
 std::string table_text(const LeagueState& state) {
   std::ostringstream out;
@@ -224,24 +167,29 @@ std::string table_text(const LeagueState& state) {
         << std::setw(20) << numbers << std::setw(12) << goals << std::setw(8) << points
         << (by.empty() ? "" : "   ") << by << '\n';
   };
-  line("", "Team", "legs  won drawn lost", "goals", "points", "ahead by");
-  int rank = 1;
-  for (const Row& row : state.table()) {
+  line("", "Team", "legs  won drawn lost", "goals", "points", "ahead of the next by");
+  const std::vector<Row> table = state.table();
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const Row& row = table[i];
     std::ostringstream numbers;
     numbers << std::setw(4) << row.played << std::setw(5) << row.won << std::setw(6) << row.drawn
             << std::setw(5) << row.lost;
-    line(std::to_string(rank++), state.file.teams[row.team].name, numbers.str(),
+    line(std::to_string(i + 1), state.name(row.team), numbers.str(),
          std::to_string(row.goals_for) + ":" + std::to_string(row.goals_against),
-         std::to_string(row.points), row.separated_by);
+         std::to_string(row.points),
+         reason_in_words(row, i + 1 < table.size() ? &table[i + 1] : nullptr));
   }
   return out.str();
 }
 
 std::vector<SiteFile> make_site(const LeagueState& state) {
-  return {{"index.html", index_html(state)},
-          {"table.json", table_json(state).dump(1) + "\n"},
-          {"crosstable.json", crosstable_json(state).dump(1) + "\n"},
-          {"bracket.json", bracket_json(state).dump(1) + "\n"}};
+  const Overview o = overview(state);
+  std::vector<SiteFile> files{{"index.html", index_html(o)}};
+  for (SiteFile& file : exports(o)) files.push_back(std::move(file));
+  for (int team = 0; team < static_cast<int>(state.file.teams.size()); ++team) {
+    files.push_back({team_page_of(state.name(team)), team_html(o, team)});
+  }
+  return files;
 }
 
 }  // namespace mirocup::league

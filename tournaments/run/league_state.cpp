@@ -1,105 +1,150 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/run/league_state.hpp"
 
+#include "core/base/random.hpp"
+
 #include <algorithm>
 
 namespace mirocup::league {
 
 namespace {
 
-PlayedLeg played_leg(const Fixture& fixture, const Json& line) {
-  PlayedLeg leg;
-  leg.result.home = fixture.home;
-  leg.result.away = fixture.away;
-  leg.result.home_goals = line.at("score").at("home").get<int>();
-  leg.result.away_goals = line.at("score").at("away").get<int>();
-  leg.result.home_penalties = line.at("penalties").at("home").get<int>();
-  leg.result.away_penalties = line.at("penalties").at("away").get<int>();
-  leg.end = line.at("end").get<std::string>();
-  leg.result.both_lose = leg.end == "double_forfeit";
-  if (!line.at("fault").is_null()) {
-    const Json& fault = line.at("fault");
-    leg.fault = fault.at("team").get<std::string>() + ": " + fault.at("code").get<std::string>() +
-                ": " + fault.at("text").get<std::string>();
+// How far each team came in the knockout: rounds survived, doubled so that the tie for the third
+// place fits between.
+std::vector<int> came(const LeagueState& state) {
+  if (!state.file.format.has_knockout()) return {};
+  std::vector<int> far(state.file.teams.size(), 0);
+  int last_round = 0;
+  for (const FixtureState& f : state.fixtures) {
+    if (f.fixture.part == Part::knockout) last_round = std::max(last_round, f.fixture.round);
   }
-  leg.record = line.at("record").get<std::string>();
-  leg.state_hash = line.at("state_hash").get<std::string>();
-  return leg;
-}
-
-// The league's teams must be those of the line: a leg booked under a wrong name is damage.
-bool is_of(const LeagueFile& file, const Fixture& fixture, const Json& line) {
-  return line.at("home") == file.teams[fixture.home].name &&
-         line.at("away") == file.teams[fixture.away].name;
-}
-
-// Applies one line; false if it makes no sense.
-bool apply(LeagueState& state, const Json& line) {
-  const std::string kind = line.at("kind").get<std::string>();
-  if (kind == "start") {
-    state.is_started = true;
-    state.config_sha256 = line.at("config_sha256").get<std::string>();
-    return true;
+  for (const FixtureState& f : state.fixtures) {
+    const Fixture& tie = f.fixture;
+    if (tie.part != Part::knockout) continue;
+    for (const int team : {tie.home, tie.away}) {
+      if (team >= 0) far[team] = std::max(far[team], 4 * tie.round);
+    }
+    const TieOutcome o = outcome(state, f);
+    if (tie.round != last_round) continue;
+    const bool for_third = tie.home_from.from == Slot::From::loser;
+    if (for_third) {
+      for (const int team : {tie.home, tie.away}) {
+        if (team >= 0) far[team] = 4 * last_round - 3;
+      }
+    }
+    if (o.winner >= 0) far[o.winner] += 2;
   }
-  if (kind != "leg" && kind != "void") return true;
-  const std::string id = line.at("fixture").get<std::string>();
-  const int leg = line.at("leg").get<int>();
-  const auto found = std::find_if(state.fixtures.begin(), state.fixtures.end(),
-                                  [&id](const FixtureState& f) { return f.fixture.id() == id; });
-  if (found == state.fixtures.end() || leg < 1 || leg > legs_per_fixture) return false;
-  if (kind == "void") {
-    ++found->voids[leg - 1];
-    return true;
-  }
-  if (found->legs[leg - 1] || !is_of(state.file, found->fixture, line)) return false;
-  found->legs[leg - 1] = played_leg(found->fixture, line);
-  return true;
+  return far;
 }
 
 }  // namespace
 
-int LeagueState::played() const {
-  int count = 0;
-  for (const FixtureState& f : fixtures) {
-    for (const auto& leg : f.legs) count += leg ? 1 : 0;
+int FixtureState::goals(int team) const {
+  int sum = 0;
+  for (const LegState& leg : legs) {
+    if (!leg.played) continue;
+    sum += team == fixture.home ? leg.played->result.home_goals : leg.played->result.away_goals;
   }
-  return count;
+  return sum;
+}
+
+int FixtureState::needed() const {
+  if (is_annulled || fixture.home == nobody || fixture.away == nobody) return 0;
+  if (fixture.part != Part::knockout) return fixture.legs;
+  int home = 0;
+  int away = 0;
+  for (int i = 0; i < fixture.legs; ++i) {
+    if (!legs[i].played) return fixture.legs;
+    if (legs[i].played->end == "withdrawn") return fixture.legs;
+    home += legs[i].played->result.home_goals;
+    away += legs[i].played->result.away_goals;
+  }
+  return fixture.legs + (home == away ? 1 : 0);
+}
+
+int FixtureState::decided() const {
+  const int count = needed();
+  int done = 0;
+  for (int i = 0; i < count; ++i) done += legs[i].played ? 1 : 0;
+  return done;
+}
+
+bool FixtureState::is_decided() const {
+  if (fixture.home == unknown || fixture.away == unknown) return false;
+  return decided() == needed();
+}
+
+bool FixtureState::has_begun() const {
+  return std::any_of(legs.begin(), legs.end(), [](const LegState& leg) {
+    return leg.voids > 0 || (leg.played && leg.played->end != "withdrawn");
+  });
+}
+
+bool LeagueState::is_over() const {
+  return is_started && decided_ == needed_;
+}
+
+std::optional<int> LeagueState::find_fixture(const std::string& id) const {
+  const auto found = index_of_fixture_.find(id);
+  if (found == index_of_fixture_.end()) return std::nullopt;
+  return found->second;
+}
+
+std::optional<int> LeagueState::find_team(const std::string& name) const {
+  const auto found = index_of_team_.find(name);
+  if (found == index_of_team_.end()) return std::nullopt;
+  return found->second;
 }
 
 std::vector<LegResult> LeagueState::results() const {
   std::vector<LegResult> results;
   for (const FixtureState& f : fixtures) {
-    for (const auto& leg : f.legs) {
-      if (leg) results.push_back(leg->result);
+    if (f.is_annulled) continue;
+    if (f.fixture.away == nobody && f.fixture.part == Part::table) {
+      // As many wins as it would have had legs.
+      LegResult bye;
+      bye.home = f.fixture.home;
+      bye.away = nobody;
+      results.insert(results.end(), legs_per_fixture, bye);
+    }
+    for (const LegState& leg : f.legs) {
+      if (leg.played) results.push_back(leg.played->result);
     }
   }
   return results;
 }
 
 std::vector<Row> LeagueState::table() const {
-  return make_table(static_cast<int>(file.teams.size()), results(), file.points, file.tie_breaks,
-                    file.seed);
+  TableRules rules = file.table_rules();
+  rules.by_points_per_leg = file.format.kind == FormatKind::ladder;
+  return make_table(all_teams(static_cast<int>(file.teams.size())), results(), rules, came(*this));
 }
 
-Result<LeagueState> league_state(LeagueFile file, const Journal& journal) {
-  LeagueState state;
-  state.file = std::move(file);
-  for (const Fixture& fixture : round_robin(static_cast<int>(state.file.teams.size()))) {
-    state.fixtures.push_back({fixture, {}, {}});
+TieOutcome outcome(const LeagueState& state, const FixtureState& tie) {
+  const Fixture& f = tie.fixture;
+  if (!tie.is_decided()) return {};
+  const auto is_out = [&state](int team) {
+    return team == nobody || state.teams[team].standing == Standing::withdrawn;
+  };
+  // Who leaves after a tie was played has played it.
+  const bool walkover = f.home == nobody || f.away == nobody ||
+                        std::any_of(tie.legs.begin(), tie.legs.end(), [](const LegState& leg) {
+                          return leg.played && leg.played->end == "withdrawn";
+                        });
+  if (walkover) {
+    if (is_out(f.home) && is_out(f.away)) return {nobody, nobody};
+    return is_out(f.home) ? TieOutcome{f.away, f.home} : TieOutcome{f.home, f.away};
   }
-  for (const Json& line : journal.lines()) {
-    bool good = false;
-    try {
-      good = apply(state, line);
-    } catch (const Json::exception&) {
-      good = false;
-    }
-    if (!good) {
-      return fail(Errc::damaged,
-                  "journal line " + line.at("n").dump() + " does not fit the league");
-    }
+  int difference = tie.goals(f.home) - tie.goals(f.away);
+  for (const LegState& leg : tie.legs) {
+    // Only what decides a level tie can be won in a shoot-out.
+    if (difference == 0 && leg.played && leg.played->end == "shoot_out")
+      difference = leg.played->winner == f.home ? 1 : leg.played->winner == f.away ? -1 : 0;
   }
-  return state;
+  if (difference == 0) {
+    difference = Random(fixture_seed(state.file.seed, f)).coin() ? 1 : -1;
+  }
+  return difference > 0 ? TieOutcome{f.home, f.away} : TieOutcome{f.away, f.home};
 }
 
 Json leg_line(const LeagueFile& file, const Fixture& fixture, int leg, int attempt,
@@ -140,7 +185,7 @@ Json leg_line(const LeagueFile& file, const Fixture& fixture, int leg, int attem
 }
 
 int blue_team(const Fixture& fixture, int leg) {
-  return leg == 1 ? fixture.home : fixture.away;
+  return leg % 2 == 1 ? fixture.home : fixture.away;
 }
 
 }  // namespace mirocup::league

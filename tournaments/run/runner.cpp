@@ -3,11 +3,10 @@
 
 #include "server/record/digest.hpp"
 #include "server/record/locations.hpp"
-#include "server/record/match_record.hpp"
-#include "server/record/rules_json.hpp"
+#include "tournaments/run/begin.hpp"
+#include "tournaments/run/leg_command.hpp"
 
 #include <algorithm>
-#include <cstring>
 
 namespace mirocup::league {
 
@@ -15,19 +14,10 @@ namespace {
 
 // Joiners' exits are of no interest: the match server says what became of their team.
 constexpr int joiner_tag = -1;
-constexpr int entry_number = 1;
 
-// The rules that differ from their preset, as options of mirocup match.
-std::vector<std::string> rule_options(const referee::Rules& rules, League league) {
-  std::vector<std::string> options{"--rules", std::string(to_string(rules.preset))};
-  const Json preset = record::to_json(referee::make_rules(rules.preset, league));
-  const Json own = record::to_json(rules);
-  for (const auto& [key, value] : own.items()) {
-    if (value == preset.at(key)) continue;
-    options.push_back("--rule");
-    options.push_back(key + "=" + value.dump());
-  }
-  return options;
+// What a loaded host can cause: such a loss counts when it happens again.
+bool is_by_a_clock(const std::string& fault) {
+  return fault == "budget" || fault == "hang" || fault == "start_timeout";
 }
 
 std::string last_line_of(record::Files& files, const std::string& path) {
@@ -42,33 +32,35 @@ std::string last_line_of(record::Files& files, const std::string& path) {
 
 }  // namespace
 
-Runner::Runner(record::Files& files, Folder folder, OpenLeague league, Progress progress)
-    : files_(files),
-      folder_(std::move(folder)),
-      league_(std::move(league)),
-      progress_(std::move(progress)) {}
+Runner::Runner(record::Files& files, Book book, Progress& progress)
+    : files_(files), book_(std::move(book)), progress_(progress) {}
 
 Result<int> Runner::run(const RunOptions& options) {
-  if (auto started = start_league(); !started) return tl::unexpected(started.error());
-  if (auto checked = check_entries(); !checked) return tl::unexpected(checked.error());
+  if (auto begun = begin_league(files_, book_); !begun) return tl::unexpected(begun.error());
   const std::vector<int> cpus = processors();
   const int jobs = options.jobs > 0 ? options.jobs : static_cast<int>(cpus.size());
   slots_.resize(jobs);
   for (int i = 0; i < jobs; ++i) slots_[i].cpu = cpus[i % cpus.size()];
 
+  bool is_asked_to_stop = false;
   while (true) {
-    bool playing = false;
-    for (Slot& slot : slots_) {
-      const auto filled = fill(slot);
-      if (!filled) return tl::unexpected(filled.error());
-      playing = playing || *filled;
+    if (auto fresh = book_.refresh(); !fresh) return tl::unexpected(fresh.error());
+    if (!is_asked_to_stop) {
+      if (auto filled = fill_slots(); !filled) return tl::unexpected(filled.error());
     }
-    if (!playing) return state().legs() - state().played();
-    const auto exit = processes_.wait();
-    if (!exit) {
+    progress_.stands_at(state().played(), state().legs(), playing());
+    if (playing() == 0 && !is_asked_to_stop) return state().legs() - state().played();
+    const auto exit = playing() > 0 ? processes_.wait() : std::nullopt;
+    if (!exit && (is_asked_to_stop || playing() == 0)) {
       return fail(Errc::interrupted, "interrupted after " + std::to_string(state().played()) +
                                          " of " + std::to_string(state().legs()) +
                                          " legs; the same command goes on from here");
+    }
+    if (!exit) {
+      is_asked_to_stop = true;
+      progress_.say("stopping: " + std::to_string(playing()) +
+                    " legs are being played to their end; interrupt again to stop at once");
+      continue;
     }
     if (exit->tag == joiner_tag) continue;
     if (auto finished = finish(slots_[exit->tag], *exit); !finished)
@@ -76,119 +68,101 @@ Result<int> Runner::run(const RunOptions& options) {
   }
 }
 
-Result<void> Runner::start_league() {
-  if (state().is_started) return {};
-  if (state().file.teams.size() < 2)
-    return fail(Errc::input, folder_.config() + ": a league needs two teams");
-  const auto config = files_.read(folder_.config());
-  if (!config) return tl::unexpected(config.error());
-  const std::string sha256 = record::sha256(*config);
-  if (auto written = league_.journal.append(
-          "start", {{"config_sha256", sha256}, {"version", record::software_version()}});
-      !written) {
-    return written;
-  }
-  league_.state.is_started = true;
-  league_.state.config_sha256 = sha256;
-  return {};
+int Runner::playing() const {
+  return static_cast<int>(
+      std::count_if(slots_.begin(), slots_.end(), [](const Slot& s) { return s.leg != 0; }));
 }
 
-// The libraries that play are those that the journal names: booked at the start, unchanged ever
-// since.
-Result<void> Runner::check_entries() {
-  for (const TeamEntry& team : state().file.teams) {
-    const auto library = files_.read(folder_.library(team.name, entry_number));
-    if (!library) return tl::unexpected(library.error());
-    const std::string sha256 = record::sha256(*library);
-    const auto booked = std::find_if(
-        league_.journal.lines().begin(), league_.journal.lines().end(), [&team](const Json& line) {
-          return line.at("kind") == "entry" && line.at("team") == team.name;
-        });
-    if (booked == league_.journal.lines().end()) {
-      if (auto written = league_.journal.append(
-              "entry", {{"team", team.name}, {"entry", entry_number}, {"sha256", sha256}});
-          !written) {
-        return written;
-      }
-    } else if (booked->at("sha256") != sha256) {
-      return fail(Errc::damaged, folder_.library(team.name, entry_number) +
-                                     " is not the library that the league was started with");
-    }
-  }
-  return {};
+const FixtureState* Runner::find(const std::string& id) const {
+  const auto index = state().find_fixture(id);
+  return index ? &state().fixtures[*index] : nullptr;
 }
 
 std::optional<int> Runner::next_leg(const FixtureState& fixture) const {
-  for (int leg = 1; leg <= legs_per_fixture; ++leg) {
-    if (!fixture.legs[leg - 1] && fixture.voids[leg - 1] < most_attempts) return leg;
+  if (!fixture.fixture.has_both()) return std::nullopt;
+  for (const int team : {fixture.fixture.home, fixture.fixture.away}) {
+    if (state().teams[team].standing != Standing::playing) return std::nullopt;
+  }
+  for (int leg = 1; leg <= fixture.needed(); ++leg) {
+    const LegState& now = fixture.legs[leg - 1];
+    if (now.played) continue;
+    // What decides a tie waits for the others.
+    if (leg > fixture.fixture.legs && fixture.decided() < fixture.fixture.legs) continue;
+    const auto spoiled = spoiled_.find(Folder::record_name(fixture.fixture, leg, now.version));
+    if (spoiled == spoiled_.end() || spoiled->second < most_attempts) return leg;
   }
   return std::nullopt;
 }
 
-bool Runner::is_taken(int fixture) const {
+bool Runner::is_taken(const std::string& id) const {
   return std::any_of(slots_.begin(), slots_.end(),
-                     [fixture](const Slot& s) { return s.fixture == fixture; });
+                     [&id](const Slot& s) { return s.fixture == id; });
+}
+
+Result<bool> Runner::fill_slots() {
+  bool any = false;
+  for (Slot& slot : slots_) {
+    const auto filled = fill(slot);
+    if (!filled) return filled;
+    any = any || *filled;
+  }
+  return any;
+}
+
+const FixtureState* Runner::next_fixture(const Slot& slot) const {
+  // The legs of a fixture stay on one processor.
+  const FixtureState* own = slot.fixture.empty() ? nullptr : find(slot.fixture);
+  if (own != nullptr && next_leg(*own)) return own;
+  const auto& fixtures = state().fixtures;
+  for (std::size_t i = state().first_open(); i < fixtures.size(); ++i) {
+    const std::string id = fixtures[i].fixture.id();
+    if (next_leg(fixtures[i]) && (id == slot.fixture || !is_taken(id))) return &fixtures[i];
+  }
+  return nullptr;
 }
 
 // Gives a free slot its next leg; false if there is none and it plays nothing.
 Result<bool> Runner::fill(Slot& slot) {
-  if (slot.leg != 0) return true;
-  if (slot.fixture < 0 || !next_leg(state().fixtures[slot.fixture])) {
-    slot.fixture = -1;
-    for (int i = 0; i < static_cast<int>(state().fixtures.size()); ++i) {
-      if (is_taken(i) || !next_leg(state().fixtures[i])) continue;
-      slot.fixture = i;
-      break;
+  while (slot.leg == 0) {
+    const FixtureState* next = next_fixture(slot);
+    slot.fixture.clear();
+    if (next == nullptr) return false;
+    slot.fixture = next->fixture.id();
+    slot.playing = next->fixture;
+    slot.leg = *next_leg(*next);
+    slot.attempt = next->legs[slot.leg - 1].voids + 1;
+    slot.version = next->legs[slot.leg - 1].version;
+    // A shard may have played it, or this program died before it could book it.
+    const std::string name = Folder::record_name(slot.playing, slot.leg, slot.version);
+    std::optional<Json> record;
+    if (looked_at_.insert(name).second)
+      record = played_record(files_, book_.folder(), state(), id_of(slot));
+    if (record) {
+      if (auto booked = book_record(slot, *record); !booked) return tl::unexpected(booked.error());
+      slot.leg = 0;
+    } else if (auto started = start_leg(slot); !started) {
+      return tl::unexpected(started.error());
     }
-    if (slot.fixture < 0) return false;
   }
-  slot.leg = *next_leg(state().fixtures[slot.fixture]);
-  if (auto started = start_leg(slot); !started) return tl::unexpected(started.error());
   return true;
 }
 
-int Runner::attempt_of(const Slot& slot) const {
-  return state().fixtures[slot.fixture].voids[slot.leg - 1] + 1;
-}
-
-std::string Runner::seat_of(int team) const {
-  const TeamEntry& entry = state().file.teams[team];
-  return entry.over_dds ? "dds:" + entry.name : folder_.library(entry.name, entry_number);
+LegId Runner::id_of(const Slot& slot) const {
+  return {slot.playing, slot.leg, slot.version};
 }
 
 Result<void> Runner::start_leg(Slot& slot) {
-  const Fixture& fixture = state().fixtures[slot.fixture].fixture;
-  const LeagueFile& file = state().file;
-  const int blue = blue_team(fixture, slot.leg);
-  const int yellow = blue == fixture.home ? fixture.away : fixture.home;
+  const int blue = blue_team(slot.playing, slot.leg);
+  const int yellow = blue == slot.playing.home ? slot.playing.away : slot.playing.home;
   // Other leagues may play on this host at the same time.
-  const std::string match_id = record::sha256(folder_.path + state().config_sha256).substr(0, 12) +
-                               "-" + fixture.id() + "-" + std::to_string(slot.leg);
-  const std::string record = folder_.record(fixture, slot.leg, attempt_of(slot));
-  std::vector<std::string> arguments{record::sibling_program("mirocup"),
-                                     "match",
-                                     "--blue",
-                                     seat_of(blue),
-                                     "--blue-name",
-                                     file.teams[blue].name,
-                                     "--yellow",
-                                     seat_of(yellow),
-                                     "--yellow-name",
-                                     file.teams[yellow].name,
-                                     "--league",
-                                     std::string(to_string(file.league)),
-                                     "--seed",
-                                     std::to_string(fixture_seed(file.seed, fixture)),
-                                     "--match",
-                                     match_id,
-                                     "--record",
-                                     record};
-  const std::vector<std::string> rules = rule_options(file.rules, file.league);
-  arguments.insert(arguments.end(), rules.begin(), rules.end());
+  const std::string match_id =
+      record::sha256(book_.folder().path + state().config_sha256).substr(0, 12) + "-" +
+      slot.fixture + "-" + std::to_string(slot.leg);
+  const std::string log = book_.folder().record(slot.playing, slot.leg, slot.version) + ".out";
   const int tag = static_cast<int>(&slot - slots_.data());
-  if (auto started = processes_.start(arguments, tag, slot.cpu, record + ".out"); !started) {
+  const auto command = leg_command(book_.folder(), state(), id_of(slot), match_id);
+  if (auto started = processes_.start(command, tag, slot.cpu, log); !started)
     return tl::unexpected(started.error());
-  }
   if (auto joined = start_joiner(slot, blue, "blue", match_id); !joined) return joined;
   return start_joiner(slot, yellow, "yellow", match_id);
 }
@@ -198,12 +172,11 @@ Result<void> Runner::start_joiner(Slot& slot, int team, const std::string& colou
   const TeamEntry& entry = state().file.teams[team];
   if (!entry.over_dds) return {};
   const std::string log =
-      folder_.record(state().fixtures[slot.fixture].fixture, slot.leg, attempt_of(slot)) + "." +
-      colour + ".join";
-  const auto pid =
-      processes_.start({record::sibling_program("mirocup"), "join", "--match", match_id, "--team",
-                        colour, "--name", entry.name, folder_.library(entry.name, entry_number)},
-                       joiner_tag, slot.cpu, log);
+      book_.folder().record(slot.playing, slot.leg, slot.version) + "." + colour + ".join";
+  const auto pid = processes_.start(
+      {record::sibling_program("mirocup"), "join", "--match", match_id, "--team", colour, "--name",
+       entry.name, book_.folder().library(entry.name, state().teams[team].entry)},
+      joiner_tag, slot.cpu, log);
   if (!pid) return tl::unexpected(pid.error());
   slot.joiner[colour == "blue" ? 0 : 1] = *pid;
   return {};
@@ -214,49 +187,79 @@ Result<void> Runner::finish(Slot& slot, const Exit& exit) {
     if (joiner != 0) processes_.kill(joiner);
     joiner = 0;
   }
-  const int attempt = attempt_of(slot);
-  const Fixture fixture = state().fixtures[slot.fixture].fixture;
-  const std::string record = folder_.record(fixture, slot.leg, attempt);
+  const std::string record = book_.folder().record(slot.playing, slot.leg, slot.version);
   Result<void> booked;
   if (exit.signal == 0 && exit.code == exit_yes) {
-    booked = book(slot, attempt);
+    booked = book(slot);
   } else {
     const std::string why = exit.signal != 0 ? std::string("the match server died of signal ") +
                                                    std::to_string(exit.signal)
                                              : last_line_of(files_, record + ".out");
-    booked = book_void(slot, attempt, why);
+    booked = book_void(slot, "host", why);
   }
   slot.leg = 0;
   return booked;
 }
 
-Result<void> Runner::book(const Slot& slot, int attempt) {
-  FixtureState& fixture = league_.state.fixtures[slot.fixture];
-  const std::string path = folder_.record(fixture.fixture, slot.leg, attempt);
-  const auto text = files_.read(path);
-  if (!text) return book_void(slot, attempt, text.error().what);
-  const Json record = Json::parse(*text, nullptr, false);
-  if (record.is_discarded()) return book_void(slot, attempt, path + " is not JSON");
-  const Json line = leg_line(state().file, fixture.fixture, slot.leg, attempt, record,
-                             Folder::record_name(fixture.fixture, slot.leg, attempt));
-  if (auto written = league_.journal.append("leg", line); !written) return written;
-  // The state follows the journal, by the same code that reads it.
-  auto state_now = league_state(state().file, league_.journal);
-  if (!state_now) return tl::unexpected(state_now.error());
-  league_.state = std::move(*state_now);
-  progress_(std::to_string(state().played()) + "/" + std::to_string(state().legs()) + "  " +
-            line.at("home").get<std::string>() + " " + line.at("score").at("home").dump() + " : " +
-            line.at("score").at("away").dump() + " " + line.at("away").get<std::string>() + "  (" +
-            line.at("end").get<std::string>() + ")");
+// A line that no longer fits, because a person decided otherwise meanwhile, is dropped.
+Result<void> Runner::written(Result<void> result) {
+  if (result || result.error().code != Errc::input) return result;
+  progress_.say("not counted: " + result.error().what);
   return {};
 }
 
-Result<void> Runner::book_void(const Slot& slot, int attempt, const std::string& why) {
-  const Fixture& fixture = state().fixtures[slot.fixture].fixture;
-  progress_(fixture.id() + " leg " + std::to_string(slot.leg) + ": void: " + why);
-  const Json line{{"fixture", fixture.id()}, {"leg", slot.leg}, {"attempt", attempt}, {"why", why}};
-  if (auto written = league_.journal.append("void", line); !written) return written;
-  ++league_.state.fixtures[slot.fixture].voids[slot.leg - 1];
+Result<void> Runner::book(const Slot& slot) {
+  const std::string path = book_.folder().record(slot.playing, slot.leg, slot.version);
+  const auto text = files_.read(path);
+  if (!text) return book_void(slot, "host", text.error().what);
+  const Json record = Json::parse(*text, nullptr, false);
+  if (record.is_discarded()) return book_void(slot, "host", path + " is not JSON");
+  return book_record(slot, record);
+}
+
+Result<void> Runner::book_record(const Slot& slot, const Json& record) {
+  const Json line = leg_line(state().file, slot.playing, slot.leg, slot.attempt, record,
+                             Folder::record_name(slot.playing, slot.leg, slot.version));
+  const Json& fault = line.at("fault");
+  const FixtureState* fixture = find(slot.fixture);
+  const bool is_confirmed = fixture != nullptr && fixture->legs[slot.leg - 1].is_to_confirm;
+  if (!fault.is_null() && is_by_a_clock(fault.at("code").get<std::string>()) && !is_confirmed) {
+    return book_void(slot, "confirm",
+                     fault.at("team").get<std::string>() + ": " +
+                         fault.at("code").get<std::string>() + ": " +
+                         fault.at("text").get<std::string>() + "; played again to confirm it");
+  }
+  if (auto booked = written(book_.write("leg", line)); !booked) return booked;
+  progress_.say(std::to_string(state().played()) + "/" + std::to_string(state().legs()) + "  " +
+                line.at("home").get<std::string>() + " " + line.at("score").at("home").dump() +
+                " : " + line.at("score").at("away").dump() + " " +
+                line.at("away").get<std::string>() + "  (" + line.at("end").get<std::string>() +
+                ")");
+  return pause_after_strikes(slot.playing);
+}
+
+Result<void> Runner::book_void(const Slot& slot, const std::string& cause, const std::string& why) {
+  if (cause == "host") ++spoiled_[Folder::record_name(slot.playing, slot.leg, slot.version)];
+  progress_.say(slot.fixture + " leg " + std::to_string(slot.leg) + ": void: " + why);
+  return written(book_.write("void", {{"fixture", slot.fixture},
+                                      {"leg", slot.leg},
+                                      {"attempt", slot.attempt},
+                                      {"cause", cause},
+                                      {"why", why}}));
+}
+
+Result<void> Runner::pause_after_strikes(const Fixture& fixture) {
+  const int most = state().file.strikes;
+  for (const int team : {fixture.home, fixture.away}) {
+    const TeamState& now = state().teams[team];
+    if (most == 0 || now.strikes < most || now.standing != Standing::playing) continue;
+    const std::string why = std::to_string(now.strikes) + " legs in a row lost by its own faults";
+    const std::string name = state().name(team);
+    if (auto paused = written(book_.write("pause", {{"team", name}, {"why", why}})); !paused)
+      return paused;
+    progress_.say(name + " is paused: " + why + "; mirocup league resume or withdraw " +
+                  book_.folder().path + " " + name);
+  }
   return {};
 }
 

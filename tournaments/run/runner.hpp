@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: MIT
 //
 // Plays what is left of a league: legs as child processes of the match server program, as many at
-// once as there are jobs, both legs of a fixture one after the other on the same processor.
+// once as there are jobs, the legs of a fixture one after the other on the same processor.
 //
 // A finished leg is in the journal before anything else happens; a leg that the host lost is void
-// and played again with the same seed. Nothing that a team does can stop a league.
+// and played again with the same seed, and so is, once, a leg that a clock decided. Nothing that a
+// team does can stop a league; a team that loses leg after leg by its own faults is paused.
 #pragma once
 
-#include "tournaments/run/folder.hpp"
+#include "tournaments/run/book.hpp"
+#include "tournaments/run/leg_command.hpp"
 #include "tournaments/run/process_set.hpp"
+#include "tournaments/run/progress.hpp"
 
-#include <functional>
+#include <map>
+#include <optional>
+#include <set>
 
 namespace mirocup::league {
 
@@ -18,51 +23,58 @@ struct RunOptions {
   int jobs = 0;  // 0: one for each processor
 };
 
-// After so many void attempts a leg is left for a person to look at.
+// After so many attempts that the host spoiled a leg is left until the next start, when somebody may
+// have looked after the host.
 inline constexpr int most_attempts = 3;
-
-// What to tell a person while the league runs.
-using Progress = std::function<void(const std::string&)>;
 
 class Runner {
  public:
-  Runner(record::Files& files, Folder folder, OpenLeague league, Progress progress);
+  Runner(record::Files& files, Book book, Progress& progress);
 
-  // Starts the league if it is not, plays until nothing is left or somebody interrupts
-  // (Errc::interrupted). The value is the number of legs that could not be decided.
+  // Starts the league if it is not, plays until nothing is left or somebody interrupts: the first
+  // time legs that are being played come to their end, the second time nothing does
+  // (Errc::interrupted). The value is the number of legs that are not decided.
   Result<int> run(const RunOptions& options);
 
-  const LeagueState& state() const { return league_.state; }
+  const LeagueState& state() const { return book_.state(); }
 
  private:
   // A place to play on: one processor, at most one fixture.
   struct Slot {
     int cpu = -1;
-    int fixture = -1;          // index, -1: free
-    int leg = 0;               // being played
+    std::string fixture;       // its id; "": free
+    Fixture playing;           // as it was when the leg began
+    int leg = 0;               // being played; 0: none
+    int attempt = 1;           // in the journal
+    int version = 1;           // of the record
     pid_t joiner[2] = {0, 0};  // mirocup join for DDS teams, blue and yellow
   };
 
-  Result<void> start_league();
-  Result<void> check_entries();
-  std::optional<int> next_leg(const FixtureState& fixture) const;
-  bool is_taken(int fixture) const;
+  Result<bool> fill_slots();
   Result<bool> fill(Slot& slot);
+  const FixtureState* find(const std::string& id) const;
+  std::optional<int> next_leg(const FixtureState& fixture) const;
+  bool is_taken(const std::string& id) const;
+  const FixtureState* next_fixture(const Slot& slot) const;
   Result<void> start_leg(Slot& slot);
+  LegId id_of(const Slot& slot) const;
   Result<void> start_joiner(Slot& slot, int team, const std::string& colour,
                             const std::string& match_id);
   Result<void> finish(Slot& slot, const Exit& exit);
-  Result<void> book(const Slot& slot, int attempt);
-  Result<void> book_void(const Slot& slot, int attempt, const std::string& why);
-  std::string seat_of(int team) const;
-  int attempt_of(const Slot& slot) const;
+  Result<void> book(const Slot& slot);
+  Result<void> book_record(const Slot& slot, const Json& record);
+  Result<void> book_void(const Slot& slot, const std::string& cause, const std::string& why);
+  Result<void> pause_after_strikes(const Fixture& fixture);
+  Result<void> written(Result<void> result);
+  int playing() const;
 
   record::Files& files_;
-  Folder folder_;
-  OpenLeague league_;
-  Progress progress_;
+  Book book_;
+  Progress& progress_;
   ProcessSet processes_;
   std::vector<Slot> slots_;
+  std::set<std::string> looked_at_;     // records: was it there already?
+  std::map<std::string, int> spoiled_;  // by the host in this run: records
 };
 
 }  // namespace mirocup::league

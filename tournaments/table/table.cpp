@@ -4,84 +4,119 @@
 #include "core/base/random.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
-#include <optional>
 
 namespace mirocup::league {
 
 namespace {
 
-// Adds up the results between the chosen teams; rows are in the order of `teams`.
-std::vector<Row> add_up(const std::vector<int>& teams, const std::vector<LegResult>& results,
-                        const Points& points) {
-  std::map<int, Row> rows;
-  for (const int team : teams) rows[team].team = team;
-  const auto book = [&points](Row& row, int own, int other, int penalties, bool loses) {
-    ++row.played;
-    row.goals_for += own;
-    row.goals_against += other;
-    row.penalties += penalties;
-    if (loses || own < other) {
-      ++row.lost;
-      row.points += points.loss;
-    } else if (own == other) {
-      ++row.drawn;
-      row.points += points.draw;
-    } else {
-      ++row.won;
-      row.points += points.win;
-    }
-  };
-  for (const LegResult& r : results) {
-    const auto home = rows.find(r.home);
-    const auto away = rows.find(r.away);
-    if (home == rows.end() || away == rows.end()) continue;
-    book(home->second, r.home_goals, r.away_goals, r.home_penalties, r.both_lose);
-    book(away->second, r.away_goals, r.home_goals, r.away_penalties, r.both_lose);
+void book(Row& row, int own, int other, int penalties, bool loses, const Points& points) {
+  ++row.played;
+  row.goals_for += own;
+  row.goals_against += other;
+  row.penalties += penalties;
+  if (loses || own < other) {
+    ++row.lost;
+    row.points += points.loss;
+  } else if (own == other) {
+    ++row.drawn;
+    row.points += points.draw;
+  } else {
+    ++row.won;
+    row.points += points.win;
   }
-  std::vector<Row> ordered;
-  for (const int team : teams) ordered.push_back(rows[team]);
-  return ordered;
 }
 
+void book_bye(Row& row, const Points& points) {
+  ++row.played;
+  ++row.won;
+  row.points += points.win;
+}
+
+// Orders teams. Rows and lists are indexed by team, so that nothing is searched for.
 class Ranking {
  public:
-  Ranking(int teams, const std::vector<LegResult>& results, const Points& points,
-          const std::vector<TieBreak>& tie_breaks, std::uint64_t seed)
-      : results_(results), points_(points), tie_breaks_(tie_breaks), seed_(seed) {
-    std::vector<int> all;
-    for (int i = 0; i < teams; ++i) all.push_back(i);
-    total_ = add_up(all, results, points);
+  Ranking(const std::vector<int>& teams, const std::vector<LegResult>& results,
+          const TableRules& rules, const std::vector<int>& came)
+      : teams_(teams), results_(results), rules_(rules), came_(came) {
+    int most = -1;
+    for (const int team : teams) most = std::max(most, team);
+    total_.resize(most + 1);
+    legs_of_.resize(most + 1);
+    is_in_.assign(most + 1, false);
+    for (const int team : teams) {
+      total_[team].team = team;
+      is_in_[team] = true;
+    }
+    for (std::size_t i = 0; i < results.size(); ++i) add(i);
   }
 
   std::vector<Row> rows() {
-    std::vector<int> all;
-    for (const Row& row : total_) all.push_back(row.team);
-    split(
-        all, "points", [this](int team) { return total_[team].points; }, 0);
-    std::vector<Row> ordered;
-    for (const int team : order_) {
-      Row row = total_[team];
-      row.separated_by = separated_by_[team];
-      ordered.push_back(row);
+    if (came_.empty()) {
+      by_points(teams_);
+    } else {
+      split(
+          teams_, "knockout", [this](int team) { return double(came_[team]); },
+          [this](const std::vector<int>& level, bool) { by_points(level); });
     }
+    std::vector<Row> ordered;
+    for (const int team : order_) ordered.push_back(total_[team]);
     if (!ordered.empty()) ordered.back().separated_by.clear();
     return ordered;
   }
 
  private:
-  // Orders teams that are level so far by a value (higher is better); those still level go to the
-  // tie-break `next`. The last of each group notes what separates it from the group below.
-  template <class Value>
-  void split(std::vector<int> level, std::string_view what, Value value, std::size_t next) {
-    std::stable_sort(level.begin(), level.end(), [&](int a, int b) { return value(a) > value(b); });
+  bool has(int team) const {
+    return team >= 0 && team < static_cast<int>(is_in_.size()) && is_in_[team];
+  }
+
+  void add(std::size_t index) {
+    const LegResult& r = results_[index];
+    if (r.away < 0) {
+      if (has(r.home) && r.counts_for_home) book_bye(total_[r.home], rules_.points);
+      return;
+    }
+    if (!has(r.home) || !has(r.away)) return;
+    if (r.counts_for_home) {
+      book(total_[r.home], r.home_goals, r.away_goals, r.home_penalties, r.both_lose,
+           rules_.points);
+      legs_of_[r.home].push_back(index);
+    }
+    if (r.counts_for_away) {
+      book(total_[r.away], r.away_goals, r.home_goals, r.away_penalties, r.both_lose,
+           rules_.points);
+      legs_of_[r.away].push_back(index);
+    }
+  }
+
+  void by_points(const std::vector<int>& level) {
+    const bool mean = rules_.by_points_per_leg;
+    split(
+        level, mean ? "points per leg" : "points",
+        [this, mean](int team) {
+          const Row& row = total_[team];
+          return mean && row.played > 0 ? double(row.points) / row.played : double(row.points);
+        },
+        [this](const std::vector<int>& rest, bool) { break_tie(rest, 0, false); });
+  }
+
+  // Orders teams that are level so far by a value (higher is better) and hands on those who are
+  // still level, with whether they are fewer than before. The last of each group notes what
+  // separates it from the group below.
+  template <class Value, class Next>
+  void split(std::vector<int> level, std::string_view what, Value value, Next next) {
+    std::vector<double> values(total_.size());
+    for (const int team : level) values[team] = value(team);
+    std::stable_sort(level.begin(), level.end(),
+                     [&](int a, int b) { return values[a] > values[b]; });
     for (std::size_t i = 0; i < level.size();) {
       std::size_t end = i + 1;
-      while (end < level.size() && value(level[end]) == value(level[i])) ++end;
-      break_tie({level.begin() + static_cast<std::ptrdiff_t>(i),
-                 level.begin() + static_cast<std::ptrdiff_t>(end)},
-                next, end - i < level.size());
-      if (end < level.size()) separated_by_[order_.back()] = what;
+      while (end < level.size() && values[level[end]] == values[level[i]]) ++end;
+      next({level.begin() + static_cast<std::ptrdiff_t>(i),
+            level.begin() + static_cast<std::ptrdiff_t>(end)},
+           end - i < level.size());
+      if (end < level.size()) total_[order_.back()].separated_by = what;
       i = end;
     }
   }
@@ -89,62 +124,94 @@ class Ranking {
   // `is_smaller`: the group is smaller than the one before it. Head-to-head counts are then taken
   // anew among those who are left, so the list starts again at the first of them.
   void break_tie(const std::vector<int>& level, std::size_t next, bool is_smaller) {
-    if (level.size() == 1 || next > tie_breaks_.size()) {
-      order_.insert(order_.end(), level.begin(), level.end());
-      return;
-    }
     if (is_smaller && next > 0) next = std::min(next, first_head_to_head());
-    if (next == tie_breaks_.size()) {
+    if (level.size() == 1 || next >= rules_.tie_breaks.size()) {
       order_.insert(order_.end(), level.begin(), level.end());
       return;
     }
-    const TieBreak rule = tie_breaks_[next];
-    const std::vector<Row> among = add_up(level, results_, points_);
-    const auto mini = [&among](int team) -> const Row& {
-      return *std::find_if(among.begin(), among.end(),
-                           [team](const Row& r) { return r.team == team; });
-    };
-    const auto value = [&](int team) -> double {
-      switch (rule) {
-        case TieBreak::goal_difference:
-          return total_[team].difference();
-        case TieBreak::goals:
-          return total_[team].goals_for;
-        case TieBreak::head_to_head_points:
-          return mini(team).points;
-        case TieBreak::head_to_head_goal_difference:
-          return mini(team).difference();
-        case TieBreak::penalties:
-          return -total_[team].penalties;
-        case TieBreak::lots:
-          return Random(mix_seed(seed_ ^ static_cast<std::uint64_t>(team))).uniform();
+    const TieBreak rule = rules_.tie_breaks[next];
+    const std::map<int, Row> mini = is_head_to_head(rule) ? among(level) : std::map<int, Row>();
+    split(
+        level, to_string(rule), [&](int team) { return value(rule, team, mini); },
+        [this, next](const std::vector<int>& rest, bool fewer) {
+          break_tie(rest, next + 1, fewer);
+        });
+  }
+
+  // The table between these teams alone.
+  std::map<int, Row> among(const std::vector<int>& level) const {
+    std::map<int, Row> rows;
+    for (const int team : level) rows[team].team = team;
+    for (auto& [team, row] : rows) {
+      for (const std::size_t i : legs_of_[team]) {
+        const LegResult& r = results_[i];
+        const bool home = r.home == team;
+        if (rows.count(home ? r.away : r.home) == 0) continue;
+        book(row, home ? r.home_goals : r.away_goals, home ? r.away_goals : r.home_goals, 0,
+             r.both_lose, rules_.points);
       }
-      return 0.0;
-    };
-    split(level, to_string(rule), value, next + 1);
+    }
+    return rows;
+  }
+
+  double value(TieBreak rule, int team, const std::map<int, Row>& mini) const {
+    switch (rule) {
+      case TieBreak::goal_difference:
+        return total_[team].difference();
+      case TieBreak::goals:
+        return total_[team].goals_for;
+      case TieBreak::head_to_head_points:
+        return mini.at(team).points;
+      case TieBreak::head_to_head_goal_difference:
+        return mini.at(team).difference();
+      case TieBreak::penalties:
+        return -total_[team].penalties;
+      case TieBreak::lots:
+        return Random(mix_seed(rules_.seed ^ static_cast<std::uint64_t>(team))).uniform();
+      case TieBreak::wins:
+        return total_[team].won;
+      case TieBreak::opponents_points: {
+        int sum = 0;
+        for (const std::size_t i : legs_of_[team]) {
+          sum += total_[results_[i].home == team ? results_[i].away : results_[i].home].points;
+        }
+        return sum;
+      }
+    }
+    return 0.0;
+  }
+
+  static bool is_head_to_head(TieBreak rule) {
+    return rule == TieBreak::head_to_head_points || rule == TieBreak::head_to_head_goal_difference;
   }
 
   std::size_t first_head_to_head() const {
-    const auto found = std::find_if(tie_breaks_.begin(), tie_breaks_.end(), [](TieBreak t) {
-      return t == TieBreak::head_to_head_points || t == TieBreak::head_to_head_goal_difference;
-    });
-    return static_cast<std::size_t>(found - tie_breaks_.begin());
+    const auto& list = rules_.tie_breaks;
+    return static_cast<std::size_t>(std::find_if(list.begin(), list.end(), is_head_to_head) -
+                                    list.begin());
   }
 
+  const std::vector<int>& teams_;
   const std::vector<LegResult>& results_;
-  const Points& points_;
-  const std::vector<TieBreak>& tie_breaks_;
-  std::uint64_t seed_;
+  const TableRules& rules_;
+  const std::vector<int>& came_;
   std::vector<Row> total_;
+  std::vector<bool> is_in_;
+  std::vector<std::vector<std::size_t>> legs_of_;
   std::vector<int> order_;
-  std::map<int, std::string> separated_by_;
 };
 
 }  // namespace
 
-std::vector<Row> make_table(int teams, const std::vector<LegResult>& results, const Points& points,
-                            const std::vector<TieBreak>& tie_breaks, std::uint64_t seed) {
-  return Ranking(teams, results, points, tie_breaks, seed).rows();
+std::vector<Row> make_table(const std::vector<int>& teams, const std::vector<LegResult>& results,
+                            const TableRules& rules, const std::vector<int>& came) {
+  return Ranking(teams, results, rules, came).rows();
+}
+
+std::vector<int> all_teams(int teams) {
+  std::vector<int> all;
+  for (int team = 0; team < teams; ++team) all.push_back(team);
+  return all;
 }
 
 }  // namespace mirocup::league

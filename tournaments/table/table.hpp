@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The league table: a pure function of the results. Order: points, then the tie-breaks in their
-// configured order; each row says what separated it from the one below.
+// The league table: a pure function of the results. Order: how far a team came in a knockout, if
+// there is one; points; then the tie-breaks in their configured order. Each row says what separated
+// it from the one below.
 #pragma once
 
 #include "core/base/names.hpp"
@@ -17,12 +18,14 @@ namespace mirocup::league {
 // One leg's result, as far as tables need it.
 struct LegResult {
   int home = 0;  // index of the team
-  int away = 0;
+  int away = 0;  // -1: a bye, which is won without goals
   int home_goals = 0;
   int away_goals = 0;
   bool both_lose = false;  // a double forfeit
   int home_penalties = 0;  // penalties given against the team
   int away_penalties = 0;
+  bool counts_for_home = true;  // false: an entry played that has been replaced since
+  bool counts_for_away = true;
 };
 
 enum class TieBreak {
@@ -32,6 +35,8 @@ enum class TieBreak {
   head_to_head_goal_difference,
   penalties,
   lots,
+  wins,
+  opponents_points,  // the points of all whom the team met, once for each leg
 };
 
 struct Points {
@@ -61,17 +66,34 @@ struct Row {
   int difference() const { return goals_for - goals_against; }
 };
 
-// All teams, best first. `seed` draws the lots.
-std::vector<Row> make_table(int teams, const std::vector<LegResult>& results, const Points& points,
-                            const std::vector<TieBreak>& tie_breaks, std::uint64_t seed);
+struct TableRules {
+  Points points;
+  std::vector<TieBreak> tie_breaks{default_tie_breaks.begin(), default_tie_breaks.end()};
+  std::uint64_t seed = 1;          // of the lots
+  bool by_points_per_leg = false;  // where teams play unlike numbers of legs
+};
+
+// These teams, best first, by the results between them. `came` says how far each came in a knockout
+// (more is better), indexed by team; empty: there is none.
+std::vector<Row> make_table(const std::vector<int>& teams, const std::vector<LegResult>& results,
+                            const TableRules& rules, const std::vector<int>& came = {});
+
+// Teams 0 .. teams-1.
+std::vector<int> all_teams(int teams);
 
 }  // namespace mirocup::league
 
 namespace mirocup {
 
 template <>
-inline constexpr std::array<std::string_view, 6> enum_names<league::TieBreak>{
-    "goal_difference", "goals", "head_to_head_points", "head_to_head_goal_difference",
-    "penalties",       "lots"};
+inline constexpr std::array<std::string_view, 8> enum_names<league::TieBreak>{
+    "goal_difference",
+    "goals",
+    "head_to_head_points",
+    "head_to_head_goal_difference",
+    "penalties",
+    "lots",
+    "wins",
+    "opponents_points"};
 
 }  // namespace mirocup

@@ -59,12 +59,12 @@ TEST(Journal, SurvivesBeingCutOffAtAnyByte) {
   }
 }
 
-TEST(Journal, FindsEveryChangedByteButInTheLastLine) {
+TEST(Journal, FindsEveryChangedByte) {
   MemoryFiles whole;
   write_three_lines(whole);
   const std::string text = *whole.read("journal.jsonl");
-  const std::size_t last_line = text.rfind('\n', text.size() - 2) + 1;
-  for (std::size_t i = 0; i < last_line; ++i) {
+  // Without its line feed the last line is one that was cut off.
+  for (std::size_t i = 0; i + 1 < text.size(); ++i) {
     MemoryFiles files;
     std::string changed = text;
     changed[i] ^= 1;
@@ -74,6 +74,40 @@ TEST(Journal, FindsEveryChangedByteButInTheLastLine) {
     EXPECT_EQ(journal.error().code, Errc::damaged);
     EXPECT_NE(journal.error().what.find("line "), std::string::npos);
   }
+}
+
+TEST(Journal, FindsALineThatIsMissing) {
+  MemoryFiles whole;
+  write_three_lines(whole);
+  const std::string text = *whole.read("journal.jsonl");
+  const std::size_t second = text.find('\n') + 1;
+  const std::size_t third = text.find('\n', second) + 1;
+  for (const std::string& rest :
+       {text.substr(second), text.substr(0, second) + text.substr(third), text + text.substr(third),
+        "\n" + text, text + "{}\n", text + "{\"n\":\"4\"}\n", text + "[]\n"}) {
+    MemoryFiles files;
+    ASSERT_TRUE(files.write("journal.jsonl", rest));
+    const auto journal = Journal::open(files, "journal.jsonl");
+    ASSERT_FALSE(journal) << rest;
+    EXPECT_EQ(journal.error().code, Errc::damaged);
+  }
+}
+
+TEST(Journal, IsReadWhileItIsWritten) {
+  MemoryFiles files;
+  Journal reader = opened(files);
+  Journal writer = opened(files);
+  EXPECT_TRUE(writer.append("start", {{"config_sha256", "abc"}}));
+  EXPECT_TRUE(reader.refresh());
+  EXPECT_EQ(reader.lines().size(), 1u);
+  // Half a line is not read, and stays for who writes it.
+  EXPECT_TRUE(files.append("journal.jsonl", "{\"n\":2,"));
+  EXPECT_TRUE(reader.refresh());
+  EXPECT_EQ(reader.lines().size(), 1u);
+  EXPECT_NE(files.read("journal.jsonl")->find("{\"n\":2,"), std::string::npos);
+  EXPECT_TRUE(reader.append("leg", {{"fixture", "r1-f1"}}));
+  EXPECT_TRUE(writer.refresh());
+  EXPECT_EQ(writer.lines().size(), 2u);
 }
 
 TEST(Journal, IsAsBeforeWhenTheDiskIsFull) {

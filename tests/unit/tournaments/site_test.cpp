@@ -69,13 +69,13 @@ TEST(LeagueState, BooksColoursForTheirTeams) {
   // Leg 2: the away team is blue.
   const LeagueState state = state_after({{0, 1}, {0, 2}});
   const FixtureState& f = state.fixtures[0];
-  EXPECT_EQ(f.legs[0]->result.home_goals, 2);
-  EXPECT_EQ(f.legs[0]->result.away_goals, 1);
-  EXPECT_EQ(f.legs[0]->result.home_penalties, 1);
-  EXPECT_EQ(f.legs[1]->result.home_goals, 2) << "yellow in leg 2";
-  EXPECT_EQ(f.legs[1]->result.away_goals, 2);
-  EXPECT_EQ(f.legs[1]->result.away_penalties, 1);
-  EXPECT_NE(f.legs[0]->fault.find("crash"), std::string::npos);
+  EXPECT_EQ(f.legs[0].played->result.home_goals, 2);
+  EXPECT_EQ(f.legs[0].played->result.away_goals, 1);
+  EXPECT_EQ(f.legs[0].played->result.home_penalties, 1);
+  EXPECT_EQ(f.legs[1].played->result.home_goals, 2) << "yellow in leg 2";
+  EXPECT_EQ(f.legs[1].played->result.away_goals, 2);
+  EXPECT_EQ(f.legs[1].played->result.away_penalties, 1);
+  EXPECT_NE(f.legs[0].played->fault.find("crash"), std::string::npos);
 }
 
 TEST(LeagueState, RefusesALegThatIsBookedTwice) {

@@ -11,8 +11,6 @@
 namespace mirocup::league {
 namespace {
 
-const std::vector<TieBreak> all_rules(default_tie_breaks.begin(), default_tie_breaks.end());
-
 LegResult result(int home, int away, int home_goals, int away_goals) {
   LegResult r;
   r.home = home;
@@ -31,7 +29,7 @@ std::vector<int> order(const std::vector<Row>& rows) {
 enum { A, B, C, D };
 
 TEST(Table, CountsPointsAndGoals) {
-  const auto rows = make_table(2, {result(A, B, 2, 1), result(B, A, 3, 3)}, {}, all_rules, 1);
+  const auto rows = make_table(all_teams(2), {result(A, B, 2, 1), result(B, A, 3, 3)}, {});
   EXPECT_EQ(order(rows), (std::vector<int>{A, B}));
   EXPECT_EQ(rows[0].points, 4);
   EXPECT_EQ(rows[0].goals_for, 5);
@@ -41,7 +39,7 @@ TEST(Table, CountsPointsAndGoals) {
 
 TEST(Table, GoesByGoalDifferenceInARing) {
   const auto rows =
-      make_table(3, {result(A, B, 2, 1), result(B, C, 3, 1), result(C, A, 1, 0)}, {}, all_rules, 1);
+      make_table(all_teams(3), {result(A, B, 2, 1), result(B, C, 3, 1), result(C, A, 1, 0)}, {});
   EXPECT_EQ(order(rows), (std::vector<int>{B, A, C}));
   EXPECT_EQ(rows[0].separated_by, "goal_difference");
 }
@@ -50,7 +48,7 @@ TEST(Table, GoesByGoalsThenByTheirOwnMeeting) {
   // A and B are level in points, difference and goals; B won when they met.
   const std::vector<LegResult> results{result(B, A, 1, 0), result(A, C, 2, 1), result(C, B, 1, 0),
                                        result(A, C, 1, 1), result(B, C, 2, 2)};
-  const auto rows = make_table(3, results, {}, all_rules, 1);
+  const auto rows = make_table(all_teams(3), results, {});
   const auto at = [&](int team) {
     return *std::find_if(rows.begin(), rows.end(), [team](const Row& r) { return r.team == team; });
   };
@@ -64,10 +62,11 @@ TEST(Table, GoesByGoalsThenByTheirOwnMeeting) {
 TEST(Table, TakesHeadToHeadAnewAmongThoseWhoAreLeft) {
   // Among A, B, C the mini-table puts A first and leaves B and C level in its points and
   // difference; between the two alone B is ahead.
-  const std::vector<TieBreak> head_to_head{TieBreak::head_to_head_points, TieBreak::lots};
+  TableRules with_head_to_head;
+  with_head_to_head.tie_breaks = {TieBreak::head_to_head_points, TieBreak::lots};
   const std::vector<LegResult> results{result(A, B, 1, 0), result(A, C, 1, 0), result(B, C, 1, 0),
                                        result(C, D, 1, 0), result(B, D, 0, 1), result(D, A, 1, 0)};
-  const auto ranks = order(make_table(4, results, {}, head_to_head, 1));
+  const auto ranks = order(make_table(all_teams(4), results, with_head_to_head));
   EXPECT_LT(std::find(ranks.begin(), ranks.end(), B), std::find(ranks.begin(), ranks.end(), C));
 }
 
@@ -75,16 +74,18 @@ TEST(Table, PrefersFewerPenaltiesThenDrawsLots) {
   LegResult r = result(A, B, 1, 1);
   r.home_penalties = 2;
   r.away_penalties = 1;
-  auto rows = make_table(2, {r}, {}, all_rules, 1);
+  auto rows = make_table(all_teams(2), {r}, {});
   EXPECT_EQ(order(rows), (std::vector<int>{B, A}));
   EXPECT_EQ(rows[0].separated_by, "penalties");
 
   std::vector<int> first_places(2);
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    rows = make_table(2, {result(A, B, 1, 1)}, {}, all_rules, seed);
+    TableRules rules;
+    rules.seed = seed;
+    rows = make_table(all_teams(2), {result(A, B, 1, 1)}, rules);
     EXPECT_EQ(rows[0].separated_by, "lots");
     ++first_places[rows[0].team];
-    EXPECT_EQ(order(rows), order(make_table(2, {result(A, B, 1, 1)}, {}, all_rules, seed)));
+    EXPECT_EQ(order(rows), order(make_table(all_teams(2), {result(A, B, 1, 1)}, rules)));
   }
   EXPECT_GT(first_places[0], 8);
   EXPECT_GT(first_places[1], 8);
@@ -93,7 +94,7 @@ TEST(Table, PrefersFewerPenaltiesThenDrawsLots) {
 TEST(Table, GivesNobodyAnythingForADoubleForfeit) {
   LegResult r = result(A, B, 0, 0);
   r.both_lose = true;
-  const auto rows = make_table(2, {r}, {}, all_rules, 1);
+  const auto rows = make_table(all_teams(2), {r}, {});
   EXPECT_EQ(rows[0].points, 0);
   EXPECT_EQ(rows[1].points, 0);
   EXPECT_EQ(rows[0].lost, 1);
@@ -102,9 +103,56 @@ TEST(Table, GivesNobodyAnythingForADoubleForfeit) {
 TEST(Table, DoesNotDependOnTheOrderOfTheResults) {
   std::vector<LegResult> results{result(A, B, 2, 1), result(B, C, 3, 1), result(C, A, 1, 0),
                                  result(D, A, 0, 0)};
-  const auto before = order(make_table(4, results, {}, all_rules, 9));
+  const auto before = order(make_table(all_teams(4), results, {}));
   std::reverse(results.begin(), results.end());
-  EXPECT_EQ(order(make_table(4, results, {}, all_rules, 9)), before);
+  EXPECT_EQ(order(make_table(all_teams(4), results, {})), before);
+}
+
+TEST(Table, PutsHowFarATeamCameBeforePoints) {
+  const auto rows = make_table(
+      all_teams(3), {result(A, B, 9, 0), result(A, C, 9, 0), result(C, B, 1, 0)}, {}, {0, 1, 1});
+  EXPECT_EQ(order(rows), (std::vector<int>{C, B, A}));
+  EXPECT_EQ(rows[0].separated_by, "points");
+  EXPECT_EQ(rows[1].separated_by, "knockout");
+}
+
+TEST(Table, CountsOnlyTheTeamsThatAreAsked) {
+  const auto rows =
+      make_table({C, A}, {result(A, B, 0, 9), result(A, C, 1, 0), result(C, B, 9, 0)}, {});
+  EXPECT_EQ(order(rows), (std::vector<int>{A, C}));
+  EXPECT_EQ(rows[0].played, 1);
+}
+
+TEST(Table, GivesAByeAWinWithoutGoals) {
+  const auto rows = make_table(all_teams(2), {result(B, -1, 0, 0)}, {});
+  EXPECT_EQ(rows[0].team, B);
+  EXPECT_EQ(rows[0].points, 3);
+  EXPECT_EQ(rows[0].goals_for, 0);
+  EXPECT_EQ(rows[1].played, 0);
+}
+
+TEST(Table, PrefersWhoMetStrongerOpponents) {
+  // A and B won once each with the same goals; A's opponent has won elsewhere.
+  TableRules rules;
+  rules.tie_breaks = {TieBreak::opponents_points, TieBreak::lots};
+  enum { E = 4, F };
+  const auto rows = make_table(
+      all_teams(6),
+      {result(A, C, 1, 0), result(B, D, 1, 0), result(C, E, 5, 0), result(F, E, 1, 0)}, rules);
+  const auto ranks = order(rows);
+  EXPECT_LT(std::find(ranks.begin(), ranks.end(), A), std::find(ranks.begin(), ranks.end(), B));
+}
+
+TEST(Table, ComparesUnlikeNumbersOfLegsByTheirMean) {
+  TableRules rules;
+  rules.by_points_per_leg = true;
+  LegResult old = result(A, B, 0, 1);
+  old.counts_for_home = false;  // A has another entry since
+  const auto rows = make_table(
+      all_teams(3), {old, result(A, C, 1, 0), result(B, C, 1, 0), result(C, B, 1, 0)}, rules);
+  EXPECT_EQ(order(rows), (std::vector<int>{A, B, C}));
+  EXPECT_EQ(rows[0].played, 1);
+  EXPECT_EQ(rows[1].played, 3) << "B keeps what it won against the old entry";
 }
 
 }  // namespace

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+//
+// Catches a knockout in which a bye meets a bye, the two best meet early or somebody plays on who
+// lost; groups of unlike size; a Swiss tournament that pairs two teams twice or gives a second bye.
+#include "core/base/random.hpp"
+#include "tournaments/format/groups.hpp"
+#include "tournaments/format/ladder.hpp"
+#include "tournaments/format/swiss.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace mirocup::league {
+namespace {
+
+std::vector<Slot> seeds(int teams) {
+  std::vector<Slot> slots;
+  for (int i = 0; i < teams; ++i) slots.push_back({Slot::From::team, i, 0});
+  return slots;
+}
+
+class Formats : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Sizes, Formats, testing::Range(2, 65));
+
+// Plays a knockout with `winner` choosing; returns who took each tie.
+template <class Winner>
+std::vector<TieOutcome> play(std::vector<Fixture>& ties, Winner winner) {
+  std::vector<TieOutcome> outcomes;
+  const auto taken = [&outcomes](const Slot& slot) {
+    if (slot.from == Slot::From::team) return slot.index;
+    const TieOutcome& before = outcomes.at(slot.index);  // throws if it comes later
+    return slot.from == Slot::From::winner ? before.winner : before.loser;
+  };
+  for (Fixture& tie : ties) {
+    tie.home = taken(tie.home_from);
+    tie.away = taken(tie.away_from);
+    const int won = winner(tie.home, tie.away);
+    outcomes.push_back({won, won == tie.home ? tie.away : tie.home});
+  }
+  return outcomes;
+}
+
+TEST_P(Formats, KnockoutNeedsOneTieLessThanTeams) {
+  const int n = GetParam();
+  auto ties = knockout(seeds(n), {.third_place = false});
+  ASSERT_EQ(static_cast<int>(ties.size()), n - 1);
+  Random random(n);
+  const auto outcomes = play(ties, [&](int a, int b) { return random.coin() ? a : b; });
+  std::set<int> out;
+  for (const TieOutcome& o : outcomes) {
+    EXPECT_GE(o.winner, 0);
+    EXPECT_GE(o.loser, 0) << "a bye is no tie";
+    EXPECT_EQ(out.count(o.winner), 0u) << "who lost plays no more";
+    EXPECT_TRUE(out.insert(o.loser).second);
+  }
+  EXPECT_EQ(static_cast<int>(out.size()), n - 1);
+  std::set<std::string> ids;
+  for (const Fixture& tie : ties) EXPECT_TRUE(ids.insert(tie.id()).second) << tie.id();
+}
+
+TEST_P(Formats, KnockoutBringsTheBestTogetherInTheFinalAndGivesThemTheByes) {
+  const int n = GetParam();
+  auto ties = knockout(seeds(n), {.third_place = false});
+  play(ties, [](int a, int b) { return std::min(a, b); });
+  EXPECT_EQ(std::min(ties.back().home, ties.back().away), 0);
+  EXPECT_EQ(std::max(ties.back().home, ties.back().away), 1);
+  // In every round the best left play those who are as far from the end as they from the front.
+  std::map<int, std::vector<Fixture>> rounds;
+  for (const Fixture& tie : ties) rounds[tie.round].push_back(tie);
+  int size = 1;
+  while (size < n) size *= 2;
+  EXPECT_EQ(static_cast<int>(rounds[1].size()), n - size / 2);
+  std::set<int> in_first_round;
+  for (const Fixture& tie : rounds[1]) {
+    EXPECT_EQ(tie.home + tie.away, size - 1);
+    in_first_round.insert({tie.home, tie.away});
+  }
+  for (int bye = 0; bye < size - n; ++bye) EXPECT_EQ(in_first_round.count(bye), 0u) << bye;
+}
+
+TEST_P(Formats, KnockoutPlaysForTheThirdPlace) {
+  const int n = GetParam();
+  auto ties = knockout(seeds(n), {});
+  play(ties, [](int a, int b) { return std::min(a, b); });
+  if (n < 4) {
+    EXPECT_EQ(static_cast<int>(ties.size()), n - 1) << "there is but one semi-final";
+    return;
+  }
+  EXPECT_EQ(static_cast<int>(ties.size()), n);
+  EXPECT_EQ(std::min(ties.back().home, ties.back().away), 2);
+  EXPECT_EQ(std::max(ties.back().home, ties.back().away), 3);
+  EXPECT_EQ(ties.back().id(), "k" + std::to_string(ties.back().round) + "-f2");
+}
+
+TEST_P(Formats, GroupsAreAlikeAndTheirFirstGoOn) {
+  const int n = GetParam();
+  for (int groups = 1; groups <= n / 2; ++groups) {
+    const auto dealt = deal_groups(n, groups);
+    std::set<int> all;
+    std::size_t least = n;
+    std::size_t most = 0;
+    for (const auto& group : dealt) {
+      least = std::min(least, group.size());
+      most = std::max(most, group.size());
+      all.insert(group.begin(), group.end());
+    }
+    EXPECT_LE(most - least, 1u);
+    EXPECT_EQ(static_cast<int>(all.size()), n);
+
+    GroupsOptions options;
+    options.groups = groups;
+    const auto fixtures = groups_then_knockout(n, options);
+    std::set<std::string> ids;
+    std::set<std::set<int>> pairs;
+    std::set<std::pair<int, int>> places;
+    for (std::size_t i = 0; i < fixtures.size(); ++i) {
+      const Fixture& f = fixtures[i];
+      EXPECT_TRUE(ids.insert(f.id()).second) << f.id();
+      if (f.part == Part::group) {
+        EXPECT_TRUE(pairs.insert({f.home, f.away}).second);
+        continue;
+      }
+      for (const Slot& slot : {f.home_from, f.away_from}) {
+        if (slot.from == Slot::From::place) {
+          EXPECT_TRUE(places.insert({slot.index, slot.place}).second);
+        } else {
+          EXPECT_LT(slot.index, static_cast<int>(i)) << "follows from a later tie";
+          EXPECT_EQ(fixtures[slot.index].part, Part::knockout);
+        }
+      }
+      const bool both =
+          f.home_from.from == Slot::From::place && f.away_from.from == Slot::From::place;
+      if (both && groups > 1) {
+        EXPECT_NE(f.home_from.index, f.away_from.index) << f.id();
+      }
+    }
+    EXPECT_EQ(static_cast<int>(places.size()), 2 * groups);
+  }
+}
+
+TEST_P(Formats, SwissPairsNobodyTwiceAndGivesOneByeAtMost) {
+  const int n = GetParam();
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    const int rounds = std::min(usual_swiss_rounds(n) + 2, most_swiss_rounds(n));
+    Random random(seed);
+    std::vector<int> points(n, 0);
+    std::vector<Fixture> before;
+    std::set<std::set<int>> pairs;
+    for (int round = 1; round <= rounds; ++round) {
+      std::vector<SwissStanding> standings;
+      for (int team = 0; team < n; ++team) standings.push_back({team, points[team]});
+      std::stable_sort(standings.begin(), standings.end(),
+                       [](const auto& a, const auto& b) { return a.points > b.points; });
+      const auto fixtures = swiss_round(standings, before, round, rounds);
+      std::set<int> play;
+      for (const Fixture& f : fixtures) {
+        EXPECT_TRUE(pairs.insert({f.home, f.away}).second) << f.id() << " seed " << seed;
+        EXPECT_TRUE(play.insert(f.home).second);
+        if (f.away != nobody) {
+          EXPECT_TRUE(play.insert(f.away).second);
+        }
+        points[f.away == nobody || random.coin() ? f.home : f.away] += 3;
+      }
+      ASSERT_EQ(static_cast<int>(play.size()), n) << "round " << round << " seed " << seed;
+      before.insert(before.end(), fixtures.begin(), fixtures.end());
+    }
+  }
+}
+
+TEST(Swiss, BringsLikeTogetherAndGivesTheLowestTheBye) {
+  const auto fixtures = swiss_round({{4, 6}, {2, 6}, {0, 3}, {3, 0}, {1, 0}}, {}, 1, 3);
+  ASSERT_EQ(fixtures.size(), 3u);
+  EXPECT_EQ((std::set<int>{fixtures[0].home, fixtures[0].away}), (std::set<int>{4, 2}));
+  EXPECT_EQ((std::set<int>{fixtures[1].home, fixtures[1].away}), (std::set<int>{0, 3}));
+  EXPECT_EQ(fixtures[2].home, 1);
+  EXPECT_EQ(fixtures[2].away, nobody);
+}
+
+TEST_P(Formats, RoundRobinRepeatsItselfWithHomesSwapped) {
+  const int n = GetParam();
+  for (const int legs : {1, 2, 3, 4}) {
+    std::map<std::set<int>, int> met;
+    std::map<int, int> blue;
+    std::set<std::string> ids;
+    for (const Fixture& f : round_robin(n, legs)) {
+      met[{f.home, f.away}] += f.legs;
+      ++blue[f.home];
+      if (f.legs == 2) ++blue[f.away];
+      EXPECT_TRUE(ids.insert(f.id()).second);
+    }
+    EXPECT_EQ(static_cast<int>(met.size()), n * (n - 1) / 2);
+    for (const auto& [pair, count] : met) EXPECT_EQ(count, legs);
+    for (const auto& [team, count] : blue) EXPECT_LE(std::abs(2 * count - legs * (n - 1)), 1);
+  }
+}
+
+TEST(Ladder, DrawsASampleOfTheOthersWithoutFavour) {
+  const std::vector<int> others{0, 1, 2, 3, 4, 5, 6, 7};
+  std::map<int, int> drawn;
+  for (int event = 1; event <= 400; ++event) {
+    std::set<int> sample;
+    for (const Fixture& f : ladder_fixtures(event, 9, others, 4, 5)) {
+      EXPECT_EQ(f.home, 9);
+      EXPECT_TRUE(sample.insert(f.away).second);
+      ++drawn[f.away];
+    }
+    EXPECT_EQ(sample.size(), 4u);
+  }
+  for (const int team : others) {
+    EXPECT_GT(drawn[team], 150) << team;
+    EXPECT_LT(drawn[team], 250) << team;
+  }
+  EXPECT_EQ(ladder_fixtures(1, 0, {1}, 4, 5).size(), 1u);
+  EXPECT_TRUE(ladder_fixtures(1, 0, {}, 4, 5).empty());
+}
+
+}  // namespace
+}  // namespace mirocup::league

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+//
+// A league's progress on standard error: on a terminal a bar with the time that is left, elsewhere
+// plain lines.
+#pragma once
+
+#include "tournaments/run/progress.hpp"
+
+#include <memory>
+
+namespace mirocup::league {
+
+std::unique_ptr<Progress> make_progress();
+
+// "[######......]  37 of 100 legs, 2 playing, 4 min left": `width` characters of bar.
+// `seconds` have gone since `first` legs were decided.
+std::string bar_text(int first, int decided, int legs, int playing, double seconds, int width);
+
+}  // namespace mirocup::league

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/format/format.hpp"
+
+#include "tournaments/format/swiss.hpp"
+
+namespace mirocup::league {
+
+int Format::swiss_rounds(int teams) const {
+  return rounds > 0 ? rounds : usual_swiss_rounds(teams);
+}
+
+std::string objection(const Format& format, int teams) {
+  if (teams < 2) return "a league needs two teams";
+  if (format.kind == FormatKind::groups && format.groups * 2 > teams) {
+    return std::to_string(format.groups) + " groups need " + std::to_string(2 * format.groups) +
+           " teams";
+  }
+  const int most = most_swiss_rounds(teams);
+  if (format.kind == FormatKind::swiss && format.rounds > most) {
+    return std::to_string(teams) + " teams can play " + std::to_string(most) +
+           " rounds at most without a second meeting";
+  }
+  return "";
+}
+
+std::vector<Fixture> first_schedule(const Format& format, int teams) {
+  const KnockoutOptions knockout_options{.legs = format.legs, .third_place = format.third_place};
+  switch (format.kind) {
+    case FormatKind::double_round_robin:
+      return round_robin(teams);
+    case FormatKind::round_robin:
+      return round_robin(teams, format.legs);
+    case FormatKind::groups:
+      return groups_then_knockout(teams, {.groups = format.groups,
+                                          .qualifiers = format.qualifiers,
+                                          .legs = format.legs,
+                                          .knockout = {.third_place = format.third_place}});
+    case FormatKind::knockout: {
+      std::vector<Slot> seeds;
+      for (int team = 0; team < teams; ++team) seeds.push_back({Slot::From::team, team, 0});
+      return knockout(seeds, knockout_options);
+    }
+    case FormatKind::swiss:
+    case FormatKind::ladder:
+      break;
+  }
+  return {};
+}
+
+}  // namespace mirocup::league

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/format/swiss.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <tuple>
+#include <utility>
+
+namespace mirocup::league {
+
+namespace {
+
+// So few can run out of pairings long before everybody has met everybody: look ahead there. With
+// more teams everyone has at least as many possible opponents left as half their number, as long as
+// there are at most half as many rounds; then a pairing exists (Dirac 1952).
+constexpr int few = 8;
+
+// Teams by their rank, best first.
+class Pairing {
+ public:
+  Pairing(std::vector<std::vector<bool>> have_met, std::vector<int> points)
+      : have_met_(std::move(have_met)),
+        points_(std::move(points)),
+        partner_(points_.size(), nobody) {}
+
+  // Pairs all, so that after it `more` rounds can be paired still.
+  bool find(int more) {
+    const auto free = std::find(partner_.begin(), partner_.end(), nobody);
+    if (free == partner_.end()) return leaves(more);
+    const int a = static_cast<int>(free - partner_.begin());
+    for (const int b : candidates(a)) {
+      partner_[a] = b;
+      partner_[b] = a;
+      if (find(more)) return true;
+      partner_[a] = nobody;
+      partner_[b] = nobody;
+    }
+    return false;
+  }
+
+  const std::vector<int>& partner() const { return partner_; }
+
+ private:
+  bool leaves(int more) const {
+    if (more <= 0 || size() > few) return true;
+    Pairing after(have_met_, points_);
+    for (int a = 0; a < size(); ++a) after.have_met_[a][partner_[a]] = true;
+    return after.find(more - 1);
+  }
+
+  // The possible opponents of the best who is left: those of like points first, and among them the
+  // one who stands half a group below.
+  std::vector<int> candidates(int a) const {
+    struct Candidate {
+      int rank;
+      int points_below;
+      int position;  // among those of equal points
+    };
+    std::vector<Candidate> others;
+    int position = 0;
+    int like = 0;
+    for (int b = a + 1; b < size(); ++b) {
+      if (partner_[b] != nobody) continue;
+      if (points_[b] != points_[b - 1]) position = 0;
+      if (points_[b] == points_[a]) ++like;
+      if (!have_met_[a][b]) others.push_back({b, points_[a] - points_[b], position});
+      ++position;
+    }
+    std::stable_sort(others.begin(), others.end(), [like](const Candidate& x, const Candidate& y) {
+      const int middle_x = x.points_below == 0 ? like / 2 : 0;
+      const int middle_y = y.points_below == 0 ? like / 2 : 0;
+      return std::tuple(x.points_below, std::abs(x.position - middle_x)) <
+             std::tuple(y.points_below, std::abs(y.position - middle_y));
+    });
+    std::vector<int> ranks;
+    for (const Candidate& other : others) ranks.push_back(other.rank);
+    return ranks;
+  }
+
+  int size() const { return static_cast<int>(points_.size()); }
+
+  std::vector<std::vector<bool>> have_met_;
+  std::vector<int> points_;
+  std::vector<int> partner_;
+};
+
+}  // namespace
+
+int usual_swiss_rounds(int teams) {
+  int rounds = 0;
+  while ((1 << rounds) < teams) ++rounds;
+  return std::min(rounds, most_swiss_rounds(teams));
+}
+
+int most_swiss_rounds(int teams) {
+  const int places = teams + teams % 2;
+  return places <= few ? places - 1 : places / 2;
+}
+
+std::vector<Fixture> swiss_round(const std::vector<SwissStanding>& standings,
+                                 const std::vector<Fixture>& before, int round, int rounds) {
+  // With an odd number the bye plays as the last of all, and nobody meets it twice.
+  std::map<int, int> rank;
+  std::vector<int> team;
+  std::vector<int> points;
+  for (const SwissStanding& s : standings) {
+    rank[s.team] = static_cast<int>(team.size());
+    team.push_back(s.team);
+    points.push_back(s.points);
+  }
+  if (team.size() % 2 == 1) {
+    rank[nobody] = static_cast<int>(team.size());
+    team.push_back(nobody);
+    points.push_back(points.back() - 1);
+  }
+  std::vector<std::vector<bool>> have_met(team.size(), std::vector<bool>(team.size(), false));
+  for (const Fixture& f : before) {
+    const auto home = rank.find(f.home);
+    const auto away = rank.find(f.away);
+    if (home == rank.end() || away == rank.end()) continue;
+    have_met[home->second][away->second] = true;
+    have_met[away->second][home->second] = true;
+  }
+  Pairing pairing(std::move(have_met), std::move(points));
+  if (!pairing.find(rounds - round)) return {};
+
+  std::vector<Fixture> fixtures;
+  for (int a = 0; a < static_cast<int>(team.size()); ++a) {
+    const int b = pairing.partner()[a];
+    if (b < a) continue;
+    Fixture f;
+    f.round = round;
+    f.number = static_cast<int>(fixtures.size()) + 1;
+    // Who stands better is home in every other round.
+    const bool swapped = round % 2 == 0 && team[b] != nobody;
+    f.home = swapped ? team[b] : team[a];
+    f.away = swapped ? team[a] : team[b];
+    if (f.away == nobody) f.legs = 0;
+    fixtures.push_back(f);
+  }
+  return fixtures;
+}
+
+}  // namespace mirocup::league

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/publish/bracket.hpp"
+#include "tournaments/publish/replay_pages.hpp"
+#include "tournaments/publish/site.hpp"
+
+#include <cmath>
+
+namespace mirocup::league {
+
+namespace {
+
+// One line of comma-separated values (RFC 4180).
+std::string csv_line(const std::vector<std::string>& cells) {
+  std::string line;
+  for (const std::string& cell : cells) {
+    if (!line.empty()) line += ',';
+    if (cell.find_first_of(",\"\r\n") == std::string::npos) {
+      line += cell;
+      continue;
+    }
+    line += '"';
+    for (const char c : cell) line += c == '"' ? std::string("\"\"") : std::string(1, c);
+    line += '"';
+  }
+  return line + "\r\n";
+}
+
+std::string table_csv(const Overview& o) {
+  std::string text =
+      csv_line({"rank", "team", "played", "won", "drawn", "lost", "goals_for", "goals_against",
+                "goal_difference", "points", "penalties", "separated_by", "strength"});
+  int rank = 1;
+  for (const Row& row : o.table) {
+    text += csv_line({std::to_string(rank++), o.state.name(row.team), std::to_string(row.played),
+                      std::to_string(row.won), std::to_string(row.drawn), std::to_string(row.lost),
+                      std::to_string(row.goals_for), std::to_string(row.goals_against),
+                      std::to_string(row.difference()), std::to_string(row.points),
+                      std::to_string(row.penalties), row.separated_by,
+                      std::to_string(std::lround(o.strengths[row.team].value))});
+  }
+  return text;
+}
+
+std::string legs_csv(const Overview& o) {
+  std::string text = csv_line({"fixture", "round", "leg", "home", "away", "home_goals",
+                               "away_goals", "end", "fault", "ruling", "record"});
+  for (const LegView& leg : o.legs) {
+    std::vector<std::string> cells{leg.fixture, leg.round, std::to_string(leg.leg),
+                                   o.state.name(leg.home), o.state.name(leg.away)};
+    if (leg.played == nullptr) {
+      cells.resize(11);
+    } else {
+      const PlayedLeg& p = *leg.played;
+      cells.insert(cells.end(),
+                   {std::to_string(p.result.home_goals), std::to_string(p.result.away_goals), p.end,
+                    p.fault, p.ruling, p.record});
+    }
+    text += csv_line(cells);
+  }
+  return text;
+}
+
+Json legs_json(const Overview& o) {
+  Json legs = Json::array();
+  for (const LegView& leg : o.legs) {
+    Json json{{"fixture", leg.fixture},
+              {"round", leg.round},
+              {"leg", leg.leg},
+              {"home", o.state.name(leg.home)},
+              {"away", o.state.name(leg.away)},
+              {"played", leg.played != nullptr}};
+    if (leg.played != nullptr) {
+      const PlayedLeg& p = *leg.played;
+      const auto or_null = [](const std::string& text) {
+        return text.empty() ? Json() : Json(text);
+      };
+      json["score"] = {{"home", p.result.home_goals}, {"away", p.result.away_goals}};
+      json["end"] = p.end;
+      json["fault"] = or_null(p.fault);
+      json["ruling"] = or_null(p.ruling);
+      json["record"] = or_null(p.record);
+      json["replay"] = p.record.empty() ? Json() : Json(replay_page_of(p.record));
+      json["state_hash"] = or_null(p.state_hash);
+    }
+    legs.push_back(json);
+  }
+  return {{"title", o.state.file.title}, {"legs", legs}};
+}
+
+Json crosstable_json(const Overview& o) {
+  const Meetings met = meetings(o);
+  Json teams = Json::array();
+  Json rows = Json::array();
+  for (std::size_t i = 0; i < met.size(); ++i) {
+    teams.push_back(o.state.file.teams[i].name);
+    Json row = Json::array();
+    for (std::size_t j = 0; j < met.size(); ++j) row.push_back(i == j ? Json() : Json(met[i][j]));
+    rows.push_back(row);
+  }
+  return {{"teams", teams}, {"results", rows}};
+}
+
+}  // namespace
+
+Meetings meetings(const Overview& o) {
+  const std::size_t teams = o.state.file.teams.size();
+  Meetings met(teams, std::vector<std::vector<std::string>>(teams));
+  for (const LegView& leg : o.legs) {
+    if (leg.played == nullptr) continue;
+    const std::string home = std::to_string(leg.played->result.home_goals);
+    const std::string away = std::to_string(leg.played->result.away_goals);
+    met[leg.home][leg.away].push_back(home + ":" + away);
+    met[leg.away][leg.home].push_back(away + ":" + home);
+  }
+  return met;
+}
+
+Json table_json(const Overview& o) {
+  Json rows = Json::array();
+  int rank = 1;
+  for (std::size_t i = 0; i < o.table.size(); ++i) {
+    const Row& row = o.table[i];
+    const Row* next = i + 1 < o.table.size() ? &o.table[i + 1] : nullptr;
+    const Strength& strength = o.strengths[row.team];
+    const std::string reason = reason_in_words(row, next);
+    rows.push_back({{"rank", rank++},
+                    {"team", o.state.name(row.team)},
+                    {"played", row.played},
+                    {"won", row.won},
+                    {"drawn", row.drawn},
+                    {"lost", row.lost},
+                    {"goals_for", row.goals_for},
+                    {"goals_against", row.goals_against},
+                    {"goal_difference", row.difference()},
+                    {"points", row.points},
+                    {"penalties", row.penalties},
+                    {"separated_by", row.separated_by.empty() ? Json() : Json(row.separated_by)},
+                    {"reason", reason.empty() ? Json() : Json(reason)},
+                    {"strength",
+                     {{"value", std::lround(strength.value)},
+                      {"low", std::lround(strength.low)},
+                      {"high", std::lround(strength.high)}}}});
+  }
+  return {{"title", o.state.file.title},
+          {"format", to_string(o.state.file.format.kind)},
+          {"played", o.state.played()},
+          {"legs", o.state.legs()},
+          {"table", rows}};
+}
+
+std::vector<SiteFile> exports(const Overview& o) {
+  return {{"table.json", table_json(o).dump(1) + "\n"},
+          {"crosstable.json", crosstable_json(o).dump(1) + "\n"},
+          {"bracket.json", bracket_json(o.state).dump(1) + "\n"},
+          {"legs.json", legs_json(o).dump(1) + "\n"},
+          {"table.csv", table_csv(o)},
+          {"legs.csv", legs_csv(o)}};
+}
+
+}  // namespace mirocup::league

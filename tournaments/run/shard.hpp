@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+//
+// Playing parts of a league elsewhere: on more processors, by GNU parallel, on a cluster. A shard is a
+// fixture. It only writes records; `league start` finds them, books them and plays what is missing, so
+// a shard that is lost is a shard that was not played, and one that runs twice plays once.
+#pragma once
+
+#include "tournaments/run/book.hpp"
+
+#include <string>
+#include <vector>
+
+namespace mirocup::league {
+
+// The fixtures that can be played now, in the order of the schedule, without those of teams over DDS,
+// which belong to one host.
+std::vector<std::string> open_shards(const LeagueState& state);
+
+// Plays the legs of a fixture that are not decided and have no record. The value is the number of
+// legs that could not be played.
+Result<int> run_shard(record::Files& files, const Book& book, const std::string& fixture);
+
+}  // namespace mirocup::league
