@@ -24,8 +24,9 @@ Result<int> run_verify(const Options& options) {
   const auto record = whole ? whole : record::load(disk, options.path, record::Seal::ignored);
   if (!record) return tl::unexpected(record.error());
   const auto divergence = replay::verify(record->recording);
-  if (!whole && !divergence) return tl::unexpected(whole.error());
-  if (divergence && record::is_of_another_game(*record)) {
+  const bool is_of_another_game = record::is_of_another_game(*record);
+  if (!whole && (!divergence || is_of_another_game)) return tl::unexpected(whole.error());
+  if (divergence && is_of_another_game) {
     return tl::unexpected(record::another_game(options.path, *record, divergence->tick));
   }
 
