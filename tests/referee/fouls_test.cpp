@@ -9,10 +9,10 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace mirocup {
@@ -89,7 +89,9 @@ TEST(Fouls, OfEveryKindAreCalledInOneMatch) {
   ASSERT_EQ(played.exit_code, 0) << played.err;
   const Json record = read_json(folder / "leg.json");
   std::set<std::pair<std::string, std::string>> calls;
-  for (const Json& d : record["decisions"]) calls.insert({d["law"], d["decision"]});
+  for (const Json& d : record["decisions"]) {
+    calls.emplace(d["law"].get<std::string>(), d["decision"].get<std::string>());
+  }
   for (const auto& call : expected) {
     EXPECT_TRUE(calls.count(call)) << call.first << " was not called as " << call.second;
   }
