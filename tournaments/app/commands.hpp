@@ -18,5 +18,6 @@ void add_init(CLI::App& app, Run& run);
 void add_start(CLI::App& app, Run& run);
 void add_status(CLI::App& app, Run& run);
 void add_publish(CLI::App& app, Run& run);
+void add_credentials(CLI::App& app, Run& run);
 
 }  // namespace mirocup::league

@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
   league::add_start(cli, run);
   league::add_status(cli, run);
   league::add_publish(cli, run);
+  league::add_credentials(cli, run);
   try {
     cli.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -28,6 +28,7 @@ struct Folder {
     return "records/" + fixture.id() + "-" + std::to_string(leg) + "-" + std::to_string(attempt) +
            ".json";
   }
+  std::string credentials() const { return path + "/credentials"; }
   std::string site() const { return path + "/site"; }
 };
 

@@ -156,6 +156,13 @@ std::string Runner::seat_of(int team) const {
   return entry.over_dds ? "dds:" + entry.name : folder_.library(entry.name, entry_number);
 }
 
+// A league with credentials plays in secure mode.
+std::vector<std::string> Runner::credentials_of(const std::string& whose) const {
+  const std::string folder = folder_.credentials() + "/" + whose;
+  if (!files_.exists(folder_.credentials() + "/server")) return {};
+  return {"--credentials", folder};
+}
+
 Result<void> Runner::start_leg(Slot& slot) {
   const Fixture& fixture = state().fixtures[slot.fixture].fixture;
   const LeagueFile& file = state().file;
@@ -186,6 +193,8 @@ Result<void> Runner::start_leg(Slot& slot) {
   const std::vector<std::string> rules = rule_options(file.rules, file.league);
   arguments.insert(arguments.end(), rules.begin(), rules.end());
   const int tag = static_cast<int>(&slot - slots_.data());
+  const std::vector<std::string> credentials = credentials_of("server");
+  arguments.insert(arguments.end(), credentials.begin(), credentials.end());
   if (auto started = processes_.start(arguments, tag, slot.cpu, record + ".out"); !started) {
     return tl::unexpected(started.error());
   }
@@ -200,10 +209,18 @@ Result<void> Runner::start_joiner(Slot& slot, int team, const std::string& colou
   const std::string log =
       folder_.record(state().fixtures[slot.fixture].fixture, slot.leg, attempt_of(slot)) + "." +
       colour + ".join";
-  const auto pid =
-      processes_.start({record::sibling_program("mirocup"), "join", "--match", match_id, "--team",
-                        colour, "--name", entry.name, folder_.library(entry.name, entry_number)},
-                       joiner_tag, slot.cpu, log);
+  std::vector<std::string> arguments{record::sibling_program("mirocup"),
+                                     "join",
+                                     "--match",
+                                     match_id,
+                                     "--team",
+                                     colour,
+                                     "--name",
+                                     entry.name,
+                                     folder_.library(entry.name, entry_number)};
+  const std::vector<std::string> credentials = credentials_of("teams/" + entry.name);
+  arguments.insert(arguments.end(), credentials.begin(), credentials.end());
+  const auto pid = processes_.start(arguments, joiner_tag, slot.cpu, log);
   if (!pid) return tl::unexpected(pid.error());
   slot.joiner[colour == "blue" ? 0 : 1] = *pid;
   return {};

@@ -49,6 +49,7 @@ class Runner {
   bool is_taken(int fixture) const;
   Result<bool> fill(Slot& slot);
   Result<void> start_leg(Slot& slot);
+  std::vector<std::string> credentials_of(const std::string& whose) const;
   Result<void> start_joiner(Slot& slot, int team, const std::string& colour,
                             const std::string& match_id);
   Result<void> finish(Slot& slot, const Exit& exit);
