@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <arpa/inet.h>
 #include <cstdint>
+#include <fcntl.h>
 #include <filesystem>
 #include <ifaddrs.h>
 #include <linux/filter.h>
@@ -66,6 +67,8 @@ std::vector<int> open_descriptors() {
   for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd", none)) {
     open.push_back(std::stoi(entry.path().filename().string()));
   }
+  // The one that the folder was read with is closed again.
+  std::erase_if(open, [](int descriptor) { return fcntl(descriptor, F_GETFD) < 0; });
   std::sort(open.begin(), open.end());
   return open;
 }

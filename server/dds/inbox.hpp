@@ -40,6 +40,11 @@ class Inbox {
     return false;
   }
 
+  // Commands of the team itself, whatever became of them.
+  std::uint64_t heard() const {
+    return counts_.in_step + counts_.late + counts_.duplicate + counts_.ahead;
+  }
+
   const CommandCounts& counts() const { return counts_; }
 
  private:

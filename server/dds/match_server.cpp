@@ -70,6 +70,7 @@ void MatchServer::publish(const match::Match& match) {
 }
 
 void MatchServer::send_state() {
+  for (const auto& seat : seats_) state_.heard[index_of(seat->team())] = seat->heard();
   dds_write(state_writer_.get(), &state_);
   sent_ = Clock::now();
 }

@@ -42,6 +42,8 @@ class Seat final : public match::Controller {
   void post(const match::Observation& observation) override;
   match::Answer collect() override;
 
+  Team team() const { return briefing_.team; }
+  std::uint64_t heard() const { return inbox_.heard(); }
   const CommandCounts& commands() const { return inbox_.counts(); }
   const std::vector<Absence>& absences() const { return attendance_.absences(); }
   int processes() const { return processes_; }  // that have had the seat

@@ -17,6 +17,10 @@ constexpr double look_around = 0.05;
 // with the connection.
 constexpr double longest_silence = 3.0;
 
+// The same if so many commands have been sent for so long (s), and the server has heard none.
+constexpr int most_unheard = 30;
+constexpr double longest_unheard = 1.5;
+
 }  // namespace
 
 Result<std::unique_ptr<TeamClient>> TeamClient::open(const Call& call) {
@@ -31,7 +35,8 @@ Result<void> TeamClient::connect() {
   link_ = {};  // first leave, then come again
   Link link;
   link.nonce = draw_number();
-  connected_ = heard_ = Clock::now();
+  connected_ = heard_ = heard_us_ = Clock::now();
+  unheard_ = 0;
   said_hello_ = {};
   return keep(link.participant, make_participant(domain_))
       .and_then([&] { return open_readers_and_writers(link); })
@@ -82,10 +87,10 @@ Result<void> TeamClient::open_readers_and_writers(Link& l) const {
 News TeamClient::wait(double patience) {
   const auto begin = Clock::now();
   while (true) {
+    look_after_connection();
     if (auto news = look()) return std::move(*news);
     const double left = patience - seconds_since(begin);
     if (left <= 0.0) return Silence{};
-    look_after_connection();
     const auto pause = static_cast<dds_duration_t>(1e9 * std::min(left, look_around)) + 1;
     if (dds_waitset_wait(link_.waitset.get(), nullptr, 0, pause) < 0) dds_sleepfor(pause);
   }
@@ -134,19 +139,32 @@ std::optional<News> TeamClient::take_state() {
   while (take(link_.state_reader, state)) {
     heard_ = Clock::now();
     if (!link_.is_seated) continue;
+    const std::uint64_t heard = state.heard[index_of(call_.team)];
+    if (heard != heard_commands_) {
+      heard_commands_ = heard;
+      heard_us_ = heard_;
+      unheard_ = 0;
+    }
     if (state.leg != link_.leg) {
       link_.is_seated = false;  // the server was started again
     } else if (!answer_ || state.tick > answer_->tick) {
       return to_scene(state);
     } else if (state.tick == answer_->tick) {
       dds_write(link_.command_writer.get(), &*answer_);
+      ++unheard_;
     }
   }
   return std::nullopt;
 }
 
+// Hostile packets can make either side deaf to the other.
+bool TeamClient::is_cut_off() const {
+  if (unheard_ > most_unheard && seconds_since(heard_us_) > longest_unheard) return true;
+  return seconds_since(heard_) > longest_silence && seconds_since(connected_) > longest_silence;
+}
+
 void TeamClient::look_after_connection() {
-  if (seconds_since(heard_) > longest_silence && seconds_since(connected_) > longest_silence) {
+  if (is_cut_off()) {
     if (!connect()) return;  // tried again after the next silence
   }
   if (!link_.is_seated && seconds_since(said_hello_) > hello_again) say_hello();
@@ -164,6 +182,7 @@ void TeamClient::say_hello() {
 void TeamClient::send(const match::Command& command, std::uint32_t tick) {
   answer_ = to_sample(command, call_.team, tick, link_.nonce);
   dds_write(link_.command_writer.get(), &*answer_);
+  ++unheard_;
 }
 
 std::string TeamClient::trouble() const {

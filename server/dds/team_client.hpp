@@ -78,6 +78,7 @@ class TeamClient {
   std::optional<News> take_welcome();
   std::optional<News> take_event();
   std::optional<News> take_state();
+  bool is_cut_off() const;
   void look_after_connection();
   void say_hello();
 
@@ -90,6 +91,9 @@ class TeamClient {
   std::uint64_t seated_leg_ = 0;
   Told told_;
   std::optional<mirocup_v1_TeamCommand> answer_;  // the last one
+  std::uint64_t heard_commands_ = 0;              // as the server counts them
+  Clock::time_point heard_us_;                    // the count has changed, last
+  int unheard_ = 0;                               // commands that were sent since then
   std::string not_now_;                           // what the server said
 };
 

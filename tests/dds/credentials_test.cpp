@@ -88,11 +88,7 @@ TEST_F(Credentials, LetTheTeamPlayAndNobodyElse) {
 TEST_F(Credentials, DetectForgedPackets) {
   const std::string id = match_id("forged");
   Running leg(match(id));
-  auto arguments = join(id, of("teams/remote"));
-  arguments.insert(arguments.begin(),
-                   {"/usr/bin/env", "LD_PRELOAD=" + program("bad_network.so"),
-                    "ASAN_OPTIONS=verify_asan_link_order=0", "BAD_NETWORK_GARBAGE=1"});
-  Running remote(arguments);
+  Running remote(on_bad_network(join(id, of("teams/remote")), {"BAD_NETWORK_GARBAGE=1"}));
   ASSERT_EQ(leg.wait().exit_code, 0);
   run({program("mirocup"), "match", "--blue", "striker", "--yellow", "keeper", "--half", "5",
        "--record", folder_ / "so.json"});

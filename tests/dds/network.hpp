@@ -5,6 +5,7 @@
 
 #include "tests/support/program.hpp"
 
+#include <functional>
 #include <string>
 #include <unistd.h>
 #include <vector>
@@ -22,6 +23,28 @@ inline std::vector<std::string> join(const std::string& id, const std::string& c
   const std::string library =
       team.find('/') == std::string::npos ? program("house/" + team + ".so") : team;
   return {program("mirocup"), "join", "--match", id, "--team", colour, "--name", name, library};
+}
+
+// Until something holds that another process brings about; false if it never does.
+inline bool wait_until(const std::function<bool()>& holds) {
+  for (int i = 0; i < 3000; ++i) {
+    if (holds()) return true;
+    usleep(10'000);
+  }
+  return false;
+}
+
+inline bool has_said(const Running& process, const std::string& text) {
+  return wait_until([&] { return process.err().find(text) != std::string::npos; });
+}
+
+// A program whose packets get lost or are garbled, as tests/support/bad_network.c says.
+inline std::vector<std::string> on_bad_network(std::vector<std::string> arguments,
+                                               std::vector<std::string> how) {
+  how.insert(how.begin(), {"/usr/bin/env", "LD_PRELOAD=" + program("bad_network.so"),
+                           "ASAN_OPTIONS=verify_asan_link_order=0"});
+  how.insert(how.end(), arguments.begin(), arguments.end());
+  return how;
 }
 
 }  // namespace mirocup::test_support
