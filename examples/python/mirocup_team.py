@@ -51,7 +51,7 @@ class Setup(ctypes.Structure):
 class Observation(ctypes.Structure):
     _fields_ = [("size", c_uint32), ("tick", c_uint32), ("time", c_double), ("clock", c_double)]
     _fields_ += [(name, c_int32) for name in ("state", "phase", "restart", "own_restart",
-                                              "own_score", "opponent_score", "robots", "reserved")]
+                                              "own_score", "opponent_score", "robots", "placing")]
     _fields_ += [(name, c_double) for name in ("ball_x", "ball_y", "ball_vx", "ball_vy")]
     _fields_ += [("own", Robot * MAX_ROBOTS), ("opponent", Robot * MAX_ROBOTS),
                  ("own_counts", Counts), ("opponent_counts", Counts),
