@@ -4,12 +4,14 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/mirocup)
 
-install(TARGETS mirocup mirocup_strategy EXPORT mirocup)
+install(TARGETS mirocup mirocup_strategy mirocup_team EXPORT mirocup)
 install(TARGETS mirocup-league)
 install(TARGETS mirocup-plugin-host RUNTIME DESTINATION libexec/mirocup)
+install(PROGRAMS ${PROJECT_BINARY_DIR}/mirocup-credentials DESTINATION libexec/mirocup)
 install(TARGETS house_idle house_chaser house_keeper house_striker LIBRARY DESTINATION lib/mirocup/house)
 install(DIRECTORY plugins/include/ TYPE INCLUDE)
 install(FILES server/record/record.schema.json DESTINATION share/mirocup)
+install(DIRECTORY examples DESTINATION share/mirocup USE_SOURCE_PERMISSIONS)
 install(DIRECTORY plugins/template/ DESTINATION share/mirocup/team)
 install(EXPORT mirocup NAMESPACE mirocup:: FILE mirocup-targets.cmake DESTINATION ${package_folder})
 
@@ -19,7 +21,7 @@ install(FILES cmake/mirocup-config.cmake ${PROJECT_BINARY_DIR}/lib/cmake/mirocup
   DESTINATION ${package_folder})
 
 # The build tree looks like a prefix to find_package and to `mirocup new`.
-export(TARGETS mirocup mirocup_strategy NAMESPACE mirocup::
+export(TARGETS mirocup mirocup_strategy mirocup_team NAMESPACE mirocup::
   FILE ${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup-targets.cmake)
 configure_file(cmake/mirocup-config.cmake ${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup-config.cmake COPYONLY)
 foreach(file CMakeLists.txt CMakePresets.json README.md team.cpp team_test.cpp)

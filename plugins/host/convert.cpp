@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "plugins/host/convert.hpp"
 
+#include "core/match/same_names.hpp"
+
 namespace mirocup::plugins {
 
 // The two sides number these alike.
@@ -23,25 +25,10 @@ mirocup_robot to_robot(const match::ObservedRobot& robot) {
           robot.velocity.x(), robot.velocity.y(), robot.turn};
 }
 
-mirocup_counts to_counts(const referee::TeamCounts& from) {
-  mirocup_counts c{};
-  c.defenders = from.defenders;
-  c.area_defenders = from.area_defenders;
-  c.attackers = from.attackers;
-  c.keeper = from.keeper;
-  c.advantage_against = from.advantage_against ? 1 : 0;
-  c.two_defenders_s = from.two_defenders_s;
-  c.four_defenders_s = from.four_defenders_s;
-  c.two_attackers_s = from.two_attackers_s;
-  c.keeper_hold_s = from.keeper_hold_s;
-  return c;
-}
-
 }  // namespace
 
 mirocup_setup to_setup(const match::Briefing& briefing) {
   const field::Field& field = *briefing.field;
-  const simulator::Parameters& p = *briefing.parameters;
   mirocup_setup s{};
   s.size = sizeof s;
   s.league = static_cast<int>(field.league);
@@ -62,15 +49,7 @@ mirocup_setup to_setup(const match::Briefing& briefing) {
     s.penalty_area_half_width = field.penalty_area->half_width;
   }
   s.centre_circle_radius = field.centre_circle_radius;
-  s.robot_side = p.robot_side;
-  s.robot_mass = p.robot_mass;
-  s.wheel_distance = p.wheel_distance;
-  s.wheel_radius = p.wheel_radius;
-  s.wheel_speed_limit = p.wheel_speed_limit;
-  s.motor_time_constant = p.motor_time_constant;
-  s.grip = p.grip;
-  s.ball_radius = p.ball_radius;
-  s.ball_mass = p.ball_mass;
+  match::copy_bodies(*briefing.parameters, s);
   return s;
 }
 
@@ -96,8 +75,8 @@ mirocup_observation to_observation(const match::Observation& from) {
     o.own[i] = to_robot(from.own[i]);
     o.opponent[i] = to_robot(from.opponent[i]);
   }
-  o.own_counts = to_counts(from.own_counts);
-  o.opponent_counts = to_counts(from.opponent_counts);
+  match::copy_counts(from.own_counts, o.own_counts);
+  match::copy_counts(from.opponent_counts, o.opponent_counts);
   o.stalemate_s = from.stalemate_s;
   o.advantage_s = from.advantage_s;
   return o;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // mirocup join: plays a library in a match on the network.
-#include "plugins/host/convert.hpp"
+#include "mirocup/team.hpp"
 #include "plugins/host/plugin.hpp"
 #include "server/app/commands.hpp"
 #include "server/app/interrupt.hpp"
-#include "server/dds/team_client.hpp"
 
+#include <chrono>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -15,9 +15,11 @@ namespace mirocup::app {
 
 namespace {
 
+using SteadyClock = std::chrono::steady_clock;
+
 // Without a word from the server for so long (s), it is gone.
 constexpr double longest_silence = 10.0;
-constexpr double look_around = 0.5;
+constexpr double look_around = 0.25;
 
 struct Options {
   std::string match_id;
@@ -25,55 +27,103 @@ struct Options {
   std::string name;
   std::string library;
   std::string server = "127.0.0.1";
+  std::string credentials;
   double patience = 60.0;
 };
 
+// A library at the end of a connection.
+class RemoteTeam {
+ public:
+  RemoteTeam(const Options& options, Interrupt& interrupt, team::Connection& match)
+      : options_(options), interrupt_(interrupt), match_(match) {}
+
+  // Until the match is over.
+  Result<int> play();
+
+ private:
+  Result<void> take_seat();
+  Result<void> answer();
+  Result<void> check_silence() const;
+  int report() const;
+
+  const Options& options_;
+  Interrupt& interrupt_;
+  team::Connection& match_;
+  std::optional<plugins::Plugin> plugin_;
+  SteadyClock::time_point heard_ = SteadyClock::now();
+};
+
+Result<int> RemoteTeam::play() {
+  while (!interrupt_.is_asked_for()) {
+    const int news = match_.wait(look_around);
+    Result<void> done;
+    switch (news) {
+      case MIROCUP_TEAM_SEATED:
+        done = take_seat();
+        break;
+      case MIROCUP_TEAM_TICK:
+        done = answer();
+        break;
+      case MIROCUP_TEAM_OVER:
+        return report();
+      case MIROCUP_TEAM_REFUSED:
+        return fail(Errc::unavailable, "the match server refuses the team: " + match_.text());
+      default:
+        done = check_silence();
+    }
+    if (!done) return tl::unexpected(done.error());
+    if (news != MIROCUP_TEAM_NOTHING) heard_ = SteadyClock::now();
+  }
+  return fail(Errc::interrupted, "interrupted");
+}
+
+// Of a leg that is new to the team: it begins from nothing, as it would in a process of its own.
+Result<void> RemoteTeam::take_seat() {
+  plugin_.reset();
+  const std::string path =
+      options_.library.find('/') == std::string::npos ? "./" + options_.library : options_.library;
+  auto plugin = plugins::Plugin::load(path, match_.setup());
+  if (!plugin) return fail(Errc::input, options_.library + ": " + plugin.error().text);
+  plugin_.emplace(std::move(*plugin));
+  std::cerr << "mirocup: " << options_.name << " plays " << options_.team << " in match "
+            << options_.match_id << '\n';
+  return {};
+}
+
+Result<void> RemoteTeam::answer() {
+  const auto decided = plugin_->decide(match_.observation());
+  if (!decided) return fail(Errc::input, options_.library + ": " + decided.error().text);
+  match_.send(*decided);
+  return {};
+}
+
+Result<void> RemoteTeam::check_silence() const {
+  const double silence = std::chrono::duration<double>(SteadyClock::now() - heard_).count();
+  if (!plugin_ && silence > options_.patience) {
+    return fail(Errc::unavailable, match_.text() + ", for " +
+                                       std::to_string(static_cast<int>(options_.patience)) + " s");
+  }
+  if (plugin_ && silence > longest_silence) {
+    return fail(Errc::unavailable, "the match server has not been heard of for 10 s");
+  }
+  return {};
+}
+
+int RemoteTeam::report() const {
+  std::cout << "the match is over (" << match_.text() << "): blue " << match_.score()[0]
+            << ", yellow " << match_.score()[1] << '\n';
+  return exit_yes;
+}
+
 Result<int> run_join(const Options& options) {
   Interrupt interrupt;
-  const Team team = *from_string<Team>(options.team);
-  auto client =
-      dds::TeamClient::join(options.server, options.match_id, team, options.name, options.patience,
-                            [&interrupt] { return interrupt.is_asked_for(); });
-  if (!client) return tl::unexpected(client.error());
-
-  mirocup_setup setup = plugins::to_setup((*client)->briefing());
-  setup.log = plugins::write_line;
-  const std::string path =
-      options.library.find('/') == std::string::npos ? "./" + options.library : options.library;
-  auto plugin = plugins::Plugin::load(path, setup);
-  if (!plugin) return fail(Errc::input, options.library + ": " + plugin.error().text);
-  std::cerr << "mirocup: " << options.name << " plays " << options.team << " in match "
-            << options.match_id << '\n';
-
-  // The server sends a state again if it missed the answer; the answer is not thought of twice.
-  std::optional<std::uint32_t> answered;
-  match::Command command;
-  double silence = 0.0;
-  while (true) {
-    if (interrupt.is_asked_for()) return fail(Errc::interrupted, "interrupted");
-    const dds::News news = (*client)->wait(look_around);
-    if (const auto* over = std::get_if<dds::MatchOver>(&news)) {
-      std::cout << "the match is over (" << over->how << "): blue " << over->score[0] << ", yellow "
-                << over->score[1] << '\n';
-      return exit_yes;
-    }
-    const auto* scene = std::get_if<match::Scene>(&news);
-    if (scene == nullptr) {
-      silence += look_around;
-      if (silence < longest_silence) continue;
-      return fail(Errc::unavailable, "the match server has not been heard of for 10 s");
-    }
-    silence = 0.0;
-    if (answered && scene->tick < *answered) continue;
-    if (answered != scene->tick) {
-      const auto decided = plugin->decide(
-          plugins::to_observation(match::observe(*scene, team, (*client)->robots())));
-      if (!decided) return fail(Errc::input, options.library + ": " + decided.error().text);
-      command = plugins::to_command(*decided);
-      answered = scene->tick;
-    }
-    (*client)->send(command, scene->tick);
-  }
+  team::Connection match({.match = options.match_id,
+                          .team = index_of(*from_string<Team>(options.team)),
+                          .name = options.name,
+                          .server = options.server,
+                          .credentials = options.credentials});
+  if (!match.is_open()) return fail(Errc::unavailable, match.why());
+  return RemoteTeam(options, interrupt, match).play();
 }
 
 }  // namespace
@@ -91,6 +141,8 @@ void add_join(CLI::App& app, Run& run) {
       ->capture_default_str();
   command->add_option("--patience", options->patience, "seconds to wait for the match")
       ->capture_default_str();
+  command->add_option("--credentials", options->credentials,
+                      "folder with the team's credentials, for a match that asks for them");
   command->add_option("FILE.so", options->library, "the team's library")->required();
   command->callback([options, &run] { run = [options] { return run_join(*options); }; });
 }

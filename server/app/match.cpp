@@ -16,6 +16,14 @@ namespace mirocup::app {
 
 namespace {
 
+// In real time a team on the network has so much of a tick to answer it. The rest is for the
+// simulation, so that a late team does not make the next tick late.
+constexpr double time_to_answer = 0.9;
+
+// A team that has not answered for so many ticks is away; not sooner than after so many seconds.
+constexpr double ticks_to_notice = 9.0;
+constexpr double shortest_notice = 0.1;
+
 struct Options {
   match::ByTeam<std::string> teams;
   match::ByTeam<std::string> names;  // "": the team's own
@@ -33,6 +41,8 @@ struct Options {
   std::string match_id = "1";
   std::string interface = "lo";
   double join_within = 60.0;
+  double away_limit = 10.0;
+  std::string credentials;
   bool json = false;
 };
 
@@ -112,7 +122,8 @@ Result<void> Session::seat_teams() {
   const bool any_dds = choices[0].info.kind == record::TeamKind::dds ||
                        choices[1].info.kind == record::TeamKind::dds;
   if (any_dds) {
-    auto server = dds::MatchServer::open(options_.match_id, options_.interface);
+    auto server =
+        dds::MatchServer::open(options_.match_id, options_.interface, options_.credentials);
     if (!server) return tl::unexpected(server.error());
     network_ = std::move(*server);
   } else if (pacer_.period() == 0.0) {
@@ -123,6 +134,7 @@ Result<void> Session::seat_teams() {
     if (!seat) return tl::unexpected(seat.error());
     seats_.push_back(std::move(*seat));
   }
+  if (network_) network_->publish(match_);  // to be answered before the match begins
   wait_until_ready(seats_, match_, interrupt_);
   return {};
 }
@@ -163,10 +175,12 @@ Result<ProcessTerms> Session::process_terms() const {
 dds::Patience Session::patience() {
   dds::Patience patience;
   patience.to_join = options_.join_within;
+  patience.away = options_.away_limit;
   patience.interrupted = [this] { return interrupt_.is_asked_for(); };
+  patience.tell = [](const std::string& text) { std::cerr << "mirocup: " << text << '\n'; };
   if (pacer_.period() > 0.0) {
-    patience.tick = pacer_.period();
-    patience.is_late_fatal = false;
+    patience.tick = time_to_answer * pacer_.period();
+    patience.notice = std::max(shortest_notice, ticks_to_notice * pacer_.period());
   }
   return patience;
 }
@@ -198,6 +212,9 @@ Result<void> Session::play() {
     if (live_) live_->publish(match_);
   }
   if (network_) network_->close(match_);
+  if (is_void() && interrupt_.is_asked_for()) {
+    return fail(Errc::interrupted, "interrupted; nothing was decided");
+  }
   return {};
 }
 
@@ -211,6 +228,7 @@ record::MatchRecord Session::record() const {
     record.budget[i] = seats_[i].budget();
     record.budget[i].late_ticks = match_.late_ticks()[i];
     record.budget[i].bad_commands = match_.bad_values()[i];
+    record.network[i] = seats_[i].network_report();
   }
   record.recording = replay::record(match_, trace_);
   return record;
@@ -315,6 +333,12 @@ void add_match(CLI::App& app, Run& run) {
       ->capture_default_str();
   command->add_option("--join-within", o->join_within, "seconds that a DDS team has to join")
       ->capture_default_str();
+  command
+      ->add_option("--away-limit", o->away_limit,
+                   "seconds that a DDS team may be away from the match in all")
+      ->capture_default_str();
+  command->add_option("--credentials", o->credentials,
+                      "folder with the server's credentials: only teams of the league can join");
   command->add_flag("--json", o->json, "the record on standard output");
   command->callback([o, &run] { run = [o] { return run_match(*o); }; });
 }

@@ -28,8 +28,9 @@ match::Fault no_load(std::string why) {
 Result<TeamChoice> choose_team(const std::string& text) {
   TeamChoice choice;
   if (text.rfind(dds_prefix, 0) == 0) {
-    choice.info = {text.substr(dds_prefix.size()), record::TeamKind::dds, std::nullopt};
-    if (choice.info.name.empty()) return fail(Errc::input, "dds: needs a name, as in dds:NAME");
+    choice.network_name = text.substr(dds_prefix.size());
+    choice.info = {choice.network_name, record::TeamKind::dds, std::nullopt};
+    if (choice.network_name.empty()) return fail(Errc::input, "dds: needs a name, as in dds:NAME");
     return choice;
   }
   choice.library = record::house_team(text);
@@ -92,7 +93,7 @@ Result<TeamSeat> TeamSeat::take_on_network(const TeamChoice& choice,
                                            dds::MatchServer& server,
                                            const dds::Patience& patience) {
   TeamSeat seat(choice.info);
-  auto network = server.add_seat(briefing, patience);
+  auto network = server.add_seat(briefing, choice.network_name, patience);
   if (!network) return tl::unexpected(network.error());
   seat.network_ = *network;
   seat.controller_ = *network;
@@ -102,7 +103,7 @@ Result<TeamSeat> TeamSeat::take_on_network(const TeamChoice& choice,
 tl::expected<void, match::Answer> TeamSeat::wait_until_ready() {
   if (load_fault_) return tl::unexpected<match::Answer>(*load_fault_);
   if (process_ != nullptr) return process_->wait_until_ready();
-  if (network_ != nullptr) return network_->wait_until_joined(info_.name);
+  if (network_ != nullptr) return network_->wait_until_ready();
   return {};
 }
 
@@ -121,6 +122,22 @@ void stay_on_this_core() {
   CPU_ZERO(&one);
   CPU_SET(sched_getcpu(), &one);
   sched_setaffinity(0, sizeof one, &one);
+}
+
+std::optional<record::NetworkReport> TeamSeat::network_report() const {
+  if (network_ == nullptr) return std::nullopt;
+  const dds::CommandCounts& commands = network_->commands();
+  record::NetworkReport report{commands.in_step,
+                               commands.late,
+                               commands.duplicate,
+                               commands.ahead,
+                               commands.foreign,
+                               network_->processes(),
+                               {}};
+  for (const dds::Absence& a : network_->absences()) {
+    report.absences.push_back({a.tick, a.noticed, a.back, a.has_left});
+  }
+  return report;
 }
 
 void wait_until_ready(std::span<TeamSeat> seats, match::Match& match, Interrupt& interrupt) {

@@ -20,6 +20,7 @@ namespace mirocup::app {
 struct TeamChoice {
   record::TeamInfo info;
   std::string library;                  // for a DDS team ""
+  std::string network_name;             // of a DDS team: what it calls itself
   std::optional<plugins::Entry> entry;  // what the library was when it was chosen
   std::optional<match::Fault> fault;    // of a library that cannot be one
 };
@@ -50,6 +51,8 @@ class TeamSeat {
   match::Controller& controller() { return *controller_; }
   const record::TeamInfo& info() const { return info_; }
   record::Budget budget() const;
+  // What happened between the server and the team, if it plays over the network.
+  std::optional<record::NetworkReport> network_report() const;
   // The process that the team plays in, or null.
   const plugins::ProcessController* process() const { return process_; }
   std::string output() { return process_ != nullptr ? process_->output() : std::string(); }

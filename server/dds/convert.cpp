@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/dds/convert.hpp"
 
-#include <cmath>
+#include "core/match/same_names.hpp"
 
 namespace mirocup::dds {
 
@@ -18,16 +18,6 @@ simulator::RobotState to_robot(const mirocup_v1_RobotState& r) {
   return {{r.x, r.y}, {r.heading_cos, r.heading_sin}, {r.forward, r.left, r.turn}};
 }
 
-mirocup_v1_TeamCounts to_sample(const referee::TeamCounts& c) {
-  return {c.defenders,       c.two_defenders_s, c.area_defenders, c.four_defenders_s, c.attackers,
-          c.two_attackers_s, c.keeper_hold_s,   c.keeper,         c.advantage_against};
-}
-
-referee::TeamCounts to_counts(const mirocup_v1_TeamCounts& c) {
-  return {c.defenders,       c.two_defenders_s, c.area_defenders, c.four_defenders_s, c.attackers,
-          c.two_attackers_s, c.keeper_hold_s,   c.keeper,         c.advantage_against};
-}
-
 template <class E>
 std::uint8_t octet(E value) {
   return static_cast<std::uint8_t>(value);
@@ -41,8 +31,9 @@ E enumerator(std::uint8_t value) {
 
 }  // namespace
 
-mirocup_v1_WorldState to_sample(const match::Scene& scene, int robots) {
+mirocup_v1_WorldState to_sample(const match::Scene& scene, int robots, std::uint64_t leg) {
   mirocup_v1_WorldState s{};
+  s.leg = leg;
   s.tick = scene.tick;
   s.time = scene.time;
   s.clock = scene.clock;
@@ -64,7 +55,7 @@ mirocup_v1_WorldState to_sample(const match::Scene& scene, int robots) {
   }
   s.stalemate_s = scene.stalemate_s;
   s.advantage_s = scene.advantage_s;
-  for (int team = 0; team < 2; ++team) s.counts[team] = to_sample(scene.counts[team]);
+  for (int team = 0; team < 2; ++team) match::copy_counts(scene.counts[team], s.counts[team]);
   return s;
 }
 
@@ -86,45 +77,29 @@ match::Scene to_scene(const mirocup_v1_WorldState& s) {
   }
   scene.stalemate_s = s.stalemate_s;
   scene.advantage_s = s.advantage_s;
-  for (int team = 0; team < 2; ++team) scene.counts[team] = to_counts(s.counts[team]);
+  for (int team = 0; team < 2; ++team) match::copy_counts(s.counts[team], scene.counts[team]);
   return scene;
 }
 
-mirocup_v1_Welcome to_sample(const match::Briefing& briefing, std::uint64_t nonce) {
-  const simulator::Parameters& p = *briefing.parameters;
+mirocup_v1_Welcome to_sample(const match::Briefing& briefing, std::uint64_t leg,
+                             std::uint64_t nonce) {
   mirocup_v1_Welcome w{};
   w.team = octet(briefing.team);
   w.nonce = nonce;
-  w.accepted = true;
+  w.leg = leg;
+  w.answer = octet(Admission::accepted);
   w.league = octet(briefing.field->league);
   w.seed = briefing.seed;
   w.control_period = briefing.control_period;
   w.half_seconds = briefing.rules->half_s;
-  w.robot_side = p.robot_side;
-  w.robot_mass = p.robot_mass;
-  w.wheel_distance = p.wheel_distance;
-  w.wheel_radius = p.wheel_radius;
-  w.wheel_speed_limit = p.wheel_speed_limit;
-  w.motor_time_constant = p.motor_time_constant;
-  w.grip = p.grip;
-  w.ball_radius = p.ball_radius;
-  w.ball_mass = p.ball_mass;
+  match::copy_bodies(*briefing.parameters, w);
   return w;
 }
 
 bool from_sample(const mirocup_v1_Welcome& w, Told& told) {
   if (w.league >= enum_names<League>.size() || w.team >= enum_names<Team>.size()) return false;
   told.field = field::make_field(static_cast<League>(w.league));
-  simulator::Parameters& p = told.parameters;
-  p.robot_side = w.robot_side;
-  p.robot_mass = w.robot_mass;
-  p.wheel_distance = w.wheel_distance;
-  p.wheel_radius = w.wheel_radius;
-  p.wheel_speed_limit = w.wheel_speed_limit;
-  p.motor_time_constant = w.motor_time_constant;
-  p.grip = w.grip;
-  p.ball_radius = w.ball_radius;
-  p.ball_mass = w.ball_mass;
+  match::copy_bodies(w, told.parameters);
   told.rules.half_s = w.half_seconds;
   told.briefing = {.field = &told.field,
                    .parameters = &told.parameters,
@@ -135,9 +110,10 @@ bool from_sample(const mirocup_v1_Welcome& w, Told& told) {
   return true;
 }
 
-mirocup_v1_MatchEvent to_sample(const match::LoggedDecision& d, std::uint32_t number,
-                                const match::ByTeam<int>& score) {
+mirocup_v1_MatchEvent to_sample(const match::LoggedDecision& d, std::uint64_t leg,
+                                std::uint32_t number, const match::ByTeam<int>& score) {
   mirocup_v1_MatchEvent e{};
+  e.leg = leg;
   e.number = number;
   e.tick = d.tick;
   e.clock = d.decision.clock;

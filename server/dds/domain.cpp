@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "server/dds/domain.hpp"
 
+#include "server/dds/confine.hpp"
+#include "server/dds/credentials.hpp"
+
+#include <cstdio>
+
 namespace mirocup::dds {
 
 namespace {
@@ -18,33 +23,62 @@ std::string interface_xml(const std::string& interface) {
          "\"/></Interfaces>";
 }
 
-// A giant sample would otherwise be gathered before it is thrown away.
-constexpr const char* limits = "<Internal><MaxSampleSize>64 kB</MaxSampleSize></Internal>";
+// `index`: of the participant, "none" for any free port.
+std::string configuration(const std::string& interface, const std::string& index,
+                          const std::string& peers) {
+  return "<CycloneDDS><Domain Id=\"any\"><General>" +
+         (interface.empty() ? std::string() : interface_xml(interface)) +
+         "<AllowMulticast>false</AllowMulticast></General>"
+         "<Discovery><ParticipantIndex>" +
+         index +
+         "</ParticipantIndex><SPDPInterval>500ms</SPDPInterval><LeaseDuration>3s</LeaseDuration>" +
+         peers +
+         "</Discovery>"
+         // A giant sample would otherwise be gathered before it is thrown away.
+         "<Internal><MaxSampleSize>64 kB</MaxSampleSize></Internal>"
+         "<Tracing><Verbosity>none</Verbosity></Tracing></Domain></CycloneDDS>";
+}
 
-// Errors are told by whoever asked; the library's own chatter is not for the user.
-constexpr const char* quiet = "<Tracing><Verbosity>none</Verbosity></Tracing>";
+// What Cyclone said about it, if it did.
+std::string reason(const Log& log) {
+  const std::string last = log.last();
+  return last.empty() ? last : " (" + last + ")";
+}
 
-Result<Domain> open_domain(const std::string& xml) {
-  auto domain = created(dds_create_domain(domain_id, xml.c_str()), "the domain");
-  if (!domain) return tl::unexpected(domain.error());
-  auto participant =
-      created(dds_create_participant(domain_id, nullptr, nullptr), "the participant");
-  if (!participant) return tl::unexpected(participant.error());
-  return Domain{std::move(*domain), std::move(*participant)};
+Result<Domain> open_domain(const std::string& interface, const std::string& xml,
+                           const std::string& credentials) {
+  Domain opened{std::make_unique<Log>(), {}, credentials};
+  const auto before = open_descriptors();
+  auto made =
+      keep(opened.domain, created(dds_create_domain(domain_id, xml.c_str()), "the connection"));
+  if (!made) return fail(made.error().code, made.error().what + reason(*opened.log));
+  if (!interface.empty()) confine_sockets(before, interface);
+  return opened;
+}
+
+std::string safe(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                          (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
+    if (is_plain) {
+      out += c;
+      continue;
+    }
+    char code[4];
+    std::snprintf(code, sizeof code, "%%%02X", static_cast<unsigned char>(c));
+    out += code;
+  }
+  return out;
 }
 
 }  // namespace
 
-Result<Domain> open_server_domain(const std::string& interface) {
+Result<Domain> open_server_domain(const std::string& interface, const std::string& credentials) {
   Result<Domain> opened = fail(Errc::unavailable, "");
   for (int index = 0; index < server_ports; ++index) {
-    opened = open_domain(
-        "<CycloneDDS><Domain Id=\"any\"><General>" + interface_xml(interface) +
-        "<AllowMulticast>false</AllowMulticast></General><Discovery><ParticipantIndex>" +
-        std::to_string(index) +
-        "</ParticipantIndex><SPDPInterval>500ms</SPDPInterval><LeaseDuration>3s</LeaseDuration>"
-        "</Discovery>" +
-        limits + quiet + "</Domain></CycloneDDS>");
+    opened =
+        open_domain(interface, configuration(interface, std::to_string(index), ""), credentials);
     if (opened) return opened;
   }
   return fail(Errc::unavailable, "none of the " + std::to_string(server_ports) +
@@ -52,26 +86,35 @@ Result<Domain> open_server_domain(const std::string& interface) {
                                      "\" (or there is no such interface): " + opened.error().what);
 }
 
-Result<Domain> open_team_domain(const std::string& server) {
+Result<Domain> open_team_domain(const std::string& server, const std::string& credentials) {
   const bool is_local = server == "localhost" || server.rfind("127.", 0) == 0;
   std::string peers;
   for (int index = 0; index < server_ports; ++index) {
     peers += "<Peer Address=\"" + server + ":" + std::to_string(first_port + 2 * index) + "\"/>";
   }
-  return open_domain("<CycloneDDS><Domain Id=\"any\"><General>" +
-                     (is_local ? interface_xml("lo") : std::string()) +
-                     "<AllowMulticast>false</AllowMulticast></General><Discovery>"
-                     "<ParticipantIndex>none</ParticipantIndex><SPDPInterval>500ms</SPDPInterval>"
-                     "<LeaseDuration>3s</LeaseDuration><Peers>" +
-                     peers + "</Peers></Discovery>" + limits + quiet + "</Domain></CycloneDDS>");
+  const std::string interface = is_local ? "lo" : "";
+  return open_domain(interface, configuration(interface, "none", "<Peers>" + peers + "</Peers>"),
+                     credentials);
 }
 
-std::string match_partition(const std::string& match_id) {
-  return "match-" + match_id;
+Result<Entity> make_participant(const Domain& domain) {
+  Qos qos(dds_create_qos());
+  if (!domain.credentials.empty()) {
+    if (auto set = set_credentials(qos.get(), domain.credentials); !set) {
+      return tl::unexpected(set.error());
+    }
+  }
+  auto made = created(dds_create_participant(domain_id, qos.get(), nullptr), "the participant");
+  if (!made) return fail(made.error().code, made.error().what + reason(*domain.log));
+  return made;
 }
 
-std::string team_partition(const std::string& match_id, int colour) {
-  return match_partition(match_id) + (colour == 0 ? "/blue" : "/yellow");
+std::string match_partition(std::string_view match_id) {
+  return "match-" + safe(match_id);
+}
+
+std::string team_partition(std::string_view match_id, int colour, std::string_view name) {
+  return match_partition(match_id) + (colour == 0 ? "/blue/" : "/yellow/") + safe(name);
 }
 
 }  // namespace mirocup::dds

@@ -1,34 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "server/dds/entity.hpp"
 
-#include <memory>
+#include <algorithm>
+#include <iterator>
 
 namespace mirocup::dds {
 
 namespace {
 
-struct DeleteQos {
-  void operator()(dds_qos_t* qos) const { dds_delete_qos(qos); }
-};
-using Qos = std::unique_ptr<dds_qos_t, DeleteQos>;
-
-Qos qos_of(const idl::TopicQos& row) {
+Qos qos_of(const idl::TopicQos& row, std::int32_t depth) {
   Qos qos(dds_create_qos());
   dds_qset_reliability(qos.get(),
                        row.reliable ? DDS_RELIABILITY_RELIABLE : DDS_RELIABILITY_BEST_EFFORT,
                        DDS_MSECS(100));
   dds_qset_durability(qos.get(),
                       row.kept_for_late ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);
-  if (row.depth > 0) {
-    dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, row.depth);
-  } else {
-    dds_qset_history(qos.get(), DDS_HISTORY_KEEP_ALL, DDS_LENGTH_UNLIMITED);
-  }
+  dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, depth);
   if (row.kept_for_late) {
-    dds_qset_durability_service(qos.get(), 0,
-                                row.depth > 0 ? DDS_HISTORY_KEEP_LAST : DDS_HISTORY_KEEP_ALL,
-                                row.depth > 0 ? row.depth : DDS_LENGTH_UNLIMITED,
-                                DDS_LENGTH_UNLIMITED, DDS_LENGTH_UNLIMITED, DDS_LENGTH_UNLIMITED);
+    dds_qset_durability_service(qos.get(), 0, DDS_HISTORY_KEEP_LAST, depth, DDS_LENGTH_UNLIMITED,
+                                DDS_LENGTH_UNLIMITED, DDS_LENGTH_UNLIMITED);
   }
   return qos;
 }
@@ -43,6 +33,9 @@ Qos partition_qos(const std::string& partition) {
 
 Result<Entity> created(dds_entity_t handle, const std::string& what) {
   if (handle > 0) return Entity(handle);
+  if (handle == DDS_RETCODE_NOT_ALLOWED_BY_SECURITY) {
+    return fail(Errc::input, "the credentials do not allow " + what + ": they are somebody else's");
+  }
   return fail(Errc::unavailable, "DDS: " + what + " cannot be made: " + dds_strretcode(handle));
 }
 
@@ -57,25 +50,43 @@ Result<Entity> make_subscriber(const Entity& participant, const std::string& par
 }
 
 Result<Entity> make_topic(const Entity& participant, const dds_topic_descriptor_t& type,
-                          const idl::TopicQos& qos) {
-  return created(dds_create_topic(participant.get(), &type, qos.name, qos_of(qos).get(), nullptr),
-                 std::string("the topic ") + qos.name);
+                          const idl::TopicQos& row) {
+  return created(dds_create_topic(participant.get(), &type, row.name,
+                                  qos_of(row, row.written_depth).get(), nullptr),
+                 std::string("the topic ") + row.name);
 }
 
-Result<Entity> make_writer(const Entity& publisher, const Entity& topic, const idl::TopicQos& qos) {
-  return created(dds_create_writer(publisher.get(), topic.get(), qos_of(qos).get(), nullptr),
-                 std::string("the writer of ") + qos.name);
+Result<Entity> make_writer(const Entity& publisher, const Entity& topic, const idl::TopicQos& row) {
+  return created(dds_create_writer(publisher.get(), topic.get(),
+                                   qos_of(row, row.written_depth).get(), nullptr),
+                 std::string("the writer of ") + row.name);
 }
 
 Result<Entity> make_reader(const Entity& subscriber, const Entity& topic,
-                           const idl::TopicQos& qos) {
-  Qos with_limits = qos_of(qos);
-  if (qos.most_samples > 0) {
-    dds_qset_resource_limits(with_limits.get(), qos.most_samples, DDS_LENGTH_UNLIMITED,
-                             DDS_LENGTH_UNLIMITED);
-  }
-  return created(dds_create_reader(subscriber.get(), topic.get(), with_limits.get(), nullptr),
-                 std::string("the reader of ") + qos.name);
+                           const idl::TopicQos& row) {
+  return created(
+      dds_create_reader(subscriber.get(), topic.get(), qos_of(row, row.read_depth).get(), nullptr),
+      std::string("the reader of ") + row.name);
+}
+
+Result<void> attach(const Entity& waitset, const Entity& reader) {
+  // The condition belongs to the reader, and goes with it.
+  const dds_entity_t condition = dds_create_readcondition(reader.get(), DDS_ANY_STATE);
+  const dds_return_t attached =
+      condition > 0 ? dds_waitset_attach(waitset.get(), condition, 0) : condition;
+  if (attached == DDS_RETCODE_OK) return {};
+  return fail(Errc::unavailable,
+              std::string("DDS: nothing to wait on: ") + dds_strretcode(attached));
+}
+
+std::optional<ParticipantKey> participant_of(const Entity& reader, dds_instance_handle_t writer) {
+  dds_builtintopic_endpoint_t* endpoint = dds_get_matched_publication_data(reader.get(), writer);
+  if (endpoint == nullptr) return std::nullopt;
+  ParticipantKey key{};
+  std::copy(std::begin(endpoint->participant_key.v), std::end(endpoint->participant_key.v),
+            key.begin());
+  dds_builtintopic_free_endpoint(endpoint);
+  return key;
 }
 
 Result<void> keep(Entity& into, Result<Entity> made) {

@@ -9,6 +9,10 @@
 
 #include <dds/dds.h>
 
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -38,15 +42,29 @@ class Entity {
   dds_entity_t handle_ = 0;
 };
 
+struct DeleteQos {
+  void operator()(dds_qos_t* qos) const { dds_delete_qos(qos); }
+};
+using Qos = std::unique_ptr<dds_qos_t, DeleteQos>;
+
 // `what` names the thing in the error's sentence.
 Result<Entity> created(dds_entity_t handle, const std::string& what);
 
 Result<Entity> make_publisher(const Entity& participant, const std::string& partition);
 Result<Entity> make_subscriber(const Entity& participant, const std::string& partition);
 Result<Entity> make_topic(const Entity& participant, const dds_topic_descriptor_t& type,
-                          const idl::TopicQos& qos);
-Result<Entity> make_writer(const Entity& publisher, const Entity& topic, const idl::TopicQos& qos);
-Result<Entity> make_reader(const Entity& subscriber, const Entity& topic, const idl::TopicQos& qos);
+                          const idl::TopicQos& row);
+Result<Entity> make_writer(const Entity& publisher, const Entity& topic, const idl::TopicQos& row);
+Result<Entity> make_reader(const Entity& subscriber, const Entity& topic, const idl::TopicQos& row);
+
+// The waitset wakes while the reader has samples.
+Result<void> attach(const Entity& waitset, const Entity& reader);
+
+// Whose a writer is: every process on the network has a key of its own.
+using ParticipantKey = std::array<std::uint8_t, 16>;
+
+// Of a writer that the reader hears at this moment, or nothing.
+std::optional<ParticipantKey> participant_of(const Entity& reader, dds_instance_handle_t writer);
 
 // Takes the next valid sample, if there is one; `writer` becomes the handle of who wrote it.
 template <class Sample>

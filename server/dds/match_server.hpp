@@ -2,86 +2,57 @@
 //
 // A match on the network: publishes its state, seats the teams that come, collects their commands.
 //
-// One thread uses it. Only the process with the nonce of the accepted Hello plays; what others
-// write into a team's partition is not taken for it. This is open mode: it keeps mistakes out, not
-// an attacker on the same network.
+// One thread uses it. In open mode it keeps mistakes out, not an attacker on the same network; with
+// credentials everybody on the network must show a certificate.
 #pragma once
 
-#include "server/dds/convert.hpp"
 #include "server/dds/domain.hpp"
+#include "server/dds/seat.hpp"
 
-#include <functional>
 #include <memory>
 
 namespace mirocup::dds {
 
-class MatchServer;
-
-// How long a team may take; seconds of wall time.
-struct Patience {
-  double to_join = 60.0;
-  double tick = 5.0;  // for one answer
-  bool is_late_fatal =
-      true;  // no answer in time: in lockstep the leg is lost, in real time the team is late
-  int most_late_in_a_row = 60;
-  std::function<bool()> interrupted = [] { return false; };  // asked while it waits for the join
-};
-
-// A team that plays across the network.
-class Seat final : public match::Controller {
- public:
-  // Waits for a team called `name`.
-  tl::expected<void, match::Answer> wait_until_joined(const std::string& name);
-
-  void post(const match::Observation& observation) override;
-  match::Answer collect() override;
-
- private:
-  friend class MatchServer;
-  Seat(MatchServer& server, const match::Briefing& briefing, const Patience& patience);
-
-  Result<void> open(const Entity& participant, const std::string& match_id);
-  void answer_hellos();
-  bool has_left() const;
-
-  MatchServer& server_;
-  match::Briefing briefing_;
-  Patience patience_;
-  std::string name_;
-  Entity publisher_, subscriber_, hello_topic_, welcome_topic_, command_topic_;
-  Entity hello_reader_, welcome_writer_, command_reader_, condition_, waitset_;
-  std::uint64_t nonce_ = 0;  // 0: nobody has joined
-  std::uint32_t tick_ = 0;
-  int late_in_a_row_ = 0;
-};
-
 class MatchServer {
  public:
+  // `credentials`: the folder of the server's, "": open mode.
   static Result<std::unique_ptr<MatchServer>> open(const std::string& match_id,
-                                                   const std::string& interface);
+                                                   const std::string& interface,
+                                                   const std::string& credentials);
 
-  // The seat lives as long as the server.
-  Result<Seat*> add_seat(const match::Briefing& briefing, const Patience& patience);
+  // For the team that calls itself `name`. The seat lives as long as the server.
+  Result<Seat*> add_seat(const match::Briefing& briefing, const std::string& name,
+                         const Patience& patience);
 
   // Publishes the begin of a tick, and the decisions since the last call.
   void publish(const match::Match& match);
 
-  // Sends the last state again: a team may have missed it.
-  void repeat();
+  // Takes in what has arrived for all seats, after at most `seconds` if there is nothing yet. Sends
+  // the state again from time to time: a team may have missed it.
+  void listen(double seconds);
 
   // Tells everybody that the match is over, and waits a moment for the news to arrive.
   void close(const match::Match& match);
 
+  std::uint64_t leg() const { return leg_; }
+
+  // What DDS complained about last, as the end of a sentence; "" if it did not.
+  std::string last_words() const;
+
  private:
   MatchServer(std::string match_id, Domain domain);
   Result<void> open_topics();
+  void send_state();
   void publish_decisions(const match::Match& match);
 
   std::string match_id_;
   Domain domain_;
-  Entity publisher_, state_topic_, event_topic_, state_writer_, event_writer_;
+  std::uint64_t leg_;
+  Entity participant_;
+  Entity publisher_, state_topic_, event_topic_, state_writer_, event_writer_, waitset_;
   std::vector<std::unique_ptr<Seat>> seats_;
   mirocup_v1_WorldState state_{};
+  Clock::time_point sent_;  // the state, last
   std::size_t events_ = 0;
 };
 

@@ -1,158 +1,200 @@
 // SPDX-License-Identifier: MIT
 #include "server/dds/team_client.hpp"
 
+#include "server/dds/draw.hpp"
+
 #include <algorithm>
-#include <chrono>
-#include <sys/random.h>
 #include <utility>
 
 namespace mirocup::dds {
 
 namespace {
 
-using std::chrono::duration;
-using std::chrono::steady_clock;
+constexpr double hello_again = 0.25;  // s
+constexpr double look_around = 0.05;
 
-constexpr dds_duration_t slice = DDS_MSECS(20);
-constexpr double hello_again = 0.5;  // s
+// A server sends states many times a second. After so many seconds without any, something is wrong
+// with the connection.
+constexpr double longest_silence = 3.0;
 
-double seconds_since(steady_clock::time_point begin) {
-  return duration<double>(steady_clock::now() - begin).count();
-}
-
-// Tells this process from all others that may claim to be the team; never zero.
-std::uint64_t draw_nonce() {
-  std::uint64_t nonce = 0;
-  while (nonce == 0) {
-    if (getrandom(&nonce, sizeof nonce, 0) != sizeof nonce) {
-      nonce = static_cast<std::uint64_t>(steady_clock::now().time_since_epoch().count());
-    }
-  }
-  return nonce;
-}
+// The same if so many commands have been sent for so long (s), and the server has heard none.
+constexpr int most_unheard = 30;
+constexpr double longest_unheard = 1.5;
 
 }  // namespace
 
-Result<std::unique_ptr<TeamClient>> TeamClient::join(const std::string& server,
-                                                     const std::string& match_id, Team team,
-                                                     const std::string& name, double patience,
-                                                     const std::function<bool()>& interrupted) {
-  auto domain = open_team_domain(server);
+Result<std::unique_ptr<TeamClient>> TeamClient::open(const Call& call) {
+  auto domain = open_team_domain(call.server, call.credentials);
   if (!domain) return tl::unexpected(domain.error());
-  std::unique_ptr<TeamClient> client(new TeamClient(team, std::move(*domain)));
-  if (auto opened = client->open(match_id); !opened) return tl::unexpected(opened.error());
-  if (auto joined = client->shake_hands(name, patience, interrupted); !joined) {
-    return tl::unexpected(joined.error());
-  }
+  std::unique_ptr<TeamClient> client(new TeamClient(call, std::move(*domain)));
+  if (auto connected = client->connect(); !connected) return tl::unexpected(connected.error());
   return client;
 }
 
-Result<void> TeamClient::open(const std::string& match_id) {
-  const Entity& p = domain_.participant;
-  const std::string match = match_partition(match_id);
-  const std::string own = team_partition(match_id, index_of(team_));
-  const auto topic = [&p](Entity& into, const dds_topic_descriptor_t& type,
-                          const idl::TopicQos& qos) {
-    return keep(into, make_topic(p, type, qos));
-  };
-  return keep(match_subscriber_, make_subscriber(p, match))
-      .and_then([&] { return keep(team_publisher_, make_publisher(p, own)); })
-      .and_then([&] { return keep(team_subscriber_, make_subscriber(p, own)); })
-      .and_then([&] { return topic(state_topic_, mirocup_v1_WorldState_desc, idl::world_state); })
-      .and_then([&] { return topic(event_topic_, mirocup_v1_MatchEvent_desc, idl::match_event); })
-      .and_then([&] { return topic(hello_topic_, mirocup_v1_Hello_desc, idl::hello); })
-      .and_then([&] { return topic(welcome_topic_, mirocup_v1_Welcome_desc, idl::welcome); })
-      .and_then(
-          [&] { return topic(command_topic_, mirocup_v1_TeamCommand_desc, idl::team_command); })
-      .and_then([&] {
-        return keep(state_reader_, make_reader(match_subscriber_, state_topic_, idl::world_state));
-      })
-      .and_then([&] {
-        return keep(event_reader_, make_reader(match_subscriber_, event_topic_, idl::match_event));
-      })
-      .and_then([&] {
-        return keep(hello_writer_, make_writer(team_publisher_, hello_topic_, idl::hello));
-      })
-      .and_then([&] {
-        return keep(welcome_reader_, make_reader(team_subscriber_, welcome_topic_, idl::welcome));
-      })
-      .and_then([&] {
-        return keep(command_writer_,
-                    make_writer(team_publisher_, command_topic_, idl::team_command));
-      })
-      .and_then([&] { return keep(waitset_, created(dds_create_waitset(p.get()), "a waitset")); })
-      .and_then([&] {
-        return keep(state_condition_,
-                    created(dds_create_readcondition(state_reader_.get(), DDS_ANY_STATE),
-                            "a read condition"));
-      })
-      .and_then([&] {
-        return keep(event_condition_,
-                    created(dds_create_readcondition(event_reader_.get(), DDS_ANY_STATE),
-                            "a read condition"));
-      })
-      .and_then([&]() -> Result<void> {
-        dds_waitset_attach(waitset_.get(), state_condition_.get(), 0);
-        dds_waitset_attach(waitset_.get(), event_condition_.get(), 0);
-        return {};
-      });
+Result<void> TeamClient::connect() {
+  link_ = {};  // first leave, then come again
+  Link link;
+  link.nonce = draw_number();
+  connected_ = heard_ = heard_us_ = Clock::now();
+  unheard_ = 0;
+  said_hello_ = {};
+  return keep(link.participant, make_participant(domain_))
+      .and_then([&] { return open_readers_and_writers(link); })
+      .map([&] { link_ = std::move(link); });
 }
 
-Result<void> TeamClient::shake_hands(const std::string& name, double patience,
-                                     const std::function<bool()>& interrupted) {
-  nonce_ = draw_nonce();
-  mirocup_v1_Hello hello{};
-  hello.team = static_cast<std::uint8_t>(index_of(team_));
-  hello.nonce = nonce_;
-  put_text(hello.name, name);
-
-  const auto begin = steady_clock::now();
-  double said = -hello_again;
-  while (seconds_since(begin) < patience) {
-    if (interrupted()) return fail(Errc::interrupted, "interrupted");
-    // Only the last Hello of anyone is kept for the server, so another may have taken its place.
-    if (seconds_since(begin) - said >= hello_again) {
-      said = seconds_since(begin);
-      dds_write(hello_writer_.get(), &hello);
-    }
-    mirocup_v1_Welcome welcome;
-    while (take(welcome_reader_, welcome)) {
-      if (welcome.nonce != nonce_) continue;
-      if (!welcome.accepted) {
-        return fail(Errc::unavailable,
-                    std::string("the match server refuses the team: ") + welcome.reason);
-      }
-      if (!from_sample(welcome, told_)) {
-        return fail(Errc::damaged, "the match server's welcome makes no sense");
-      }
-      return {};
-    }
-    dds_sleepfor(slice);
-  }
-  return fail(Errc::unavailable, "no match server answered within " +
-                                     std::to_string(static_cast<int>(patience)) + " s");
+Result<void> TeamClient::open_readers_and_writers(Link& l) const {
+  const Entity& p = l.participant;
+  const std::string match = match_partition(call_.match_id);
+  const std::string own = team_partition(call_.match_id, index_of(call_.team), call_.name);
+  const auto topic = [&p](Entity& into, const dds_topic_descriptor_t& type,
+                          const idl::TopicQos& row) {
+    return keep(into, make_topic(p, type, row));
+  };
+  const auto reader = [](Entity& into, const Entity& subscriber, const Entity& of,
+                         const idl::TopicQos& row) {
+    return keep(into, make_reader(subscriber, of, row));
+  };
+  const auto writer = [&l](Entity& into, const Entity& of, const idl::TopicQos& row) {
+    return keep(into, make_writer(l.team_publisher, of, row));
+  };
+  return keep(l.match_subscriber, make_subscriber(p, match))
+      .and_then([&] { return keep(l.team_publisher, make_publisher(p, own)); })
+      .and_then([&] { return keep(l.team_subscriber, make_subscriber(p, own)); })
+      .and_then([&] { return topic(l.state_topic, mirocup_v1_WorldState_desc, idl::world_state); })
+      .and_then([&] { return topic(l.event_topic, mirocup_v1_MatchEvent_desc, idl::match_event); })
+      .and_then([&] { return topic(l.hello_topic, mirocup_v1_Hello_desc, idl::hello); })
+      .and_then([&] { return topic(l.welcome_topic, mirocup_v1_Welcome_desc, idl::welcome); })
+      .and_then(
+          [&] { return topic(l.command_topic, mirocup_v1_TeamCommand_desc, idl::team_command); })
+      .and_then([&] {
+        return reader(l.state_reader, l.match_subscriber, l.state_topic, idl::world_state);
+      })
+      .and_then([&] {
+        return reader(l.event_reader, l.match_subscriber, l.event_topic, idl::match_event);
+      })
+      .and_then([&] {
+        return reader(l.welcome_reader, l.team_subscriber, l.welcome_topic, idl::welcome);
+      })
+      .and_then([&] { return writer(l.hello_writer, l.hello_topic, idl::hello); })
+      .and_then([&] { return writer(l.command_writer, l.command_topic, idl::team_command); })
+      .and_then([&] { return keep(l.waitset, created(dds_create_waitset(p.get()), "a waitset")); })
+      .and_then([&] { return attach(l.waitset, l.state_reader); })
+      .and_then([&] { return attach(l.waitset, l.event_reader); })
+      .and_then([&] { return attach(l.waitset, l.welcome_reader); });
 }
 
 News TeamClient::wait(double patience) {
-  const auto begin = steady_clock::now();
+  const auto begin = Clock::now();
   while (true) {
-    mirocup_v1_MatchEvent event;
-    while (take(event_reader_, event)) {
-      if (event.ends_match) return MatchOver{event.reason, {event.score[0], event.score[1]}};
-    }
-    mirocup_v1_WorldState state;
-    if (take(state_reader_, state)) return to_scene(state);
+    look_after_connection();
+    if (auto news = look()) return std::move(*news);
     const double left = patience - seconds_since(begin);
     if (left <= 0.0) return Silence{};
-    dds_waitset_wait(
-        waitset_.get(), nullptr, 0,
-        std::min<dds_duration_t>(DDS_MSECS(500), static_cast<dds_duration_t>(1e9 * left) + 1));
+    const auto pause = static_cast<dds_duration_t>(1e9 * std::min(left, look_around)) + 1;
+    if (dds_waitset_wait(link_.waitset.get(), nullptr, 0, pause) < 0) dds_sleepfor(pause);
   }
 }
 
+std::optional<News> TeamClient::look() {
+  if (auto news = take_welcome()) return news;
+  if (auto news = take_event()) return news;
+  return take_state();
+}
+
+std::optional<News> TeamClient::take_welcome() {
+  mirocup_v1_Welcome welcome;
+  while (take(link_.welcome_reader, welcome)) {
+    if (welcome.nonce != link_.nonce) continue;
+    link_.leg = welcome.leg;
+    if (welcome.answer == static_cast<std::uint8_t>(Admission::not_now)) {
+      not_now_ = welcome.reason;
+      continue;
+    }
+    if (welcome.answer != static_cast<std::uint8_t>(Admission::accepted)) {
+      return Refused{welcome.reason};
+    }
+    // A server that was started again hears the old Hello by itself: its Welcome may come first.
+    if (link_.is_seated && welcome.leg == seated_leg_) continue;
+    if (!from_sample(welcome, told_)) return Refused{"the server's welcome makes no sense"};
+    link_.is_seated = true;
+    heard_ = Clock::now();
+    answer_.reset();  // it has the nonce of another appearance
+    if (std::exchange(seated_leg_, welcome.leg) != welcome.leg) return Seated{};
+  }
+  return std::nullopt;
+}
+
+std::optional<News> TeamClient::take_event() {
+  mirocup_v1_MatchEvent event;
+  while (take(link_.event_reader, event)) {
+    if (event.leg != link_.leg || !event.ends_match) continue;
+    return MatchOver{event.reason, {event.score[0], event.score[1]}};
+  }
+  return std::nullopt;
+}
+
+std::optional<News> TeamClient::take_state() {
+  mirocup_v1_WorldState state;
+  while (take(link_.state_reader, state)) {
+    heard_ = Clock::now();
+    if (!link_.is_seated) continue;
+    const std::uint64_t heard = state.heard[index_of(call_.team)];
+    if (heard != heard_commands_) {
+      heard_commands_ = heard;
+      heard_us_ = heard_;
+      unheard_ = 0;
+    }
+    if (state.leg != link_.leg) {
+      link_.is_seated = false;  // the server was started again
+    } else if (!answer_ || state.tick > answer_->tick) {
+      return to_scene(state);
+    } else if (state.tick == answer_->tick) {
+      dds_write(link_.command_writer.get(), &*answer_);
+      ++unheard_;
+    }
+  }
+  return std::nullopt;
+}
+
+// Hostile packets can make either side deaf to the other.
+bool TeamClient::is_cut_off() const {
+  if (unheard_ > most_unheard && seconds_since(heard_us_) > longest_unheard) return true;
+  return seconds_since(heard_) > longest_silence && seconds_since(connected_) > longest_silence;
+}
+
+void TeamClient::look_after_connection() {
+  if (is_cut_off()) {
+    if (!connect()) return;  // tried again after the next silence
+  }
+  if (!link_.is_seated && seconds_since(said_hello_) > hello_again) say_hello();
+}
+
+void TeamClient::say_hello() {
+  said_hello_ = Clock::now();
+  mirocup_v1_Hello hello{};
+  hello.team = static_cast<std::uint8_t>(index_of(call_.team));
+  hello.nonce = link_.nonce;
+  put_text(hello.name, call_.name);
+  dds_write(link_.hello_writer.get(), &hello);
+}
+
 void TeamClient::send(const match::Command& command, std::uint32_t tick) {
-  const auto sample = to_sample(command, team_, tick, nonce_);
-  dds_write(command_writer_.get(), &sample);
+  answer_ = to_sample(command, call_.team, tick, link_.nonce);
+  dds_write(link_.command_writer.get(), &*answer_);
+  ++unheard_;
+}
+
+std::string TeamClient::trouble() const {
+  if (!not_now_.empty()) return "the match server says: " + not_now_;
+  dds_subscription_matched_status_t match{};
+  dds_get_subscription_matched_status(link_.state_reader.get(), &match);
+  if (match.current_count > 0) {
+    return "the match is there, but does not expect a team called \"" + call_.name + "\" as " +
+           std::string(to_string(call_.team));
+  }
+  const std::string last = domain_.log->last();
+  return "no match server answered" + (last.empty() ? last : " (DDS: " + last + ")");
 }
 
 }  // namespace mirocup::dds

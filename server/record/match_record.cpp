@@ -87,6 +87,25 @@ Json budget_json(const Budget& b) {
           {"bad_commands", b.bad_commands}};
 }
 
+Json network_json(const std::optional<NetworkReport>& report) {
+  if (!report) return {};
+  Json absences = Json::array();
+  for (const NetworkReport::Absence& a : report->absences) {
+    absences.push_back({{"tick", a.tick},
+                        {"noticed", a.noticed},
+                        {"back", a.back ? Json(*a.back) : Json()},
+                        {"why", a.has_left ? "left" : "silent"}});
+  }
+  return {
+      {"in_step", report->in_step}, {"late", report->late},       {"duplicate", report->duplicate},
+      {"ahead", report->ahead},     {"foreign", report->foreign}, {"processes", report->processes},
+      {"absences", absences}};
+}
+
+Json network_json(const match::ByTeam<std::optional<NetworkReport>>& reports) {
+  return {{"blue", network_json(reports[0])}, {"yellow", network_json(reports[1])}};
+}
+
 // What a record says that cannot be; caught in load().
 struct Damage {
   std::string where;
@@ -285,6 +304,7 @@ Json to_json(const MatchRecord& record) {
           {"decisions", decisions},
           {"budget",
            {{"blue", budget_json(record.budget[0])}, {"yellow", budget_json(record.budget[1])}}},
+          {"network", network_json(record.network)},
           {"isolation", record.isolation},
           {"ticks", r.ticks.size()},
           {"state_hash", to_hex(r.state_hash)}};

@@ -14,6 +14,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace mirocup::record {
 
@@ -37,6 +38,24 @@ struct Budget {
   int bad_commands = 0;
 };
 
+// What happened between the server and a team on the network. Commands are counted by what became
+// of them: only those in step were driven.
+struct NetworkReport {
+  std::uint64_t in_step = 0;
+  std::uint64_t late = 0;       // to a tick that was over
+  std::uint64_t duplicate = 0;  // to the last answered tick once more
+  std::uint64_t ahead = 0;      // to a tick that there had not been
+  std::uint64_t foreign = 0;    // from another process than the team's
+  int processes = 0;            // that played for the team, one after the other
+  struct Absence {
+    std::uint32_t tick = 0;             // the first without an answer
+    std::uint32_t noticed = 0;          // in which the server noticed
+    std::optional<std::uint32_t> back;  // in which the team answered again
+    bool has_left = false;              // its process had gone; else it was silent
+  };
+  std::vector<Absence> absences;
+};
+
 // What plays or played a match. `game` stands for the physics and the laws: the hash of the golden
 // leg (tests/compilers). Programs of another game may get another leg from the same commands.
 struct Software {
@@ -51,7 +70,8 @@ struct MatchRecord {
   Software software;  // that played it
   match::ByTeam<TeamInfo> teams;
   match::ByTeam<Budget> budget;
-  std::string isolation;  // "T2", "T1", "none" (--trusted), "network"
+  match::ByTeam<std::optional<NetworkReport>> network;  // written, not read
+  std::string isolation;                                // "T2", "T1", "none" (--trusted), "network"
   replay::Recording recording;
 };
 

@@ -62,6 +62,10 @@ Outcome Running::wait() {
           read_file(err_)};
 }
 
+std::string Running::err() const {
+  return read_file(err_);
+}
+
 Outcome run(const std::vector<std::string>& arguments) {
   return Running(arguments).wait();
 }

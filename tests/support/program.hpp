@@ -27,6 +27,8 @@ class Running {
   int pid() const { return pid_; }
   void signal(int number) const;
   Outcome wait();
+  // What it has written to standard error so far.
+  std::string err() const;
 
  private:
   int pid_ = -1;

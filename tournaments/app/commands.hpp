@@ -21,6 +21,7 @@ void add_stop(CLI::App& app, Run& run);
 void add_status(CLI::App& app, Run& run);
 void add_publish(CLI::App& app, Run& run);
 void add_export(CLI::App& app, Run& run);
+void add_credentials(CLI::App& app, Run& run);
 
 // Playing on other machines: plan, run-shard.
 void add_shards(CLI::App& app, Run& run);

@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
   league::add_rulings(cli, run);
   league::add_compare(cli, run);
   league::add_shards(cli, run);
+  league::add_credentials(cli, run);
   try {
     cli.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -36,6 +36,7 @@ struct Folder {
     return "records/" + fixture.id() + "-" + std::to_string(leg) + "-" + std::to_string(version) +
            ".json";
   }
+  std::string credentials() const { return path + "/credentials"; }
   std::string site() const { return path + "/site"; }
 };
 

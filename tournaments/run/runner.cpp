@@ -151,6 +151,13 @@ LegId Runner::id_of(const Slot& slot) const {
   return {slot.playing, slot.leg, slot.version};
 }
 
+// A league with credentials plays in secure mode.
+std::vector<std::string> Runner::credentials_of(const std::string& whose) const {
+  const std::string folder = book_.folder().credentials();
+  if (!files_.exists(folder + "/server")) return {};
+  return {"--credentials", folder + "/" + whose};
+}
+
 Result<void> Runner::start_leg(Slot& slot) {
   const int blue = blue_team(slot.playing, slot.leg);
   const int yellow = blue == slot.playing.home ? slot.playing.away : slot.playing.home;
@@ -160,7 +167,9 @@ Result<void> Runner::start_leg(Slot& slot) {
       slot.fixture + "-" + std::to_string(slot.leg);
   const std::string log = book_.folder().record(slot.playing, slot.leg, slot.version) + ".out";
   const int tag = static_cast<int>(&slot - slots_.data());
-  const auto command = leg_command(book_.folder(), state(), id_of(slot), match_id);
+  auto command = leg_command(book_.folder(), state(), id_of(slot), match_id);
+  const std::vector<std::string> credentials = credentials_of("server");
+  command.insert(command.end(), credentials.begin(), credentials.end());
   if (auto started = processes_.start(command, tag, slot.cpu, log); !started)
     return tl::unexpected(started.error());
   if (auto joined = start_joiner(slot, blue, "blue", match_id); !joined) return joined;
@@ -173,10 +182,18 @@ Result<void> Runner::start_joiner(Slot& slot, int team, const std::string& colou
   if (!entry.over_dds) return {};
   const std::string log =
       book_.folder().record(slot.playing, slot.leg, slot.version) + "." + colour + ".join";
-  const auto pid = processes_.start(
-      {record::sibling_program("mirocup"), "join", "--match", match_id, "--team", colour, "--name",
-       entry.name, book_.folder().library(entry.name, state().teams[team].entry)},
-      joiner_tag, slot.cpu, log);
+  std::vector<std::string> command{record::sibling_program("mirocup"),
+                                   "join",
+                                   "--match",
+                                   match_id,
+                                   "--team",
+                                   colour,
+                                   "--name",
+                                   entry.name,
+                                   book_.folder().library(entry.name, state().teams[team].entry)};
+  const std::vector<std::string> credentials = credentials_of("teams/" + entry.name);
+  command.insert(command.end(), credentials.begin(), credentials.end());
+  const auto pid = processes_.start(command, joiner_tag, slot.cpu, log);
   if (!pid) return tl::unexpected(pid.error());
   slot.joiner[colour == "blue" ? 0 : 1] = *pid;
   return {};

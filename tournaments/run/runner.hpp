@@ -58,6 +58,7 @@ class Runner {
   const FixtureState* next_fixture(const Slot& slot) const;
   Result<void> start_leg(Slot& slot);
   LegId id_of(const Slot& slot) const;
+  std::vector<std::string> credentials_of(const std::string& whose) const;
   Result<void> start_joiner(Slot& slot, int team, const std::string& colour,
                             const std::string& match_id);
   Result<void> finish(Slot& slot, const Exit& exit);

@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: MIT
+"""libmirocup_team from Python, with nothing but the standard library.
+
+The structures mirror mirocup/strategy.h and mirocup/team.h, which say what every number means:
+metres, radians, seconds; the team always attacks +x.
+
+    import mirocup_team
+
+    def decide(setup, now):                    # once a tick: wheel speeds (left, right), rad/s
+        return [(10.0, 10.0)] * now.robots
+
+    print(mirocup_team.play("final", "blue", "mine", decide))
+"""
+
+import ctypes
+import os
+from ctypes import c_char_p, c_double, c_int32, c_size_t, c_uint32, c_uint64, c_void_p
+
+MAX_ROBOTS = 11
+NOTHING, SEATED, TICK, OVER, REFUSED = range(5)
+COLOURS = {"blue": 0, "yellow": 1}
+
+
+class Error(Exception):
+    """There is no way onto the network, or into the match."""
+
+
+class Robot(ctypes.Structure):
+    _fields_ = [(name, c_double) for name in ("x", "y", "heading", "vx", "vy", "turn")]
+
+
+class Counts(ctypes.Structure):
+    _fields_ = [(name, c_int32) for name in ("defenders", "area_defenders", "attackers", "keeper",
+                                             "advantage_against", "reserved")]
+    _fields_ += [(name, c_double) for name in ("two_defenders_s", "four_defenders_s",
+                                               "two_attackers_s", "keeper_hold_s")]
+
+
+class Setup(ctypes.Structure):
+    _fields_ = [("size", c_uint32), ("league", c_int32), ("team", c_int32), ("robots", c_int32),
+                ("seed", c_uint64)]
+    _fields_ += [(name, c_double) for name in (
+        "control_period", "half_seconds", "half_length", "half_width", "corner_leg",
+        "goal_half_width", "goal_depth", "goal_area_depth", "goal_area_half_width",
+        "penalty_area_depth", "penalty_area_half_width", "centre_circle_radius", "robot_side",
+        "robot_mass", "wheel_distance", "wheel_radius", "wheel_speed_limit", "motor_time_constant",
+        "grip", "ball_radius", "ball_mass")]
+    _fields_ += [("log", c_void_p)]
+
+
+class Observation(ctypes.Structure):
+    _fields_ = [("size", c_uint32), ("tick", c_uint32), ("time", c_double), ("clock", c_double)]
+    _fields_ += [(name, c_int32) for name in ("state", "phase", "restart", "own_restart",
+                                              "own_score", "opponent_score", "robots", "placing")]
+    _fields_ += [(name, c_double) for name in ("ball_x", "ball_y", "ball_vx", "ball_vy")]
+    _fields_ += [("own", Robot * MAX_ROBOTS), ("opponent", Robot * MAX_ROBOTS),
+                 ("own_counts", Counts), ("opponent_counts", Counts),
+                 ("stalemate_s", c_double), ("advantage_s", c_double)]
+
+
+class Wheels(ctypes.Structure):
+    _fields_ = [("left", c_double), ("right", c_double)]
+
+
+class Command(ctypes.Structure):
+    _fields_ = [("wheels", Wheels * MAX_ROBOTS)]
+
+
+class Call(ctypes.Structure):
+    _fields_ = [("size", c_uint32), ("team", c_int32), ("server", c_char_p), ("match", c_char_p),
+                ("name", c_char_p), ("credentials", c_char_p)]
+
+
+def load(path=None):
+    """The library: from `path`, from $MIROCUP_TEAM_LIBRARY, or where the system has it."""
+    library = ctypes.CDLL(path or os.environ.get("MIROCUP_TEAM_LIBRARY", "libmirocup_team.so"))
+    library.mirocup_team_open.restype = c_void_p
+    library.mirocup_team_open.argtypes = [ctypes.POINTER(Call), c_char_p, c_size_t]
+    library.mirocup_team_wait.argtypes = [c_void_p, c_double]
+    library.mirocup_team_setup.restype = ctypes.POINTER(Setup)
+    library.mirocup_team_setup.argtypes = [c_void_p]
+    library.mirocup_team_observation.restype = ctypes.POINTER(Observation)
+    library.mirocup_team_observation.argtypes = [c_void_p]
+    library.mirocup_team_send.restype = None
+    library.mirocup_team_send.argtypes = [c_void_p, ctypes.POINTER(Command)]
+    library.mirocup_team_text.restype = c_char_p
+    library.mirocup_team_text.argtypes = [c_void_p]
+    library.mirocup_team_score.restype = ctypes.POINTER(c_int32)
+    library.mirocup_team_score.argtypes = [c_void_p]
+    library.mirocup_team_close.restype = None
+    library.mirocup_team_close.argtypes = [c_void_p]
+    return library
+
+
+def play(match, colour, name, decide, server=None, credentials=None, patience=60.0):
+    """Plays one leg and returns how it ended and the score, as in ("full_time", (2, 1)).
+
+    decide(setup, observation) gives a (left, right) pair of wheel speeds for each robot. Raises Error
+    if the match cannot be had within `patience` seconds.
+    """
+    library = load()
+
+    def text(value):
+        return None if value is None else str(value).encode()
+
+    call = Call(ctypes.sizeof(Call), COLOURS[colour], text(server), text(match), text(name),
+                text(credentials))
+    why = ctypes.create_string_buffer(512)
+    connection = library.mirocup_team_open(ctypes.byref(call), why, len(why))
+    if not connection:
+        raise Error(why.value.decode())
+    try:
+        return _play(library, connection, decide, patience)
+    finally:
+        library.mirocup_team_close(connection)
+
+
+def _play(library, connection, decide, patience):
+    silence = 0.0
+    while True:
+        news = library.mirocup_team_wait(connection, 0.25)
+        silence = silence + 0.25 if news == NOTHING else 0.0
+        if news == TICK:
+            setup = library.mirocup_team_setup(connection).contents
+            now = library.mirocup_team_observation(connection).contents
+            command = Command()
+            for i, (left, right) in enumerate(decide(setup, now)):
+                command.wheels[i] = Wheels(left, right)
+            library.mirocup_team_send(connection, ctypes.byref(command))
+        elif news == OVER:
+            score = library.mirocup_team_score(connection)
+            return library.mirocup_team_text(connection).decode(), (score[0], score[1])
+        elif news == REFUSED or silence > patience:
+            raise Error(library.mirocup_team_text(connection).decode())

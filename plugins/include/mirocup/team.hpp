@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+//
+// libmirocup_team in C++: a connection that closes itself.
+//
+//   mirocup::team::Connection match({.match = "final", .team = MIROCUP_BLUE, .name = "mine"});
+//   while (match.is_open()) {
+//     switch (match.wait(1.0)) {
+//       case MIROCUP_TEAM_TICK:
+//         match.send(answer_to(match.observation()));
+//         break;
+//       case MIROCUP_TEAM_OVER:
+//         return;
+//     }
+//   }
+//
+// team.h says what everything means.
+#pragma once
+
+#include "mirocup/team.h"
+
+#include <memory>
+#include <string>
+
+namespace mirocup::team {
+
+struct Call {
+  std::string match;
+  int team = MIROCUP_BLUE;
+  std::string name;
+  std::string server;       // "": this host
+  std::string credentials;  // "": open mode
+};
+
+class Connection {
+ public:
+  explicit Connection(const Call& call) {
+    mirocup_team_call c{};
+    c.size = sizeof c;
+    c.team = call.team;
+    c.server = call.server.empty() ? nullptr : call.server.c_str();
+    c.match = call.match.c_str();
+    c.name = call.name.c_str();
+    c.credentials = call.credentials.empty() ? nullptr : call.credentials.c_str();
+    char why[512] = "";
+    connection_.reset(mirocup_team_open(&c, why, sizeof why));
+    why_ = why;
+  }
+
+  // False if there was no way onto the network; then why() has the reason, and nothing else may be
+  // called.
+  bool is_open() const { return connection_ != nullptr; }
+  const std::string& why() const { return why_; }
+
+  int wait(double seconds) { return mirocup_team_wait(connection_.get(), seconds); }
+  const mirocup_setup& setup() const { return *mirocup_team_setup(connection_.get()); }
+  const mirocup_observation& observation() const {
+    return *mirocup_team_observation(connection_.get());
+  }
+  void send(const mirocup_command& command) { mirocup_team_send(connection_.get(), &command); }
+  std::string text() const { return mirocup_team_text(connection_.get()); }
+  const int32_t* score() const { return mirocup_team_score(connection_.get()); }
+
+ private:
+  struct Close {
+    void operator()(mirocup_connection* connection) const { mirocup_team_close(connection); }
+  };
+  std::unique_ptr<mirocup_connection, Close> connection_;
+  std::string why_;
+};
+
+}  // namespace mirocup::team

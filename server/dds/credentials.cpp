@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "server/dds/credentials.hpp"
+
+#include <filesystem>
+
+namespace mirocup::dds {
+
+namespace {
+
+struct Library {
+  const char* property;
+  const char* name;
+  const char* init;
+  const char* finalize;
+};
+
+// Cyclone's own; it finds them by these names.
+constexpr Library libraries[] = {
+    {"dds.sec.auth.library", "dds_security_auth", "init_authentication", "finalize_authentication"},
+    {"dds.sec.crypto.library", "dds_security_crypto", "init_crypto", "finalize_crypto"},
+    {"dds.sec.access.library", "dds_security_ac", "init_access_control", "finalize_access_control"},
+};
+
+struct File {
+  const char* property;
+  const char* name;
+};
+
+constexpr File files[] = {
+    {"dds.sec.auth.identity_ca", "identity_ca.pem"},
+    {"dds.sec.auth.identity_certificate", "certificate.pem"},
+    {"dds.sec.auth.private_key", "key.pem"},
+    {"dds.sec.access.permissions_ca", "permissions_ca.pem"},
+    {"dds.sec.access.governance", "governance.p7s"},
+    {"dds.sec.access.permissions", "permissions.p7s"},
+};
+
+// Of certificates that no longer count; servers have it.
+constexpr File revoked{"org.eclipse.cyclonedds.sec.auth.crl", "revoked.pem"};
+
+}  // namespace
+
+Result<void> set_credentials(dds_qos_t* qos, const std::string& folder) {
+  for (const Library& l : libraries) {
+    const std::string property = l.property;
+    dds_qset_prop(qos, (property + ".path").c_str(), l.name);
+    dds_qset_prop(qos, (property + ".init").c_str(), l.init);
+    dds_qset_prop(qos, (property + ".finalize").c_str(), l.finalize);
+  }
+  for (const File& f : files) {
+    const std::string path = folder + "/" + f.name;
+    std::error_code none;
+    if (!std::filesystem::exists(path, none)) {
+      return fail(Errc::input, folder + " holds no credentials: " + path + " is not there");
+    }
+    dds_qset_prop(qos, f.property, ("file:" + path).c_str());
+  }
+  const std::string list = folder + "/" + revoked.name;
+  std::error_code none;
+  if (std::filesystem::exists(list, none)) {
+    dds_qset_prop(qos, revoked.property, ("file:" + list).c_str());
+  }
+  return {};
+}
+
+}  // namespace mirocup::dds

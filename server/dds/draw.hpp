@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+//
+// Numbers that tell processes and legs on the network apart.
+#pragma once
+
+#include <cstdint>
+
+namespace mirocup::dds {
+
+// Drawn by the system; never 0.
+std::uint64_t draw_number();
+
+}  // namespace mirocup::dds

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+//
+// The place of one team in a match on the network: who has it, and what it answers.
+//
+// A seat belongs to the process that was accepted into it, known by the key that DDS gives to every
+// process and by the nonce that it drew. What others write in the team's name is counted and thrown
+// away. Only when that process is away may another one, of the same name, take its place.
+//
+// A seat is part of a MatchServer, in whose thread everything happens.
+#pragma once
+
+#include "server/dds/attendance.hpp"
+#include "server/dds/convert.hpp"
+#include "server/dds/entity.hpp"
+#include "server/dds/inbox.hpp"
+#include "server/dds/wall_time.hpp"
+
+#include <functional>
+#include <string>
+
+namespace mirocup::dds {
+
+class MatchServer;
+
+// What a team on the network is held to; seconds of wall time.
+struct Patience {
+  double to_join = 60.0;  // until its first answer, from the moment when there is a seat
+  // Real time: the answer to a tick must come within so long. Nothing: the match waits for it.
+  std::optional<double> tick;
+  double notice = 1.0;  // silent for so long, a team is away
+  double away = 10.0;   // so long in a leg, all absences together
+  std::function<bool()> interrupted = [] { return false; };     // asked while it waits
+  std::function<void(const std::string&)> tell = [](auto&) {};  // a sentence for the host
+};
+
+class Seat final : public match::Controller {
+ public:
+  // Waits until the team, or one that calls itself so, has answered the state that is on the
+  // network now.
+  tl::expected<void, match::Answer> wait_until_ready();
+
+  void post(const match::Observation& observation) override;
+  match::Answer collect() override;
+
+  Team team() const { return briefing_.team; }
+  std::uint64_t heard() const { return inbox_.heard(); }
+  const CommandCounts& commands() const { return inbox_.counts(); }
+  const std::vector<Absence>& absences() const { return attendance_.absences(); }
+  int processes() const { return processes_; }  // that have had the seat
+
+ private:
+  friend class MatchServer;
+  Seat(MatchServer& server, const match::Briefing& briefing, std::string name,
+       const Patience& patience);
+
+  Result<void> open(const Entity& participant, const std::string& match_id, const Entity& waitset);
+  void take_in();
+  void take_hellos();
+  void take_commands();
+  mirocup_v1_Welcome answer_to(const mirocup_v1_Hello& hello, dds_instance_handle_t writer);
+  bool is_ours(const mirocup_v1_TeamCommand& command, dds_instance_handle_t writer);
+  bool may_be_taken() const;
+  bool has_left() const;
+  double now() const { return seconds_since(begin_); }
+  void tell(const std::string& what) const;
+
+  MatchServer& server_;
+  match::Briefing briefing_;
+  std::string name_;
+  Patience patience_;
+  Clock::time_point begin_ = Clock::now();
+  Entity publisher_, subscriber_, hello_topic_, welcome_topic_, command_topic_;
+  Entity hello_reader_, welcome_writer_, command_reader_;
+
+  // Who has the seat.
+  std::uint64_t nonce_ = 0;  // 0: nobody
+  ParticipantKey process_{};
+  dds_instance_handle_t hello_writer_ = 0;
+  dds_instance_handle_t command_writer_ = 0;  // 0: not heard of yet
+  int processes_ = 0;
+
+  Inbox inbox_;
+  Attendance attendance_;
+  bool is_ready_ = false;
+  std::uint32_t tick_ = 0;
+  double posted_at_ = 0.0;
+  std::optional<match::Command> answer_;  // to this tick
+};
+
+}  // namespace mirocup::dds

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+//
+// team.h on top of the team's side of the network.
+#include "mirocup/team.h"
+#include "plugins/host/convert.hpp"
+#include "server/dds/team_client.hpp"
+
+#include <cstdio>
+
+// What a caller of the C interface holds.
+struct mirocup_connection {
+  std::unique_ptr<mirocup::dds::TeamClient> client;
+  mirocup::Team team = mirocup::Team::blue;
+  mirocup_setup setup{};
+  mirocup_observation observation{};
+  mirocup::match::ByTeam<std::int32_t> score{};
+  std::string text;
+  bool is_finished = false;  // the text says how
+};
+
+namespace mirocup::dds {
+
+namespace {
+
+void write_line(const char* text) {
+  std::fprintf(stderr, "%s\n", text);
+}
+
+// What one kind of news means for the caller.
+struct Receive {
+  mirocup_connection& c;
+
+  std::int32_t operator()(const Silence&) const { return MIROCUP_TEAM_NOTHING; }
+  std::int32_t operator()(const Seated&) const {
+    c.setup = plugins::to_setup(c.client->briefing());
+    c.setup.log = write_line;
+    return MIROCUP_TEAM_SEATED;
+  }
+  std::int32_t operator()(const match::Scene& scene) const {
+    c.observation = plugins::to_observation(match::observe(scene, c.team, c.client->robots()));
+    return MIROCUP_TEAM_TICK;
+  }
+  std::int32_t operator()(const MatchOver& over) const {
+    c.is_finished = true;
+    c.text = over.how;
+    c.score = {over.score[0], over.score[1]};
+    return MIROCUP_TEAM_OVER;
+  }
+  std::int32_t operator()(const Refused& refused) const {
+    c.is_finished = true;
+    c.text = refused.why;
+    return MIROCUP_TEAM_REFUSED;
+  }
+};
+
+void put_why(char* why, std::size_t size, const std::string& text) {
+  if (why != nullptr && size > 0) std::snprintf(why, size, "%s", text.c_str());
+}
+
+}  // namespace
+
+}  // namespace mirocup::dds
+
+namespace dds = mirocup::dds;
+
+mirocup_connection* mirocup_team_open(const mirocup_team_call* call, char* why, std::size_t size) {
+  if (call == nullptr || call->size != sizeof *call || call->match == nullptr ||
+      call->name == nullptr || (call->team != MIROCUP_BLUE && call->team != MIROCUP_YELLOW)) {
+    dds::put_why(why, size,
+                 "the call names no match, no team or no colour, or is of another version");
+    return nullptr;
+  }
+  dds::Call c;
+  if (call->server != nullptr) c.server = call->server;
+  c.match_id = call->match;
+  c.team = static_cast<mirocup::Team>(call->team);
+  c.name = call->name;
+  if (call->credentials != nullptr) c.credentials = call->credentials;
+  auto client = dds::TeamClient::open(c);
+  if (!client) {
+    dds::put_why(why, size, client.error().what);
+    return nullptr;
+  }
+  auto connection = std::make_unique<mirocup_connection>();
+  connection->client = std::move(*client);
+  connection->team = c.team;
+  return connection.release();
+}
+
+std::int32_t mirocup_team_wait(mirocup_connection* connection, double seconds) {
+  return std::visit(dds::Receive{*connection}, connection->client->wait(seconds));
+}
+
+const mirocup_setup* mirocup_team_setup(const mirocup_connection* connection) {
+  return &connection->setup;
+}
+
+const mirocup_observation* mirocup_team_observation(const mirocup_connection* connection) {
+  return &connection->observation;
+}
+
+void mirocup_team_send(mirocup_connection* connection, const mirocup_command* command) {
+  connection->client->send(mirocup::plugins::to_command(*command), connection->observation.tick);
+}
+
+const char* mirocup_team_text(mirocup_connection* connection) {
+  if (!connection->is_finished) connection->text = connection->client->trouble();
+  return connection->text.c_str();
+}
+
+const std::int32_t* mirocup_team_score(const mirocup_connection* connection) {
+  return connection->score.data();
+}
+
+void mirocup_team_close(mirocup_connection* connection) {
+  delete connection;
+}

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+//
+// A process that has no business in a match: intruder KIND MATCH NAME. It does to the blue team,
+// called NAME, what an ordinary program on the network can do; until it is killed.
+//   imitate      writes the team's commands with the team's nonce
+//   flood        the same, ten thousand a second
+//   hellos       asks for the seat all the time, each time as another one
+//   wrong_types  writes other types under the names of the topics
+//   stuck        reads everything, and then stops
+#include "server/dds/convert.hpp"
+#include "server/dds/domain.hpp"
+#include "server/dds/draw.hpp"
+
+#include <csignal>
+#include <iostream>
+
+namespace mirocup::dds {
+namespace {
+
+// Whatever cannot be had ends the test, loudly.
+Entity need(Result<Entity> made) {
+  if (made) return std::move(*made);
+  std::cerr << made.error().what << '\n';
+  std::exit(1);
+}
+
+struct Stranger {
+  explicit Stranger(const std::string& match_id, const std::string& name, const char* credentials) {
+    auto opened = open_team_domain("127.0.0.1", credentials);
+    if (!opened) {
+      std::cerr << opened.error().what << '\n';
+      std::exit(1);
+    }
+    domain = std::move(*opened);
+    participant = need(make_participant(domain));
+    all = need(make_subscriber(participant, match_partition(match_id)));
+    const std::string own = team_partition(match_id, 0, name);
+    team = need(make_subscriber(participant, own));
+    publisher = need(make_publisher(participant, own));
+    states = need(make_topic(participant, mirocup_v1_WorldState_desc, idl::world_state));
+    events = need(make_topic(participant, mirocup_v1_MatchEvent_desc, idl::match_event));
+    state_reader = need(make_reader(all, states, idl::world_state));
+    event_reader = need(make_reader(all, events, idl::match_event));
+  }
+
+  void wait_for_match() {
+    mirocup_v1_WorldState state;
+    while (!take(state_reader, state)) dds_sleepfor(DDS_MSECS(1));
+    std::cerr << "there\n";
+  }
+
+  Domain domain;
+  Entity participant, all, team, publisher, states, events, state_reader, event_reader;
+};
+
+void imitate(Stranger& s, int copies) {
+  const Entity commands =
+      need(make_topic(s.participant, mirocup_v1_TeamCommand_desc, idl::team_command));
+  const Entity welcomes = need(make_topic(s.participant, mirocup_v1_Welcome_desc, idl::welcome));
+  const Entity writer = need(make_writer(s.publisher, commands, idl::team_command));
+  const Entity reader = need(make_reader(s.team, welcomes, idl::welcome));
+  s.wait_for_match();
+  mirocup_v1_TeamCommand command{};
+  for (double& wheel : command.left) wheel = 40.0;
+  for (double& wheel : command.right) wheel = -40.0;
+  while (true) {
+    mirocup_v1_Welcome welcome;
+    while (take(reader, welcome)) command.nonce = welcome.nonce;
+    mirocup_v1_WorldState state;
+    if (take(s.state_reader, state)) command.tick = state.tick;
+    for (int i = 0; i < copies; ++i) dds_write(writer.get(), &command);
+    dds_sleepfor(copies == 1 ? DDS_USECS(50) : DDS_MSECS(1));
+  }
+}
+
+void say_hellos(Stranger& s, const char* name) {
+  const Entity topic = need(make_topic(s.participant, mirocup_v1_Hello_desc, idl::hello));
+  const Entity writer = need(make_writer(s.publisher, topic, idl::hello));
+  s.wait_for_match();
+  mirocup_v1_Hello hello{};
+  put_text(hello.name, std::string(name) + " or not");
+  while (true) {
+    hello.nonce = draw_number();
+    dds_write(writer.get(), &hello);
+    dds_sleepfor(DDS_USECS(200));
+  }
+}
+
+void write_wrong_types(Stranger& s) {
+  idl::TopicQos row = idl::team_command;
+  const Entity commands = need(make_topic(s.participant, mirocup_v1_Hello_desc, row));
+  const Entity writer = need(make_writer(s.publisher, commands, row));
+  row = idl::hello;
+  const Entity hellos = need(make_topic(s.participant, mirocup_v1_TeamCommand_desc, row));
+  const Entity other = need(make_writer(s.publisher, hellos, row));
+  s.wait_for_match();
+  const mirocup_v1_Hello hello{};
+  const mirocup_v1_TeamCommand command{};
+  while (true) {
+    dds_write(writer.get(), &hello);
+    dds_write(other.get(), &command);
+    dds_sleepfor(DDS_USECS(200));
+  }
+}
+
+int run(const std::string& kind, const char* match_id, const char* name, const char* credentials) {
+  Stranger stranger(match_id, name, credentials);
+  if (kind == "imitate") imitate(stranger, 1);
+  if (kind == "flood") imitate(stranger, 10);
+  if (kind == "hellos") say_hellos(stranger, name);
+  if (kind == "wrong_types") write_wrong_types(stranger);
+  if (kind != "stuck") return 2;
+  stranger.wait_for_match();
+  return raise(SIGSTOP);
+}
+
+}  // namespace
+}  // namespace mirocup::dds
+
+int main(int argc, char** argv) {
+  if (argc < 4) return 2;
+  return mirocup::dds::run(argv[1], argv[2], argv[3], argc > 4 ? argv[4] : "");
+}

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+//
+// What the tests of teams on the network share.
+#pragma once
+
+#include "tests/support/program.hpp"
+
+#include <functional>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+namespace mirocup::test_support {
+
+// Matches of tests that run at the same time must not meet.
+inline std::string match_id(const std::string& name) {
+  return name + "-" + std::to_string(getpid());
+}
+
+// The command line of a house team, or the library at a path, that joins a match.
+inline std::vector<std::string> join(const std::string& id, const std::string& colour,
+                                     const std::string& name, const std::string& team) {
+  const std::string library =
+      team.find('/') == std::string::npos ? program("house/" + team + ".so") : team;
+  return {program("mirocup"), "join", "--match", id, "--team", colour, "--name", name, library};
+}
+
+// Until something holds that another process brings about; false if it never does.
+inline bool wait_until(const std::function<bool()>& holds) {
+  for (int i = 0; i < 3000; ++i) {
+    if (holds()) return true;
+    usleep(10'000);
+  }
+  return false;
+}
+
+inline bool has_said(const Running& process, const std::string& text) {
+  return wait_until([&] { return process.err().find(text) != std::string::npos; });
+}
+
+// A program whose packets get lost or are garbled, as tests/support/bad_network.c says.
+inline std::vector<std::string> on_bad_network(std::vector<std::string> arguments,
+                                               std::vector<std::string> how) {
+  how.insert(how.begin(), {"/usr/bin/env", "LD_PRELOAD=" + program("bad_network.so"),
+                           "ASAN_OPTIONS=verify_asan_link_order=0"});
+  how.insert(how.end(), arguments.begin(), arguments.end());
+  return how;
+}
+
+}  // namespace mirocup::test_support

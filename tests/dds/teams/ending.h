@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A team that drives in circles and sends its own process the signal ENDING at tick 30. */
+#define _POSIX_C_SOURCE 199309L
+#include "mirocup/strategy.h"
+
+#include <signal.h>
+
+static void* create(const mirocup_setup* setup) {
+  static int nothing;
+  (void)setup;
+  return &nothing;
+}
+
+static void decide(void* team, const mirocup_observation* now, mirocup_command* command) {
+  int i;
+  (void)team;
+  if (now->tick == 30) raise(ENDING);
+  for (i = 0; i < now->robots; ++i) {
+    command->wheels[i].left = 10.0;
+    command->wheels[i].right = 20.0;
+  }
+}
+
+const mirocup_strategy* mirocup_entry(void) {
+  static const mirocup_strategy entry = {
+      MIROCUP_ABI_VERSION, sizeof(mirocup_strategy), "ending", create, decide, 0, 0};
+  return &entry;
+}

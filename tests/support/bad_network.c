@@ -1,0 +1,133 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A network that loses and garbles packets, for processes that are started with this library in LD_PRELOAD:
+ *   BAD_NETWORK_LOSS=P    of the packets that the process sends, a share of P is lost
+ *   BAD_NETWORK_GARBAGE=N before each packet it sends N changed copies: bits, lengths, ends, strangers' names
+ *   BAD_NETWORK_LIMIT=N   no more than so many changed copies; says on standard error when it is there
+ *   BAD_NETWORK_JUMP=N    before its packet number N with a sample for others, it sends a copy that claims to be far ahead:
+ *                         who believes it takes all true ones for old
+ * The random numbers are the same in each run. */
+#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <sys/uio.h>
+
+enum { largest = 65536 };
+
+typedef ssize_t send_function(int, const struct msghdr*, int);
+
+static unsigned long next(void) { /* xorshift; threads may get the same number */
+  static unsigned long state = 88172645463325252UL;
+  state ^= state << 13;
+  state ^= state >> 7;
+  state ^= state << 17;
+  return state;
+}
+
+static double number(const char* name) {
+  const char* text = getenv(name);
+  return text == NULL ? 0.0 : atof(text);
+}
+
+static size_t change(unsigned char* packet, size_t size) {
+  unsigned long i;
+  const unsigned long changes = 1 + next() % 4;
+  if (size < 21) return size;
+  for (i = 0; i < changes; ++i) {
+    switch (next() % 6) {
+      case 0: /* a bit */
+        packet[next() % size] ^= (unsigned char)(1U << (next() % 8));
+        break;
+      case 1: /* a byte behind the header */
+        packet[20 + next() % (size - 20)] = (unsigned char)next();
+        break;
+      case 2: /* a length, a count, a number of a sequence */
+        memset(packet + 20 + (next() % (size - 20)) / 4 * 4, next() % 2 ? 0xff : 0x00,
+               size >= 24 ? 1 + next() % 2 : 1);
+        break;
+      case 3: /* the sender */
+        packet[8 + next() % 12] = (unsigned char)next();
+        break;
+      case 4: /* the end is missing */
+        size = 21 + next() % (size - 20);
+        break;
+      default: /* something twice */
+        memmove(packet + 20, packet + 20 + (next() % (size - 20)) / 2, (size - 20) / 2);
+    }
+    if (size < 21) return size;
+  }
+  return size;
+}
+
+/* The number of the sample in a packet of RTPS with one from a writer of the application, or null. */
+static unsigned char* sample_number(unsigned char* packet, size_t size) {
+  const unsigned char data = 0x15, user_writer = 0x03;
+  size_t at = 20;
+  while (at + 24 <= size) {
+    const size_t length = packet[at + 2] + 256U * packet[at + 3]; /* little-endian, as ours are */
+    if (packet[at] == data && packet[at + 15] == user_writer) return packet + at + 16;
+    if (length == 0) return NULL;
+    at += 4 + length;
+  }
+  return NULL;
+}
+
+static size_t gather(const struct msghdr* message, unsigned char* packet) {
+  size_t size = 0, i;
+  for (i = 0; i < message->msg_iovlen; ++i) {
+    const struct iovec* part = &message->msg_iov[i];
+    if (size + part->iov_len > largest) return 0;
+    memcpy(packet + size, part->iov_base, part->iov_len);
+    size += part->iov_len;
+  }
+  return size;
+}
+
+static void send_copy(send_function* real, int socket, const struct msghdr* message, int flags,
+                      unsigned char* packet, size_t size) {
+  struct iovec whole = {packet, size};
+  struct msghdr changed = *message;
+  changed.msg_iov = &whole;
+  changed.msg_iovlen = 1;
+  real(socket, &changed, flags);
+}
+
+static void jump(send_function* real, int socket, const struct msghdr* message, int flags) {
+  static long samples = 0;
+  static unsigned char copy[largest];
+  const size_t size = gather(message, copy);
+  unsigned char* sample = sample_number(copy, size);
+  if (sample == NULL || ++samples != (long)number("BAD_NETWORK_JUMP")) return;
+  sample[6] = 0x7f; /* of the lower half */
+  send_copy(real, socket, message, flags, copy, size);
+}
+
+static void send_garbage(send_function* real, int socket, const struct msghdr* message, int flags) {
+  static long sent = 0;
+  static unsigned char original[largest], copy[largest];
+  const long copies = (long)number("BAD_NETWORK_GARBAGE");
+  const long limit = (long)number("BAD_NETWORK_LIMIT");
+  const size_t size = gather(message, original);
+  long n;
+  for (n = 0; n < copies && (limit == 0 || sent < limit); ++n) {
+    memcpy(copy, original, size);
+    send_copy(real, socket, message, flags, copy, change(copy, size));
+    if (++sent == limit) fprintf(stderr, "%ld changed packets were sent\n", sent);
+  }
+}
+
+ssize_t sendmsg(int socket, const struct msghdr* message, int flags) {
+  send_function* real = NULL;
+  size_t size = 0, i;
+  *(void**)&real = dlsym(RTLD_NEXT, "sendmsg");
+  if (getenv("BAD_NETWORK_GARBAGE") != NULL) send_garbage(real, socket, message, flags);
+  if (getenv("BAD_NETWORK_JUMP") != NULL) jump(real, socket, message, flags);
+  if ((double)(next() % 1000000) >= 1e6 * number("BAD_NETWORK_LOSS")) {
+    return real(socket, message, flags);
+  }
+  for (i = 0; i < message->msg_iovlen; ++i) size += message->msg_iov[i].iov_len;
+  return (ssize_t)size;
+}

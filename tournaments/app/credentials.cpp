@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+//
+// mirocup league credentials: what the processes of a league are known by on the network. The work
+// is done by credentials.sh with openssl; this says for whom.
+#include "server/record/locations.hpp"
+#include "server/record/match_record.hpp"
+#include "tournaments/app/commands.hpp"
+#include "tournaments/run/folder.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace mirocup::league {
+
+namespace {
+
+struct Options {
+  std::string folder;
+  std::vector<std::string> teams;
+  std::vector<std::string> revoked;
+  int days = 365;
+};
+
+// The teams of the league in the folder, if there is one, and those of the command line.
+Result<std::vector<std::string>> teams_of(const Options& options) {
+  std::vector<std::string> names = options.teams;
+  record::Disk disk;
+  const std::string config = Folder{options.folder}.config();
+  if (!disk.exists(config)) {
+    if (!names.empty() || !options.revoked.empty()) return names;
+    return fail(Errc::input, options.folder + " holds no league, and --team names nobody");
+  }
+  const auto text = disk.read(config);
+  if (!text) return tl::unexpected(text.error());
+  const auto league = parse_league_file(*text, config);
+  if (!league) return tl::unexpected(league.error());
+  for (const TeamEntry& team : league->teams) names.push_back(team.name);
+  return names;
+}
+
+Result<void> run_script(std::vector<std::string> arguments) {
+  std::vector<char*> argv;
+  for (std::string& argument : arguments) argv.push_back(argument.data());
+  argv.push_back(nullptr);
+  pid_t pid = 0;
+  int status = 0;
+  if (posix_spawn(&pid, argv[0], nullptr, nullptr, argv.data(), environ) != 0 ||
+      waitpid(pid, &status, 0) != pid) {
+    return fail(Errc::unavailable, arguments[0] + " cannot be run");
+  }
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
+  return fail(Errc::unavailable, "the credentials could not be made; see above");
+}
+
+Result<int> make_credentials(const Options& options) {
+  const auto teams = teams_of(options);
+  if (!teams) return tl::unexpected(teams.error());
+  record::Disk disk;
+  const std::string folder = Folder{options.folder}.credentials();
+  if (auto made = disk.make_folder(folder); !made) return tl::unexpected(made.error());
+  std::vector<std::string> arguments{record::sibling_program("mirocup-credentials"), folder,
+                                     std::to_string(options.days)};
+  const auto is_revoked = [&options](const std::string& team) {
+    return std::find(options.revoked.begin(), options.revoked.end(), team) != options.revoked.end();
+  };
+  for (const std::string& team : *teams) {
+    if (!is_revoked(team)) arguments.insert(arguments.end(), {"team", team});
+  }
+  for (const std::string& team : options.revoked) {
+    arguments.insert(arguments.end(), {"revoke", team});
+  }
+  if (auto done = run_script(std::move(arguments)); !done) return tl::unexpected(done.error());
+  return exit_yes;
+}
+
+}  // namespace
+
+void add_credentials(CLI::App& app, Run& run) {
+  auto options = std::make_shared<Options>();
+  CLI::App* sub = app.add_subcommand(
+      "credentials", "Make what teams, match server and spectators are known by on the network");
+  sub->add_option("DIR", options->folder, "the league's folder")->required();
+  sub->add_option("--team", options->teams, "a team that is not in the league's file");
+  sub->add_option("--revoke", options->revoked,
+                  "a team whose credentials shall not count any more");
+  sub->add_option("--days", options->days, "that new credentials are valid")
+      ->check(CLI::Range(1, 3650))
+      ->capture_default_str();
+  sub->callback([options, &run] { run = [options] { return make_credentials(*options); }; });
+}
+
+}  // namespace mirocup::league

@@ -1,0 +1,197 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# Makes what the processes of a league are known by in secure mode, with openssl. `mirocup league credentials` calls it.
+# Usage: credentials.sh FOLDER DAYS [team NAME | revoke NAME]...
+#
+# FOLDER/authority   the two certificate authorities; whoever has its keys can be anybody. It never leaves the host's computer
+# FOLDER/server      what `mirocup match --credentials` needs
+# FOLDER/spectator   for programs that only read
+# FOLDER/teams/NAME  what `mirocup join --credentials` needs: one folder, given to the team and to nobody else
+#
+# What is there already stays as it is. There are two authorities because Cyclone DDS 0.10 takes permissions that are signed
+# by anybody whom the permissions' authority has certified (CVE-2023-24011): this one certifies nobody.
+set -euo pipefail
+folder=$1
+days=$2
+shift 2
+authority=$folder/authority
+organisation=mirocup
+umask 077
+
+quietly() { # runs a command; what it says is shown only if it fails
+  local said
+  said=$("$@" 2>&1) || { echo "$said" >&2; return 1; }
+}
+
+new_key() {
+  quietly openssl genpkey -algorithm EC -pkeyopt ec_paramgen_curve:prime256v1 -pkeyopt ec_param_enc:named_curve -out "$1"
+}
+
+new_authority() {
+  new_key "$authority/$1.key"
+  quietly openssl req -x509 -new -key "$authority/$1.key" -days "$days" -subj "/O=$organisation/CN=$1" -out "$authority/$1.pem"
+}
+
+sign() { # FILE.xml FILE.p7s
+  quietly openssl smime -sign -in "$1" -text -out "$2" -signer "$authority/permissions_ca.pem" \
+    -inkey "$authority/permissions_ca.key"
+}
+
+new_authorities() {
+  mkdir -p "$authority/issued"
+  new_authority identity_ca
+  new_authority permissions_ca
+  : >"$authority/index.txt"
+  echo 1000 >"$authority/serial"
+  echo 1000 >"$authority/crlnumber"
+  cat >"$authority/ca.cnf" <<CNF
+[ca]
+default_ca = league
+[league]
+database = $authority/index.txt
+serial = $authority/serial
+crlnumber = $authority/crlnumber
+new_certs_dir = $authority/issued
+certificate = $authority/identity_ca.pem
+private_key = $authority/identity_ca.key
+default_md = sha256
+default_crl_days = $days
+unique_subject = no
+policy = any
+[any]
+organizationName = supplied
+commonName = supplied
+CNF
+  governance >"$authority/governance.xml"
+  sign "$authority/governance.xml" "$authority/governance.p7s"
+  touch "$authority/complete"
+}
+
+# Everybody shows a certificate; what everybody may read and write is checked; commands are secret, everything else is
+# signed so that no reader can pretend to have written it.
+governance() {
+  topic() { # EXPRESSION PROTECTION
+    cat <<XML
+        <topic_rule>
+          <topic_expression>$1</topic_expression>
+          <enable_discovery_protection>true</enable_discovery_protection>
+          <enable_liveliness_protection>true</enable_liveliness_protection>
+          <enable_read_access_control>true</enable_read_access_control>
+          <enable_write_access_control>true</enable_write_access_control>
+          <metadata_protection_kind>$2</metadata_protection_kind>
+          <data_protection_kind>NONE</data_protection_kind>
+        </topic_rule>
+XML
+  }
+  cat <<XML
+<?xml version="1.0" encoding="UTF-8"?>
+<dds xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance"
+    xsi:noNamespaceSchemaLocation="http://www.omg.org/spec/DDS-SECURITY/20170901/omg_shared_ca_governance.xsd">
+  <domain_access_rules>
+    <domain_rule>
+      <domains><id>0</id></domains>
+      <allow_unauthenticated_participants>false</allow_unauthenticated_participants>
+      <enable_join_access_control>true</enable_join_access_control>
+      <discovery_protection_kind>ENCRYPT</discovery_protection_kind>
+      <liveliness_protection_kind>SIGN</liveliness_protection_kind>
+      <rtps_protection_kind>NONE</rtps_protection_kind>
+      <topic_access_rules>
+$(topic TeamCommand ENCRYPT)
+$(topic '*' SIGN_WITH_ORIGIN_AUTHENTICATION)
+      </topic_access_rules>
+    </domain_rule>
+  </domain_access_rules>
+</dds>
+XML
+}
+
+rule() { # publish|subscribe PARTITION TOPIC...
+  local kind=$1 partition=$2 topic
+  shift 2
+  echo "<$kind><topics>"
+  for topic in "$@"; do echo "<topic>$topic</topic>"; done
+  echo "</topics><partitions><partition>$partition</partition></partitions></$kind>"
+}
+
+rules_of() { # KIND WORD; the word is the team's name as in partitions
+  case $1 in
+    server)
+      rule publish 'match-*' WorldState MatchEvent Welcome
+      rule subscribe 'match-*' TeamCommand Hello ;;
+    spectator)
+      rule subscribe 'match-*' WorldState MatchEvent ;;
+    team)
+      rule publish "match-*/$2" TeamCommand Hello
+      rule subscribe "match-*/$2" Welcome
+      rule subscribe 'match-*' WorldState MatchEvent ;;
+  esac
+}
+
+permissions() { # KIND WORD CERTIFICATE
+  local from to
+  from=$(date -u -d '-1 day' +%Y-%m-%dT%H:%M:%S)  # the teams' clocks need not agree
+  to=$(date -u -d "+$days days" +%Y-%m-%dT%H:%M:%S)
+  cat <<XML
+<?xml version="1.0" encoding="UTF-8"?>
+<dds xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance"
+    xsi:noNamespaceSchemaLocation="http://www.omg.org/spec/DDS-SECURITY/20170901/omg_shared_ca_permissions.xsd">
+  <permissions>
+    <grant name="$1">
+      <subject_name>$(openssl x509 -in "$3" -noout -subject -nameopt RFC2253 | sed 's/^subject=//')</subject_name>
+      <validity><not_before>$from</not_before><not_after>$to</not_after></validity>
+      <allow_rule><domains><id>0</id></domains>
+$(rules_of "$1" "$2")
+      </allow_rule>
+      <default>DENY</default>
+    </grant>
+  </permissions>
+</dds>
+XML
+}
+
+encoded() { # what is not safe in a partition as %XX, as server/dds/domain.cpp does it
+  local LC_ALL=C text=$1 out= c i
+  for ((i = 0; i < ${#text}; ++i)); do
+    c=${text:i:1}
+    case $c in
+      [a-zA-Z0-9._-]) out+=$c ;;
+      *) printf -v c '%%%02X' "'$c"; out+=${c/FFFFFFFFFFFFFF/} ;;
+    esac
+  done
+  echo "$out"
+}
+
+issue() { # KIND NAME INTO
+  local kind=$1 word into=$3
+  word=$(encoded "$2")
+  [[ -e $into/permissions.p7s ]] && return
+  mkdir -p "$into"
+  new_key "$into/key.pem"
+  quietly openssl req -new -key "$into/key.pem" -subj "/O=$organisation/CN=$kind $word" -out "$authority/request.pem"
+  quietly openssl ca -batch -config "$authority/ca.cnf" -notext -in "$authority/request.pem" -days "$days" \
+    -out "$into/certificate.pem"
+  cp "$authority/identity_ca.pem" "$authority/permissions_ca.pem" "$authority/governance.p7s" "$into/"
+  permissions "$kind" "$word" "$into/certificate.pem" >"$authority/permissions.xml"
+  sign "$authority/permissions.xml" "$into/permissions.p7s"
+  echo "$into"
+}
+
+update_revoked() {
+  quietly openssl ca -config "$authority/ca.cnf" -gencrl -out "$folder/server/revoked.pem"
+}
+
+[[ -e $authority/complete ]] || new_authorities
+issue server server "$folder/server"
+issue spectator spectator "$folder/spectator"
+while [[ $# -gt 0 ]]; do
+  into=$folder/teams/$(encoded "$2")
+  case $1 in
+    team) issue team "$2" "$into" ;;
+    revoke)
+      quietly openssl ca -config "$authority/ca.cnf" -revoke "$into/certificate.pem"
+      rm -r "$into" ;;
+  esac
+  shift 2
+done
+update_revoked
