@@ -35,10 +35,6 @@ double BoxProblem::gradient(int i) const {
 // Each time the unknown with the largest pivot left comes next, so that those that nearly depend on
 // others come last. Otherwise what rounding leaves of a small pivot would be taken for one, and
 // divided by, again and again.
-//
-// What is left of the matrix is brought up to date as a whole after each unknown. Every entry has
-// the sums that it would have row by row, in the same order, but none waits for the one before: a
-// compiler can do two at a time.
 int BoxProblem::factorise() {
   int count = 0;
   for (int i = 0; i < size_; ++i) {
@@ -46,29 +42,22 @@ int BoxProblem::factorise() {
     order_[count++] = i;
     pivot_[i] = a(i, i);
   }
-  const auto row_at = [this](int place) { return &factor_[order_[place] * max_unknowns]; };
-  for (int k = 0; k < count; ++k) {
-    for (int l = 0; l < count; ++l) row_at(k)[l] = a(order_[k], order_[l]);
-  }
-  std::array<double, max_unknowns> column;
   for (int n = 0; n < count; ++n) {
     int next = n;
     for (int k = n + 1; k < count; ++k) {
       if (pivot_[order_[k]] > pivot_[order_[next]]) next = k;
     }
     std::swap(order_[n], order_[next]);
-    for (int k = n; k < count; ++k) std::swap(row_at(k)[n], row_at(k)[next]);
     const int i = order_[n];
-    const double root = std::sqrt(std::max(pivot_[i], least_pivot * a(i, i)));
-    row_at(n)[n] = root;
+    double* row = &factor_[i * max_unknowns];
+    row[n] = std::sqrt(std::max(pivot_[i], least_pivot * a(i, i)));
     for (int k = n + 1; k < count; ++k) {
-      column[k] = row_at(k)[n] /= root;
-      pivot_[order_[k]] -= column[k] * column[k];
-    }
-    for (int k = n + 1; k < count; ++k) {
-      double* const row = row_at(k);
-      const double share = column[k];
-      for (int l = n + 1; l < count; ++l) row[l] -= share * column[l];
+      const int j = order_[k];
+      double* other = &factor_[j * max_unknowns];
+      double sum = a(j, i);
+      for (int l = 0; l < n; ++l) sum -= other[l] * row[l];
+      other[n] = sum / row[n];
+      pivot_[j] -= other[n] * other[n];
     }
   }
   return count;
