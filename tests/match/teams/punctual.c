@@ -40,6 +40,6 @@ static void decide(void* team, const mirocup_observation* now, mirocup_command* 
 
 const mirocup_strategy* mirocup_entry(void) {
   static const mirocup_strategy entry = {
-      MIROCUP_ABI_VERSION, sizeof(mirocup_strategy), "punctual", create, decide, 0};
+      MIROCUP_ABI_VERSION, sizeof(mirocup_strategy), "punctual", create, decide, 0, 0};
   return &entry;
 }
