@@ -18,7 +18,7 @@ namespace {
 using namespace test_support;
 
 // Peak of a running process, MB.
-double peak_memory(int pid) {
+[[maybe_unused]] double peak_memory(int pid) {
   std::istringstream status(read_file("/proc/" + std::to_string(pid) + "/status"));
   std::string line;
   while (std::getline(status, line)) {

@@ -103,7 +103,7 @@ TEST(Rulings, AreToldAndCount) {
   ASSERT_EQ(run(league("start", folder)).exit_code, 0);
   EXPECT_EQ(read_file(folder + "/records/r1-f1-1-1.json"), record) << "what was void is evidence";
   EXPECT_EQ(read_json(folder + "/records/r1-f1-1-2.json")["state_hash"],
-            nlohmann::json::parse(record)["state_hash"])
+            nlohmann::ordered_json::parse(record)["state_hash"])
       << "the same seed";
   const std::string page = read_file(folder + "/site/index.html");
   EXPECT_NE(page.find("ruling: &lt;b&gt;glue&lt;/b&gt; (Host)"), std::string::npos);
