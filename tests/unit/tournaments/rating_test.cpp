@@ -5,6 +5,7 @@
 #include "tournaments/table/rating.hpp"
 
 #include "core/base/random.hpp"
+#include "tests/unit/tournaments/leg_result.hpp"
 #include "tournaments/table/comparison.hpp"
 
 #include <gtest/gtest.h>
@@ -13,15 +14,6 @@
 
 namespace mirocup::league {
 namespace {
-
-LegResult leg(int home, int away, int home_goals, int away_goals) {
-  LegResult r;
-  r.home = home;
-  r.away = away;
-  r.home_goals = home_goals;
-  r.away_goals = away_goals;
-  return r;
-}
 
 // Results of teams whose strengths are known.
 std::vector<FixtureResults> season(const std::vector<double>& truth, int times, Random& random) {
@@ -33,7 +25,7 @@ std::vector<FixtureResults> season(const std::vector<double>& truth, int times, 
         for (int i = 0; i < 2; ++i) {
           const double win = 1.0 / (1.0 + std::pow(10.0, (truth[b] - truth[a]) / 400.0));
           const bool won = random.uniform() < win;
-          fixture.push_back(leg(a, b, won ? 1 : 0, won ? 0 : 1));
+          fixture.push_back(leg_result(a, b, won ? 1 : 0, won ? 0 : 1));
         }
         fixtures.push_back(fixture);
       }
@@ -65,14 +57,15 @@ TEST(Strength, HasIntervalsThatHoldTheTruth) {
 }
 
 TEST(Strength, IsFiniteForWhoWonOrLostEverything) {
-  const auto found = strengths(2, {{leg(0, 1, 5, 0), leg(0, 1, 9, 0)}}, {.seed = 1});
+  const auto found = strengths(2, {{leg_result(0, 1, 5, 0), leg_result(0, 1, 9, 0)}}, {.seed = 1});
   EXPECT_GT(found[0].value, 0.0);
   EXPECT_LT(found[0].value, 1000.0);
   EXPECT_NEAR(found[0].value, -found[1].value, 1e-6);
 }
 
 TEST(Strength, CallsWhoOnlyDrewEqual) {
-  const auto found = strengths(3, {{leg(0, 1, 1, 1)}, {leg(1, 2, 0, 0)}, {leg(2, 0, 2, 2)}}, {});
+  const auto found = strengths(
+      3, {{leg_result(0, 1, 1, 1)}, {leg_result(1, 2, 0, 0)}, {leg_result(2, 0, 2, 2)}}, {});
   for (const Strength& s : found) EXPECT_NEAR(s.value, 0.0, 1.0);
 }
 

@@ -4,21 +4,14 @@
 // is a draw.
 #include "tournaments/table/table.hpp"
 
+#include "tests/unit/tournaments/leg_result.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 namespace mirocup::league {
 namespace {
-
-LegResult result(int home, int away, int home_goals, int away_goals) {
-  LegResult r;
-  r.home = home;
-  r.away = away;
-  r.home_goals = home_goals;
-  r.away_goals = away_goals;
-  return r;
-}
 
 std::vector<int> order(const std::vector<Row>& rows) {
   std::vector<int> teams;
@@ -29,7 +22,7 @@ std::vector<int> order(const std::vector<Row>& rows) {
 enum { A, B, C, D };
 
 TEST(Table, CountsPointsAndGoals) {
-  const auto rows = make_table(all_teams(2), {result(A, B, 2, 1), result(B, A, 3, 3)}, {});
+  const auto rows = make_table(all_teams(2), {leg_result(A, B, 2, 1), leg_result(B, A, 3, 3)}, {});
   EXPECT_EQ(order(rows), (std::vector<int>{A, B}));
   EXPECT_EQ(rows[0].points, 4);
   EXPECT_EQ(rows[0].goals_for, 5);
@@ -38,16 +31,17 @@ TEST(Table, CountsPointsAndGoals) {
 }
 
 TEST(Table, GoesByGoalDifferenceInARing) {
-  const auto rows =
-      make_table(all_teams(3), {result(A, B, 2, 1), result(B, C, 3, 1), result(C, A, 1, 0)}, {});
+  const auto rows = make_table(
+      all_teams(3), {leg_result(A, B, 2, 1), leg_result(B, C, 3, 1), leg_result(C, A, 1, 0)}, {});
   EXPECT_EQ(order(rows), (std::vector<int>{B, A, C}));
   EXPECT_EQ(rows[0].separated_by, "goal_difference");
 }
 
 TEST(Table, GoesByGoalsThenByTheirOwnMeeting) {
   // A and B are level in points, difference and goals; B won when they met.
-  const std::vector<LegResult> results{result(B, A, 1, 0), result(A, C, 2, 1), result(C, B, 1, 0),
-                                       result(A, C, 1, 1), result(B, C, 2, 2)};
+  const std::vector<LegResult> results{leg_result(B, A, 1, 0), leg_result(A, C, 2, 1),
+                                       leg_result(C, B, 1, 0), leg_result(A, C, 1, 1),
+                                       leg_result(B, C, 2, 2)};
   const auto rows = make_table(all_teams(3), results, {});
   const auto at = [&](int team) {
     return *std::find_if(rows.begin(), rows.end(), [team](const Row& r) { return r.team == team; });
@@ -64,14 +58,15 @@ TEST(Table, TakesHeadToHeadAnewAmongThoseWhoAreLeft) {
   // difference; between the two alone B is ahead.
   TableRules with_head_to_head;
   with_head_to_head.tie_breaks = {TieBreak::head_to_head_points, TieBreak::lots};
-  const std::vector<LegResult> results{result(A, B, 1, 0), result(A, C, 1, 0), result(B, C, 1, 0),
-                                       result(C, D, 1, 0), result(B, D, 0, 1), result(D, A, 1, 0)};
+  const std::vector<LegResult> results{leg_result(A, B, 1, 0), leg_result(A, C, 1, 0),
+                                       leg_result(B, C, 1, 0), leg_result(C, D, 1, 0),
+                                       leg_result(B, D, 0, 1), leg_result(D, A, 1, 0)};
   const auto ranks = order(make_table(all_teams(4), results, with_head_to_head));
   EXPECT_LT(std::find(ranks.begin(), ranks.end(), B), std::find(ranks.begin(), ranks.end(), C));
 }
 
 TEST(Table, PrefersFewerPenaltiesThenDrawsLots) {
-  LegResult r = result(A, B, 1, 1);
+  LegResult r = leg_result(A, B, 1, 1);
   r.home_penalties = 2;
   r.away_penalties = 1;
   auto rows = make_table(all_teams(2), {r}, {});
@@ -82,17 +77,17 @@ TEST(Table, PrefersFewerPenaltiesThenDrawsLots) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     TableRules rules;
     rules.seed = seed;
-    rows = make_table(all_teams(2), {result(A, B, 1, 1)}, rules);
+    rows = make_table(all_teams(2), {leg_result(A, B, 1, 1)}, rules);
     EXPECT_EQ(rows[0].separated_by, "lots");
     ++first_places[rows[0].team];
-    EXPECT_EQ(order(rows), order(make_table(all_teams(2), {result(A, B, 1, 1)}, rules)));
+    EXPECT_EQ(order(rows), order(make_table(all_teams(2), {leg_result(A, B, 1, 1)}, rules)));
   }
   EXPECT_GT(first_places[0], 8);
   EXPECT_GT(first_places[1], 8);
 }
 
 TEST(Table, GivesNobodyAnythingForADoubleForfeit) {
-  LegResult r = result(A, B, 0, 0);
+  LegResult r = leg_result(A, B, 0, 0);
   r.both_lose = true;
   const auto rows = make_table(all_teams(2), {r}, {});
   EXPECT_EQ(rows[0].points, 0);
@@ -101,8 +96,8 @@ TEST(Table, GivesNobodyAnythingForADoubleForfeit) {
 }
 
 TEST(Table, DoesNotDependOnTheOrderOfTheResults) {
-  std::vector<LegResult> results{result(A, B, 2, 1), result(B, C, 3, 1), result(C, A, 1, 0),
-                                 result(D, A, 0, 0)};
+  std::vector<LegResult> results{leg_result(A, B, 2, 1), leg_result(B, C, 3, 1),
+                                 leg_result(C, A, 1, 0), leg_result(D, A, 0, 0)};
   const auto before = order(make_table(all_teams(4), results, {}));
   std::reverse(results.begin(), results.end());
   EXPECT_EQ(order(make_table(all_teams(4), results, {})), before);
@@ -110,21 +105,22 @@ TEST(Table, DoesNotDependOnTheOrderOfTheResults) {
 
 TEST(Table, PutsHowFarATeamCameBeforePoints) {
   const auto rows = make_table(
-      all_teams(3), {result(A, B, 9, 0), result(A, C, 9, 0), result(C, B, 1, 0)}, {}, {0, 1, 1});
+      all_teams(3), {leg_result(A, B, 9, 0), leg_result(A, C, 9, 0), leg_result(C, B, 1, 0)}, {},
+      {0, 1, 1});
   EXPECT_EQ(order(rows), (std::vector<int>{C, B, A}));
   EXPECT_EQ(rows[0].separated_by, "points");
   EXPECT_EQ(rows[1].separated_by, "knockout");
 }
 
 TEST(Table, CountsOnlyTheTeamsThatAreAsked) {
-  const auto rows =
-      make_table({C, A}, {result(A, B, 0, 9), result(A, C, 1, 0), result(C, B, 9, 0)}, {});
+  const auto rows = make_table(
+      {C, A}, {leg_result(A, B, 0, 9), leg_result(A, C, 1, 0), leg_result(C, B, 9, 0)}, {});
   EXPECT_EQ(order(rows), (std::vector<int>{A, C}));
   EXPECT_EQ(rows[0].played, 1);
 }
 
 TEST(Table, GivesAByeAWinWithoutGoals) {
-  const auto rows = make_table(all_teams(2), {result(B, -1, 0, 0)}, {});
+  const auto rows = make_table(all_teams(2), {leg_result(B, -1, 0, 0)}, {});
   EXPECT_EQ(rows[0].team, B);
   EXPECT_EQ(rows[0].points, 3);
   EXPECT_EQ(rows[0].goals_for, 0);
@@ -136,9 +132,10 @@ TEST(Table, PrefersWhoMetStrongerOpponents) {
   TableRules rules;
   rules.tie_breaks = {TieBreak::opponents_points, TieBreak::lots};
   enum { E = 4, F };
-  const auto rows = make_table(
-      all_teams(6),
-      {result(A, C, 1, 0), result(B, D, 1, 0), result(C, E, 5, 0), result(F, E, 1, 0)}, rules);
+  const auto rows = make_table(all_teams(6),
+                               {leg_result(A, C, 1, 0), leg_result(B, D, 1, 0),
+                                leg_result(C, E, 5, 0), leg_result(F, E, 1, 0)},
+                               rules);
   const auto ranks = order(rows);
   EXPECT_LT(std::find(ranks.begin(), ranks.end(), A), std::find(ranks.begin(), ranks.end(), B));
 }
@@ -146,10 +143,11 @@ TEST(Table, PrefersWhoMetStrongerOpponents) {
 TEST(Table, ComparesUnlikeNumbersOfLegsByTheirMean) {
   TableRules rules;
   rules.by_points_per_leg = true;
-  LegResult old = result(A, B, 0, 1);
+  LegResult old = leg_result(A, B, 0, 1);
   old.counts_for_home = false;  // A has another entry since
   const auto rows = make_table(
-      all_teams(3), {old, result(A, C, 1, 0), result(B, C, 1, 0), result(C, B, 1, 0)}, rules);
+      all_teams(3), {old, leg_result(A, C, 1, 0), leg_result(B, C, 1, 0), leg_result(C, B, 1, 0)},
+      rules);
   EXPECT_EQ(order(rows), (std::vector<int>{A, B, C}));
   EXPECT_EQ(rows[0].played, 1);
   EXPECT_EQ(rows[1].played, 3) << "B keeps what it won against the old entry";
