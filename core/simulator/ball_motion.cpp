@@ -36,10 +36,10 @@ Segment roll_per_axis(const RollingDeceleration& d, const Body& ball, double beg
     }
   }
   Segment s = moving_segment(ball, begin, std::min(end, begin + segment_length(rate)));
-  for (int i = 0; i < series_terms - 1; ++i) {
-    integrate_pose(s, i);
-    extend_ball_twist(d, i, s, braking);
-  }
+  fill_series(s, never, [&](int k) {
+    integrate_pose(s, k);
+    extend_ball_twist(d, k, s, braking);
+  });
   return s;
 }
 
@@ -128,27 +128,26 @@ Segment roll(const RollingDeceleration& d, const Body& ball, double begin, doubl
   if (d.is_per_axis()) return roll_per_axis(d, ball, begin, horizon);
   const Vec2 velocity{ball.twist.forward, ball.twist.left};
   const double speed = std::sqrt(velocity.squaredNorm());
-  if (speed == 0.0) return still_segment(ball, begin, horizon);
+  if (speed <= no_rolling) return still_segment(ball, begin, horizon);
 
   Segment s = still_segment(ball, begin, horizon);
   const double stops = begin + stopping_time(d, speed);
   s.end = std::min({horizon, stops, begin + segment_length(d.linear)});
-  if (s.end == stops) s.settles = Settles::everything;
 
   // Along the direction of motion: derivatives of the speed, each -linear times the one before.
-  Series along;
-  along[0] = speed;
-  along[1] = -(d.constant + d.linear * speed);
-  for (int k = 1; k < series_terms - 1; ++k) along[k + 1] = -d.linear * along[k] / (k + 1);
-
   const double ux = velocity.x() / speed;
   const double uy = velocity.y() / speed;
-  s.forward = ux * along;
-  s.left = uy * along;
-  for (int k = 0; k < series_terms - 1; ++k) {
+  double along = speed;
+  s.forward[0] = ux * along;
+  s.left[0] = uy * along;
+  fill_series(s, never, [&](int k) {
     s.x[k + 1] = s.forward[k] / (k + 1);
     s.y[k + 1] = s.left[k] / (k + 1);
-  }
+    along = -((k == 0 ? d.constant : 0.0) + d.linear * along) / (k + 1);
+    s.forward[k + 1] = ux * along;
+    s.left[k + 1] = uy * along;
+  });
+  if (s.end == stops) s.settles = Settles::everything;
   return s;
 }
 

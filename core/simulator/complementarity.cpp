@@ -32,26 +32,58 @@ double BoxProblem::gradient(int i) const {
   return w;
 }
 
+// Already the solution, without any step?
+bool BoxProblem::is_solved(double tolerance) const {
+  for (int i = 0; i < size_; ++i) {
+    const double w = gradient(i);
+    if (w < -tolerance && x[i] < high[i]) return false;
+    if (w > tolerance && x[i] > low[i]) return false;
+  }
+  return true;
+}
+
+void BoxProblem::order_all_free() {
+  order_count_ = 0;
+  factorised_ = 0;
+  for (int i = 0; i < size_; ++i) {
+    if (bound_[i] == Bound::free && a(i, i) != 0.0) order_[order_count_++] = i;
+  }
+}
+
+// What comes before the first of them in the factorisation is as it was.
+void BoxProblem::drop_fixed() {
+  int left = 0;
+  for (int k = 0; k < order_count_; ++k) {
+    const int i = order_[k];
+    if (bound_[i] == Bound::free) {
+      order_[left++] = i;
+    } else {
+      factorised_ = std::min(factorised_, left);
+    }
+  }
+  order_count_ = left;
+}
+
 // Each time the unknown with the largest pivot left comes next, so that those that nearly depend on
 // others come last. Otherwise what rounding leaves of a small pivot would be taken for one, and
 // divided by, again and again.
-int BoxProblem::factorise() {
-  int count = 0;
-  for (int i = 0; i < size_; ++i) {
-    if (bound_[i] != Bound::free || a(i, i) == 0.0) continue;
-    order_[count++] = i;
+void BoxProblem::factorise() {
+  for (int k = factorised_; k < order_count_; ++k) {
+    const int i = order_[k];
     pivot_[i] = a(i, i);
+    const double* row = &factor_[i * max_unknowns];
+    for (int l = 0; l < factorised_; ++l) pivot_[i] -= row[l] * row[l];
   }
-  for (int n = 0; n < count; ++n) {
+  for (int n = factorised_; n < order_count_; ++n) {
     int next = n;
-    for (int k = n + 1; k < count; ++k) {
+    for (int k = n + 1; k < order_count_; ++k) {
       if (pivot_[order_[k]] > pivot_[order_[next]]) next = k;
     }
     std::swap(order_[n], order_[next]);
     const int i = order_[n];
     double* row = &factor_[i * max_unknowns];
     row[n] = std::sqrt(std::max(pivot_[i], least_pivot * a(i, i)));
-    for (int k = n + 1; k < count; ++k) {
+    for (int k = n + 1; k < order_count_; ++k) {
       const int j = order_[k];
       double* other = &factor_[j * max_unknowns];
       double sum = a(j, i);
@@ -60,12 +92,13 @@ int BoxProblem::factorise() {
       pivot_[j] -= other[n] * other[n];
     }
   }
-  return count;
+  factorised_ = order_count_;
 }
 
 void BoxProblem::solve_free() {
   for (int i = 0; i < size_; ++i) target_[i] = x[i];
-  const int n = factorise();
+  factorise();
+  const int n = order_count_;
   for (int k = 0; k < n; ++k) {
     double sum = -gradient(order_[k]);
     const double* row = &factor_[order_[k] * max_unknowns];
@@ -101,6 +134,7 @@ bool BoxProblem::step_to_target() {
       reached = false;
     }
   }
+  if (!reached) drop_fixed();
   return reached;
 }
 
@@ -130,6 +164,8 @@ void BoxProblem::solve() {
     scale = std::max(scale, std::abs(b[i]));
   }
   const double tolerance = 1e-14 * scale;
+  if (is_solved(tolerance)) return;
+  order_all_free();
 
   // Each round releases one bound; far fewer rounds than this are ever needed.
   for (int round = 0; round < 8 * max_unknowns; ++round) {
@@ -140,6 +176,7 @@ void BoxProblem::solve() {
     const int released = most_violating(tolerance);
     if (released < 0) return;
     bound_[released] = Bound::free;
+    order_all_free();
     solve_free();
     // Rounding can turn a release against its own bound; then it was no violation.
     const bool inwards = x[released] <= low[released] ? target_[released] > x[released]
@@ -147,6 +184,7 @@ void BoxProblem::solve() {
     if (!inwards) {
       bound_[released] = Bound::fixed;
       banned_[released] = true;
+      drop_fixed();
     }
   }
 }

@@ -38,21 +38,28 @@ class BoxProblem {
   void solve();
   std::array<double, max_unknowns> x;
 
+  // w_i, from x as it stands.
+  double gradient(int i) const;
+
  private:
   enum class Bound : unsigned char { free, fixed };
 
-  int factorise();        // the free unknowns, in order_; how many
+  bool is_solved(double tolerance) const;
+  void order_all_free();  // order_ from bound_, nothing of it factorised
+  void drop_fixed();      // from order_
+  void factorise();       // what is not yet, of order_
   void solve_free();      // target_ from the free unknowns, the others held
   bool step_to_target();  // true if no bound was in the way
   int most_violating(double tolerance) const;
-  double gradient(int i) const;
 
   int size_ = 0;
   std::vector<double> a_, factor_;  // row i of the factor belongs to unknown i
   std::array<double, max_unknowns> target_, rhs_, pivot_;
   std::array<Bound, max_unknowns> bound_;
   std::array<bool, max_unknowns> banned_;
-  std::array<int, max_unknowns> order_;  // the unknowns of the factorisation
+  std::array<int, max_unknowns> order_;  // the free unknowns, in the order of the factorisation
+  int order_count_ = 0;
+  int factorised_ = 0;  // so many of them, the first ones, have been
 };
 
 }  // namespace mirocup::simulator

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "core/simulator/contact_forces.hpp"
 
+#include <algorithm>
 #include <bitset>
 #include <cmath>
+#include <limits>
 
 namespace mirocup::simulator {
 
@@ -12,9 +14,20 @@ namespace {
 constexpr double least_force = 1e-9;
 constexpr double least_slide = 1e-10;
 
+// A gap that should not change does not if its rate (m/s) is below this.
+constexpr double least_rate = 1e-12;
+
+// A force below this share of the largest is weak.
+constexpr double weak_share = 1e-3;
+
+// A contact may do without its force if its gap then closes no faster than this, m/s^2.
+constexpr double least_closing = 1e-9;
+
 }  // namespace
 
-ContactForces::ContactForces(const Arena& arena) : arena_(arena), rows_(max_unknowns) {}
+ContactForces::ContactForces(const Arena& arena) : arena_(arena), rows_(max_unknowns) {
+  constraints_.reserve(max_unknowns);
+}
 
 const InverseMass& ContactForces::mass(int body, std::span<const Drive> drives) const {
   if (arena_.is_ball(body)) return arena_.ball;
@@ -25,14 +38,15 @@ bool ContactForces::is_held_sideways(int body) const {
   return grounding_[body].ground == Ground::rolls && arena_.parameters.grip != infinite_grip;
 }
 
-void ContactForces::decide(std::span<const Drive> drives, double rest_speed, std::span<Body> bodies,
-                           std::span<Contact> contacts) {
+void ContactForces::decide(std::span<const Drive> drives, const RestSpeeds& rest,
+                           std::span<Body> bodies, std::span<Contact> contacts) {
+  rest_ = rest;
   candidate_count_ = 0;
   std::bitset<max_bodies> in_contact;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     Contact& c = contacts[i];
     c.holds = false;
-    if (gap_rate(c, bodies) > rest_speed) continue;
+    if (gap_rate(c, bodies) > rest.gap) continue;
     candidate_[candidate_count_++] = static_cast<int>(i);
     in_contact.set(c.pair.a);
     if (!c.pair.with_obstacle()) in_contact.set(c.pair.partner);
@@ -51,7 +65,73 @@ void ContactForces::decide(std::span<const Drive> drives, double rest_speed, std
   const bool rests = arena_.has_ball && in_contact[ball] && bodies[ball].twist.forward == 0.0 &&
                      bodies[ball].twist.left == 0.0;
   if (rests) start_ball(drives, bodies, contacts);
+  drop_weak_forces();
   read(contacts);
+  fit_velocities(drives, bodies, contacts);
+}
+
+// Gaps that are held do not change, no other closes, wheels that roll do not slide yet. Of all such
+// velocities, those nearest to what they were, for all bodies together: that never adds energy. It
+// could, if one body alone had to give way to another that goes on as it likes.
+void ContactForces::fit_velocities(std::span<const Drive> drives, std::span<Body> bodies,
+                                   std::span<const Contact> contacts) {
+  if (std::none_of(contacts.begin(), contacts.end(), [](const Contact& c) { return c.holds; })) {
+    return;
+  }
+  std::array<InverseMass, max_bodies> mass;
+  constraints_.clear();
+  for (const Contact& c : contacts) {
+    constraints_.push_back(c);
+    for (const int i : {c.a, c.b}) {
+      if (i != no_body) mass[i] = this->mass(i, drives);
+    }
+  }
+  const auto held = [&](int i) {
+    return i >= static_cast<int>(contacts.size()) || constraints_[i].holds;
+  };
+  for (int k = 0; k < wheel_count_; ++k) constraints_.push_back(wheels_as_contact(wheels_[k]));
+
+  problem_.reset(static_cast<int>(constraints_.size()));
+  bool fits = true;
+  for (int i = 0; i < problem_.size(); ++i) {
+    problem_.b[i] = gap_rate(constraints_[i], bodies);
+    fits = fits && problem_.b[i] >= -least_rate && (!held(i) || problem_.b[i] <= least_rate);
+  }
+  if (fits) return;
+  for (int i = 0; i < problem_.size(); ++i) {
+    if (held(i)) problem_.low[i] = -std::numeric_limits<double>::infinity();
+    for (int j = 0; j <= i; ++j) {
+      problem_.a(i, j) = problem_.a(j, i) = coupling(constraints_[i], constraints_[j], mass);
+    }
+  }
+  problem_.solve();
+  for (int i = 0; i < problem_.size(); ++i) {
+    apply_impulse(constraints_[i], problem_.x[i], mass, bodies);
+  }
+}
+
+// Where several contacts, or contacts and wheels, can do the same, the solution is one of many, and
+// a force in it may be next to nothing: it would fall to zero at once, only to come back as little
+// at the next look. Such contacts are left to the others, if these can do without.
+void ContactForces::drop_weak_forces() {
+  const auto& x = problem_.x;
+  const double largest = *std::max_element(x.begin(), x.begin() + candidate_count_);
+  const auto is_weak = [&](double force) {
+    return force > least_force && force < weak_share * largest;
+  };
+  if (std::none_of(x.begin(), x.begin() + candidate_count_, is_weak)) return;
+  const auto with_all = x;
+  const double limit = weak_share * largest;
+  for (int i = 0; i < candidate_count_; ++i) {
+    if (x[i] < limit) problem_.high[i] = 0.0;
+  }
+  problem_.solve();
+  for (int i = 0; i < candidate_count_; ++i) {
+    if (problem_.high[i] == 0.0 && problem_.gradient(i) < -least_closing) {
+      problem_.x = with_all;
+      return;
+    }
+  }
 }
 
 // The resistance against a ball that starts is along its push, which depends on the resistance only
@@ -84,7 +164,7 @@ void ContactForces::ground_before_contact(std::span<const Drive> drives, std::sp
       if (std::abs(v.forward) + std::abs(v.left) <= no_rolling) v = {};
     } else if (!drives[i].wheels_on_ground) {
       grounding_[i] = {.ground = Ground::lifted};
-    } else if (std::abs(v.left) > no_sliding) {
+    } else if (std::abs(v.left) > rest_.slide) {
       grounding_[i] = {.ground = Ground::slides, .slide = v.left > 0.0 ? 1.0 : -1.0};
     } else {
       v.left = 0.0;
@@ -165,8 +245,7 @@ void ContactForces::read(std::span<Contact> contacts) {
   }
   for (int k = 0; k < wheel_count_; ++k) {
     const int row = candidate_count_ + k;
-    double acceleration = problem_.b[row];
-    for (int j = 0; j < problem_.size(); ++j) acceleration += problem_.a(row, j) * problem_.x[j];
+    const double acceleration = problem_.gradient(row);
     Grounding& g = grounding_[wheels_[k]];
     g.hold = problem_.x[row];
     if (std::abs(acceleration) <= least_slide) continue;

@@ -29,17 +29,25 @@ struct Grounding {
   Vec2 push{0.0, 0.0};  // N, on a ball that starts from rest against its rolling resistance
 };
 
+// What is no motion any more, m/s.
+struct RestSpeeds {
+  double gap = 0.0;
+  double slide = 0.0;
+};
+
 class ContactForces {
  public:
   explicit ContactForces(const Arena& arena);
 
   // Sets `holds` and `force` of every contact, and the grounding of every body that has one. Gaps
-  // that open faster than `rest_speed` are left alone. Wheels that slide, and a ball that rolls, no
-  // faster than rounding are made to stop that.
-  void decide(std::span<const Drive> drives, double rest_speed, std::span<Body> bodies,
+  // that open faster than `rest.gap` are left alone. Wheels that slide no faster than `rest.slide`,
+  // and a ball that rolls no faster than rounding, are made to stop that. Velocities are made to fit
+  // what was decided.
+  void decide(std::span<const Drive> drives, const RestSpeeds& rest, std::span<Body> bodies,
               std::span<Contact> contacts);
 
   const Grounding& grounding(int body) const { return grounding_[body]; }
+  const RestSpeeds& rest_speeds() const { return rest_; }
 
   // Does the ground hold the body sideways by a force of its own?
   bool is_held_sideways(int body) const;
@@ -55,13 +63,18 @@ class ContactForces {
   void start_ball(std::span<const Drive> drives, std::span<const Body> bodies,
                   std::span<const Contact> contacts);
   Vec2 push_on_ball(std::span<const Contact> contacts) const;
+  void drop_weak_forces();
   void read(std::span<Contact> contacts);
+  void fit_velocities(std::span<const Drive> drives, std::span<Body> bodies,
+                      std::span<const Contact> contacts);
 
   const Arena& arena_;
   BoxProblem problem_;
+  RestSpeeds rest_;
   std::array<Grounding, max_bodies> grounding_;
   std::array<Segment, max_bodies> trial_;  // two terms of the motion without contact forces
   std::vector<ContactRows> rows_;
+  std::vector<Contact> constraints_;         // on the velocities: contacts, and wheels that hold
   std::array<int, max_unknowns> candidate_;  // contacts whose gaps do not open
   int candidate_count_ = 0;
   std::array<int, max_bodies> member_,

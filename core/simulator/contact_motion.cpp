@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace mirocup::simulator {
 
@@ -12,6 +11,9 @@ namespace {
 // How far (m) a corner may stand out over the end of its edge before the contact is looked at
 // again.
 constexpr double over_the_end = 1e-10;
+
+// A gap this share of the sink tolerance need not be closed.
+constexpr double closed_gap = 0.01;
 
 // A cluster whose speeds (m/s, rad/s) and accelerations (m/s^2, rad/s^2) are below these is at
 // rest.
@@ -31,25 +33,52 @@ ContactMotion::ContactMotion(const Arena& arena)
 
 void ContactMotion::move(const BodySet& cluster, const ContactForces& forces,
                          std::span<const Contact> contacts, std::span<const Drive> drives,
-                         double begin, double horizon, std::span<Body> bodies,
+                         double begin, double horizon, double enough, std::span<Body> bodies,
                          std::span<Segment> segments) {
   forces_ = &forces;
   drives_ = drives;
   choose(cluster, contacts);
   start(begin, horizon, bodies, segments);
-  for (int k = 0; k < series_terms - 1; ++k) {
-    for (int m = 0; m < member_count_; ++m) integrate_pose(segments[members_[m]], k);
-    for (int i = 0; i < held_count_; ++i) extend_rows(arena_, held_[i], segments, k + 1, rows_[i]);
-    extend_twists(k, segments);
-    solve_for_forces(k, segments);
-    if (k == 0 && is_at_rest(segments)) {
-      for (int m = 0; m < member_count_; ++m) {
-        segments[members_[m]] = still_segment(bodies[members_[m]], begin, horizon);
-      }
-      return;
+  extend(0, segments);
+  if (is_at_rest(segments)) {
+    for (int m = 0; m < member_count_; ++m) {
+      segments[members_[m]] = still_segment(bodies[members_[m]], begin, horizon);
     }
+    return;
+  }
+  // As fill_series() does for one body.
+  for (int k = 1; k < few_terms - 1; ++k) extend(k, segments);
+  set_terms_of_all(few_terms, segments);
+  if (converged_length_of_all(segments) < std::min(enough, horizon - begin)) {
+    for (int k = few_terms - 1; k < series_terms - 1; ++k) extend(k, segments);
+    set_terms_of_all(series_terms, segments);
   }
   find_end(segments);
+}
+
+// Term k + 1 of everything.
+void ContactMotion::extend(int k, std::span<Segment> segments) {
+  for (int m = 0; m < member_count_; ++m) integrate_pose(segments[members_[m]], k);
+  for (int i = 0; i < held_count_; ++i) extend_rows(arena_, held_[i], segments, k + 1, rows_[i]);
+  extend_twists(k, segments);
+  solve_for_forces(k, segments);
+}
+
+void ContactMotion::set_terms_of_all(int terms, std::span<Segment> segments) {
+  for (int m = 0; m < member_count_; ++m) set_terms(segments[members_[m]], terms);
+  for (int i = 0; i < held_count_; ++i) {
+    rows_[i].force.terms = terms;
+    for (Series& inside : rows_[i].inside) inside.terms = terms;
+  }
+  for (int w = 0; w < wheel_count_; ++w) hold_[w].terms = terms;
+}
+
+double ContactMotion::converged_length_of_all(std::span<const Segment> segments) const {
+  double length = segments[members_[0]].end - segments[members_[0]].begin;
+  for (int m = 0; m < member_count_; ++m) {
+    length = converged_length(segments[members_[m]], length);
+  }
+  return length;
 }
 
 // Nothing moves and nothing gains speed: constant commands keep it so.
@@ -80,19 +109,8 @@ void ContactMotion::choose(const BodySet& cluster, std::span<const Contact> cont
   });
 
   held_count_ = 0;
-  loose_count_ = 0;
   for (const Contact& c : contacts) {
-    const bool belongs = cluster[c.pair.a] || (!c.pair.with_obstacle() && cluster[c.pair.partner]);
-    if (!belongs) continue;
-    if (c.holds) {
-      held_[held_count_++] = c;
-      continue;
-    }
-    loose_[loose_count_++] = c;
-    // A neighbour outside the cluster goes its own way.
-    for (const int body : {c.a, c.b}) {
-      if (body != no_body && !cluster[body]) mass_[body] = {};
-    }
+    if (c.holds && cluster[c.pair.a]) held_[held_count_++] = c;
   }
   std::stable_sort(held_.begin(), held_.begin() + held_count_,
                    [](const Contact& a, const Contact& b) { return a.force > b.force; });
@@ -100,7 +118,6 @@ void ContactMotion::choose(const BodySet& cluster, std::span<const Contact> cont
 
 void ContactMotion::start(double begin, double horizon, std::span<Body> bodies,
                           std::span<Segment> segments) {
-  factorise();
   close_gaps(bodies);
   for (int m = 0; m < member_count_; ++m) {
     segments[members_[m]] = moving_segment(bodies[members_[m]], begin, horizon);
@@ -115,8 +132,8 @@ void ContactMotion::start(double begin, double horizon, std::span<Body> bodies,
   }
   for (int k = 0; k < wheel_count_; ++k) hold_[k] = {};
 
-  stop_rates(bodies);
   factorise();
+  stop_rates(bodies);
   for (int m = 0; m < member_count_; ++m) {
     const int i = members_[m];
     const Twist& v = bodies[i].twist;
@@ -132,6 +149,10 @@ void ContactMotion::start(double begin, double horizon, std::span<Body> bodies,
 
 // Moves bodies by what rounding has opened or closed.
 void ContactMotion::close_gaps(std::span<Body> bodies) {
+  double widest = 0.0;
+  for (int i = 0; i < held_count_; ++i) widest = std::max(widest, std::abs(held_[i].at.gap));
+  if (widest <= closed_gap * arena_.tolerances.sink) return;
+  factorise();
   for (int i = 0; i < equations(); ++i) rhs_[i] = i < held_count_ ? -held_[i].at.gap : 0.0;
   solve();
   const auto shift = [&](int body, const JacobianRow& row, double amount) {
@@ -150,33 +171,20 @@ void ContactMotion::close_gaps(std::span<Body> bodies) {
   for (int k = 0; k < wheel_count_; ++k) shift(wheels_[k], {0.0, 1.0, 0.0}, rhs_[held_count_ + k]);
 }
 
-// Makes the velocities fit what was decided: gaps that are held do not change, no other closes,
-// wheels that hold do not slide. Of all such velocities, those nearest to what they were; that
-// never adds energy.
+// The velocities fit already, but for what closing the gaps has changed.
 void ContactMotion::stop_rates(std::span<Body> bodies) {
-  problem_.reset(equations() + loose_count_);
-  const int first_loose = equations();
-  const auto contact_of = [&](int i) -> Contact* {
-    if (i < held_count_) return &held_[i];
-    return i >= first_loose ? &loose_[i - first_loose] : nullptr;
-  };
-  for (int i = 0; i < problem_.size(); ++i) {
-    const Contact* c = contact_of(i);
-    problem_.b[i] = c != nullptr ? gap_rate(*c, bodies) : bodies[wheels_of(i)].twist.left;
-    if (i < first_loose) problem_.low[i] = -std::numeric_limits<double>::infinity();
-    for (int j = 0; j <= i; ++j) problem_.a(i, j) = problem_.a(j, i) = coupling_of(i, j);
+  for (int i = 0; i < equations(); ++i) {
+    rhs_[i] = i < held_count_ ? -gap_rate(held_[i], bodies) : -bodies[wheels_of(i)].twist.left;
   }
-  problem_.solve();
-  for (int i = 0; i < problem_.size(); ++i) {
-    if (const Contact* c = contact_of(i)) apply_impulse(*c, problem_.x[i], mass_, bodies);
-  }
+  solve();
+  for (int i = 0; i < held_count_; ++i) apply_impulse(held_[i], rhs_[i], mass_, bodies);
   for (int k = 0; k < wheel_count_; ++k) bodies[wheels_[k]].twist.left = 0.0;
   for (int m = 0; m < member_count_; ++m) {
     const int i = members_[m];
     double& left = bodies[i].twist.left;
     slide_[i] = forces_->grounding(i).slide;
     if (slide_[i] == 0.0) continue;
-    if (std::abs(left) <= no_sliding) {
+    if (std::abs(left) <= forces_->rest_speeds().slide) {
       left = 0.0;
     } else {
       slide_[i] = left > 0.0 ? 1.0 : -1.0;
@@ -185,12 +193,8 @@ void ContactMotion::stop_rates(std::span<Body> bodies) {
 }
 
 double ContactMotion::coupling_of(int i, int j) const {
-  const auto contact_of = [this](int k) -> const Contact* {
-    if (k < held_count_) return &held_[k];
-    return k >= equations() ? &loose_[k - equations()] : nullptr;
-  };
-  const Contact* c = contact_of(i);
-  const Contact* d = contact_of(j);
+  const Contact* c = i < held_count_ ? &held_[i] : nullptr;
+  const Contact* d = j < held_count_ ? &held_[j] : nullptr;
   if (c != nullptr && d != nullptr) return coupling(*c, *d, mass_);
   if (c != nullptr) return coupling_of(j, i);
   const int body = wheels_of(i);
@@ -357,11 +361,7 @@ double ContactMotion::contacts_change(double length) const {
 
 void ContactMotion::find_end(std::span<Segment> segments) const {
   const double begin = segments[members_[0]].begin;
-  double length = segments[members_[0]].end - begin;
-  for (int m = 0; m < member_count_; ++m) {
-    length = converged_length(segments[members_[m]], length);
-  }
-  length = contacts_change(length);
+  double length = contacts_change(converged_length_of_all(segments));
   const double grip = sideways_limit(arena_.parameters) * arena_.parameters.robot_mass;
   for (int w = 0; w < wheel_count_; ++w) {
     if (depends_[held_count_ + w]) continue;

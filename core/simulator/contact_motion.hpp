@@ -27,12 +27,11 @@ class ContactMotion {
   // segments of its bodies, all with the same end. What their gaps and velocities are off by
   // rounding is put right first.
   void move(const BodySet& cluster, const ContactForces& forces, std::span<const Contact> contacts,
-            std::span<const Drive> drives, double begin, double horizon, std::span<Body> bodies,
-            std::span<Segment> segments);
+            std::span<const Drive> drives, double begin, double horizon, double enough,
+            std::span<Body> bodies, std::span<Segment> segments);
 
  private:
   // The equations of a cluster: first the contacts that press, then the wheels that hold sideways.
-  // Behind them, for the velocities only, come the contacts that touch but do not press.
   int equations() const { return held_count_ + wheel_count_; }
   int wheels_of(int equation) const { return wheels_[equation - held_count_]; }
 
@@ -43,15 +42,17 @@ class ContactMotion {
   double coupling_of(int i, int j) const;
   void factorise();
   void solve();  // rhs_ becomes the solution
+  void extend(int k, std::span<Segment> segments);
   void extend_twists(int k, std::span<Segment> segments);
   void solve_for_forces(int k, std::span<Segment> segments);
   void add_force_term(int i, int term, double force, int k, std::span<Segment> segments) const;
   bool is_at_rest(std::span<const Segment> segments) const;
+  void set_terms_of_all(int terms, std::span<Segment> segments);
+  double converged_length_of_all(std::span<const Segment> segments) const;
   void find_end(std::span<Segment> segments) const;
   double contacts_change(double length) const;
 
   const Arena& arena_;
-  BoxProblem problem_;
   const ContactForces* forces_ = nullptr;
   std::span<const Drive> drives_;
 
@@ -64,8 +65,6 @@ class ContactMotion {
   std::array<Contact, max_unknowns> held_;
   int held_count_ = 0;
   std::vector<ContactRows> rows_;  // of held_
-  std::array<Contact, max_unknowns> loose_;
-  int loose_count_ = 0;
   std::array<int, max_bodies> wheels_;
   int wheel_count_ = 0;
   std::array<Series, max_bodies> hold_;  // N to the left, of wheels_

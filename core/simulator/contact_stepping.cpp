@@ -54,14 +54,6 @@ struct StepRows {
   void add(const Contact& c) { list[count++] = c; }
 };
 
-// The ground holds wheels as a contact does whose row is v_l.
-Contact wheels_as_contact(int body) {
-  Contact c;
-  c.a = body;
-  c.row_a = {0.0, 1.0, 0.0};
-  return c;
-}
-
 void set_bounds(BoxProblem& problem, int i, double bound) {
   problem.low[i] = -bound;
   problem.high[i] = bound;

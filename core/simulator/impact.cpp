@@ -90,6 +90,13 @@ JacobianRow contact_row(const Body& body, const ContactPoint& contact) {
   return {n.x(), n.y(), cross(Vec2{contact.point - body.position}, contact.normal)};
 }
 
+Contact wheels_as_contact(int body) {
+  Contact c;
+  c.a = body;
+  c.row_a = {0.0, 1.0, 0.0};
+  return c;
+}
+
 double gap_rate(const Contact& c, std::span<const Body> bodies) {
   double rate = 0.0;
   if (c.a != no_body) rate += along(c.row_a, bodies[c.a].twist);

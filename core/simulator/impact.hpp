@@ -67,6 +67,9 @@ struct ContactList {
   bool full() const { return count == static_cast<int>(list.size()); }
 };
 
+// The ground holds wheels as a contact does whose row is v_l.
+Contact wheels_as_contact(int body);
+
 // The rate of the contact's gap, m/s.
 double gap_rate(const Contact& contact, std::span<const Body> bodies);
 

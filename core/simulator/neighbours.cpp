@@ -30,7 +30,7 @@ std::span<Neighbour> Neighbours::find(const Arena& arena, std::span<const Box> b
 }
 
 void Neighbours::add(const Pair& pair) {
-  if (count_ < static_cast<int>(list_.size())) list_[count_++] = {pair, never};
+  if (count_ < static_cast<int>(list_.size())) list_[count_++] = {.pair = pair};
 }
 
 }  // namespace mirocup::simulator

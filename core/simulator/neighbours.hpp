@@ -16,7 +16,9 @@ using BodySet = std::bitset<max_bodies>;
 
 struct Neighbour {
   Pair pair;
-  double touch = never;
+  double touch = never;    // s of the tick; not before this while it is only estimated
+  double estimated = 0.0;  // when the estimate was made: from here on the touch is to be found
+  bool is_estimate = false;
 };
 
 class Neighbours {
@@ -24,6 +26,8 @@ class Neighbours {
   std::span<const Neighbour> list() const {
     return {list_.data(), static_cast<std::size_t>(count_)};
   }
+
+  std::span<Neighbour> list() { return {list_.data(), static_cast<std::size_t>(count_)}; }
 
   void clear() { count_ = 0; }
 

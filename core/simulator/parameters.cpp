@@ -32,8 +32,8 @@ Tolerances tolerances_of(Accuracy accuracy) {
     case Accuracy::reference:
       t.sink = 1e-13;
       t.rest_speed = 5e-6;
-      t.rest_growth_per_event = 1.002;
-      t.patient_events = 1'000;
+      t.rest_growth_per_touch = 1.002;
+      t.patient_touches = 1'000;
       t.events_per_tick = 10'000;
       t.step = 2e-5;
       break;

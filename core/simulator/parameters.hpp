@@ -82,16 +82,19 @@ struct Tolerances {
   double touch = 1e-10;  // m: bodies with a smaller gap are in contact
   double sink = 1e-12;   // m: bodies in contact that come closer by this hit each other anew
   double rest_speed =
-      2e-5;  // m/s: an approach slower than this does not bounce, it rests. More than what
+      1e-4;  // m/s: an approach slower than this does not bounce, it rests. More than what
              // the motors can gain over `sink`, so that bouncing comes to an end
   // Chattering ends because what counts as rest grows, within a tick, with each bounce of a pair
-  // and a little with each event of the whole field.
+  // and a little with each touch anywhere on the field.
   double rest_growth_per_bounce = 1.5;
-  double rest_growth_per_event = 1.03;
-  int patient_events = 40;        // in a tick; beyond, what counts as rest grows faster,
-  double impatient_growth = 1.2;  // by this for each event
-  int events_per_tick = 400;      // beyond, the rest of the tick is done in small steps
-  double step = 1e-3;             // s: the longest of those
+  double rest_growth_per_touch = 1.1;
+  int patient_touches = 20;       // in a tick; beyond, what counts as rest grows faster,
+  double impatient_growth = 1.3;  // by this for each touch
+  // Wheels may begin to slide and hold again ever more slowly: so grows, with each event, what counts
+  // as holding, up to what counts as rest.
+  double slide_growth_per_event = 1.15;
+  int events_per_tick = 400;  // beyond, the rest of the tick is done in small steps
+  double step = 1e-3;         // s: the longest of those
 };
 
 Tolerances tolerances_of(Accuracy accuracy);

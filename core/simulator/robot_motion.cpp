@@ -11,6 +11,7 @@ namespace {
 // p(t) / t for a series that starts at zero.
 Series divided_by_time(const Series& p) {
   Series q;
+  q.terms = p.terms;
   for (int k = 1; k < series_terms; ++k) q[k - 1] = p[k];
   return q;
 }
@@ -73,7 +74,7 @@ double slide_ends(const Segment& s, double slide) {
 }
 
 Segment drive(const Parameters& p, const Body& robot, const Drive& drive, double begin,
-              double horizon) {
+              double horizon, double enough) {
   const Wheels wheels = wheels_of(p, robot, drive);
   const double quickest = std::max(std::abs(robot.twist.turn), std::abs(drive.turn));
   const double rate = wheels == Wheels::lifted ? quickest : quickest + 1.0 / p.motor_time_constant;
@@ -86,21 +87,14 @@ Segment drive(const Parameters& p, const Body& robot, const Drive& drive, double
 
   Segment s = moving_segment(robot, begin, std::min(horizon, begin + segment_length(rate)));
   if (wheels != Wheels::lifted && std::abs(s.left[0]) <= no_sliding) s.left[0] = 0.0;
-  // As many terms as this length needs.
-  double power = 1.0;
-  int small_terms = 0;
-  for (int k = 0; k < series_terms - 1 && small_terms < 3; ++k) {
+  fill_series(s, enough, [&](int k) {
     if (wheels == Wheels::lifted) {
       extend_twist_lifted(k, s);
     } else {
       extend_twist_on_ground(p, drive, slide, k, s);
     }
     integrate_pose(s, k, wheels != Wheels::rolling);
-    power *= s.end - s.begin;
-    small_terms = is_negligible(s, k + 1, power) ? small_terms + 1 : 0;
-  }
-
-  s.end = begin + converged_length(s, s.end - begin);
+  });
 
   if (wheels == Wheels::rolling) s.end = std::min(s.end, begin + slide_begins(p, s, drive));
   if (wheels == Wheels::sliding) {

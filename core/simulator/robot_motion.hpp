@@ -56,6 +56,6 @@ double slide_ends(const Segment& segment, double slide);
 // The motion from `begin` (seconds of the tick) until the wheels begin or cease to slide, the
 // series ends, or `horizon`.
 Segment drive(const Parameters& parameters, const Body& robot, const Drive& drive, double begin,
-              double horizon);
+              double horizon, double enough);
 
 }  // namespace mirocup::simulator

@@ -14,6 +14,7 @@ Segment still_segment(const Body& body, double begin, double end) {
   s.y[0] = body.position.y();
   s.cos[0] = body.heading.cos;
   s.sin[0] = body.heading.sin;
+  set_terms(s, few_terms);
   return s;
 }
 
@@ -22,6 +23,7 @@ Segment moving_segment(const Body& body, double begin, double end) {
   s.forward[0] = body.twist.forward;
   s.left[0] = body.twist.left;
   s.turn[0] = body.twist.turn;
+  set_terms(s, series_terms);
   return s;
 }
 
@@ -45,16 +47,13 @@ void integrate_pose(Segment& s, int k, bool drifts) {
   s.y[k + 1] = y / next;
 }
 
-bool is_negligible(const Segment& s, int k, double power) {
-  constexpr double negligible = 1e-17;  // m, or of 1
-  const double largest = std::max(std::max(std::abs(s.x[k]), std::abs(s.y[k])),
-                                  std::max(std::abs(s.cos[k]), std::abs(s.sin[k])));
-  return largest * power < negligible;
+void set_terms(Segment& s, int terms) {
+  for (Series* p : {&s.x, &s.y, &s.cos, &s.sin, &s.forward, &s.left, &s.turn}) p->terms = terms;
 }
 
 double converged_length(const Segment& s, double longest) {
   constexpr double converged_to = 1e-11;
-  constexpr int last = series_terms - 1;
+  const int last = s.x.terms - 1;
   double largest_last = 0.0;
   double largest_before = 0.0;
   for (const Series* p : {&s.x, &s.y, &s.cos, &s.sin}) {
@@ -93,6 +92,15 @@ Box swept_box(const Segment& segment) {
   const Range x = change_over(segment.x, length);
   const Range y = change_over(segment.y, length);
   return {segment.x[0] + x.low, segment.x[0] + x.high, segment.y[0] + y.low, segment.y[0] + y.high};
+}
+
+double top_speed(const Segment& segment, double radius) {
+  const double length = segment.end - segment.begin;
+  const auto top = [length](const Series& p) {
+    const Range change = change_over(p, length);
+    return std::max(std::abs(p[0] + change.low), std::abs(p[0] + change.high));
+  };
+  return top(segment.forward) + top(segment.left) + radius * top(segment.turn);
 }
 
 }  // namespace mirocup::simulator

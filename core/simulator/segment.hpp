@@ -9,6 +9,8 @@
 #include "core/simulator/series.hpp"
 #include "core/simulator/state.hpp"
 
+#include <algorithm>
+
 namespace mirocup::simulator {
 
 struct Body {
@@ -47,13 +49,30 @@ Segment steady_segment(const Body& body, double begin, double end);
 // -omega sin. Without `drifts`, v_l is zero throughout.
 void integrate_pose(Segment& segment, int k, bool drifts = true);
 
-// Is term k of the pose too small to matter over that power of the segment's length, length^k?
-bool is_negligible(const Segment& segment, int k, double power);
+// Says how many terms the segment's series have.
+void set_terms(Segment& segment, int terms);
 
 // The longest length, at most `longest`, over which the pose's series have converged: their last
 // two terms are together below 1e-11 (m, or of 1), and what they leave out is a hundredth of that
 // or less. All terms must be there.
 double converged_length(const Segment& segment, double longest);
+
+// Fills the series of a segment of which only the first terms are there: extend(k) adds term k + 1.
+// Few terms, if they hold for `enough` seconds or the whole segment; the length is cut to what the
+// terms hold for.
+template <class Extend>
+void fill_series(Segment& segment, double enough, Extend extend) {
+  const double wanted = segment.end - segment.begin;
+  for (int k = 0; k < few_terms - 1; ++k) extend(k);
+  set_terms(segment, few_terms);
+  double length = converged_length(segment, wanted);
+  if (length < std::min(wanted, enough)) {
+    for (int k = few_terms - 1; k < series_terms - 1; ++k) extend(k);
+    set_terms(segment, series_terms);
+    length = converged_length(segment, wanted);
+  }
+  if (length < wanted) segment.end = segment.begin + length;
+}
 
 // The body at time t of the segment, with a heading of length 1.
 Body body_at(const Segment& segment, double t);
@@ -69,5 +88,8 @@ struct Box {
   double low_x, high_x, low_y, high_y;
 };
 Box swept_box(const Segment& segment);
+
+// No point within `radius` of the reference point is ever faster, m/s.
+double top_speed(const Segment& segment, double radius);
 
 }  // namespace mirocup::simulator

@@ -3,56 +3,84 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace mirocup::simulator {
 
+namespace {
+
+// Calls f with the number of terms as a constant, which is what lets a compiler unroll its loops.
+template <class F>
+auto with_terms(int terms, F f) {
+  return terms == few_terms ? f(std::integral_constant<int, few_terms>{})
+                            : f(std::integral_constant<int, series_terms>{});
+}
+
+}  // namespace
+
 Series operator+(const Series& a, const Series& b) {
-  Series s;
-  for (int k = 0; k < series_terms; ++k) s[k] = a[k] + b[k];
-  return s;
+  return with_terms(std::max(a.terms, b.terms), [&](auto n) {
+    Series s;
+    s.terms = n;
+    for (int k = 0; k < n; ++k) s[k] = a[k] + b[k];
+    return s;
+  });
 }
 
 Series operator-(const Series& a, const Series& b) {
-  Series s;
-  for (int k = 0; k < series_terms; ++k) s[k] = a[k] - b[k];
-  return s;
+  return with_terms(std::max(a.terms, b.terms), [&](auto n) {
+    Series s;
+    s.terms = n;
+    for (int k = 0; k < n; ++k) s[k] = a[k] - b[k];
+    return s;
+  });
 }
 
 Series operator*(const Series& a, const Series& b) {
   // The same sums in the same order as product_term(), arranged so that a compiler can do two at a
   // time.
-  Series s;
-  for (int j = 0; j < series_terms; ++j) {
-    if (a[j] == 0.0) continue;  // short segments have few terms
-    for (int k = j; k < series_terms; ++k) s[k] += a[j] * b[k - j];
-  }
-  return s;
+  return with_terms(std::max(a.terms, b.terms), [&](auto n) {
+    Series s;
+    s.terms = n;
+    for (int j = 0; j < n; ++j) {
+      if (a[j] == 0.0) continue;
+      for (int k = j; k < n; ++k) s[k] += a[j] * b[k - j];
+    }
+    return s;
+  });
 }
 
 Series operator*(double factor, const Series& a) {
-  Series s;
-  for (int k = 0; k < series_terms; ++k) s[k] = factor * a[k];
-  return s;
+  return with_terms(a.terms, [&](auto n) {
+    Series s;
+    s.terms = n;
+    for (int k = 0; k < n; ++k) s[k] = factor * a[k];
+    return s;
+  });
 }
 
 Series shifted(const Series& p, double by) {
   if (by == 0.0) return p;
-  Series s = p;
-  // Repeated synthetic division by (t - by).
-  for (int i = 0; i < series_terms - 1; ++i) {
-    for (int k = series_terms - 2; k >= i; --k) s[k] += by * s[k + 1];
-  }
-  return s;
+  return with_terms(p.terms, [&](auto n) {
+    Series s = p;
+    // Repeated synthetic division by (t - by).
+    for (int i = 0; i < n - 1; ++i) {
+      for (int k = n - 2; k >= i; --k) s[k] += by * s[k + 1];
+    }
+    return s;
+  });
 }
 
 Range change_over(const Series& p, double length) {
-  Range range{0.0, 0.0};
-  double power = 1.0;
-  for (int k = 1; k < series_terms; ++k) {
-    power *= length;
-    (p[k] < 0.0 ? range.low : range.high) += p[k] * power;
-  }
-  return range;
+  return with_terms(p.terms, [&](auto n) {
+    Range range{0.0, 0.0};
+    double power = 1.0;
+    for (int k = 1; k < n; ++k) {
+      power *= length;
+      (p[k] < 0.0 ? range.low : range.high) += p[k] * power;
+    }
+    return range;
+  });
 }
 
 namespace {
@@ -63,13 +91,15 @@ struct Value {
 };
 
 Value evaluate(const Series& p, double t) {
-  double value = p[series_terms - 1];
-  double slope = 0.0;
-  for (int k = series_terms - 2; k >= 0; --k) {
-    slope = slope * t + value;
-    value = value * t + p[k];
-  }
-  return {value, slope};
+  return with_terms(p.terms, [&](auto n) {
+    double value = p[n - 1];
+    double slope = 0.0;
+    for (int k = n - 2; k >= 0; --k) {
+      slope = slope * t + value;
+      value = value * t + p[k];
+    }
+    return Value{value, slope};
+  });
 }
 
 // Half of the strongest downward curvature on [0, end]. Terms with positive coefficients bend
@@ -77,7 +107,7 @@ Value evaluate(const Series& p, double t) {
 double downward_curvature(const Series& p, double end) {
   double sum = 0.0;
   double power = 1.0;
-  for (int k = 2; k < series_terms; ++k) {
+  for (int k = 2; k < p.terms; ++k) {
     if (p[k] < 0.0) sum -= 0.5 * k * (k - 1) * p[k] * power;
     power *= end;
   }

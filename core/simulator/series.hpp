@@ -5,7 +5,8 @@
 // Between two events a robot or the ball follows a smooth differential equation whose Taylor
 // coefficients come one from the other by multiplications only. So a position is a polynomial, a
 // gap is a polynomial, and the first touch is the first root of one. Truncation: a segment is kept
-// so short that its series have converged (see converged_length()).
+// so short that its series have converged (see converged_length()). Most of the work grows with the
+// square of the terms, so a curve that is soon over has few.
 #pragma once
 
 #include <array>
@@ -14,6 +15,7 @@
 namespace mirocup::simulator {
 
 inline constexpr int series_terms = 14;  // coefficients of t^0 .. t^13
+inline constexpr int few_terms = 8;      // of a short curve
 
 // "Never", where a time is asked for.
 inline constexpr double never = std::numeric_limits<double>::infinity();
@@ -21,26 +23,32 @@ inline constexpr double never = std::numeric_limits<double>::infinity();
 // Values in any unit, t in seconds from the begin of the segment that the series belongs to.
 struct Series {
   std::array<double, series_terms> c{};
+  int terms = series_terms;  // or few_terms: all coefficients from there on are zero
 
   double operator[](int k) const { return c[k]; }
   double& operator[](int k) { return c[k]; }
 
-  double at(double t) const {
-    double sum = c[series_terms - 1];
-    for (int k = series_terms - 2; k >= 0; --k) sum = sum * t + c[k];
-    return sum;
-  }
+  double at(double t) const { return terms == few_terms ? at<few_terms>(t) : at<series_terms>(t); }
 
   static Series constant(double value) {
     Series s;
     s.c[0] = value;
+    s.terms = few_terms;
     return s;
+  }
+
+ private:
+  template <int n>
+  double at(double t) const {
+    double sum = c[n - 1];
+    for (int k = n - 2; k >= 0; --k) sum = sum * t + c[k];
+    return sum;
   }
 };
 
 Series operator+(const Series& a, const Series& b);
 Series operator-(const Series& a, const Series& b);
-Series operator*(const Series& a, const Series& b);  // truncated
+Series operator*(const Series& a, const Series& b);  // truncated to the terms of the longer one
 Series operator*(double factor, const Series& a);
 
 // Coefficient k of a * b, from the coefficients 0 .. k of both: the step of every recurrence.

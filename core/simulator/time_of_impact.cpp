@@ -34,11 +34,7 @@ Series distance_along(const Vec2& n, const SeriesPoint& q, const Series& cos, co
                       const Vec2& corner) {
   const double by_cos = n.dot(corner);
   const double by_sin = cross(corner, n);
-  Series d;
-  for (int k = 0; k < series_terms; ++k) {
-    d[k] = n.x() * q.x[k] + n.y() * q.y[k] + by_cos * cos[k] + by_sin * sin[k];
-  }
-  return d;
+  return n.x() * q.x + n.y() * q.y + by_cos * cos + by_sin * sin;
 }
 
 // A polygon's motion in the frame of another: position and heading.
@@ -126,9 +122,11 @@ double first_touch_of_polygons(const Mover& a, const Mover& b, double level, dou
       farthest_move(a, begin) + farthest_move(b, begin)) {
     return never;
   }
-  const Track track_a = track_from(a.segment, begin);
-  const Track track_b = track_from(b.segment, begin);
-  std::optional<RelativeTrack> a_in_b, b_in_a;  // made when an edge of that side is needed
+  // Made when an edge of that side is needed.
+  std::optional<RelativeTrack> a_in_b, b_in_a;
+  const auto seen_from = [begin](const Mover& frame, const Mover& moving) {
+    return relative_track(track_from(moving.segment, begin), track_from(frame.segment, begin));
+  };
 
   const double length = end - begin;
   double t = 0.0;
@@ -138,10 +136,10 @@ double first_touch_of_polygons(const Mover& a, const Mover& b, double level, dou
     const Reference reference = reference_of(a.shape, body_a, b.shape, body_b);
     if (reference.best.separation <= level + closeness) break;
     if (reference.is_a) {
-      if (!b_in_a) b_in_a = relative_track(track_b, track_a);
+      if (!b_in_a) b_in_a = seen_from(a, b);
       t = first_corner_over(a.shape, reference.best.edge, b.shape, *b_in_a, level, t, length);
     } else {
-      if (!a_in_b) a_in_b = relative_track(track_a, track_b);
+      if (!a_in_b) a_in_b = seen_from(b, a);
       t = first_corner_over(b.shape, reference.best.edge, a.shape, *a_in_b, level, t, length);
     }
     if (t == never) return never;

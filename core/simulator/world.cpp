@@ -10,6 +10,9 @@ namespace mirocup::simulator {
 
 namespace {
 
+// A curve that holds for so many times the mean time between the tick's events is long enough.
+constexpr double patience = 2.0;
+
 BodySet first_bodies(int count) {
   BodySet set;
   for (int i = 0; i < count; ++i) set.set(i);
@@ -57,7 +60,8 @@ const TickEvents& World::advance(std::span<const WheelCommand> commands, double 
   events_ = {};
   bounces_ = {};
   rubs_ = false;
-  rest_speed_ = arena_.tolerances.rest_speed;
+  rest_ = {.gap = arena_.tolerances.rest_speed, .slide = no_sliding};
+  touches_ = 0;
   for (int i = 0; i < arena_.robots; ++i) {
     drives_[i] = drive_of(arena_.parameters, commands[i]);
     const bool on_ground = drives_[i].wheels_on_ground;
@@ -73,10 +77,10 @@ const TickEvents& World::advance(std::span<const WheelCommand> commands, double 
 
   double t = 0.0;
   while (!rubs_ && events_.events < arena_.tolerances.events_per_tick) {
-    BodySet involved;
-    t = next_event(duration, involved);
+    const Event event = next_event(duration);
+    t = event.time;
     if (t >= duration) break;
-    play_event(t, duration, involved);
+    play_event(event, duration);
   }
 
   bring_to(t, all);
@@ -88,33 +92,51 @@ const TickEvents& World::advance(std::span<const WheelCommand> commands, double 
   return events_;
 }
 
-double World::next_event(double tick_end, BodySet& involved) const {
-  involved.reset();
-  double t = tick_end;
-  for (int i = 0; i < arena_.bodies(); ++i) t = std::min(t, segments_[i].end);
-  const Neighbour* first = nullptr;
-  for (const Neighbour& n : neighbours_.list()) {
-    if (n.touch > t) continue;
-    const bool earlier = first == nullptr || n.touch < t || n.pair.a < first->pair.a ||
-                         (n.pair.a == first->pair.a && n.pair.partner < first->pair.partner);
-    if (!earlier) continue;
-    first = &n;
-    t = n.touch;
+// The first neighbours to touch, not later than t, which becomes their time; null if there are none.
+// Estimates are made exact only where that may decide.
+const Neighbour* World::first_touch(double& t) {
+  const double latest = t;
+  while (true) {
+    t = latest;
+    Neighbour* first = nullptr;
+    for (Neighbour& n : neighbours_.list()) {
+      if (n.touch > t) continue;
+      const bool earlier = first == nullptr || n.touch < t || n.pair.a < first->pair.a ||
+                           (n.pair.a == first->pair.a && n.pair.partner < first->pair.partner);
+      if (!earlier) continue;
+      first = &n;
+      t = n.touch;
+    }
+    if (first == nullptr || !first->is_estimate) return first;
+    first->touch = touch_time(arena_, first->pair, segments_, first->estimated);
+    first->is_estimate = false;
   }
-  if (first != nullptr) {
-    involved.set(first->pair.a);
-    if (!first->pair.with_obstacle()) involved.set(first->pair.partner);
-  } else {
-    for (int i = 0; i < arena_.bodies(); ++i) involved[i] = segments_[i].end <= t;
-  }
-  return t;
 }
 
-void World::play_event(double t, double tick_end, BodySet involved) {
+World::Event World::next_event(double tick_end) {
+  Event next{.time = tick_end, .is_touch = false, .involved = {}};
+  for (int i = 0; i < arena_.bodies(); ++i) next.time = std::min(next.time, segments_[i].end);
+  if (const Neighbour* first = first_touch(next.time)) {
+    next.is_touch = true;
+    next.involved.set(first->pair.a);
+    if (!first->pair.with_obstacle()) next.involved.set(first->pair.partner);
+  } else {
+    for (int i = 0; i < arena_.bodies(); ++i) next.involved[i] = segments_[i].end <= next.time;
+  }
+  return next;
+}
+
+void World::play_event(const Event& event, double tick_end) {
   ++events_.events;
-  const Tolerances& tolerances = arena_.tolerances;
-  rest_speed_ *= events_.events > tolerances.patient_events ? tolerances.impatient_growth
-                                                            : tolerances.rest_growth_per_event;
+  if (event.is_touch) {
+    ++touches_;
+    const Tolerances& tolerances = arena_.tolerances;
+    rest_.gap *= touches_ > tolerances.patient_touches ? tolerances.impatient_growth
+                                                       : tolerances.rest_growth_per_touch;
+  }
+  rest_.slide = std::min(rest_.slide * arena_.tolerances.slide_growth_per_event, rest_.gap);
+  const double t = event.time;
+  BodySet involved = event.involved;
   spread_over_touching(t, involved);
   bring_to(t, involved);
   collect_contacts(involved);
@@ -127,7 +149,7 @@ void World::go_on(const BodySet& involved, double t, double tick_end) {
   note_touches();
   separate_overlaps();
   collide(t);
-  forces_->decide(drives_, rest_speed_, bodies_, contacts_.contacts());
+  forces_->decide(drives_, rest_, bodies_, contacts_.contacts());
   for (const Contact& c : contacts_.contacts()) rubs_ = rubs_ || (c.holds && c.friction > 0.0);
   if (trace_ != nullptr) trace_pressing(involved);
   start_segments(involved, t, tick_end);
@@ -140,6 +162,7 @@ void World::spread_over_touching(double t, BodySet& involved) const {
     grows = false;
     for (const Neighbour& n : neighbours_.list()) {
       if (n.pair.with_obstacle() || involved[n.pair.a] == involved[n.pair.partner]) continue;
+      if (n.is_estimate && n.touch > t) continue;
       const Body a = body_now(n.pair.a, t);
       const Body b = body_now(n.pair.partner, t);
       if (gap(arena_, n.pair, a, b) > arena_.tolerances.touch) continue;
@@ -158,8 +181,26 @@ void World::meet_neighbours(const BodySet& involved, double t, double tick_end) 
     if (!n.pair.with_obstacle()) write_as_series(n.pair.partner, t, tick_end);
   }
   for (Neighbour& n : found) {
-    if (boxes_meet(arena_, n.pair, boxes_)) n.touch = touch_time(arena_, n.pair, segments_, t);
+    if (boxes_meet(arena_, n.pair, boxes_)) estimate_touch(n, t);
   }
+}
+
+// Neighbours cannot touch before both together have gone as far as they are apart.
+void World::estimate_touch(Neighbour& n, double t) const {
+  const bool alone = n.pair.with_obstacle();
+  const Body a = body_now(n.pair.a, t);
+  const Body b = alone ? Body{} : body_now(n.pair.partner, t);
+  double apart = 0.0;
+  if (!alone) {
+    const Vec2 way = a.position - b.position;
+    const double reach = arena_.shape(n.pair.a).radius + arena_.shape(n.pair.partner).radius;
+    apart = std::sqrt(way.squaredNorm()) - reach;
+  }
+  if (apart <= arena_.tolerances.touch) apart = gap(arena_, n.pair, a, b);
+  const double top_speed = top_speeds_[n.pair.a] + (alone ? 0.0 : top_speeds_[n.pair.partner]);
+  n.is_estimate = true;
+  n.estimated = t;
+  n.touch = apart > arena_.tolerances.touch ? t + (apart - arena_.tolerances.touch) / top_speed : t;
 }
 
 void World::start_quietly(int body, double t, double tick_end) {
@@ -177,8 +218,9 @@ void World::write_as_series(int body, double t, double tick_end) {
   if (!quiet_[body]) return;
   bodies_[body] = body_now(body, t);
   quiet_.reset(body);
-  segments_[body] = drive(arena_.parameters, bodies_[body], drives_[body], t, tick_end);
+  segments_[body] = drive(arena_.parameters, bodies_[body], drives_[body], t, tick_end, never);
   boxes_[body] = swept_box(segments_[body]);
+  top_speeds_[body] = top_speed(segments_[body], arena_.shape(body).radius);
 }
 
 Body World::body_now(int body, double t) const {
@@ -229,7 +271,7 @@ void World::separate_overlaps() {
 
 void World::collide(double t) {
   for (Contact& c : contacts_.contacts()) {
-    c.rest_speed = std::max(rest_speed_, bounce_rest_speeds_[bounces_of(c)]);
+    c.rest_speed = std::max(rest_.gap, bounce_rest_speeds_[bounces_of(c)]);
   }
   resolve_impacts(contacts_.contacts(), mass_, bodies_, *problem_);
   if (has_friction(arena_.parameters)) {
@@ -275,6 +317,7 @@ void World::trace_pressing(const BodySet& involved) const {
 }
 
 void World::start_segments(const BodySet& involved, double t, double tick_end) {
+  const double enough = events_.events == 0 ? never : patience * t / events_.events;
   BodySet left = involved;
   for (int i = 0; i < arena_.bodies(); ++i) {
     if (!left[i]) continue;
@@ -282,18 +325,20 @@ void World::start_segments(const BodySet& involved, double t, double tick_end) {
     left &= ~cluster;
     quiet_.reset(i);
     if (cluster.any()) {
-      motion_->move(cluster, *forces_, contacts_.contacts(), drives_, t, tick_end, bodies_,
+      motion_->move(cluster, *forces_, contacts_.contacts(), drives_, t, tick_end, enough, bodies_,
                     segments_);
     } else if (arena_.is_ball(i)) {
       segments_[i] = roll(rolling_deceleration(arena_.parameters), bodies_[i], t, tick_end);
     } else if (is_quiet(arena_.parameters, bodies_[i], drives_[i], tick_end - t)) {
       start_quietly(i, t, tick_end);
     } else {
-      segments_[i] = drive(arena_.parameters, bodies_[i], drives_[i], t, tick_end);
+      segments_[i] = drive(arena_.parameters, bodies_[i], drives_[i], t, tick_end, enough);
     }
   }
   for (int i = 0; i < arena_.bodies(); ++i) {
-    if (involved[i] && !quiet_[i]) boxes_[i] = swept_box(segments_[i]);
+    if (!involved[i] || quiet_[i]) continue;
+    boxes_[i] = swept_box(segments_[i]);
+    top_speeds_[i] = top_speed(segments_[i], arena_.shape(i).radius);
   }
 }
 

@@ -67,8 +67,15 @@ class World {
   const TickEvents& advance(std::span<const WheelCommand> commands, double duration);
 
  private:
-  double next_event(double tick_end, BodySet& involved) const;
-  void play_event(double t, double tick_end, BodySet involved);
+  // Who touches, or whose curve ends.
+  struct Event {
+    double time;  // s of the tick
+    bool is_touch;
+    BodySet involved;
+  };
+  Event next_event(double tick_end);
+  const Neighbour* first_touch(double& t);
+  void play_event(const Event& event, double tick_end);
   void go_on(const BodySet& involved, double t, double tick_end);
   void finish_in_steps(double t, double tick_end);
 
@@ -76,6 +83,7 @@ class World {
   void meet_neighbours(const BodySet& involved, double t, double tick_end);
   void start_quietly(int body, double t, double tick_end);
   void write_as_series(int body, double t, double tick_end);
+  void estimate_touch(Neighbour& n, double t) const;
   Body body_now(int body, double t) const;
   void bring_to(double t, const BodySet& involved);
   void collect_contacts(const BodySet& involved);
@@ -98,12 +106,14 @@ class World {
   std::array<Body, max_bodies> quiet_end_;  // of quiet bodies
   MotorDecay whole_decay_, rest_decay_;     // over a whole tick, over a rest of one
   std::array<Box, max_bodies> boxes_{};
+  std::array<double, max_bodies> top_speeds_{};  // m/s, of any point over the segment
   std::array<Drive, max_robots> drives_{};
   std::array<InverseMass, max_bodies> mass_{};
   std::array<InverseMass, max_bodies> free_mass_{};
   std::array<std::array<unsigned char, max_partners>, max_bodies> bounces_{};  // in this tick
   std::array<double, most_bounces + 1> bounce_rest_speeds_{};  // after so many bounces
-  double rest_speed_ = 0.0;                                    // after so many events of this tick
+  RestSpeeds rest_;                                            // after so many events of this tick
+  int touches_ = 0;
   Neighbours neighbours_;
   TickEvents events_;
   bool bodies_were_set_ = true;
