@@ -72,6 +72,8 @@ class ProcessController final : public match::Controller {
   double playing_seconds() const { return cpu_ - cpu_at_ready_; }
   double slowest_tick_ms() const { return 1e3 * slowest_tick_; }
   double start_seconds() const { return start_wall_; }
+  // How long its process could have run but had no processor, s; nothing where nobody knows.
+  std::optional<double> processor_delay() const { return child_.processor_delay(); }
   // Of the leg so far.
   double bank_seconds() const { return budget_.bank_after(ticks_, places_); }
   // At most so many bytes of memory at a time; 0 once its process has ended.

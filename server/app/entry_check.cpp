@@ -15,6 +15,7 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <unistd.h>
 #include <utility>
 
 namespace mirocup::app {
@@ -30,7 +31,7 @@ constexpr std::array<const char*, 9> questions{"file",      "complete",   "entry
 
 constexpr std::uint32_t first_ticks = 100;
 constexpr double half_s = 8.0;    // of the legs
-constexpr double longest = 14.0;  // s, of all playing
+constexpr double longest = 14.0;  // s, of all playing, without what was waited for a processor
 
 // Stricter than in a match: who needs so long is to be told soon.
 plugins::Budget budget() {
@@ -92,6 +93,8 @@ class Examination {
   Result<EntryReport> run();
 
  private:
+  using Seats = std::array<std::unique_ptr<plugins::ProcessController>, 2>;
+
   // What one leg, or its first ticks, showed.
   struct Leg {
     std::optional<match::Fault> fault;
@@ -103,6 +106,8 @@ class Examination {
   Result<bool> examine_play();
   Result<Leg> play(Team team, std::uint32_t most_ticks);
   void measure(plugins::ProcessController& process, std::uint32_t ticks);
+  bool is_over_time(const Seats& seats);
+  static double delay_of(const Seats& seats);
 
   // Each answers the next question; returns whether to go on.
   bool pass(std::string text);
@@ -112,6 +117,7 @@ class Examination {
   std::string path_;
   match::Setup setup_;
   pace::SteadyClock clock_;
+  double delay_ = 0.0;  // s, that processes of earlier legs waited for a processor
   std::optional<plugins::Entry> entry_;
   std::optional<plugins::Entry> idle_;
   EntryReport report_;
@@ -224,7 +230,7 @@ Result<bool> Examination::examine_play() {
 
 Result<Examination::Leg> Examination::play(Team team, std::uint32_t most_ticks) {
   match::Match match(setup_);
-  std::array<std::unique_ptr<plugins::ProcessController>, 2> seats;
+  Seats seats;
   for (const Team seat : both_teams) {
     auto process = plugins::ProcessController::start(
         record::sibling_program("mirocup-plugin-host"), report_.isolation,
@@ -243,8 +249,9 @@ Result<Examination::Leg> Examination::play(Team team, std::uint32_t most_ticks) 
   }
   while (!leg.fault && !match.is_over() && match.tick() < most_ticks && !leg.is_too_slow) {
     match.advance(*seats[0], *seats[1]);
-    leg.is_too_slow = clock_.now() > longest;
+    leg.is_too_slow = is_over_time(seats);
   }
+  delay_ += delay_of(seats);
   if (match.is_over()) {
     if (match.result().end == match::EndKind::void_)
       return fail(Errc::host, match.result().why_void);
@@ -253,6 +260,21 @@ Result<Examination::Leg> Examination::play(Team team, std::uint32_t most_ticks) 
   measure(own, match.tick());
   leg.ticks = match.log();
   return leg;
+}
+
+// A busy machine is not the entry's fault.
+bool Examination::is_over_time(const Seats& seats) {
+  const double all = clock_.now();
+  if (all <= longest) return false;
+  const double own_delay = plugins::Child::processor_delay(getpid()).value_or(0.0);
+  return all - own_delay - delay_ - delay_of(seats) > longest;
+}
+
+// How long processes that play could have run but had no processor, s.
+double Examination::delay_of(const Seats& seats) {
+  double sum = 0.0;
+  for (const auto& seat : seats) sum += seat->processor_delay().value_or(0.0);
+  return sum;
 }
 
 // Of the longest leg; the log is that of the last.

@@ -59,7 +59,7 @@ inline const std::vector<Kind> kinds{
     {"slow_bank", "budget: processor time", ""},
     {"clock_random", "plays", ""},
     // Does it at a restart.
-    {"place_loop", "hang: processor time on one tick and place()", ""},
+    {"place_loop", burns_tick, ""},
     {"place_crash", "crash: signal 11", ""},
     {"place_nonsense", "plays", ""},
     // Takes memory.

@@ -124,7 +124,7 @@ TEST(League, CanBeStoppedAndGoesOn) {
   const TemporaryFolder temporary;
   make_league(temporary / "l", "60");
   Running running(league("start", temporary / "l"));
-  usleep(300'000);
+  while (std::filesystem::is_empty(temporary / "l/records")) usleep(2'000);  // it plays
   running.signal(SIGTERM);
   const Outcome stopped = running.wait();
   EXPECT_EQ(stopped.exit_code, 130) << stopped.err;
