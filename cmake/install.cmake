@@ -11,7 +11,7 @@ install(PROGRAMS ${PROJECT_BINARY_DIR}/mirocup-credentials DESTINATION libexec/m
 install(TARGETS house_idle house_chaser house_keeper house_striker LIBRARY DESTINATION lib/mirocup/house)
 install(DIRECTORY plugins/include/ TYPE INCLUDE)
 install(FILES server/record/record.schema.json DESTINATION share/mirocup)
-install(DIRECTORY examples DESTINATION share/mirocup USE_SOURCE_PERMISSIONS)
+install(DIRECTORY examples DESTINATION share/mirocup USE_SOURCE_PERMISSIONS PATTERN pitch EXCLUDE)  # it needs the tree
 install(DIRECTORY plugins/template/ DESTINATION share/mirocup/team)
 install(EXPORT mirocup NAMESPACE mirocup:: FILE mirocup-targets.cmake DESTINATION ${package_folder})
 

@@ -230,6 +230,7 @@ record::MatchRecord Session::record() const {
     record.budget[i].bad_commands = match_.bad_values()[i];
     record.network[i] = seats_[i].network_report();
   }
+  if (pacer_.period() > 0.0) record.pace = {pacer_.period(), pacer_.lateness()};
   record.recording = replay::record(match_, trace_);
   return record;
 }

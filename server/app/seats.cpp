@@ -133,7 +133,8 @@ std::optional<record::NetworkReport> TeamSeat::network_report() const {
                                commands.ahead,
                                commands.foreign,
                                network_->processes(),
-                               {}};
+                               {},
+                               network_->answers()};
   for (const dds::Absence& a : network_->absences()) {
     report.absences.push_back({a.tick, a.noticed, a.back, a.has_left});
   }

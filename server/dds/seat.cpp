@@ -129,6 +129,7 @@ void Seat::take_commands() {
       inbox_.count_foreign();
     } else if (inbox_.accept(command.tick)) {
       answer_ = to_command(command);
+      if (is_ready_) answers_.add(now() - posted_at_);
     }
   }
 }

@@ -14,6 +14,7 @@
 #include "server/dds/entity.hpp"
 #include "server/dds/inbox.hpp"
 #include "server/dds/wall_time.hpp"
+#include "server/pace/durations.hpp"
 
 #include <functional>
 #include <string>
@@ -46,7 +47,8 @@ class Seat final : public match::Controller {
   std::uint64_t heard() const { return inbox_.heard(); }
   const CommandCounts& commands() const { return inbox_.counts(); }
   const std::vector<Absence>& absences() const { return attendance_.absences(); }
-  int processes() const { return processes_; }  // that have had the seat
+  int processes() const { return processes_; }                 // that have had the seat
+  const pace::Durations& answers() const { return answers_; }  // from question to answer, s
 
  private:
   friend class MatchServer;
@@ -84,6 +86,7 @@ class Seat final : public match::Controller {
   bool is_ready_ = false;
   std::uint32_t tick_ = 0;
   double posted_at_ = 0.0;
+  pace::Durations answers_;
   std::optional<match::Command> answer_;  // to this tick
 };
 

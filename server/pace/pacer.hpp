@@ -4,7 +4,9 @@
 #pragma once
 
 #include "server/pace/clock.hpp"
+#include "server/pace/durations.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 
@@ -25,16 +27,21 @@ class Pacer {
     has_begun_ = true;
     const double due = begin_ + tick * period_;
     if (clock_.now() < due) clock_.sleep_until(due);
+    lateness_.add(std::max(0.0, clock_.now() - due));
   }
 
   // Wall seconds between two ticks; 0: no limit.
   double period() const { return period_; }
+
+  // By how much ticks began after they were due.
+  const Durations& lateness() const { return lateness_; }
 
  private:
   Clock& clock_;
   double period_;
   bool has_begun_ = false;
   double begin_ = 0.0;  // of tick 0
+  Durations lateness_;
 };
 
 }  // namespace mirocup::pace

@@ -87,6 +87,23 @@ Json budget_json(const Budget& b) {
           {"bad_commands", b.bad_commands}};
 }
 
+Json durations_json(const pace::Durations& durations) {
+  Json histogram = Json::array();
+  for (const auto& range : durations.histogram()) {
+    histogram.push_back({range.below, range.count});
+  }
+  return {{"p50", durations.quantile(0.5)},
+          {"p99", durations.quantile(0.99)},
+          {"p999", durations.quantile(0.999)},
+          {"longest", durations.longest()},
+          {"histogram", histogram}};
+}
+
+Json pace_json(const std::optional<PaceReport>& report) {
+  if (!report) return {};
+  return {{"period", report->period}, {"lateness", durations_json(report->lateness)}};
+}
+
 Json network_json(const std::optional<NetworkReport>& report) {
   if (!report) return {};
   Json absences = Json::array();
@@ -96,10 +113,10 @@ Json network_json(const std::optional<NetworkReport>& report) {
                         {"back", a.back ? Json(*a.back) : Json()},
                         {"why", a.has_left ? "left" : "silent"}});
   }
-  return {
-      {"in_step", report->in_step}, {"late", report->late},       {"duplicate", report->duplicate},
-      {"ahead", report->ahead},     {"foreign", report->foreign}, {"processes", report->processes},
-      {"absences", absences}};
+  return {{"in_step", report->in_step},     {"late", report->late},
+          {"duplicate", report->duplicate}, {"ahead", report->ahead},
+          {"foreign", report->foreign},     {"processes", report->processes},
+          {"absences", absences},           {"answers", durations_json(report->answers)}};
 }
 
 Json network_json(const match::ByTeam<std::optional<NetworkReport>>& reports) {
@@ -305,6 +322,7 @@ Json to_json(const MatchRecord& record) {
           {"budget",
            {{"blue", budget_json(record.budget[0])}, {"yellow", budget_json(record.budget[1])}}},
           {"network", network_json(record.network)},
+          {"pace", pace_json(record.pace)},
           {"isolation", record.isolation},
           {"ticks", r.ticks.size()},
           {"state_hash", to_hex(r.state_hash)}};

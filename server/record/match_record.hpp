@@ -8,6 +8,7 @@
 #pragma once
 
 #include "core/replay/recording.hpp"
+#include "server/pace/durations.hpp"
 #include "server/record/files.hpp"
 
 #include <nlohmann/json.hpp>
@@ -54,6 +55,13 @@ struct NetworkReport {
     bool has_left = false;              // its process had gone; else it was silent
   };
   std::vector<Absence> absences;
+  pace::Durations answers;  // from a tick's state to the answer in step, wall time
+};
+
+// How simulated time kept up with wall time.
+struct PaceReport {
+  double period = 0.0;       // wall seconds between two ticks
+  pace::Durations lateness;  // by which ticks began after they were due
 };
 
 // What plays or played a match. `game` stands for the physics and the laws: the hash of the golden
@@ -71,6 +79,7 @@ struct MatchRecord {
   match::ByTeam<TeamInfo> teams;
   match::ByTeam<Budget> budget;
   match::ByTeam<std::optional<NetworkReport>> network;  // written, not read
+  std::optional<PaceReport> pace;                       // the same; of a match in real time
   std::string isolation;                                // "T2", "T1", "none" (--trusted), "network"
   replay::Recording recording;
 };

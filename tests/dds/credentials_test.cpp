@@ -26,9 +26,19 @@ class Credentials : public testing::Test {
   }
 
   std::vector<std::string> match(const std::string& id, const std::string& limit = "30") const {
-    return {program("mirocup"), "match", "--blue",        "dds:remote",        "--yellow", "keeper",
-            "--match",          id,      "--credentials", of("server"),        "--half",   "5",
-            "--join-within",    limit,   "--record",      folder_ / "leg.json"};
+    return match(id, limit, folder_ / "league");
+  }
+
+  std::vector<std::string> match(const std::string& id, const std::string& limit,
+                                 const std::string& league) const {
+    return {program("mirocup"), "match",
+            "--blue",           "dds:remote",
+            "--yellow",         "keeper",
+            "--match",          id,
+            "--credentials",    league + "/credentials/server",
+            "--half",           "5",
+            "--join-within",    limit,
+            "--record",         folder_ / "leg.json"};
   }
 
   static std::vector<std::string> join(const std::string& id, const std::string& credentials) {
@@ -106,6 +116,42 @@ TEST_F(Credentials, CanBeRevoked) {
   const auto fault = read_json(folder_ / "leg.json")["result"]["fault"];
   EXPECT_EQ(fault["code"], "start_timeout");
   EXPECT_NE(fault["text"].get<std::string>().find("revoked"), std::string::npos) << fault;
+}
+
+// The team's own library knows when it looks at the clock. If the team turns its clock back, the
+// server still knows.
+TEST_F(Credentials, Expire) {
+  constexpr int then = 100;  // hours ago
+  const std::string league = folder_ / "old";
+  for (const auto& more : {std::vector<std::string>{"--team", "other"},
+                           std::vector<std::string>{"--team", "remote", "--days", "1"}}) {
+    std::vector<std::string> make{program("mirocup"), "league", "credentials", league};
+    make.insert(make.end(), more.begin(), more.end());
+    const Outcome made = run(behind(then, make));
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+  }
+  const std::string own = league + "/credentials/teams/remote";
+  const Outcome honest = run(join("x", own));
+  EXPECT_EQ(honest.exit_code, 3);
+  EXPECT_NE(honest.err.find("expired"), std::string::npos) << honest.err;
+
+  const std::string id = match_id("expired");
+  Running turned_back(behind(then - 1, join(id, own)));
+  const Outcome played = run(match(id, "3", league));
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  const auto fault = read_json(folder_ / "leg.json")["result"]["fault"];
+  EXPECT_EQ(fault["code"], "start_timeout");
+  EXPECT_NE(fault["text"].get<std::string>().find("expired"), std::string::npos) << fault;
+}
+
+// Clocks differ: new credentials are valid at once on a computer that is behind.
+TEST_F(Credentials, CountOnAComputerWhoseClockIsBehind) {
+  const std::string id = match_id("behind");
+  Running remote(behind(1, join(id, of("teams/remote"))));
+  const Outcome played = run(match(id, "10"));
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  const auto record = read_json(folder_ / "leg.json");
+  EXPECT_EQ(record["result"]["end"], "full_time") << record["result"];
 }
 
 TEST_F(Credentials, OfSomebodyElseAreToldApart) {

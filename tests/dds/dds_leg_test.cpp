@@ -31,6 +31,7 @@ TEST(DdsTeam, PlaysTheSameLegAsItsLibrary) {
   EXPECT_EQ(dds["teams"]["blue"]["name"], "remote");
   EXPECT_TRUE(dds["teams"]["blue"]["sha256"].is_null());
   EXPECT_EQ(dds["result"]["end"], "full_time");
+  EXPECT_TRUE(dds["pace"].is_null());
   EXPECT_EQ(dds["state_hash"], read_json(folder / "so.json")["state_hash"]);
   EXPECT_EQ(run({program("mirocup"), "verify", folder / "dds.json"}).exit_code, 0);
 }

@@ -27,17 +27,16 @@ using namespace test_support;
   return 0.0;
 }
 
-// A stranger's packets of every kind, changed; as many as asked for before the match goes on. Only
-// when it is asked for: in open mode what the stranger forges may by chance cut the team off for
-// good, which secure mode alone prevents.
+// A stranger's packets of every kind, changed; as many as asked for before the match goes on.
+// Catches topics whose types are described on the network: one announcement with a changed
+// description, and nobody can be matched with WorldState any more.
 TEST(DdsHostile, PlaysTheSameLegAfterAStormOfChangedPackets) {
   const char* asked = std::getenv("MIROCUP_STORM");
-  if (asked == nullptr) GTEST_SKIP() << "MIROCUP_STORM says how many packets, for example 4000";
-  const std::string packets = asked;
+  const std::string packets = asked != nullptr ? asked : "2000";
   const TemporaryFolder folder;
   const std::string id = match_id("storm");
   Running leg({program("mirocup"), "match", "--blue", "dds:remote", "--yellow", "keeper", "--half",
-               "5", "--match", id, "--record", folder / "leg.json", "--join-within", "600"});
+               "5", "--match", id, "--record", folder / "leg.json", "--join-within", "60"});
   Running storm(on_bad_network({program("dds/intruder"), "imitate", id, "remote"},
                                {"BAD_NETWORK_GARBAGE=20", "BAD_NETWORK_LIMIT=" + packets}));
   ASSERT_TRUE(has_said(storm, packets + " changed packets were sent")) << storm.err();

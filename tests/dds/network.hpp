@@ -38,13 +38,25 @@ inline bool has_said(const Running& process, const std::string& text) {
   return wait_until([&] { return process.err().find(text) != std::string::npos; });
 }
 
-// A program whose packets get lost or are garbled, as tests/support/bad_network.c says.
-inline std::vector<std::string> on_bad_network(std::vector<std::string> arguments,
-                                               std::vector<std::string> how) {
-  how.insert(how.begin(), {"/usr/bin/env", "LD_PRELOAD=" + program("bad_network.so"),
+// A program with a library of tests/support loaded first; `how` are variables of the environment.
+inline std::vector<std::string> preloaded(const std::string& library,
+                                          const std::vector<std::string>& arguments,
+                                          std::vector<std::string> how) {
+  how.insert(how.begin(), {"/usr/bin/env", "LD_PRELOAD=" + program(library),
                            "ASAN_OPTIONS=verify_asan_link_order=0"});
   how.insert(how.end(), arguments.begin(), arguments.end());
   return how;
+}
+
+// Whose packets get lost or are garbled, as tests/support/bad_network.c says.
+inline std::vector<std::string> on_bad_network(const std::vector<std::string>& arguments,
+                                               const std::vector<std::string>& how) {
+  return preloaded("bad_network.so", arguments, how);
+}
+
+// On a computer whose clock is so many hours behind; so are those of the processes that it starts.
+inline std::vector<std::string> behind(int hours, const std::vector<std::string>& arguments) {
+  return preloaded("old_clock.so", arguments, {"OLD_CLOCK=" + std::to_string(3600L * hours)});
 }
 
 }  // namespace mirocup::test_support

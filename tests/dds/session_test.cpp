@@ -62,6 +62,13 @@ TEST(DdsSession, LetsAStoppedTeamGoOn) {
   EXPECT_LE(network["absences"][0]["noticed"], 40);
   EXPECT_EQ(network["absences"][0]["why"], "silent");
   EXPECT_GE(network["absences"][0]["back"], network["absences"][0]["noticed"]);
+  // The clock of the match went on.
+  std::uint64_t ticks = 0;
+  for (const auto& range : record["pace"]["lateness"]["histogram"]) {
+    ticks += range[1].get<std::uint64_t>();
+  }
+  EXPECT_EQ(ticks, record["ticks"]);
+  EXPECT_GT(network["answers"]["p50"], 0.0);
 }
 
 // The whole of a team's life by hand: killed, started again, in real time and where time waits.

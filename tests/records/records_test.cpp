@@ -24,12 +24,19 @@ using test_support::TemporaryFolder;
 
 const std::string source = MIROCUP_SOURCE_FOLDER;
 
+// With everything that may be in a record.
 record::MatchRecord record_of(replay::Recording recording) {
   record::MatchRecord record;
   record.software = record::this_software();
   record.teams = {record::TeamInfo{"hunters", record::TeamKind::plugin, std::string(64, 'a')},
                   record::TeamInfo{"others <b>", record::TeamKind::dds, std::nullopt}};
   record.isolation = "network";
+  record::NetworkReport network;
+  network.absences = {{1, 2, std::nullopt, true}, {5, 6, 7U, false}};
+  network.answers.add(0.004);
+  record.network[1] = network;
+  record.pace = record::PaceReport{0.033, {}};
+  record.pace->lateness.add(0.0002);
   record.recording = std::move(recording);
   return record;
 }

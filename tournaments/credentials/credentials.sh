@@ -28,9 +28,19 @@ new_key() {
   quietly openssl genpkey -algorithm EC -pkeyopt ec_paramgen_curve:prime256v1 -pkeyopt ec_param_enc:named_curve -out "$1"
 }
 
+# The clocks of the league's computers need not agree.
+begin='-1 day'
+end="+$days days"
+
+certify() { # KEY SUBJECT INTO [OPTION...]
+  quietly openssl req -new -key "$1" -subj "/O=$organisation/CN=$2" -out "$authority/request.pem"
+  quietly openssl ca -batch -config "$authority/ca.cnf" -notext -in "$authority/request.pem" \
+    -startdate "$(date -u -d "$begin" +%Y%m%d%H%M%SZ)" -enddate "$(date -u -d "$end" +%Y%m%d%H%M%SZ)" -out "$3" "${@:4}"
+}
+
 new_authority() {
   new_key "$authority/$1.key"
-  quietly openssl req -x509 -new -key "$authority/$1.key" -days "$days" -subj "/O=$organisation/CN=$1" -out "$authority/$1.pem"
+  certify "$authority/$1.key" "$1" "$authority/$1.pem" -selfsign -keyfile "$authority/$1.key" -extensions authority
 }
 
 sign() { # FILE.xml FILE.p7s
@@ -40,8 +50,6 @@ sign() { # FILE.xml FILE.p7s
 
 new_authorities() {
   mkdir -p "$authority/issued"
-  new_authority identity_ca
-  new_authority permissions_ca
   : >"$authority/index.txt"
   echo 1000 >"$authority/serial"
   echo 1000 >"$authority/crlnumber"
@@ -62,7 +70,12 @@ policy = any
 [any]
 organizationName = supplied
 commonName = supplied
+[authority]
+basicConstraints = critical, CA:TRUE
+subjectKeyIdentifier = hash
 CNF
+  new_authority identity_ca
+  new_authority permissions_ca
   governance >"$authority/governance.xml"
   sign "$authority/governance.xml" "$authority/governance.p7s"
   touch "$authority/complete"
@@ -130,8 +143,8 @@ rules_of() { # KIND WORD; the word is the team's name as in partitions
 
 permissions() { # KIND WORD CERTIFICATE
   local from to
-  from=$(date -u -d '-1 day' +%Y-%m-%dT%H:%M:%S)  # the teams' clocks need not agree
-  to=$(date -u -d "+$days days" +%Y-%m-%dT%H:%M:%S)
+  from=$(date -u -d "$begin" +%Y-%m-%dT%H:%M:%S)
+  to=$(date -u -d "$end" +%Y-%m-%dT%H:%M:%S)
   cat <<XML
 <?xml version="1.0" encoding="UTF-8"?>
 <dds xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance"
@@ -168,9 +181,7 @@ issue() { # KIND NAME INTO
   [[ -e $into/permissions.p7s ]] && return
   mkdir -p "$into"
   new_key "$into/key.pem"
-  quietly openssl req -new -key "$into/key.pem" -subj "/O=$organisation/CN=$kind $word" -out "$authority/request.pem"
-  quietly openssl ca -batch -config "$authority/ca.cnf" -notext -in "$authority/request.pem" -days "$days" \
-    -out "$into/certificate.pem"
+  certify "$into/key.pem" "$kind $word" "$into/certificate.pem"
   cp "$authority/identity_ca.pem" "$authority/permissions_ca.pem" "$authority/governance.p7s" "$into/"
   permissions "$kind" "$word" "$into/certificate.pem" >"$authority/permissions.xml"
   sign "$authority/permissions.xml" "$into/permissions.p7s"

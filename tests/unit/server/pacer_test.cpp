@@ -39,6 +39,18 @@ TEST(Pacer, CatchesUpAfterALateTick) {
   EXPECT_NEAR(clock.time, 100.33, 1e-9);
 }
 
+TEST(Pacer, CountsHowLateTicksBegin) {
+  FakeClock clock;
+  Pacer pacer(clock, 0.033, 1.0);
+  for (std::uint32_t tick = 0; tick < 1000; ++tick) {
+    pacer.wait_for(tick);
+    clock.time += tick == 500 ? 0.043 : 0.001;
+  }
+  EXPECT_EQ(pacer.lateness().count(), 1000U);
+  EXPECT_NEAR(pacer.lateness().longest(), 0.010, 1e-9);
+  EXPECT_LT(pacer.lateness().quantile(0.999), 1e-6);
+}
+
 TEST(Pacer, PlaysFasterByAFactorAndAsFastAsItGoes) {
   FakeClock clock;
   Pacer faster(clock, 0.033, 4.0);

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+//
+// A real pitch behind the topics of a match: what a camera sees goes out, what teams answer goes to
+// the radio. Usage: pitch MATCH SECONDS BLUE [YELLOW]: the names of the teams that are to play.
+//
+// It does what a match server does (server/dds/README.md) for a practice: everybody may come and go,
+// and the referee is a person beside the pitch.
+#include "server/dds/convert.hpp"
+#include "server/dds/domain.hpp"
+#include "server/dds/draw.hpp"
+#include "table.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <thread>
+#include <vector>
+
+namespace pitch {
+namespace {
+
+using namespace mirocup;
+using Clock = std::chrono::steady_clock;
+
+constexpr double period = 1.0 / 30.0;  // s: of the camera's pictures
+// Robots whose team has not answered for so many ticks are stopped.
+constexpr std::uint32_t longest_silence = 4;
+
+// Speeds from two pictures. With a camera that trembles, put a filter here.
+simulator::RobotState robot_state(const Place& now, const Place& before) {
+  const Vec2 speed{(now.x - before.x) / period, (now.y - before.y) / period};
+  const double c = std::cos(now.heading);
+  const double s = std::sin(now.heading);
+  return {{now.x, now.y},
+          {c, s},
+          {c * speed.x() + s * speed.y(), c * speed.y() - s * speed.x(),
+           std::remainder(now.heading - before.heading, 2.0 * M_PI) / period}};
+}
+
+match::Scene scene_of(const Picture& now, const Picture& before) {
+  match::Scene scene;
+  scene.ball.position = {now.ball.x, now.ball.y};
+  scene.ball.velocity = {(now.ball.x - before.ball.x) / period,
+                         (now.ball.y - before.ball.y) / period};
+  for (int colour = 0; colour < 2; ++colour) {
+    for (int i = 0; i < max_robots_per_team; ++i) {
+      scene.robots[colour][i] = robot_state(now.robots[colour][i], before.robots[colour][i]);
+    }
+  }
+  return scene;
+}
+
+// One team's topics, and what it said last.
+struct Side {
+  Team team = Team::blue;
+  dds::Entity publisher, subscriber, hello_topic, welcome_topic, command_topic;
+  dds::Entity hellos, welcomes, commands;
+  std::uint64_t nonce = 0;  // 0: nobody is there
+  std::uint64_t heard = 0;
+  std::uint32_t answered = 0;
+  match::Command wheels;
+};
+
+// What must be there: without it the example ends.
+template <class T>
+T need(Result<T> made) {
+  if (made) return std::move(*made);
+  std::cerr << "pitch: " << made.error().what << '\n';
+  std::_Exit(exit_code(made.error().code));  // Cyclone's threads still run
+}
+
+class Pitch {
+ public:
+  Pitch(const std::string& match_id, const std::vector<std::string>& names, Camera& camera,
+        Radio& radio);
+  void play(double seconds);
+
+ private:
+  void hear(Side& side, std::uint32_t tick);
+  void show(const Picture& now, const Picture& before, std::uint32_t tick, match::State state);
+  bool is_complete() const;
+  void say_that_it_is_over(std::uint32_t tick);
+
+  Camera& camera_;
+  Radio& radio_;
+  field::Field field_ = field::make_field(League::small);
+  simulator::Parameters robots_;  // measure yours, and put their numbers here
+  referee::Rules rules_;
+  std::uint64_t leg_ = dds::draw_number();
+  dds::Domain domain_ = need(dds::open_server_domain("lo", ""));
+  dds::Entity participant_ = need(dds::make_participant(domain_));
+  dds::Entity publisher_, state_topic_, event_topic_, states_, events_;
+  std::vector<Side> sides_;
+};
+
+Pitch::Pitch(const std::string& match_id, const std::vector<std::string>& names, Camera& camera,
+             Radio& radio)
+    : camera_(camera), radio_(radio) {
+  const dds::Entity& p = participant_;
+  publisher_ = need(dds::make_publisher(p, dds::match_partition(match_id)));
+  state_topic_ = need(dds::make_topic(p, mirocup_v1_WorldState_desc, idl::world_state));
+  event_topic_ = need(dds::make_topic(p, mirocup_v1_MatchEvent_desc, idl::match_event));
+  states_ = need(dds::make_writer(publisher_, state_topic_, idl::world_state));
+  events_ = need(dds::make_writer(publisher_, event_topic_, idl::match_event));
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    Side side;
+    side.team = both_teams[i];
+    const std::string own = dds::team_partition(match_id, static_cast<int>(i), names[i]);
+    side.publisher = need(dds::make_publisher(p, own));
+    side.subscriber = need(dds::make_subscriber(p, own));
+    side.hello_topic = need(dds::make_topic(p, mirocup_v1_Hello_desc, idl::hello));
+    side.welcome_topic = need(dds::make_topic(p, mirocup_v1_Welcome_desc, idl::welcome));
+    side.command_topic = need(dds::make_topic(p, mirocup_v1_TeamCommand_desc, idl::team_command));
+    side.hellos = need(dds::make_reader(side.subscriber, side.hello_topic, idl::hello));
+    side.welcomes = need(dds::make_writer(side.publisher, side.welcome_topic, idl::welcome));
+    side.commands = need(dds::make_reader(side.subscriber, side.command_topic, idl::team_command));
+    sides_.push_back(std::move(side));
+  }
+}
+
+void Pitch::hear(Side& side, std::uint32_t tick) {
+  mirocup_v1_Hello hello;
+  while (dds::take(side.hellos, hello)) {
+    side.nonce = hello.nonce;
+    const match::Briefing briefing{&field_, &robots_, &rules_, period, side.team, 1};
+    const mirocup_v1_Welcome welcome = dds::to_sample(briefing, leg_, hello.nonce);
+    dds_write(side.welcomes.get(), &welcome);
+  }
+  mirocup_v1_TeamCommand command;
+  while (dds::take(side.commands, command)) {
+    if (side.nonce == 0 || command.nonce != side.nonce || command.tick >= tick) continue;
+    ++side.heard;
+    side.answered = command.tick;
+    side.wheels = dds::to_command(command);
+  }
+  const std::uint32_t silence = tick - side.answered;
+  radio_.send(index_of(side.team), silence > longest_silence ? match::Command{} : side.wheels);
+}
+
+bool Pitch::is_complete() const {
+  for (const Side& side : sides_) {
+    if (side.heard == 0) return false;
+  }
+  return true;
+}
+
+void Pitch::show(const Picture& now, const Picture& before, std::uint32_t tick,
+                 match::State state) {
+  match::Scene scene = scene_of(now, before);
+  scene.tick = tick;
+  scene.time = scene.clock = tick * period;
+  scene.state = state;
+  mirocup_v1_WorldState sample = dds::to_sample(scene, field_.robots_per_team, leg_);
+  for (const Side& side : sides_) sample.heard[index_of(side.team)] = side.heard;
+  dds_write(states_.get(), &sample);
+}
+
+// As a match server does it: the answers to one tick are driven in the next. The clock stands at
+// tick 0 until everybody is there.
+void Pitch::play(double seconds) {
+  Picture before = camera_.look();
+  const auto step =
+      std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(period));
+  auto due = Clock::now();
+  std::uint32_t tick = 0;
+  while (tick * period < seconds) {
+    const Picture now = camera_.look();
+    show(now, before, tick, tick == 0 ? match::State::READY : match::State::PLAY);
+    before = now;
+    std::this_thread::sleep_until(due += step);
+    for (Side& side : sides_) hear(side, tick + 1);
+    if (is_complete()) ++tick;
+  }
+  for (const Side& side : sides_) radio_.send(index_of(side.team), {});
+  show(before, before, tick, match::State::END);
+  say_that_it_is_over(tick);
+  std::cout << "the ball is at " << before.ball.x << ", " << before.ball.y << '\n';
+}
+
+void Pitch::say_that_it_is_over(std::uint32_t tick) {
+  mirocup_v1_MatchEvent event{};
+  event.leg = leg_;
+  event.tick = tick;
+  event.ends_match = true;
+  dds::put_text(event.decision, "MATCH_END");
+  dds::put_text(event.reason, to_string(match::EndKind::full_time));
+  dds_write(events_.get(), &event);
+  dds_wait_for_acks(events_.get(), DDS_SECS(1));
+}
+
+}  // namespace
+}  // namespace pitch
+
+int main(int argc, char** argv) {
+  if (argc < 4 || argc > 5) {
+    std::cerr << "usage: pitch MATCH SECONDS BLUE [YELLOW]\n";
+    return 2;
+  }
+  pitch::Table table(mirocup::field::make_field(mirocup::League::small), {}, pitch::period);
+  pitch::Pitch pitch(argv[1], {argv + 3, argv + argc}, table, table);
+  pitch.play(std::atof(argv[2]));
+  return 0;
+}

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+//
+// How long something took, time after time, in constant memory: a histogram with 32 ranges in each
+// octave, so that what is read from it is at most 1/32 too long.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace mirocup::pace {
+
+class Durations {
+ public:
+  // Seconds; what is shorter or longer than the ranges counts in the first or the last one.
+  void add(double seconds) {
+    ++counts_[range_of(seconds)];
+    ++count_;
+    longest_ = std::max(longest_, seconds);
+  }
+
+  std::uint64_t count() const { return count_; }
+  double longest() const { return longest_; }
+
+  // A duration that at least this share of them did not exceed; 0 if there are none.
+  double quantile(double share) const {
+    std::uint64_t until = 0;
+    for (int i = 0; i < ranges; ++i) {
+      until += counts_[i];
+      if (until > 0 && static_cast<double>(until) >= share * static_cast<double>(count_)) {
+        return std::min(end_of(i), longest_);
+      }
+    }
+    return longest_;
+  }
+
+  struct Range {
+    double below = 0.0;  // s, and not below the one before
+    std::uint64_t count = 0;
+  };
+
+  // By octaves: those that are not empty, in ascending order.
+  std::vector<Range> histogram() const {
+    std::vector<Range> filled;
+    for (int i = 0; i < ranges; i += parts) {
+      std::uint64_t count = 0;
+      for (int j = i; j < i + parts; ++j) count += counts_[j];
+      if (count > 0) filled.push_back({end_of(i + parts - 1), count});
+    }
+    return filled;
+  }
+
+ private:
+  static constexpr int shortest = -20;  // 2^-20 s, about a microsecond
+  static constexpr int octaves = 28;    // up to 256 s
+  static constexpr int parts = 32;      // of an octave
+  static constexpr int ranges = octaves * parts;
+
+  static int range_of(double seconds) {
+    int octave = 0;
+    const double part = std::frexp(seconds, &octave);  // 0.5 to 1
+    if (seconds <= 0.0 || octave <= shortest) return 0;
+    if (octave > shortest + octaves) return ranges - 1;
+    return (octave - shortest - 1) * parts + static_cast<int>((part - 0.5) * 2 * parts);
+  }
+  static double end_of(int range) {
+    return std::ldexp(0.5 + (range % parts + 1) / (2.0 * parts), range / parts + shortest + 1);
+  }
+
+  std::array<std::uint64_t, ranges> counts_{};
+  std::uint64_t count_ = 0;
+  double longest_ = 0.0;
+};
+
+}  // namespace mirocup::pace
