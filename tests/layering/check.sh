@@ -54,7 +54,7 @@ only() {
 }
 
 only 'dds/|mirocup\.h>' server/dds
-only 'nlohmann/' server/record server/web tournaments
+only 'nlohmann/' server/record server/web server/app tournaments
 only 'dlfcn\.h' plugins/host
 only 'httplib' server/web
 only 'CLI/' server/app tournaments/app

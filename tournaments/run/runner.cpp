@@ -6,6 +6,8 @@
 #include "tournaments/run/begin.hpp"
 #include "tournaments/run/leg_command.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 
 namespace mirocup::league {

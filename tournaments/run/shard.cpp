@@ -4,6 +4,8 @@
 #include "tournaments/run/leg_command.hpp"
 #include "tournaments/run/process_set.hpp"
 
+#include <nlohmann/json.hpp>
+
 namespace mirocup::league {
 
 namespace {
