@@ -12,7 +12,7 @@
 namespace mirocup::web {
 namespace {
 
-int count(const std::string& text, const std::string& part) {
+int times(const std::string& text, const std::string& part) {
   int n = 0;
   for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
   return n;
@@ -25,7 +25,7 @@ TEST(LiveFeed, TellsEveryCallOnceToWhoeverComesWhenever) {
   LiveFeed feed(match);
   LiveFeed::Viewer early;
   std::string heard = feed.news(early);
-  EXPECT_EQ(count(heard, "event: start"), 1);
+  EXPECT_EQ(times(heard, "event: start"), 1);
   EXPECT_EQ(feed.news(early), "") << "nothing has happened since";
   while (!match.is_over()) {
     match.advance(blue, yellow);
@@ -40,10 +40,10 @@ TEST(LiveFeed, TellsEveryCallOnceToWhoeverComesWhenever) {
 
   const int calls = static_cast<int>(match.decisions().size());
   ASSERT_GT(calls, 2);
-  EXPECT_EQ(count(heard, "\"law\":"), calls);
-  EXPECT_EQ(count(told_late, "\"law\":"), calls);
-  EXPECT_EQ(count(told_late, "event: frame"), 1) << "the latest state, no queue";
-  EXPECT_EQ(count(heard, "event: end"), 1);
+  EXPECT_EQ(times(heard, "\"law\":"), calls);
+  EXPECT_EQ(times(told_late, "\"law\":"), calls);
+  EXPECT_EQ(times(told_late, "event: frame"), 1) << "the latest state, no queue";
+  EXPECT_EQ(times(heard, "event: end"), 1);
 }
 
 TEST(LiveServer, KnowsItsAddress) {
