@@ -61,12 +61,18 @@ def decide(setup, now):
     return commands
 
 
+def place(setup, now, placement):
+    """At an own kick-off robot 2 stands aside, where robot 1 can play the ball back to."""
+    if now.restart == mirocup_team.KICK_OFF and now.own_restart:
+        placement.robots[2].y = 0.3
+
+
 def main(arguments):
     if not 3 <= len(arguments) <= 5:
         print(__doc__, file=sys.stderr)
         return 2
     try:
-        how, score = mirocup_team.play(*arguments[:3], decide, *arguments[3:])
+        how, score = mirocup_team.play(*arguments[:3], decide, *arguments[3:], place=place)
     except mirocup_team.Error as error:
         print(f"chaser.py: {error}", file=sys.stderr)
         return 3

@@ -9,7 +9,10 @@ metres, radians, seconds; the team always attacks +x.
     def decide(setup, now):                    # once a tick: wheel speeds (left, right), rad/s
         return [(10.0, 10.0)] * now.robots
 
-    print(mirocup_team.play("final", "blue", "mine", decide))
+    def place(setup, now, placement):          # at restarts, if you like: where to stand
+        placement.robots[1].y = 0.2
+
+    print(mirocup_team.play("final", "blue", "mine", decide, place=place))
 """
 
 import ctypes
@@ -18,6 +21,7 @@ from ctypes import c_char_p, c_double, c_int32, c_size_t, c_uint32, c_uint64, c_
 
 MAX_ROBOTS = 11
 NOTHING, SEATED, TICK, OVER, REFUSED = range(5)
+NO_RESTART, KICK_OFF, GOAL_KICK, PENALTY_KICK, FREE_BALL, FREE_KICK = range(6)  # now.restart
 COLOURS = {"blue": 0, "yellow": 1}
 
 
@@ -66,6 +70,14 @@ class Command(ctypes.Structure):
     _fields_ = [("wheels", Wheels * MAX_ROBOTS)]
 
 
+class Pose(ctypes.Structure):
+    _fields_ = [(name, c_double) for name in ("x", "y", "heading")]
+
+
+class Placement(ctypes.Structure):
+    _fields_ = [("ball_x", c_double), ("ball_y", c_double), ("robots", Pose * MAX_ROBOTS)]
+
+
 class Call(ctypes.Structure):
     _fields_ = [("size", c_uint32), ("team", c_int32), ("server", c_char_p), ("match", c_char_p),
                 ("name", c_char_p), ("credentials", c_char_p)]
@@ -81,6 +93,8 @@ def load(path=None):
     library.mirocup_team_setup.argtypes = [c_void_p]
     library.mirocup_team_observation.restype = ctypes.POINTER(Observation)
     library.mirocup_team_observation.argtypes = [c_void_p]
+    library.mirocup_team_place.restype = None
+    library.mirocup_team_place.argtypes = [c_void_p, ctypes.POINTER(Placement)]
     library.mirocup_team_send.restype = None
     library.mirocup_team_send.argtypes = [c_void_p, ctypes.POINTER(Command)]
     library.mirocup_team_text.restype = c_char_p
@@ -92,11 +106,20 @@ def load(path=None):
     return library
 
 
-def play(match, colour, name, decide, server=None, credentials=None, patience=60.0):
+def standing(now):
+    """The placement that leaves everything where it is."""
+    placement = Placement(now.ball_x, now.ball_y)
+    for i in range(now.robots):
+        placement.robots[i] = Pose(now.own[i].x, now.own[i].y, now.own[i].heading)
+    return placement
+
+
+def play(match, colour, name, decide, server=None, credentials=None, patience=60.0, place=None):
     """Plays one leg and returns how it ended and the score, as in ("full_time", (2, 1)).
 
-    decide(setup, observation) gives a (left, right) pair of wheel speeds for each robot. Raises Error
-    if the match cannot be had within `patience` seconds.
+    decide(setup, observation) gives a (left, right) pair of wheel speeds for each robot.
+    place(setup, observation, placement), if given, changes where the robots are to stand at a
+    restart. Raises Error if the match cannot be had within `patience` seconds.
     """
     library = load()
 
@@ -110,12 +133,12 @@ def play(match, colour, name, decide, server=None, credentials=None, patience=60
     if not connection:
         raise Error(why.value.decode())
     try:
-        return _play(library, connection, decide, patience)
+        return _play(library, connection, decide, place, patience)
     finally:
         library.mirocup_team_close(connection)
 
 
-def _play(library, connection, decide, patience):
+def _play(library, connection, decide, place, patience):
     silence = 0.0
     while True:
         news = library.mirocup_team_wait(connection, 0.25)
@@ -123,6 +146,10 @@ def _play(library, connection, decide, patience):
         if news == TICK:
             setup = library.mirocup_team_setup(connection).contents
             now = library.mirocup_team_observation(connection).contents
+            if place and now.placing:
+                placement = standing(now)
+                place(setup, now, placement)
+                library.mirocup_team_place(connection, ctypes.byref(placement))
             command = Command()
             for i, (left, right) in enumerate(decide(setup, now)):
                 command.wheels[i] = Wheels(left, right)

@@ -80,7 +80,13 @@ Result<void> RemoteTeam::take_seat() {
 }
 
 Result<void> RemoteTeam::answer() {
-  const auto decided = plugin_->decide(match_.observation());
+  const mirocup_observation& now = match_.observation();
+  if (now.placing != 0) {
+    const auto placement = plugin_->place(now);
+    if (!placement) return fail(Errc::input, options_.library + ": " + placement.error().text);
+    match_.place(*placement);
+  }
+  const auto decided = plugin_->decide(now);
   if (!decided) return fail(Errc::input, options_.library + ": " + decided.error().text);
   match_.send(*decided);
   return {};

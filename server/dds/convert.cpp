@@ -5,16 +5,16 @@
 
 namespace mirocup::dds {
 
-static_assert(max_robots_per_team == mirocup_v1_MAX_ROBOTS);
+static_assert(max_robots_per_team == mirocup_v2_MAX_ROBOTS);
 
 namespace {
 
-mirocup_v1_RobotState to_sample(const simulator::RobotState& r) {
+mirocup_v2_RobotState to_sample(const simulator::RobotState& r) {
   return {r.position.x(),  r.position.y(), r.heading.cos, r.heading.sin,
           r.twist.forward, r.twist.left,   r.twist.turn};
 }
 
-simulator::RobotState to_robot(const mirocup_v1_RobotState& r) {
+simulator::RobotState to_robot(const mirocup_v2_RobotState& r) {
   return {{r.x, r.y}, {r.heading_cos, r.heading_sin}, {r.forward, r.left, r.turn}};
 }
 
@@ -22,6 +22,8 @@ template <class E>
 std::uint8_t octet(E value) {
   return static_cast<std::uint8_t>(value);
 }
+
+constexpr std::uint8_t nobody = 2;  // as a colour
 
 // Numbers from the network: what is out of range counts as 0.
 template <class E>
@@ -31,8 +33,8 @@ E enumerator(std::uint8_t value) {
 
 }  // namespace
 
-mirocup_v1_WorldState to_sample(const match::Scene& scene, int robots, std::uint64_t leg) {
-  mirocup_v1_WorldState s{};
+mirocup_v2_WorldState to_sample(const match::Scene& scene, int robots, std::uint64_t leg) {
+  mirocup_v2_WorldState s{};
   s.leg = leg;
   s.tick = scene.tick;
   s.time = scene.time;
@@ -42,6 +44,7 @@ mirocup_v1_WorldState to_sample(const match::Scene& scene, int robots, std::uint
   s.restart = octet(scene.restart);
   s.taker = octet(scene.taker);
   s.left = octet(scene.left);
+  s.placing = scene.placing ? octet(*scene.placing) : nobody;
   s.robots = static_cast<std::uint8_t>(robots);
   s.score[0] = scene.score[0];
   s.score[1] = scene.score[1];
@@ -59,7 +62,7 @@ mirocup_v1_WorldState to_sample(const match::Scene& scene, int robots, std::uint
   return s;
 }
 
-match::Scene to_scene(const mirocup_v1_WorldState& s) {
+match::Scene to_scene(const mirocup_v2_WorldState& s) {
   match::Scene scene;
   scene.tick = s.tick;
   scene.time = s.time;
@@ -69,6 +72,7 @@ match::Scene to_scene(const mirocup_v1_WorldState& s) {
   scene.restart = enumerator<referee::Restart>(s.restart);
   scene.taker = enumerator<Team>(s.taker);
   scene.left = enumerator<Team>(s.left);
+  if (s.placing < nobody) scene.placing = enumerator<Team>(s.placing);
   scene.score = {s.score[0], s.score[1]};
   scene.ball = {{s.ball_x, s.ball_y}, {s.ball_vx, s.ball_vy}};
   for (int i = 0; i < max_robots_per_team; ++i) {
@@ -81,9 +85,9 @@ match::Scene to_scene(const mirocup_v1_WorldState& s) {
   return scene;
 }
 
-mirocup_v1_Welcome to_sample(const match::Briefing& briefing, std::uint64_t leg,
+mirocup_v2_Welcome to_sample(const match::Briefing& briefing, std::uint64_t leg,
                              std::uint64_t nonce) {
-  mirocup_v1_Welcome w{};
+  mirocup_v2_Welcome w{};
   w.team = octet(briefing.team);
   w.nonce = nonce;
   w.leg = leg;
@@ -96,7 +100,7 @@ mirocup_v1_Welcome to_sample(const match::Briefing& briefing, std::uint64_t leg,
   return w;
 }
 
-bool from_sample(const mirocup_v1_Welcome& w, Told& told) {
+bool from_sample(const mirocup_v2_Welcome& w, Told& told) {
   if (w.league >= enum_names<League>.size() || w.team >= enum_names<Team>.size()) return false;
   told.field = field::make_field(static_cast<League>(w.league));
   match::copy_bodies(w, told.parameters);
@@ -110,9 +114,9 @@ bool from_sample(const mirocup_v1_Welcome& w, Told& told) {
   return true;
 }
 
-mirocup_v1_MatchEvent to_sample(const match::LoggedDecision& d, std::uint64_t leg,
+mirocup_v2_MatchEvent to_sample(const match::LoggedDecision& d, std::uint64_t leg,
                                 std::uint32_t number, const match::ByTeam<int>& score) {
-  mirocup_v1_MatchEvent e{};
+  mirocup_v2_MatchEvent e{};
   e.leg = leg;
   e.number = number;
   e.tick = d.tick;
@@ -125,9 +129,9 @@ mirocup_v1_MatchEvent to_sample(const match::LoggedDecision& d, std::uint64_t le
   return e;
 }
 
-mirocup_v1_TeamCommand to_sample(const match::Command& command, Team team, std::uint32_t tick,
+mirocup_v2_TeamCommand to_sample(const match::Command& command, Team team, std::uint32_t tick,
                                  std::uint64_t nonce) {
-  mirocup_v1_TeamCommand s{};
+  mirocup_v2_TeamCommand s{};
   s.team = octet(team);
   s.nonce = nonce;
   s.tick = tick;
@@ -135,12 +139,27 @@ mirocup_v1_TeamCommand to_sample(const match::Command& command, Team team, std::
     s.left[i] = command.wheels[i].left;
     s.right[i] = command.wheels[i].right;
   }
+  if (!command.poses) return s;
+  s.places = 1;
+  s.place_ball_x = command.poses->ball_x;
+  s.place_ball_y = command.poses->ball_y;
+  for (int i = 0; i < max_robots_per_team; ++i) {
+    const match::AskedPose& pose = command.poses->robots[i];
+    s.place[i] = {pose.x, pose.y, pose.heading};
+  }
   return s;
 }
 
-match::Command to_command(const mirocup_v1_TeamCommand& s) {
+match::Command to_command(const mirocup_v2_TeamCommand& s) {
   match::Command command;
   for (int i = 0; i < max_robots_per_team; ++i) command.wheels[i] = {s.left[i], s.right[i]};
+  if (s.places == 0) return command;
+  match::Poses& poses = command.poses.emplace();
+  poses.ball_x = s.place_ball_x;
+  poses.ball_y = s.place_ball_y;
+  for (int i = 0; i < max_robots_per_team; ++i) {
+    poses.robots[i] = {s.place[i].x, s.place[i].y, s.place[i].heading};
+  }
   return command;
 }
 

@@ -10,14 +10,14 @@
 
 namespace mirocup::dds {
 
-mirocup_v1_WorldState to_sample(const match::Scene& scene, int robots, std::uint64_t leg);
-match::Scene to_scene(const mirocup_v1_WorldState& sample);
+mirocup_v2_WorldState to_sample(const match::Scene& scene, int robots, std::uint64_t leg);
+match::Scene to_scene(const mirocup_v2_WorldState& sample);
 
 // How a Welcome answers a Hello.
 enum class Admission : std::uint8_t { accepted, not_now, refused };
 
 // Accepted, with everything that a team is told once.
-mirocup_v1_Welcome to_sample(const match::Briefing& briefing, std::uint64_t leg,
+mirocup_v2_Welcome to_sample(const match::Briefing& briefing, std::uint64_t leg,
                              std::uint64_t nonce);
 
 // What the briefing's numbers stand for again; points into the structures given. False if a number
@@ -28,14 +28,14 @@ struct Told {
   referee::Rules rules;
   match::Briefing briefing;
 };
-bool from_sample(const mirocup_v1_Welcome& sample, Told& told);
+bool from_sample(const mirocup_v2_Welcome& sample, Told& told);
 
-mirocup_v1_MatchEvent to_sample(const match::LoggedDecision& decision, std::uint64_t leg,
+mirocup_v2_MatchEvent to_sample(const match::LoggedDecision& decision, std::uint64_t leg,
                                 std::uint32_t number, const match::ByTeam<int>& score);
 
-mirocup_v1_TeamCommand to_sample(const match::Command& command, Team team, std::uint32_t tick,
+mirocup_v2_TeamCommand to_sample(const match::Command& command, Team team, std::uint32_t tick,
                                  std::uint64_t nonce);
-match::Command to_command(const mirocup_v1_TeamCommand& sample);
+match::Command to_command(const mirocup_v2_TeamCommand& sample);
 
 // Into a bounded string of a sample; what is too long is cut.
 template <std::size_t size>

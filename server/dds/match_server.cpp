@@ -36,11 +36,11 @@ Result<void> MatchServer::open_topics() {
       })
       .and_then([&] {
         return keep(state_topic_,
-                    make_topic(participant_, mirocup_v1_WorldState_desc, idl::world_state));
+                    make_topic(participant_, mirocup_v2_WorldState_desc, idl::world_state));
       })
       .and_then([&] {
         return keep(event_topic_,
-                    make_topic(participant_, mirocup_v1_MatchEvent_desc, idl::match_event));
+                    make_topic(participant_, mirocup_v2_MatchEvent_desc, idl::match_event));
       })
       .and_then([&] {
         return keep(state_writer_, make_writer(publisher_, state_topic_, idl::world_state));
@@ -96,7 +96,7 @@ void MatchServer::publish_decisions(const match::Match& match) {
 
 void MatchServer::close(const match::Match& match) {
   publish(match);
-  mirocup_v1_MatchEvent last{};
+  mirocup_v2_MatchEvent last{};
   last.leg = leg_;
   last.number = static_cast<std::uint32_t>(events_);
   last.tick = match.tick();

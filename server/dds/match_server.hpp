@@ -51,7 +51,7 @@ class MatchServer {
   Entity participant_;
   Entity publisher_, state_topic_, event_topic_, state_writer_, event_writer_, waitset_;
   std::vector<std::unique_ptr<Seat>> seats_;
-  mirocup_v1_WorldState state_{};
+  mirocup_v2_WorldState state_{};
   Clock::time_point sent_;  // the state, last
   std::size_t events_ = 0;
 };

@@ -37,14 +37,14 @@ Result<void> Seat::open(const Entity& participant, const std::string& match_id,
   return keep(publisher_, make_publisher(participant, partition))
       .and_then([&] { return keep(subscriber_, make_subscriber(participant, partition)); })
       .and_then([&] {
-        return keep(hello_topic_, make_topic(participant, mirocup_v1_Hello_desc, idl::hello));
+        return keep(hello_topic_, make_topic(participant, mirocup_v2_Hello_desc, idl::hello));
       })
       .and_then([&] {
-        return keep(welcome_topic_, make_topic(participant, mirocup_v1_Welcome_desc, idl::welcome));
+        return keep(welcome_topic_, make_topic(participant, mirocup_v2_Welcome_desc, idl::welcome));
       })
       .and_then([&] {
         return keep(command_topic_,
-                    make_topic(participant, mirocup_v1_TeamCommand_desc, idl::team_command));
+                    make_topic(participant, mirocup_v2_TeamCommand_desc, idl::team_command));
       })
       .and_then(
           [&] { return keep(hello_reader_, make_reader(subscriber_, hello_topic_, idl::hello)); })
@@ -69,16 +69,16 @@ void Seat::take_in() {
 }
 
 void Seat::take_hellos() {
-  mirocup_v1_Hello hello;
+  mirocup_v2_Hello hello;
   dds_instance_handle_t writer = 0;
   while (take(hello_reader_, hello, &writer)) {
-    const mirocup_v1_Welcome welcome = answer_to(hello, writer);
+    const mirocup_v2_Welcome welcome = answer_to(hello, writer);
     dds_write(welcome_writer_.get(), &welcome);
   }
 }
 
-mirocup_v1_Welcome Seat::answer_to(const mirocup_v1_Hello& hello, dds_instance_handle_t writer) {
-  mirocup_v1_Welcome welcome = to_sample(briefing_, server_.leg(), hello.nonce);
+mirocup_v2_Welcome Seat::answer_to(const mirocup_v2_Hello& hello, dds_instance_handle_t writer) {
+  mirocup_v2_Welcome welcome = to_sample(briefing_, server_.leg(), hello.nonce);
   const auto answer = [&welcome](Admission admission, const std::string& reason) {
     welcome.answer = static_cast<std::uint8_t>(admission);
     put_text(welcome.reason, reason);
@@ -110,7 +110,7 @@ bool Seat::has_left() const {
   return nonce_ != 0 && !participant_of(hello_reader_, hello_writer_);
 }
 
-bool Seat::is_ours(const mirocup_v1_TeamCommand& command, dds_instance_handle_t writer) {
+bool Seat::is_ours(const mirocup_v2_TeamCommand& command, dds_instance_handle_t writer) {
   if (nonce_ == 0 || command.nonce != nonce_ || command.team != index_of(briefing_.team)) {
     return false;
   }
@@ -121,7 +121,7 @@ bool Seat::is_ours(const mirocup_v1_TeamCommand& command, dds_instance_handle_t 
 }
 
 void Seat::take_commands() {
-  mirocup_v1_TeamCommand command;
+  mirocup_v2_TeamCommand command;
   dds_instance_handle_t writer = 0;
   while (take(command_reader_, command, &writer)) {
     if (!is_ours(command, writer)) {

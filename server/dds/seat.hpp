@@ -59,8 +59,8 @@ class Seat final : public match::Controller {
   void take_in();
   void take_hellos();
   void take_commands();
-  mirocup_v1_Welcome answer_to(const mirocup_v1_Hello& hello, dds_instance_handle_t writer);
-  bool is_ours(const mirocup_v1_TeamCommand& command, dds_instance_handle_t writer);
+  mirocup_v2_Welcome answer_to(const mirocup_v2_Hello& hello, dds_instance_handle_t writer);
+  bool is_ours(const mirocup_v2_TeamCommand& command, dds_instance_handle_t writer);
   bool may_be_taken() const;
   bool has_left() const;
   double now() const { return seconds_since(begin_); }

@@ -61,12 +61,12 @@ Result<void> TeamClient::open_readers_and_writers(Link& l) const {
   return keep(l.match_subscriber, make_subscriber(p, match))
       .and_then([&] { return keep(l.team_publisher, make_publisher(p, own)); })
       .and_then([&] { return keep(l.team_subscriber, make_subscriber(p, own)); })
-      .and_then([&] { return topic(l.state_topic, mirocup_v1_WorldState_desc, idl::world_state); })
-      .and_then([&] { return topic(l.event_topic, mirocup_v1_MatchEvent_desc, idl::match_event); })
-      .and_then([&] { return topic(l.hello_topic, mirocup_v1_Hello_desc, idl::hello); })
-      .and_then([&] { return topic(l.welcome_topic, mirocup_v1_Welcome_desc, idl::welcome); })
+      .and_then([&] { return topic(l.state_topic, mirocup_v2_WorldState_desc, idl::world_state); })
+      .and_then([&] { return topic(l.event_topic, mirocup_v2_MatchEvent_desc, idl::match_event); })
+      .and_then([&] { return topic(l.hello_topic, mirocup_v2_Hello_desc, idl::hello); })
+      .and_then([&] { return topic(l.welcome_topic, mirocup_v2_Welcome_desc, idl::welcome); })
       .and_then(
-          [&] { return topic(l.command_topic, mirocup_v1_TeamCommand_desc, idl::team_command); })
+          [&] { return topic(l.command_topic, mirocup_v2_TeamCommand_desc, idl::team_command); })
       .and_then([&] {
         return reader(l.state_reader, l.match_subscriber, l.state_topic, idl::world_state);
       })
@@ -103,7 +103,7 @@ std::optional<News> TeamClient::look() {
 }
 
 std::optional<News> TeamClient::take_welcome() {
-  mirocup_v1_Welcome welcome;
+  mirocup_v2_Welcome welcome;
   while (take(link_.welcome_reader, welcome)) {
     if (welcome.nonce != link_.nonce) continue;
     link_.leg = welcome.leg;
@@ -126,7 +126,7 @@ std::optional<News> TeamClient::take_welcome() {
 }
 
 std::optional<News> TeamClient::take_event() {
-  mirocup_v1_MatchEvent event;
+  mirocup_v2_MatchEvent event;
   while (take(link_.event_reader, event)) {
     if (event.leg != link_.leg || !event.ends_match) continue;
     return MatchOver{event.reason, {event.score[0], event.score[1]}};
@@ -135,7 +135,7 @@ std::optional<News> TeamClient::take_event() {
 }
 
 std::optional<News> TeamClient::take_state() {
-  mirocup_v1_WorldState state;
+  mirocup_v2_WorldState state;
   while (take(link_.state_reader, state)) {
     heard_ = Clock::now();
     if (!link_.is_seated) continue;
@@ -172,7 +172,7 @@ void TeamClient::look_after_connection() {
 
 void TeamClient::say_hello() {
   said_hello_ = Clock::now();
-  mirocup_v1_Hello hello{};
+  mirocup_v2_Hello hello{};
   hello.team = static_cast<std::uint8_t>(index_of(call_.team));
   hello.nonce = link_.nonce;
   put_text(hello.name, call_.name);

@@ -90,7 +90,7 @@ class TeamClient {
   Clock::time_point heard_;  // of the match, last
   std::uint64_t seated_leg_ = 0;
   Told told_;
-  std::optional<mirocup_v1_TeamCommand> answer_;  // the last one
+  std::optional<mirocup_v2_TeamCommand> answer_;  // the last one
   std::uint64_t heard_commands_ = 0;              // as the server counts them
   Clock::time_point heard_us_;                    // the count has changed, last
   int unheard_ = 0;                               // commands that were sent since then

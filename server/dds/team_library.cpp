@@ -13,6 +13,7 @@ struct mirocup_connection {
   mirocup::Team team = mirocup::Team::blue;
   mirocup_setup setup{};
   mirocup_observation observation{};
+  std::optional<mirocup::match::Poses> poses;  // for the answer to this tick
   mirocup::match::ByTeam<std::int32_t> score{};
   std::string text;
   bool is_finished = false;  // the text says how
@@ -38,6 +39,7 @@ struct Receive {
   }
   std::int32_t operator()(const match::Scene& scene) const {
     c.observation = plugins::to_observation(match::observe(scene, c.team, c.client->robots()));
+    c.poses.reset();
     return MIROCUP_TEAM_TICK;
   }
   std::int32_t operator()(const MatchOver& over) const {
@@ -99,8 +101,15 @@ const mirocup_observation* mirocup_team_observation(const mirocup_connection* co
   return &connection->observation;
 }
 
+void mirocup_team_place(mirocup_connection* connection, const mirocup_placement* placement) {
+  if (connection->observation.placing == 0) return;
+  connection->poses = mirocup::plugins::to_poses(*placement);
+}
+
 void mirocup_team_send(mirocup_connection* connection, const mirocup_command* command) {
-  connection->client->send(mirocup::plugins::to_command(*command), connection->observation.tick);
+  mirocup::match::Command answer = mirocup::plugins::to_command(*command);
+  answer.poses = connection->poses;
+  connection->client->send(answer, connection->observation.tick);
 }
 
 const char* mirocup_team_text(mirocup_connection* connection) {

@@ -36,6 +36,27 @@ TEST(DdsTeam, PlaysTheSameLegAsItsLibrary) {
   EXPECT_EQ(run({program("mirocup"), "verify", folder / "dds.json"}).exit_code, 0);
 }
 
+// With both teams at either end in turn. Catches poses that get lost on the network, that are asked
+// for in the wrong tick, or that are turned or rounded on their way.
+TEST(DdsTeam, StandsWhereItsLibraryWants) {
+  const TemporaryFolder folder;
+  const std::string id = match_id("places");
+  const std::string team = program("honest/places.so");
+  const auto play = [&](const std::string& one, const std::string& two, const char* record) {
+    return run({program("mirocup"), "match", "--blue", one, "--yellow", two, "--half", "3",
+                "--match", id, "--record", folder / record});
+  };
+  Running blue(join(id, "blue", "one", team));
+  Running yellow(join(id, "yellow", "two", team));
+  ASSERT_EQ(play("dds:one", "dds:two", "dds.json").exit_code, 0);
+  EXPECT_EQ(blue.wait().exit_code, 0);
+  EXPECT_EQ(yellow.wait().exit_code, 0);
+  ASSERT_EQ(play(team, team, "so.json").exit_code, 0);
+  EXPECT_EQ(read_json(folder / "dds.json")["state_hash"],
+            read_json(folder / "so.json")["state_hash"]);
+  EXPECT_EQ(run({program("mirocup"), "verify", folder / "dds.json"}).exit_code, 0);
+}
+
 TEST(DdsTeam, MayMeetAnother) {
   const TemporaryFolder folder;
   const std::string id = match_id("both");

@@ -35,14 +35,14 @@ struct Stranger {
     const std::string own = team_partition(match_id, 0, name);
     team = need(make_subscriber(participant, own));
     publisher = need(make_publisher(participant, own));
-    states = need(make_topic(participant, mirocup_v1_WorldState_desc, idl::world_state));
-    events = need(make_topic(participant, mirocup_v1_MatchEvent_desc, idl::match_event));
+    states = need(make_topic(participant, mirocup_v2_WorldState_desc, idl::world_state));
+    events = need(make_topic(participant, mirocup_v2_MatchEvent_desc, idl::match_event));
     state_reader = need(make_reader(all, states, idl::world_state));
     event_reader = need(make_reader(all, events, idl::match_event));
   }
 
   void wait_for_match() {
-    mirocup_v1_WorldState state;
+    mirocup_v2_WorldState state;
     while (!take(state_reader, state)) dds_sleepfor(DDS_MSECS(1));
     std::cerr << "there\n";
   }
@@ -53,18 +53,18 @@ struct Stranger {
 
 void imitate(Stranger& s, int copies) {
   const Entity commands =
-      need(make_topic(s.participant, mirocup_v1_TeamCommand_desc, idl::team_command));
-  const Entity welcomes = need(make_topic(s.participant, mirocup_v1_Welcome_desc, idl::welcome));
+      need(make_topic(s.participant, mirocup_v2_TeamCommand_desc, idl::team_command));
+  const Entity welcomes = need(make_topic(s.participant, mirocup_v2_Welcome_desc, idl::welcome));
   const Entity writer = need(make_writer(s.publisher, commands, idl::team_command));
   const Entity reader = need(make_reader(s.team, welcomes, idl::welcome));
   s.wait_for_match();
-  mirocup_v1_TeamCommand command{};
+  mirocup_v2_TeamCommand command{};
   for (double& wheel : command.left) wheel = 40.0;
   for (double& wheel : command.right) wheel = -40.0;
   while (true) {
-    mirocup_v1_Welcome welcome;
+    mirocup_v2_Welcome welcome;
     while (take(reader, welcome)) command.nonce = welcome.nonce;
-    mirocup_v1_WorldState state;
+    mirocup_v2_WorldState state;
     if (take(s.state_reader, state)) command.tick = state.tick;
     for (int i = 0; i < copies; ++i) dds_write(writer.get(), &command);
     dds_sleepfor(copies == 1 ? DDS_USECS(50) : DDS_MSECS(1));
@@ -72,10 +72,10 @@ void imitate(Stranger& s, int copies) {
 }
 
 void say_hellos(Stranger& s, const char* name) {
-  const Entity topic = need(make_topic(s.participant, mirocup_v1_Hello_desc, idl::hello));
+  const Entity topic = need(make_topic(s.participant, mirocup_v2_Hello_desc, idl::hello));
   const Entity writer = need(make_writer(s.publisher, topic, idl::hello));
   s.wait_for_match();
-  mirocup_v1_Hello hello{};
+  mirocup_v2_Hello hello{};
   put_text(hello.name, std::string(name) + " or not");
   while (true) {
     hello.nonce = draw_number();
@@ -86,14 +86,14 @@ void say_hellos(Stranger& s, const char* name) {
 
 void write_wrong_types(Stranger& s) {
   idl::TopicQos row = idl::team_command;
-  const Entity commands = need(make_topic(s.participant, mirocup_v1_Hello_desc, row));
+  const Entity commands = need(make_topic(s.participant, mirocup_v2_Hello_desc, row));
   const Entity writer = need(make_writer(s.publisher, commands, row));
   row = idl::hello;
-  const Entity hellos = need(make_topic(s.participant, mirocup_v1_TeamCommand_desc, row));
+  const Entity hellos = need(make_topic(s.participant, mirocup_v2_TeamCommand_desc, row));
   const Entity other = need(make_writer(s.publisher, hellos, row));
   s.wait_for_match();
-  const mirocup_v1_Hello hello{};
-  const mirocup_v1_TeamCommand command{};
+  const mirocup_v2_Hello hello{};
+  const mirocup_v2_TeamCommand command{};
   while (true) {
     dds_write(writer.get(), &hello);
     dds_write(other.get(), &command);

@@ -4,6 +4,7 @@
  *
  *   mirocup_team_open    names the match and the team; comes back at once
  *   mirocup_team_wait    waits for what happens next: a seat, a tick, the end
+ *   mirocup_team_place   at restarts: where the robots are to stand
  *   mirocup_team_send    answers the tick
  *   mirocup_team_close   leaves
  *
@@ -62,6 +63,12 @@ const mirocup_setup* mirocup_team_setup(const mirocup_connection* connection);
 
 /* The last tick. */
 const mirocup_observation* mirocup_team_observation(const mirocup_connection* connection);
+
+/* At a restart, while the last tick has `placing` 1: where you want to stand, told with _send(), which
+ * comes after it. What strategy.h says of place() holds here, but `placement` has to be filled whole:
+ * robots that are to stay, and the ball, with what the tick shows of them. Without it all stay. In
+ * any other tick it has no effect. */
+void mirocup_team_place(mirocup_connection* connection, const mirocup_placement* placement);
 
 /* Answers the last tick; once. */
 void mirocup_team_send(mirocup_connection* connection, const mirocup_command* command);

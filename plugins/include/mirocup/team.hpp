@@ -56,6 +56,9 @@ class Connection {
   const mirocup_observation& observation() const {
     return *mirocup_team_observation(connection_.get());
   }
+  void place(const mirocup_placement& placement) {
+    mirocup_team_place(connection_.get(), &placement);
+  }
   void send(const mirocup_command& command) { mirocup_team_send(connection_.get(), &command); }
   std::string text() const { return mirocup_team_text(connection_.get()); }
   const int32_t* score() const { return mirocup_team_score(connection_.get()); }

@@ -11,8 +11,8 @@ namespace {
 
 TEST(Topics, AreToldApartByTheNamesOfTheirTypesAlone) {
   for (const auto* topic :
-       {&mirocup_v1_WorldState_desc, &mirocup_v1_TeamCommand_desc, &mirocup_v1_Hello_desc,
-        &mirocup_v1_Welcome_desc, &mirocup_v1_MatchEvent_desc}) {
+       {&mirocup_v2_WorldState_desc, &mirocup_v2_TeamCommand_desc, &mirocup_v2_Hello_desc,
+        &mirocup_v2_Welcome_desc, &mirocup_v2_MatchEvent_desc}) {
     EXPECT_EQ(topic->m_flagset & DDS_TOPIC_XTYPES_METADATA, 0U) << topic->m_typename;
   }
 }
