@@ -4,8 +4,7 @@
 // the parameter is 0. Judged like two attackers in the goal area.
 #pragma once
 
-#include "core/referee/dwell.hpp"
-#include "core/referee/watch.hpp"
+#include "core/referee/crowd.hpp"
 
 namespace mirocup::referee {
 

@@ -5,8 +5,7 @@
 // goal area.
 #pragma once
 
-#include "core/referee/dwell.hpp"
-#include "core/referee/watch.hpp"
+#include "core/referee/crowd.hpp"
 
 namespace mirocup::referee {
 

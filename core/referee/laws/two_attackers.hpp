@@ -5,8 +5,7 @@
 // not. A robot that was pushed in does not count.
 #pragma once
 
-#include "core/referee/dwell.hpp"
-#include "core/referee/watch.hpp"
+#include "core/referee/crowd.hpp"
 
 namespace mirocup::referee {
 
