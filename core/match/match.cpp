@@ -69,6 +69,7 @@ void Match::advance(const ByTeam<Answer>& answers) {
 // False if one of the answers ends the match.
 bool Match::take(const ByTeam<Answer>& given) {
   std::vector<TeamFault> faults;
+  hands_ = {};
   for (const Team team : both_teams) {
     const int i = index_of(team);
     if (const auto* failure = std::get_if<HostFailure>(&given[i])) {
@@ -81,7 +82,7 @@ bool Match::take(const ByTeam<Answer>& given) {
       const CheckedCommand checked =
           check(*command, field_.robots_per_team, setup_.parameters.wheel_speed_limit);
       answers_[i] = checked.command;
-      if (command->poses && placing_ == team) hear(team, *command->poses);
+      if (command->poses) hear(team, *command->poses);
       bad_values_[i] += checked.bad_values > 0 ? 1 : 0;
       late_in_a_row_[i] = 0;
     } else {
@@ -94,13 +95,21 @@ bool Match::take(const ByTeam<Answer>& given) {
   return false;
 }
 
-// What the team asks for is granted at the end of the tick.
+// What the team asks for is granted at the end of the tick. Out of its turn it may be an offence.
 void Match::hear(Team team, const Poses& poses) {
+  if (placing_ != team) {
+    const bool counts = setup_.rules.hand_penalty && state_ == State::PLAY &&
+                        referee_->phase() != referee::Phase::SHOOT_OUT;
+    hands_[index_of(end_of(team))] = counts;
+    if (counts) asked_.push_back({tick_, team, poses});
+    return;
+  }
   const int robots = field_.robots_per_team;
   const Scene now = scene();
-  if (is_same(poses, standing(observe(now, team, robots)), robots)) return;
+  const Poses shown = standing(observe(now, team, robots));
+  if (is_same(poses, shown, robots)) return;
   wanted_ = poses;
-  wanted_placement_ = asked_placement(now, team, poses, robots);
+  wanted_placement_ = asked_placement(now, team, shown, poses, robots);
 }
 
 void Match::simulate() {
@@ -176,7 +185,7 @@ void Match::place() {
   using referee::first_placer;
   const Team first = team_at(first_placer(restart_.restart, restart_.taker));
   if (std::exchange(placement_is_due_, false)) {
-    put(referee::default_placement(field_, restart_.restart, restart_.taker, restart_.spot));
+    put(referee::default_placement(pitch_, restart_.restart, restart_.taker, restart_.spot));
     placing_ = first;
     state_ = State::READY;
     ready_ticks_left_ =
@@ -317,6 +326,7 @@ referee::Situation Match::situation() const {
   s.duration = setup_.control_period;
   s.ball_before = ball_before_;
   s.ball = world_->ball().position;
+  s.hand = hands_;
   for (const Team team : both_teams) {
     const int e = index_of(end_of(team));
     for (int i = 0; i < field_.robots_per_team; ++i) {

@@ -73,7 +73,8 @@ struct TickLog {
   std::uint64_t hash = 0;          // of all ticks up to the end of this one
 };
 
-// Where a team asked to stand, other than where it stood, in the tick that was its turn.
+// Where a team asked to stand, other than where it stood, in the tick that was its turn; or out of
+// its turn, where that is an offence.
 struct LoggedPoses {
   std::uint32_t tick = 0;
   Team team = Team::blue;
@@ -162,6 +163,7 @@ class Match {
   std::optional<Poses>
       wanted_;  // what it asked for in this tick, and the same in the field's frame
   referee::Placement wanted_placement_;
+  referee::ByEnd<bool> hands_{};  // who asked out of its turn in this tick
   std::vector<LoggedPoses> asked_;
   Vec2 ball_before_{0.0, 0.0};
   ByTeam<std::array<Vec2, max_robots_per_team>> velocity_before_;  // in the field's frame

@@ -48,13 +48,13 @@ bool is_same(const Poses& a, const Poses& b, int robots) {
   return is_same(a.ball_x, b.ball_x) && is_same(a.ball_y, b.ball_y);
 }
 
-referee::Placement asked_placement(const Scene& scene, Team team, const Poses& poses, int robots) {
-  const Poses shown = standing(observe(scene, team, robots));
+referee::Placement asked_placement(const Scene& scene, Team team, const Poses& shown,
+                                   const Poses& asked, int robots) {
   const End end = scene.left == team ? End::left : End::right;
   referee::Placement placement;
   placement.ball = scene.ball.position;
-  if (!is_same(poses.ball_x, shown.ball_x) || !is_same(poses.ball_y, shown.ball_y)) {
-    placement.ball = team_frame(end, Vec2{poses.ball_x, poses.ball_y});
+  if (!is_same(asked.ball_x, shown.ball_x) || !is_same(asked.ball_y, shown.ball_y)) {
+    placement.ball = team_frame(end, Vec2{asked.ball_x, asked.ball_y});
   }
   for (const Team other : both_teams) {
     const End at = scene.left == other ? End::left : End::right;
@@ -64,8 +64,8 @@ referee::Placement asked_placement(const Scene& scene, Team team, const Poses& p
     }
   }
   for (int i = 0; i < robots; ++i) {
-    if (is_same(poses.robots[i], shown.robots[i])) continue;
-    placement.robots[index_of(end)][i] = to_pose(poses.robots[i], end);
+    if (is_same(asked.robots[i], shown.robots[i])) continue;
+    placement.robots[index_of(end)][i] = to_pose(asked.robots[i], end);
   }
   return placement;
 }

@@ -37,8 +37,9 @@ bool is_same(double a, double b);
 bool is_same(const AskedPose& a, const AskedPose& b);
 bool is_same(const Poses& a, const Poses& b, int robots);
 
-// The scene with what one team asks for in it, in the field's frame. What the team left as it saw
-// it stays bit for bit. A heading that is no angle makes a pose that is nowhere.
-referee::Placement asked_placement(const Scene& scene, Team team, const Poses& poses, int robots);
+// The scene with what one team asks for in it, in the field's frame. What is as it was `shown`
+// stays bit for bit. A heading that is no angle makes a pose that is nowhere.
+referee::Placement asked_placement(const Scene& scene, Team team, const Poses& shown,
+                                   const Poses& asked, int robots);
 
 }  // namespace mirocup::match

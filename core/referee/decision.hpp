@@ -29,6 +29,7 @@ enum class Verdict {
   PLACEMENT_FIXED,
   RESTART,
   TIME_OUT,
+  SUBSTITUTION,
   REJECTED,
   FORFEIT,
   MATCH_END,
@@ -55,6 +56,8 @@ enum class Law {
   collision,
   holding,
   wall_push,
+  hand,
+  fallen,
   placement,
   half_time,
   golden_goal,
@@ -64,6 +67,7 @@ enum class Law {
   lots,
   mercy,
   time_out,
+  substitution,
   forfeit,
 };
 
@@ -95,20 +99,22 @@ struct Decision {
 namespace mirocup {
 
 template <>
-inline constexpr std::array<std::string_view, 17> enum_names<referee::Verdict>{
-    "NONE",         "GOAL",      "KICK_OFF",    "KICK_OFF_VIOLATION",
-    "PENALTY_KICK", "GOAL_KICK", "FREE_KICK",   "FREE_BALL",
-    "HALF_END",     "PHASE",     "ATTEMPT_END", "PLACEMENT_FIXED",
-    "RESTART",      "TIME_OUT",  "REJECTED",    "FORFEIT",
-    "MATCH_END"};
+inline constexpr std::array<std::string_view, 18> enum_names<referee::Verdict>{
+    "NONE",         "GOAL",      "KICK_OFF",     "KICK_OFF_VIOLATION",
+    "PENALTY_KICK", "GOAL_KICK", "FREE_KICK",    "FREE_BALL",
+    "HALF_END",     "PHASE",     "ATTEMPT_END",  "PLACEMENT_FIXED",
+    "RESTART",      "TIME_OUT",  "SUBSTITUTION", "REJECTED",
+    "FORFEIT",      "MATCH_END"};
 template <>
-inline constexpr std::array<std::string_view, 29> enum_names<referee::Law>{
-    "toss",           "kick_off",      "goal",           "own_goal",        "two_defenders",
-    "four_defenders", "two_attackers", "four_attackers", "keeper_hold",     "keeper_charge",
-    "keeper_push_in", "keeper_block",  "keeper_catch",   "stalemate",       "push",
-    "attacking_push", "collision",     "holding",        "wall_push",       "placement",
-    "half_time",      "golden_goal",   "extra_time",     "penalty_attempt", "shoot_out",
-    "lots",           "mercy",         "time_out",       "forfeit"};
+inline constexpr std::array<std::string_view, 32> enum_names<referee::Law>{
+    "toss",          "kick_off",        "goal",           "own_goal",
+    "two_defenders", "four_defenders",  "two_attackers",  "four_attackers",
+    "keeper_hold",   "keeper_charge",   "keeper_push_in", "keeper_block",
+    "keeper_catch",  "stalemate",       "push",           "attacking_push",
+    "collision",     "holding",         "wall_push",      "hand",
+    "fallen",        "placement",       "half_time",      "golden_goal",
+    "extra_time",    "penalty_attempt", "shoot_out",      "lots",
+    "mercy",         "time_out",        "substitution",   "forfeit"};
 template <>
 inline constexpr std::array<std::string_view, 4> enum_names<referee::Phase>{
     "FIRST_HALF", "SECOND_HALF", "EXTRA", "SHOOT_OUT"};

@@ -31,7 +31,7 @@ bool may_come_in(const Pitch& pitch, const Situation& s, End end) {
 
 void Judgement::call(std::optional<Decision> called) {
   if (!called) return;
-  if (decision) {
+  if (decision || called->verdict == Verdict::NONE) {
     note(*std::move(called));
   } else {
     decision = std::move(called);
@@ -97,12 +97,14 @@ Judgement judge_play(const Pitch& pitch, const Situation& s, const std::optional
     judgement.call(advantage_is_over(s, advantage));
   }
   judgement.call(judge_keeper_hold(pitch, s, book.keeper_hold));
+  judgement.call(judge_hand(pitch, s));
   judgement.call(judge_keeper_block(pitch, s, book.watch, book.keeper_block));
   judgement.call(std::move(push));
-  if (auto met = judge_collision(pitch, s, book.collision)) judgement.note(*std::move(met));
+  judgement.call(judge_collision(pitch, s, book.collision));
   judgement.call(judge_keeper_catch(pitch, s, book.watch, book.keeper_catch));
   judgement.call(judge_holding(pitch, s, book.watch, book.holding));
   judgement.call(judge_wall_push(pitch, s, book.wall_push));
+  judgement.call(judge_fallen(pitch, s));
   judgement.call(judge_stalemate(pitch, s, book.stalemate));
   return judgement;
 }

@@ -4,8 +4,10 @@
 #pragma once
 
 #include "core/referee/laws/collision.hpp"
+#include "core/referee/laws/fallen.hpp"
 #include "core/referee/laws/four_attackers.hpp"
 #include "core/referee/laws/four_defenders.hpp"
+#include "core/referee/laws/hand.hpp"
 #include "core/referee/laws/holding.hpp"
 #include "core/referee/laws/keeper_block.hpp"
 #include "core/referee/laws/keeper_catch.hpp"
@@ -29,7 +31,7 @@ struct Judgement {
   std::optional<Decision> decision;
   std::vector<Decision> notes;
 
-  // The first call of a tick is the decision, the later ones are notes.
+  // The first call of a tick is the decision; the later ones, and those without effect, are notes.
   void call(std::optional<Decision> decision);
   void note(Decision decision);
 };

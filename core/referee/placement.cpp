@@ -203,9 +203,13 @@ Pose pose_of(const Stand& stand) {
 
 }  // namespace
 
-Placement default_placement(const field::Field& field, Restart restart, End taker,
-                            const Vec2& spot) {
-  const Table table = table_of(field.league, restart);
+Placement default_placement(const Pitch& pitch, Restart restart, End taker, const Vec2& spot) {
+  const field::Field& field = pitch.field;
+  Table table = table_of(field.league, restart);
+  if (restart == Restart::KICK_OFF && pitch.rules.kickoff_behind) {
+    Stand& stand = table.takers[kicker];
+    stand = {-stand.x, stand.y, Facing::forward};
+  }
   // The tables show a free ball in the quarter x > 0, y > 0 with the attacker of that half on the
   // left. A quarter with y < 0 is that one mirrored, which keeps the headings.
   const bool free_ball = restart == Restart::FREE_BALL;

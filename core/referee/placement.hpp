@@ -9,6 +9,7 @@
 #pragma once
 
 #include "core/referee/decision.hpp"
+#include "core/referee/laws/law.hpp"
 
 #include <array>
 
@@ -25,7 +26,6 @@ struct Placement {
 
 // The default poses of a restart. `spot` says which quarter a free ball is played in; the others
 // have one spot.
-Placement default_placement(const field::Field& field, Restart restart, End taker,
-                            const Vec2& spot);
+Placement default_placement(const Pitch& pitch, Restart restart, End taker, const Vec2& spot);
 
 }  // namespace mirocup::referee

@@ -15,8 +15,8 @@ constexpr double search_step = 0.05;  // m, of the last resort
 // Puts robots one after the other.
 class Placer {
  public:
-  Placer(const Standing& standing, Roles roles, CheckedPlacement& result)
-      : s_(standing), pitch_(standing.pitch), roles_(roles), result_(result) {}
+  Placer(const Standing& standing, CheckedPlacement& result)
+      : s_(standing), pitch_(standing.pitch), result_(result) {}
 
   // Leaves a team where it stands.
   void keep(End team, const Placement& standing) {
@@ -48,7 +48,7 @@ class Placer {
  private:
   // The robot that stands in the team's special place, or the one that has to.
   int special_robot(End team, const std::array<Pose, max_robots_per_team>& poses) const {
-    if (roles_ == Roles::fixed) return holder_of_special_place(s_, team);
+    if (s_.roles == Roles::fixed) return holder_of_special_place(s_, team);
     for (int i = 0; i < pitch_.field.robots_per_team; ++i) {
       if (has_special_place(s_, team, poses[i])) return i;
     }
@@ -122,7 +122,6 @@ class Placer {
 
   const Standing& s_;
   const Pitch& pitch_;
-  const Roles roles_;
   CheckedPlacement& result_;
   ByEnd<RobotSet> placed_;
   int in_other_goal_area_ = 0;
@@ -170,19 +169,20 @@ End first_placer(Restart restart, End taker) {
   return opponents_first ? opposite(taker) : taker;
 }
 
-CheckedPlacement check_placement(const Pitch& pitch, Restart restart, End taker, const Vec2& spot,
+CheckedPlacement check_placement(const Pitch& pitch, const Decision& restart, Roles roles,
                                  const Placement& asked) {
-  const Placement defaults = default_placement(pitch.field, restart, taker, spot);
+  const End taker = restart.taker;
+  const Placement defaults = default_placement(pitch, restart.restart, taker, restart.spot);
   CheckedPlacement result;
   result.placement = defaults;
   const bool ball_is_fine = (asked.ball - defaults.ball).squaredNorm() == 0.0 ||
-                            may_lie(pitch, restart, taker, asked.ball);
+                            may_lie(pitch, restart.restart, taker, asked.ball);
   if (ball_is_fine) result.placement.ball = asked.ball;
   result.ball_moved = !ball_is_fine;
 
-  const Standing standing{pitch, restart, taker, defaults, result.placement.ball};
-  const End first = first_placer(restart, taker);
-  Placer placer(standing, Roles::any, result);
+  const Standing standing{pitch, restart.restart, taker, roles, defaults, result.placement.ball};
+  const End first = first_placer(restart.restart, taker);
+  Placer placer(standing, result);
   for (const End team : {first, opposite(first)}) placer.accept(team, asked);
   for (const End team : {first, opposite(first)}) placer.move_the_others(team);
   return result;
@@ -190,8 +190,7 @@ CheckedPlacement check_placement(const Pitch& pitch, Restart restart, End taker,
 
 CheckedPlacement check_turn(const Pitch& pitch, const Decision& restart, End team, Roles roles,
                             const Placement& asked) {
-  const Placement defaults =
-      default_placement(pitch.field, restart.restart, restart.taker, restart.spot);
+  const Placement defaults = default_placement(pitch, restart.restart, restart.taker, restart.spot);
   const bool is_first = team == first_placer(restart.restart, restart.taker);
   CheckedPlacement result;
   // The ball lies where the restart was given, unless the taker may choose and does.
@@ -203,8 +202,9 @@ CheckedPlacement check_turn(const Pitch& pitch, const Decision& restart, End tea
     if (!result.ball_moved) result.placement.ball = asked.ball;
   }
 
-  const Standing standing{pitch, restart.restart, restart.taker, defaults, result.placement.ball};
-  Placer placer(standing, roles, result);
+  const Standing standing{pitch, restart.restart, restart.taker,
+                          roles, defaults,        result.placement.ball};
+  Placer placer(standing, result);
   if (!is_first) placer.keep(opposite(team), asked);
   placer.accept(team, asked);
   placer.move_the_others(team);

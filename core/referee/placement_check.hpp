@@ -10,8 +10,7 @@
 // first free place that the law allows.
 #pragma once
 
-#include "core/referee/laws/law.hpp"
-#include "core/referee/placement.hpp"
+#include "core/referee/standing_rules.hpp"
 
 namespace mirocup::referee {
 
@@ -38,14 +37,8 @@ struct CheckedPlacement {
   bool any_moved() const { return ball_moved || moved[0].any() || moved[1].any(); }
 };
 
-// The robots that may stand in a special place.
-enum class Roles {
-  any,    // whoever is sent there
-  fixed,  // robot 0 as keeper, robot 1 as kicker: in a shoot-out only these two move
-};
-
-// What both teams ask for at once. `taker` and `spot` as in the decision that gave the restart.
-CheckedPlacement check_placement(const Pitch& pitch, Restart restart, End taker, const Vec2& spot,
+// What both teams ask for at once.
+CheckedPlacement check_placement(const Pitch& pitch, const Decision& restart, Roles roles,
                                  const Placement& asked);
 
 // What one team asks for when it is its turn: `asked` has its poses, and the others as they stand.

@@ -205,16 +205,22 @@ std::optional<Decision> Referee::end_after(const Decision& decision) {
 std::optional<Decision> Referee::grant_time_out(const Decision& stoppage) {
   if (stoppage.restart == Restart::none) return std::nullopt;
   for (const End end : {stoppage.taker, opposite(stoppage.taker)}) {
-    int& wanted = time_outs_wanted_[index_of(end)];
-    if (wanted == 0) continue;
-    --wanted;
-    ++now_.time_outs_taken[index_of(end)];
+    const int e = index_of(end);
+    if (time_outs_wanted_[e] == 0) continue;
+    --time_outs_wanted_[e];
+    ++now_.time_outs_taken[e];
     Decision d = stoppage;
     d.verdict = Verdict::TIME_OUT;
     d.law = Law::time_out;
     d.team = end;
     d.robots = {};
     d.reason = "asked for; " + std::to_string(time_outs_left(end)) + " left";
+    if (to_replace_[e].any()) {
+      d.law = Law::substitution;
+      d.robots[e] = std::exchange(to_replace_[e], {});
+      now_.substitutions_made[e] += static_cast<int>(d.robots[e].count());
+      d.reason += ", " + std::to_string(substitutions_left(end)) + " substitutions left";
+    }
     return d;
   }
   return std::nullopt;
@@ -224,21 +230,60 @@ int Referee::time_outs_left(End team) const {
   return pitch_.rules.time_outs - now_.time_outs_taken[index_of(team)];
 }
 
-std::optional<Decision> Referee::ask_for_time_out(End team) {
-  const int taken = now_.time_outs_taken[index_of(team)];
-  int& wanted = time_outs_wanted_[index_of(team)];
-  if (taken + wanted < pitch_.rules.time_outs && now_.phase != Phase::SHOOT_OUT) {
-    ++wanted;
-    return std::nullopt;
-  }
+int Referee::substitutions_left(End team) const {
+  return pitch_.rules.substitutions - now_.substitutions_made[index_of(team)];
+}
+
+Decision Referee::reject(Law law, End team, std::string reason) const {
   Decision d;
   d.verdict = Verdict::REJECTED;
-  d.law = Law::time_out;
+  d.law = law;
   d.clock = now_.clock;
   d.team = team;
-  d.reason = now_.phase == Phase::SHOOT_OUT
-                 ? "there are no time-outs in a shoot-out"
-                 : "the team has had its " + std::to_string(taken + wanted) + " time-outs";
+  d.reason = std::move(reason);
+  return d;
+}
+
+std::optional<Decision> Referee::ask_for_time_out(End team) {
+  const int asked_for = now_.time_outs_taken[index_of(team)] + time_outs_wanted_[index_of(team)];
+  if (now_.phase == Phase::SHOOT_OUT) {
+    return reject(Law::time_out, team, "there are no time-outs in a shoot-out");
+  }
+  if (asked_for >= pitch_.rules.time_outs) {
+    return reject(Law::time_out, team,
+                  "the team has had its " + std::to_string(asked_for) + " time-outs");
+  }
+  ++time_outs_wanted_[index_of(team)];
+  return std::nullopt;
+}
+
+std::optional<Decision> Referee::ask_for_substitution(const RobotId& robot) {
+  RobotSet& to_replace = to_replace_[index_of(robot.end)];
+  const int wanted = static_cast<int>(to_replace.count());
+  if (wanted >= substitutions_left(robot.end)) {
+    return reject(
+        Law::substitution, robot.end,
+        "the team has had its " + std::to_string(pitch_.rules.substitutions) + " substitutions");
+  }
+  if (time_outs_wanted_[index_of(robot.end)] == 0) {
+    if (auto rejected = ask_for_time_out(robot.end)) {
+      rejected->law = Law::substitution;
+      rejected->reason += ", and a substitution needs one";
+      return rejected;
+    }
+  }
+  to_replace.set(robot.index);
+  return std::nullopt;
+}
+
+Decision Referee::substitute_in_break(const RobotId& robot) const {
+  Decision d;
+  d.verdict = Verdict::SUBSTITUTION;
+  d.law = Law::substitution;
+  d.clock = now_.clock;
+  d.team = robot.end;
+  d.names(robot);
+  d.reason = "in the break between the halves there may be any number";
   return d;
 }
 
@@ -266,6 +311,8 @@ void Referee::start_half(Phase phase) {
   std::swap(now_.score[0], now_.score[1]);
   std::swap(now_.time_outs_taken[0], now_.time_outs_taken[1]);
   std::swap(time_outs_wanted_[0], time_outs_wanted_[1]);
+  std::swap(now_.substitutions_made[0], now_.substitutions_made[1]);
+  std::swap(to_replace_[0], to_replace_[1]);
 }
 
 void Referee::start_extra_time(End first) {

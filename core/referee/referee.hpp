@@ -28,6 +28,7 @@ struct Progress {
   ShootOut shoot_out{};
   End first = End::left;  // who begins the phase: kicks off, takes the first attempt
   ByEnd<int> time_outs_taken{};
+  ByEnd<int> substitutions_made{};  // while play was on
 };
 
 // What the referee counts about one team, for those who want to know before the whistle. Seconds
@@ -88,6 +89,14 @@ class Referee {
   std::optional<Decision> ask_for_time_out(End team);
   int time_outs_left(End team) const;
 
+  // A team wants another robot in the place of this one: in a time-out, which is asked for with it
+  // if none is. The decision if it is rejected.
+  std::optional<Decision> ask_for_substitution(const RobotId& robot);
+  int substitutions_left(End team) const;
+
+  // The same in the break between the halves, where everybody may.
+  Decision substitute_in_break(const RobotId& robot) const;
+
  private:
   Judgement judge_attempt(const Situation& situation);
   bool is_time_up(const Situation& situation, const std::optional<Decision>& goal);
@@ -96,6 +105,7 @@ class Referee {
   std::optional<Decision> shoot_out_end(const Decision& attempt) const;
   std::optional<Decision> grant_time_out(const Decision& stoppage);
   std::optional<Decision> end_after(const Decision& decision);
+  Decision reject(Law law, End team, std::string reason) const;
   double phase_length() const;
 
   Pitch pitch_;
@@ -103,6 +113,7 @@ class Referee {
   LawBook book_;
   std::optional<RobotId> last_touch_;
   ByEnd<int> time_outs_wanted_{};
+  ByEnd<RobotSet> to_replace_;  // in the next time-out of the team
 };
 
 }  // namespace mirocup::referee

@@ -34,6 +34,7 @@ void change_to_vsss(Rules& rules, League league) {
   rules.push_dist_m = off;
   rules.kickoff_backward_required = false;
   rules.kickoff_limit_s = off;
+  rules.kickoff_behind = true;
   rules.pa_def_max = 0;
   if (league == League::small) return;
   rules.half_break_s = 240.0;

@@ -41,8 +41,10 @@ struct Rules {
   double attempt_hold_s = 1.0;     // the keeper alone touches the ball for so long: held
   int time_outs = 2;               // of each team
   double time_out_s = 120.0;
-  int mercy_goal_diff = 10;  // a lead of so many ends the match
-  int forfeit_goals = 10;    // a forfeit counts as 0 to so many
+  int substitutions = 2;       // of each team while play is on; in the break any number
+  double half_late_s = 300.0;  // a team that is not back after the break is waited for
+  int mercy_goal_diff = 10;    // a lead of so many ends the match
+  int forfeit_goals = 10;      // a forfeit counts as 0 to so many
   double ready_s = 0.33;  // between placement and whistle; robots stand, teams choose and see where
 
   // What several laws mean by their words.
@@ -58,6 +60,7 @@ struct Rules {
   bool kickoff_backward_required = true;  // the ball goes towards the taker's own side first
   double kickoff_move_m = 0.05;           // when it has moved so far, its side is judged
   double kickoff_limit_s = 5.0;           // until the ball is touched
+  bool kickoff_behind = false;            // the kicker stands on its own side of the ball
 
   // Crowded areas.
   int def_max = 1;            // robots of the defenders in their goal area
@@ -87,12 +90,15 @@ struct Rules {
   double cooldown_s = 2.0;            // the same pair is not called again
   double collision_mps = off;         // a closing speed that could do harm
   double collision_differ_mps = 0.3;  // one of the two is faster by so much
+  bool collision_foul = false;        // it is called like a push, not only noted
   double hide_m = 0.0128;             // the ball is inside a robot's outline by so much
   double hide_s = 0.2;
   bool wall_push = false;        // pushing the ball along an end wall is an offence
   double wall_ball_m = 0.08;     // the ball's centre is this near to the end wall
   double wall_robot_m = 0.0669;  // and a robot's centre this near to the ball
   double wall_s = 50.0 / 60.0;   // robots of both teams for so long
+
+  bool hand_penalty = false;  // who reaches onto the field gives a penalty kick away
 };
 
 // The rules of a preset. Some depend on the league's size (vsss: 3 or 5 a side).

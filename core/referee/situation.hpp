@@ -47,6 +47,9 @@ struct Situation {
   // The last robot that touched the ball, in this tick or before.
   std::optional<RobotId> last_touch;
 
+  ByEnd<bool> hand{};      // somebody of the team reached onto the field in this tick
+  ByEnd<RobotSet> fallen;  // robots that lie on their side: in films only
+
   const Pose& pose(const RobotId& id) const { return robots[index_of(id.end)][id.index]; }
   bool touches_ball(const RobotId& id) const { return touched_ball[index_of(id.end)][id.index]; }
   bool touch(const RobotId& robot, int opponent) const {

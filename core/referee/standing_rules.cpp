@@ -133,8 +133,9 @@ bool has_special_place(const Standing& s, End team, const Pose& robot) {
     case Restart::KICK_OFF:
       return false;
     case Restart::PENALTY_KICK:
-      return takes ? behind_ball(s, team, robot) && !in_own_half(s.pitch, team, robot)
-                   : on_goal_line(s.pitch, team, robot);
+      if (takes) return behind_ball(s, team, robot) && !in_own_half(s.pitch, team, robot);
+      return on_goal_line(s.pitch, team, robot) ||
+             (s.roles == Roles::fixed && in_goal_area(s.pitch, team, robot));
     case Restart::GOAL_KICK:
       return takes && in_goal_area(s.pitch, team, robot);
     case Restart::FREE_KICK:

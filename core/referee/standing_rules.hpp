@@ -9,11 +9,18 @@
 
 namespace mirocup::referee {
 
+// The robots that may stand in a special place.
+enum class Roles {
+  any,    // whoever is sent there
+  fixed,  // in a shoot-out, where only two robots move: robot 1 as kicker, robot 0 as keeper
+};
+
 // The restart that is placed. Positions in it are in the field's frame.
 struct Standing {
   const Pitch& pitch;
   Restart restart = Restart::none;
   End taker = End::left;
+  Roles roles = Roles::any;
   const Placement& defaults;
   Vec2 ball{0.0, 0.0};
 };
@@ -25,7 +32,7 @@ bool is_inside_walls(const Pitch& pitch, const Pose& robot);
 bool may_stand(const Standing& standing, End team, const Pose& robot);
 
 // Does the robot stand where one robot of its team may, or must, stand alone: the kicker behind the
-// ball, the keeper on its line, a contender at its place?
+// ball, the keeper on its line (in a shoot-out anywhere in its goal area), a contender at its place?
 bool has_special_place(const Standing& standing, End team, const Pose& robot);
 
 // The robot that takes the special place if nobody stands there of its own will; -1: nobody has to.

@@ -17,11 +17,13 @@ Recording record(const match::Match& match, Trace trace) {
 }
 
 std::optional<match::Poses> asked_in(const Recording& recording, std::uint32_t tick, Team team) {
-  const auto at = std::lower_bound(
+  auto at = std::lower_bound(
       recording.asked.begin(), recording.asked.end(), tick,
       [](const match::LoggedPoses& logged, std::uint32_t t) { return logged.tick < t; });
-  if (at == recording.asked.end() || at->tick != tick || at->team != team) return std::nullopt;
-  return at->poses;
+  for (; at != recording.asked.end() && at->tick == tick; ++at) {
+    if (at->team == team) return at->poses;
+  }
+  return std::nullopt;
 }
 
 }  // namespace mirocup::replay

@@ -91,6 +91,11 @@ Situation Film::sample(int k) const {
   s.ball_before = k == 0 ? now.ball : instant(t - sample_period).ball;
   s.robots = now.robots;
   const KeyFrame& frame = frame_at(t);
+  s.fallen = frame.fallen;
+  for (const Hand& hand : trace_.hands) {
+    const bool is_now = hand.t <= t && (k == 0 || hand.t > t - sample_period);
+    if (is_now) s.hand[index_of(hand.team)] = true;
+  }
   if (k > 0) add_motion(t, s);
   add_contacts(frame, s);
   add_drives(frame, s);

@@ -206,7 +206,10 @@ Budget budget_of(const Json& json) {
 match::Setup setup_of(const Json& json) {
   match::Setup setup;
   setup.league = named<League>(json.at("league"));
-  auto rules = rules_from_json(json.at("rules"), Errc::damaged, setup.league);
+  Json parameters = json.at("rules");
+  // Records from before there was this one were played without it, whatever their preset.
+  if (parameters.is_object()) parameters.emplace("kickoff_behind", false);
+  auto rules = rules_from_json(parameters, Errc::damaged, setup.league);
   if (!rules) throw Damage{rules.error().what};
   setup.rules = *rules;
   setup.stage = named<referee::Stage>(json.at("stage"));

@@ -27,6 +27,8 @@ void for_each_parameter(R& rules, Visit visit) {
   visit("attempt_hold_s", rules.attempt_hold_s);
   visit("time_outs", rules.time_outs);
   visit("time_out_s", rules.time_out_s);
+  visit("substitutions", rules.substitutions);
+  visit("half_late_s", rules.half_late_s);
   visit("mercy_goal_diff", rules.mercy_goal_diff);
   visit("forfeit_goals", rules.forfeit_goals);
   visit("ready_s", rules.ready_s);
@@ -39,6 +41,7 @@ void for_each_parameter(R& rules, Visit visit) {
   visit("kickoff_backward_required", rules.kickoff_backward_required);
   visit("kickoff_move_m", rules.kickoff_move_m);
   visit("kickoff_limit_s", rules.kickoff_limit_s);
+  visit("kickoff_behind", rules.kickoff_behind);
   visit("def_max", rules.def_max);
   visit("pa_def_max", rules.pa_def_max);
   visit("def_dwell_s", rules.def_dwell_s);
@@ -60,12 +63,14 @@ void for_each_parameter(R& rules, Visit visit) {
   visit("cooldown_s", rules.cooldown_s);
   visit("collision_mps", rules.collision_mps);
   visit("collision_differ_mps", rules.collision_differ_mps);
+  visit("collision_foul", rules.collision_foul);
   visit("hide_m", rules.hide_m);
   visit("hide_s", rules.hide_s);
   visit("wall_push", rules.wall_push);
   visit("wall_ball_m", rules.wall_ball_m);
   visit("wall_robot_m", rules.wall_robot_m);
   visit("wall_s", rules.wall_s);
+  visit("hand_penalty", rules.hand_penalty);
 }
 
 Json json_of(double value) {

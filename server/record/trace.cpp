@@ -97,6 +97,13 @@ KeyFrame frame_of(const Json& json, KeyFrame frame, int robots) {
   if (json.contains("last_touch")) {
     frame.last_touch = robot_of(json["last_touch"].get<std::string>(), robots);
   }
+  if (json.contains("fallen")) {
+    frame.fallen = {};
+    for (const Json& name : json["fallen"]) {
+      const RobotId robot = robot_of(name.get<std::string>(), robots);
+      frame.fallen[index_of(robot.end)].set(robot.index);
+    }
+  }
   return frame;
 }
 
@@ -168,8 +175,8 @@ referee::Decision restart_of(const Json& json, const Trace& trace, const field::
 
 void read_asked(const Json& json, const field::Field& field, Trace& trace) {
   if (trace.state != TraceState::PLACE) return;
-  trace.asked =
-      default_placement(field, trace.restart.restart, trace.restart.taker, trace.restart.spot);
+  trace.asked = default_placement({field, trace.rules}, trace.restart.restart, trace.restart.taker,
+                                  trace.restart.spot);
   const Json place = json.value("place", Json::object());
   if (place.contains("ball")) trace.asked->ball = point_of(place["ball"]);
   referee::ByEnd<std::vector<Pose>> robots;
@@ -178,6 +185,25 @@ void read_asked(const Json& json, const field::Field& field, Trace& trace) {
     const int e = index_of(end);
     trace.asked_robots[e] = static_cast<int>(robots[e].size());
     std::copy(robots[e].begin(), robots[e].end(), trace.asked->robots[e].begin());
+  }
+}
+
+void read_events(const Json& json, int robots, Trace& trace) {
+  for (const Json& event : json.value("events", Json::array())) {
+    const double t = event.value("t", 0.0);
+    if (event.contains("call")) {
+      trace.calls.push_back({t, end_of(event["call"].get<std::string>(), "events/call"), {}});
+    }
+    if (event.contains("substitute")) {
+      const RobotId robot = robot_of(event["substitute"].get<std::string>(), robots);
+      trace.calls.push_back({t, robot.end, robot});
+    }
+    if (event.contains("hand")) {
+      trace.hands.push_back({t, end_of(event["hand"].get<std::string>(), "events/hand")});
+    }
+  }
+  for (const Json& team : json.value("missing", Json::array())) {
+    trace.missing[index_of(end_of(team.get<std::string>(), "missing"))] = true;
   }
 }
 
@@ -202,11 +228,7 @@ Trace trace_of(const Json& json) {
   for (const Json& stop : json.value("clock_stops", Json::array())) {
     trace.clock_stops.emplace_back(stop.at(0).get<double>(), stop.at(1).get<double>());
   }
-  for (const Json& event : json.value("events", Json::array())) {
-    if (!event.contains("call")) continue;
-    trace.calls.push_back(
-        {event.at("t").get<double>(), end_of(event["call"].get<std::string>(), "events/call")});
-  }
+  read_events(json, field.robots_per_team, trace);
   read_asked(json, field, trace);
   return trace;
 }

@@ -29,6 +29,7 @@ struct KeyFrame {
   std::optional<std::vector<Contact>> contacts;
   referee::ByRobot<std::optional<double>> drive{};  // towards the robot that it touches
   std::optional<referee::RobotId> last_touch;
+  referee::ByEnd<referee::RobotSet> fallen;
 };
 
 // How the ball moves on from its frame.
@@ -42,7 +43,15 @@ struct Motion {
 
 enum class TraceState { PLAY, READY, PLACE, HALF_TIME };
 
-struct TimeOutCall {
+// What a team asks for: a time-out, or another robot in the place of one.
+struct Call {
+  double t = 0.0;
+  End team = End::left;
+  std::optional<referee::RobotId> to_replace;
+};
+
+// Somebody of a team reaches onto the field.
+struct Hand {
   double t = 0.0;
   End team = End::left;
 };
@@ -67,7 +76,9 @@ struct Trace {
   std::vector<std::pair<double, double>> clock_stops;
   std::optional<referee::Placement> asked;  // with state PLACE
   referee::ByEnd<int> asked_robots{};       // how many poses each team gave
-  std::vector<TimeOutCall> calls;
+  std::vector<Call> calls;
+  std::vector<Hand> hands;
+  referee::ByEnd<bool> missing{};  // with state HALF_TIME: teams that do not come back
   std::optional<Attempt> attempt;
 };
 

@@ -106,12 +106,19 @@ class Viewer {
     return none();
   }
 
-  // Time-outs asked for until now: rejected at once, or granted at once where play stands.
+  std::optional<Decision> ask(const Call& call) {
+    if (!call.to_replace) return referee_.ask_for_time_out(call.team);
+    if (trace_.state == TraceState::HALF_TIME)
+      return referee_.substitute_in_break(*call.to_replace);
+    return referee_.ask_for_substitution(*call.to_replace);
+  }
+
+  // What was asked for until now: rejected at once, or granted at once where play stands.
   std::optional<Json> answer_calls(double t) {
     for (; calls_answered_ < trace_.calls.size(); ++calls_answered_) {
-      const TimeOutCall& call = trace_.calls[calls_answered_];
+      const Call& call = trace_.calls[calls_answered_];
       if (call.t > t + 1e-9) break;
-      if (const auto rejected = referee_.ask_for_time_out(call.team)) {
+      if (const auto rejected = ask(call)) {
         ++calls_answered_;
         return verdict(*rejected, call.t);
       }
@@ -127,11 +134,16 @@ class Viewer {
     return std::nullopt;
   }
 
+  // After the break, and the time that a team may be late.
   Json wait_for_second_half() {
+    const auto& missing = trace_.missing;
+    const bool waits = missing[0] || missing[1];
+    const double patience = trace_.rules.half_break_s + (waits ? trace_.rules.half_late_s : 0.0);
     for (int k = 0; k <= film_.last_sample(); ++k) {
       const double t = k * sample_period;
       if (auto answer = answer_calls(t)) return *answer;
-      if (t + sample_period / 2.0 < trace_.rules.half_break_s) continue;
+      if (t + sample_period / 2.0 < patience) continue;
+      if (waits) return verdict(forfeit(), t);
       Decision d = trace_.restart;
       d.verdict = Verdict::RESTART;
       d.law = referee::Law::half_time;
@@ -142,10 +154,23 @@ class Viewer {
     return none();
   }
 
+  Decision forfeit() const {
+    const auto& missing = trace_.missing;
+    Decision d;
+    d.verdict = Verdict::FORFEIT;
+    d.law = referee::Law::forfeit;
+    if (!(missing[0] && missing[1])) d.team = missing[0] ? End::right : End::left;
+    d.reason = (d.team ? "a team is not back " : "neither team is back ") +
+               referee::fixed(trace_.rules.half_late_s, 0) + " s after the end of the break";
+    return d;
+  }
+
   Json place() {
     if (auto answer = answer_calls(trace_.hold.value_or(0.0))) return *answer;
-    const referee::CheckedPlacement checked = check_placement(
-        pitch_, trace_.restart.restart, trace_.restart.taker, trace_.restart.spot, *trace_.asked);
+    const auto roles = trace_.progress.phase == referee::Phase::SHOOT_OUT ? referee::Roles::fixed
+                                                                          : referee::Roles::any;
+    const referee::CheckedPlacement checked =
+        check_placement(pitch_, trace_.restart, roles, *trace_.asked);
     Decision d = trace_.restart;
     d.verdict = checked.any_moved() ? Verdict::PLACEMENT_FIXED : Verdict::RESTART;
     d.law = referee::Law::placement;
@@ -197,12 +222,16 @@ class Viewer {
         json["own_goal"] = d.law == referee::Law::own_goal;
         break;
       case Verdict::MATCH_END:
+      case Verdict::FORFEIT:
         json["winner"] = d.team ? Json(letter(*d.team)) : Json();
         break;
       case Verdict::TIME_OUT:
         json["team"] = letter(*d.team);
         json["duration"] = trace_.rules.time_out_s;
         json["remaining"] = referee_.time_outs_left(*d.team);
+        if (d.law == referee::Law::substitution) {
+          json["substitutions_left"] = referee_.substitutions_left(*d.team);
+        }
         break;
       case Verdict::ATTEMPT_END:
         json["team"] = letter(*d.team);
@@ -221,7 +250,7 @@ class Viewer {
 
   void add_restart(const Decision& d, Json& json) const {
     if (d.restart == Restart::none || d.verdict == Verdict::TIME_OUT) return;
-    const Placement placed = default_placement(field_, d.restart, d.taker, d.spot);
+    const Placement placed = default_placement(pitch_, d.restart, d.taker, d.spot);
     json["restart"] = to_string(d.restart);
     json["ball"] = point(placed.ball);
     if (d.restart == Restart::FREE_BALL) {

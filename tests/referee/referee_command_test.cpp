@@ -70,7 +70,8 @@ json turned(const json& value, const std::string& key) {
     const bool names_somebody = key == "taker" || key == "for" || key == "winner" ||
                                 key == "team" || key == "places_first" || key == "next_taker" ||
                                 key == "last_touch" || key == "call" || key == "robots" ||
-                                key == "contacts";
+                                key == "contacts" || key == "hand" || key == "fallen" ||
+                                key == "substitute" || key == "missing";
     return names_somebody ? json(other(value.get<std::string>())) : value;
   }
   if (value.is_object()) return turned_object(value);

@@ -41,7 +41,8 @@ test_support::Scripted controller(std::uint64_t kind, std::uint64_t seed, const 
   }
 }
 
-// The same team, which asks for places at restarts, too: some legal, some not.
+// The same team, which asks for places at restarts, too: some legal, some not; and sometimes when it
+// is not its turn.
 test_support::Scripted restless(test_support::Scripted team, std::uint64_t seed,
                                 const Setup& setup) {
   const field::Field field = field::make_field(setup.league);
@@ -50,7 +51,7 @@ test_support::Scripted restless(test_support::Scripted team, std::uint64_t seed,
         team.post(o);
         Answer answer = team.collect();
         auto* command = std::get_if<Command>(&answer);
-        if (command == nullptr || !o.placing) return answer;
+        if (command == nullptr || (!o.placing && random.below(300) > 0)) return answer;
         command->poses = standing(o);
         const auto within = [&random](double size) { return random.uniform(-1.1, 1.1) * size; };
         for (int i = 0; i < o.robots; ++i) {
@@ -80,6 +81,7 @@ Setup setup_of(int number) {
   setup.rules.shoot_out_most_rounds = 6;
   setup.rules.stalemate_s = 3.0;
   if (setup.rules.keeper_hold_s != referee::off) setup.rules.keeper_hold_s = 2.0;
+  setup.rules.hand_penalty = random.coin();
   return setup;
 }
 
@@ -164,7 +166,7 @@ TEST(Soak, EveryMatchEndsByALawAndAddsUp) {
         "two_attackers GOAL_KICK", "keeper_charge GOAL_KICK", "stalemate FREE_BALL",
         "push FREE_KICK", "attacking_push FREE_BALL", "half_time HALF_END", "extra_time PHASE",
         "shoot_out PHASE", "penalty_attempt ATTEMPT_END", "shoot_out MATCH_END",
-        "placement PLACEMENT_FIXED"}) {
+        "placement PLACEMENT_FIXED", "hand PENALTY_KICK"}) {
     EXPECT_GT(laws[law], 0) << law << " was never seen";
   }
 }

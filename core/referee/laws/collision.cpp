@@ -28,7 +28,7 @@ std::optional<Decision> judge_collision(const Pitch& pitch, const Situation& s,
                                         CollisionMemory& memory) {
   const Rules& rules = pitch.rules;
   if (rules.collision_mps == off) return std::nullopt;
-  std::optional<Decision> noted;
+  std::optional<Decision> found;
   const int n = pitch.field.robots_per_team;
   for (const End end : both_ends) {
     for (double& muted : memory.muted_s[index_of(end)]) muted = std::max(muted - s.duration, 0.0);
@@ -38,7 +38,7 @@ std::optional<Decision> judge_collision(const Pitch& pitch, const Situation& s,
     const RobotSet fresh = s.touched_opponents[0][i] & ~memory.touched[0][i];
     memory.touched[0][i] = s.touched_opponents[0][i];
     for (int j = 0; j < n && fresh.any(); ++j) {
-      if (!fresh[j] || noted) continue;
+      if (!fresh[j] || found) continue;
       const RobotId right{End::right, j};
       const Meeting meeting = meeting_of(s, left, right);
       if (meeting.closing <= rules.collision_mps ||
@@ -49,16 +49,21 @@ std::optional<Decision> judge_collision(const Pitch& pitch, const Situation& s,
       double& muted = memory.muted_s[index_of(faster.end)][faster.index];
       if (muted > 0.0) continue;
       muted = rules.cooldown_s;
-      noted = decide(Verdict::NONE, Law::collision, s,
-                     name_of(left) + " and " + name_of(right) + " met at " +
-                         fixed(meeting.closing, 2) + " m/s, " + name_of(faster) + " faster by " +
-                         fixed(std::abs(meeting.difference), 2) + " m/s");
-      noted->team = faster.end;
-      noted->names(left);
-      noted->names(right);
+      const std::string reason = name_of(left) + " and " + name_of(right) + " met at " +
+                                 fixed(meeting.closing, 2) + " m/s, " + name_of(faster) +
+                                 " faster by " + fixed(std::abs(meeting.difference), 2) + " m/s";
+      if (rules.collision_foul) {
+        found = call_push(pitch, s, faster, faster == left ? right : left, reason);
+        found->law = Law::collision;
+        continue;
+      }
+      found = decide(Verdict::NONE, Law::collision, s, reason);
+      found->team = faster.end;
+      found->names(left);
+      found->names(right);
     }
   }
-  return noted;
+  return found;
 }
 
 }  // namespace mirocup::referee

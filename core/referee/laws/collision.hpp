@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // A dangerous collision. Source: MiroSot law 8.1, "potential to harm"; simulated robots do not
-// break, so it is off unless the parameter is set, and then it is only noted: two robots meet
-// faster than the parameter and one is clearly the faster.
+// break, so it is off unless the parameter is set: two robots meet faster than that and one is
+// clearly the faster. It is only noted, or, where a second parameter says so, called like a push by
+// the faster one.
 #pragma once
 
-#include "core/referee/laws/law.hpp"
+#include "core/referee/laws/push.hpp"
 
 #include <array>
 

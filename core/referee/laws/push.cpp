@@ -28,11 +28,10 @@ bool is_moved(const Pitch& pitch, const Situation& s, const RobotId& pusher, con
   return std::abs(atan2(cross(way, moved), way.dot(moved))) <= pitch.rules.push_angle_rad;
 }
 
-Decision call(const Pitch& pitch, const Situation& s, const RobotId& pusher, const RobotId& pushed,
-              const Vec2& from) {
-  const double moved = std::sqrt((s.pose(pushed).position - from).squaredNorm());
-  std::string reason =
-      name_of(pusher) + " pushed " + name_of(pushed) + " " + fixed(moved, 3) + " m";
+}  // namespace
+
+Decision call_push(const Pitch& pitch, const Situation& s, const RobotId& pusher,
+                   const RobotId& pushed, std::string reason) {
   const bool defends =
       ball_in_half(s, pusher.end) || (s.last_touch && s.last_touch->end == pushed.end);
   Decision d;
@@ -54,8 +53,6 @@ Decision call(const Pitch& pitch, const Situation& s, const RobotId& pusher, con
   d.names(pushed);
   return d;
 }
-
-}  // namespace
 
 std::optional<Decision> judge_push(const Pitch& pitch, const Situation& s, const Watch& watch,
                                    PushMemory& memory) {
@@ -84,7 +81,10 @@ std::optional<Decision> judge_push(const Pitch& pitch, const Situation& s, const
         if (called || push.muted_s > 0.0 || !is_moved(pitch, s, pusher, pushed, push.from)) {
           continue;
         }
-        called = call(pitch, s, pusher, pushed, push.from);
+        const Vec2 moved = s.pose(pushed).position - push.from;
+        called = call_push(pitch, s, pusher, pushed,
+                           name_of(pusher) + " pushed " + name_of(pushed) + " " +
+                               fixed(std::sqrt(moved.squaredNorm()), 3) + " m");
         push.is_on = false;
         push.muted_s = rules.cooldown_s;
       }

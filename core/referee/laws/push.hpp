@@ -25,6 +25,10 @@ struct PushMemory {
   ByRobot<RobotSet> on{};  // which pairs there are to look at
 };
 
+// What follows when one robot pushed another, by which side it was; `reason` says what it did.
+Decision call_push(const Pitch& pitch, const Situation& situation, const RobotId& pusher,
+                   const RobotId& pushed, std::string reason);
+
 // By the defending side: a free kick, called without the advantage, which is the referee's
 // business. By the attacking side: a free ball or a goal kick.
 std::optional<Decision> judge_push(const Pitch& pitch, const Situation& situation,

@@ -46,9 +46,9 @@
  *                  robot in its goal area, the others on the default places, whoever takes which
  *     free ball    one robot of each team on its default place, all others outside that quarter,
  *                  robot 0 also in its goal area
- *   In a shoot-out robot 1 takes and robot 0 keeps. A robot that may not stand where you want it is
- *   moved to its default place or the nearest free one, and the record says why; nothing worse
- *   happens.
+ *   In a shoot-out robot 1 takes and robot 0 keeps, which may begin anywhere in its goal area. A
+ *   robot that may not stand where you want it is moved to its default place or the nearest free
+ *   one, and the record says why; nothing worse happens.
  *
  * Time
  *   A match is played as fast as both teams answer; what is counted is your processor time. A leg

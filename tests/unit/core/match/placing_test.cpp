@@ -141,6 +141,75 @@ TEST(Placing, IsNotForWhoseTurnItIsNot) {
   EXPECT_EQ(match.scene().robots[1][1].position, before);
 }
 
+TEST(Placing, LeavesATeamThatIsLateInItsDefaultPlaces) {
+  Match plain(short_setup(4));
+  Match late(short_setup(4));
+  Scripted a = standing(), b = standing();
+  const auto sleeper = [] {
+    return Scripted([](const Observation& o) -> Answer {
+      if (o.placing) return Late{};
+      return Command{};
+    });
+  };
+  Scripted c = sleeper(), d = sleeper();
+  play(plain, a, b);
+  play(late, c, d);
+  EXPECT_EQ(plain.state_hash(), late.state_hash());
+  EXPECT_TRUE(late.asked().empty());
+  EXPECT_GT(late.late_ticks()[0], 0);
+}
+
+// Where the league calls it. Catches one that is called while play stands, one against the wrong
+// team, and a record that does not say what happened.
+TEST(Placing, OutOfTurnIsAHandOnTheField) {
+  for (const Team offender : both_teams) {
+    for (const bool is_called : {false, true}) {
+      match::Setup setup = short_setup(6);
+      setup.rules.hand_penalty = is_called;
+      Match match(setup);
+      Scripted reaches([](const Observation& o) -> Answer {
+        Command command;
+        if (o.state == State::READY || o.tick == 20) command.poses = match::standing(o);
+        return command;
+      });
+      Scripted stands = standing();
+      const bool is_blue = offender == Team::blue;
+      play(match, is_blue ? reaches : stands, is_blue ? stands : reaches);
+      int called = 0;
+      for (const LoggedDecision& logged : match.decisions()) {
+        if (logged.decision.law != referee::Law::hand) continue;
+        ++called;
+        EXPECT_EQ(logged.tick, 20u);
+        EXPECT_EQ(logged.team, offender);
+        EXPECT_EQ(logged.taker, opponent_of(offender));
+        EXPECT_EQ(logged.decision.verdict, referee::Verdict::PENALTY_KICK);
+      }
+      EXPECT_EQ(called, is_called ? 1 : 0);
+      EXPECT_EQ(match.asked().size(), is_called ? 1u : 0u);
+      EXPECT_FALSE(replay::verify(replay::record(match)));
+    }
+  }
+}
+
+// Both in one tick: what each of them did is played again from the record.
+TEST(Placing, OutOfTurnByBothTeamsIsRecordedOfBoth) {
+  match::Setup setup = short_setup(6);
+  setup.rules.hand_penalty = true;
+  Match match(setup);
+  const auto reaching = [] {
+    return Scripted([](const Observation& o) -> Answer {
+      Command command;
+      if (o.tick == 20) command.poses = match::standing(o);
+      return command;
+    });
+  };
+  Scripted blue = reaching(), yellow = reaching();
+  play(match, blue, yellow);
+  const replay::Recording recording = replay::record(match);
+  for (const Team team : both_teams) EXPECT_TRUE(asked_in(recording, 20, team)) << to_string(team);
+  EXPECT_FALSE(replay::verify(recording));
+}
+
 // Any numbers at all, in all leagues and at many restarts: everything stands legally, the leg goes
 // on, and plays again from its record alone.
 TEST(Placing, SurvivesAnything) {

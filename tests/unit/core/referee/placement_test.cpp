@@ -18,6 +18,7 @@ struct Case {
   Restart restart;
   End taker;
   Vec2 spot;
+  bool behind = false;  // the kicker at a kick-off, as in vsss
 };
 
 std::vector<Case> all_cases() {
@@ -29,6 +30,7 @@ std::vector<Case> all_cases() {
            {Restart::KICK_OFF, Restart::GOAL_KICK, Restart::PENALTY_KICK, Restart::FREE_KICK}) {
         cases.push_back({league, restart, taker, {0.0, 0.0}});
       }
+      cases.push_back({league, Restart::KICK_OFF, taker, {0.0, 0.0}, true});
     }
     for (const double x : {-1.0, 1.0}) {
       for (const double y : {-1.0, 1.0}) {
@@ -44,7 +46,13 @@ class DefaultPlacement : public testing::TestWithParam<Case> {
  protected:
   DefaultPlacement()
       : field_(field::make_field(GetParam().league)),
-        placed_(default_placement(field_, GetParam().restart, GetParam().taker, GetParam().spot)) {}
+        placed_(placed(GetParam().behind ? Preset::vsss : Preset::mirosot)) {}
+
+  Placement placed(Preset preset) const {
+    const Rules rules = make_rules(preset);
+    return default_placement({field_, rules, 0.02135, 0.075}, GetParam().restart, GetParam().taker,
+                             GetParam().spot);
+  }
 
   // In the taker's frame.
   Vec2 own(int i) const { return at(GetParam().taker, i); }
@@ -94,6 +102,7 @@ TEST_P(DefaultPlacement, KeepsTheRuleOfItsRestart) {
         EXPECT_GE(opponent(i).x(), half) << i;
         EXPECT_GE(opponent(i).norm() - half, field_.centre_circle_radius) << i;
       }
+      EXPECT_EQ(own(1), (Vec2{GetParam().behind ? -0.08 : 0.08, 0.0}));
       break;
     case Restart::PENALTY_KICK:
       EXPECT_NEAR(ball().x(), field_.penalty_mark_x, 1e-12);
