@@ -40,7 +40,8 @@ int gettimeofday(struct timeval* now, void* zone) {
 }
 
 /* Who waits until a time of day means its own. */
-int pthread_cond_timedwait(pthread_cond_t* condition, pthread_mutex_t* mutex, const struct timespec* until) {
+int pthread_cond_timedwait(pthread_cond_t* condition, pthread_mutex_t* mutex,
+                           const struct timespec* until) {
   int (*real)(pthread_cond_t*, pthread_mutex_t*, const struct timespec*) = NULL;
   struct timespec later = *until;
   *(void**)&real = dlsym(RTLD_NEXT, "pthread_cond_timedwait");
