@@ -20,6 +20,7 @@ struct Options {
   std::string output;
   std::optional<double> at;  // s since the match began
   bool svg = false;
+  bool no_times = false;
 };
 
 tl::expected<std::string, replay::Divergence> picture_at(const replay::Recording& recording,
@@ -45,8 +46,9 @@ Result<int> run_replay(const Options& options) {
   record::Disk disk;
   const auto record = record::load(disk, options.record);
   if (!record) return tl::unexpected(record.error());
+  const web::Times times = options.no_times ? web::Times::left_out : web::Times::shown;
   const auto made =
-      options.svg ? picture_at(record->recording, *options.at) : web::replay_page(*record);
+      options.svg ? picture_at(record->recording, *options.at) : web::replay_page(*record, times);
   if (!made && record::is_of_another_game(*record)) {
     return tl::unexpected(record::another_game(options.record, *record, made.error().tick));
   }
@@ -72,6 +74,8 @@ void add_replay(CLI::App& app, Run& run) {
   command->add_option("--at", options->at, "a moment, in seconds since the match began")
       ->check(CLI::Range(0.0, 1e6));
   command->add_flag("--svg", options->svg, "a still picture of that moment");
+  command->add_flag("--no-times", options->no_times,
+                    "leave out what a clock measured: the page is the same whoever played the leg");
   command->callback([options, &run] { run = [options] { return run_replay(*options); }; });
 }
 
