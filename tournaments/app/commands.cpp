@@ -6,6 +6,7 @@
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/site.hpp"
 #include "tournaments/run/runner.hpp"
+#include "tournaments/run/slurm_runner.hpp"
 
 #include <csignal>
 #include <filesystem>
@@ -24,7 +25,8 @@ struct Options {
   std::string format;              // init
   double half_s = 0.0;             // init; 0: as the rules say
   std::uint64_t seed = 1;          // init
-  int jobs = 0;                    // start
+  std::string engine = "local";    // start
+  int jobs = 0;                    // start; 0: as many as there are processors
   bool now = false;                // stop
   std::string output;              // export
   bool json = false;
@@ -112,6 +114,21 @@ void say_what_is_left(const LeagueState& state) {
   }
 }
 
+// Where the league stands when nothing is left that can be played.
+Result<LeagueState> play(record::Files& files, Book book, Progress& progress,
+                         const Options& options) {
+  const auto state_of = [](auto& runner, const Result<int>& left) -> Result<LeagueState> {
+    if (!left) return tl::unexpected(left.error());
+    return runner.state();
+  };
+  if (options.engine == "slurm") {
+    SlurmRunner runner(files, std::move(book), progress);
+    return state_of(runner, runner.run(options.jobs));
+  }
+  Runner runner(files, std::move(book), progress);
+  return state_of(runner, runner.run({.jobs = options.jobs}));
+}
+
 Result<int> start(const Options& options) {
   record::Disk disk;
   const Folder folder{options.folder};
@@ -127,16 +144,17 @@ Result<int> start(const Options& options) {
   }
 
   const auto progress = make_progress();
-  Runner runner(disk, std::move(*book), *progress);
-  const auto left = runner.run({.jobs = options.jobs});
-  if (!left) return tl::unexpected(left.error());
+  const auto played = play(disk, std::move(*book), *progress, options);
+  if (!played) return tl::unexpected(played.error());
   progress->say("making pages");
-  if (auto published = publish_site(disk, folder, runner.state()); !published) {
+  if (auto published = publish_site(disk, folder, *played); !published) {
     return tl::unexpected(published.error());
   }
-  std::cout << table_text(runner.state());
-  if (*left == 0) return exit_yes;
-  say_what_is_left(runner.state());
+  std::cout << table_text(*played);
+  if (played->legs() == played->played()) return exit_yes;
+  say_what_is_left(*played);
+  if (options.engine != "local")
+    std::cerr << "mirocup: what teams over DDS play is left to league start without --engine\n";
   return exit_no;
 }
 
@@ -230,6 +248,10 @@ void add_init(CLI::App& app, Run& run) {
 void add_start(CLI::App& app, Run& run) {
   auto options = std::make_shared<Options>();
   CLI::App* sub = add(app, "start", "Play the league, or go on with it", run, options, start);
+  sub->add_option("--engine", options->engine,
+                  "who plays: this host, or the nodes of the Slurm cluster that it belongs to")
+      ->check(CLI::IsMember({"local", "slurm"}))
+      ->capture_default_str();
   sub->add_option("--jobs", options->jobs, "legs at once (default: one for each processor)")
       ->check(CLI::Range(1, 1024));
 }

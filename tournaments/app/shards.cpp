@@ -24,18 +24,14 @@ Result<int> plan(const Options& options) {
   return exit_yes;
 }
 
-Result<int> run_shards(const Options& options) {
+Result<int> run_shard(const Options& options) {
   record::Disk disk;
   const auto book = Book::open(disk, Folder{options.folder});
   if (!book) return tl::unexpected(book.error());
-  int failed = 0;
-  for (const std::string& id : options.fixtures) {
-    const auto left = run_shard(disk, *book, id);
-    if (!left) return tl::unexpected(left.error());
-    failed += *left;
-  }
-  if (failed == 0) return exit_yes;
-  return fail(Errc::host, std::to_string(failed) + " legs could not be played; run it again");
+  const auto failed = run_shards(disk, *book, options.fixtures);
+  if (!failed) return tl::unexpected(failed.error());
+  if (*failed == 0) return exit_yes;
+  return fail(Errc::host, std::to_string(*failed) + " legs could not be played; run it again");
 }
 
 }  // namespace
@@ -51,7 +47,7 @@ void add_shards(CLI::App& app, Run& run) {
       "run-shard", "Play fixtures into records only, on any machine; league start books them");
   shard->add_option("DIR", options->folder, "the league's folder")->required();
   shard->add_option("FIXTURE", options->fixtures, "ids, as league plan lists them")->required();
-  shard->callback([options, &run] { run = [options] { return run_shards(*options); }; });
+  shard->callback([options, &run] { run = [options] { return run_shard(*options); }; });
 }
 
 }  // namespace mirocup::league
