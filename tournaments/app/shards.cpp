@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/app/commands.hpp"
-#include "tournaments/run/begin.hpp"
+#include "tournaments/app/progress_bar.hpp"
+#include "tournaments/run/bookkeeper.hpp"
 #include "tournaments/run/shard.hpp"
 
 #include <iostream>
@@ -15,12 +16,23 @@ struct Options {
   std::vector<std::string> fixtures;
 };
 
+// What shards have played is booked first: it may open the next round.
 Result<int> plan(const Options& options) {
   record::Disk disk;
   auto book = Book::open(disk, Folder{options.folder});
   if (!book) return tl::unexpected(book.error());
-  if (auto begun = begin_league(disk, *book); !begun) return tl::unexpected(begun.error());
-  for (const std::string& id : open_shards(book->state())) std::cout << id << '\n';
+  const auto progress = make_progress();
+  Bookkeeper books(disk, std::move(*book), *progress);
+  if (auto begun = books.begin(); !begun) return tl::unexpected(begun.error());
+  for (int booked = 1; booked > 0;) {
+    booked = 0;
+    for (const std::string& id : open_shards(books.state())) {
+      const auto count = books.book_played(id);
+      if (!count) return tl::unexpected(count.error());
+      booked += *count;
+    }
+  }
+  for (const std::string& id : open_shards(books.state())) std::cout << id << '\n';
   return exit_yes;
 }
 
@@ -38,8 +50,8 @@ Result<int> run_shard(const Options& options) {
 
 void add_shards(CLI::App& app, Run& run) {
   auto options = std::make_shared<Options>();
-  CLI::App* plan_command =
-      app.add_subcommand("plan", "Start the league, and list the fixtures that can be played now");
+  CLI::App* plan_command = app.add_subcommand(
+      "plan", "Start the league, book what shards have played, and list what can be played now");
   plan_command->add_option("DIR", options->folder, "the league's folder")->required();
   plan_command->callback([options, &run] { run = [options] { return plan(*options); }; });
 

@@ -47,6 +47,17 @@ Result<bool> Bookkeeper::book_if_played(const LegId& leg) {
   return true;
 }
 
+Result<int> Bookkeeper::book_played(const std::string& fixture) {
+  for (int count = 0;; ++count) {
+    const FixtureState* now = find(fixture);
+    const auto leg = now != nullptr ? next_leg(*now) : std::nullopt;
+    if (!leg) return count;
+    const auto booked = book_if_played(*leg);
+    if (!booked) return tl::unexpected(booked.error());
+    if (!*booked) return count;
+  }
+}
+
 std::string Bookkeeper::last_words(const LegId& leg) const {
   const std::string text = files_.read(leg_output(folder(), leg)).value_or("");
   const std::size_t end = text.find_last_not_of('\n');

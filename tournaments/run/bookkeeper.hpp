@@ -42,6 +42,9 @@ class Bookkeeper {
   // Books the leg if its record is there; false if it is not.
   Result<bool> book_if_played(const LegId& leg);
 
+  // Books the legs of a fixture one after the other as long as there are records; how many.
+  Result<int> book_played(const std::string& fixture);
+
   // Has a match server been started for it? What did it say last?
   bool has_begun(const LegId& leg) const { return files_.exists(leg_output(folder(), leg)); }
   std::string last_words(const LegId& leg) const;

@@ -155,14 +155,9 @@ Result<void> SlurmRunner::book_after(const std::vector<SlurmTask>& before, bool 
 }
 
 Result<void> SlurmRunner::book_records(const std::string& fixture) {
-  while (const FixtureState* now = books_.find(fixture)) {
-    const auto leg = books_.next_leg(*now);
-    if (!leg) return {};
-    const auto booked = books_.book_if_played(*leg);
-    if (!booked) return tl::unexpected(booked.error());
-    if (!*booked) return {};
-    barren_ = 0;
-  }
+  const auto count = books_.book_played(fixture);
+  if (!count) return tl::unexpected(count.error());
+  if (*count > 0) barren_ = 0;
   return {};
 }
 
