@@ -27,6 +27,7 @@ struct Options {
   std::uint64_t seed = 1;          // init
   std::string engine = "local";    // start
   int jobs = 0;                    // start; 0: as many as there are processors
+  bool watched = false;            // start
   bool now = false;                // stop
   std::string output;              // export
   bool json = false;
@@ -126,7 +127,7 @@ Result<LeagueState> play(record::Files& files, Book book, Progress& progress,
     return state_of(runner, runner.run(options.jobs));
   }
   Runner runner(files, std::move(book), progress);
-  return state_of(runner, runner.run({.jobs = options.jobs}));
+  return state_of(runner, runner.run({.jobs = options.jobs, .watched = options.watched}));
 }
 
 Result<int> start(const Options& options) {
@@ -252,6 +253,8 @@ void add_start(CLI::App& app, Run& run) {
                   "who plays: this host, or the nodes of the Slurm cluster that it belongs to")
       ->check(CLI::IsMember({"local", "slurm"}))
       ->capture_default_str();
+  sub->add_flag("--watch", options->watched,
+                "legs of this host can be watched through league serve while they are played");
   sub->add_option("--jobs", options->jobs, "legs at once (default: one for each processor)")
       ->check(CLI::Range(1, 1024));
 }

@@ -23,6 +23,9 @@ void add_publish(CLI::App& app, Run& run);
 void add_export(CLI::App& app, Run& run);
 void add_credentials(CLI::App& app, Run& run);
 
+// Showing it while it is played.
+void add_serve(CLI::App& app, Run& run);
+
 // Playing on other machines: plan, run-shard.
 void add_shards(CLI::App& app, Run& run);
 

@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
   league::add_status(cli, run);
   league::add_publish(cli, run);
   league::add_export(cli, run);
+  league::add_serve(cli, run);
   league::add_rulings(cli, run);
   league::add_compare(cli, run);
   league::add_shards(cli, run);

@@ -19,6 +19,7 @@ Runner::Runner(record::Files& files, Book book, Progress& progress)
     : files_(files), books_(files, std::move(book), progress), progress_(progress) {}
 
 Result<int> Runner::run(const RunOptions& options) {
+  options_ = options;
   if (auto begun = books_.begin(); !begun) return tl::unexpected(begun.error());
   const std::vector<int> cpus = processors();
   const int jobs = options.jobs > 0 ? options.jobs : static_cast<int>(cpus.size());
@@ -120,6 +121,7 @@ Result<void> Runner::start_leg(Slot& slot) {
   auto command = leg_command(books_.folder(), state(), leg, match_id);
   const std::vector<std::string> credentials = credentials_of("server");
   command.insert(command.end(), credentials.begin(), credentials.end());
+  if (options_.watched) command.insert(command.end(), {"--watch", "127.0.0.1:0", "--speed", "max"});
   if (auto started = processes_.start(command, tag, slot.cpu, leg_output(books_.folder(), leg));
       !started)
     return tl::unexpected(started.error());

@@ -18,7 +18,8 @@
 namespace mirocup::league {
 
 struct RunOptions {
-  int jobs = 0;  // 0: one for each processor
+  int jobs = 0;          // 0: one for each processor
+  bool watched = false;  // each leg opens a live page on this host
 };
 
 class Runner {
@@ -53,6 +54,7 @@ class Runner {
   int playing() const;
 
   record::Files& files_;
+  RunOptions options_;
   Bookkeeper books_;
   Progress& progress_;
   ProcessSet processes_;
