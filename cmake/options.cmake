@@ -3,7 +3,9 @@
 add_library(mirocup_options INTERFACE)
 target_include_directories(mirocup_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(mirocup_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror
+  -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion -Werror
+  # Not where several sources are compiled at once: a source may use a name that is another one's, too.
+  $<$<NOT:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wshadow>
   # g++ 12 warns of "text" + std::to_string(n) without reason (GCC bug 105651).
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
   # One multiplication and one addition must stay two roundings on every machine, or the state hash

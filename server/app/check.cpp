@@ -5,9 +5,10 @@
 #include "server/app/entry_check.hpp"
 #include "server/record/match_record.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <cstdio>
 #include <iostream>
-#include <memory>
 
 namespace mirocup::app {
 
@@ -16,13 +17,7 @@ namespace {
 // Of the processor time of a leg; who uses more than that is warned.
 constexpr double much_of_the_bank = 0.6;
 
-struct Options {
-  std::string path;
-  std::string league = "small";
-  bool json = false;
-};
-
-record::Json to_json(const Options& options, const EntryReport& report) {
+record::Json to_json(const CheckOptions& options, const EntryReport& report) {
   record::Json checks = record::Json::array();
   for (const Check& check : report.checks) {
     checks.push_back({{"name", check.name},
@@ -46,7 +41,7 @@ record::Json to_json(const Options& options, const EntryReport& report) {
           {"log", report.log}};
 }
 
-void print(const Options& options, const EntryReport& report) {
+void print(const CheckOptions& options, const EntryReport& report) {
   for (const Check& check : report.checks) {
     const char* mark = !check.passed ? "  - " : *check.passed ? " ok " : "NO  ";
     std::cout << mark << check.name << ": " << check.text << '\n';
@@ -78,7 +73,9 @@ void print(const Options& options, const EntryReport& report) {
   }
 }
 
-Result<int> run_check(const Options& options) {
+}  // namespace
+
+Result<int> run_check(const CheckOptions& options) {
   const auto report = check_entry(options.path, *from_string<League>(options.league));
   if (!report) return tl::unexpected(report.error());
   if (options.json) {
@@ -89,19 +86,6 @@ Result<int> run_check(const Options& options) {
     print(options, *report);
   }
   return report->failure() == nullptr ? exit_yes : exit_no;
-}
-
-}  // namespace
-
-void add_check(CLI::App& app, Run& run) {
-  auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("check", "Would this library be accepted as an entry?");
-  command->add_option("FILE.so", options->path, "the team's library")->required();
-  command->add_option("--league", options->league, "small (3 a side), middle (5), large (11)")
-      ->check(CLI::IsMember({"small", "middle", "large"}))
-      ->capture_default_str();
-  command->add_flag("--json", options->json, "the report as one object on standard output");
-  command->callback([options, &run] { run = [options] { return run_check(*options); }; });
 }
 
 }  // namespace mirocup::app

@@ -8,7 +8,6 @@
 
 #include <chrono>
 #include <iostream>
-#include <memory>
 #include <optional>
 
 namespace mirocup::app {
@@ -21,20 +20,10 @@ using SteadyClock = std::chrono::steady_clock;
 constexpr double longest_silence = 10.0;
 constexpr double look_around = 0.25;
 
-struct Options {
-  std::string match_id;
-  std::string team;
-  std::string name;
-  std::string library;
-  std::string server = "127.0.0.1";
-  std::string credentials;
-  double patience = 60.0;
-};
-
 // A library at the end of a connection.
 class RemoteTeam {
  public:
-  RemoteTeam(const Options& options, Interrupt& interrupt, team::Connection& match)
+  RemoteTeam(const JoinOptions& options, Interrupt& interrupt, team::Connection& match)
       : options_(options), interrupt_(interrupt), match_(match) {}
 
   // Until the match is over.
@@ -46,7 +35,7 @@ class RemoteTeam {
   Result<void> check_silence() const;
   int report() const;
 
-  const Options& options_;
+  const JoinOptions& options_;
   Interrupt& interrupt_;
   team::Connection& match_;
   std::optional<plugins::Plugin> plugin_;
@@ -115,7 +104,9 @@ int RemoteTeam::report() const {
   return exit_yes;
 }
 
-Result<int> run_join(const Options& options) {
+}  // namespace
+
+Result<int> run_join(const JoinOptions& options) {
   Interrupt interrupt;
   team::Connection match({.match = options.match_id,
                           .team = index_of(*from_string<Team>(options.team)),
@@ -124,27 +115,6 @@ Result<int> run_join(const Options& options) {
                           .credentials = options.credentials});
   if (!match.is_open()) return fail(Errc::unavailable, match.why());
   return RemoteTeam(options, interrupt, match).play();
-}
-
-}  // namespace
-
-void add_join(CLI::App& app, Run& run) {
-  auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("join", "Play a library in a match on the network");
-  command->add_option("--match", options->match_id, "ID of the match")->required();
-  command->add_option("--team", options->team, "the colour to play")
-      ->required()
-      ->check(CLI::IsMember({"blue", "yellow"}));
-  command->add_option("--name", options->name, "the name that the match knows the team by")
-      ->required();
-  command->add_option("--server", options->server, "host that the match runs on")
-      ->capture_default_str();
-  command->add_option("--patience", options->patience, "seconds to wait for the match")
-      ->capture_default_str();
-  command->add_option("--credentials", options->credentials,
-                      "folder with the team's credentials, for a match that asks for them");
-  command->add_option("FILE.so", options->library, "the team's library")->required();
-  command->callback([options, &run] { run = [options] { return run_join(*options); }; });
 }
 
 }  // namespace mirocup::app

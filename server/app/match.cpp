@@ -8,6 +8,8 @@
 #include "server/record/rules_json.hpp"
 #include "server/web/live_server.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -24,29 +26,7 @@ constexpr double time_to_answer = 0.9;
 constexpr double ticks_to_notice = 9.0;
 constexpr double shortest_notice = 0.1;
 
-struct Options {
-  match::ByTeam<std::string> teams;
-  match::ByTeam<std::string> names;  // "": the team's own
-  std::string league = "small";
-  std::string rules = "mirosot";
-  std::string stage = "group";
-  std::uint64_t seed = 1;
-  std::string speed;                 // "": real time if it is watched, else as fast as it goes
-  std::optional<std::string> watch;  // where: PORT or HOST:PORT, "" for any port
-  std::optional<double> half_s;
-  std::vector<std::string> rule_changes;  // KEY=VALUE
-  std::string record_path;
-  bool trusted = false;
-  std::string isolation;  // "": the strongest that there is
-  std::string match_id = "1";
-  std::string interface = "lo";
-  double join_within = 60.0;
-  double away_limit = 10.0;
-  std::string credentials;
-  bool json = false;
-};
-
-Result<match::Setup> setup_of(const Options& options) {
+Result<match::Setup> setup_of(const MatchOptions& options) {
   match::Setup setup;
   setup.league = *from_string<League>(options.league);
   auto rules =
@@ -60,7 +40,7 @@ Result<match::Setup> setup_of(const Options& options) {
   return setup;
 }
 
-Result<std::optional<double>> factor_of(const Options& options) {
+Result<std::optional<double>> factor_of(const MatchOptions& options) {
   const std::string& speed = options.speed;
   if (speed.empty() && options.watch) return std::optional<double>(1.0);
   if (speed.empty() || speed == "max") return std::optional<double>();
@@ -78,7 +58,7 @@ constexpr std::uint32_t ticks_between_looks = 16;
 // One leg with everything that it needs around it.
 class Session {
  public:
-  Session(const Options& options, const match::Setup& setup, std::optional<double> factor)
+  Session(const MatchOptions& options, const match::Setup& setup, std::optional<double> factor)
       : options_(options), match_(setup), pacer_(clock_, setup.control_period, factor) {}
 
   Result<void> seat_teams();
@@ -97,7 +77,7 @@ class Session {
   Result<ProcessTerms> process_terms() const;
   record::MatchRecord record() const;
 
-  const Options& options_;
+  const MatchOptions& options_;
   Interrupt interrupt_;
   record::Disk disk_;
   pace::SteadyClock clock_;
@@ -266,7 +246,9 @@ void Session::report() const {
   if (!r.why_void.empty()) std::cout << "void: " << r.why_void << '\n';
 }
 
-Result<int> run_match(const Options& options) {
+}  // namespace
+
+Result<int> run_match(const MatchOptions& options) {
   const auto setup = setup_of(options);
   if (!setup) return tl::unexpected(setup.error());
   const auto factor = factor_of(options);
@@ -280,69 +262,6 @@ Result<int> run_match(const Options& options) {
   session.end_live_page();
   session.report();
   return session.is_void() ? exit_code(Errc::host) : exit_yes;
-}
-
-template <class E>
-CLI::Validator one_of() {
-  std::vector<std::string> names;
-  for (const auto name : enum_names<E>) names.emplace_back(name);
-  return CLI::IsMember(names);
-}
-
-}  // namespace
-
-void add_match(CLI::App& app, Run& run) {
-  auto o = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("match", "Play one leg");
-  command->add_option("--blue", o->teams[0], "a library, a house team's name, or dds:NAME")
-      ->required();
-  command->add_option("--yellow", o->teams[1], "the same for the other team")->required();
-  command->add_option("--blue-name", o->names[0], "what the record calls the blue team");
-  command->add_option("--yellow-name", o->names[1], "what the record calls the yellow team");
-  command->add_option("--league", o->league, "small (3 a side), middle (5), large (11)")
-      ->check(one_of<League>())
-      ->capture_default_str();
-  command->add_option("--rules", o->rules, "rules preset")
-      ->check(one_of<referee::Preset>())
-      ->capture_default_str();
-  command->add_option("--stage", o->stage, "may a draw stand?")
-      ->check(one_of<referee::Stage>())
-      ->capture_default_str();
-  command->add_option("--seed", o->seed, "of the toss and of the teams' random numbers")
-      ->capture_default_str();
-  command->add_option("--speed", o->speed,
-                      "max, or a factor: 1 is real time (default: 1 with --watch, else max)");
-  command
-      ->add_option_function<std::string>(
-          "--watch", [o](const std::string& where) { o->watch = where; },
-          "show the match in browsers; [HOST:]PORT, without it any port of this host only")
-      ->expected(0, 1)
-      ->type_name("[PORT]");
-  command->add_option("--half", o->half_s, "seconds of a half")->check(CLI::Range(0.1, 36000.0));
-  command->add_option("--rule", o->rule_changes,
-                      "KEY=VALUE: another value for a parameter of the rules");
-  command->add_option("--record", o->record_path, "where to write the match record");
-  command->add_flag("--trusted", o->trusted, "run the teams in this process, without protection");
-  command
-      ->add_option("--isolation", o->isolation,
-                   "T2 or T1: play in exactly this tier of the sandbox, or not at all")
-      ->check(CLI::IsMember({"T1", "T2"}))
-      ->excludes("--trusted");
-  command->add_option("--match", o->match_id, "ID that DDS teams join")->capture_default_str();
-  command
-      ->add_option("--interface", o->interface,
-                   "network interface for DDS teams; lo: this host only")
-      ->capture_default_str();
-  command->add_option("--join-within", o->join_within, "seconds that a DDS team has to join")
-      ->capture_default_str();
-  command
-      ->add_option("--away-limit", o->away_limit,
-                   "seconds that a DDS team may be away from the match in all")
-      ->capture_default_str();
-  command->add_option("--credentials", o->credentials,
-                      "folder with the server's credentials: only teams of the league can join");
-  command->add_flag("--json", o->json, "the record on standard output");
-  command->callback([o, &run] { run = [o] { return run_match(*o); }; });
 }
 
 }  // namespace mirocup::app

@@ -7,7 +7,6 @@
 
 #include <filesystem>
 #include <iostream>
-#include <memory>
 #include <utility>
 
 namespace mirocup::app {
@@ -24,7 +23,10 @@ std::string replaced(std::string text, const std::string& word, const std::strin
   return text;
 }
 
-Result<int> run_new(const std::string& folder) {
+}  // namespace
+
+Result<int> run_new(const NewOptions& options) {
+  const std::string& folder = options.folder;
   record::Disk disk;
   std::error_code none;
   if (fs::exists(folder, none) && !fs::is_empty(folder, none))
@@ -46,15 +48,6 @@ Result<int> run_new(const std::string& folder) {
   std::cout << folder << ": a team. Build, test and check it: cd " << folder
             << " && cmake --workflow --preset team\n";
   return exit_yes;
-}
-
-}  // namespace
-
-void add_new(CLI::App& app, Run& run) {
-  auto folder = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("new", "Start a team of your own");
-  command->add_option("DIR", *folder, "the folder to make")->required();
-  command->callback([folder, &run] { run = [folder] { return run_new(*folder); }; });
 }
 
 }  // namespace mirocup::app

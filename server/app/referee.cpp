@@ -8,8 +8,9 @@
 #include "server/record/rules_json.hpp"
 #include "server/record/trace_verdict.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <iostream>
-#include <memory>
 #include <sstream>
 #include <vector>
 
@@ -18,13 +19,6 @@ namespace mirocup::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-struct Options {
-  std::string trace_path;
-  std::string record_path;
-  std::vector<std::string> rule_changes;  // KEY=VALUE
-  bool json = false;                      // verdicts on traces are, asked for or not
-};
 
 std::string id_of(const Json& json) {
   const bool named = json.is_object() && json.contains("id") && json["id"].is_string();
@@ -75,7 +69,7 @@ std::string decision_text(const std::optional<match::LoggedDecision>& logged) {
          std::string(to_string(logged->decision.law)) + ": " + logged->decision.reason + ")";
 }
 
-Result<int> judge_record(const Options& options) {
+Result<int> judge_record(const RefereeOptions& options) {
   record::Disk disk;
   const auto record = record::load(disk, options.record_path);
   if (!record) return tl::unexpected(record.error());
@@ -113,29 +107,10 @@ Result<int> judge_record(const Options& options) {
 
 }  // namespace
 
-void add_referee(CLI::App& app, Run& run) {
-  auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand(
-      "referee", "Judge recorded situations, or a played match with other parameters");
-  CLI::Option* trace =
-      command->add_option("TRACE", options->trace_path, "situations, one line of JSON each");
-  CLI::Option* record =
-      command->add_option("--record", options->record_path, "a match record to judge again")
-          ->excludes(trace);
-  command
-      ->add_option("--rule", options->rule_changes,
-                   "KEY=VALUE: another value for a parameter of the record's rules")
-      ->needs(record);
-  command->add_flag("--json", options->json, "one JSON object on standard output");
-  command->callback([options, &run] {
-    if (options->trace_path.empty() && options->record_path.empty()) {
-      throw CLI::RequiredError("TRACE or --record");
-    }
-    run = [options] {
-      return options->record_path.empty() ? judge_traces(options->trace_path)
-                                          : judge_record(*options);
-    };
-  });
+Result<int> run_referee(const RefereeOptions& options) {
+  if (!options.record_path.empty()) return judge_record(options);
+  if (options.trace_path.empty()) return fail(Errc::input, "TRACE or --record is required");
+  return judge_traces(options.trace_path);
 }
 
 }  // namespace mirocup::app

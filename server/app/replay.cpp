@@ -6,7 +6,6 @@
 #include "server/web/picture.hpp"
 
 #include <iostream>
-#include <memory>
 #include <optional>
 
 namespace mirocup::app {
@@ -14,14 +13,6 @@ namespace mirocup::app {
 namespace {
 
 constexpr double trail_seconds = 1.0;
-
-struct Options {
-  std::string record;
-  std::string output;
-  std::optional<double> at;  // s since the match began
-  bool svg = false;
-  bool no_times = false;
-};
 
 tl::expected<std::string, replay::Divergence> picture_at(const replay::Recording& recording,
                                                          double time) {
@@ -39,7 +30,9 @@ tl::expected<std::string, replay::Divergence> picture_at(const replay::Recording
   return web::picture(playback.match().field(), recording.setup.parameters, moment);
 }
 
-Result<int> run_replay(const Options& options) {
+}  // namespace
+
+Result<int> run_replay(const ReplayOptions& options) {
   if (options.svg != options.at.has_value()) {
     return fail(Errc::input, "--at T and --svg belong together: a still picture of a moment");
   }
@@ -62,21 +55,6 @@ Result<int> run_replay(const Options& options) {
   }
   std::cout << options.output << '\n';
   return exit_yes;
-}
-
-}  // namespace
-
-void add_replay(CLI::App& app, Run& run) {
-  auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("replay", "Make a page that shows a record in a browser");
-  command->add_option("RECORD", options->record, "a match record")->required();
-  command->add_option("-o,--output", options->output, "the page, or the picture")->required();
-  command->add_option("--at", options->at, "a moment, in seconds since the match began")
-      ->check(CLI::Range(0.0, 1e6));
-  command->add_flag("--svg", options->svg, "a still picture of that moment");
-  command->add_flag("--no-times", options->no_times,
-                    "leave out what a clock measured: the page is the same whoever played the leg");
-  command->callback([options, &run] { run = [options] { return run_replay(*options); }; });
 }
 
 }  // namespace mirocup::app

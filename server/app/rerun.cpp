@@ -6,21 +6,16 @@
 #include "server/app/seats.hpp"
 #include "server/record/digest.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <filesystem>
 #include <iostream>
-#include <memory>
 
 namespace mirocup::app {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Options {
-  std::string record;
-  std::string entries;  // "": those of the league that the record lies in
-  bool json = false;
-};
 
 // The first command, or fault, that is not the recorded one.
 struct Difference {
@@ -30,7 +25,7 @@ struct Difference {
 };
 
 // A record of a league lies in LEAGUE/records/, its entries in LEAGUE/entries/.
-std::string entries_folder(const Options& options) {
+std::string entries_folder(const RerunOptions& options) {
   if (!options.entries.empty()) return options.entries;
   return (fs::absolute(options.record).parent_path().parent_path() / "entries").string();
 }
@@ -157,7 +152,7 @@ Result<std::optional<Difference>> play_again(const replay::Recording& recording,
   return compare_ends(recording, match);
 }
 
-void report(const Options& options, const std::optional<Difference>& difference) {
+void report(const RerunOptions& options, const std::optional<Difference>& difference) {
   if (options.json) {
     record::Json answer{{"record", options.record}, {"reproduced", !difference}};
     answer["tick"] = difference ? record::Json(difference->tick) : record::Json();
@@ -175,7 +170,9 @@ void report(const Options& options, const std::optional<Difference>& difference)
   }
 }
 
-Result<int> run_rerun(const Options& options) {
+}  // namespace
+
+Result<int> run_rerun(const RerunOptions& options) {
   record::Disk disk;
   const auto record = record::load(disk, options.record);
   if (!record) return tl::unexpected(record.error());
@@ -195,20 +192,6 @@ Result<int> run_rerun(const Options& options) {
   }
   report(options, *difference);
   return *difference ? exit_no : exit_yes;
-}
-
-}  // namespace
-
-void add_rerun(CLI::App& app, Run& run) {
-  auto options = std::make_shared<Options>();
-  CLI::App* command =
-      app.add_subcommand("rerun", "Play a record's teams again and compare their commands");
-  command->add_option("RECORD", options->record, "a match record")->required();
-  command->add_option("--entries", options->entries,
-                      "folder with the teams' libraries, found by their sha256 (default: the "
-                      "entries of the league that the record lies in)");
-  command->add_flag("--json", options->json, "one JSON object on standard output");
-  command->callback([options, &run] { run = [options] { return run_rerun(*options); }; });
 }
 
 }  // namespace mirocup::app

@@ -5,22 +5,16 @@
 #include "server/record/files.hpp"
 #include "server/record/scene_json.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <ctime>
 #include <iostream>
-#include <memory>
 
 namespace mirocup::app {
 
-namespace {
+namespace {}  // namespace
 
-struct Options {
-  std::string path;
-  std::string accuracy = "standard";
-  std::string out;  // "": standard output
-  bool json = false;
-};
-
-Result<int> run_scene(const Options& options) {
+Result<int> run_scene(const SceneOptions& options) {
   record::Disk disk;
   const auto text = disk.read(options.path);
   if (!text) return tl::unexpected(text.error());
@@ -39,19 +33,6 @@ Result<int> run_scene(const Options& options) {
     return tl::unexpected(written.error());
   }
   return exit_yes;
-}
-
-}  // namespace
-
-void add_scene(CLI::App& app, Run& run) {
-  auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("scene", "Run a scene of the physics alone");
-  command->add_option("FILE", options->path, "a scene, mirocup/scene/1")->required();
-  command->add_option("--accuracy", options->accuracy, "of lasting contacts")
-      ->check(CLI::IsMember({"coarse", "standard", "reference"}));
-  command->add_option("-o", options->out, "where the result goes (default: standard output)");
-  command->add_flag("--json", options->json, "the result is JSON with and without it");
-  command->callback([options, &run] { run = [options] { return run_scene(*options); }; });
 }
 
 }  // namespace mirocup::app

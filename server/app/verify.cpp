@@ -5,19 +5,15 @@
 #include "server/app/commands.hpp"
 #include "server/record/match_record.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <iostream>
-#include <memory>
 
 namespace mirocup::app {
 
-namespace {
+namespace {}  // namespace
 
-struct Options {
-  std::string path;
-  bool json = false;
-};
-
-Result<int> run_verify(const Options& options) {
+Result<int> run_verify(const VerifyOptions& options) {
   record::Disk disk;
   const auto whole = record::load(disk, options.path);
   // A record that was changed is damaged, but what it now says wrongly is the better answer.
@@ -43,17 +39,6 @@ Result<int> run_verify(const Options& options) {
               << " ticks, state hash " << to_hex(record->recording.state_hash) << '\n';
   }
   return divergence ? exit_no : exit_yes;
-}
-
-}  // namespace
-
-void add_verify(CLI::App& app, Run& run) {
-  auto options = std::make_shared<Options>();
-  CLI::App* command =
-      app.add_subcommand("verify", "Play a record again from its commands and compare everything");
-  command->add_option("RECORD", options->path, "a match record")->required();
-  command->add_flag("--json", options->json, "one JSON object on standard output");
-  command->callback([options, &run] { run = [options] { return run_verify(*options); }; });
 }
 
 }  // namespace mirocup::app

@@ -11,7 +11,7 @@ namespace mirocup::dds {
 namespace {
 
 constexpr double hello_again = 0.25;  // s
-constexpr double look_around = 0.05;
+constexpr double between_looks = 0.05;
 
 // A server sends states many times a second. After so many seconds without any, something is wrong
 // with the connection.
@@ -91,7 +91,7 @@ News TeamClient::wait(double patience) {
     if (auto news = look()) return std::move(*news);
     const double left = patience - seconds_since(begin);
     if (left <= 0.0) return Silence{};
-    const auto pause = static_cast<dds_duration_t>(1e9 * std::min(left, look_around)) + 1;
+    const auto pause = static_cast<dds_duration_t>(1e9 * std::min(left, between_looks)) + 1;
     if (dds_waitset_wait(link_.waitset.get(), nullptr, 0, pause) < 0) dds_sleepfor(pause);
   }
 }

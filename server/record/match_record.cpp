@@ -5,6 +5,8 @@
 #include "server/record/replay_file.hpp"
 #include "server/record/rules_json.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <filesystem>
 #include <utility>
 

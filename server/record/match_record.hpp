@@ -11,7 +11,7 @@
 #include "server/pace/durations.hpp"
 #include "server/record/files.hpp"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <optional>
 #include <string>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "server/record/rules_json.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 #include <string>
 #include <utility>

@@ -7,7 +7,7 @@
 #include "core/base/error.hpp"
 #include "core/referee/rules.hpp"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 #include <vector>

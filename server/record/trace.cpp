@@ -4,6 +4,8 @@
 #include "core/referee/laws/law.hpp"
 #include "server/record/rules_json.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <utility>
 

@@ -8,7 +8,7 @@
 #include "core/referee/placement.hpp"
 #include "core/referee/referee.hpp"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <array>
 #include <optional>

@@ -4,6 +4,8 @@
 #include "core/referee/placement_check.hpp"
 #include "server/record/film.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>

@@ -4,6 +4,8 @@
 #include "server/record/match_record.hpp"
 #include "server/web/page_json.hpp"
 
+#include <nlohmann/json.hpp>
+
 namespace mirocup::web {
 
 namespace {

@@ -7,6 +7,8 @@
 #include "server/web/page_json.hpp"
 #include "server/web/picture.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <array>
 #include <utility>
 #include <vector>

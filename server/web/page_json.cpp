@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "server/web/page_json.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <numeric>
 

@@ -54,13 +54,17 @@ only() {
 }
 
 only 'dds/|mirocup\.h>' server/dds
-only 'nlohmann/' server/record server/web tournaments
+only 'nlohmann/' server/record server/web server/app tournaments
 only 'dlfcn\.h' plugins/host
 only 'httplib' server/web
 only 'CLI/' server/app tournaments/app
 only 'openssl/|zstd' server/record
 only 'box2d/|chipmunk/|ode/' none  # peers: tests/bench alone
 only 'thread>|chrono>|mutex>|fstream>|iostream>|filesystem>|random>|sys/|unistd\.h' plugins server tournaments
+
+while IFS= read -r line; do
+  complain "$line: a source is compiled, not included"
+done < <(grep -rnE '^#include ["<].*\.(c|cpp)[">]' core plugins idl server tournaments || true)
 
 # Whatever the C library rounds in its own way would change a state hash: core has functions of its own.
 while IFS= read -r line; do

@@ -41,11 +41,15 @@ void make_league(const std::string& folder, const std::string& half = "10") {
 TEST(League, PlaysTheExampleOfTheReadme) {
   const TemporaryFolder temporary;
   const std::string folder = temporary / "class";
-  ASSERT_EQ(run(league("init", folder,
-                       {"--config", std::string(MIROCUP_SOURCE_FOLDER) +
-                                        "/tournaments/examples/class/league.json"}))
-                .exit_code,
-            0);
+  std::string config =
+      std::string(MIROCUP_SOURCE_FOLDER) + "/tournaments/examples/class/league.json";
+#ifdef MIROCUP_SANITIZED  // a build that is slow plays the same league of shorter legs
+  auto shorter = read_json(config);
+  shorter["rules"]["half_s"] = 20;
+  config = temporary / "league.json";
+  test_support::write_file(config, shorter.dump());
+#endif
+  ASSERT_EQ(run(league("init", folder, {"--config", config})).exit_code, 0);
   const Outcome played = run(league("start", folder));
   ASSERT_EQ(played.exit_code, 0) << played.err;
 

@@ -171,7 +171,9 @@ TEST(VerifyCommand, TellsTruthFromForgeryAndDamage) {
   EXPECT_EQ(run({program("mirocup"), "verify", folder / "nothing.json"}).exit_code, 3);
 }
 
-// Ten legs of a minute each way: who should win does.
+// Ten legs of a minute each way: who should win does. Of the legs, not of this build, which plays the
+// same ones (PlaysTheSameLegInEveryBuild).
+#ifndef MIROCUP_SANITIZED
 TEST(HouseTeams, AreAsStrongAsTheirNamesSay) {
   const auto points = [](const std::string& stronger, const std::string& weaker) {
     int total = 0;
@@ -190,6 +192,7 @@ TEST(HouseTeams, AreAsStrongAsTheirNamesSay) {
   EXPECT_GE(points("striker", "chaser"), 5);
   EXPECT_GE(points("chaser", "idle"), 8);
 }
+#endif
 
 }  // namespace
 }  // namespace mirocup

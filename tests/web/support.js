@@ -42,10 +42,14 @@ export function watched(...more) {
   return { url, ended, child };
 }
 
+// ms; a browser on a busy machine may take its time.
+const patience = 300_000;
+
 let browser;
 export async function openPage(url, viewport = { width: 1280, height: 800 }) {
   browser ??= await chromium.launch({ executablePath: '/usr/bin/chromium', args: ['--no-sandbox'] });
   const page = await browser.newPage({ viewport });
+  page.setDefaultTimeout(patience);
   page.problems = [];
   page.on('pageerror', (error) => page.problems.push(String(error)));
   page.on('console', (message) => {

@@ -8,6 +8,8 @@
 #include "tournaments/run/runner.hpp"
 #include "tournaments/run/slurm_runner.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <csignal>
 #include <filesystem>
 #include <iostream>
@@ -18,31 +20,7 @@ namespace mirocup::league {
 
 namespace {
 
-struct Options {
-  std::string folder;
-  std::string config;              // init
-  std::vector<std::string> teams;  // init: NAME=ENTRY
-  std::string format;              // init
-  double half_s = 0.0;             // init; 0: as the rules say
-  std::uint64_t seed = 1;          // init
-  std::string engine = "local";    // start
-  int jobs = 0;                    // start; 0: as many as there are processors
-  bool watched = false;            // start
-  bool now = false;                // stop
-  std::string output;              // export
-  bool json = false;
-};
-
-CLI::App* add(CLI::App& app, const char* name, const char* description, Run& run,
-              const std::shared_ptr<Options>& options, Result<int> (*command)(const Options&)) {
-  CLI::App* sub = app.add_subcommand(name, description);
-  sub->add_option("DIR", options->folder, "the league's folder")->required();
-  sub->callback(
-      [options, command, &run] { run = [options, command] { return command(*options); }; });
-  return sub;
-}
-
-Result<LeagueFile> file_from(record::Files& files, const Options& options) {
+Result<LeagueFile> file_from(record::Files& files, const LeagueOptions& options) {
   if (!options.config.empty()) {
     const auto text = files.read(options.config);
     if (!text) return tl::unexpected(text.error());
@@ -71,17 +49,6 @@ Result<LeagueFile> file_from(record::Files& files, const Options& options) {
   }
   // Through the parser, which knows what a good name is.
   return parse_league_file(print_league_file(file), "--team");
-}
-
-Result<int> init(const Options& options) {
-  record::Disk disk;
-  const auto file = file_from(disk, options);
-  if (!file) return tl::unexpected(file.error());
-  const Folder folder{options.folder};
-  if (auto made = init_folder(disk, folder, *file); !made) return tl::unexpected(made.error());
-  const LeagueState state = new_league(*file);
-  std::cout << folder.path << ": " << file->teams.size() << " teams, " << state.legs() << " legs\n";
-  return exit_yes;
 }
 
 Result<void> publish_site(record::Files& files, const Folder& folder, const LeagueState& state) {
@@ -117,7 +84,7 @@ void say_what_is_left(const LeagueState& state) {
 
 // Where the league stands when nothing is left that can be played.
 Result<LeagueState> play(record::Files& files, Book book, Progress& progress,
-                         const Options& options) {
+                         const LeagueOptions& options) {
   const auto state_of = [](auto& runner, const Result<int>& left) -> Result<LeagueState> {
     if (!left) return tl::unexpected(left.error());
     return runner.state();
@@ -130,7 +97,20 @@ Result<LeagueState> play(record::Files& files, Book book, Progress& progress,
   return state_of(runner, runner.run({.jobs = options.jobs, .watched = options.watched}));
 }
 
-Result<int> start(const Options& options) {
+}  // namespace
+
+Result<int> run_init(const LeagueOptions& options) {
+  record::Disk disk;
+  const auto file = file_from(disk, options);
+  if (!file) return tl::unexpected(file.error());
+  const Folder folder{options.folder};
+  if (auto made = init_folder(disk, folder, *file); !made) return tl::unexpected(made.error());
+  const LeagueState state = new_league(*file);
+  std::cout << folder.path << ": " << file->teams.size() << " teams, " << state.legs() << " legs\n";
+  return exit_yes;
+}
+
+Result<int> run_start(const LeagueOptions& options) {
   record::Disk disk;
   const Folder folder{options.folder};
   std::string notice;
@@ -160,7 +140,7 @@ Result<int> start(const Options& options) {
 }
 
 // Asks the process that plays the league to stop; the kernel knows whether there is one.
-Result<int> stop(const Options& options) {
+Result<int> run_stop(const LeagueOptions& options) {
   record::Disk disk;
   const Folder folder{options.folder};
   if (!FileLock::is_taken(folder.running())) {
@@ -180,7 +160,7 @@ Result<int> stop(const Options& options) {
   return exit_yes;
 }
 
-Result<int> status(const Options& options) {
+Result<int> run_status(const LeagueOptions& options) {
   record::Disk disk;
   const auto book = Book::open(disk, Folder{options.folder});
   if (!book) return tl::unexpected(book.error());
@@ -202,7 +182,7 @@ Result<int> status(const Options& options) {
   return state.played() == state.legs() ? exit_yes : exit_no;
 }
 
-Result<int> publish(const Options& options) {
+Result<int> run_publish(const LeagueOptions& options) {
   record::Disk disk;
   const Folder folder{options.folder};
   const auto book = Book::open(disk, folder);
@@ -215,7 +195,7 @@ Result<int> publish(const Options& options) {
   return exit_yes;
 }
 
-Result<int> export_files(const Options& options) {
+Result<int> run_export(const LeagueOptions& options) {
   record::Disk disk;
   const auto book = Book::open(disk, Folder{options.folder});
   if (!book) return tl::unexpected(book.error());
@@ -227,62 +207,6 @@ Result<int> export_files(const Options& options) {
     std::cout << path << '\n';
   }
   return exit_yes;
-}
-
-}  // namespace
-
-void add_init(CLI::App& app, Run& run) {
-  auto options = std::make_shared<Options>();
-  CLI::App* sub = add(app, "init", "Make a league", run, options, init);
-  sub->add_option("--config", options->config, "a league.json to start from");
-  sub->add_option("--team", options->teams, "NAME=house:TEAM or NAME=FILE.so, once for each team")
-      ->excludes("--config");
-  std::vector<std::string> formats;
-  for (const auto name : enum_names<FormatKind>) formats.emplace_back(name);
-  sub->add_option("--format", options->format, "who meets whom (default: double_round_robin)")
-      ->check(CLI::IsMember(formats))
-      ->excludes("--config");
-  sub->add_option("--half", options->half_s, "seconds of a half")->excludes("--config");
-  sub->add_option("--seed", options->seed, "of everything that is drawn")->excludes("--config");
-}
-
-void add_start(CLI::App& app, Run& run) {
-  auto options = std::make_shared<Options>();
-  CLI::App* sub = add(app, "start", "Play the league, or go on with it", run, options, start);
-  sub->add_option("--engine", options->engine,
-                  "who plays: this host, or the nodes of the Slurm cluster that it belongs to")
-      ->check(CLI::IsMember({"local", "slurm"}))
-      ->capture_default_str();
-  sub->add_flag("--watch", options->watched,
-                "legs of this host can be watched through league serve while they are played");
-  sub->add_option("--jobs", options->jobs, "legs at once (default: one for each processor)")
-      ->check(CLI::Range(1, 1024));
-}
-
-void add_stop(CLI::App& app, Run& run) {
-  auto options = std::make_shared<Options>();
-  CLI::App* sub = add(app, "stop", "Let a league that is being played stop", run, options, stop);
-  sub->add_flag("--now", options->now, "do not play the present legs to their end");
-}
-
-void add_export(CLI::App& app, Run& run) {
-  auto options = std::make_shared<Options>();
-  CLI::App* sub =
-      add(app, "export", "Write table, legs and bracket as files", run, options, export_files);
-  sub->add_option("-o,--output", options->output, "the folder for them")
-      ->default_str("export")
-      ->default_val("export");
-}
-
-void add_status(CLI::App& app, Run& run) {
-  auto options = std::make_shared<Options>();
-  CLI::App* sub = add(app, "status", "Say how the league stands", run, options, status);
-  sub->add_flag("--json", options->json, "one JSON object on standard output");
-}
-
-void add_publish(CLI::App& app, Run& run) {
-  auto options = std::make_shared<Options>();
-  add(app, "publish", "Make the pages", run, options, publish);
 }
 
 }  // namespace mirocup::league

@@ -1,39 +1,97 @@
 // SPDX-License-Identifier: MIT
 //
-// The subcommands of `mirocup league`.
+// The subcommands of `mirocup league`, and what each may be told. command_line.cpp reads the options;
+// their defaults are here. The value of a run is the exit code of an answer (yes or no).
 #pragma once
 
 #include "core/base/error.hpp"
+#include "tournaments/run/comparison_run.hpp"
 
-#include <CLI/CLI.hpp>
-
-#include <functional>
+#include <cstdint>
+#include <string>
+#include <vector>
 
 namespace mirocup::league {
 
-// Runs a subcommand; the value is the exit code of an answer (yes or no).
-using Run = std::function<Result<int>()>;
-
 // Making, playing and showing a league.
-void add_init(CLI::App& app, Run& run);
-void add_start(CLI::App& app, Run& run);
-void add_stop(CLI::App& app, Run& run);
-void add_status(CLI::App& app, Run& run);
-void add_publish(CLI::App& app, Run& run);
-void add_export(CLI::App& app, Run& run);
-void add_credentials(CLI::App& app, Run& run);
+struct LeagueOptions {
+  std::string folder;
+  std::string config;              // init
+  std::vector<std::string> teams;  // init: NAME=ENTRY
+  std::string format;              // init
+  double half_s = 0.0;             // init; 0: as the rules say
+  std::uint64_t seed = 1;          // init
+  std::string engine = "local";    // start
+  int jobs = 0;                    // start; 0: as many as there are processors
+  bool watched = false;            // start
+  bool now = false;                // stop
+  std::string output;              // export
+  bool json = false;
+};
+Result<int> run_init(const LeagueOptions& options);
+Result<int> run_start(const LeagueOptions& options);
+Result<int> run_stop(const LeagueOptions& options);
+Result<int> run_status(const LeagueOptions& options);
+Result<int> run_publish(const LeagueOptions& options);
+Result<int> run_export(const LeagueOptions& options);
 
 // Showing it while it is played.
-void add_serve(CLI::App& app, Run& run);
+struct ServeOptions {
+  std::string folder;
+  std::string at = "0";  // [HOST:]PORT
+};
+Result<int> run_serve(const ServeOptions& options);
 
-// Playing on other machines: plan, run-shard.
-void add_shards(CLI::App& app, Run& run);
+// What teams, match server and spectators are known by on the network.
+struct CredentialsOptions {
+  std::string folder;
+  std::vector<std::string> teams;
+  std::vector<std::string> revoked;
+  int days = 365;
+};
+Result<int> run_credentials(const CredentialsOptions& options);
+
+// Playing on other machines.
+struct ShardOptions {
+  std::string folder;
+  std::vector<std::string> fixtures;
+};
+Result<int> run_plan(const ShardOptions& options);
+Result<int> run_shards(const ShardOptions& options);
 
 // Entries.
-void add_submit(CLI::App& app, Run& run);
-void add_compare(CLI::App& app, Run& run);
+struct SubmitOptions {
+  std::string folder;
+  std::string team;
+  std::string file;
+  std::string inbox;
+  bool json = false;
+};
+Result<int> run_submit(const SubmitOptions& options);
 
-// What a person decides: award, rule, void, withdraw, pause, resume.
-void add_rulings(CLI::App& app, Run& run);
+struct CompareOptions {
+  ComparisonRun run;
+  std::string league = "small";
+  bool json = false;
+};
+Result<int> run_compare(const CompareOptions& options);
+
+// What a person decides.
+struct RulingOptions {
+  std::string folder;
+  std::string fixture;
+  int leg = 0;  // 0: all
+  std::string team;
+  std::string score;
+  std::string results = "keep";
+  std::string reason;
+  std::string by;
+};
+Result<int> run_award(const RulingOptions& options);
+Result<int> run_rule(const RulingOptions& options);
+Result<int> run_void(const RulingOptions& options);
+Result<int> run_withdraw(const RulingOptions& options);
+Result<int> run_pause(const RulingOptions& options);
+Result<int> run_resume(const RulingOptions& options);
 
 }  // namespace mirocup::league

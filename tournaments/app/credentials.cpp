@@ -8,7 +8,6 @@
 #include "tournaments/run/folder.hpp"
 
 #include <algorithm>
-#include <memory>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -17,15 +16,8 @@ namespace mirocup::league {
 
 namespace {
 
-struct Options {
-  std::string folder;
-  std::vector<std::string> teams;
-  std::vector<std::string> revoked;
-  int days = 365;
-};
-
 // The teams of the league in the folder, if there is one, and those of the command line.
-Result<std::vector<std::string>> teams_of(const Options& options) {
+Result<std::vector<std::string>> teams_of(const CredentialsOptions& options) {
   std::vector<std::string> names = options.teams;
   record::Disk disk;
   const std::string config = Folder{options.folder}.config();
@@ -55,7 +47,9 @@ Result<void> run_script(std::vector<std::string> arguments) {
   return fail(Errc::unavailable, "the credentials could not be made; see above");
 }
 
-Result<int> make_credentials(const Options& options) {
+}  // namespace
+
+Result<int> run_credentials(const CredentialsOptions& options) {
   const auto teams = teams_of(options);
   if (!teams) return tl::unexpected(teams.error());
   record::Disk disk;
@@ -74,22 +68,6 @@ Result<int> make_credentials(const Options& options) {
   }
   if (auto done = run_script(std::move(arguments)); !done) return tl::unexpected(done.error());
   return exit_yes;
-}
-
-}  // namespace
-
-void add_credentials(CLI::App& app, Run& run) {
-  auto options = std::make_shared<Options>();
-  CLI::App* sub = app.add_subcommand(
-      "credentials", "Make what teams, match server and spectators are known by on the network");
-  sub->add_option("DIR", options->folder, "the league's folder")->required();
-  sub->add_option("--team", options->teams, "a team that is not in the league's file");
-  sub->add_option("--revoke", options->revoked,
-                  "a team whose credentials shall not count any more");
-  sub->add_option("--days", options->days, "that new credentials are valid")
-      ->check(CLI::Range(1, 3650))
-      ->capture_default_str();
-  sub->callback([options, &run] { run = [options] { return make_credentials(*options); }; });
 }
 
 }  // namespace mirocup::league

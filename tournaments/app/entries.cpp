@@ -6,6 +6,8 @@
 #include "tournaments/run/comparison_run.hpp"
 #include "tournaments/run/submission.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cstdlib>
 #include <ctime>
@@ -18,14 +20,6 @@ namespace mirocup::league {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct SubmitOptions {
-  std::string folder;
-  std::string team;
-  std::string file;
-  std::string inbox;
-  bool json = false;
-};
 
 std::string time_now() {
   const std::time_t now = std::time(nullptr);
@@ -75,23 +69,6 @@ Result<int> collect(record::Files& files, const SubmitOptions& options) {
   return result;
 }
 
-Result<int> run_submit(const SubmitOptions& options) {
-  record::Disk disk;
-  if (!options.inbox.empty()) return collect(disk, options);
-  if (options.file.empty())
-    return fail(Errc::input, "TEAM and FILE.so are expected, or --inbox FOLDER");
-  const auto done = submit(disk, Folder{options.folder}, options.team, options.file, time_now());
-  if (!done) return tl::unexpected(done.error());
-  print(*done, options.json);
-  return done->is_accepted ? exit_yes : exit_no;
-}
-
-struct CompareOptions {
-  ComparisonRun run;
-  std::string league = "small";
-  bool json = false;
-};
-
 // Gone when it goes.
 class Scratch {
  public:
@@ -111,12 +88,25 @@ class Scratch {
   std::string path_;
 };
 
-Result<int> run_compare(CompareOptions options) {
+}  // namespace
+
+Result<int> run_submit(const SubmitOptions& options) {
+  record::Disk disk;
+  if (!options.inbox.empty()) return collect(disk, options);
+  if (options.file.empty())
+    return fail(Errc::input, "TEAM and FILE.so are expected, or --inbox FOLDER");
+  const auto done = submit(disk, Folder{options.folder}, options.team, options.file, time_now());
+  if (!done) return tl::unexpected(done.error());
+  print(*done, options.json);
+  return done->is_accepted ? exit_yes : exit_no;
+}
+
+Result<int> run_compare(const CompareOptions& options) {
   record::Disk disk;
   const Scratch scratch;
   if (scratch.path().empty())
     return fail(Errc::unavailable, "no folder for the records can be made");
-  ComparisonRun& run = options.run;
+  ComparisonRun run = options.run;
   run.league = *from_string<League>(options.league);
   run.folder = scratch.path();
   const auto progress = make_progress();
@@ -136,46 +126,6 @@ Result<int> run_compare(CompareOptions options) {
               << result->level << " level\n";
   }
   return is_decided ? exit_yes : exit_no;
-}
-
-}  // namespace
-
-void add_submit(CLI::App& app, Run& run) {
-  auto options = std::make_shared<SubmitOptions>();
-  CLI::App* sub = app.add_subcommand("submit", "Hand in an entry: check it, keep it, let it play");
-  sub->add_option("DIR", options->folder, "the league's folder")->required();
-  auto* team = sub->add_option("TEAM", options->team, "its name");
-  auto* file = sub->add_option("FILE.so", options->file, "its library");
-  sub->add_option("--inbox", options->inbox, "take TEAM.so of this folder, each that is new")
-      ->excludes(team)
-      ->excludes(file);
-  sub->add_flag("--json", options->json, "one JSON object for each entry on standard output");
-  sub->callback([options, &run] { run = [options] { return run_submit(*options); }; });
-}
-
-void add_compare(CLI::App& app, Run& run) {
-  auto options = std::make_shared<CompareOptions>();
-  ComparisonRun& r = options->run;
-  CLI::App* sub =
-      app.add_subcommand("compare", "Play two entries until it can be said which is better");
-  sub->add_option("A", r.teams[0], "a library, or the name of a house team")->required();
-  sub->add_option("B", r.teams[1], "the other")->required();
-  sub->add_option("--league", options->league, "small (3 a side), middle (5), large (11)")
-      ->check(CLI::IsMember({"small", "middle", "large"}))
-      ->capture_default_str();
-  sub->add_option("--half", r.half_s, "seconds of a half")->check(CLI::Range(0.1, 36000.0));
-  sub->add_option("--seed", r.seed, "of the fixtures")->capture_default_str();
-  sub->add_option("--jobs", r.jobs, "legs at once (default: one for each processor)")
-      ->check(CLI::Range(1, 1024));
-  sub->add_option("--most", r.most, "fixtures of two legs, before it gives up")
-      ->check(CLI::Range(1, 1'000'000))
-      ->capture_default_str();
-  sub->add_option("--share", r.test.share,
-                  "of the fixtures that are not level, that the better one wins at least")
-      ->check(CLI::Range(0.51, 0.99))
-      ->capture_default_str();
-  sub->add_flag("--json", options->json, "one JSON object on standard output");
-  sub->callback([options, &run] { run = [options] { return run_compare(*options); }; });
 }
 
 }  // namespace mirocup::league

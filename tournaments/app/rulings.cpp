@@ -5,32 +5,22 @@
 #include "tournaments/app/commands.hpp"
 #include "tournaments/run/book.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <iostream>
-#include <memory>
 
 namespace mirocup::league {
 
 namespace {
 
-struct Options {
-  std::string folder;
-  std::string fixture;
-  int leg = 0;  // 0: all
-  std::string team;
-  std::string score;
-  std::string results = "keep";
-  std::string reason;
-  std::string by;
-};
-
-Json signed_fields(const Options& options, Json fields) {
+Json signed_fields(const RulingOptions& options, Json fields) {
   fields["why"] = options.reason;
   if (!options.by.empty()) fields["by"] = options.by;
   return fields;
 }
 
 // The legs that are meant: one, or all of the fixture.
-Result<std::vector<int>> legs_of(const Book& book, const Options& options) {
+Result<std::vector<int>> legs_of(const Book& book, const RulingOptions& options) {
   const auto index = book.state().find_fixture(options.fixture);
   if (!index) return fail(Errc::input, "there is no fixture " + options.fixture);
   if (options.leg > 0) return std::vector<int>{options.leg};
@@ -39,7 +29,7 @@ Result<std::vector<int>> legs_of(const Book& book, const Options& options) {
   return legs;
 }
 
-Result<int> rule(const Options& options, int home_goals, int away_goals) {
+Result<int> rule(const RulingOptions& options, int home_goals, int away_goals) {
   record::Disk disk;
   auto book = Book::open(disk, Folder{options.folder});
   if (!book) return tl::unexpected(book.error());
@@ -60,7 +50,19 @@ Result<int> rule(const Options& options, int home_goals, int away_goals) {
   return exit_yes;
 }
 
-Result<int> award(const Options& options) {
+Result<int> write_team_line(const RulingOptions& options, const std::string& kind, Json fields) {
+  record::Disk disk;
+  auto book = Book::open(disk, Folder{options.folder});
+  if (!book) return tl::unexpected(book.error());
+  fields["team"] = options.team;
+  if (auto written = book->write(kind, signed_fields(options, std::move(fields))); !written)
+    return tl::unexpected(written.error());
+  return exit_yes;
+}
+
+}  // namespace
+
+Result<int> run_award(const RulingOptions& options) {
   record::Disk disk;
   const auto book = Book::open(disk, Folder{options.folder});
   if (!book) return tl::unexpected(book.error());
@@ -75,7 +77,7 @@ Result<int> award(const Options& options) {
   return rule(options, *team == fixture.home ? goals : 0, *team == fixture.home ? 0 : goals);
 }
 
-Result<int> rule_score(const Options& options) {
+Result<int> run_rule(const RulingOptions& options) {
   int home = -1;
   int away = -1;
   char colon = 0;
@@ -87,7 +89,7 @@ Result<int> rule_score(const Options& options) {
   return rule(options, home, away);
 }
 
-Result<int> annul(const Options& options) {
+Result<int> run_void(const RulingOptions& options) {
   record::Disk disk;
   auto book = Book::open(disk, Folder{options.folder});
   if (!book) return tl::unexpected(book.error());
@@ -109,17 +111,7 @@ Result<int> annul(const Options& options) {
   return exit_yes;
 }
 
-Result<int> write_team_line(const Options& options, const std::string& kind, Json fields) {
-  record::Disk disk;
-  auto book = Book::open(disk, Folder{options.folder});
-  if (!book) return tl::unexpected(book.error());
-  fields["team"] = options.team;
-  if (auto written = book->write(kind, signed_fields(options, std::move(fields))); !written)
-    return tl::unexpected(written.error());
-  return exit_yes;
-}
-
-Result<int> withdraw(const Options& options) {
+Result<int> run_withdraw(const RulingOptions& options) {
   const auto done = write_team_line(options, "withdraw", {{"results", options.results}});
   if (done) {
     std::cout << options.team << " has withdrawn; "
@@ -129,85 +121,12 @@ Result<int> withdraw(const Options& options) {
   return done;
 }
 
-Result<int> pause(const Options& options) {
+Result<int> run_pause(const RulingOptions& options) {
   return write_team_line(options, "pause", Json::object());
 }
 
-Result<int> resume(const Options& options) {
+Result<int> run_resume(const RulingOptions& options) {
   return write_team_line(options, "resume", Json::object());
-}
-
-class Builder {
- public:
-  Builder(CLI::App& app, Run& run) : app_(app), run_(run) {}
-
-  // A command with DIR and a reason.
-  void begin(const char* name, const char* description, Result<int> (*command)(const Options&)) {
-    options_ = std::make_shared<Options>();
-    sub_ = app_.add_subcommand(name, description);
-    sub_->add_option("DIR", options_->folder, "the league's folder")->required();
-    auto options = options_;
-    Run& run = run_;
-    sub_->callback(
-        [options, command, &run] { run = [options, command] { return command(*options); }; });
-  }
-
-  void fixture() {
-    sub_->add_option("FIXTURE", options_->fixture, "its id, as in r3-f1")->required();
-    sub_->add_option("--leg", options_->leg, "1, 2 or 3 (default: all)")->check(CLI::Range(1, 3));
-  }
-
-  void team() { sub_->add_option("TEAM", options_->team, "its name")->required(); }
-
-  void end(bool needs_reason) {
-    auto* reason = sub_->add_option("--reason", options_->reason, "why; it is published");
-    if (needs_reason) reason->required();
-    sub_->add_option("--by", options_->by, "who decided; it is published");
-  }
-
-  CLI::App& sub() { return *sub_; }
-  Options& options() { return *options_; }
-
- private:
-  CLI::App& app_;
-  Run& run_;
-  CLI::App* sub_ = nullptr;
-  std::shared_ptr<Options> options_;
-};
-
-}  // namespace
-
-void add_rulings(CLI::App& app, Run& run) {
-  Builder b(app, run);
-  b.begin("award", "Give a fixture or a leg to a team, as by a forfeit", award);
-  b.fixture();
-  b.team();
-  b.end(true);
-
-  b.begin("rule", "Decide the score of a fixture's legs or of one", rule_score);
-  b.fixture();
-  b.sub().add_option("--score", b.options().score, "HOME:AWAY")->required();
-  b.end(true);
-
-  b.begin("void", "Let legs count for nothing and be played again with the same seed", annul);
-  b.fixture();
-  b.end(true);
-
-  b.begin("withdraw", "Take a team out of the league", withdraw);
-  b.team();
-  b.sub()
-      .add_option("--results", b.options().results, "keep what it played, or annul it")
-      ->check(CLI::IsMember({"keep", "annul"}))
-      ->capture_default_str();
-  b.end(true);
-
-  b.begin("pause", "Play no legs of a team for now", pause);
-  b.team();
-  b.end(true);
-
-  b.begin("resume", "Let a paused team play again", resume);
-  b.team();
-  b.end(false);
 }
 
 }  // namespace mirocup::league

@@ -6,7 +6,6 @@
 #include "tournaments/run/process_set.hpp"
 
 #include <iostream>
-#include <memory>
 
 namespace mirocup::league {
 
@@ -14,12 +13,9 @@ namespace {
 
 constexpr double long_time = 3600.0;  // s
 
-struct Options {
-  std::string folder;
-  std::string at = "0";
-};
+}  // namespace
 
-Result<int> serve(const Options& options) {
+Result<int> run_serve(const ServeOptions& options) {
   const auto address = web::parse_address(options.at, "--at");
   if (!address) return tl::unexpected(address.error());
   record::Disk disk;
@@ -37,17 +33,6 @@ Result<int> serve(const Options& options) {
   while (!interrupts.is_asked_to_stop_within(long_time)) {
   }
   return exit_yes;
-}
-
-}  // namespace
-
-void add_serve(CLI::App& app, Run& run) {
-  auto options = std::make_shared<Options>();
-  CLI::App* sub = app.add_subcommand("serve", "Show the league in browsers, as it is now");
-  sub->add_option("DIR", options->folder, "the league's folder")->required();
-  sub->add_option("--at", options->at,
-                  "[HOST:]PORT (default: this host only, any port that is free)");
-  sub->callback([options, &run] { run = [options] { return serve(*options); }; });
 }
 
 }  // namespace mirocup::league

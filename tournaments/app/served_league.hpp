@@ -8,6 +8,8 @@
 #include "server/web/site_server.hpp"
 #include "tournaments/run/book.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <chrono>
 #include <map>
 #include <mutex>

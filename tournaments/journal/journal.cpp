@@ -3,6 +3,8 @@
 
 #include "server/record/digest.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <utility>
 
 namespace mirocup::league {
@@ -13,6 +15,12 @@ namespace {
 constexpr std::string_view before_hash = ",\"hash\":\"";
 
 }  // namespace
+
+// Here, where Json is whole.
+Journal::Journal(record::Files& files, std::string path) : files_(&files), path_(std::move(path)) {}
+Journal::Journal(Journal&&) noexcept = default;
+Journal& Journal::operator=(Journal&&) noexcept = default;
+Journal::~Journal() = default;
 
 Result<Journal> Journal::open(record::Files& files, std::string path, std::string* notice) {
   Journal journal(files, std::move(path));

@@ -13,7 +13,7 @@
 
 #include "server/record/files.hpp"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 #include <vector>
@@ -28,6 +28,9 @@ class Journal {
   // out.
   static Result<Journal> open(record::Files& files, std::string path,
                               std::string* notice = nullptr);
+  Journal(Journal&&) noexcept;
+  Journal& operator=(Journal&&) noexcept;
+  ~Journal();
 
   const std::vector<Json>& lines() const { return lines_; }
   const std::string& path() const { return path_; }
@@ -39,7 +42,7 @@ class Journal {
   Result<void> append(const std::string& kind, Json fields);
 
  private:
-  Journal(record::Files& files, std::string path) : files_(&files), path_(std::move(path)) {}
+  Journal(record::Files& files, std::string path);
 
   Result<void> read_line(const std::string& line);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/bracket.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <map>
 #include <utility>
 

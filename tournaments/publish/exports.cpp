@@ -3,6 +3,8 @@
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/site.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 
 namespace mirocup::league {

@@ -6,6 +6,8 @@
 #include "tournaments/run/league_state.hpp"
 #include "tournaments/run/schedule_growth.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 
 namespace mirocup::league {

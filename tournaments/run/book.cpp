@@ -4,6 +4,8 @@
 #include "server/record/digest.hpp"
 #include "tournaments/journal/file_lock.hpp"
 
+#include <nlohmann/json.hpp>
+
 namespace mirocup::league {
 
 Result<Book> Book::open(record::Files& files, Folder folder, std::string* notice) {

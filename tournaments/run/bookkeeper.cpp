@@ -3,6 +3,8 @@
 
 #include "tournaments/run/begin.hpp"
 
+#include <nlohmann/json.hpp>
+
 namespace mirocup::league {
 
 namespace {

@@ -4,6 +4,8 @@
 #include "server/record/digest.hpp"
 #include "server/record/locations.hpp"
 
+#include <nlohmann/json.hpp>
+
 namespace mirocup::league {
 
 namespace {

@@ -3,6 +3,8 @@
 
 #include "core/base/random.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 
 namespace mirocup::league {

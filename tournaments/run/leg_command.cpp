@@ -5,6 +5,8 @@
 #include "server/record/locations.hpp"
 #include "server/record/rules_json.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <utility>
 
 namespace mirocup::league {

@@ -4,6 +4,8 @@
 #include "tournaments/run/leg_command.hpp"
 #include "tournaments/run/process_set.hpp"
 
+#include <nlohmann/json.hpp>
+
 namespace mirocup::league {
 
 namespace {
@@ -57,8 +59,8 @@ std::vector<std::string> open_shards(const LeagueState& state) {
   return ids;
 }
 
-Result<int> run_shards(record::Files& files, const Book& book,
-                       const std::vector<std::string>& fixtures) {
+Result<int> play_shards(record::Files& files, const Book& book,
+                        const std::vector<std::string>& fixtures) {
   const LeagueState& state = book.state();
   if (!state.is_started) {
     return fail(Errc::input,

@@ -6,6 +6,8 @@
 
 #include "tournaments/run/book.hpp"
 
+#include <nlohmann/json.hpp>
+
 namespace mirocup::league {
 
 struct Submission {

@@ -77,7 +77,7 @@ bool become_other_user() {
   return prctl(PR_SET_PDEATHSIG, SIGKILL) == 0;
 }
 
-tl::unexpected<Error> not_available(const char* what) {
+tl::unexpected<Error> no_sandbox(const char* what) {
   return fail(Errc::unavailable, std::string(what) + ": " + std::strerror(errno));
 }
 
@@ -101,14 +101,14 @@ Result<pid_t> fork_isolated(Isolation isolation, const std::function<void()>& ru
   const bool is_inner = isolation == Isolation::T2;
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
-    return not_available("a pair of sockets cannot be made");
+    return no_sandbox("a pair of sockets cannot be made");
   Descriptor line(ends[0]);
   Descriptor child_line(ends[1]);
   const int namespaces = CLONE_NEWUSER | CLONE_NEWPID | CLONE_NEWNS | CLONE_NEWNET | CLONE_NEWIPC |
                          CLONE_NEWUTS | CLONE_NEWCGROUP;
   const long flags = SIGCHLD | (is_inner ? namespaces : 0);
   const auto pid = static_cast<pid_t>(syscall(SYS_clone, flags, 0, 0, 0, 0));
-  if (pid < 0) return not_available("a process cannot be started");
+  if (pid < 0) return no_sandbox("a process cannot be started");
   if (pid == 0) {
     line.reset();
     if (hear(child_line) && (is_inner ? become_inner_user() : become_other_user()) &&
@@ -119,7 +119,7 @@ Result<pid_t> fork_isolated(Isolation isolation, const std::function<void()>& ru
   }
   child_line.reset();
   if ((!is_inner || write_id_maps(pid)) && say(line) && hear(line) && say(line)) return pid;
-  const auto error = not_available("a team's process cannot have a user of its own");
+  const auto error = no_sandbox("a team's process cannot have a user of its own");
   kill(pid, SIGKILL);
   waitpid(pid, nullptr, 0);
   return error;

@@ -10,6 +10,7 @@
 #include "tests/support/memory_files.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace mirocup::record {
 namespace {

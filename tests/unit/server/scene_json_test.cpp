@@ -2,6 +2,7 @@
 #include "server/record/scene_json.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace mirocup::record {
 namespace {

@@ -7,8 +7,10 @@
 #include "tests/support/memory_files.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace mirocup::league {
 namespace {
@@ -18,7 +20,7 @@ using test_support::MemoryFiles;
 Journal opened(MemoryFiles& files) {
   auto journal = Journal::open(files, "journal.jsonl");
   EXPECT_TRUE(journal) << journal.error().what;
-  return *journal;
+  return std::move(*journal);
 }
 
 void write_three_lines(MemoryFiles& files) {

@@ -8,6 +8,7 @@
 #include "tournaments/run/league_state.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <set>

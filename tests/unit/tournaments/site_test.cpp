@@ -7,6 +7,7 @@
 #include "tournaments/publish/html.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace mirocup::league {
 namespace {
