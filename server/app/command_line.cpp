@@ -152,6 +152,8 @@ void add_replay(CLI::App& app, Run& run) {
   command->add_option("--at", o.at, "a moment, in seconds since the match began")
       ->check(CLI::Range(0.0, 1e6));
   command->add_flag("--svg", o.svg, "a still picture of that moment");
+  command->add_flag("--no-times", o.no_times,
+                    "leave out what a clock measured: the page is the same whoever played the leg");
 }
 
 void add_scene(CLI::App& app, Run& run) {

@@ -78,6 +78,7 @@ struct ReplayOptions {
   std::string output;
   std::optional<double> at;  // s since the match began
   bool svg = false;
+  bool no_times = false;
 };
 Result<int> run_replay(const ReplayOptions& options);
 

@@ -167,7 +167,8 @@ dds::Patience Session::patience() {
 
 Result<void> Session::open_live_page() {
   if (!options_.watch) return {};
-  const auto address = web::parse_address(options_.watch->empty() ? "0" : *options_.watch);
+  const auto address =
+      web::parse_address(options_.watch->empty() ? "0" : *options_.watch, "--watch");
   if (!address) return tl::unexpected(address.error());
   const match::Setup& setup = match_.setup();
   auto live = web::LiveServer::open(

@@ -39,8 +39,9 @@ Result<int> run_replay(const ReplayOptions& options) {
   record::Disk disk;
   const auto record = record::load(disk, options.record);
   if (!record) return tl::unexpected(record.error());
+  const web::Times times = options.no_times ? web::Times::left_out : web::Times::shown;
   const auto made =
-      options.svg ? picture_at(record->recording, *options.at) : web::replay_page(*record);
+      options.svg ? picture_at(record->recording, *options.at) : web::replay_page(*record, times);
   if (!made && record::is_of_another_game(*record)) {
     return tl::unexpected(record::another_game(options.record, *record, made.error().tick));
   }

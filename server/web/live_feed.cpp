@@ -12,12 +12,6 @@ namespace {
 
 constexpr std::uint64_t statistics_every = 30;  // states
 
-std::string event(const char* name, const Json& data) {
-  // One line: a name of a team cannot begin another event.
-  return std::string("event: ") + name +
-         "\ndata: " + data.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n\n";
-}
-
 Json calls_json(const std::vector<match::LoggedDecision>& decisions, std::size_t from) {
   Json calls = Json::array();
   for (std::size_t i = from; i < decisions.size(); ++i) {
@@ -72,18 +66,18 @@ std::string LiveFeed::news(Viewer& viewer) const {
 
   std::string text;
   if (!viewer.has_started) {
-    text += event("start", {{"decisions", calls_json(decisions, 0)}});
+    text += event_text("start", {{"decisions", calls_json(decisions, 0)}});
   } else {
-    for (const Json& call : calls_json(decisions, 0)) text += event("call", call);
+    for (const Json& call : calls_json(decisions, 0)) text += event_text("call", call);
   }
   viewer.has_started = true;
   viewer.decisions += decisions.size();
   viewer.frame = frame_of(scene, robots_, viewer.frame);
-  text += event("frame",
-                {{"tick", scene.tick}, {"frame", viewer.frame}, {"moment", moment_json(scene)}});
-  if (numbers) text += event("statistics", *numbers);
+  text += event_text(
+      "frame", {{"tick", scene.tick}, {"frame", viewer.frame}, {"moment", moment_json(scene)}});
+  if (numbers) text += event_text("statistics", *numbers);
   if (result) {
-    text += event("end", record::to_json(*result));
+    text += event_text("end", record::to_json(*result));
     viewer.has_ended = true;
   }
   return text;

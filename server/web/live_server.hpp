@@ -8,6 +8,7 @@
 #pragma once
 
 #include "core/base/error.hpp"
+#include "server/web/address.hpp"
 #include "server/web/live_feed.hpp"
 #include "server/web/page.hpp"
 
@@ -15,13 +16,6 @@
 #include <string>
 
 namespace mirocup::web {
-
-// "8080", "0.0.0.0:8080", "[::1]:8080"; without a host this host only, port 0: any that is free.
-struct Address {
-  std::string host = "127.0.0.1";
-  int port = 0;
-};
-Result<Address> parse_address(const std::string& text);
 
 class LiveServer {
  public:

@@ -139,7 +139,8 @@ std::string about(const record::MatchRecord& record) {
 
 }  // namespace
 
-tl::expected<std::string, replay::Divergence> replay_page(const record::MatchRecord& record) {
+tl::expected<std::string, replay::Divergence> replay_page(const record::MatchRecord& record,
+                                                          Times times) {
   replay::Playback playback(record.recording);
   const match::Match begin(record.recording.setup);
   Film film(playback.match());
@@ -149,7 +150,11 @@ tl::expected<std::string, replay::Divergence> replay_page(const record::MatchRec
   const Json whole = record::to_json(record);
   Json statistics = statistics_json(film.statistics(), record.recording.decisions);
   for (const char* team : {"blue", "yellow"}) {
-    statistics["teams"][team]["budget"] = whole["budget"][team];
+    Json budget = whole["budget"][team];
+    if (times == Times::left_out) {
+      for (const char* measured : {"cpu_seconds", "slowest_tick_ms"}) budget.erase(measured);
+    }
+    statistics["teams"][team]["budget"] = budget;
   }
   const Json data{{"schema", "mirocup/page/1"},
                   {"teams", whole["teams"]},

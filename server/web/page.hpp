@@ -11,8 +11,13 @@
 
 namespace mirocup::web {
 
+// What a clock measured differs whenever the leg is played; a page without it is the same for all who
+// played it.
+enum class Times { shown, left_out };
+
 // Plays the record again for the positions. The error is where it does not tell what happened.
-tl::expected<std::string, replay::Divergence> replay_page(const record::MatchRecord& record);
+tl::expected<std::string, replay::Divergence> replay_page(const record::MatchRecord& record,
+                                                          Times times = Times::shown);
 
 // What a live page is told about a match that is being played.
 struct LiveMatch {

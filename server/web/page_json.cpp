@@ -35,4 +35,10 @@ Json statistics_json(const Statistics& statistics,
           {"heat", {{"columns", statistics.columns()}, {"cells", statistics.heat()}}}};
 }
 
+std::string event_text(const char* name, const Json& data) {
+  // One line: a name of a team cannot begin another event.
+  return std::string("event: ") + name +
+         "\ndata: " + data.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n\n";
+}
+
 }  // namespace mirocup::web

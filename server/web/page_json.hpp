@@ -19,4 +19,7 @@ Json moment_json(const match::Scene& scene);
 Json statistics_json(const Statistics& statistics,
                      const std::vector<match::LoggedDecision>& decisions);
 
+// A server-sent event.
+std::string event_text(const char* name, const Json& data);
+
 }  // namespace mirocup::web

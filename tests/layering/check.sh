@@ -41,7 +41,7 @@ may tournaments/format 'core/|server/record/|tournaments/(format|table)/'
 may tournaments/journal 'core/base/|server/record/|tournaments/journal/'
 may tournaments/run 'core/|server/record/|tournaments/(format|table|journal|run)/'
 may tournaments/publish 'core/|server/record/|tournaments/(format|table|journal|run|publish)/'
-may tournaments/app 'core/|server/record/|tournaments/'
+may tournaments/app 'core/|server/(record|web)/|tournaments/'
 
 # only PATTERN ROOM...: the system's or a library's headers that match PATTERN appear in these rooms only.
 only() {

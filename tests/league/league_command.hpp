@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -41,6 +43,30 @@ inline int count_kind(const std::string& folder, const std::string& kind) {
   int count = 0;
   for (const auto& line : journal_of(folder)) count += line["kind"] == kind ? 1 : 0;
   return count;
+}
+
+// Every file below site/ with its bytes.
+inline std::map<std::string, std::string> site_of(const std::string& folder) {
+  const std::filesystem::path site = folder + "/site";
+  std::map<std::string, std::string> files;
+  for (const auto& file : std::filesystem::recursive_directory_iterator(site)) {
+    if (!file.is_regular_file()) continue;
+    files[file.path().lexically_relative(site)] = read_file(file.path());
+  }
+  return files;
+}
+
+// The same pages in two leagues, replays included: neither who played them nor in what order shows.
+inline void expect_same_site(const std::string& folder, const std::string& other) {
+  const auto expected = site_of(other);
+  auto found = site_of(folder);
+  EXPECT_TRUE(expected.lower_bound("replays/") != expected.lower_bound("replays0"))
+      << other << " has no replays to compare";
+  for (const auto& [name, bytes] : expected) {
+    EXPECT_TRUE(found[name] == bytes) << folder << "/site/" << name << " is another";
+    found.erase(name);
+  }
+  for (const auto& [name, bytes] : found) ADD_FAILURE() << folder << "/site/" << name;
 }
 
 }  // namespace mirocup::test_support

@@ -8,7 +8,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
 const { chromium } = createRequire(join(process.env.MIROCUP_WEB_MODULES, 'x'))('playwright-core');
-const mirocup = join(process.env.MIROCUP_BUILD, 'mirocup');
+export const mirocup = join(process.env.MIROCUP_BUILD, 'mirocup');
 
 export const folder = mkdtempSync(join(tmpdir(), 'mirocup-web-'));
 process.on('exit', () => rmSync(folder, { recursive: true }));

@@ -72,6 +72,13 @@ void add_submit(CLI::App& app, Run& run) {
 void add_running(CLI::App& app, Run& run) {
   LeagueCommand start(app, run, "start", "Play the league, or go on with it", run_start);
   add_folder(start);
+  start
+      ->add_option("--engine", start.options->engine,
+                   "who plays: this host, or the nodes of the Slurm cluster that it belongs to")
+      ->check(CLI::IsMember({"local", "slurm"}))
+      ->capture_default_str();
+  start->add_flag("--watch", start.options->watched,
+                  "legs of this host can be watched through league serve while they are played");
   start->add_option("--jobs", start.options->jobs, "legs at once (default: one for each processor)")
       ->check(CLI::Range(1, 1024));
 
@@ -84,6 +91,12 @@ void add_running(CLI::App& app, Run& run) {
   status->add_flag("--json", status.options->json, "one JSON object on standard output");
 
   add_folder(LeagueCommand(app, run, "publish", "Make the pages", run_publish));
+
+  Command<ServeOptions> serve(app, run, "serve", "Show the league in browsers, as it is now",
+                              run_serve);
+  add_folder(serve);
+  serve->add_option("--at", serve.options->at,
+                    "[HOST:]PORT (default: this host only, any port that is free)");
 
   LeagueCommand files(app, run, "export", "Write table, legs and bracket as files", run_export);
   add_folder(files);
@@ -182,7 +195,8 @@ void add_compare(CLI::App& app, Run& run) {
 
 void add_shards(CLI::App& app, Run& run) {
   Command<ShardOptions> plan(
-      app, run, "plan", "Start the league, and list the fixtures that can be played now", run_plan);
+      app, run, "plan",
+      "Start the league, book what shards have played, and list what can be played now", run_plan);
   add_folder(plan);
 
   Command<ShardOptions> shard(

@@ -6,6 +6,7 @@
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/site.hpp"
 #include "tournaments/run/runner.hpp"
+#include "tournaments/run/slurm_runner.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -81,6 +82,21 @@ void say_what_is_left(const LeagueState& state) {
   }
 }
 
+// Where the league stands when nothing is left that can be played.
+Result<LeagueState> play(record::Files& files, Book book, Progress& progress,
+                         const LeagueOptions& options) {
+  const auto state_of = [](auto& runner, const Result<int>& left) -> Result<LeagueState> {
+    if (!left) return tl::unexpected(left.error());
+    return runner.state();
+  };
+  if (options.engine == "slurm") {
+    SlurmRunner runner(files, std::move(book), progress);
+    return state_of(runner, runner.run(options.jobs));
+  }
+  Runner runner(files, std::move(book), progress);
+  return state_of(runner, runner.run({.jobs = options.jobs, .watched = options.watched}));
+}
+
 }  // namespace
 
 Result<int> run_init(const LeagueOptions& options) {
@@ -109,16 +125,17 @@ Result<int> run_start(const LeagueOptions& options) {
   }
 
   const auto progress = make_progress();
-  Runner runner(disk, std::move(*book), *progress);
-  const auto left = runner.run({.jobs = options.jobs});
-  if (!left) return tl::unexpected(left.error());
+  const auto played = play(disk, std::move(*book), *progress, options);
+  if (!played) return tl::unexpected(played.error());
   progress->say("making pages");
-  if (auto published = publish_site(disk, folder, runner.state()); !published) {
+  if (auto published = publish_site(disk, folder, *played); !published) {
     return tl::unexpected(published.error());
   }
-  std::cout << table_text(runner.state());
-  if (*left == 0) return exit_yes;
-  say_what_is_left(runner.state());
+  std::cout << table_text(*played);
+  if (played->legs() == played->played()) return exit_yes;
+  say_what_is_left(*played);
+  if (options.engine != "local")
+    std::cerr << "mirocup: what teams over DDS play is left to league start without --engine\n";
   return exit_no;
 }
 

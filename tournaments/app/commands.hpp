@@ -21,7 +21,9 @@ struct LeagueOptions {
   std::string format;              // init
   double half_s = 0.0;             // init; 0: as the rules say
   std::uint64_t seed = 1;          // init
-  int jobs = 0;                    // start
+  std::string engine = "local";    // start
+  int jobs = 0;                    // start; 0: as many as there are processors
+  bool watched = false;            // start
   bool now = false;                // stop
   std::string output;              // export
   bool json = false;
@@ -32,6 +34,13 @@ Result<int> run_stop(const LeagueOptions& options);
 Result<int> run_status(const LeagueOptions& options);
 Result<int> run_publish(const LeagueOptions& options);
 Result<int> run_export(const LeagueOptions& options);
+
+// Showing it while it is played.
+struct ServeOptions {
+  std::string folder;
+  std::string at = "0";  // [HOST:]PORT
+};
+Result<int> run_serve(const ServeOptions& options);
 
 // What teams, match server and spectators are known by on the network.
 struct CredentialsOptions {

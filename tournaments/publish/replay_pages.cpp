@@ -12,17 +12,31 @@ namespace {
 
 using Arguments = std::vector<std::string>;
 
+// Records of what was played, those that were ruled void included: their pages are evidence, too.
+std::vector<std::string> records_of(record::Files& files, const Folder& folder,
+                                    const FixtureState& f) {
+  std::vector<std::string> records;
+  for (int leg = 1; leg <= most_legs; ++leg) {
+    const LegState& now = f.legs[leg - 1];
+    for (int version = 1; version < now.version; ++version) {
+      const std::string record = Folder::record_name(f.fixture, leg, version);
+      if (files.exists(folder.path + "/" + record)) records.push_back(record);
+    }
+    if (now.played && !now.played->record.empty()) records.push_back(now.played->record);
+  }
+  return records;
+}
+
 // The commands that make the pages that are missing.
 std::vector<Arguments> missing_pages(record::Files& files, const Folder& folder,
                                      const LeagueState& state) {
   std::vector<Arguments> commands;
   for (const FixtureState& f : state.fixtures) {
-    for (const LegState& leg : f.legs) {
-      if (!leg.played || leg.played->record.empty()) continue;
-      const std::string page = folder.site() + "/" + replay_page_of(leg.played->record);
+    for (const std::string& record : records_of(files, folder, f)) {
+      const std::string page = folder.site() + "/" + replay_page_of(record);
       if (files.exists(page)) continue;
-      commands.push_back({record::sibling_program("mirocup"), "replay",
-                          folder.path + "/" + leg.played->record, "-o", page});
+      commands.push_back({record::sibling_program("mirocup"), "replay", folder.path + "/" + record,
+                          "--no-times", "-o", page});
     }
   }
   return commands;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A replay page for every leg that was played: `mirocup replay` makes them, several at once. A page
-// that is there already is not made again; its record does not change.
+// A replay page for every leg that was played: `mirocup replay` makes them, several at once, without
+// measured times, so that a page depends on what was decided only. A page that is there already is
+// not made again; its record does not change.
 #pragma once
 
 #include "tournaments/run/folder.hpp"

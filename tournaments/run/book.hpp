@@ -17,6 +17,9 @@ class Book {
   const LeagueState& state() const { return state_; }
   const Folder& folder() const { return folder_; }
 
+  // So many lines of the journal are in the state.
+  std::size_t lines() const { return applied_; }
+
   // Takes in what others have written.
   Result<void> refresh();
 

@@ -39,6 +39,18 @@ std::uint64_t leg_seed(const LeagueState& state, const LegId& id) {
 
 }  // namespace
 
+std::vector<int> open_legs(const LeagueState& state, const FixtureState& f) {
+  if (!f.fixture.has_both()) return {};
+  for (const int team : {f.fixture.home, f.fixture.away}) {
+    if (state.teams[team].standing != Standing::playing) return {};
+  }
+  std::vector<int> legs;
+  for (int leg = 1; leg <= f.needed(); ++leg) {
+    if (!f.legs[leg - 1].played) legs.push_back(leg);
+  }
+  return legs;
+}
+
 std::vector<std::string> leg_command(const Folder& folder, const LeagueState& state,
                                      const LegId& id, const std::string& match_id) {
   const Fixture& fixture = id.fixture;
@@ -70,6 +82,10 @@ std::vector<std::string> leg_command(const Folder& folder, const LeagueState& st
   const std::vector<std::string> rules = rule_options(file.rules, file.league);
   arguments.insert(arguments.end(), rules.begin(), rules.end());
   return arguments;
+}
+
+std::string leg_output(const Folder& folder, const LegId& leg) {
+  return folder.record(leg.fixture, leg.leg, leg.version) + ".out";
 }
 
 std::optional<Json> played_record(record::Files& files, const Folder& folder,

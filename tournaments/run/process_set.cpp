@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
@@ -24,7 +25,7 @@ sigset_t awaited_signals() {
 
 [[noreturn]] void become(char* const* arguments, int cpu, const char* log, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(127);
+  if (getppid() != parent) _exit(not_found);
   setpgid(0, 0);  // an interrupt at the terminal is for the league to pass on
   sigset_t none;
   sigemptyset(&none);
@@ -41,8 +42,8 @@ sigset_t awaited_signals() {
   dup2(out, STDOUT_FILENO);
   dup2(out, STDERR_FILENO);
   close_range(3, ~0U, 0);
-  execv(arguments[0], arguments);
-  _exit(127);
+  execvp(arguments[0], arguments);
+  _exit(not_found);
 }
 
 }  // namespace
@@ -90,6 +91,20 @@ std::optional<Exit> ProcessSet::wait() {
     }
     const int signal = sigwaitinfo(&set, nullptr);
     if (signal == SIGINT || signal == SIGTERM) return std::nullopt;
+  }
+}
+
+bool ProcessSet::is_asked_to_stop_within(double seconds) {
+  using Clock = std::chrono::steady_clock;
+  const sigset_t set = awaited_signals();
+  const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+  while (true) {
+    const auto left = std::chrono::duration_cast<std::chrono::nanoseconds>(end - Clock::now());
+    const std::int64_t patience = std::max<std::int64_t>(left.count(), 0);
+    const timespec timeout{patience / 1'000'000'000, patience % 1'000'000'000};
+    const int signal = sigtimedwait(&set, nullptr, &timeout);
+    if (signal == SIGINT || signal == SIGTERM) return true;
+    if (signal < 0 && errno == EAGAIN) return false;
   }
 }
 

@@ -20,8 +20,8 @@ struct Exit {
   int signal = 0;  // the signal that it died of
 };
 
-// What woke a wait: a child, or somebody who wants the league to stop.
-struct Interrupted {};
+// The exit code of a child that could not become its program.
+inline constexpr int not_found = 127;
 
 class ProcessSet {
  public:
@@ -31,7 +31,8 @@ class ProcessSet {
   ProcessSet(const ProcessSet&) = delete;
   ProcessSet& operator=(const ProcessSet&) = delete;
 
-  // Runs arguments[0] on that processor (-1: any); its output and errors go to the file `log`.
+  // Runs arguments[0], a path or a name on the PATH, on that processor (-1: any); its output and errors
+  // go to the file `log`. A program that is not there ends with code not_found.
   Result<pid_t> start(const std::vector<std::string>& arguments, int tag, int cpu,
                       const std::string& log);
 
@@ -39,6 +40,9 @@ class ProcessSet {
 
   // Waits for the next to end; nothing if a signal asks to stop. At least one must run.
   std::optional<Exit> wait();
+
+  // Waits so many seconds (0: looks), whatever the children do; true as soon as a signal asks to stop.
+  bool is_asked_to_stop_within(double seconds);
 
   // Ends one and forgets it.
   void kill(pid_t pid);

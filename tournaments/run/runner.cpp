@@ -3,8 +3,6 @@
 
 #include "server/record/digest.hpp"
 #include "server/record/locations.hpp"
-#include "tournaments/run/begin.hpp"
-#include "tournaments/run/leg_command.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -17,28 +15,14 @@ namespace {
 // Joiners' exits are of no interest: the match server says what became of their team.
 constexpr int joiner_tag = -1;
 
-// What a loaded host can cause: such a loss counts when it happens again.
-bool is_by_a_clock(const std::string& fault) {
-  return fault == "budget" || fault == "hang" || fault == "start_timeout";
-}
-
-std::string last_line_of(record::Files& files, const std::string& path) {
-  const auto text = files.read(path);
-  if (!text || text->empty()) return "";
-  const std::size_t end = text->find_last_not_of('\n');
-  if (end == std::string::npos) return "";
-  const std::size_t begin = text->rfind('\n', end);
-  return text->substr(begin == std::string::npos ? 0 : begin + 1,
-                      end - (begin == std::string::npos ? 0 : begin + 1) + 1);
-}
-
 }  // namespace
 
 Runner::Runner(record::Files& files, Book book, Progress& progress)
-    : files_(files), book_(std::move(book)), progress_(progress) {}
+    : files_(files), books_(files, std::move(book), progress), progress_(progress) {}
 
 Result<int> Runner::run(const RunOptions& options) {
-  if (auto begun = begin_league(files_, book_); !begun) return tl::unexpected(begun.error());
+  options_ = options;
+  if (auto begun = books_.begin(); !begun) return tl::unexpected(begun.error());
   const std::vector<int> cpus = processors();
   const int jobs = options.jobs > 0 ? options.jobs : static_cast<int>(cpus.size());
   slots_.resize(jobs);
@@ -46,7 +30,7 @@ Result<int> Runner::run(const RunOptions& options) {
 
   bool is_asked_to_stop = false;
   while (true) {
-    if (auto fresh = book_.refresh(); !fresh) return tl::unexpected(fresh.error());
+    if (auto fresh = books_.refresh(); !fresh) return tl::unexpected(fresh.error());
     if (!is_asked_to_stop) {
       if (auto filled = fill_slots(); !filled) return tl::unexpected(filled.error());
     }
@@ -54,9 +38,7 @@ Result<int> Runner::run(const RunOptions& options) {
     if (playing() == 0 && !is_asked_to_stop) return state().legs() - state().played();
     const auto exit = playing() > 0 ? processes_.wait() : std::nullopt;
     if (!exit && (is_asked_to_stop || playing() == 0)) {
-      return fail(Errc::interrupted, "interrupted after " + std::to_string(state().played()) +
-                                         " of " + std::to_string(state().legs()) +
-                                         " legs; the same command goes on from here");
+      return tl::unexpected(interrupted_after(state()));
     }
     if (!exit) {
       is_asked_to_stop = true;
@@ -71,29 +53,8 @@ Result<int> Runner::run(const RunOptions& options) {
 }
 
 int Runner::playing() const {
-  return static_cast<int>(
-      std::count_if(slots_.begin(), slots_.end(), [](const Slot& s) { return s.leg != 0; }));
-}
-
-const FixtureState* Runner::find(const std::string& id) const {
-  const auto index = state().find_fixture(id);
-  return index ? &state().fixtures[*index] : nullptr;
-}
-
-std::optional<int> Runner::next_leg(const FixtureState& fixture) const {
-  if (!fixture.fixture.has_both()) return std::nullopt;
-  for (const int team : {fixture.fixture.home, fixture.fixture.away}) {
-    if (state().teams[team].standing != Standing::playing) return std::nullopt;
-  }
-  for (int leg = 1; leg <= fixture.needed(); ++leg) {
-    const LegState& now = fixture.legs[leg - 1];
-    if (now.played) continue;
-    // What decides a tie waits for the others.
-    if (leg > fixture.fixture.legs && fixture.decided() < fixture.fixture.legs) continue;
-    const auto spoiled = spoiled_.find(Folder::record_name(fixture.fixture, leg, now.version));
-    if (spoiled == spoiled_.end() || spoiled->second < most_attempts) return leg;
-  }
-  return std::nullopt;
+  return static_cast<int>(std::count_if(slots_.begin(), slots_.end(),
+                                        [](const Slot& s) { return s.playing.has_value(); }));
 }
 
 bool Runner::is_taken(const std::string& id) const {
@@ -113,66 +74,58 @@ Result<bool> Runner::fill_slots() {
 
 const FixtureState* Runner::next_fixture(const Slot& slot) const {
   // The legs of a fixture stay on one processor.
-  const FixtureState* own = slot.fixture.empty() ? nullptr : find(slot.fixture);
-  if (own != nullptr && next_leg(*own)) return own;
+  const FixtureState* own = slot.fixture.empty() ? nullptr : books_.find(slot.fixture);
+  if (own != nullptr && books_.next_leg(*own)) return own;
   const auto& fixtures = state().fixtures;
   for (std::size_t i = state().first_open(); i < fixtures.size(); ++i) {
     const std::string id = fixtures[i].fixture.id();
-    if (next_leg(fixtures[i]) && (id == slot.fixture || !is_taken(id))) return &fixtures[i];
+    if (books_.next_leg(fixtures[i]) && (id == slot.fixture || !is_taken(id))) return &fixtures[i];
   }
   return nullptr;
 }
 
 // Gives a free slot its next leg; false if there is none and it plays nothing.
 Result<bool> Runner::fill(Slot& slot) {
-  while (slot.leg == 0) {
+  while (!slot.playing) {
     const FixtureState* next = next_fixture(slot);
     slot.fixture.clear();
     if (next == nullptr) return false;
     slot.fixture = next->fixture.id();
-    slot.playing = next->fixture;
-    slot.leg = *next_leg(*next);
-    slot.attempt = next->legs[slot.leg - 1].voids + 1;
-    slot.version = next->legs[slot.leg - 1].version;
+    const LegId leg = *books_.next_leg(*next);
     // A shard may have played it, or this program died before it could book it.
-    const std::string name = Folder::record_name(slot.playing, slot.leg, slot.version);
-    std::optional<Json> record;
-    if (looked_at_.insert(name).second)
-      record = played_record(files_, book_.folder(), state(), id_of(slot));
-    if (record) {
-      if (auto booked = book_record(slot, *record); !booked) return tl::unexpected(booked.error());
-      slot.leg = 0;
-    } else if (auto started = start_leg(slot); !started) {
-      return tl::unexpected(started.error());
+    if (looked_at_.insert(Folder::record_name(leg.fixture, leg.leg, leg.version)).second) {
+      const auto booked = books_.book_if_played(leg);
+      if (!booked) return booked;
+      if (*booked) continue;
     }
+    slot.playing = leg;
+    if (auto started = start_leg(slot); !started) return tl::unexpected(started.error());
   }
   return true;
 }
 
-LegId Runner::id_of(const Slot& slot) const {
-  return {slot.playing, slot.leg, slot.version};
-}
-
 // A league with credentials plays in secure mode.
 std::vector<std::string> Runner::credentials_of(const std::string& whose) const {
-  const std::string folder = book_.folder().credentials();
+  const std::string folder = books_.folder().credentials();
   if (!files_.exists(folder + "/server")) return {};
   return {"--credentials", folder + "/" + whose};
 }
 
 Result<void> Runner::start_leg(Slot& slot) {
-  const int blue = blue_team(slot.playing, slot.leg);
-  const int yellow = blue == slot.playing.home ? slot.playing.away : slot.playing.home;
+  const LegId& leg = *slot.playing;
+  const int blue = blue_team(leg.fixture, leg.leg);
+  const int yellow = blue == leg.fixture.home ? leg.fixture.away : leg.fixture.home;
   // Other leagues may play on this host at the same time.
   const std::string match_id =
-      record::sha256(book_.folder().path + state().config_sha256).substr(0, 12) + "-" +
-      slot.fixture + "-" + std::to_string(slot.leg);
-  const std::string log = book_.folder().record(slot.playing, slot.leg, slot.version) + ".out";
+      record::sha256(books_.folder().path + state().config_sha256).substr(0, 12) + "-" +
+      slot.fixture + "-" + std::to_string(leg.leg);
   const int tag = static_cast<int>(&slot - slots_.data());
-  auto command = leg_command(book_.folder(), state(), id_of(slot), match_id);
+  auto command = leg_command(books_.folder(), state(), leg, match_id);
   const std::vector<std::string> credentials = credentials_of("server");
   command.insert(command.end(), credentials.begin(), credentials.end());
-  if (auto started = processes_.start(command, tag, slot.cpu, log); !started)
+  if (options_.watched) command.insert(command.end(), {"--watch", "127.0.0.1:0", "--speed", "max"});
+  if (auto started = processes_.start(command, tag, slot.cpu, leg_output(books_.folder(), leg));
+      !started)
     return tl::unexpected(started.error());
   if (auto joined = start_joiner(slot, blue, "blue", match_id); !joined) return joined;
   return start_joiner(slot, yellow, "yellow", match_id);
@@ -182,8 +135,9 @@ Result<void> Runner::start_joiner(Slot& slot, int team, const std::string& colou
                                   const std::string& match_id) {
   const TeamEntry& entry = state().file.teams[team];
   if (!entry.over_dds) return {};
+  const LegId& leg = *slot.playing;
   const std::string log =
-      book_.folder().record(slot.playing, slot.leg, slot.version) + "." + colour + ".join";
+      books_.folder().record(leg.fixture, leg.leg, leg.version) + "." + colour + ".join";
   std::vector<std::string> command{record::sibling_program("mirocup"),
                                    "join",
                                    "--match",
@@ -192,7 +146,7 @@ Result<void> Runner::start_joiner(Slot& slot, int team, const std::string& colou
                                    colour,
                                    "--name",
                                    entry.name,
-                                   book_.folder().library(entry.name, state().teams[team].entry)};
+                                   books_.folder().library(entry.name, state().teams[team].entry)};
   const std::vector<std::string> credentials = credentials_of("teams/" + entry.name);
   command.insert(command.end(), credentials.begin(), credentials.end());
   const auto pid = processes_.start(command, joiner_tag, slot.cpu, log);
@@ -206,80 +160,17 @@ Result<void> Runner::finish(Slot& slot, const Exit& exit) {
     if (joiner != 0) processes_.kill(joiner);
     joiner = 0;
   }
-  const std::string record = book_.folder().record(slot.playing, slot.leg, slot.version);
-  Result<void> booked;
-  if (exit.signal == 0 && exit.code == exit_yes) {
-    booked = book(slot);
-  } else {
-    const std::string why = exit.signal != 0 ? std::string("the match server died of signal ") +
-                                                   std::to_string(exit.signal)
-                                             : last_line_of(files_, record + ".out");
-    booked = book_void(slot, "host", why);
+  const LegId leg = *slot.playing;
+  slot.playing.reset();
+  const std::string record = books_.folder().record(leg.fixture, leg.leg, leg.version);
+  if (exit.signal != 0) {
+    return books_.book_void(leg, "the match server died of signal " + std::to_string(exit.signal));
   }
-  slot.leg = 0;
-  return booked;
-}
-
-// A line that no longer fits, because a person decided otherwise meanwhile, is dropped.
-Result<void> Runner::written(Result<void> result) {
-  if (result || result.error().code != Errc::input) return result;
-  progress_.say("not counted: " + result.error().what);
-  return {};
-}
-
-Result<void> Runner::book(const Slot& slot) {
-  const std::string path = book_.folder().record(slot.playing, slot.leg, slot.version);
-  const auto text = files_.read(path);
-  if (!text) return book_void(slot, "host", text.error().what);
-  const Json record = Json::parse(*text, nullptr, false);
-  if (record.is_discarded()) return book_void(slot, "host", path + " is not JSON");
-  return book_record(slot, record);
-}
-
-Result<void> Runner::book_record(const Slot& slot, const Json& record) {
-  const Json line = leg_line(state().file, slot.playing, slot.leg, slot.attempt, record,
-                             Folder::record_name(slot.playing, slot.leg, slot.version));
-  const Json& fault = line.at("fault");
-  const FixtureState* fixture = find(slot.fixture);
-  const bool is_confirmed = fixture != nullptr && fixture->legs[slot.leg - 1].is_to_confirm;
-  if (!fault.is_null() && is_by_a_clock(fault.at("code").get<std::string>()) && !is_confirmed) {
-    return book_void(slot, "confirm",
-                     fault.at("team").get<std::string>() + ": " +
-                         fault.at("code").get<std::string>() + ": " +
-                         fault.at("text").get<std::string>() + "; played again to confirm it");
-  }
-  if (auto booked = written(book_.write("leg", line)); !booked) return booked;
-  progress_.say(std::to_string(state().played()) + "/" + std::to_string(state().legs()) + "  " +
-                line.at("home").get<std::string>() + " " + line.at("score").at("home").dump() +
-                " : " + line.at("score").at("away").dump() + " " +
-                line.at("away").get<std::string>() + "  (" + line.at("end").get<std::string>() +
-                ")");
-  return pause_after_strikes(slot.playing);
-}
-
-Result<void> Runner::book_void(const Slot& slot, const std::string& cause, const std::string& why) {
-  if (cause == "host") ++spoiled_[Folder::record_name(slot.playing, slot.leg, slot.version)];
-  progress_.say(slot.fixture + " leg " + std::to_string(slot.leg) + ": void: " + why);
-  return written(book_.write("void", {{"fixture", slot.fixture},
-                                      {"leg", slot.leg},
-                                      {"attempt", slot.attempt},
-                                      {"cause", cause},
-                                      {"why", why}}));
-}
-
-Result<void> Runner::pause_after_strikes(const Fixture& fixture) {
-  const int most = state().file.strikes;
-  for (const int team : {fixture.home, fixture.away}) {
-    const TeamState& now = state().teams[team];
-    if (most == 0 || now.strikes < most || now.standing != Standing::playing) continue;
-    const std::string why = std::to_string(now.strikes) + " legs in a row lost by its own faults";
-    const std::string name = state().name(team);
-    if (auto paused = written(book_.write("pause", {{"team", name}, {"why", why}})); !paused)
-      return paused;
-    progress_.say(name + " is paused: " + why + "; mirocup league resume or withdraw " +
-                  book_.folder().path + " " + name);
-  }
-  return {};
+  if (exit.code != exit_yes) return books_.book_void(leg, books_.last_words(leg));
+  const auto booked = books_.book_if_played(leg);
+  if (!booked) return tl::unexpected(booked.error());
+  if (*booked) return {};
+  return books_.book_void(leg, record + " is not there, or is not the record of this leg");
 }
 
 }  // namespace mirocup::league

@@ -8,24 +8,19 @@
 // team does can stop a league; a team that loses leg after leg by its own faults is paused.
 #pragma once
 
-#include "tournaments/run/book.hpp"
-#include "tournaments/run/leg_command.hpp"
+#include "tournaments/run/bookkeeper.hpp"
 #include "tournaments/run/process_set.hpp"
 #include "tournaments/run/progress.hpp"
 
-#include <map>
 #include <optional>
 #include <set>
 
 namespace mirocup::league {
 
 struct RunOptions {
-  int jobs = 0;  // 0: one for each processor
+  int jobs = 0;          // 0: one for each processor
+  bool watched = false;  // each leg opens a live page on this host
 };
-
-// After so many attempts that the host spoiled a leg is left until the next start, when somebody may
-// have looked after the host.
-inline constexpr int most_attempts = 3;
 
 class Runner {
  public:
@@ -36,46 +31,35 @@ class Runner {
   // (Errc::interrupted). The value is the number of legs that are not decided.
   Result<int> run(const RunOptions& options);
 
-  const LeagueState& state() const { return book_.state(); }
+  const LeagueState& state() const { return books_.state(); }
 
  private:
   // A place to play on: one processor, at most one fixture.
   struct Slot {
     int cpu = -1;
-    std::string fixture;       // its id; "": free
-    Fixture playing;           // as it was when the leg began
-    int leg = 0;               // being played; 0: none
-    int attempt = 1;           // in the journal
-    int version = 1;           // of the record
-    pid_t joiner[2] = {0, 0};  // mirocup join for DDS teams, blue and yellow
+    std::string fixture;           // its id; "": free
+    std::optional<LegId> playing;  // its fixture as it was when the leg began
+    pid_t joiner[2] = {0, 0};      // mirocup join for DDS teams, blue and yellow
   };
 
   Result<bool> fill_slots();
   Result<bool> fill(Slot& slot);
-  const FixtureState* find(const std::string& id) const;
-  std::optional<int> next_leg(const FixtureState& fixture) const;
   bool is_taken(const std::string& id) const;
   const FixtureState* next_fixture(const Slot& slot) const;
   Result<void> start_leg(Slot& slot);
-  LegId id_of(const Slot& slot) const;
   std::vector<std::string> credentials_of(const std::string& whose) const;
   Result<void> start_joiner(Slot& slot, int team, const std::string& colour,
                             const std::string& match_id);
   Result<void> finish(Slot& slot, const Exit& exit);
-  Result<void> book(const Slot& slot);
-  Result<void> book_record(const Slot& slot, const Json& record);
-  Result<void> book_void(const Slot& slot, const std::string& cause, const std::string& why);
-  Result<void> pause_after_strikes(const Fixture& fixture);
-  Result<void> written(Result<void> result);
   int playing() const;
 
   record::Files& files_;
-  Book book_;
+  RunOptions options_;
+  Bookkeeper books_;
   Progress& progress_;
   ProcessSet processes_;
   std::vector<Slot> slots_;
-  std::set<std::string> looked_at_;     // records: was it there already?
-  std::map<std::string, int> spoiled_;  // by the host in this run: records
+  std::set<std::string> looked_at_;  // records: was it there already?
 };
 
 }  // namespace mirocup::league

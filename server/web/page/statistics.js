@@ -33,12 +33,14 @@ export function showStatistics(table, { blue, yellow }) {
     ...line('Fouls', blue.fouls, yellow.fouls, whole),
   );
   if (!blue.budget) return;
-  const seconds = (s) => `${s.toFixed(2)} s`;
-  const milliseconds = (ms) => `${ms.toFixed(2)} ms`;
-  table.append(
-    ...line('CPU time', blue.budget.cpu_seconds, yellow.budget.cpu_seconds, seconds),
-    ...line('Slowest tick', blue.budget.slowest_tick_ms, yellow.budget.slowest_tick_ms, milliseconds),
-  );
+  if ('cpu_seconds' in blue.budget) {
+    const seconds = (s) => `${s.toFixed(2)} s`;
+    const milliseconds = (ms) => `${ms.toFixed(2)} ms`;
+    table.append(
+      ...line('CPU time', blue.budget.cpu_seconds, yellow.budget.cpu_seconds, seconds),
+      ...line('Slowest tick', blue.budget.slowest_tick_ms, yellow.budget.slowest_tick_ms, milliseconds),
+    );
+  }
   for (const [label, key] of [['Late ticks', 'late_ticks'], ['Bad commands', 'bad_commands']]) {
     if (blue.budget[key] + yellow.budget[key] > 0) {
       table.append(...line(label, blue.budget[key], yellow.budget[key], whole));

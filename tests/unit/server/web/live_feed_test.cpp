@@ -47,12 +47,13 @@ TEST(LiveFeed, TellsEveryCallOnceToWhoeverComesWhenever) {
 }
 
 TEST(LiveServer, KnowsItsAddress) {
-  EXPECT_EQ(parse_address("8080")->host, "127.0.0.1") << "this host only unless told otherwise";
-  EXPECT_EQ(parse_address("8080")->port, 8080);
-  EXPECT_EQ(parse_address("0.0.0.0:81")->host, "0.0.0.0");
-  EXPECT_EQ(parse_address("[::1]:82")->host, "::1");
+  EXPECT_EQ(parse_address("8080", "--watch")->host, "127.0.0.1")
+      << "this host only unless told otherwise";
+  EXPECT_EQ(parse_address("8080", "--watch")->port, 8080);
+  EXPECT_EQ(parse_address("0.0.0.0:81", "--watch")->host, "0.0.0.0");
+  EXPECT_EQ(parse_address("[::1]:82", "--watch")->host, "::1");
   for (const char* wrong : {"", "x", "8080x", "-1", "65536", ":80", "host:"}) {
-    EXPECT_FALSE(parse_address(wrong)) << wrong;
+    EXPECT_FALSE(parse_address(wrong, "--watch")) << wrong;
   }
 }
 

@@ -58,6 +58,16 @@ TEST(ReplayPage, IsNotMadeOfARecordThatIsNotReproduced) {
   EXPECT_EQ(page.error().tick, 51u);
 }
 
+TEST(ReplayPage, WithoutTimesIsTheSameWhoeverPlayedTheLeg) {
+  record::MatchRecord record = played(4.0);
+  const auto with = replay_page(record);
+  const auto without = replay_page(record, Times::left_out);
+  record.budget[0].cpu_seconds = 1.5;
+  record.budget[1].slowest_tick_ms = 7.0;
+  EXPECT_NE(*replay_page(record), *with);
+  EXPECT_EQ(*replay_page(record, Times::left_out), *without);
+}
+
 // Forty seconds of the largest league, of teams that change their mind all the time: a fifteenth of
 // ten minutes.
 TEST(ReplayPage, StaysSmall) {

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+//
+// mirocup league serve: a league in browsers while it is played.
+#include "tournaments/app/commands.hpp"
+#include "tournaments/app/served_league.hpp"
+#include "tournaments/run/process_set.hpp"
+
+#include <iostream>
+
+namespace mirocup::league {
+
+namespace {
+
+constexpr double long_time = 3600.0;  // s
+
+}  // namespace
+
+Result<int> run_serve(const ServeOptions& options) {
+  const auto address = web::parse_address(options.at, "--at");
+  if (!address) return tl::unexpected(address.error());
+  record::Disk disk;
+  auto book = Book::open(disk, Folder{options.folder});
+  if (!book) return tl::unexpected(book.error());
+  ProcessSet interrupts;  // before any thread
+  ServedLeague league(disk, std::move(*book));
+  const auto server = web::SiteServer::open(
+      *address, "--at",
+      {.page = [&league](const std::string& path) { return league.page(path); },
+       .news = [&league](std::uint64_t& seen) { return league.news(seen); },
+       .match = [&league](const std::string& name) { return league.match(name); }});
+  if (!server) return tl::unexpected(server.error());
+  std::cout << (*server)->url() << std::endl;
+  while (!interrupts.is_asked_to_stop_within(long_time)) {
+  }
+  return exit_yes;
+}
+
+}  // namespace mirocup::league

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/app/served_league.hpp"
+
+#include "server/record/match_record.hpp"
+#include "server/web/assets.hpp"
+#include "server/web/page.hpp"
+#include "server/web/page_json.hpp"
+#include "tournaments/publish/replay_pages.hpp"
+#include "tournaments/publish/site.hpp"
+#include "tournaments/run/leg_command.hpp"
+
+#include <charconv>
+#include <filesystem>
+
+namespace mirocup::league {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto look_again = 500ms;
+
+// What `mirocup match --watch` says; only matches of this host are passed on.
+constexpr std::string_view watched = "mirocup: watch at http://127.0.0.1:";
+
+// No source but this server, no code but the script that it gives.
+constexpr const char* policy =
+    "default-src 'none'; style-src 'unsafe-inline'; script-src 'self'; connect-src 'self'";
+constexpr std::string_view script = "<script type=\"module\" src=\"/league.js\"></script>\n";
+
+std::string type_of(const std::string& path) {
+  const std::string end = std::filesystem::path(path).extension();
+  if (end == ".html") return "text/html; charset=utf-8";
+  if (end == ".json") return "application/json";
+  if (end == ".csv") return "text/csv; charset=utf-8";
+  if (end == ".js") return "text/javascript; charset=utf-8";
+  return "application/octet-stream";
+}
+
+std::string stem_of(const LegId& leg) {
+  return std::filesystem::path(Folder::record_name(leg.fixture, leg.leg, leg.version)).stem();
+}
+
+// The port in what a match server has said so far; 0 if it said none.
+int port_in(const std::string& text) {
+  const std::size_t begin = text.find(watched);
+  if (begin == std::string::npos) return 0;
+  int port = 0;
+  const char* digits = text.data() + begin + watched.size();
+  const auto [end, error] = std::from_chars(digits, text.data() + text.size(), port);
+  return error == std::errc() && end != text.data() + text.size() && *end == '/' ? port : 0;
+}
+
+std::string with_script(std::string html) {
+  const std::size_t end = html.rfind("</body>");
+  return end == std::string::npos ? html : html.insert(end, script);
+}
+
+}  // namespace
+
+// Under the lock. What cannot be read just now is as it was.
+void ServedLeague::look() {
+  const auto now = std::chrono::steady_clock::now();
+  if (version_ > 0 && now - looked_at_ < look_again) return;
+  looked_at_ = now;
+  (void)book_.refresh();
+  std::vector<Playing> playing = find_playing();
+  if (version_ > 0 && book_.lines() == lines_ && playing == playing_) return;
+  lines_ = book_.lines();
+  playing_ = std::move(playing);
+  ++version_;
+}
+
+std::vector<ServedLeague::Playing> ServedLeague::find_playing() const {
+  const LeagueState& state = book_.state();
+  std::vector<Playing> playing;
+  for (std::size_t i = state.first_open(); i < state.fixtures.size(); ++i) {
+    const FixtureState& f = state.fixtures[i];
+    for (const int number : open_legs(state, f)) {
+      const LegId leg{f.fixture, number, f.legs[number - 1].version};
+      const std::string output = leg_output(book_.folder(), leg);
+      if (!files_.exists(output)) continue;
+      const int port = port_in(files_.read(output).value_or(""));
+      if (port == 0 || !web::is_watched_at(port)) continue;
+      const int blue = blue_team(leg.fixture, number);
+      const int yellow = blue == leg.fixture.home ? leg.fixture.away : leg.fixture.home;
+      playing.push_back({stem_of(leg),
+                         {{"name", stem_of(leg)},
+                          {"fixture", leg.fixture.id()},
+                          {"leg", number},
+                          {"blue", state.name(blue)},
+                          {"yellow", state.name(yellow)}},
+                         port});
+    }
+  }
+  return playing;
+}
+
+// Under the lock.
+void ServedLeague::make_pages() {
+  if (!pages_.empty() && lines_of_pages_ == lines_) return;
+  lines_of_pages_ = lines_;
+  pages_.clear();
+  for (SiteFile& file : make_site(book_.state())) {
+    const std::string type = type_of(file.name);
+    const bool is_html = type.starts_with("text/html");
+    pages_["/" + file.name] = {type, is_html ? policy : "",
+                               is_html ? with_script(std::move(file.bytes)) : file.bytes};
+  }
+  pages_["/"] = pages_["/index.html"];
+  pages_["/league.js"] = {type_of("league.js"), "", std::string(web::asset("league.js"))};
+  records_.clear();
+  for (const FixtureState& f : book_.state().fixtures) {
+    for (int leg = 1; leg <= most_legs; ++leg) {
+      const LegState& now = f.legs[leg - 1];
+      const int versions =
+          now.played && !now.played->record.empty() ? now.version : now.version - 1;
+      for (int version = 1; version <= versions; ++version)
+        records_.insert(stem_of({f.fixture, leg, version}));
+    }
+  }
+}
+
+std::optional<web::Page> ServedLeague::page(const std::string& path) {
+  std::string stem;
+  {
+    const std::lock_guard lock(mutex_);
+    look();
+    make_pages();
+    if (const auto found = pages_.find(path); found != pages_.end()) return found->second;
+    // Only what the journal names is looked for on the disk.
+    const std::filesystem::path file(path);
+    stem = file.filename();
+    stem = stem.substr(0, stem.find('.'));
+    if (!records_.contains(stem)) return std::nullopt;
+  }
+  if (path == "/replays/" + stem + ".html") return replay(stem);
+  if (path != "/records/" + stem + ".json" && path != "/records/" + stem + ".replay.zst")
+    return std::nullopt;
+  auto bytes = files_.read(book_.folder().path + path);
+  if (!bytes) return std::nullopt;
+  return web::Page{type_of(path), "", std::move(*bytes)};
+}
+
+// As publish has made it, or would.
+std::optional<web::Page> ServedLeague::replay(const std::string& stem) {
+  const std::string record = "records/" + stem + ".json";
+  const std::string html = replay_page_of(record);
+  if (auto made = files_.read(book_.folder().site() + "/" + html))
+    return web::Page{type_of(html), "", std::move(*made)};
+  const std::lock_guard one_at_a_time(replaying_);
+  const auto loaded = record::load(files_, book_.folder().path + "/" + record);
+  if (!loaded) return std::nullopt;
+  auto page = web::replay_page(*loaded, web::Times::left_out);
+  if (!page) return std::nullopt;
+  return web::Page{type_of(html), "", std::move(*page)};
+}
+
+std::string ServedLeague::news(std::uint64_t& seen) {
+  const std::lock_guard lock(mutex_);
+  look();
+  if (seen == version_) return "";
+  seen = version_;
+  Json playing = Json::array();
+  for (const Playing& leg : playing_) playing.push_back(leg.about);
+  return web::event_text("league", {{"version", lines_}, {"playing", playing}});
+}
+
+std::optional<int> ServedLeague::match(const std::string& name) {
+  const std::lock_guard lock(mutex_);
+  look();
+  for (const Playing& leg : playing_) {
+    if (leg.name == name) return leg.port;
+  }
+  return std::nullopt;
+}
+
+}  // namespace mirocup::league

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+//
+// A league as `mirocup league serve` shows it: the pages that publish would write, made from the journal
+// as it is now; the records and replays of what was played; and which legs are being played. Reads
+// only. Threads: any.
+#pragma once
+
+#include "server/web/site_server.hpp"
+#include "tournaments/run/book.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <map>
+#include <mutex>
+#include <set>
+
+namespace mirocup::league {
+
+class ServedLeague {
+ public:
+  ServedLeague(record::Files& files, Book book) : files_(files), book_(std::move(book)) {}
+
+  // As web::Site has them.
+  std::optional<web::Page> page(const std::string& path);
+  std::string news(std::uint64_t& seen);
+  std::optional<int> match(const std::string& name);
+
+ private:
+  // A leg that can be watched.
+  struct Playing {
+    std::string name;  // of its record, without .json
+    Json about;        // for page/league.js
+    int port = 0;
+
+    bool operator==(const Playing&) const = default;
+  };
+
+  void look();
+  std::vector<Playing> find_playing() const;
+  void make_pages();
+  std::optional<web::Page> replay(const std::string& stem);
+
+  record::Files& files_;
+  std::mutex mutex_;  // of all that follows
+  Book book_;
+  std::chrono::steady_clock::time_point looked_at_{};
+  std::uint64_t version_ = 0;  // of the journal and of what is being played
+  std::size_t lines_ = 0;      // of the journal
+  std::vector<Playing> playing_;
+  std::size_t lines_of_pages_ = 0;
+  std::map<std::string, web::Page> pages_;  // by path
+  std::set<std::string> records_;           // without .json
+
+  std::mutex replaying_;  // one at a time
+};
+
+}  // namespace mirocup::league
