@@ -171,13 +171,13 @@ TEST(VerifyCommand, TellsTruthFromForgeryAndDamage) {
   EXPECT_EQ(run({program("mirocup"), "verify", folder / "nothing.json"}).exit_code, 3);
 }
 
-// Ten legs of a minute each way: who should win does. Of the legs, not of this build, which plays the
-// same ones (PlaysTheSameLegInEveryBuild).
+// Who should win wins most of the legs. Of the legs, not of this build, which plays the same ones
+// (PlaysTheSameLegInEveryBuild).
 #ifndef MIROCUP_SANITIZED
 TEST(HouseTeams, AreAsStrongAsTheirNamesSay) {
-  const auto points = [](const std::string& stronger, const std::string& weaker) {
+  const auto points = [](const std::string& stronger, const std::string& weaker, int legs) {
     int total = 0;
-    for (int seed = 1; seed <= 10; ++seed) {
+    for (int seed = 1; seed <= legs; ++seed) {
       const TemporaryFolder folder;
       const bool blue = seed % 2 == 0;
       run(match(
@@ -189,8 +189,8 @@ TEST(HouseTeams, AreAsStrongAsTheirNamesSay) {
     }
     return total;
   };
-  EXPECT_GE(points("striker", "chaser"), 5);
-  EXPECT_GE(points("chaser", "idle"), 8);
+  EXPECT_GE(points("striker", "chaser", 20), 10);
+  EXPECT_GE(points("chaser", "idle", 10), 8);
 }
 #endif
 
