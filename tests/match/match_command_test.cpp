@@ -171,26 +171,26 @@ TEST(VerifyCommand, TellsTruthFromForgeryAndDamage) {
   EXPECT_EQ(run({program("mirocup"), "verify", folder / "nothing.json"}).exit_code, 3);
 }
 
-// Who should win wins most of the legs. Of the legs, not of this build, which plays the same ones
+// Who should win wins most of ten whole legs. Of the legs, not of this build, which plays the same ones
 // (PlaysTheSameLegInEveryBuild).
 #ifndef MIROCUP_SANITIZED
 TEST(HouseTeams, AreAsStrongAsTheirNamesSay) {
-  const auto points = [](const std::string& stronger, const std::string& weaker, int legs) {
+  const auto points = [](const std::string& stronger, const std::string& weaker) {
     int total = 0;
-    for (int seed = 1; seed <= legs; ++seed) {
+    for (int seed = 1; seed <= 10; ++seed) {
       const TemporaryFolder folder;
       const bool blue = seed % 2 == 0;
       run(match(
           blue ? stronger : weaker, blue ? weaker : stronger,
-          {"--half", "120", "--seed", std::to_string(seed), "--record", folder / "leg.json"}));
+          {"--half", "300", "--seed", std::to_string(seed), "--record", folder / "leg.json"}));
       const auto winner = read_json(folder / "leg.json")["result"]["winner"];
       if (winner.is_null()) continue;
       total += (winner == "blue") == blue ? 1 : -1;
     }
     return total;
   };
-  EXPECT_GE(points("striker", "chaser", 20), 10);
-  EXPECT_GE(points("chaser", "idle", 10), 8);
+  EXPECT_GE(points("striker", "chaser"), 5);
+  EXPECT_GE(points("chaser", "idle"), 8);
 }
 #endif
 
