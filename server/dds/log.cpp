@@ -4,12 +4,16 @@
 #include <dds/ddsrt/log.h>
 
 #include <algorithm>
+#include <string_view>
 
 namespace mirocup::dds {
 
 namespace {
 
 constexpr std::size_t longest = 300;
+
+// Anybody who can send packets can make it say this: it must not hide what was said before.
+constexpr std::string_view noise = "malformed packet";
 
 }  // namespace
 
@@ -32,6 +36,7 @@ void Log::keep(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
   const std::lock_guard lock(mutex_);
+  if (text.starts_with(noise) && !last_.empty()) return;
   last_ = std::move(text);
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // What Cyclone DDS has to say, kept for our own sentences instead of the user's terminal. Whoever
-// can send packets can make it talk without end, so only the last message is kept.
+// can send packets can make it talk without end, so only the last message is kept, and none about
+// malformed packets while there is another.
 #pragma once
 
 #include <mutex>
