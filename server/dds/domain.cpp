@@ -41,8 +41,8 @@ std::string configuration(const std::string& interface, const std::string& index
 
 // What Cyclone said about it, if it did.
 std::string reason(const Log& log) {
-  const std::string last = log.last();
-  return last.empty() ? last : " (" + last + ")";
+  const std::string said = log.said();
+  return said.empty() ? said : " (" + said + ")";
 }
 
 Result<Domain> open_domain(const std::string& interface, const std::string& xml,

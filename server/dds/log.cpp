@@ -11,6 +11,7 @@ namespace mirocup::dds {
 namespace {
 
 constexpr std::size_t longest = 300;
+constexpr std::size_t most = 4;
 
 // Anybody who can send packets can make it say this: it must not hide what was said before.
 constexpr std::string_view noise = "malformed packet";
@@ -36,13 +37,20 @@ void Log::keep(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
   const std::lock_guard lock(mutex_);
-  if (text.starts_with(noise) && !last_.empty()) return;
-  last_ = std::move(text);
+  const bool is_noise = text.starts_with(noise);
+  if (is_noise && !last_.empty()) return;
+  std::erase_if(last_, [&](const std::string& kept) {
+    return kept == text || (!is_noise && kept.starts_with(noise));
+  });
+  if (last_.size() == most) last_.erase(last_.begin());
+  last_.push_back(std::move(text));
 }
 
-std::string Log::last() const {
+std::string Log::said() const {
   const std::lock_guard lock(mutex_);
-  return last_;
+  std::string all;
+  for (const std::string& text : last_) all += (all.empty() ? "" : "; ") + text;
+  return all;
 }
 
 }  // namespace mirocup::dds

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // What Cyclone DDS has to say, kept for our own sentences instead of the user's terminal. Whoever
-// can send packets can make it talk without end, so only the last message is kept, and none about
-// malformed packets while there is another.
+// can send packets can make it talk without end, so only the last few messages are kept, each once,
+// and none about malformed packets while there is another. A few, since it also talks of strangers
+// (the servers and teams of another league on this host) while one looks for a team's trouble.
 #pragma once
 
 #include <mutex>
 #include <string>
+#include <vector>
 
 namespace mirocup::dds {
 
@@ -18,14 +20,15 @@ class Log {
   Log& operator=(const Log&) = delete;
   ~Log();
 
-  // The last warning or error, printable and short; "" if there was none.
-  std::string last() const;
+  // The last different warnings and errors, oldest first, printable and short, with "; " between
+  // them; "" if there was none.
+  std::string said() const;
 
  private:
   void keep(std::string text);
 
   mutable std::mutex mutex_;  // Cyclone writes from threads of its own
-  std::string last_;
+  std::vector<std::string> last_;
 };
 
 }  // namespace mirocup::dds

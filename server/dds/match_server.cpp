@@ -110,8 +110,8 @@ void MatchServer::close(const match::Match& match) {
 }
 
 std::string MatchServer::last_words() const {
-  const std::string last = domain_.log->last();
-  return last.empty() ? last : " (DDS: " + last + ")";
+  const std::string said = domain_.log->said();
+  return said.empty() ? said : " (DDS: " + said + ")";
 }
 
 }  // namespace mirocup::dds

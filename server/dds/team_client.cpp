@@ -193,8 +193,8 @@ std::string TeamClient::trouble() const {
     return "the match is there, but does not expect a team called \"" + call_.name + "\" as " +
            std::string(to_string(call_.team));
   }
-  const std::string last = domain_.log->last();
-  return "no match server answered" + (last.empty() ? last : " (DDS: " + last + ")");
+  const std::string said = domain_.log->said();
+  return "no match server answered" + (said.empty() ? said : " (DDS: " + said + ")");
 }
 
 }  // namespace mirocup::dds

@@ -112,7 +112,7 @@ TEST_F(Credentials, CanBeRevoked) {
   ASSERT_EQ(revoked.exit_code, 0) << revoked.err;
   const std::string id = match_id("revoked");
   Running remote(join(id, folder_ / "kept"));
-  const Outcome played = run(match(id, "2"));
+  const Outcome played = run(match(id, "6"));
   const auto fault = read_json(folder_ / "leg.json")["result"]["fault"];
   EXPECT_EQ(fault["code"], "start_timeout");
   EXPECT_NE(fault["text"].get<std::string>().find("revoked"), std::string::npos) << fault;
@@ -137,7 +137,7 @@ TEST_F(Credentials, Expire) {
 
   const std::string id = match_id("expired");
   Running turned_back(behind(then - 1, join(id, own)));
-  const Outcome played = run(match(id, "3", league));
+  const Outcome played = run(match(id, "6", league));
   ASSERT_EQ(played.exit_code, 0) << played.err;
   const auto fault = read_json(folder_ / "leg.json")["result"]["fault"];
   EXPECT_EQ(fault["code"], "start_timeout");

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+//
+// What is kept of what Cyclone DDS says: why a team could not join must be in the record, also when
+// others make it talk.
+#include "server/dds/log.hpp"
+
+#include <dds/ddsrt/log.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace mirocup::dds {
+namespace {
+
+void say(const std::string& text) {  // as Cyclone does
+  dds_log(DDS_LC_WARNING, __FILE__, __LINE__, __func__, "%s\n", text.c_str());
+}
+
+TEST(DdsLog, KeepsTheLastDifferentMessages) {
+  const Log log;
+  EXPECT_EQ(log.said(), "");
+  for (const char* text : {"one", "two", "three", "two", "four", "five", "five"}) {
+    say(text);
+  }
+  EXPECT_EQ(log.said(), "three; two; four; five");
+}
+
+TEST(DdsLog, IsNotFloodedWithMalformedPackets) {
+  const Log log;
+  say("malformed packet 1");
+  EXPECT_EQ(log.said(), "malformed packet 1");
+  say("certificate revoked");
+  for (int i = 2; i < 10; ++i) say("malformed packet " + std::to_string(i));
+  EXPECT_EQ(log.said(), "certificate revoked");
+}
+
+TEST(DdsLog, IsPrintableAndShort) {
+  const Log log;
+  say("a\x1b[31m");
+  say(std::string(5000, 'x'));
+  EXPECT_LT(log.said().size(), 400U);
+  EXPECT_EQ(log.said().substr(0, 6), "a?[31m");
+}
+
+}  // namespace
+}  // namespace mirocup::dds
