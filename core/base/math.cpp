@@ -67,8 +67,7 @@ double power_of_two(int k) {
 }  // namespace
 
 SinCos sincos(double x) {
-  constexpr double quarter = 0.78539816339744830962;
-  if (std::abs(x) <= quarter) return kernel(x, 0.0);
+  if (std::abs(x) <= small_angle) return kernel(x, 0.0);
 
   const double turns = std::nearbyint(x * (2.0 / pi));
   const double a = x - turns * half_pi_1;
@@ -88,6 +87,28 @@ SinCos sincos(double x) {
     default:
       return {-r.cos, r.sin};
   }
+}
+
+// kernel() with low = 0, arranged so that a compiler can do several angles at a time.
+SinCosOfSome sincos_of_small(const std::array<double, angles_at_once>& x) {
+  std::array<double, angles_at_once> z;
+  SinCosOfSome some{};
+  for (int i = 0; i < angles_at_once; ++i) z[i] = x[i] * x[i];
+  for (int k = sine_terms; k >= 1; --k) {
+    const double term = k % 2 ? -inverse_factorial[2 * k + 1] : inverse_factorial[2 * k + 1];
+    for (int i = 0; i < angles_at_once; ++i) some.sin[i] = some.sin[i] * z[i] + term;
+  }
+  for (int k = cosine_terms; k >= 2; --k) {
+    const double term = k % 2 ? -inverse_factorial[2 * k] : inverse_factorial[2 * k];
+    for (int i = 0; i < angles_at_once; ++i) some.cos[i] = some.cos[i] * z[i] + term;
+  }
+  for (int i = 0; i < angles_at_once; ++i) {
+    const double half = 0.5 * z[i];
+    const double one_minus_half = 1.0 - half;
+    some.sin[i] = x[i] + x[i] * z[i] * some.sin[i];
+    some.cos[i] = one_minus_half + (((1.0 - one_minus_half) - half) + z[i] * z[i] * some.cos[i]);
+  }
+  return some;
 }
 
 double exp(double x) {

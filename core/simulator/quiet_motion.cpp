@@ -25,6 +25,19 @@ double fastest(double now, double aim) {
   return std::max(std::abs(now), std::abs(aim));
 }
 
+SinCosOfSome headings(const std::array<double, gauss_nodes>& angle) {
+  double farthest_turn = 0.0;
+  for (const double a : angle) farthest_turn = std::max(farthest_turn, std::abs(a));
+  if (farthest_turn <= small_angle) return sincos_of_small(angle);
+  SinCosOfSome headings;
+  for (int i = 0; i < gauss_nodes; ++i) {
+    const SinCos heading = sincos(angle[i]);
+    headings.sin[i] = heading.sin;
+    headings.cos[i] = heading.cos;
+  }
+  return headings;
+}
+
 }  // namespace
 
 MotorDecay motor_decay(const Parameters& p, double span) {
@@ -48,20 +61,22 @@ Body moved(const Body& robot, const Drive& drive, const MotorDecay& decay) {
   const double speed_to_lose = robot.twist.forward - drive.forward;
   const double turn_to_lose = robot.twist.turn - drive.turn;
   const double turned_by_motor = turn_to_lose * decay.time_constant;
+  std::array<double, gauss_nodes> angle;
+  for (int i = 0; i < gauss_nodes; ++i) {
+    angle[i] = drive.turn * (decay.span * node[i]) + turned_by_motor * (1.0 - decay.at_node[i]);
+  }
+  const SinCosOfSome heading = headings(angle);
   double along = 0.0;
   double aside = 0.0;
   for (int i = 0; i < gauss_nodes; ++i) {
-    const double angle =
-        drive.turn * (decay.span * node[i]) + turned_by_motor * (1.0 - decay.at_node[i]);
-    const SinCos heading = sincos(angle);
     const double way = weight[i] * (drive.forward + speed_to_lose * decay.at_node[i]);
-    along += way * heading.cos;
-    aside += way * heading.sin;
+    along += way * heading.cos[i];
+    aside += way * heading.sin[i];
   }
-  const double angle = drive.turn * decay.span + turned_by_motor * (1.0 - decay.at_end);
+  const double turned = drive.turn * decay.span + turned_by_motor * (1.0 - decay.at_end);
   return {
       .position = robot.position + robot.heading.to_world({along * decay.span, aside * decay.span}),
-      .heading = robot.heading.turned(sincos(angle)),
+      .heading = robot.heading.turned(sincos(turned)),
       .twist = {drive.forward + speed_to_lose * decay.at_end, 0.0,
                 drive.turn + turn_to_lose * decay.at_end}};
 }

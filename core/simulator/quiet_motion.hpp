@@ -7,6 +7,7 @@
 // tenth of the series that contacts need.
 #pragma once
 
+#include "core/base/math.hpp"
 #include "core/simulator/parameters.hpp"
 #include "core/simulator/robot_motion.hpp"
 #include "core/simulator/segment.hpp"
@@ -15,7 +16,7 @@
 
 namespace mirocup::simulator {
 
-inline constexpr int gauss_nodes = 8;
+inline constexpr int gauss_nodes = angles_at_once;
 
 // e^(-t/T) at the nodes of Gauss's rule over [0, span] and at its end: the same for all robots.
 struct MotorDecay {

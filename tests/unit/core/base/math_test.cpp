@@ -42,6 +42,20 @@ TEST(Math, SineIsOddAndCosineEvenBitForBit) {
   }
 }
 
+TEST(Math, SmallAnglesAtOnceHaveTheSameBits) {
+  Random random(6);
+  for (int i = 0; i < 10000; ++i) {
+    std::array<double, angles_at_once> x{0.0, -0.0, small_angle, -small_angle};
+    for (std::size_t k = 4; k < x.size(); ++k) x[k] = random.uniform(-small_angle, small_angle);
+    const SinCosOfSome got = sincos_of_small(x);
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      EXPECT_EQ(got.sin[k], sincos(x[k]).sin) << x[k];
+      EXPECT_EQ(got.cos[k], sincos(x[k]).cos) << x[k];
+      EXPECT_EQ(std::signbit(got.sin[k]), std::signbit(sincos(x[k]).sin)) << x[k];
+    }
+  }
+}
+
 TEST(Math, ExponentialIsExactToOneUlp) {
   Random random(3);
   for (int i = 0; i < 200000; ++i) {
