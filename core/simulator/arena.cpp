@@ -104,10 +104,12 @@ double touch_time(const Arena& arena, const Pair& pair, std::span<const Segment>
         pair.with_obstacle() ? end_wall_of(arena, pair.obstacle()) : arena.shape(pair.partner);
     return first_touch(mover, Mover{other, b}, level, t, end);
   };
-  const double touch = search(0.0);
-  if (touch > t) return touch;
   const Body body_b = pair.with_obstacle() ? Body{} : body_at(b, t);
   const double now = gap(arena, pair, body_at(a, t), body_b);
+  if (now > closeness) {
+    const double touch = search(0.0);
+    if (touch > t) return touch;
+  }
   return search(std::min(now, 0.0) - arena.tolerances.sink);
 }
 

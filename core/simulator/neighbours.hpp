@@ -18,6 +18,7 @@ struct Neighbour {
   Pair pair;
   double touch = never;    // s of the tick; not before this while it is only estimated
   double estimated = 0.0;  // when the estimate was made: from here on the touch is to be found
+  double apart_at = -1.0;  // s: when they were last seen not to touch
   bool is_estimate = false;
 };
 

@@ -15,7 +15,7 @@
 namespace mirocup::simulator {
 
 inline constexpr int series_terms = 14;  // coefficients of t^0 .. t^13
-inline constexpr int few_terms = 8;      // of a short curve
+inline constexpr int few_terms = 10;     // of a short curve
 
 // "Never", where a time is asked for.
 inline constexpr double never = std::numeric_limits<double>::infinity();

@@ -116,10 +116,11 @@ double farthest_move(const Mover& m, double t) {
 
 double first_touch_of_polygons(const Mover& a, const Mover& b, double level, double begin,
                                double end) {
-  const Body now_a = body_at(a.segment, begin);
-  const Body now_b = body_at(b.segment, begin);
-  if (gap(a.shape, now_a, b.shape, now_b) - level >
-      farthest_move(a, begin) + farthest_move(b, begin)) {
+  const auto reference_at = [&](double t) {
+    return reference_of(a.shape, body_at(a.segment, t), b.shape, body_at(b.segment, t));
+  };
+  Reference reference = reference_at(begin);
+  if (reference.best.separation - level > farthest_move(a, begin) + farthest_move(b, begin)) {
     return never;
   }
   // Made when an edge of that side is needed.
@@ -131,9 +132,7 @@ double first_touch_of_polygons(const Mover& a, const Mover& b, double level, dou
   const double length = end - begin;
   double t = 0.0;
   for (int line = 0; line < most_lines; ++line) {
-    const Body body_a = line == 0 ? now_a : body_at(a.segment, begin + t);
-    const Body body_b = line == 0 ? now_b : body_at(b.segment, begin + t);
-    const Reference reference = reference_of(a.shape, body_a, b.shape, body_b);
+    if (line > 0) reference = reference_at(begin + t);
     if (reference.best.separation <= level + closeness) break;
     if (reference.is_a) {
       if (!b_in_a) b_in_a = seen_from(a, b);

@@ -156,16 +156,19 @@ void World::go_on(const BodySet& involved, double t, double tick_end) {
   meet_neighbours(involved, t, tick_end);
 }
 
-void World::spread_over_touching(double t, BodySet& involved) const {
+void World::spread_over_touching(double t, BodySet& involved) {
   bool grows = true;
   while (grows) {
     grows = false;
-    for (const Neighbour& n : neighbours_.list()) {
+    for (Neighbour& n : neighbours_.list()) {
       if (n.pair.with_obstacle() || involved[n.pair.a] == involved[n.pair.partner]) continue;
-      if (n.is_estimate && n.touch > t) continue;
+      if (n.apart_at == t || (n.is_estimate && n.touch > t)) continue;
       const Body a = body_now(n.pair.a, t);
       const Body b = body_now(n.pair.partner, t);
-      if (gap(arena_, n.pair, a, b) > arena_.tolerances.touch) continue;
+      if (gap(arena_, n.pair, a, b) > arena_.tolerances.touch) {
+        n.apart_at = t;
+        continue;
+      }
       involved.set(n.pair.a);
       involved.set(n.pair.partner);
       grows = true;

@@ -79,7 +79,7 @@ class World {
   void go_on(const BodySet& involved, double t, double tick_end);
   void finish_in_steps(double t, double tick_end);
 
-  void spread_over_touching(double t, BodySet& involved) const;
+  void spread_over_touching(double t, BodySet& involved);
   void meet_neighbours(const BodySet& involved, double t, double tick_end);
   void start_quietly(int body, double t, double tick_end);
   void write_as_series(int body, double t, double tick_end);
