@@ -13,8 +13,27 @@ namespace {
 constexpr std::size_t longest = 300;
 constexpr std::size_t most = 4;
 
-// Anybody who can send packets can make it say this: it must not hide what was said before.
-constexpr std::string_view noise = "malformed packet";
+// What strangers make it say, each time in other words: whoever can send packets; in secure mode
+// processes without credentials, and those of another league.
+constexpr std::string_view malformed = "malformed packet";
+constexpr std::string_view by_strangers[] = {malformed, "not allowed",
+                                             "certificate signature failure"};
+
+bool has(std::string_view text, std::string_view part) {
+  return text.find(part) != std::string_view::npos;
+}
+
+// Two messages of one kind say nothing more than one.
+std::string_view kind_of(std::string_view text) {
+  for (const std::string_view part : by_strangers) {
+    if (has(text, part)) return part;
+  }
+  return text;
+}
+
+bool is_by_stranger(std::string_view text) {
+  return kind_of(text) != text;
+}
 
 }  // namespace
 
@@ -37,19 +56,21 @@ void Log::keep(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
   const std::lock_guard lock(mutex_);
-  const bool is_noise = text.starts_with(noise);
-  if (is_noise && !last_.empty()) return;
-  std::erase_if(last_, [&](const std::string& kept) {
-    return kept == text || (!is_noise && kept.starts_with(noise));
-  });
-  if (last_.size() == most) last_.erase(last_.begin());
+  std::erase_if(last_, [&](const std::string& kept) { return kind_of(kept) == kind_of(text); });
+  if (last_.size() == most) {
+    const auto stranger = std::ranges::find_if(last_, is_by_stranger);
+    last_.erase(stranger != last_.end() ? stranger : last_.begin());
+  }
   last_.push_back(std::move(text));
 }
 
 std::string Log::said() const {
   const std::lock_guard lock(mutex_);
   std::string all;
-  for (const std::string& text : last_) all += (all.empty() ? "" : "; ") + text;
+  for (const std::string& text : last_) {
+    if (has(text, malformed) && last_.size() > 1) continue;
+    all += (all.empty() ? "" : "; ") + text;
+  }
   return all;
 }
 

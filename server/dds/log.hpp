@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // What Cyclone DDS has to say, kept for our own sentences instead of the user's terminal. Whoever
-// can send packets can make it talk without end, so only the last few messages are kept, each once,
-// and none about malformed packets while there is another. A few, since it also talks of strangers
-// (the servers and teams of another league on this host) while one looks for a team's trouble.
+// can send packets can make it talk without end, so only the last few messages are kept, each once.
+// It also talks of strangers: of packets that make no sense, of processes without credentials, of
+// the servers and teams of another league on this host. Of each kind the last message is kept, and
+// it gives way to whatever may be the team's own trouble.
 #pragma once
 
 #include <mutex>
@@ -21,7 +22,7 @@ class Log {
   ~Log();
 
   // The last different warnings and errors, oldest first, printable and short, with "; " between
-  // them; "" if there was none.
+  // them; of malformed packets only if there is nothing else; "" if there was none.
   std::string said() const;
 
  private:

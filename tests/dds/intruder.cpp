@@ -2,7 +2,7 @@
 //
 // A process that has no business in a match: intruder KIND MATCH NAME. It does to the blue team,
 // called NAME, what an ordinary program on the network can do; until it is killed.
-//   imitate      writes the team's commands with the team's nonce
+//   imitate      writes the team's commands with the team's nonce; appears anew when it hears nothing
 //   flood        the same, ten thousand a second
 //   hellos       asks for the seat all the time, each time as another one
 //   wrong_types  writes other types under the names of the topics
@@ -10,10 +10,12 @@
 #include "server/dds/convert.hpp"
 #include "server/dds/domain.hpp"
 #include "server/dds/draw.hpp"
+#include "server/dds/wall_time.hpp"
 
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
+#include <utility>
 
 namespace mirocup::dds {
 namespace {
@@ -27,9 +29,11 @@ T need(Result<T> made) {
   std::_Exit(1);
 }
 
+constexpr double longest_silence = 1.0;  // s
+
+// One appearance on the network.
 struct Stranger {
-  explicit Stranger(const std::string& match_id, const std::string& name, const char* credentials) {
-    domain = need(open_team_domain("127.0.0.1", credentials));
+  Stranger(const Domain& domain, const std::string& match_id, const std::string& name) {
     participant = need(make_participant(domain));
     all = need(make_subscriber(participant, match_partition(match_id)));
     const std::string own = team_partition(match_id, 0, name);
@@ -42,30 +46,42 @@ struct Stranger {
   }
 
   void wait_for_match() {
-    mirocup_v2_WorldState state;
-    while (!take(state_reader, state)) dds_sleepfor(DDS_MSECS(1));
+    while (!take_state()) dds_sleepfor(DDS_MSECS(1));
     std::cerr << "there\n";
   }
 
-  Domain domain;
+  bool take_state() {
+    if (!take(state_reader, state)) return false;
+    heard = Clock::now();
+    return true;
+  }
+
+  // Its own changed packets, or somebody else's, can make it deaf.
+  bool is_cut_off() const { return seconds_since(heard) > longest_silence; }
+
+  mirocup_v2_WorldState state{};
+  Clock::time_point heard = Clock::now();
   Entity participant, all, team, publisher, states, events, state_reader, event_reader;
 };
 
+// As long as it hears the match.
 void imitate(Stranger& s, int copies) {
   const Entity commands =
       need(make_topic(s.participant, mirocup_v2_TeamCommand_desc, idl::team_command));
   const Entity welcomes = need(make_topic(s.participant, mirocup_v2_Welcome_desc, idl::welcome));
   const Entity writer = need(make_writer(s.publisher, commands, idl::team_command));
   const Entity reader = need(make_reader(s.team, welcomes, idl::welcome));
-  s.wait_for_match();
   mirocup_v2_TeamCommand command{};
   for (double& wheel : command.left) wheel = 40.0;
   for (double& wheel : command.right) wheel = -40.0;
-  while (true) {
+  bool is_there = false;
+  while (!s.is_cut_off()) {
     mirocup_v2_Welcome welcome;
     while (take(reader, welcome)) command.nonce = welcome.nonce;
-    mirocup_v2_WorldState state;
-    if (take(s.state_reader, state)) command.tick = state.tick;
+    if (s.take_state()) {
+      command.tick = s.state.tick;
+      if (!std::exchange(is_there, true)) std::cerr << "there\n";
+    }
     for (int i = 0; i < copies; ++i) dds_write(writer.get(), &command);
     dds_sleepfor(copies == 1 ? DDS_USECS(50) : DDS_MSECS(1));
   }
@@ -102,9 +118,12 @@ void write_wrong_types(Stranger& s) {
 }
 
 int run(const std::string& kind, const char* match_id, const char* name, const char* credentials) {
-  Stranger stranger(match_id, name, credentials);
-  if (kind == "imitate") imitate(stranger, 1);
-  if (kind == "flood") imitate(stranger, 10);
+  const Domain domain = need(open_team_domain("127.0.0.1", credentials));
+  while (kind == "imitate" || kind == "flood") {
+    Stranger stranger(domain, match_id, name);
+    imitate(stranger, kind == "flood" ? 10 : 1);
+  }
+  Stranger stranger(domain, match_id, name);
   if (kind == "hellos") say_hellos(stranger, name);
   if (kind == "wrong_types") write_wrong_types(stranger);
   if (kind != "stuck") return 2;

@@ -34,6 +34,23 @@ TEST(DdsLog, IsNotFloodedWithMalformedPackets) {
   EXPECT_EQ(log.said(), "certificate revoked");
 }
 
+// Matches and leagues that run on the same host at the same time. Catches a log that strangers push
+// the reason out of, each with a number or a name of his own.
+TEST(DdsLog, KeepsATeamsTroubleAmongManyStrangers) {
+  const Log log;
+  say("certificate revoked; subject: team ours");
+  for (int i = 0; i < 10; ++i) {
+    const std::string number = std::to_string(i);
+    say("Remote secure participant " + number + ":1c1 not allowed");
+    say("error: certificate signature failure; subject: team " + number);
+  }
+  EXPECT_EQ(log.said(),
+            "certificate revoked; subject: team ours; Remote secure participant 9:1c1 not allowed; "
+            "error: certificate signature failure; subject: team 9");
+  for (const char* text : {"one", "two", "three"}) say(text);
+  EXPECT_EQ(log.said(), "certificate revoked; subject: team ours; one; two; three");
+}
+
 TEST(DdsLog, IsPrintableAndShort) {
   const Log log;
   say("a\x1b[31m");
