@@ -4,10 +4,12 @@
 
     tests/dds/benchmark.py BUILD [--seconds S] [--rounds N]
 
-Rounds take turns: raw UDP, ddsperf and a match in real time, each with two others that answer, at the
-same rate; beside the match runs a loop of clock_nanosleep(). Last, eight matches at once. All
-durations are in microseconds, round trips from a state to the answer. The ratios are what counts:
-they are of the same minutes on the same machine. Say how busy it was: the load is printed, too.
+Round trips: raw UDP, ddsperf and a match in real time take turns, each with two others that answer,
+at the same rate. Lateness of ticks: a match at four times real time, for so many ticks that 99.9 % of
+them say something, beside a loop of clock_nanosleep() of the same period and number; the same loop
+alone follows each. Last, eight matches in real time at once. All durations are in microseconds, round
+trips from a state to the answer. The ratios are what counts: they are of the same minutes on the same
+machine. Say how busy it was: the load is printed, too.
 """
 
 import argparse
@@ -20,14 +22,16 @@ import sys
 import tempfile
 
 PERIOD = 0.033
+TICKS = 6000  # in a round of lateness
+FACTOR = 4  # of real time, in it
 LO = ('<CycloneDDS><Domain Id="any"><General><Interfaces><NetworkInterface name="lo"/></Interfaces>'
       '<AllowMulticast>false</AllowMulticast></General><Discovery><ParticipantIndex>auto</ParticipantIndex>'
       '<MaxAutoParticipantIndex>40</MaxAutoParticipantIndex><Peers><Peer Address="127.0.0.1"/></Peers>'
       '</Discovery></Domain></CycloneDDS>')
 
 
-def baseline(build, kind, seconds):
-    return subprocess.Popen([f"{build}/dds/baseline", kind, str(PERIOD), str(seconds)],
+def baseline(build, kind, seconds, period=PERIOD):
+    return subprocess.Popen([f"{build}/dds/baseline", kind, str(period), str(seconds)],
                             stdout=subprocess.PIPE, text=True)
 
 
@@ -52,9 +56,9 @@ def ddsperf(seconds):
 
 
 class Match:
-    """One match in real time between two teams on the network."""
+    """One match between two teams on the network, at a factor of real time."""
 
-    def __init__(self, build, folder, name, seconds):
+    def __init__(self, build, folder, name, seconds, factor=1):
         self.record = f"{folder}/{name}.json"
         self.teams = [subprocess.Popen(
             [f"{build}/mirocup", "join", "--match", name, "--team", colour, "--name", colour,
@@ -62,7 +66,7 @@ class Match:
             for colour in ("blue", "yellow")]
         self.server = subprocess.Popen(
             [f"{build}/mirocup", "match", "--blue", "dds:blue", "--yellow", "dds:yellow", "--match", name,
-             "--speed", "1", "--half", str(seconds / 2), "--record", self.record], stdout=subprocess.DEVNULL)
+             "--speed", str(factor), "--half", str(factor * seconds / 2), "--record", self.record], stdout=subprocess.DEVNULL)
 
     def wait(self):
         if self.server.wait() != 0:
@@ -82,20 +86,35 @@ def median(values):
 
 
 def round_trips(build, folder, seconds, rounds):
-    udp, dds, ours, late, slept = [], [], [], [], []
+    udp, dds, ours = [], [], []
     for i in range(rounds):
         udp.append(result_of(baseline(build, "udp", seconds))["p50"])
         dds += ddsperf(seconds)
-        loop = baseline(build, "sleep", seconds)
         record = Match(build, folder, f"benchmark-{i}", seconds).wait()
-        slept.append(result_of(loop))
         ours += [record["network"][team]["answers"]["p50"] for team in ("blue", "yellow")]
-        late.append(record["pace"]["lateness"])
     print(f"round trip, median: raw UDP {us(median(udp))}, ddsperf {us(median(dds))}, "
           f"match {us(median(ours))}; match / ddsperf {median(ours) / median(dds):.2f}, "
           f"match / UDP {median(ours) / median(udp):.2f}")
-    a, b = median([x["p999"] for x in late]), median([x["p999"] for x in slept])
-    print(f"lateness of ticks, 99.9 %: match {us(a)}, clock_nanosleep {us(b)}; ratio {a / b:.2f}")
+
+
+def lateness(build, folder, rounds):
+    period = PERIOD / FACTOR
+    seconds = TICKS * period
+    late = {"match": [], "loop beside it": [], "loop alone": []}
+    for i in range(rounds):
+        beside = baseline(build, "sleep", seconds, period)
+        match = Match(build, folder, f"benchmark-of-lateness-{i}", seconds, FACTOR).wait()
+        late["match"].append(match["pace"]["lateness"])
+        late["loop beside it"].append(result_of(beside))
+        late["loop alone"].append(result_of(baseline(build, "sleep", seconds, period)))
+    at = {who: {share: median([x[share] for x in found]) for share in ("p50", "p99", "p999", "longest")}
+          for who, found in late.items()}
+    for who, found in at.items():
+        print(f"lateness of {TICKS} ticks, {who}: 50 % {us(found['p50'])}, 99 % {us(found['p99'])}, "
+              f"99.9 % {us(found['p999'])}, longest {us(found['longest'])} "
+              f"(99.9 % of the rounds: {', '.join(us(x['p999']) for x in late[who])})")
+    print("lateness, 99.9 %: match / " + ", match / ".join(
+        f"{who} {at['match']['p999'] / at[who]['p999']:.2f}" for who in ("loop beside it", "loop alone")))
 
 
 def eight_at_once(build, folder, seconds):
@@ -114,12 +133,13 @@ def eight_at_once(build, folder, seconds):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("build")
-    parser.add_argument("--seconds", type=float, default=60.0, help="of each measurement")
+    parser.add_argument("--seconds", type=float, default=60.0, help="of each round trip and eight")
     parser.add_argument("--rounds", type=int, default=3)
     arguments = parser.parse_args()
     print(f"{os.cpu_count()} cores, load {os.getloadavg()[0]:.2f} at the begin")
     with tempfile.TemporaryDirectory() as folder:
         round_trips(arguments.build, folder, arguments.seconds, arguments.rounds)
+        lateness(arguments.build, folder, arguments.rounds)
         eight_at_once(arguments.build, folder, arguments.seconds)
     print(f"load {os.getloadavg()[0]:.2f} at the end")
 

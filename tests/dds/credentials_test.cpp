@@ -25,7 +25,7 @@ class Credentials : public testing::Test {
     return folder_ / ("league/credentials/" + whose);
   }
 
-  std::vector<std::string> match(const std::string& id, const std::string& limit = "30") const {
+  std::vector<std::string> match(const std::string& id, const std::string& limit = "60") const {
     return match(id, limit, folder_ / "league");
   }
 
@@ -43,7 +43,7 @@ class Credentials : public testing::Test {
 
   static std::vector<std::string> join(const std::string& id, const std::string& credentials) {
     auto arguments = test_support::join(id, "blue", "remote", "striker");
-    arguments.insert(arguments.end(), {"--patience", "30"});
+    arguments.insert(arguments.end(), {"--patience", "60"});
     if (!credentials.empty()) arguments.insert(arguments.end(), {"--credentials", credentials});
     return arguments;
   }
@@ -112,7 +112,7 @@ TEST_F(Credentials, CanBeRevoked) {
   ASSERT_EQ(revoked.exit_code, 0) << revoked.err;
   const std::string id = match_id("revoked");
   Running remote(join(id, folder_ / "kept"));
-  const Outcome played = run(match(id, "6"));
+  run_until_said("revoked", [&](const std::string& limit) { return run(match(id, limit)); });
   const auto fault = read_json(folder_ / "leg.json")["result"]["fault"];
   EXPECT_EQ(fault["code"], "start_timeout");
   EXPECT_NE(fault["text"].get<std::string>().find("revoked"), std::string::npos) << fault;
@@ -137,7 +137,8 @@ TEST_F(Credentials, Expire) {
 
   const std::string id = match_id("expired");
   Running turned_back(behind(then - 1, join(id, own)));
-  const Outcome played = run(match(id, "6", league));
+  const Outcome played = run_until_said(
+      "expired", [&](const std::string& limit) { return run(match(id, limit, league)); });
   ASSERT_EQ(played.exit_code, 0) << played.err;
   const auto fault = read_json(folder_ / "leg.json")["result"]["fault"];
   EXPECT_EQ(fault["code"], "start_timeout");
@@ -148,7 +149,7 @@ TEST_F(Credentials, Expire) {
 TEST_F(Credentials, CountOnAComputerWhoseClockIsBehind) {
   const std::string id = match_id("behind");
   Running remote(behind(1, join(id, of("teams/remote"))));
-  const Outcome played = run(match(id, "10"));
+  const Outcome played = run(match(id));
   ASSERT_EQ(played.exit_code, 0) << played.err;
   const auto record = read_json(folder_ / "leg.json");
   EXPECT_EQ(record["result"]["end"], "full_time") << record["result"];

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <csignal>
-#include <unistd.h>
 
 namespace mirocup {
 namespace {
@@ -95,13 +94,15 @@ TEST(DdsTeam, IsWaitedForTogetherWithTheOther) {
 TEST(DdsTeam, IsToldThatItsNameIsNotExpected) {
   const std::string id = match_id("name");
   Running match({program("mirocup"), "match", "--blue", "dds:expected", "--yellow", "idle",
-                 "--half", "5", "--match", id, "--join-within", "5"});
-  auto arguments = join(id, "blue", "stranger", "idle");
-  arguments.insert(arguments.end(), {"--patience", "1.5"});
-  const Outcome stranger = run(arguments);
+                 "--half", "5", "--match", id, "--join-within", "60"});
+  const std::string reason = "does not expect a team called \"stranger\"";
+  const Outcome stranger = run_until_said(reason, [&id](const std::string& patience) {
+    auto arguments = join(id, "blue", "stranger", "idle");
+    arguments.insert(arguments.end(), {"--patience", patience});
+    return run(arguments);
+  });
   EXPECT_EQ(stranger.exit_code, 3);
-  EXPECT_NE(stranger.err.find("does not expect a team called \"stranger\""), std::string::npos)
-      << stranger.err;
+  EXPECT_NE(stranger.err.find(reason), std::string::npos) << stranger.err;
 }
 
 // Nothing that Cyclone DDS prints reaches the user but as a part of our own sentence.
@@ -119,7 +120,8 @@ TEST(DdsTeam, CanBeInterruptedWhileItIsAwaited) {
                   "--match", "interrupted-server"});
   Running team({program("mirocup"), "join", "--match", "interrupted-team", "--team", "blue",
                 "--name", "lonely", program("house/idle.so")});
-  usleep(700'000);
+  ASSERT_TRUE(is_there(server));
+  ASSERT_TRUE(is_there(team));
   server.signal(SIGINT);
   team.signal(SIGTERM);
   EXPECT_EQ(server.wait().exit_code, 130);

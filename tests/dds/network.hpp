@@ -5,7 +5,11 @@
 
 #include "tests/support/program.hpp"
 
+#include <filesystem>
 #include <functional>
+#include <iterator>
+#include <set>
+#include <sstream>
 #include <string>
 #include <unistd.h>
 #include <vector>
@@ -36,6 +40,49 @@ inline bool wait_until(const std::function<bool()>& holds) {
 
 inline bool has_said(const Running& process, const std::string& text) {
   return wait_until([&] { return process.err().find(text) != std::string::npos; });
+}
+
+// UDP sockets of a process: how many, and how many packets they have dropped.
+struct Sockets {
+  int open = 0;
+  long dropped = 0;
+};
+inline Sockets sockets_of(int pid) {
+  std::set<std::string> own;
+  std::error_code none;
+  for (const auto& entry :
+       std::filesystem::directory_iterator("/proc/" + std::to_string(pid) + "/fd", none)) {
+    own.insert(std::filesystem::read_symlink(entry.path(), none).string());
+  }
+  Sockets sockets;
+  std::istringstream table(read_file("/proc/net/udp"));
+  std::string line;
+  while (std::getline(table, line)) {
+    std::istringstream text(line);
+    const std::vector<std::string> words{std::istream_iterator<std::string>(text), {}};
+    constexpr std::size_t inode = 9, drops = 12;
+    if (words.size() <= drops || own.count("socket:[" + words[inode] + "]") == 0) continue;
+    ++sockets.open;
+    sockets.dropped += std::stol(words[drops]);
+  }
+  return sockets;
+}
+
+// The process has appeared on the network.
+inline bool is_there(const Running& process) {
+  return wait_until([&] { return sockets_of(process.pid()).open > 0; });
+}
+
+// Runs something with more and more patience, until it says what is expected: a busy machine needs
+// longer to know.
+inline Outcome run_until_said(const std::string& what,
+                              const std::function<Outcome(const std::string& patience)>& attempt) {
+  Outcome last;
+  for (const char* patience : {"1.5", "6", "30"}) {
+    last = attempt(patience);
+    if ((last.out + last.err).find(what) != std::string::npos) break;
+  }
+  return last;
 }
 
 // A program with a library of tests/support loaded first; `how` are variables of the environment.
