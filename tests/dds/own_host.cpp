@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+//
+// Where the system allows it, each run of these tests is on a host of its own: a network namespace
+// with a loopback interface and nothing else. So they disturb nobody and nobody disturbs them: other
+// tests at the same time (a host has ports for ten matches), or a league on this computer, which
+// their storms of packets would reach. Elsewhere they run on the computer itself.
+#include <gtest/gtest.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <net/if.h>
+#include <sched.h>
+#include <string>
+#include <sys/ioctl.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+namespace mirocup {
+namespace {
+
+// As an administrator; as a user, who has to become one for it, and stays himself.
+bool leave_network() {
+  if (unshare(CLONE_NEWNET) == 0) return true;
+  const std::string user = std::to_string(getuid());
+  const std::string group = std::to_string(getgid());
+  if (unshare(CLONE_NEWUSER | CLONE_NEWNET) != 0) return false;
+  std::ofstream("/proc/self/setgroups") << "deny";
+  std::ofstream("/proc/self/uid_map") << user + " " + user + " 1\n";
+  std::ofstream("/proc/self/gid_map") << group + " " + group + " 1\n";
+  return true;
+}
+
+bool raise_loopback() {
+  const int any = socket(AF_INET, SOCK_DGRAM, 0);
+  ifreq loopback{};
+  std::strncpy(loopback.ifr_name, "lo", sizeof loopback.ifr_name - 1);
+  loopback.ifr_flags = IFF_UP;
+  const bool is_up = ioctl(any, SIOCSIFFLAGS, &loopback) == 0;
+  close(any);
+  return is_up;
+}
+
+class OwnHost : public testing::Environment {
+ public:
+  void SetUp() override {
+    if (leave_network()) {
+      ASSERT_TRUE(raise_loopback()) << std::strerror(errno);
+    }
+  }
+};
+
+const auto* const own_host = testing::AddGlobalTestEnvironment(new OwnHost);
+
+}  // namespace
+}  // namespace mirocup
