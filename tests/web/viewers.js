@@ -2,7 +2,8 @@
 //
 // Do viewers make a match late? Matches without viewers and with fifty who read all take turns, at four times real time, so that
 // 99.9 % of the ticks says something. Prints by how much their ticks began late, as their records say; a judgement is the
-// reader's, since it depends on the machine. The viewers have a low priority, for others sit at other computers.
+// reader's, since it depends on the machine. The viewers get the processor only when nobody else wants it, for others sit at
+// other computers.
 // Usage: node tests/web/viewers.js BUILD [SECONDS of a match [ROUNDS]]
 import { fork, spawn } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
@@ -16,7 +17,6 @@ const AUDIENCE = 50;
 
 // In a process of its own, which reports what it has read.
 function view(url) {
-  os.setPriority(os.constants.priority.PRIORITY_LOW);
   let viewers = 0;
   let bytes = 0;
   for (let i = 0; i < AUDIENCE; i += 1) {
@@ -31,13 +31,14 @@ function view(url) {
 
 async function match(build, folder, seconds, isWatched) {
   const record = join(folder, 'leg.json');
-  const server = spawn(join(build, 'mirocup'), ['match', '--blue', 'chaser', '--yellow', 'keeper', '--speed', String(FACTOR),
+  const server = spawn(join(build, 'mirocup'), ['match', '--blue', 'keeper', '--yellow', 'keeper', '--speed', String(FACTOR),
     '--half', String(FACTOR * seconds / 2), '--watch', '--record', record], { stdio: ['ignore', 'ignore', 'pipe'] });
   let seen = Promise.resolve({ viewers: 0, bytes: 0 });
   server.stderr.on('data', (text) => {
     const url = /http:\S+/.exec(text);
     if (!url || !isWatched) return;
-    const audience = fork(fileURLToPath(import.meta.url), ['view', url[0]]);
+    const audience = fork(fileURLToPath(import.meta.url), ['view', url[0]],
+      { execPath: 'chrt', execArgv: ['--idle', '0', process.execPath] });
     seen = new Promise((resolve) => { audience.on('message', resolve); });
   });
   await new Promise((resolve) => { server.on('exit', resolve); });
