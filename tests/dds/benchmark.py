@@ -66,7 +66,8 @@ class Match:
             for colour in ("blue", "yellow")]
         self.server = subprocess.Popen(
             [f"{build}/mirocup", "match", "--blue", "dds:blue", "--yellow", "dds:yellow", "--match", name,
-             "--speed", str(factor), "--half", str(factor * seconds / 2), "--record", self.record], stdout=subprocess.DEVNULL)
+             "--speed", str(factor), "--half", str(factor * seconds / 2), "--record", self.record],
+            stdout=subprocess.DEVNULL)
 
     def wait(self):
         if self.server.wait() != 0:
