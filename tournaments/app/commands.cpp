@@ -124,13 +124,14 @@ Result<int> run_start(const LeagueOptions& options) {
                                        folder.path + " ends that");
   }
 
-  const auto progress = make_progress();
+  auto progress = make_progress();
   const auto played = play(disk, std::move(*book), *progress, options);
   if (!played) return tl::unexpected(played.error());
   progress->say("making pages");
   if (auto published = publish_site(disk, folder, *played); !published) {
     return tl::unexpected(published.error());
   }
+  progress.reset();  // a bar does not stay above the table
   std::cout << table_text(*played);
   if (played->legs() == played->played()) return exit_yes;
   say_what_is_left(*played);
