@@ -91,12 +91,13 @@ TEST(Rulings, AreToldAndCount) {
   EXPECT_EQ(run(league("award", folder,
                        {"r1-f1", away, "--leg", "2", "--reason", "<b>glue</b>", "--by", "Host"}))
                 .out,
-            "r1-f1 leg 2: 0 : 10\n");
+            "r1-f1 leg 2: " + fixture("r1-f1", "home") + " 0 : 10 " + away + "\n");
   EXPECT_EQ(run(league("rule", folder, {"r2-f1", "--leg", "1", "--score", "7:6", "--reason", "x"}))
                 .exit_code,
             0);
   EXPECT_EQ(run(league("rule", folder, {"r2-f1", "--score", "7", "--reason", "x"})).exit_code, 2);
-  EXPECT_EQ(run(league("void", folder, {"r1-f1", "--leg", "1", "--reason", "x"})).exit_code, 0);
+  EXPECT_EQ(
+      run(league("void", folder, {"r1-f1", "--leg", "1", "--reason", "cable fault"})).exit_code, 0);
   EXPECT_EQ(run(league("void", folder, {"r1-f1", "--leg", "1", "--reason", "x"})).exit_code, 2)
       << "it is void already";
 
@@ -108,6 +109,7 @@ TEST(Rulings, AreToldAndCount) {
       << "the same seed";
   const std::string page = read_file(folder + "/site/index.html");
   EXPECT_NE(page.find("ruling: &lt;b&gt;glue&lt;/b&gt; (Host)"), std::string::npos);
+  EXPECT_NE(page.find("what was played before is void: cable fault"), std::string::npos);
   EXPECT_NE(page.find("7 : 6"), std::string::npos);
 
   EXPECT_EQ(

@@ -193,6 +193,30 @@ TEST(League, SaysWhatIsWrong) {
   EXPECT_FALSE(std::filesystem::exists(temporary / "x/league.json")) << "nothing half made";
 }
 
+TEST(League, ShowsRoundsAlone) {
+  const TemporaryFolder temporary;
+  const std::string folder = temporary / "l";
+  const std::string shown = temporary / "shown";
+  test_support::init_league(folder, {"a=house:chaser", "b=house:keeper", "c=house:idle"});
+  ASSERT_EQ(run(league("start", folder)).exit_code, 0);
+  EXPECT_EQ(run(league("publish", folder, {"--through", "r1"})).exit_code, 2) << "where to?";
+  EXPECT_EQ(run(league("publish", folder, {"--through", "r4", "-o", shown})).exit_code, 2);
+  EXPECT_FALSE(std::filesystem::exists(shown));
+  const Outcome published = run(league("publish", folder, {"--through", "r1", "-o", shown}));
+  ASSERT_EQ(published.exit_code, 0) << published.err;
+  EXPECT_EQ(published.out, shown + "/site/index.html\n");
+  EXPECT_NE(read_file(shown + "/site/index.html").find("2 of 6 legs played"), std::string::npos);
+  const auto names = [&shown](const std::string& of) {
+    std::set<std::string> found;
+    for (const auto& file : std::filesystem::directory_iterator(shown + "/" + of))
+      found.insert(file.path().filename());
+    return found;
+  };
+  EXPECT_EQ(names("records"), (std::set<std::string>{"r1-f1-1-1.json", "r1-f1-1-1.replay.zst",
+                                                     "r1-f1-2-1.json", "r1-f1-2-1.replay.zst"}));
+  EXPECT_EQ(names("site/replays"), (std::set<std::string>{"r1-f1-1-1.html", "r1-f1-2-1.html"}));
+}
+
 TEST(League, MakesItsPagesAgainWithTheSameBytes) {
   const TemporaryFolder temporary;
   const std::string folder = temporary / "l";

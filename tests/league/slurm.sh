@@ -2,11 +2,12 @@
 # SPDX-License-Identifier: MIT
 #
 # Plays leagues on a real Slurm: a controller and two nodes on this machine, started here as whoever calls, ended here.
-# Usage: slurm.sh BUILD. Needs cmake/packages-slurm.txt; exit 77 without.
+# Usage: slurm.sh BUILD. Needs cmake/packages-slurm.txt; exit 77 without. No privilege is needed: any user will do.
 #
 # The pages must have the bytes of a league that this host played: when all goes well, when a node dies with what it plays
-# (SIGKILL), when the controller is away, and when the league is stopped and started again. Catches a leg that is lost or booked
-# twice, a task that is waited for and will not come, a stop that cuts off a leg.
+# (SIGKILL), when the controller is away, when the league is stopped and started again, and when nodes or their daemons alone die
+# at random moments, MIROCUP_KILLS times (4). Catches a leg that is lost or booked twice, a task that is waited for and will not
+# come, a stop that cuts off a leg.
 set -euo pipefail
 build=$(realpath "$1")
 for program in munged slurmctld slurmd sbatch; do
@@ -17,6 +18,7 @@ done
 base=$(mktemp -d)
 me=$(id -un)
 port=$((20000 + RANDOM % 10000))
+kills=${MIROCUP_KILLS:-4}
 mkdir -p "$base"/{state,munge,n1,n2}
 chmod 711 "$base" "$base/munge"
 head -c 128 /dev/urandom >"$base/munge/key"
@@ -74,11 +76,18 @@ eventually() {
   exit 1
 }
 
+# start_node NAME: and waits until it can be killed.
+start_node() {
+  rm -f "$base/$1.pid"
+  slurmd -N "$1"
+  eventually test -s "$base/$1.pid"
+}
+
 munged --force --key-file="$base/munge/key" --socket="$base/munge/socket" --pid-file="$base/munged.pid" \
   --log-file="$base/munged.log" --seed-file="$base/munge/seed" 2>/dev/null
 slurmctld
-slurmd -N n1
-slurmd -N n2
+start_node n1
+start_node n2
 both_idle() { [[ $(sinfo --noheader --Node --format=%t 2>/dev/null | sort -u) == idle ]]; }
 eventually both_idle
 
@@ -133,7 +142,7 @@ check quiet
 
 begin node_dies
 kill_node n1
-slurmd -N n1
+start_node n1
 wait $league
 check node_dies
 
@@ -157,3 +166,21 @@ wait $league || status=$?
 echo "stopped: after $(booked stopped leg) legs"
 play stopped
 check stopped
+
+# What dies is a node in every second case, in the other only its daemon, while its task plays on.
+killed=(0 0)
+for ((plays = 0; killed[0] + killed[1] < kills; ++plays)); do
+  begin "killed$plays"
+  while ((killed[0] + killed[1] < kills)); do
+    sleep "$((RANDOM % 5)).$((RANDOM % 10))"
+    kill -0 $league 2>/dev/null || break
+    node=n$((1 + RANDOM % 2))
+    what=$(((killed[0] + killed[1]) % 2))
+    if ((what)); then end $node; else kill_node $node; fi
+    start_node $node
+    killed[what]=$((killed[what] + 1))
+  done
+  wait $league
+  check "killed$plays"
+done
+echo "killed at random moments: ${killed[0]} nodes, ${killed[1]} daemons alone, in $plays plays of a league, by $me"

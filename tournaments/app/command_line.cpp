@@ -90,7 +90,14 @@ void add_running(CLI::App& app, Run& run) {
   add_folder(status);
   status->add_flag("--json", status.options->json, "one JSON object on standard output");
 
-  add_folder(LeagueCommand(app, run, "publish", "Make the pages", run_publish));
+  LeagueCommand pages(app, run, "publish", "Make the pages", run_publish);
+  add_folder(pages);
+  CLI::Option* output =
+      pages->add_option("-o,--output", pages.options->output, "a folder for these rounds alone");
+  output->needs(pages
+                    ->add_option("--through", pages.options->through,
+                                 "show nothing after this round: r3, or k1 of a knockout")
+                    ->needs(output));
 
   Command<ServeOptions> serve(app, run, "serve", "Show the league in browsers, as it is now",
                               run_serve);

@@ -3,6 +3,7 @@
 
 #include "tournaments/app/progress_bar.hpp"
 #include "tournaments/journal/file_lock.hpp"
+#include "tournaments/publish/release.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/site.hpp"
 #include "tournaments/run/runner.hpp"
@@ -124,13 +125,14 @@ Result<int> run_start(const LeagueOptions& options) {
                                        folder.path + " ends that");
   }
 
-  const auto progress = make_progress();
+  auto progress = make_progress();
   const auto played = play(disk, std::move(*book), *progress, options);
   if (!played) return tl::unexpected(played.error());
   progress->say("making pages");
   if (auto published = publish_site(disk, folder, *played); !published) {
     return tl::unexpected(published.error());
   }
+  progress.reset();  // a bar does not stay above the table
   std::cout << table_text(*played);
   if (played->legs() == played->played()) return exit_yes;
   say_what_is_left(*played);
@@ -184,12 +186,20 @@ Result<int> run_status(const LeagueOptions& options) {
 
 Result<int> run_publish(const LeagueOptions& options) {
   record::Disk disk;
-  const Folder folder{options.folder};
-  const auto book = Book::open(disk, folder);
+  const auto book = Book::open(disk, Folder{options.folder});
   if (!book) return tl::unexpected(book.error());
-  if (auto published = publish_site(disk, folder, book->state()); !published) {
-    return tl::unexpected(published.error());
-  }
+  // Rounds that are shown alone have a folder of their own: site/ has everything.
+  const Folder folder{options.through.empty() ? options.folder : options.output};
+  auto published =
+      options.through.empty()
+          ? publish_site(disk, folder, book->state())
+          : state_through(book->state(), book->journal(), options.through)
+                .and_then([&](const LeagueState& shown) {
+                  return copy_records(disk, book->folder(), shown, folder).and_then([&] {
+                    return publish_site(disk, folder, shown);
+                  });
+                });
+  if (!published) return tl::unexpected(published.error());
   std::cout << std::filesystem::absolute(folder.site() + "/index.html").lexically_normal().string()
             << '\n';
   return exit_yes;

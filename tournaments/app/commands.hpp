@@ -25,7 +25,8 @@ struct LeagueOptions {
   int jobs = 0;                    // start; 0: as many as there are processors
   bool watched = false;            // start
   bool now = false;                // stop
-  std::string output;              // export
+  std::string output;              // export, publish
+  std::string through;             // publish: the last round that is shown; "": all
   bool json = false;
 };
 Result<int> run_init(const LeagueOptions& options);

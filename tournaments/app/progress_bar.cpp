@@ -11,7 +11,8 @@ namespace mirocup::league {
 
 namespace {
 
-constexpr int bar_width = 30;
+// So that a league of thousands of legs fits a terminal of 80 characters.
+constexpr int bar_width = 24;
 
 class Lines final : public Progress {
  public:
@@ -42,8 +43,9 @@ class Bar final : public Progress {
   std::string text_;
 };
 
+// As long as something is left it is a second at least.
 std::string time_text(double seconds) {
-  const long rounded = std::lround(seconds);
+  const long rounded = std::max(1L, std::lround(seconds));
   if (rounded < 90) return std::to_string(rounded) + " s";
   const long minutes = std::lround(seconds / 60.0);
   if (minutes < 90) return std::to_string(minutes) + " min";
@@ -57,7 +59,7 @@ std::string bar_text(int first, int decided, int legs, int playing, double secon
   std::string text = "[" + std::string(full, '#') + std::string(width - full, '.') + "]  " +
                      std::to_string(decided) + " of " + std::to_string(legs) + " legs, " +
                      std::to_string(playing) + " playing";
-  if (decided > first) {
+  if (decided > first && decided < legs) {
     text += ", " + time_text(seconds * (legs - decided) / (decided - first)) + " left";
   }
   return text;

@@ -44,8 +44,10 @@ Result<int> rule(const RulingOptions& options, int home_goals, int away_goals) {
         !written) {
       return tl::unexpected(written.error());
     }
-    std::cout << options.fixture << " leg " << leg << ": " << home_goals << " : " << away_goals
-              << '\n';
+    const LeagueState& state = book->state();
+    const Fixture& fixture = state.fixtures[*state.find_fixture(options.fixture)].fixture;
+    std::cout << options.fixture << " leg " << leg << ": " << state.name(fixture.home) << ' '
+              << home_goals << " : " << away_goals << ' ' << state.name(fixture.away) << '\n';
   }
   return exit_yes;
 }

@@ -122,12 +122,14 @@ std::string fault_in_words(const std::string& fault) {
   if (begin == std::string::npos) return "";
   const std::size_t end = fault.find(": ", begin + 2);
   const std::string code = fault.substr(begin + 2, end - begin - 2);
-  return look_up(faults, code, "");
+  const std::string words = look_up(faults, code, code);
+  return end == std::string::npos ? words : words + ": " + fault.substr(end + 2);
 }
 
 std::string reason_in_words(const Row& row, const Row* next) {
   const std::string& by = row.separated_by;
   if (by.empty() || next == nullptr) return "";
+  if (row.played == 0 && next->played == 0) return "";  // nothing has been decided yet
   if (by == "knockout") return "came further in the knockout";
   if (by == "points") return "points" + to(row.points, next->points);
   if (by == "points per leg")

@@ -23,8 +23,8 @@ std::string strength_text(const Strength& s) {
 }
 
 std::string standing_text(const TeamState& team) {
-  if (team.standing == Standing::paused) return ", paused";
-  return team.standing == Standing::withdrawn ? ", withdrawn" : "";
+  if (team.standing == Standing::paused) return "(paused)";
+  return team.standing == Standing::withdrawn ? "(withdrawn)" : "";
 }
 
 void rows_html(Html& html, const Overview& o, const std::vector<Row>& table, bool has_strength) {

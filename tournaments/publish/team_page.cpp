@@ -122,8 +122,7 @@ void own_faults(Html& html, const Overview& o, int team) {
     }
     any = true;
     html.cell("li", leg.fixture + " leg " + std::to_string(leg.leg) + ": " +
-                        fault_in_words(leg.played->fault) + ". " +
-                        leg.played->fault.substr(own.size()));
+                        fault_in_words(leg.played->fault));
   }
   if (any) html.close("ul");
 }

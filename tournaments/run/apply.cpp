@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace mirocup::league {
 
@@ -142,6 +143,12 @@ Result<void> admit_team_line(const LeagueState& state, const Json& line, const s
   return {};
 }
 
+// Why a person decided so, and who.
+std::string reason(const Json& line) {
+  const std::string by = text_or(line, "by", "");
+  return text(line, "why") + (by.empty() ? "" : " (" + by + ")");
+}
+
 PlayedLeg played_leg(const LeagueState& state, const Fixture& fixture, const Json& line) {
   PlayedLeg leg;
   leg.result.home = fixture.home;
@@ -166,7 +173,10 @@ PlayedLeg played_leg(const LeagueState& state, const Fixture& fixture, const Jso
 
 void apply_leg(LeagueState& state, const Json& line, const Place& place) {
   FixtureState& f = state.fixtures[place.fixture];
-  f.legs[place.leg].played = std::make_shared<const PlayedLeg>(played_leg(state, f.fixture, line));
+  LegState& leg = f.legs[place.leg];
+  PlayedLeg played = played_leg(state, f.fixture, line);
+  if (leg.void_ruling) played.ruling = "what was played before is void: " + *leg.void_ruling;
+  leg.played = std::make_shared<const PlayedLeg>(std::move(played));
   const Json& fault = line.at("fault");
   for (const int team : {f.fixture.home, f.fixture.away}) {
     const bool own = !fault.is_null() &&
@@ -187,7 +197,9 @@ void apply_void(LeagueState& state, const Json& line, const Place& place) {
   // The next attempt does not overwrite this one's record, which is evidence.
   ++leg.version;
   leg.is_to_confirm = cause == "confirm";
-  if (cause == "ruling") leg.host_faults = 0;
+  if (cause != "ruling") return;
+  leg.host_faults = 0;
+  leg.void_ruling = std::make_shared<const std::string>(reason(line));
 }
 
 void apply_ruling(LeagueState& state, const Json& line, const Place& place) {
@@ -202,8 +214,7 @@ void apply_ruling(LeagueState& state, const Json& line, const Place& place) {
   const int ahead = leg.result.home_goals - leg.result.away_goals;
   leg.winner = ahead > 0 ? f.fixture.home : ahead < 0 ? f.fixture.away : nobody;
   if (leg.end.empty()) leg.end = "awarded";
-  const std::string by = text_or(line, "by", "");
-  leg.ruling = text(line, "why") + (by.empty() ? "" : " (" + by + ")");
+  leg.ruling = reason(line);
   f.legs[place.leg].played = std::make_shared<const PlayedLeg>(leg);
 }
 

@@ -15,6 +15,7 @@ class Book {
   static Result<Book> open(record::Files& files, Folder folder, std::string* notice = nullptr);
 
   const LeagueState& state() const { return state_; }
+  const Journal& journal() const { return journal_; }
   const Folder& folder() const { return folder_; }
 
   // So many lines of the journal are in the state.

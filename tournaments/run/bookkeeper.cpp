@@ -98,6 +98,9 @@ Result<void> Bookkeeper::book_record(const LegId& leg, const Json& record) {
                 line.at("home").get<std::string>() + " " + line.at("score").at("home").dump() +
                 " : " + line.at("score").at("away").dump() + " " +
                 line.at("away").get<std::string>() + "  (" + line.at("end").get<std::string>() +
+                (fault.is_null() ? ""
+                                 : ": " + fault.at("team").get<std::string>() + ": " +
+                                       fault.at("code").get<std::string>()) +
                 ")");
   return pause_after_strikes(leg.fixture);
 }

@@ -36,6 +36,7 @@ struct LegState {
   int host_faults = 0;                      // of these, that the host spoiled since the last ruling
   int version = 1;  // of its record: one more after each that was decided to count for nothing
   bool is_to_confirm = false;  // a loss by a clock was seen; the next attempt counts
+  std::shared_ptr<const std::string> void_ruling;  // why a person had it played again; null
 };
 
 struct FixtureState {

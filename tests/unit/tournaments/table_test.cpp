@@ -37,6 +37,43 @@ TEST(Table, GoesByGoalDifferenceInARing) {
   EXPECT_EQ(rows[0].separated_by, "goal_difference");
 }
 
+class EveryTable : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Sizes, EveryTable, testing::Range(2, 65));
+
+// Teams in a ring, each ahead of the next when they met: only lots can tell them apart, and they must
+// not depend on who is asked first. Catches teams that are compared two by two.
+TEST_P(EveryTable, DrawsLotsInARingOfEquals) {
+  const int n = GetParam();
+  std::vector<LegResult> results;
+  for (int team = 0; team < n; ++team) results.push_back(leg_result(team, (team + 1) % n, 1, 0));
+  const auto rows = make_table(all_teams(n), results, {});
+  for (int i = 0; i < n; ++i) {
+    EXPECT_EQ(rows[i].points, 3);
+    EXPECT_EQ(rows[i].separated_by, i + 1 < n ? "lots" : "");
+  }
+  std::vector<int> teams = order(rows);
+  std::reverse(results.begin(), results.end());
+  EXPECT_EQ(order(make_table(all_teams(n), results, {})), teams);
+  std::sort(teams.begin(), teams.end());
+  EXPECT_EQ(teams, all_teams(n));
+}
+
+TEST_P(EveryTable, GivesNobodyAnythingForDoubleForfeits) {
+  // Everybody has lost by double forfeits, but one who won once.
+  const int n = GetParam();
+  std::vector<LegResult> results;
+  for (int team = 0; team < n; ++team) {
+    results.push_back(leg_result(team, (team + 1) % n, 0, 0));
+    results.back().both_lose = true;
+  }
+  results.push_back(leg_result(0, n - 1, 0, 1));
+  const auto rows = make_table(all_teams(n), results, {});
+  EXPECT_EQ(rows[0].team, n - 1);
+  EXPECT_EQ(rows[0].separated_by, "points");
+  EXPECT_EQ(rows[n - 1].team, 0);
+  for (int i = 1; i < n; ++i) EXPECT_EQ(rows[i].points, 0);
+}
+
 TEST(Table, GoesByGoalsThenByTheirOwnMeeting) {
   // A and B are level in points, difference and goals; B won when they met.
   const std::vector<LegResult> results{leg_result(B, A, 1, 0), leg_result(A, C, 2, 1),
