@@ -48,7 +48,7 @@ function get(place, path, method = 'GET') {
 }
 
 test('a page that is open follows the league, and a leg can be watched while it is played', async () => {
-  const league = make('long', 30000, ['idle', 'idle', 'idle']);  // nobody wins it early
+  const league = make('long', 150000, ['idle', 'idle', 'idle']);  // nobody wins it early, and a slow browser finds it
   const place = await serve(league);
   assert.match(place, /^http:\/\/127\.0\.0\.1:/, 'this host only');
   const page = await openPage(place);
