@@ -16,6 +16,8 @@ mkdir -p "$seeds" build/fuzz/corpus/{record,replay}
 build/mirocup match --blue idle --yellow idle --half 1 --record "$seeds/leg.json"
 cp "$seeds/leg.json" build/fuzz/corpus/record/
 { printf '\0'; cat "$seeds/leg.replay.zst"; } >build/fuzz/corpus/replay/leg
+# What the frame after the first line holds: the harness packs it again.
+{ printf '\4'; tail -n +2 "$seeds/leg.replay.zst" | zstd -dcq; } >build/fuzz/corpus/replay/unpacked
 for reader in record replay; do
   build/fuzz/${reader}_fuzz -max_total_time="$seconds" -max_len=65536 -artifact_prefix=build/fuzz/ \
     -print_final_stats=1 "build/fuzz/corpus/$reader"
