@@ -3,6 +3,7 @@
 // Catches a knockout in which a bye meets a bye, the two best meet early or somebody plays on who
 // lost; groups of unlike size; a Swiss tournament that pairs two teams twice or gives a second bye.
 #include "core/base/random.hpp"
+#include "tests/unit/tournaments/sizes.hpp"
 #include "tournaments/format/groups.hpp"
 #include "tournaments/format/ladder.hpp"
 #include "tournaments/format/swiss.hpp"
@@ -23,7 +24,7 @@ std::vector<Slot> seeds(int teams) {
 }
 
 class Formats : public testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(Sizes, Formats, testing::Range(2, 65));
+INSTANTIATE_TEST_SUITE_P(Sizes, Formats, all_sizes());
 
 // Plays a knockout with `winner` choosing; returns who took each tie.
 template <class Winner>

@@ -4,6 +4,7 @@
 // depends on the order of results, a league that never ends, a tie without a winner, a ruling that
 // changes who has played already, a team that has left and still plays.
 #include "core/base/random.hpp"
+#include "tests/unit/tournaments/sizes.hpp"
 #include "tournaments/publish/site.hpp"
 #include "tournaments/run/league_state.hpp"
 
@@ -130,12 +131,7 @@ TEST_P(EveryRoundRobin, ComesToTheSameEndInWhateverOrderItIsPlayed) {
 
 // Formats that grow while they are played.
 class EveryFormat : public testing::TestWithParam<int> {};
-#ifdef MIROCUP_SANITIZED
-constexpr int size_step = 6;  // the release build tries every size
-#else
-constexpr int size_step = 1;
-#endif
-INSTANTIATE_TEST_SUITE_P(Sizes, EveryFormat, testing::Range(2, 65, size_step));
+INSTANTIATE_TEST_SUITE_P(Sizes, EveryFormat, all_sizes());
 
 TEST_P(EveryFormat, ComesToTheSameEndInWhateverOrderItIsPlayed) {
   for (const auto kind :
@@ -146,7 +142,7 @@ TEST_P(EveryFormat, ComesToTheSameEndInWhateverOrderItIsPlayed) {
 }
 
 class EveryKnockout : public testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(Sizes, EveryKnockout, testing::Range(2, 65));
+INSTANTIATE_TEST_SUITE_P(Sizes, EveryKnockout, all_sizes());
 
 TEST_P(EveryKnockout, DecidesEveryTieAndPutsTheChampionFirst) {
   const int n = GetParam();

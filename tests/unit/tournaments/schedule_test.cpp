@@ -4,6 +4,8 @@
 // at home.
 #include "tournaments/format/schedule.hpp"
 
+#include "tests/unit/tournaments/sizes.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -14,7 +16,7 @@ namespace mirocup::league {
 namespace {
 
 class RoundRobin : public testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(Sizes, RoundRobin, testing::Range(2, 65));
+INSTANTIATE_TEST_SUITE_P(Sizes, RoundRobin, all_sizes());
 
 TEST_P(RoundRobin, BringsEveryPairTogetherOnce) {
   const int n = GetParam();

@@ -5,6 +5,7 @@
 #include "tournaments/table/table.hpp"
 
 #include "tests/unit/tournaments/leg_result.hpp"
+#include "tests/unit/tournaments/sizes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -38,7 +39,7 @@ TEST(Table, GoesByGoalDifferenceInARing) {
 }
 
 class EveryTable : public testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(Sizes, EveryTable, testing::Range(2, 65));
+INSTANTIATE_TEST_SUITE_P(Sizes, EveryTable, all_sizes());
 
 // Teams in a ring, each ahead of the next when they met: only lots can tell them apart, and they must
 // not depend on who is asked first. Catches teams that are compared two by two.
