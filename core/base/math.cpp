@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 namespace mirocup {
@@ -34,17 +35,33 @@ constexpr auto inverse_factorial = [] {
   return table;
 }();
 
+// (sin(x)/x - 1)/z and (cos(x) - 1 + z/2)/z^2 for squares z of angles |x| <= pi/4: one, or some,
+// which a compiler does together.
+template <std::size_t n>
+struct Tails {
+  std::array<double, n> sin{};
+  std::array<double, n> cos{};
+};
+template <std::size_t n>
+Tails<n> tails(const std::array<double, n>& z) {
+  Tails<n> t;
+  for (int k = sine_terms; k >= 1; --k) {
+    const double term = k % 2 ? -inverse_factorial[2 * k + 1] : inverse_factorial[2 * k + 1];
+    for (std::size_t i = 0; i < n; ++i) t.sin[i] = t.sin[i] * z[i] + term;
+  }
+  for (int k = cosine_terms; k >= 2; --k) {
+    const double term = k % 2 ? -inverse_factorial[2 * k] : inverse_factorial[2 * k];
+    for (std::size_t i = 0; i < n; ++i) t.cos[i] = t.cos[i] * z[i] + term;
+  }
+  return t;
+}
+
 // For |x| <= pi/4, plus the part `low` of x that its double cannot hold.
 SinCos kernel(double x, double low) {
   const double z = x * x;
-  double s = 0.0;
-  for (int k = sine_terms; k >= 1; --k) {
-    s = s * z + (k % 2 ? -inverse_factorial[2 * k + 1] : inverse_factorial[2 * k + 1]);
-  }
-  double c = 0.0;
-  for (int k = cosine_terms; k >= 2; --k) {
-    c = c * z + (k % 2 ? -inverse_factorial[2 * k] : inverse_factorial[2 * k]);
-  }
+  const Tails<1> tail = tails<1>({z});
+  const double s = tail.sin[0];
+  const double c = tail.cos[0];
   const double half = 0.5 * z;
   const double one_minus_half = 1.0 - half;
   // The bits that 1 - z/2 dropped are put back, and the derivative carries `low` in.
@@ -92,21 +109,14 @@ SinCos sincos(double x) {
 // kernel() with low = 0, arranged so that a compiler can do several angles at a time.
 SinCosOfSome sincos_of_small(const std::array<double, angles_at_once>& x) {
   std::array<double, angles_at_once> z;
-  SinCosOfSome some{};
   for (int i = 0; i < angles_at_once; ++i) z[i] = x[i] * x[i];
-  for (int k = sine_terms; k >= 1; --k) {
-    const double term = k % 2 ? -inverse_factorial[2 * k + 1] : inverse_factorial[2 * k + 1];
-    for (int i = 0; i < angles_at_once; ++i) some.sin[i] = some.sin[i] * z[i] + term;
-  }
-  for (int k = cosine_terms; k >= 2; --k) {
-    const double term = k % 2 ? -inverse_factorial[2 * k] : inverse_factorial[2 * k];
-    for (int i = 0; i < angles_at_once; ++i) some.cos[i] = some.cos[i] * z[i] + term;
-  }
+  const auto tail = tails(z);
+  SinCosOfSome some;
   for (int i = 0; i < angles_at_once; ++i) {
     const double half = 0.5 * z[i];
     const double one_minus_half = 1.0 - half;
-    some.sin[i] = x[i] + x[i] * z[i] * some.sin[i];
-    some.cos[i] = one_minus_half + (((1.0 - one_minus_half) - half) + z[i] * z[i] * some.cos[i]);
+    some.sin[i] = x[i] + x[i] * z[i] * tail.sin[i];
+    some.cos[i] = one_minus_half + (((1.0 - one_minus_half) - half) + z[i] * z[i] * tail.cos[i]);
   }
   return some;
 }

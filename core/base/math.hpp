@@ -23,7 +23,7 @@ struct SinCos {
 // Sine and cosine of x in radians; |x| up to 1e5 keeps the accuracy above.
 SinCos sincos(double x);
 
-// The same bits for some angles at once, none beyond pi/4, in less than half of the time.
+// The same bits for some angles at once, none beyond pi/4, in less than half of the instructions.
 inline constexpr int angles_at_once = 8;
 inline constexpr double small_angle = 0.25 * pi;
 struct SinCosOfSome {

@@ -29,13 +29,13 @@ SinCosOfSome headings(const std::array<double, gauss_nodes>& angle) {
   double farthest_turn = 0.0;
   for (const double a : angle) farthest_turn = std::max(farthest_turn, std::abs(a));
   if (farthest_turn <= small_angle) return sincos_of_small(angle);
-  SinCosOfSome headings;
+  SinCosOfSome all;
   for (int i = 0; i < gauss_nodes; ++i) {
     const SinCos heading = sincos(angle[i]);
-    headings.sin[i] = heading.sin;
-    headings.cos[i] = heading.cos;
+    all.sin[i] = heading.sin;
+    all.cos[i] = heading.cos;
   }
-  return headings;
+  return all;
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ compare "this build" "$golden_leg"
 for kind in "g++ -O0" "clang++ -O0" "clang++ -O3"; do  # this build is g++ -O3
   read -r compiler level <<<"$kind"
   build=$root/build/compilers/$compiler$level
-  cmake -S "$root" -B "$build" -G Ninja -DMIROCUP_CORE_ONLY=ON -DCMAKE_BUILD_TYPE= -DCMAKE_UNITY_BUILD=ON \
+  cmake -S "$root" -B "$build" -G Ninja -DMIROCUP_CORE_ONLY=ON -DCMAKE_BUILD_TYPE= \
     -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS="$level" >/dev/null
   cmake --build "$build" --target golden_leg $([[ $# -eq 0 ]] || echo verify_flat) >/dev/null
   compare "$kind" "$build/golden_leg"

@@ -4,7 +4,7 @@
 # Fails on what .clang-tidy lists. Usage: tidy.sh [BUILD [FOLDER...]]; by default of all sources, which takes a while:
 # the test asks for core and plugins only, whose sources don't include the large libraries. Most of the time goes into
 # the headers of Eigen and the standard library, again for each source: of a build that compiles several sources at once
-# (debug) it reads the same groups.
+# (all but the preset clang) it reads the same groups.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 build=${1:-build}
