@@ -90,8 +90,8 @@ void add_contacts(const Arena& arena, const Pair& pair, std::span<const Body> bo
   }
 }
 
-double touch_time(const Arena& arena, const Pair& pair, std::span<const Segment> segments,
-                  double t) {
+double touch_time(const Arena& arena, const Pair& pair, std::span<const Segment> segments, double t,
+                  double sink) {
   const Segment& a = segments[pair.a];
   const Mover mover{arena.shape(pair.a), a};
   const bool plane = pair.with_obstacle() && is_plane(pair.obstacle());
@@ -110,7 +110,7 @@ double touch_time(const Arena& arena, const Pair& pair, std::span<const Segment>
     const double touch = search(0.0);
     if (touch > t) return touch;
   }
-  return search(std::min(now, 0.0) - arena.tolerances.sink);
+  return search(std::min(now, 0.0) - sink);
 }
 
 bool boxes_meet(const Arena& arena, const Pair& pair, std::span<const Box> boxes) {

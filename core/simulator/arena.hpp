@@ -48,8 +48,8 @@ void add_contacts(const Arena& arena, const Pair& pair, std::span<const Body> bo
 
 // When the pair first touches in [t, end of both segments], or never. A pair that touches at t
 // already is looked at until it has come closer by the sink tolerance.
-double touch_time(const Arena& arena, const Pair& pair, std::span<const Segment> segments,
-                  double t);
+double touch_time(const Arena& arena, const Pair& pair, std::span<const Segment> segments, double t,
+                  double sink);
 
 // Could the pair touch at all, judged by the boxes that hold both bodies' reference points?
 bool boxes_meet(const Arena& arena, const Pair& pair, std::span<const Box> boxes);

@@ -2,7 +2,6 @@
 #include "core/simulator/contact_forces.hpp"
 
 #include <algorithm>
-#include <bitset>
 #include <cmath>
 #include <limits>
 
@@ -38,15 +37,16 @@ bool ContactForces::is_held_sideways(int body) const {
   return grounding_[body].ground == Ground::rolls && arena_.parameters.grip != infinite_grip;
 }
 
-void ContactForces::decide(std::span<const Drive> drives, const RestSpeeds& rest,
+void ContactForces::decide(std::span<const Drive> drives, double rest_slide, double rest_roll,
                            std::span<Body> bodies, std::span<Contact> contacts) {
-  rest_ = rest;
+  rest_slide_ = rest_slide;
+  rest_roll_ = rest_roll;
   candidate_count_ = 0;
-  std::bitset<max_bodies> in_contact;
+  BodySet in_contact;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     Contact& c = contacts[i];
     c.holds = false;
-    if (gap_rate(c, bodies) > rest.gap) continue;
+    if (gap_rate(c, bodies) > c.rest_speed) continue;
     candidate_[candidate_count_++] = static_cast<int>(i);
     in_contact.set(c.pair.a);
     if (!c.pair.with_obstacle()) in_contact.set(c.pair.partner);
@@ -161,10 +161,10 @@ void ContactForces::ground_before_contact(std::span<const Drive> drives, std::sp
     Twist& v = bodies[i].twist;
     if (arena_.is_ball(i)) {
       grounding_[i] = {.ground = Ground::ball};
-      if (std::abs(v.forward) + std::abs(v.left) <= no_rolling) v = {};
+      if (std::abs(v.forward) + std::abs(v.left) <= rest_roll_) v = {};
     } else if (!drives[i].wheels_on_ground) {
       grounding_[i] = {.ground = Ground::lifted};
-    } else if (std::abs(v.left) > rest_.slide) {
+    } else if (std::abs(v.left) > rest_slide_) {
       grounding_[i] = {.ground = Ground::slides, .slide = v.left > 0.0 ? 1.0 : -1.0};
     } else {
       v.left = 0.0;

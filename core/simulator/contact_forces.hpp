@@ -29,25 +29,19 @@ struct Grounding {
   Vec2 push{0.0, 0.0};  // N, on a ball that starts from rest against its rolling resistance
 };
 
-// What is no motion any more, m/s.
-struct RestSpeeds {
-  double gap = 0.0;
-  double slide = 0.0;
-};
-
 class ContactForces {
  public:
   explicit ContactForces(const Arena& arena);
 
   // Sets `holds` and `force` of every contact, and the grounding of every body that has one. Gaps
-  // that open faster than `rest.gap` are left alone. Wheels that slide no faster than `rest.slide`,
-  // and a ball that rolls no faster than rounding, are made to stop that. Velocities are made to fit
-  // what was decided.
-  void decide(std::span<const Drive> drives, const RestSpeeds& rest, std::span<Body> bodies,
-              std::span<Contact> contacts);
+  // that open faster than the contact's rest speed are left alone. Wheels that slide no faster than
+  // `rest_slide`, and a ball that rolls no faster than `rest_roll` (m/s), are made to stop that.
+  // Velocities are made to fit what was decided.
+  void decide(std::span<const Drive> drives, double rest_slide, double rest_roll,
+              std::span<Body> bodies, std::span<Contact> contacts);
 
   const Grounding& grounding(int body) const { return grounding_[body]; }
-  const RestSpeeds& rest_speeds() const { return rest_; }
+  double rest_slide() const { return rest_slide_; }
 
   // Does the ground hold the body sideways by a force of its own?
   bool is_held_sideways(int body) const;
@@ -70,7 +64,8 @@ class ContactForces {
 
   const Arena& arena_;
   BoxProblem problem_;
-  RestSpeeds rest_;
+  double rest_slide_ = 0.0;
+  double rest_roll_ = 0.0;
   std::array<Grounding, max_bodies> grounding_;
   std::array<Segment, max_bodies> trial_;  // two terms of the motion without contact forces
   std::vector<ContactRows> rows_;

@@ -20,40 +20,34 @@ constexpr double closed_gap = 0.01;
 constexpr double resting_speed = 1e-10;
 constexpr double resting_acceleration = 1e-9;
 
-// As in complementarity.cpp.
-constexpr double dependent_pivot = 1e-11;
-
-// Equations with a pivot above this share of their diagonal are clear of the others.
-constexpr double independent_pivot = 1e-3;
-
 }  // namespace
 
-ContactMotion::ContactMotion(const Arena& arena)
-    : arena_(arena), rows_(max_unknowns), factor_(max_unknowns * max_unknowns) {}
+ContactMotion::ContactMotion(const Arena& arena) : arena_(arena), rows_(max_unknowns) {}
 
 void ContactMotion::move(const BodySet& cluster, const ContactForces& forces,
                          std::span<const Contact> contacts, std::span<const Drive> drives,
-                         double begin, double horizon, double enough, std::span<Body> bodies,
+                         const Wanted& wanted, std::span<Body> bodies,
                          std::span<Segment> segments) {
   forces_ = &forces;
   drives_ = drives;
   choose(cluster, contacts);
-  start(begin, horizon, bodies, segments);
+  start(wanted, bodies, segments);
   extend(0, segments);
   if (is_at_rest(segments)) {
     for (int m = 0; m < member_count_; ++m) {
-      segments[members_[m]] = still_segment(bodies[members_[m]], begin, horizon);
+      segments[members_[m]] = still_segment(bodies[members_[m]], wanted.begin, wanted.horizon);
     }
     return;
   }
   // As fill_series() does for one body.
-  for (int k = 1; k < few_terms - 1; ++k) extend(k, segments);
-  set_terms_of_all(few_terms, segments);
-  if (converged_length_of_all(segments) < std::min(enough, horizon - begin)) {
-    for (int k = few_terms - 1; k < series_terms - 1; ++k) extend(k, segments);
-    set_terms_of_all(series_terms, segments);
+  int k = 1;
+  for (const int terms : term_counts) {
+    for (; k < terms - 1; ++k) extend(k, segments);
+    set_terms_of_all(terms, segments);
+    const double longest = wanted.horizon - wanted.begin;
+    if (converged_length_of_all(segments) >= std::min(wanted.enough, longest)) break;
   }
-  find_end(segments);
+  find_end(wanted, segments);
 }
 
 // Term k + 1 of everything.
@@ -116,11 +110,11 @@ void ContactMotion::choose(const BodySet& cluster, std::span<const Contact> cont
                    [](const Contact& a, const Contact& b) { return a.force > b.force; });
 }
 
-void ContactMotion::start(double begin, double horizon, std::span<Body> bodies,
+void ContactMotion::start(const Wanted& wanted, std::span<Body> bodies,
                           std::span<Segment> segments) {
   close_gaps(bodies);
   for (int m = 0; m < member_count_; ++m) {
-    segments[members_[m]] = moving_segment(bodies[members_[m]], begin, horizon);
+    segments[members_[m]] = moving_segment(bodies[members_[m]], wanted.begin, wanted.horizon);
   }
   for (int i = 0; i < held_count_; ++i) {
     rows_[i] = {};
@@ -154,7 +148,7 @@ void ContactMotion::close_gaps(std::span<Body> bodies) {
   if (widest <= closed_gap * arena_.tolerances.sink) return;
   factorise();
   for (int i = 0; i < equations(); ++i) rhs_[i] = i < held_count_ ? -held_[i].at.gap : 0.0;
-  solve();
+  elimination_.solve(rhs_);
   const auto shift = [&](int body, const JacobianRow& row, double amount) {
     if (body == no_body) return;
     const InverseMass& m = mass_[body];
@@ -176,7 +170,7 @@ void ContactMotion::stop_rates(std::span<Body> bodies) {
   for (int i = 0; i < equations(); ++i) {
     rhs_[i] = i < held_count_ ? -gap_rate(held_[i], bodies) : -bodies[wheels_of(i)].twist.left;
   }
-  solve();
+  elimination_.solve(rhs_);
   for (int i = 0; i < held_count_; ++i) apply_impulse(held_[i], rhs_[i], mass_, bodies);
   for (int k = 0; k < wheel_count_; ++k) bodies[wheels_[k]].twist.left = 0.0;
   for (int m = 0; m < member_count_; ++m) {
@@ -184,7 +178,7 @@ void ContactMotion::stop_rates(std::span<Body> bodies) {
     double& left = bodies[i].twist.left;
     slide_[i] = forces_->grounding(i).slide;
     if (slide_[i] == 0.0) continue;
-    if (std::abs(left) <= forces_->rest_speeds().slide) {
+    if (std::abs(left) <= forces_->rest_slide()) {
       left = 0.0;
     } else {
       slide_[i] = left > 0.0 ? 1.0 : -1.0;
@@ -206,68 +200,12 @@ double ContactMotion::coupling_of(int i, int j) const {
   return sum;
 }
 
-// In the order of choose() as long as pivots are large. What nearly depends on others comes behind
-// all of those, the largest pivot first: dividing by what rounding leaves of a small one would
-// spoil the others.
 void ContactMotion::factorise() {
   const int n = equations();
-  std::array<double, max_unknowns> pivot;
-  std::array<double, max_unknowns> diagonal;
   for (int i = 0; i < n; ++i) {
-    pivot[i] = diagonal[i] = coupling_of(i, i);
-    order_[i] = i;
+    for (int j = 0; j <= i; ++j) elimination_.a(i, j) = coupling_of(i, j);
   }
-  int taken = 0;
-  const auto take = [&](int place) {
-    // Those passed over keep their order.
-    std::rotate(order_.begin() + taken, order_.begin() + place, order_.begin() + place + 1);
-    const int i = order_[taken];
-    double* row = &factor_[i * max_unknowns];
-    depends_[i] = pivot[i] <= dependent_pivot * diagonal[i];
-    row[taken] = depends_[i] ? 1.0 : std::sqrt(pivot[i]);
-    for (int k = taken + 1; k < n; ++k) {
-      const int j = order_[k];
-      double* other = &factor_[j * max_unknowns];
-      other[taken] = 0.0;
-      if (depends_[i]) continue;
-      double sum = coupling_of(j, i);
-      for (int l = 0; l < taken; ++l) sum -= other[l] * row[l];
-      other[taken] = sum / row[taken];
-      pivot[j] -= other[taken] * other[taken];
-    }
-    ++taken;
-  };
-  for (int place = 0; place < n; ++place) {
-    const int i = order_[place];
-    if (pivot[i] > independent_pivot * diagonal[i]) take(place);
-  }
-  while (taken < n) {
-    int largest = taken;
-    for (int place = taken + 1; place < n; ++place) {
-      if (pivot[order_[place]] > pivot[order_[largest]]) largest = place;
-    }
-    take(largest);
-  }
-}
-
-void ContactMotion::solve() {
-  const int n = equations();
-  for (int k = 0; k < n; ++k) {
-    const int i = order_[k];
-    const double* row = &factor_[i * max_unknowns];
-    double sum = rhs_[i];
-    for (int l = 0; l < k; ++l) sum -= row[l] * rhs_[order_[l]];
-    rhs_[i] = depends_[i] ? 0.0 : sum / row[k];
-  }
-  for (int k = n - 1; k >= 0; --k) {
-    const int i = order_[k];
-    if (depends_[i]) continue;
-    double sum = rhs_[i];
-    for (int l = k + 1; l < n; ++l) {
-      sum -= factor_[order_[l] * max_unknowns + k] * rhs_[order_[l]];
-    }
-    rhs_[i] = sum / factor_[i * max_unknowns + k];
-  }
+  elimination_.factorise(n);
 }
 
 // Term k + 1 of the twists, but for what the forces' own term k adds.
@@ -304,7 +242,7 @@ void ContactMotion::extend_twists(int k, std::span<Segment> segments) {
 void ContactMotion::solve_for_forces(int k, std::span<Segment> segments) {
   // Forces that the equations leave open keep the value that was decided.
   for (int i = 0; i < equations(); ++i) {
-    if (!depends_[i] || k > 0) continue;
+    if (!elimination_.depends(i) || k > 0) continue;
     if (i < held_count_) {
       rows_[i].force[0] = held_[i].force;
       add_force_term(i, 0, held_[i].force, 0, segments);
@@ -319,14 +257,14 @@ void ContactMotion::solve_for_forces(int k, std::span<Segment> segments) {
                                         : segments[wheels_of(i)].left[k + 1];
     rhs_[i] = -(k + 1) * rate;
   }
-  solve();
+  elimination_.solve(rhs_);
   for (int i = 0; i < held_count_; ++i) {
-    if (depends_[i]) continue;
+    if (elimination_.depends(i)) continue;
     rows_[i].force[k] = rhs_[i];
     add_force_term(i, 0, rhs_[i], k, segments);
   }
   for (int w = 0; w < wheel_count_; ++w) {
-    if (!depends_[held_count_ + w]) hold_[w][k] = rhs_[held_count_ + w];
+    if (!elimination_.depends(held_count_ + w)) hold_[w][k] = rhs_[held_count_ + w];
     segments[wheels_[w]].left[k + 1] = 0.0;
   }
 }
@@ -348,9 +286,12 @@ void ContactMotion::add_force_term(int i, int term, double force, int k,
 }
 
 // When a contact lets go or its point leaves the edge; at most `length`.
-double ContactMotion::contacts_change(double length) const {
+double ContactMotion::contacts_change(double at_least, double length) const {
   for (int i = 0; i < held_count_; ++i) {
-    if (!depends_[i]) length = std::min(length, first_fall(rows_[i].force, 0.0, 0.0, length));
+    const double from = std::min(at_least, length);
+    if (!elimination_.depends(i)) {
+      length = std::min(length, first_fall(rows_[i].force, 0.0, from, length));
+    }
     for (const Series& inside : rows_[i].inside) {
       if (inside[0] <= -over_the_end) continue;  // it was out there when it was hit
       length = std::min(length, first_fall(inside, -over_the_end, 0.0, length));
@@ -359,16 +300,22 @@ double ContactMotion::contacts_change(double length) const {
   return length;
 }
 
-void ContactMotion::find_end(std::span<Segment> segments) const {
-  const double begin = segments[members_[0]].begin;
-  double length = contacts_change(converged_length_of_all(segments));
+// When the grip of wheels is used up; at most `length`.
+double ContactMotion::wheels_let_go(double at_least, double length) const {
   const double grip = sideways_limit(arena_.parameters) * arena_.parameters.robot_mass;
   for (int w = 0; w < wheel_count_; ++w) {
-    if (depends_[held_count_ + w]) continue;
-    length = std::min(length, first_fall(hold_[w], -grip, 0.0, length));
-    length = std::min(length, first_fall(-1.0 * hold_[w], -grip, 0.0, length));
+    if (elimination_.depends(held_count_ + w)) continue;
+    const double from = std::min(at_least, length);
+    length = std::min(length, first_fall(hold_[w], -grip, from, length));
+    length = std::min(length, first_fall(-1.0 * hold_[w], -grip, from, length));
   }
+  return length;
+}
 
+void ContactMotion::find_end(const Wanted& wanted, std::span<Segment> segments) const {
+  const double begin = wanted.begin;
+  double length = converged_length_of_all(segments);
+  length = wheels_let_go(wanted.at_least, contacts_change(wanted.at_least, length));
   int settles = no_body;
   for (int m = 0; m < member_count_; ++m) {
     const int i = members_[m];
@@ -376,14 +323,18 @@ void ContactMotion::find_end(std::span<Segment> segments) const {
     Segment& s = segments[i];
     s.end = begin + length;
     double ends = never;
+    bool reverses = false;
     if (g.ground == Ground::slides) {
       ends = slide_ends(s, slide_[i]);
     } else if (g.ground == Ground::ball) {
       ends = braking_changes(rolling_deceleration(arena_.parameters), s, braking_[i], length);
+      reverses = ends < wanted.at_least;
+      if (reverses) ends = wanted.at_least;
     }
     if (ends > length) continue;
     length = ends;
-    const bool goes_on = arena_.is_ball(i) && rolling_deceleration(arena_.parameters).is_per_axis();
+    const bool goes_on =
+        reverses || (arena_.is_ball(i) && rolling_deceleration(arena_.parameters).is_per_axis());
     settles = goes_on ? no_body : i;
   }
   for (int m = 0; m < member_count_; ++m) segments[members_[m]].end = begin + length;

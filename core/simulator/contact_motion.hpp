@@ -10,6 +10,7 @@
 #pragma once
 
 #include "core/simulator/contact_forces.hpp"
+#include "core/simulator/elimination.hpp"
 #include "core/simulator/neighbours.hpp"
 
 #include <array>
@@ -18,17 +19,24 @@
 
 namespace mirocup::simulator {
 
+// How long a curve is wanted, s.
+struct Wanted {
+  double begin;     // of the tick
+  double horizon;   // of the tick; at most until then
+  double enough;    // a curve that holds for so long needs no more terms
+  double at_least;  // so long no contact lets go and no wheels begin to slide
+};
+
 class ContactMotion {
  public:
   // Allocates its scratch; moving does not allocate. The arena outlives it.
   explicit ContactMotion(const Arena& arena);
 
-  // Moves a cluster of bodies that hold each other from `begin` to at most `horizon`: sets the
-  // segments of its bodies, all with the same end. What their gaps and velocities are off by
-  // rounding is put right first.
+  // Moves a cluster of bodies that hold each other: sets the segments of its bodies, all with the
+  // same end. What their gaps and velocities are off by rounding is put right first.
   void move(const BodySet& cluster, const ContactForces& forces, std::span<const Contact> contacts,
-            std::span<const Drive> drives, double begin, double horizon, double enough,
-            std::span<Body> bodies, std::span<Segment> segments);
+            std::span<const Drive> drives, const Wanted& wanted, std::span<Body> bodies,
+            std::span<Segment> segments);
 
  private:
   // The equations of a cluster: first the contacts that press, then the wheels that hold sideways.
@@ -36,12 +44,11 @@ class ContactMotion {
   int wheels_of(int equation) const { return wheels_[equation - held_count_]; }
 
   void choose(const BodySet& cluster, std::span<const Contact> contacts);
-  void start(double begin, double horizon, std::span<Body> bodies, std::span<Segment> segments);
+  void start(const Wanted& wanted, std::span<Body> bodies, std::span<Segment> segments);
   void close_gaps(std::span<Body> bodies);
   void stop_rates(std::span<Body> bodies);
   double coupling_of(int i, int j) const;
   void factorise();
-  void solve();  // rhs_ becomes the solution
   void extend(int k, std::span<Segment> segments);
   void extend_twists(int k, std::span<Segment> segments);
   void solve_for_forces(int k, std::span<Segment> segments);
@@ -49,8 +56,9 @@ class ContactMotion {
   bool is_at_rest(std::span<const Segment> segments) const;
   void set_terms_of_all(int terms, std::span<Segment> segments);
   double converged_length_of_all(std::span<const Segment> segments) const;
-  void find_end(std::span<Segment> segments) const;
-  double contacts_change(double length) const;
+  void find_end(const Wanted& wanted, std::span<Segment> segments) const;
+  double contacts_change(double at_least, double length) const;
+  double wheels_let_go(double at_least, double length) const;
 
   const Arena& arena_;
   const ContactForces* forces_ = nullptr;
@@ -69,10 +77,7 @@ class ContactMotion {
   int wheel_count_ = 0;
   std::array<Series, max_bodies> hold_;  // N to the left, of wheels_
 
-  std::vector<double> factor_;           // Cholesky; row i belongs to equation i
-  std::array<int, max_unknowns> order_;  // of the equations in it
-  std::array<bool, max_unknowns>
-      depends_;  // an equation that follows from the others: its force stays
+  Elimination elimination_;  // where equations follow from others, their forces stay as they are
   std::array<double, max_unknowns> rhs_;
 };
 

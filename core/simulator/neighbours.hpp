@@ -7,12 +7,9 @@
 #include "core/simulator/arena.hpp"
 
 #include <array>
-#include <bitset>
 #include <span>
 
 namespace mirocup::simulator {
-
-using BodySet = std::bitset<max_bodies>;
 
 struct Neighbour {
   Pair pair;

@@ -32,8 +32,11 @@ Tolerances tolerances_of(Accuracy accuracy) {
     case Accuracy::reference:
       t.sink = 1e-13;
       t.rest_speed = 5e-6;
-      t.rest_growth_per_touch = 1.002;
-      t.patient_touches = 1'000;
+      t.rest_growth_per_touch = 1.05;
+      t.patient_touches = 30;
+      t.brief_slide = 1e-13;
+      t.brief_slide_growth_per_touch = 1.5;
+      t.growth_per_event = 1.02;
       t.events_per_tick = 10'000;
       t.step = 2e-5;
       break;

@@ -84,14 +84,20 @@ struct Tolerances {
   double rest_speed =
       1e-4;  // m/s: an approach slower than this does not bounce, it rests. More than what
              // the motors can gain over `sink`, so that bouncing comes to an end
-  // Chattering ends because what counts as rest grows, within a tick, with each bounce of a pair
-  // and a little with each touch anywhere on the field.
+  // Within a tick patience wears off (patience.hpp). What counts as rest grows with each touch of a
+  // body and with each bounce of a pair; `sink` grows with each touch of a body beyond the patient ones,
+  // up to `touch`.
+  double rest_growth_per_touch = 2.0;
   double rest_growth_per_bounce = 1.5;
-  double rest_growth_per_touch = 1.1;
-  int patient_touches = 20;       // in a tick; beyond, what counts as rest grows faster,
-  double impatient_growth = 1.3;  // by this for each touch
-  // Wheels may begin to slide and hold again ever more slowly: so grows, with each event, what counts
-  // as holding, up to what counts as rest.
+  double sink_growth_per_touch = 4.0;
+  int patient_touches = 8;
+  // An impact stops wheels that it makes slide no faster than this, m/s: they would grip again
+  // within v / grip g.
+  double brief_slide = 1e-9;
+  double brief_slide_growth_per_touch = 8.0;
+  double hold = 1e-8;  // s: the shortest that bodies press and wheels grip
+  // Of that and of the slowest rolling in contact, for each event; of the slowest sliding.
+  double growth_per_event = 1.3;
   double slide_growth_per_event = 1.15;
   int events_per_tick = 400;  // beyond, the rest of the tick is done in small steps
   double step = 1e-3;         // s: the longest of those

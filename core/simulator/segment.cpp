@@ -14,7 +14,7 @@ Segment still_segment(const Body& body, double begin, double end) {
   s.y[0] = body.position.y();
   s.cos[0] = body.heading.cos;
   s.sin[0] = body.heading.sin;
-  set_terms(s, few_terms);
+  set_terms(s, fewest_terms);
   return s;
 }
 

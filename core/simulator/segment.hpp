@@ -58,18 +58,18 @@ void set_terms(Segment& segment, int terms);
 double converged_length(const Segment& segment, double longest);
 
 // Fills the series of a segment of which only the first terms are there: extend(k) adds term k + 1.
-// Few terms, if they hold for `enough` seconds or the whole segment; the length is cut to what the
+// As few terms as hold for `enough` seconds or the whole segment; the length is cut to what the
 // terms hold for.
 template <class Extend>
 void fill_series(Segment& segment, double enough, Extend extend) {
   const double wanted = segment.end - segment.begin;
-  for (int k = 0; k < few_terms - 1; ++k) extend(k);
-  set_terms(segment, few_terms);
-  double length = converged_length(segment, wanted);
-  if (length < std::min(wanted, enough)) {
-    for (int k = few_terms - 1; k < series_terms - 1; ++k) extend(k);
-    set_terms(segment, series_terms);
+  double length = 0.0;
+  int k = 0;
+  for (const int terms : term_counts) {
+    for (; k < terms - 1; ++k) extend(k);
+    set_terms(segment, terms);
     length = converged_length(segment, wanted);
+    if (length >= std::min(wanted, enough)) break;
   }
   if (length < wanted) segment.end = segment.begin + length;
 }

@@ -12,6 +12,7 @@ namespace {
 // Calls f with the number of terms as a constant, which is what lets a compiler unroll its loops.
 template <class F>
 auto with_terms(int terms, F f) {
+  if (terms == fewest_terms) return f(std::integral_constant<int, fewest_terms>{});
   return terms == few_terms ? f(std::integral_constant<int, few_terms>{})
                             : f(std::integral_constant<int, series_terms>{});
 }
@@ -77,7 +78,9 @@ Range change_over(const Series& p, double length) {
     double power = 1.0;
     for (int k = 1; k < n; ++k) {
       power *= length;
-      (p[k] < 0.0 ? range.low : range.high) += p[k] * power;
+      const double change = p[k] * power;
+      range.low += std::min(change, 0.0);
+      range.high += std::max(change, 0.0);
     }
     return range;
   });

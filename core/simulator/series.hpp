@@ -6,7 +6,7 @@
 // coefficients come one from the other by multiplications only. So a position is a polynomial, a
 // gap is a polynomial, and the first touch is the first root of one. Truncation: a segment is kept
 // so short that its series have converged (see converged_length()). Most of the work grows with the
-// square of the terms, so a curve that is soon over has few.
+// square of the terms, so a curve that is soon over has few, and one between two bounces fewer.
 #pragma once
 
 #include <array>
@@ -14,8 +14,10 @@
 
 namespace mirocup::simulator {
 
-inline constexpr int series_terms = 14;  // coefficients of t^0 .. t^13
+inline constexpr int series_terms = 14;  // coefficients of t^0 .. t^13, at most
 inline constexpr int few_terms = 10;     // of a short curve
+inline constexpr int fewest_terms = 6;   // of a very short one
+inline constexpr std::array<int, 3> term_counts{fewest_terms, few_terms, series_terms};
 
 // "Never", where a time is asked for.
 inline constexpr double never = std::numeric_limits<double>::infinity();
@@ -23,17 +25,20 @@ inline constexpr double never = std::numeric_limits<double>::infinity();
 // Values in any unit, t in seconds from the begin of the segment that the series belongs to.
 struct Series {
   std::array<double, series_terms> c{};
-  int terms = series_terms;  // or few_terms: all coefficients from there on are zero
+  int terms = series_terms;  // one of term_counts: all coefficients from there on are zero
 
   double operator[](int k) const { return c[k]; }
   double& operator[](int k) { return c[k]; }
 
-  double at(double t) const { return terms == few_terms ? at<few_terms>(t) : at<series_terms>(t); }
+  double at(double t) const {
+    if (terms == fewest_terms) return at<fewest_terms>(t);
+    return terms == few_terms ? at<few_terms>(t) : at<series_terms>(t);
+  }
 
   static Series constant(double value) {
     Series s;
     s.c[0] = value;
-    s.terms = few_terms;
+    s.terms = fewest_terms;
     return s;
   }
 

@@ -9,12 +9,16 @@
 #include "core/field/league.hpp"
 
 #include <array>
+#include <bitset>
 #include <optional>
 
 namespace mirocup::simulator {
 
 inline constexpr int max_robots = 2 * max_robots_per_team;
 inline constexpr int max_bodies = max_robots + 1;  // and the ball
+
+// Some of the bodies, by index.
+using BodySet = std::bitset<max_bodies>;
 
 // Velocities are those of the body frame: forward and to the left in m/s, turning in rad/s.
 struct Twist {

@@ -4,10 +4,11 @@
 // the way. A world that has no trace pays nothing for it.
 #pragma once
 
-#include "core/simulator/pair.hpp"
+#include "core/simulator/impact.hpp"
 
 #include <array>
 #include <bitset>
+#include <span>
 #include <vector>
 
 namespace mirocup::simulator {
@@ -33,5 +34,11 @@ struct Trace {
   // Which pairs press now: [body][partner].
   std::array<std::bitset<max_partners>, max_bodies> pressing{};
 };
+
+// An impact at t seconds of the tick.
+void add_impact(const Contact& contact, double t, Trace& trace);
+
+// The contacts of the involved bodies, after it was found which of them press.
+void add_pressing(std::span<const Contact> contacts, const BodySet& involved, Trace& trace);
 
 }  // namespace mirocup::simulator

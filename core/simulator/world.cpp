@@ -10,9 +10,6 @@ namespace mirocup::simulator {
 
 namespace {
 
-// A curve that holds for so many times the mean time between the tick's events is long enough.
-constexpr double patience = 2.0;
-
 BodySet first_bodies(int count) {
   BodySet set;
   for (int i = 0; i < count; ++i) set.set(i);
@@ -24,14 +21,10 @@ BodySet first_bodies(int count) {
 World::World(const field::Field* field, const Parameters& parameters, const Tolerances& tolerances,
              int robots, bool has_ball)
     : arena_(make_arena(field, parameters, tolerances, robots, has_ball)),
+      patience_(tolerances),
       problem_(std::make_unique<BoxProblem>()),
       forces_(std::make_unique<ContactForces>(arena_)),
       motion_(std::make_unique<ContactMotion>(arena_)) {
-  double rest_speed = tolerances.rest_speed;
-  for (double& speed : bounce_rest_speeds_) {
-    speed = rest_speed;
-    rest_speed *= tolerances.rest_growth_per_bounce;
-  }
   for (int i = 0; i < robots; ++i) free_mass_[i] = arena_.free_robot;
   if (has_ball) mass_[robots] = free_mass_[robots] = arena_.ball;
 }
@@ -58,10 +51,8 @@ void World::set_ball(const BallState& state) {
 
 const TickEvents& World::advance(std::span<const WheelCommand> commands, double duration) {
   events_ = {};
-  bounces_ = {};
   rubs_ = false;
-  rest_ = {.gap = arena_.tolerances.rest_speed, .slide = no_sliding};
-  touches_ = 0;
+  patience_.begin_tick();
   for (int i = 0; i < arena_.robots; ++i) {
     drives_[i] = drive_of(arena_.parameters, commands[i]);
     const bool on_ground = drives_[i].wheels_on_ground;
@@ -108,16 +99,18 @@ const Neighbour* World::first_touch(double& t) {
       t = n.touch;
     }
     if (first == nullptr || !first->is_estimate) return first;
-    first->touch = touch_time(arena_, first->pair, segments_, first->estimated);
+    const double sink = patience_.sink(first->pair);
+    first->touch = touch_time(arena_, first->pair, segments_, first->estimated, sink);
     first->is_estimate = false;
   }
 }
 
 World::Event World::next_event(double tick_end) {
-  Event next{.time = tick_end, .is_touch = false, .involved = {}};
+  Event next{.time = tick_end, .is_touch = false, .pair = {}, .involved = {}};
   for (int i = 0; i < arena_.bodies(); ++i) next.time = std::min(next.time, segments_[i].end);
   if (const Neighbour* first = first_touch(next.time)) {
     next.is_touch = true;
+    next.pair = first->pair;
     next.involved.set(first->pair.a);
     if (!first->pair.with_obstacle()) next.involved.set(first->pair.partner);
   } else {
@@ -128,13 +121,8 @@ World::Event World::next_event(double tick_end) {
 
 void World::play_event(const Event& event, double tick_end) {
   ++events_.events;
-  if (event.is_touch) {
-    ++touches_;
-    const Tolerances& tolerances = arena_.tolerances;
-    rest_.gap *= touches_ > tolerances.patient_touches ? tolerances.impatient_growth
-                                                       : tolerances.rest_growth_per_touch;
-  }
-  rest_.slide = std::min(rest_.slide * arena_.tolerances.slide_growth_per_event, rest_.gap);
+  if (event.is_touch) patience_.note_touch(event.pair, event.time);
+  patience_.note_event(was_forced_to_hold(event));
   const double t = event.time;
   BodySet involved = event.involved;
   spread_over_touching(t, involved);
@@ -143,15 +131,27 @@ void World::play_event(const Event& event, double tick_end) {
   go_on(involved, t, tick_end);
 }
 
+// Did a curve end as soon as it was allowed to?
+bool World::was_forced_to_hold(const Event& event) const {
+  if (event.is_touch) return false;
+  const double hold = patience_.hold();
+  for (int i = 0; i < arena_.bodies(); ++i) {
+    const double length = event.time - segments_[i].begin;
+    if (event.involved[i] && std::abs(length - hold) <= 1e-3 * hold) return true;
+  }
+  return false;
+}
+
 // From the contacts that the involved bodies have now: who bounces, who presses, and how all of
 // them move on.
 void World::go_on(const BodySet& involved, double t, double tick_end) {
   note_touches();
   separate_overlaps();
   collide(t);
-  forces_->decide(drives_, rest_, bodies_, contacts_.contacts());
+  forces_->decide(drives_, patience_.rest_slide(), patience_.rest_roll(), bodies_,
+                  contacts_.contacts());
   for (const Contact& c : contacts_.contacts()) rubs_ = rubs_ || (c.holds && c.friction > 0.0);
-  if (trace_ != nullptr) trace_pressing(involved);
+  if (trace_ != nullptr) add_pressing(contacts_.contacts(), involved, *trace_);
   start_segments(involved, t, tick_end);
   meet_neighbours(involved, t, tick_end);
 }
@@ -273,9 +273,7 @@ void World::separate_overlaps() {
 }
 
 void World::collide(double t) {
-  for (Contact& c : contacts_.contacts()) {
-    c.rest_speed = std::max(rest_.gap, bounce_rest_speeds_[bounces_of(c)]);
-  }
+  for (Contact& c : contacts_.contacts()) c.rest_speed = patience_.rest_speed(c.pair);
   resolve_impacts(contacts_.contacts(), mass_, bodies_, *problem_);
   if (has_friction(arena_.parameters)) {
     resolve_friction(contacts_.contacts(), mass_, bodies_, *problem_);
@@ -283,9 +281,32 @@ void World::collide(double t) {
   for (const Contact& c : contacts_.contacts()) {
     if (c.impulse == 0.0 || c.approach <= c.rest_speed) continue;
     ++events_.impacts;
-    if (trace_ != nullptr) trace_impact(c, t);
-    if (bounces_of(c) < most_bounces) ++bounces_of(c);
+    if (trace_ != nullptr) add_impact(c, t, *trace_);
+    patience_.note_bounce(c.pair);
   }
+  stop_brief_slides();
+}
+
+// What little an impact makes wheels slide would end too soon to be worth an event.
+void World::stop_brief_slides() {
+  if (arena_.parameters.grip == infinite_grip) return;
+  BodySet hit;
+  for (const Contact& c : contacts_.contacts()) {
+    if (c.impulse == 0.0) continue;
+    hit.set(c.pair.a);
+    if (!c.pair.with_obstacle()) hit.set(c.pair.partner);
+  }
+  std::array<SlowWheels, max_robots> wheels;
+  std::size_t count = 0;
+  bool slides = false;
+  for (int i = 0; i < arena_.robots; ++i) {
+    const double brief = patience_.brief_slide(i);
+    const double left = std::abs(bodies_[i].twist.left);
+    if (!hit[i] || !drives_[i].wheels_on_ground || left > brief) continue;
+    wheels[count++] = {.robot = i, .most = arena_.parameters.robot_mass * brief};
+    slides = slides || left > no_sliding;
+  }
+  if (slides) stop_slides(contacts_.contacts(), {wheels.data(), count}, mass_, bodies_, *problem_);
 }
 
 void World::note_touches() {
@@ -297,30 +318,8 @@ void World::note_touches() {
   }
 }
 
-void World::trace_impact(const Contact& c, double t) const {
-  trace_->impacts.push_back({.time = trace_->origin + t,
-                             .first = c.a,
-                             .second = c.b,
-                             .point = c.at.point,
-                             .normal = c.at.normal,
-                             .impulse = c.impulse});
-}
-
-void World::trace_pressing(const BodySet& involved) const {
-  if (contacts_.count > 0) ++trace_->contact_solves;
-  const auto before = trace_->pressing;
-  for (int i = 0; i < arena_.bodies(); ++i) {
-    if (involved[i]) trace_->pressing[i].reset();
-  }
-  for (const Contact& c : contacts_.contacts()) {
-    if (!c.holds || trace_->pressing[c.pair.a][c.pair.partner]) continue;
-    trace_->pressing[c.pair.a].set(c.pair.partner);
-    if (!before[c.pair.a][c.pair.partner]) ++trace_->lasting_contacts;
-  }
-}
-
 void World::start_segments(const BodySet& involved, double t, double tick_end) {
-  const double enough = events_.events == 0 ? never : patience * t / events_.events;
+  const Wanted wanted{t, tick_end, patience_.long_enough(t), patience_.hold()};
   BodySet left = involved;
   for (int i = 0; i < arena_.bodies(); ++i) {
     if (!left[i]) continue;
@@ -328,14 +327,13 @@ void World::start_segments(const BodySet& involved, double t, double tick_end) {
     left &= ~cluster;
     quiet_.reset(i);
     if (cluster.any()) {
-      motion_->move(cluster, *forces_, contacts_.contacts(), drives_, t, tick_end, enough, bodies_,
-                    segments_);
+      motion_->move(cluster, *forces_, contacts_.contacts(), drives_, wanted, bodies_, segments_);
     } else if (arena_.is_ball(i)) {
       segments_[i] = roll(rolling_deceleration(arena_.parameters), bodies_[i], t, tick_end);
     } else if (is_quiet(arena_.parameters, bodies_[i], drives_[i], tick_end - t)) {
       start_quietly(i, t, tick_end);
     } else {
-      segments_[i] = drive(arena_.parameters, bodies_[i], drives_[i], t, tick_end, enough);
+      segments_[i] = drive(arena_.parameters, bodies_[i], drives_[i], t, tick_end, wanted.enough);
     }
   }
   for (int i = 0; i < arena_.bodies(); ++i) {

@@ -18,6 +18,7 @@
 #include "core/simulator/contact_stepping.hpp"
 #include "core/simulator/friction.hpp"
 #include "core/simulator/neighbours.hpp"
+#include "core/simulator/patience.hpp"
 #include "core/simulator/quiet_motion.hpp"
 #include "core/simulator/trace.hpp"
 
@@ -71,11 +72,13 @@ class World {
   struct Event {
     double time;  // s of the tick
     bool is_touch;
+    Pair pair;  // of a touch
     BodySet involved;
   };
   Event next_event(double tick_end);
   const Neighbour* first_touch(double& t);
   void play_event(const Event& event, double tick_end);
+  bool was_forced_to_hold(const Event& event) const;
   void go_on(const BodySet& involved, double t, double tick_end);
   void finish_in_steps(double t, double tick_end);
 
@@ -90,14 +93,10 @@ class World {
   void collect_contacts_anywhere(double margin);
   void separate_overlaps();
   void collide(double t);
+  void stop_brief_slides();
   void start_segments(const BodySet& involved, double t, double tick_end);
   BodySet cluster_of(int body) const;
   void note_touches();
-  void trace_impact(const Contact& contact, double t) const;
-  void trace_pressing(const BodySet& involved) const;
-  unsigned char& bounces_of(const Contact& c) { return bounces_[c.pair.a][c.pair.partner]; }
-
-  static constexpr int most_bounces = 40;  // that are counted
 
   Arena arena_;
   std::array<Body, max_bodies> bodies_{};       // each at the begin of its segment
@@ -110,10 +109,7 @@ class World {
   std::array<Drive, max_robots> drives_{};
   std::array<InverseMass, max_bodies> mass_{};
   std::array<InverseMass, max_bodies> free_mass_{};
-  std::array<std::array<unsigned char, max_partners>, max_bodies> bounces_{};  // in this tick
-  std::array<double, most_bounces + 1> bounce_rest_speeds_{};  // after so many bounces
-  RestSpeeds rest_;                                            // after so many events of this tick
-  int touches_ = 0;
+  Patience patience_;
   Neighbours neighbours_;
   TickEvents events_;
   bool bodies_were_set_ = true;

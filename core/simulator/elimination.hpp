@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+//
+// Symmetric linear equations of which some may follow from others: Cholesky's factorisation in an
+// order that leaves those for the end.
+#pragma once
+
+#include "core/simulator/complementarity.hpp"
+
+#include <array>
+#include <vector>
+
+namespace mirocup::simulator {
+
+class Elimination {
+ public:
+  Elimination();  // allocates; nothing else does
+
+  // The matrix, in any unit, positive semidefinite; the lower half, j <= i, is what counts.
+  double& a(int i, int j) { return a_[i * max_unknowns + j]; }
+
+  // Of the first n equations, taken in their order as long as they are clear of those before.
+  void factorise(int n);
+
+  // rhs becomes the solution. Unknowns of equations that follow from others are zero.
+  void solve(std::array<double, max_unknowns>& rhs) const;
+
+  bool depends(int i) const { return depends_[i]; }
+
+ private:
+  void take(int place, int taken);
+
+  int size_ = 0;
+  std::vector<double> a_;
+  std::vector<double> factor_;           // row i belongs to equation i
+  std::array<int, max_unknowns> order_;  // of the equations in it
+  std::array<double, max_unknowns> pivot_;
+  std::array<bool, max_unknowns> depends_;
+};
+
+}  // namespace mirocup::simulator

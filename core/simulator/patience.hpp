@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+//
+// How closely a tick is followed, and how that wears off.
+//
+// Bodies in a crowd would bounce, let go and grip again ever faster and ever less. So within a tick
+// what counts as rest grows: for a body with each of its touches, for a pair with each of its
+// bounces, for curves with each event. A body that is touched a few times is followed to the last
+// digit, and what happens in a crowd concerns nobody elsewhere. What is rest is stopped, never
+// thrown back, so no energy comes of it.
+#pragma once
+
+#include "core/simulator/pair.hpp"
+#include "core/simulator/parameters.hpp"
+
+#include <array>
+
+namespace mirocup::simulator {
+
+class Patience {
+ public:
+  explicit Patience(const Tolerances& tolerances);
+
+  void begin_tick();
+  void note_touch(const Pair& pair, double t);  // s of the tick
+  void note_bounce(const Pair& pair);
+  // `was_forced`: a curve ended as soon as it was allowed to, at hold().
+  void note_event(bool was_forced);
+
+  // A slower approach of the pair does not bounce, m/s.
+  double rest_speed(const Pair& pair) const;
+  // A pair in contact that comes closer by this hits anew, m.
+  double sink(const Pair& pair) const;
+  // Wheels that an impact makes slide no faster than this are stopped by it, m/s.
+  double brief_slide(int robot) const;
+  // Wheels that slide, and a ball that rolls, no faster than this hold, m/s.
+  double rest_slide() const { return slide_; }
+  double rest_roll() const { return roll_; }
+  // For so long no contact lets go and no wheels begin to slide, s.
+  double hold() const { return hold_; }
+  // A curve that holds for so long, s, is long enough at time t of the tick.
+  double long_enough(double t) const;
+
+ private:
+  static constexpr int most_counted = 40;
+  using Growing = std::array<double, most_counted + 1>;  // after so many of something
+  static Growing growing(double first, double growth, double most, int patient = 0);
+
+  int touches_of(const Pair& pair) const;
+
+  double event_growth_;
+  double slide_growth_;
+  Growing rest_after_touches_, rest_after_bounces_, sink_after_touches_, slide_after_touches_;
+  double first_hold_;
+
+  std::array<int, max_bodies> touches_{};  // of each body in this tick, up to most_counted
+  std::array<std::array<unsigned char, max_partners>, max_bodies> bounces_{};
+  int all_touches_ = 0;
+  double last_touch_ = 0.0;  // s of the tick
+  double slide_ = 0.0;
+  double roll_ = 0.0;
+  double hold_ = 0.0;
+};
+
+}  // namespace mirocup::simulator

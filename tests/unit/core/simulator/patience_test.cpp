@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "core/simulator/patience.hpp"
+
+#include "core/simulator/series.hpp"
+
+#include <gtest/gtest.h>
+
+namespace mirocup::simulator {
+namespace {
+
+const Tolerances tolerances;
+
+Patience fresh() {
+  Patience patience(tolerances);
+  patience.begin_tick();
+  return patience;
+}
+
+// A crowd's chatter must not take the bounce from a ball at the other end of the field.
+TEST(Patience, WearsOffForThoseWhoAreTouchedOnly) {
+  Patience patience = fresh();
+  for (int i = 0; i < 12; ++i) patience.note_touch(pair_of(0, 1), 1e-3);
+  EXPECT_DOUBLE_EQ(patience.rest_speed(pair_of(2, 3)), tolerances.rest_speed);
+  EXPECT_DOUBLE_EQ(patience.sink(pair_of(2, 3)), tolerances.sink);
+  EXPECT_DOUBLE_EQ(patience.brief_slide(2), tolerances.brief_slide);
+  EXPECT_GT(patience.rest_speed(pair_of(2, 1)), 1000.0 * tolerances.rest_speed);
+  EXPECT_GT(patience.rest_speed(pair_with_obstacle(1, 3)), 1000.0 * tolerances.rest_speed);
+}
+
+// A ball between two others may bounce many times: its pairs end that, each for itself.
+TEST(Patience, EndsTheBouncesOfAPair) {
+  Patience patience = fresh();
+  for (int i = 0; i < 30; ++i) patience.note_bounce(pair_of(4, 5));
+  EXPECT_GT(patience.rest_speed(pair_of(5, 4)), 1.0);
+  EXPECT_DOUBLE_EQ(patience.rest_speed(pair_of(5, 3)), tolerances.rest_speed);
+}
+
+TEST(Patience, NeverLetsAPairSinkDeeperThanContactsReach) {
+  Patience patience = fresh();
+  for (int i = 0; i < 1000; ++i) patience.note_touch(pair_of(0, 1), 1e-3);
+  EXPECT_DOUBLE_EQ(patience.sink(pair_of(0, 1)), tolerances.touch);
+}
+
+// Wheels are not stopped faster than anything else that rests.
+TEST(Patience, StopsNoFasterSlideThanWhatRests) {
+  Patience patience = fresh();
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_LE(patience.brief_slide(1), patience.rest_speed(pair_of(0, 1)));
+    patience.note_touch(pair_of(0, 1), 1e-3);
+  }
+}
+
+// Contacts that would let go and press again at once are held for longer, until that ends.
+TEST(Patience, HoldsLongerWhereItWasForced) {
+  Patience patience = fresh();
+  const double first = patience.hold();
+  patience.note_event(false);
+  const double calm = patience.hold() / first;
+  patience.note_event(true);
+  EXPECT_GT(patience.hold() / (first * calm), 2.0 * calm);
+  for (int i = 0; i < 100; ++i) patience.note_event(true);
+  EXPECT_LT(patience.hold(), 0.01);
+}
+
+// A curve is wanted longer the longer nothing has touched: or each would be as short as those of a
+// burst that is over.
+TEST(Patience, AsksForLongerCurvesAfterABurst) {
+  Patience patience = fresh();
+  EXPECT_EQ(patience.long_enough(1e-3), never);
+  for (int i = 1; i <= 10; ++i) patience.note_touch(pair_of(0, 1), 1e-5 * i);
+  EXPECT_LT(patience.long_enough(1e-4), 1e-4);
+  EXPECT_GT(patience.long_enough(5e-3), 5e-3);
+}
+
+TEST(Patience, IsFreshInEachTick) {
+  Patience patience = fresh();
+  for (int i = 0; i < 12; ++i) {
+    patience.note_touch(pair_of(0, 1), 1e-3);
+    patience.note_bounce(pair_of(0, 1));
+    patience.note_event(true);
+  }
+  patience.begin_tick();
+  EXPECT_DOUBLE_EQ(patience.rest_speed(pair_of(0, 1)), tolerances.rest_speed);
+  EXPECT_DOUBLE_EQ(patience.sink(pair_of(0, 1)), tolerances.sink);
+  EXPECT_DOUBLE_EQ(patience.hold(), tolerances.hold);
+}
+
+}  // namespace
+}  // namespace mirocup::simulator
