@@ -47,7 +47,7 @@ void add_contacts(const Arena& arena, const Pair& pair, std::span<const Body> bo
                   ContactList& list);
 
 // When the pair first touches in [t, end of both segments], or never. A pair that touches at t
-// already is looked at until it has come closer by the sink tolerance.
+// already is looked at until it has come closer by `sink`, m.
 double touch_time(const Arena& arena, const Pair& pair, std::span<const Segment> segments, double t,
                   double sink);
 

@@ -85,8 +85,8 @@ struct Tolerances {
       1e-4;  // m/s: an approach slower than this does not bounce, it rests. More than what
              // the motors can gain over `sink`, so that bouncing comes to an end
   // Within a tick patience wears off (patience.hpp). What counts as rest grows with each touch of a
-  // body and with each bounce of a pair; `sink` grows with each touch of a body beyond the patient ones,
-  // up to `touch`.
+  // body and with each bounce of a pair; `sink` grows with each touch of a body beyond the patient
+  // ones, up to `touch`.
   double rest_growth_per_touch = 2.0;
   double rest_growth_per_bounce = 1.5;
   double sink_growth_per_touch = 4.0;
