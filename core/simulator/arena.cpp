@@ -59,11 +59,11 @@ double contact_friction(const Arena& arena, const Pair& pair) {
   return of_pair(arena, pair, arena.parameters.contact_friction);
 }
 
-double gap(const Arena& arena, const Pair& pair, const Body& a, const Body& b) {
+Separation separation(const Arena& arena, const Pair& pair, const Body& a, const Body& b) {
   const Shape& shape = arena.shape(pair.a);
-  if (!pair.with_obstacle()) return gap(shape, a, arena.shape(pair.partner), b);
-  if (is_plane(pair.obstacle())) return gap(shape, a, arena.field->walls[pair.obstacle()]);
-  return gap(shape, a, end_wall_of(arena, pair.obstacle()), Body{});
+  if (!pair.with_obstacle()) return separation(shape, a, arena.shape(pair.partner), b);
+  if (is_plane(pair.obstacle())) return separation(shape, a, arena.field->walls[pair.obstacle()]);
+  return separation(shape, a, end_wall_of(arena, pair.obstacle()), Body{});
 }
 
 void add_contacts(const Arena& arena, const Pair& pair, std::span<const Body> bodies, double margin,

@@ -4,6 +4,7 @@
 // its gap, its contact points, its next touch.
 #pragma once
 
+#include "core/simulator/contact.hpp"
 #include "core/simulator/impact.hpp"
 #include "core/simulator/pair.hpp"
 #include "core/simulator/parameters.hpp"
@@ -39,7 +40,10 @@ Arena make_arena(const field::Field* field, const Parameters& parameters,
 double restitution(const Arena& arena, const Pair& pair);
 double contact_friction(const Arena& arena, const Pair& pair);
 
-double gap(const Arena& arena, const Pair& pair, const Body& a, const Body& b);
+Separation separation(const Arena& arena, const Pair& pair, const Body& a, const Body& b);
+inline double gap(const Arena& arena, const Pair& pair, const Body& a, const Body& b) {
+  return separation(arena, pair, a, b).gap;
+}
 
 // The pair's contacts with a gap of at most `margin`, appended with their Jacobian rows. For an
 // obstacle `bodies` needs only a.

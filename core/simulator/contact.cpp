@@ -145,18 +145,33 @@ Reference reference_of(const Shape& a, const Body& body_a, const Shape& b, const
   return {false, of_b};
 }
 
-double gap(const Shape& a, const Body& body_a, const Shape& b, const Body& body_b) {
-  if (a.is_circle()) return axis_to_centre(body_a, b, body_b).separation - a.radius;
-  return reference_of(a, body_a, b, body_b).best.separation;
+Separation separation(const Shape& a, const Body& body_a, const Shape& b, const Body& body_b) {
+  if (a.is_circle()) {
+    const Axis axis = axis_to_centre(body_a, b, body_b);
+    return {axis.separation - a.radius, body_b.heading.to_world(axis.normal), a.radius,
+            axis.offset};
+  }
+  const Reference reference = reference_of(a, body_a, b, body_b);
+  const double gap = reference.best.separation;
+  const Shape& side = reference.is_a ? a : b;
+  const Heading& heading = reference.is_a ? body_a.heading : body_b.heading;
+  const Vec2 outwards = heading.to_world(side.normal[reference.best.edge]);
+  const Vec2 normal = reference.is_a ? Vec2{-outwards} : outwards;
+  const double own_reach = side.offset[reference.best.edge];
+  const double other_reach = normal.dot(body_a.position - body_b.position) - own_reach - gap;
+  return reference.is_a ? Separation{gap, normal, own_reach, other_reach}
+                        : Separation{gap, normal, other_reach, own_reach};
 }
 
-double gap(const Shape& a, const Body& body_a, const field::Wall& wall) {
-  const double centre = wall.normal.dot(body_a.position) - wall.offset;
-  if (a.is_circle()) return centre - a.radius;
-  const Vec2 n = body_a.heading.to_body(wall.normal);
-  double nearest = infinity;
-  for (int i = 0; i < a.corners; ++i) nearest = std::min(nearest, n.dot(a.corner[i]));
-  return centre + nearest;
+Separation separation(const Shape& a, const Body& body_a, const field::Wall& wall) {
+  double reach = a.radius;
+  if (!a.is_circle()) {
+    const Vec2 n = body_a.heading.to_body(wall.normal);
+    double nearest = infinity;
+    for (int i = 0; i < a.corners; ++i) nearest = std::min(nearest, n.dot(a.corner[i]));
+    reach = -nearest;
+  }
+  return {wall.normal.dot(body_a.position) - wall.offset - reach, wall.normal, reach, 0.0};
 }
 
 ContactPoints contact_points(const Shape& a, const Body& body_a, const Shape& b, const Body& body_b,
@@ -182,7 +197,7 @@ ContactPoints contact_points(const Shape& a, const Body& body_a, const field::Wa
                              double margin) {
   ContactPoints found;
   if (a.is_circle()) {
-    const double d = gap(a, body_a, wall);
+    const double d = separation(a, body_a, wall).gap;
     if (d > margin) return found;
     found.add({body_a.position - a.radius * wall.normal, wall.normal, d, Touching::circle_on_edge});
     return found;

@@ -34,11 +34,25 @@ struct ContactPoints {
   void add(const ContactPoint& p) { points[count++] = p; }
 };
 
-// The gap of two bodies, two polygons or a circle (first) and a polygon: the Euclidean distance
-// where a corner or a circle faces an edge, a lower bound of it between two corners; minus the
-// depth where they overlap.
-double gap(const Shape& a, const Body& body_a, const Shape& b, const Body& body_b);
-double gap(const Shape& a, const Body& body_a, const field::Wall& wall);
+// Two outlines and the line that separates them best, in the field's frame.
+struct Separation {
+  double gap;              // m, along the normal
+  Vec2 normal{0.0, 0.0};   // unit, from b to a
+  double reach_a, reach_b; // m, of each from its reference point towards the other
+};
+
+// Of two polygons or a circle (first) and a polygon. The gap is the Euclidean distance where a
+// corner or a circle faces an edge, a lower bound of it between two corners; minus the depth where
+// they overlap.
+Separation separation(const Shape& a, const Body& body_a, const Shape& b, const Body& body_b);
+Separation separation(const Shape& a, const Body& body_a, const field::Wall& wall);
+
+inline double gap(const Shape& a, const Body& body_a, const Shape& b, const Body& body_b) {
+  return separation(a, body_a, b, body_b).gap;
+}
+inline double gap(const Shape& a, const Body& body_a, const field::Wall& wall) {
+  return separation(a, body_a, wall).gap;
+}
 
 // The contact points whose gap is at most `margin`: two where edges lie flush, else one, or none.
 ContactPoints contact_points(const Shape& a, const Body& body_a, const Shape& b, const Body& body_b,

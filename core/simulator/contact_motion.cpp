@@ -44,8 +44,7 @@ void ContactMotion::move(const BodySet& cluster, const ContactForces& forces,
   for (const int terms : term_counts) {
     for (; k < terms - 1; ++k) extend(k, segments);
     set_terms_of_all(terms, segments);
-    const double longest = wanted.horizon - wanted.begin;
-    if (converged_length_of_all(segments) >= std::min(wanted.enough, longest)) break;
+    if (have_converged(std::min(wanted.enough, wanted.horizon - wanted.begin), segments)) break;
   }
   find_end(wanted, segments);
 }
@@ -67,10 +66,15 @@ void ContactMotion::set_terms_of_all(int terms, std::span<Segment> segments) {
   for (int w = 0; w < wheel_count_; ++w) hold_[w].terms = terms;
 }
 
+bool ContactMotion::have_converged(double length, std::span<const Segment> segments) const {
+  return std::all_of(members_.begin(), members_.begin() + member_count_,
+                     [&](int i) { return has_converged(segments[i], length, in_contact_to); });
+}
+
 double ContactMotion::converged_length_of_all(std::span<const Segment> segments) const {
   double length = segments[members_[0]].end - segments[members_[0]].begin;
   for (int m = 0; m < member_count_; ++m) {
-    length = converged_length(segments[members_[m]], length);
+    length = converged_length(segments[members_[m]], length, in_contact_to);
   }
   return length;
 }

@@ -55,6 +55,7 @@ class ContactMotion {
   void add_force_term(int i, int term, double force, int k, std::span<Segment> segments) const;
   bool is_at_rest(std::span<const Segment> segments) const;
   void set_terms_of_all(int terms, std::span<Segment> segments);
+  bool have_converged(double length, std::span<const Segment> segments) const;
   double converged_length_of_all(std::span<const Segment> segments) const;
   void find_end(const Wanted& wanted, std::span<Segment> segments) const;
   double contacts_change(double at_least, double length) const;

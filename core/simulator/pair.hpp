@@ -23,6 +23,8 @@ struct Pair {
   bool with_obstacle() const { return partner >= max_bodies; }
   int obstacle() const { return partner - max_bodies; }
   int b() const { return with_obstacle() ? no_body : partner; }
+
+  bool operator==(const Pair&) const = default;
 };
 
 inline Pair pair_of(int i, int j) {

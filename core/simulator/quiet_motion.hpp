@@ -11,6 +11,7 @@
 #include "core/simulator/parameters.hpp"
 #include "core/simulator/robot_motion.hpp"
 #include "core/simulator/segment.hpp"
+#include "core/simulator/way.hpp"
 
 #include <array>
 
@@ -36,5 +37,9 @@ Body moved(const Body& robot, const Drive& drive, const MotorDecay& decay);
 
 // A box that holds its centre on the way from `robot` to `end`, as moved() gave it.
 Box box_around_way(const Body& robot, const Body& end, const Drive& drive, const MotorDecay& decay);
+
+// The same as a way that begins at `begin`, s of the tick.
+Way quiet_way(const Body& robot, const Body& end, const Drive& drive, const MotorDecay& decay,
+              double begin);
 
 }  // namespace mirocup::simulator

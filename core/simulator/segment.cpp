@@ -60,22 +60,40 @@ void set_terms(Segment& s, int terms) {
   for (Series* p : {&s.x, &s.y, &s.cos, &s.sin, &s.forward, &s.left, &s.turn}) p->terms = terms;
 }
 
-double converged_length(const Segment& s, double longest) {
-  constexpr double converged_to = 1e-11;
-  const int last = s.x.terms - 1;
-  double largest_last = 0.0;
+namespace {
+
+// Their largest coefficients.
+struct LastTerms {
+  int last;  // 5, 9, 13: the one before belongs to a fourth power, or a power of that
   double largest_before = 0.0;
-  for (const Series* p : {&s.x, &s.y, &s.cos, &s.sin}) {
-    largest_last = std::max(largest_last, std::abs((*p)[last]));
-    largest_before = std::max(largest_before, std::abs((*p)[last - 1]));
+  double largest_last = 0.0;
+
+  explicit LastTerms(const Segment& s) : last(s.x.terms - 1) {
+    for (const Series* p : {&s.x, &s.y, &s.cos, &s.sin}) {
+      largest_last = std::max(largest_last, std::abs((*p)[last]));
+      largest_before = std::max(largest_before, std::abs((*p)[last - 1]));
+    }
   }
+
+  bool converge_over(double length, double to) const {
+    const double fourth = (length * length) * (length * length);
+    double power = fourth;
+    for (int k = 4; k < last - 1; k += 4) power *= fourth;
+    return power * (largest_before + length * largest_last) <= to;
+  }
+};
+
+}  // namespace
+
+bool has_converged(const Segment& s, double length, double to) {
+  return LastTerms(s).converge_over(length, to);
+}
+
+double converged_length(const Segment& s, double longest, double to) {
+  const LastTerms terms(s);
   double length = longest;
-  while (true) {
-    double power = 1.0;
-    for (int k = 0; k < last - 1; ++k) power *= length;
-    if (power * (largest_before + length * largest_last) <= converged_to) return length;
-    length *= 0.85;
-  }
+  while (!terms.converge_over(length, to)) length *= 0.85;
+  return length;
 }
 
 Body body_at(const Segment& segment, double t) {
@@ -101,15 +119,6 @@ Box swept_box(const Segment& segment) {
   const Range x = change_over(segment.x, length);
   const Range y = change_over(segment.y, length);
   return {segment.x[0] + x.low, segment.x[0] + x.high, segment.y[0] + y.low, segment.y[0] + y.high};
-}
-
-double top_speed(const Segment& segment, double radius) {
-  const double length = segment.end - segment.begin;
-  const auto top = [length](const Series& p) {
-    const Range change = change_over(p, length);
-    return std::max(std::abs(p[0] + change.low), std::abs(p[0] + change.high));
-  };
-  return top(segment.forward) + top(segment.left) + radius * top(segment.turn);
 }
 
 }  // namespace mirocup::simulator

@@ -52,10 +52,17 @@ void integrate_pose(Segment& segment, int k, bool drifts = true);
 // Says how many terms the segment's series have.
 void set_terms(Segment& segment, int terms);
 
-// The longest length, at most `longest`, over which the pose's series have converged: their last
-// two terms are together below 1e-11 (m, or of 1), and what they leave out is a hundredth of that
-// or less. All terms must be there.
-double converged_length(const Segment& segment, double longest);
+// What the last two terms of a pose's series may come to together, m or of 1; what they leave out
+// is a hundredth of that or less. Bodies that press on each other can do with less than one alone:
+// where they press, their gaps are zero whatever is left out.
+inline constexpr double alone_to = 1e-10;
+inline constexpr double in_contact_to = 4e-10;
+
+// Have the pose's series converged to that over that length? All terms must be there.
+bool has_converged(const Segment& segment, double length, double to);
+
+// The longest length, at most `longest`, over which they have, or 15 % less.
+double converged_length(const Segment& segment, double longest, double to);
 
 // Fills the series of a segment of which only the first terms are there: extend(k) adds term k + 1.
 // As few terms as hold for `enough` seconds or the whole segment; the length is cut to what the
@@ -63,14 +70,13 @@ double converged_length(const Segment& segment, double longest);
 template <class Extend>
 void fill_series(Segment& segment, double enough, Extend extend) {
   const double wanted = segment.end - segment.begin;
-  double length = 0.0;
   int k = 0;
   for (const int terms : term_counts) {
     for (; k < terms - 1; ++k) extend(k);
     set_terms(segment, terms);
-    length = converged_length(segment, wanted);
-    if (length >= std::min(wanted, enough)) break;
+    if (has_converged(segment, std::min(wanted, enough), alone_to)) break;
   }
+  const double length = converged_length(segment, wanted, alone_to);
   if (length < wanted) segment.end = segment.begin + length;
 }
 
@@ -88,8 +94,5 @@ struct Box {
   double low_x, high_x, low_y, high_y;
 };
 Box swept_box(const Segment& segment);
-
-// No point within `radius` of the reference point is ever faster, m/s.
-double top_speed(const Segment& segment, double radius);
 
 }  // namespace mirocup::simulator

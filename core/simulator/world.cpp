@@ -2,6 +2,7 @@
 #include "core/simulator/world.hpp"
 
 #include "core/simulator/ball_motion.hpp"
+#include "core/simulator/pressing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -179,31 +180,49 @@ void World::spread_over_touching(double t, BodySet& involved) {
 // When the involved bodies meet others. Whoever may do so needs its series.
 void World::meet_neighbours(const BodySet& involved, double t, double tick_end) {
   const std::span<Neighbour> found = neighbours_.find(arena_, boxes_, involved);
+  for (Neighbour& n : found) {
+    if (pressing_keeps_apart(n)) continue;
+    n.is_estimate = true;
+    n.estimated = t;
+    n.touch = earliest_touch_of(n.pair, t);
+  }
   for (const Neighbour& n : found) {
+    if (n.touch == never) continue;
     write_as_series(n.pair.a, t, tick_end);
     if (!n.pair.with_obstacle()) write_as_series(n.pair.partner, t, tick_end);
   }
-  for (Neighbour& n : found) {
-    if (boxes_meet(arena_, n.pair, boxes_)) estimate_touch(n, t);
-  }
 }
 
-// Neighbours cannot touch before both together have gone as far as they are apart.
-void World::estimate_touch(Neighbour& n, double t) const {
-  const bool alone = n.pair.with_obstacle();
-  const Body a = body_now(n.pair.a, t);
-  const Body b = alone ? Body{} : body_now(n.pair.partner, t);
-  double apart = 0.0;
-  if (!alone) {
-    const Vec2 way = a.position - b.position;
-    const double reach = arena_.shape(n.pair.a).radius + arena_.shape(n.pair.partner).radius;
-    apart = std::sqrt(way.squaredNorm()) - reach;
+// Two that press on each other need no search for their next touch.
+bool World::pressing_keeps_apart(Neighbour& n) const {
+  const Contact* pressing = nullptr;
+  bool others = false;
+  for (const Contact& c : contacts_.contacts()) {
+    if (!(c.pair == n.pair) || !keeps_apart(c)) continue;
+    others = pressing != nullptr;
+    pressing = &c;
   }
-  if (apart <= arena_.tolerances.touch) apart = gap(arena_, n.pair, a, b);
-  const double top_speed = top_speeds_[n.pair.a] + (alone ? 0.0 : top_speeds_[n.pair.partner]);
-  n.is_estimate = true;
-  n.estimated = t;
-  n.touch = apart > arena_.tolerances.touch ? t + (apart - arena_.tolerances.touch) / top_speed : t;
+  if (pressing == nullptr) return false;
+  n.touch = next_corner_down(arena_, *pressing, others, segments_, patience_.sink(n.pair));
+  return true;
+}
+
+double World::earliest_touch_of(const Pair& pair, double t) const {
+  const double radius_a = arena_.shape(pair.a).radius;
+  const double touch = arena_.tolerances.touch;
+  if (pair.with_obstacle()) {
+    const Encounter encounter{ways_[pair.a], Way{}, never, t, segments_[pair.a].end};
+    const Separation apart = separation(arena_, pair, body_now(pair.a, t), Body{});
+    return earliest_touch(encounter, apart, radius_a, apart.reach_b, touch);
+  }
+  const double radius_b = arena_.shape(pair.partner).radius;
+  const double end = std::min(segments_[pair.a].end, segments_[pair.partner].end);
+  const Encounter encounter{ways_[pair.a], ways_[pair.partner], radius_a + radius_b + touch, t,
+                            end};
+  if (stays_out_of_reach(encounter)) return never;
+  const Separation apart =
+      separation(arena_, pair, body_now(pair.a, t), body_now(pair.partner, t));
+  return earliest_touch(encounter, apart, radius_a, radius_b, touch);
 }
 
 void World::start_quietly(int body, double t, double tick_end) {
@@ -215,6 +234,7 @@ void World::start_quietly(int body, double t, double tick_end) {
   if (span != decay.span) decay = motor_decay(arena_.parameters, span);
   quiet_end_[body] = moved(bodies_[body], drives_[body], decay);
   boxes_[body] = box_around_way(bodies_[body], quiet_end_[body], drives_[body], decay);
+  ways_[body] = quiet_way(bodies_[body], quiet_end_[body], drives_[body], decay, t);
 }
 
 void World::write_as_series(int body, double t, double tick_end) {
@@ -223,7 +243,7 @@ void World::write_as_series(int body, double t, double tick_end) {
   quiet_.reset(body);
   segments_[body] = drive(arena_.parameters, bodies_[body], drives_[body], t, tick_end, never);
   boxes_[body] = swept_box(segments_[body]);
-  top_speeds_[body] = top_speed(segments_[body], arena_.shape(body).radius);
+  ways_[body] = way_along(segments_[body]);
 }
 
 Body World::body_now(int body, double t) const {
@@ -339,7 +359,7 @@ void World::start_segments(const BodySet& involved, double t, double tick_end) {
   for (int i = 0; i < arena_.bodies(); ++i) {
     if (!involved[i] || quiet_[i]) continue;
     boxes_[i] = swept_box(segments_[i]);
-    top_speeds_[i] = top_speed(segments_[i], arena_.shape(i).radius);
+    ways_[i] = way_along(segments_[i]);
   }
 }
 

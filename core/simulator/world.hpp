@@ -86,7 +86,8 @@ class World {
   void meet_neighbours(const BodySet& involved, double t, double tick_end);
   void start_quietly(int body, double t, double tick_end);
   void write_as_series(int body, double t, double tick_end);
-  void estimate_touch(Neighbour& n, double t) const;
+  bool pressing_keeps_apart(Neighbour& n) const;
+  double earliest_touch_of(const Pair& pair, double t) const;
   Body body_now(int body, double t) const;
   void bring_to(double t, const BodySet& involved);
   void collect_contacts(const BodySet& involved);
@@ -105,7 +106,7 @@ class World {
   std::array<Body, max_bodies> quiet_end_;  // of quiet bodies
   MotorDecay whole_decay_, rest_decay_;     // over a whole tick, over a rest of one
   std::array<Box, max_bodies> boxes_{};
-  std::array<double, max_bodies> top_speeds_{};  // m/s, of any point over the segment
+  std::array<Way, max_bodies> ways_{};
   std::array<Drive, max_robots> drives_{};
   std::array<InverseMass, max_bodies> mass_{};
   std::array<InverseMass, max_bodies> free_mass_{};

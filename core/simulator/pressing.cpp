@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "core/simulator/pressing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mirocup::simulator {
+
+namespace {
+
+// How a corner of a robot presses on an edge that turns with another body, or on a wall.
+struct Pivot {
+  const Shape& shape;  // of the robot
+  Vec2 corner;         // that presses, in the robot's frame
+  int corner_index;
+  const Segment& robot;
+  const Segment* edge;  // of the edge's body; null: a wall
+  Vec2 normal;          // of the edge, in its body's frame or the field's
+
+  double length() const {
+    return edge == nullptr ? robot.end - robot.begin
+                           : std::min(robot.end, edge->end) - robot.begin;
+  }
+};
+
+Pivot pivot_of(const Arena& arena, const Contact& c, std::span<const Segment> segments) {
+  const Shape& shape = arena.shape(c.a);
+  const bool on_wall = c.b == no_body;
+  return {.shape = shape,
+          .corner = shape.corner[c.at.corner],
+          .corner_index = c.at.corner,
+          .robot = segments[c.a],
+          .edge = on_wall ? nullptr : &segments[c.b],
+          .normal = on_wall ? c.at.normal : arena.shape(c.b).normal[c.at.edge]};
+}
+
+// By how much the robot turns against the edge, between these bounds.
+Range turn_over(const Pivot& pivot) {
+  const Series rate = pivot.edge == nullptr ? pivot.robot.turn : pivot.robot.turn - pivot.edge->turn;
+  Range turned{0.0, 0.0};
+  double power = 1.0;
+  for (int k = 0; k < rate.terms; ++k) {
+    power *= pivot.length();
+    const double by = rate[k] * power / (k + 1);
+    turned.low += std::min(by, 0.0);
+    turned.high += std::max(by, 0.0);
+  }
+  return turned;
+}
+
+struct RelativeHeading {
+  Series cos, sin;
+};
+
+RelativeHeading relative_heading(const Pivot& pivot) {
+  const Segment& a = pivot.robot;
+  if (pivot.edge == nullptr) return {a.cos, a.sin};
+  const Segment& b = *pivot.edge;
+  return {b.cos * a.cos + b.sin * a.sin, b.cos * a.sin - b.sin * a.cos};
+}
+
+}  // namespace
+
+bool keeps_apart(const Contact& c) {
+  if (!c.holds) return false;
+  const bool on_end_wall = c.pair.with_obstacle() && c.pair.obstacle() >= plane_walls;
+  return c.at.kind == Touching::corner_on_edge ? c.a != no_body && !on_end_wall : true;
+}
+
+double next_corner_down(const Arena& arena, const Contact& contact, bool others,
+                        std::span<const Segment> segments, double sink) {
+  if (others || contact.at.kind != Touching::corner_on_edge) return never;
+  const Pivot pivot = pivot_of(arena, contact, segments);
+  const Range turned = turn_over(pivot);
+  const double most = std::max(-turned.low, turned.high);
+  const Vec2 n{contact.row_a[0], contact.row_a[1]};  // in the robot's frame, at the begin
+  std::array<Vec2, max_corners> arms;
+  int close = 0;
+  for (int i = 0; i < pivot.shape.corners; ++i) {
+    if (i == pivot.corner_index) continue;
+    const Vec2 arm = pivot.shape.corner[i] - pivot.corner;
+    // The height is up cos(turned) + across sin(turned), which is at least this.
+    const double up = n.dot(arm);
+    const double across = cross(arm, n);
+    const double least = up + std::min(across * turned.low, across * turned.high) -
+                         most * most * (0.5 * std::abs(up) + most * std::abs(across) / 6.0);
+    if (least <= arena.tolerances.touch) arms[close++] = arm;
+  }
+  if (close == 0) return never;
+
+  const RelativeHeading heading = relative_heading(pivot);
+  double first = never;
+  for (int i = 0; i < close; ++i) {
+    const Series height = pivot.normal.dot(arms[i]) * heading.cos +
+                          cross(arms[i], pivot.normal) * heading.sin;
+    const double level = std::min(height[0], 0.0) - sink;
+    first = std::min(first, first_fall(height, level, 0.0, std::min(first, pivot.length())));
+  }
+  return pivot.robot.begin + first;
+}
+
+}  // namespace mirocup::simulator

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "core/simulator/way.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mirocup::simulator {
+
+namespace {
+
+// What rounding adds to a bulge, m.
+constexpr double rounding = 1e-12;
+
+struct Straightened {
+  double velocity;
+  double bulge;
+};
+
+// On [0, 1], s - s^2 is at most a quarter, s - s^k below one.
+Straightened straightened(const Series& p, double length) {
+  double velocity = p[1];
+  double power = 1.0;
+  double bulge = 0.0;
+  for (int k = 2; k < p.terms; ++k) {
+    power *= length;
+    const double change = p[k] * power;
+    velocity += change;
+    bulge += std::abs(change) * (k == 2 ? 0.25 : 1.0);
+  }
+  return {velocity, bulge * length};
+}
+
+}  // namespace
+
+Way way_along(const Segment& s) {
+  const double length = s.end - s.begin;
+  const Straightened x = straightened(s.x, length);
+  const Straightened y = straightened(s.y, length);
+  const Range turn = change_over(s.turn, length);
+  return {.begin = s.begin,
+          .from = {s.x[0], s.y[0]},
+          .velocity = {x.velocity, y.velocity},
+          .bulge = x.bulge + y.bulge + rounding,
+          .turn_rate = std::max(std::abs(s.turn[0] + turn.low), std::abs(s.turn[0] + turn.high))};
+}
+
+bool stays_out_of_reach(const Encounter& e) {
+  const Vec2 apart = e.a.at(e.begin) - e.b.at(e.begin);
+  const Vec2 velocity = e.a.velocity - e.b.velocity;
+  const double speed_squared = velocity.squaredNorm();
+  double nearest_after = 0.0;
+  if (speed_squared > 0.0) {
+    nearest_after = std::clamp(-apart.dot(velocity) / speed_squared, 0.0, e.end - e.begin);
+  }
+  const double reach = e.reach + e.a.bulge + e.b.bulge;
+  return (apart + nearest_after * velocity).squaredNorm() > reach * reach;
+}
+
+// How far from where its straight way leads a body can be that is where it is at time t.
+static double stray(const Way& way, double t) {
+  return t == way.begin ? way.bulge : 2.0 * way.bulge;
+}
+
+// The normal stays where it is while the outlines turn: each then reaches farther towards the
+// other, by the speed of its outermost point at first, and up to its radius at most.
+double earliest_touch(const Encounter& e, const Separation& separation, double radius_a,
+                      double radius_b, double margin) {
+  const double room = separation.gap - margin - (stray(e.a, e.begin) + stray(e.b, e.begin));
+  if (room <= 0.0) return e.begin;
+  const double closing = -separation.normal.dot(e.a.velocity - e.b.velocity);
+  const double turning = radius_a * e.a.turn_rate + radius_b * e.b.turn_rate;
+  const double turned_at_most = (radius_a - separation.reach_a) + (radius_b - separation.reach_b);
+  const auto time_for = [](double way, double speed) {
+    if (way <= 0.0) return 0.0;
+    return speed > 0.0 ? way / speed : never;
+  };
+  const double after = std::max(time_for(room, closing + turning),
+                                time_for(room - turned_at_most, closing));
+  return e.begin + after <= e.end ? e.begin + after : never;
+}
+
+}  // namespace mirocup::simulator

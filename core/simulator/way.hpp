@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+//
+// Where a body can be on its curve, in a few numbers: a straight way, how far the curve is from it,
+// how fast the body turns. What says, long before any series, that two bodies do not meet.
+#pragma once
+
+#include "core/simulator/contact.hpp"
+#include "core/simulator/segment.hpp"
+
+namespace mirocup::simulator {
+
+struct Way {
+  double begin = 0.0;  // s of the tick
+  Vec2 from{0.0, 0.0};  // m
+  Vec2 velocity{0.0, 0.0};  // m/s, from the curve's begin straight to its end
+  double bulge = 0.0;  // m: the reference point is never farther from where that leads
+  double turn_rate = 0.0;  // rad/s, at most
+
+  Vec2 at(double t) const { return from + (t - begin) * velocity; }
+};
+
+// Along a segment that has its end.
+Way way_along(const Segment& segment);
+
+// Two bodies and their ways, over the times at which both hold. A wall has the default way.
+struct Encounter {
+  Way a, b;
+  double reach;  // m: farther apart than this, the reference points' bodies cannot touch
+  double begin, end;  // s of the tick
+};
+
+// Do the reference points stay out of reach?
+bool stays_out_of_reach(const Encounter& encounter);
+
+// Not before this (s of the tick), or never, can a gap have fallen to `margin`; the separation is
+// that at the begin. radius_a and radius_b: of the circles that hold the outlines.
+double earliest_touch(const Encounter& encounter, const Separation& separation, double radius_a,
+                      double radius_b, double margin);
+
+}  // namespace mirocup::simulator
