@@ -202,10 +202,9 @@ void ContactForces::pose(std::span<const Drive> drives, std::span<const Body> bo
   for (int i = 0; i < candidate_count_; ++i) {
     const Contact& c = contacts[candidate_[i]];
     ContactRows& rows = rows_[i];
-    rows = {};
+    start_rows(arena_, c, trial_, rows);
     extend_rows(arena_, c, trial_, 0, rows);
-    extend_rows(arena_, c, trial_, 1, rows);
-    problem_.b[i] = gap_rate_term(c, rows, trial_, 1);
+    problem_.b[i] = gap_rate_term(c, trial_, 1, rows);
     for (int j = 0; j <= i; ++j) {
       problem_.a(i, j) = problem_.a(j, i) = coupling(c, contacts[candidate_[j]], mass);
     }

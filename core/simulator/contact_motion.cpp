@@ -52,17 +52,14 @@ void ContactMotion::move(const BodySet& cluster, const ContactForces& forces,
 // Term k + 1 of everything.
 void ContactMotion::extend(int k, std::span<Segment> segments) {
   for (int m = 0; m < member_count_; ++m) integrate_pose(segments[members_[m]], k);
-  for (int i = 0; i < held_count_; ++i) extend_rows(arena_, held_[i], segments, k + 1, rows_[i]);
+  for (int i = 0; i < held_count_; ++i) extend_rows(arena_, held_[i], segments, k, rows_[i]);
   extend_twists(k, segments);
   solve_for_forces(k, segments);
 }
 
 void ContactMotion::set_terms_of_all(int terms, std::span<Segment> segments) {
   for (int m = 0; m < member_count_; ++m) set_terms(segments[members_[m]], terms);
-  for (int i = 0; i < held_count_; ++i) {
-    rows_[i].force.terms = terms;
-    for (Series& inside : rows_[i].inside) inside.terms = terms;
-  }
+  for (int i = 0; i < held_count_; ++i) simulator::set_terms(rows_[i], terms);
   for (int w = 0; w < wheel_count_; ++w) hold_[w].terms = terms;
 }
 
@@ -121,12 +118,9 @@ void ContactMotion::start(const Wanted& wanted, std::span<Body> bodies,
     segments[members_[m]] = moving_segment(bodies[members_[m]], wanted.begin, wanted.horizon);
   }
   for (int i = 0; i < held_count_; ++i) {
-    rows_[i] = {};
-    extend_rows(arena_, held_[i], segments, 0, rows_[i]);
-    for (int d = 0; d < 3; ++d) {
-      held_[i].row_a[d] = rows_[i].row_a[d][0];
-      held_[i].row_b[d] = rows_[i].row_b[d][0];
-    }
+    start_rows(arena_, held_[i], segments, rows_[i]);
+    held_[i].row_a = rows_[i].first_a;
+    held_[i].row_b = rows_[i].first_b;
   }
   for (int k = 0; k < wheel_count_; ++k) hold_[k] = {};
 
@@ -237,7 +231,8 @@ void ContactMotion::extend_twists(int k, std::span<Segment> segments) {
     s.left[k + 1] = -product_term(s.turn, s.forward, k) / (k + 1);
   }
   for (int i = 0; i < held_count_; ++i) {
-    for (int j = 1; j <= k; ++j) add_force_term(i, j, rows_[i].force[k - j], k, segments);
+    const ForceTerm term = later_force_term(held_[i], rows_[i], k);
+    add_to_twists(held_[i], term.on_a, term.on_b, 1.0 / (k + 1), k + 1, segments);
   }
 }
 
@@ -249,7 +244,7 @@ void ContactMotion::solve_for_forces(int k, std::span<Segment> segments) {
     if (!elimination_.depends(i) || k > 0) continue;
     if (i < held_count_) {
       rows_[i].force[0] = held_[i].force;
-      add_force_term(i, 0, held_[i].force, 0, segments);
+      add_force(i, 0, segments);
     } else {
       const int body = wheels_of(i);
       hold_[i - held_count_][0] = forces_->grounding(body).hold;
@@ -257,7 +252,7 @@ void ContactMotion::solve_for_forces(int k, std::span<Segment> segments) {
     }
   }
   for (int i = 0; i < equations(); ++i) {
-    const double rate = i < held_count_ ? gap_rate_term(held_[i], rows_[i], segments, k + 1)
+    const double rate = i < held_count_ ? gap_rate_term(held_[i], segments, k + 1, rows_[i])
                                         : segments[wheels_of(i)].left[k + 1];
     rhs_[i] = -(k + 1) * rate;
   }
@@ -265,7 +260,7 @@ void ContactMotion::solve_for_forces(int k, std::span<Segment> segments) {
   for (int i = 0; i < held_count_; ++i) {
     if (elimination_.depends(i)) continue;
     rows_[i].force[k] = rhs_[i];
-    add_force_term(i, 0, rhs_[i], k, segments);
+    add_force(i, k, segments);
   }
   for (int w = 0; w < wheel_count_; ++w) {
     if (!elimination_.depends(held_count_ + w)) hold_[w][k] = rhs_[held_count_ + w];
@@ -273,20 +268,25 @@ void ContactMotion::solve_for_forces(int k, std::span<Segment> segments) {
   }
 }
 
-// Adds term `term` of contact i's rows times a term of its force to term k + 1 of the twists.
-void ContactMotion::add_force_term(int i, int term, double force, int k,
-                                   std::span<Segment> segments) const {
-  const auto add = [&](int body, const std::array<Series, 3>& row, double amount) {
+// What term k of the contact's own force adds to term k + 1 of the twists.
+void ContactMotion::add_force(int i, int k, std::span<Segment> segments) const {
+  add_to_twists(held_[i], held_[i].row_a, held_[i].row_b, rows_[i].force[k] / (k + 1), k + 1,
+                segments);
+}
+
+void ContactMotion::add_to_twists(const Contact& c, const JacobianRow& on_a,
+                                  const JacobianRow& on_b, double amount, int term,
+                                  std::span<Segment> segments) const {
+  const auto add = [&](int body, const JacobianRow& row, double times) {
     if (body == no_body) return;
     const InverseMass& mass = mass_[body];
     Segment& s = segments[body];
-    s.forward[k + 1] += amount * row[0][term] * mass.forward;
-    s.left[k + 1] += amount * row[1][term] * mass.left;
-    s.turn[k + 1] += amount * row[2][term] * mass.turn;
+    s.forward[term] += times * row[0] * mass.forward;
+    s.left[term] += times * row[1] * mass.left;
+    s.turn[term] += times * row[2] * mass.turn;
   };
-  const double amount = force / (k + 1);
-  add(held_[i].a, rows_[i].row_a, amount);
-  add(held_[i].b, rows_[i].row_b, -amount);
+  add(c.a, on_a, amount);
+  add(c.b, on_b, -amount);
 }
 
 // When a contact lets go or its point leaves the edge; at most `length`.
@@ -296,10 +296,7 @@ double ContactMotion::contacts_change(double at_least, double length) const {
     if (!elimination_.depends(i)) {
       length = std::min(length, first_fall(rows_[i].force, 0.0, from, length));
     }
-    for (const Series& inside : rows_[i].inside) {
-      if (inside[0] <= -over_the_end) continue;  // it was out there when it was hit
-      length = std::min(length, first_fall(inside, -over_the_end, 0.0, length));
-    }
+    length = time_on_edge(held_[i], rows_[i], over_the_end, length);
   }
   return length;
 }

@@ -52,7 +52,9 @@ class ContactMotion {
   void extend(int k, std::span<Segment> segments);
   void extend_twists(int k, std::span<Segment> segments);
   void solve_for_forces(int k, std::span<Segment> segments);
-  void add_force_term(int i, int term, double force, int k, std::span<Segment> segments) const;
+  void add_force(int i, int k, std::span<Segment> segments) const;
+  void add_to_twists(const Contact& contact, const JacobianRow& on_a, const JacobianRow& on_b,
+                     double amount, int term, std::span<Segment> segments) const;
   bool is_at_rest(std::span<const Segment> segments) const;
   void set_terms_of_all(int terms, std::span<Segment> segments);
   bool have_converged(double length, std::span<const Segment> segments) const;

@@ -1,22 +1,40 @@
 // SPDX-License-Identifier: MIT
 #include "core/simulator/contact_rows.hpp"
 
+#include <algorithm>
+
 namespace mirocup::simulator {
 
 namespace {
 
-// A point or direction of which only term k is known.
-using Term = Vec2;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Term k of a constant.
-Term constant_term(const Vec2& v, int k) {
-  return k == 0 ? v : Vec2{0.0, 0.0};
+// Both series times q: the sum of p[j] q[k - j] from j = first.
+Vec2 product_term(const TwoSeries& p, const Series& q, int k, int first) {
+  double x = 0.0;
+  double y = 0.0;
+  for (int j = first; j <= k; ++j) {
+    x += p.c[j][0] * q[k - j];
+    y += p.c[j][1] * q[k - j];
+  }
+  return {x, y};
 }
 
-void set_row(std::array<Series, 3>& row, int k, const Term& normal, double turn) {
-  row[0][k] = normal.x();
-  row[1][k] = normal.y();
-  row[2][k] = turn;
+// The same where p is a heading that turns q, a vector.
+Vec2 turned_term(const TwoSeries& p, const TwoSeries& q, int k, int first) {
+  double x = 0.0;
+  double y = 0.0;
+  for (int j = first; j <= k; ++j) {
+    x += p.c[j][0] * q.c[k - j][0] - p.c[j][1] * q.c[k - j][1];
+    y += p.c[j][1] * q.c[k - j][0] + p.c[j][0] * q.c[k - j][1];
+  }
+  return {x, y};
+}
+
+double product_term_from(const Series& a, const Series& b, int k, int first) {
+  double sum = 0.0;
+  for (int j = first; j <= k; ++j) sum += a[j] * b[k - j];
+  return sum;
 }
 
 // The outline of an obstacle that has corners, or null for a plane wall.
@@ -25,137 +43,214 @@ const Shape* end_wall_of(const Arena& arena, const Pair& pair) {
                                        : &arena.end_wall_shapes[pair.obstacle() - plane_walls];
 }
 
-// Term k of the point's position along the edge, from both its ends.
-void set_inside_edge(const Shape& shape, int edge, const Term& point, int k, ContactRows& rows) {
-  const Vec2& start = shape.corner[edge];
-  const Vec2& stop = shape.corner[shape.next(edge)];
-  const Vec2 along{-shape.normal[edge].y(), shape.normal[edge].x()};
-  rows.inside[0][k] = along.dot(point) - (k == 0 ? along.dot(start) : 0.0);
-  rows.inside[1][k] = (k == 0 ? along.dot(stop) : 0.0) - along.dot(point);
+// The outline of the side with the edge or corner that is pressed on; null: a plane wall.
+const Shape* pressed_shape(const Arena& arena, const Contact& c) {
+  return c.b != no_body ? &arena.shape(c.b) : end_wall_of(arena, c.pair);
 }
 
-// Term k of how far the direction away from a corner is from the normals of the edges that meet
-// there.
-void set_inside_corner(const Shape& shape, int corner, const Term& direction, int k,
-                       ContactRows& rows) {
-  const int before = corner == 0 ? shape.corners - 1 : corner - 1;
-  rows.inside[0][k] = cross(shape.normal[before], direction);
-  rows.inside[1][k] = cross(direction, shape.normal[corner]);
+Vec2 along_edge(const Vec2& normal) {
+  return {-normal.y(), normal.x()};
 }
 
-// Term k of the pose of `a` in the frame of `b`. Without `a`, of the fixed point instead.
-void extend_relative(const Segment* a, const Segment& b, const Vec2& fixed, int k,
-                     ContactRows& rows) {
-  const Term place = a != nullptr ? Term{a->x[k], a->y[k]} : constant_term(fixed, k);
-  rows.dx[k] = place.x() - b.x[k];
-  rows.dy[k] = place.y() - b.y[k];
-  rows.x[k] = product_term(b.cos, rows.dx, k) + product_term(b.sin, rows.dy, k);
-  rows.y[k] = product_term(b.cos, rows.dy, k) - product_term(b.sin, rows.dx, k);
+Heading first_heading(const Segment& s) {
+  return {s.cos[0], s.sin[0]};
 }
 
-void extend_relative_heading(const Segment& a, const Segment& b, int k, ContactRows& rows) {
-  rows.cos[k] = product_term(b.cos, a.cos, k) + product_term(b.sin, a.sin, k);
-  rows.sin[k] = product_term(b.cos, a.sin, k) - product_term(b.sin, a.cos, k);
+void start_on_edge(const Arena& arena, const Contact& c, std::span<const Segment> segments,
+                   ContactRows& rows) {
+  const Segment* a = c.a == no_body ? nullptr : &segments[c.a];
+  const Segment* b = c.b == no_body ? nullptr : &segments[c.b];
+  const bool is_ball = c.at.kind == Touching::circle_on_edge;
+  const Heading heading_a = a == nullptr || is_ball ? Heading{} : first_heading(*a);
+  const Heading heading_b = b == nullptr ? Heading{} : first_heading(*b);
+  const Shape* shape = pressed_shape(arena, c);
+
+  rows.point = a == nullptr || is_ball ? Vec2{0.0, 0.0} : arena.shape(c.a).corner[c.at.corner];
+  rows.normal = b == nullptr ? c.at.normal : shape->normal[c.at.edge];
+  const Vec2 along = along_edge(rows.normal);
+  rows.edge_begin = shape == nullptr ? -infinity : along.dot(shape->corner[c.at.edge]);
+  rows.edge_end = shape == nullptr ? infinity : along.dot(shape->corner[shape->next(c.at.edge)]);
+
+  const Vec2 place = a == nullptr ? c.at.point
+                                  : Vec2{Vec2{a->x[0], a->y[0]} + heading_a.to_world(rows.point)};
+  const Vec2 touching =
+      b == nullptr ? place : heading_b.to_body(place - Vec2{b->x[0], b->y[0]});
+  rows.distance = rows.normal.dot(touching);
+  rows.lever_b[0] = cross(touching, rows.normal);
+
+  const Heading heading{heading_b.cos * heading_a.cos + heading_b.sin * heading_a.sin,
+                        heading_b.cos * heading_a.sin - heading_b.sin * heading_a.cos};
+  rows.heading.c[0] = {heading.cos, heading.sin};
+  rows.later_velocity = {0.0, 0.0};
+
+  const Vec2 seen_from_a = heading.to_body(rows.normal);
+  rows.first_a = {seen_from_a.x(), seen_from_a.y(), cross(rows.point, seen_from_a)};
+  rows.first_b = {rows.normal.x(), rows.normal.y(), rows.lever_b[0]};
 }
 
-void corner_on_robot(const Arena& arena, const Contact& c, const Segment* a, const Segment& b,
-                     int k, ContactRows& rows) {
-  const Shape& shape = arena.shape(c.b);
-  const Vec2& n = shape.normal[c.at.edge];
-  extend_relative(a, b, c.at.point, k, rows);
-  Term point{rows.x[k], rows.y[k]};
-  if (a != nullptr) {
-    extend_relative_heading(*a, b, k, rows);
-    const Vec2& r = arena.shape(c.a).corner[c.at.corner];
-    point +=
-        Term{rows.cos[k] * r.x() - rows.sin[k] * r.y(), rows.sin[k] * r.x() + rows.cos[k] * r.y()};
-    const Term seen_from_a{rows.cos[k] * n.x() + rows.sin[k] * n.y(),
-                           rows.cos[k] * n.y() - rows.sin[k] * n.x()};
-    set_row(rows.row_a, k, seen_from_a, cross(r, seen_from_a));
-  }
-  set_row(rows.row_b, k, constant_term(n, k), cross(point, n));
-  set_inside_edge(shape, c.at.edge, point, k, rows);
+void set_point_velocity(const Segment& a, int k, ContactRows& rows) {
+  rows.velocity.c[k] = {a.forward[k] - rows.point.y() * a.turn[k],
+                        a.left[k] + rows.point.x() * a.turn[k]};
 }
 
-void corner_on_wall(const Arena& arena, const Contact& c, const Segment& a, int k,
+// Term k of the point's velocity in the edge's frame, once that of the twists is known.
+Vec2 point_velocity(const ContactRows& rows, int k) {
+  const Heading heading{rows.heading.c[0][0], rows.heading.c[0][1]};
+  return rows.later_velocity +
+         heading.to_world({rows.velocity.c[k][0], rows.velocity.c[k][1]});
+}
+
+void extend_on_edge(const Contact& c, std::span<const Segment> segments, int k,
                     ContactRows& rows) {
-  const Vec2& n = c.at.normal;
-  const Vec2& r = arena.shape(c.a).corner[c.at.corner];
-  const Term seen_from_a{a.cos[k] * n.x() + a.sin[k] * n.y(), a.cos[k] * n.y() - a.sin[k] * n.x()};
-  set_row(rows.row_a, k, seen_from_a, cross(r, seen_from_a));
-  if (const Shape* wall = end_wall_of(arena, c.pair)) {
-    const Term point{a.x[k] + a.cos[k] * r.x() - a.sin[k] * r.y(),
-                     a.y[k] + a.sin[k] * r.x() + a.cos[k] * r.y()};
-    set_inside_edge(*wall, c.at.edge, point, k, rows);
+  Vec2 velocity{0.0, 0.0};
+  rows.turn[k] = 0.0;
+  const Vec2 along = along_edge(rows.normal);
+  double forwards = 0.0;  // along the edge
+  if (c.a != no_body) {
+    set_point_velocity(segments[c.a], k, rows);
+    velocity = point_velocity(rows, k);
+    rows.turn[k] += segments[c.a].turn[k];
+    forwards = along.dot(velocity);
   }
+  if (c.b != no_body) {
+    const Segment& b = segments[c.b];
+    rows.turn[k] -= b.turn[k];
+    forwards -= along.x() * b.forward[k] + along.y() * b.left[k] + rows.distance * b.turn[k];
+  }
+  const double next = k + 1;
+  rows.lever_b[k + 1] = -forwards / next;
+  const Vec2 turning = product_term(rows.heading, rows.turn, k, 0);
+  rows.heading.c[k + 1] = {-turning.y() / next, turning.x() / next};
 }
 
-void ball_on_robot(const Arena& arena, const Contact& c, const Segment& ball, const Segment& b,
-                   int k, ContactRows& rows) {
-  const Shape& shape = arena.shape(c.b);
-  extend_relative(&ball, b, Vec2{0.0, 0.0}, k, rows);
-  const Term centre{rows.x[k], rows.y[k]};
-  if (c.at.kind == Touching::circle_on_edge) {
-    const Vec2& n = shape.normal[c.at.edge];
-    set_row(rows.row_a, k,
-            {b.cos[k] * n.x() - b.sin[k] * n.y(), b.sin[k] * n.x() + b.cos[k] * n.y()}, 0.0);
-    set_row(rows.row_b, k, constant_term(n, k), cross(centre, n));
-    set_inside_edge(shape, c.at.edge, centre, k, rows);
-    return;
+double gap_rate_on_edge(const Contact& c, std::span<const Segment> segments, int k,
+                        ContactRows& rows) {
+  double rate = 0.0;
+  if (c.a != no_body) {
+    set_point_velocity(segments[c.a], k, rows);
+    rows.later_velocity = turned_term(rows.heading, rows.velocity, k, 1);
+    rate = rows.normal.dot(point_velocity(rows, k));
   }
-  const Vec2& r = shape.corner[c.at.corner];
+  if (c.b != no_body) {
+    const Segment& b = segments[c.b];
+    rate -= rows.normal.x() * b.forward[k] + rows.normal.y() * b.left[k] +
+            product_term(rows.lever_b, b.turn, k);
+  }
+  return rate;
+}
+
+// Where the ball presses on a corner, of a robot or of the outline behind a goal post.
+void set_on_corner(const Arena& arena, const Contact& c, std::span<const Segment> segments, int k,
+                   ContactRows& rows) {
+  const Shape& shape = *pressed_shape(arena, c);
   const double radius = arena.ball_shape.radius;
-  const Term n = (centre - constant_term(r, k)) / radius;
-  const Term corner{b.cos[k] * r.x() - b.sin[k] * r.y(), b.sin[k] * r.x() + b.cos[k] * r.y()};
-  set_row(rows.row_a, k, (Term{rows.dx[k], rows.dy[k]} - corner) / radius, 0.0);
-  set_row(rows.row_b, k, n, cross(r, n));
-  set_inside_corner(shape, c.at.corner, n, k, rows);
+  const Segment& ball = segments[c.a];
+  const Vec2 corner = shape.corner[c.at.corner];
+  Vec2 from_corner;  // to the ball, in the field's frame, and in that of the corner's side
+  Vec2 seen;
+  if (c.b == no_body) {
+    from_corner = Vec2{ball.x[k], ball.y[k]};
+    if (k == 0) from_corner -= corner;
+    seen = from_corner;
+  } else {
+    const Segment& b = segments[c.b];
+    rows.dx[k] = ball.x[k] - b.x[k];
+    rows.dy[k] = ball.y[k] - b.y[k];
+    rows.x[k] = simulator::product_term(b.cos, rows.dx, k) + simulator::product_term(b.sin, rows.dy, k);
+    rows.y[k] = simulator::product_term(b.cos, rows.dy, k) - simulator::product_term(b.sin, rows.dx, k);
+    from_corner = Vec2{rows.dx[k], rows.dy[k]} -
+                  Vec2{b.cos[k] * corner.x() - b.sin[k] * corner.y(),
+                       b.sin[k] * corner.x() + b.cos[k] * corner.y()};
+    seen = Vec2{rows.x[k], rows.y[k]};
+    if (k == 0) seen -= corner;
+  }
+  const Vec2 normal_a = from_corner / radius;
+  const Vec2 normal_b = seen / radius;
+  rows.row_a[0][k] = normal_a.x();
+  rows.row_a[1][k] = normal_a.y();
+  rows.row_b[0][k] = normal_b.x();
+  rows.row_b[1][k] = normal_b.y();
+  rows.row_b[2][k] = cross(corner, normal_b);
+  const int before = c.at.corner == 0 ? shape.corners - 1 : c.at.corner - 1;
+  rows.inside[0][k] = cross(shape.normal[before], normal_b);
+  rows.inside[1][k] = cross(normal_b, shape.normal[c.at.corner]);
 }
 
-void ball_on_wall(const Arena& arena, const Contact& c, const Segment& ball, int k,
-                  ContactRows& rows) {
-  const Shape* wall = end_wall_of(arena, c.pair);
-  const Term centre{ball.x[k], ball.y[k]};
-  if (c.at.kind == Touching::circle_on_edge) {
-    set_row(rows.row_a, k, constant_term(c.at.normal, k), 0.0);
-    if (wall != nullptr) set_inside_edge(*wall, c.at.edge, centre, k, rows);
-    return;
-  }
-  const Vec2& post = wall->corner[c.at.corner];
-  const Term n = (centre - constant_term(post, k)) / arena.ball_shape.radius;
-  set_row(rows.row_a, k, n, 0.0);
-  set_inside_corner(*wall, c.at.corner, n, k, rows);
+double gap_rate_on_corner(const Contact& c, std::span<const Segment> segments, int k,
+                          const ContactRows& rows) {
+  const Segment& ball = segments[c.a];
+  double rate = simulator::product_term(rows.row_a[0], ball.forward, k) +
+                simulator::product_term(rows.row_a[1], ball.left, k);
+  if (c.b == no_body) return rate;
+  const Segment& b = segments[c.b];
+  rate -= simulator::product_term(rows.row_b[0], b.forward, k) +
+          simulator::product_term(rows.row_b[1], b.left, k) +
+          simulator::product_term(rows.row_b[2], b.turn, k);
+  return rate;
+}
+
+bool is_on_corner(const Contact& c) {
+  return c.at.kind == Touching::circle_on_corner;
 }
 
 }  // namespace
 
+void start_rows(const Arena& arena, const Contact& c, std::span<const Segment> segments,
+                ContactRows& rows) {
+  if (!is_on_corner(c)) return start_on_edge(arena, c, segments, rows);
+  set_on_corner(arena, c, segments, 0, rows);
+  rows.first_a = {rows.row_a[0][0], rows.row_a[1][0], 0.0};
+  rows.first_b = {rows.row_b[0][0], rows.row_b[1][0], rows.row_b[2][0]};
+}
+
 void extend_rows(const Arena& arena, const Contact& c, std::span<const Segment> segments, int k,
                  ContactRows& rows) {
-  if (k == 0) rows.inside = {Series::constant(1.0), Series::constant(1.0)};
-  const Segment* a = c.a == no_body ? nullptr : &segments[c.a];
-  if (c.at.kind == Touching::corner_on_edge) {
-    if (c.b != no_body) {
-      corner_on_robot(arena, c, a, segments[c.b], k, rows);
-    } else {
-      corner_on_wall(arena, c, *a, k, rows);
-    }
-  } else if (c.b != no_body) {
-    ball_on_robot(arena, c, *a, segments[c.b], k, rows);
+  if (is_on_corner(c)) {
+    set_on_corner(arena, c, segments, k + 1, rows);
   } else {
-    ball_on_wall(arena, c, *a, k, rows);
+    extend_on_edge(c, segments, k, rows);
   }
 }
 
-double gap_rate_term(const Contact& c, const ContactRows& rows, std::span<const Segment> segments,
-                     int k) {
-  const auto along = [k](const std::array<Series, 3>& row, const Segment& s) {
-    return product_term(row[0], s.forward, k) + product_term(row[1], s.left, k) +
-           product_term(row[2], s.turn, k);
+double gap_rate_term(const Contact& c, std::span<const Segment> segments, int k,
+                     ContactRows& rows) {
+  return is_on_corner(c) ? gap_rate_on_corner(c, segments, k, rows)
+                         : gap_rate_on_edge(c, segments, k, rows);
+}
+
+ForceTerm later_force_term(const Contact& c, const ContactRows& rows, int k) {
+  if (is_on_corner(c)) {
+    const auto term = [&](const Series& row) { return product_term_from(row, rows.force, k, 1); };
+    return {{term(rows.row_a[0]), term(rows.row_a[1]), 0.0},
+            {term(rows.row_b[0]), term(rows.row_b[1]), term(rows.row_b[2])}};
+  }
+  ForceTerm force;
+  if (c.a != no_body) {
+    const Vec2 turning = product_term(rows.heading, rows.force, k, 1);
+    const Vec2 seen_from_a = Heading{turning.x(), turning.y()}.to_body(rows.normal);
+    force.on_a = {seen_from_a.x(), seen_from_a.y(), cross(rows.point, seen_from_a)};
+  }
+  if (c.b != no_body) force.on_b[2] = product_term_from(rows.lever_b, rows.force, k, 1);
+  return force;
+}
+
+double time_on_edge(const Contact& c, const ContactRows& rows, double margin, double length) {
+  const auto until = [&](const Series& inside, double level) {
+    if (inside[0] > level) length = std::min(length, first_fall(inside, level, 0.0, length));
   };
-  double rate = 0.0;
-  if (c.a != no_body) rate += along(rows.row_a, segments[c.a]);
-  if (c.b != no_body) rate -= along(rows.row_b, segments[c.b]);
-  return rate;
+  if (is_on_corner(c)) {
+    until(rows.inside[0], -margin);
+    until(rows.inside[1], -margin);
+  } else if (rows.edge_end != infinity) {
+    until(-1.0 * rows.lever_b, rows.edge_begin - margin);
+    until(rows.lever_b, -rows.edge_end - margin);
+  }
+  return length;
+}
+
+void set_terms(ContactRows& rows, int terms) {
+  rows.force.terms = rows.lever_b.terms = terms;
+  for (Series& inside : rows.inside) inside.terms = terms;
 }
 
 }  // namespace mirocup::simulator
