@@ -64,7 +64,7 @@ namespace {
 
 // Their largest coefficients.
 struct LastTerms {
-  int last;  // 5, 9, 13: the one before belongs to a fourth power, or a power of that
+  int last;  // odd
   double largest_before = 0.0;
   double largest_last = 0.0;
 
@@ -76,9 +76,9 @@ struct LastTerms {
   }
 
   bool converge_over(double length, double to) const {
-    const double fourth = (length * length) * (length * length);
-    double power = fourth;
-    for (int k = 4; k < last - 1; k += 4) power *= fourth;
+    const double square = length * length;
+    double power = square * square;
+    for (int k = 4; k < last - 1; k += 2) power *= square;
     return power * (largest_before + length * largest_last) <= to;
   }
 };

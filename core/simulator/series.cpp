@@ -12,9 +12,10 @@ namespace {
 // Calls f with the number of terms as a constant, which is what lets a compiler unroll its loops.
 template <class F>
 auto with_terms(int terms, F f) {
-  if (terms == fewest_terms) return f(std::integral_constant<int, fewest_terms>{});
-  return terms == few_terms ? f(std::integral_constant<int, few_terms>{})
-                            : f(std::integral_constant<int, series_terms>{});
+  if (terms == term_counts[0]) return f(std::integral_constant<int, term_counts[0]>{});
+  if (terms == term_counts[1]) return f(std::integral_constant<int, term_counts[1]>{});
+  return terms == term_counts[2] ? f(std::integral_constant<int, term_counts[2]>{})
+                                 : f(std::integral_constant<int, term_counts[3]>{});
 }
 
 }  // namespace

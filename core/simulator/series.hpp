@@ -14,10 +14,10 @@
 
 namespace mirocup::simulator {
 
-inline constexpr int series_terms = 14;  // coefficients of t^0 .. t^13, at most
-inline constexpr int few_terms = 10;     // of a short curve
-inline constexpr int fewest_terms = 6;   // of a very short one
-inline constexpr std::array<int, 3> term_counts{fewest_terms, few_terms, series_terms};
+// How many coefficients, t^0 .. t^(n-1), a series may have: few of a short curve.
+inline constexpr std::array<int, 4> term_counts{6, 8, 10, 14};
+inline constexpr int fewest_terms = term_counts.front();
+inline constexpr int series_terms = term_counts.back();
 
 // "Never", where a time is asked for.
 inline constexpr double never = std::numeric_limits<double>::infinity();
@@ -31,8 +31,9 @@ struct Series {
   double& operator[](int k) { return c[k]; }
 
   double at(double t) const {
-    if (terms == fewest_terms) return at<fewest_terms>(t);
-    return terms == few_terms ? at<few_terms>(t) : at<series_terms>(t);
+    if (terms == term_counts[0]) return at<term_counts[0]>(t);
+    if (terms == term_counts[1]) return at<term_counts[1]>(t);
+    return terms == term_counts[2] ? at<term_counts[2]>(t) : at<term_counts[3]>(t);
   }
 
   static Series constant(double value) {
