@@ -102,27 +102,12 @@ double first_touch_of_circle(const Mover& a, const Mover& b, double level, doubl
   return begin + t;
 }
 
-// How far any point of the body can be moved between t and the end of its segment.
-double farthest_move(const Mover& m, double t) {
-  const Segment& s = m.segment;
-  const double length = s.end - s.begin;
-  const auto span = [length](const Series& p) {
-    const Range r = change_over(p, length);
-    return r.high - r.low;
-  };
-  const double turn = std::max(span(s.cos), span(s.sin));
-  return t >= s.end ? 0.0 : span(s.x) + span(s.y) + 2.0 * turn * m.shape.radius;
-}
-
 double first_touch_of_polygons(const Mover& a, const Mover& b, double level, double begin,
                                double end) {
   const auto reference_at = [&](double t) {
     return reference_of(a.shape, body_at(a.segment, t), b.shape, body_at(b.segment, t));
   };
   Reference reference = reference_at(begin);
-  if (reference.best.separation - level > farthest_move(a, begin) + farthest_move(b, begin)) {
-    return never;
-  }
   // Made when an edge of that side is needed.
   std::optional<RelativeTrack> a_in_b, b_in_a;
   const auto seen_from = [begin](const Mover& frame, const Mover& moving) {

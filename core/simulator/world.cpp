@@ -77,7 +77,7 @@ const TickEvents& World::advance(std::span<const WheelCommand> commands, double 
 
   bring_to(t, all);
   if (t < duration) finish_in_steps(t, duration);
-  collect_contacts(all);
+  collect_contacts(all, t);
   if (trace_ != nullptr) {
     trace_->deepest_overlap = std::max(trace_->deepest_overlap, events_.deepest_overlap);
   }
@@ -128,7 +128,7 @@ void World::play_event(const Event& event, double tick_end) {
   BodySet involved = event.involved;
   spread_over_touching(t, involved);
   bring_to(t, involved);
-  collect_contacts(involved);
+  collect_contacts(involved, t);
   go_on(involved, t, tick_end);
 }
 
@@ -261,10 +261,11 @@ void World::bring_to(double t, const BodySet& involved) {
   if (trace_ != nullptr) trace_->position_evaluations += static_cast<long>(involved.count());
 }
 
-void World::collect_contacts(const BodySet& involved) {
+void World::collect_contacts(const BodySet& involved, double t) {
   contacts_.count = 0;
   for (const Neighbour& n : neighbours_.list()) {
     if (!involved[n.pair.a] || !(n.pair.with_obstacle() || involved[n.pair.partner])) continue;
+    if (n.apart_at == t || (n.is_estimate && n.touch > t)) continue;
     add_contacts(arena_, n.pair, bodies_, arena_.tolerances.touch, contacts_);
   }
 }

@@ -90,7 +90,7 @@ class World {
   double earliest_touch_of(const Pair& pair, double t) const;
   Body body_now(int body, double t) const;
   void bring_to(double t, const BodySet& involved);
-  void collect_contacts(const BodySet& involved);
+  void collect_contacts(const BodySet& involved, double t);
   void collect_contacts_anywhere(double margin);
   void separate_overlaps();
   void collide(double t);
