@@ -17,7 +17,9 @@ constexpr double independent_pivot = 1e-3;
 }  // namespace
 
 Elimination::Elimination()
-    : a_(max_unknowns * max_unknowns), factor_(max_unknowns * max_unknowns) {}
+    : a_(max_unknowns * max_unknowns),
+      factor_(max_unknowns * max_unknowns),
+      packed_(max_unknowns * (max_unknowns + 1) / 2) {}
 
 // What nearly depends on others comes behind all that are clear, the largest pivot first: dividing
 // by what rounding leaves of a small one would spoil the others.
@@ -38,6 +40,16 @@ void Elimination::factorise(int n) {
       if (pivot_[order_[place]] > pivot_[order_[largest]]) largest = place;
     }
     take(largest, taken++);
+  }
+  pack();
+}
+
+// The rows one after the other, as solve() reads them: it is called for every term of a motion.
+void Elimination::pack() {
+  double* to = packed_.data();
+  for (int k = 0; k < size_; ++k) {
+    const double* row = &factor_[order_[k] * max_unknowns];
+    to = std::copy_n(row, k + 1, to);
   }
 }
 
@@ -61,21 +73,21 @@ void Elimination::take(int place, int taken) {
 }
 
 void Elimination::solve(std::array<double, max_unknowns>& rhs) const {
+  std::array<double, max_unknowns> y;
+  const double* row = packed_.data();
   for (int k = 0; k < size_; ++k) {
     const int i = order_[k];
-    const double* row = &factor_[i * max_unknowns];
     double sum = rhs[i];
-    for (int l = 0; l < k; ++l) sum -= row[l] * rhs[order_[l]];
-    rhs[i] = depends_[i] ? 0.0 : sum / row[k];
+    for (int l = 0; l < k; ++l) sum -= row[l] * y[l];
+    y[k] = depends_[i] ? 0.0 : sum / row[k];
+    row += k + 1;
   }
   for (int k = size_ - 1; k >= 0; --k) {
+    row -= k + 1;
     const int i = order_[k];
-    if (depends_[i]) continue;
-    double sum = rhs[i];
-    for (int l = k + 1; l < size_; ++l) {
-      sum -= factor_[order_[l] * max_unknowns + k] * rhs[order_[l]];
-    }
-    rhs[i] = sum / factor_[i * max_unknowns + k];
+    if (!depends_[i]) y[k] /= row[k];
+    for (int l = 0; l < k; ++l) y[l] -= row[l] * y[k];
+    rhs[i] = y[k];
   }
 }
 

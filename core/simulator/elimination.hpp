@@ -28,10 +28,12 @@ class Elimination {
 
  private:
   void take(int place, int taken);
+  void pack();
 
   int size_ = 0;
   std::vector<double> a_;
   std::vector<double> factor_;           // row i belongs to equation i
+  std::vector<double> packed_;           // the same in their order, without gaps
   std::array<int, max_unknowns> order_;  // of the equations in it
   std::array<double, max_unknowns> pivot_;
   std::array<bool, max_unknowns> depends_;
