@@ -36,9 +36,9 @@ struct ContactPoints {
 
 // Two outlines and the line that separates them best, in the field's frame.
 struct Separation {
-  double gap;              // m, along the normal
-  Vec2 normal{0.0, 0.0};   // unit, from b to a
-  double reach_a, reach_b; // m, of each from its reference point towards the other
+  double gap;               // m, along the normal
+  Vec2 normal{0.0, 0.0};    // unit, from b to a
+  double reach_a, reach_b;  // m, of each from its reference point towards the other
 };
 
 // Of two polygons or a circle (first) and a polygon. The gap is the Euclidean distance where a

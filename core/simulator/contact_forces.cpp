@@ -247,7 +247,9 @@ void ContactForces::read(std::span<Contact> contacts) {
     const double acceleration = problem_.gradient(row);
     Grounding& g = grounding_[wheels_[k]];
     g.hold = problem_.x[row];
-    if (std::abs(acceleration) <= least_slide) continue;
+    // Inside its bounds the force holds, whatever rounding leaves of the acceleration.
+    const bool gives_all = g.hold == problem_.low[row] || g.hold == problem_.high[row];
+    if (!gives_all || std::abs(acceleration) <= least_slide) continue;
     g = {.ground = Ground::slides, .slide = acceleration > 0.0 ? 1.0 : -1.0};
   }
 }

@@ -25,13 +25,14 @@ constexpr double resting_acceleration = 1e-9;
 ContactMotion::ContactMotion(const Arena& arena) : arena_(arena), rows_(max_unknowns) {}
 
 void ContactMotion::move(const BodySet& cluster, const ContactForces& forces,
-                         std::span<const Contact> contacts, std::span<const Drive> drives,
+                         std::span<Contact> contacts, std::span<const Drive> drives,
                          const Wanted& wanted, std::span<Body> bodies,
                          std::span<Segment> segments) {
   forces_ = &forces;
   drives_ = drives;
   choose(cluster, contacts);
   start(wanted, bodies, segments);
+  say_which_are_kept(contacts);
   extend(0, segments);
   if (is_at_rest(segments)) {
     for (int m = 0; m < member_count_; ++m) {
@@ -104,11 +105,21 @@ void ContactMotion::choose(const BodySet& cluster, std::span<const Contact> cont
   });
 
   held_count_ = 0;
-  for (const Contact& c : contacts) {
-    if (c.holds && cluster[c.pair.a]) held_[held_count_++] = c;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const Contact& c = contacts[i];
+    if (c.holds && cluster[c.pair.a]) held_index_[held_count_++] = static_cast<int>(i);
   }
-  std::stable_sort(held_.begin(), held_.begin() + held_count_,
-                   [](const Contact& a, const Contact& b) { return a.force > b.force; });
+  std::stable_sort(held_index_.begin(), held_index_.begin() + held_count_,
+                   [contacts](int a, int b) { return contacts[a].force > contacts[b].force; });
+  for (int i = 0; i < held_count_; ++i) held_[i] = contacts[held_index_[i]];
+}
+
+// Equations that follow from others do so only at the begin: later they may be off, and the gaps of
+// the cluster with them.
+void ContactMotion::say_which_are_kept(std::span<Contact> contacts) const {
+  bool all = true;
+  for (int i = 0; i < equations(); ++i) all = all && !elimination_.depends(i);
+  for (int i = 0; i < held_count_; ++i) contacts[held_index_[i]].is_kept = all;
 }
 
 void ContactMotion::start(const Wanted& wanted, std::span<Body> bodies,

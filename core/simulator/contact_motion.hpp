@@ -33,8 +33,9 @@ class ContactMotion {
   explicit ContactMotion(const Arena& arena);
 
   // Moves a cluster of bodies that hold each other: sets the segments of its bodies, all with the
-  // same end. What their gaps and velocities are off by rounding is put right first.
-  void move(const BodySet& cluster, const ContactForces& forces, std::span<const Contact> contacts,
+  // same end. What their gaps and velocities are off by rounding is put right first. Sets `is_kept`
+  // of the cluster's contacts.
+  void move(const BodySet& cluster, const ContactForces& forces, std::span<Contact> contacts,
             std::span<const Drive> drives, const Wanted& wanted, std::span<Body> bodies,
             std::span<Segment> segments);
 
@@ -44,6 +45,7 @@ class ContactMotion {
   int wheels_of(int equation) const { return wheels_[equation - held_count_]; }
 
   void choose(const BodySet& cluster, std::span<const Contact> contacts);
+  void say_which_are_kept(std::span<Contact> contacts) const;
   void start(const Wanted& wanted, std::span<Body> bodies, std::span<Segment> segments);
   void close_gaps(std::span<Body> bodies);
   void stop_rates(std::span<Body> bodies);
@@ -74,6 +76,7 @@ class ContactMotion {
   std::array<double, max_bodies> slide_;
 
   std::array<Contact, max_unknowns> held_;
+  std::array<int, max_unknowns> held_index_;  // of held_, among all contacts
   int held_count_ = 0;
   std::vector<ContactRows> rows_;  // of held_
   std::array<int, max_bodies> wheels_;

@@ -71,10 +71,9 @@ void start_on_edge(const Arena& arena, const Contact& c, std::span<const Segment
   rows.edge_begin = shape == nullptr ? -infinity : along.dot(shape->corner[c.at.edge]);
   rows.edge_end = shape == nullptr ? infinity : along.dot(shape->corner[shape->next(c.at.edge)]);
 
-  const Vec2 place = a == nullptr ? c.at.point
-                                  : Vec2{Vec2{a->x[0], a->y[0]} + heading_a.to_world(rows.point)};
-  const Vec2 touching =
-      b == nullptr ? place : heading_b.to_body(place - Vec2{b->x[0], b->y[0]});
+  const Vec2 place =
+      a == nullptr ? c.at.point : Vec2{Vec2{a->x[0], a->y[0]} + heading_a.to_world(rows.point)};
+  const Vec2 touching = b == nullptr ? place : heading_b.to_body(place - Vec2{b->x[0], b->y[0]});
   rows.distance = rows.normal.dot(touching);
   rows.lever_b[0] = cross(touching, rows.normal);
 
@@ -96,12 +95,10 @@ void set_point_velocity(const Segment& a, int k, ContactRows& rows) {
 // Term k of the point's velocity in the edge's frame, once that of the twists is known.
 Vec2 point_velocity(const ContactRows& rows, int k) {
   const Heading heading{rows.heading.c[0][0], rows.heading.c[0][1]};
-  return rows.later_velocity +
-         heading.to_world({rows.velocity.c[k][0], rows.velocity.c[k][1]});
+  return rows.later_velocity + heading.to_world({rows.velocity.c[k][0], rows.velocity.c[k][1]});
 }
 
-void extend_on_edge(const Contact& c, std::span<const Segment> segments, int k,
-                    ContactRows& rows) {
+void extend_on_edge(const Contact& c, std::span<const Segment> segments, int k, ContactRows& rows) {
   Vec2 velocity{0.0, 0.0};
   rows.turn[k] = 0.0;
   const Vec2 along = along_edge(rows.normal);
@@ -156,11 +153,13 @@ void set_on_corner(const Arena& arena, const Contact& c, std::span<const Segment
     const Segment& b = segments[c.b];
     rows.dx[k] = ball.x[k] - b.x[k];
     rows.dy[k] = ball.y[k] - b.y[k];
-    rows.x[k] = simulator::product_term(b.cos, rows.dx, k) + simulator::product_term(b.sin, rows.dy, k);
-    rows.y[k] = simulator::product_term(b.cos, rows.dy, k) - simulator::product_term(b.sin, rows.dx, k);
-    from_corner = Vec2{rows.dx[k], rows.dy[k]} -
-                  Vec2{b.cos[k] * corner.x() - b.sin[k] * corner.y(),
-                       b.sin[k] * corner.x() + b.cos[k] * corner.y()};
+    rows.x[k] =
+        simulator::product_term(b.cos, rows.dx, k) + simulator::product_term(b.sin, rows.dy, k);
+    rows.y[k] =
+        simulator::product_term(b.cos, rows.dy, k) - simulator::product_term(b.sin, rows.dx, k);
+    from_corner =
+        Vec2{rows.dx[k], rows.dy[k]} - Vec2{b.cos[k] * corner.x() - b.sin[k] * corner.y(),
+                                            b.sin[k] * corner.x() + b.cos[k] * corner.y()};
     seen = Vec2{rows.x[k], rows.y[k]};
     if (k == 0) seen -= corner;
   }
@@ -235,8 +234,10 @@ ForceTerm later_force_term(const Contact& c, const ContactRows& rows, int k) {
 }
 
 double time_on_edge(const Contact& c, const ContactRows& rows, double margin, double length) {
+  // A little above the level: a search that ended there must not end there again at once.
   const auto until = [&](const Series& inside, double level) {
-    if (inside[0] > level) length = std::min(length, first_fall(inside, level, 0.0, length));
+    if (inside[0] <= level + 10.0 * closeness) return;
+    length = std::min(length, first_fall(inside, level, 0.0, length));
   };
   if (is_on_corner(c)) {
     until(rows.inside[0], -margin);

@@ -31,21 +31,22 @@ struct ContactRows {
   Series force;  // N, along the normal
 
   // On an edge. Frames: the field's for a side that is a wall, and for the ball.
-  Vec2 point;         // touching, in the frame of the point's side
-  Vec2 normal;        // in the frame of the edge's side
-  double distance;    // m, of the touching point from the edge's side's reference point along it
-  TwoSeries heading;  // cos and sin: of the point's side seen from the edge's
-  Series turn;        // rad/s, of the same
-  TwoSeries velocity; // m/s, of the touching point in its own frame
-  Vec2 later_velocity; // m/s, the newest term of it in the edge's frame, without what heading[0] gives
-  Series lever_b;     // m: third component of row_b, minus the way along the edge
-  double edge_begin, edge_end; // m along the edge
+  Vec2 point;          // touching, in the frame of the point's side
+  Vec2 normal;         // in the frame of the edge's side
+  double distance;     // m, of the touching point from the edge's side's reference point along it
+  TwoSeries heading;   // cos and sin: of the point's side seen from the edge's
+  Series turn;         // rad/s, of the same
+  TwoSeries velocity;  // m/s, of the touching point in its own frame
+  Vec2
+      later_velocity;  // m/s, the newest term of it in the edge's frame, without what heading[0] gives
+  Series lever_b;      // m: third component of row_b, minus the way along the edge
+  double edge_begin, edge_end;  // m along the edge
 
   // The ball on a corner.
   std::array<Series, 3> row_a, row_b;
   std::array<Series, 2> inside;  // positive while the corner is what the ball is nearest to
-  Series x, y;    // of the ball in the frame of the corner's side
-  Series dx, dy;  // the same position in the field's frame
+  Series x, y;                   // of the ball in the frame of the corner's side
+  Series dx, dy;                 // the same position in the field's frame
 };
 
 void start_rows(const Arena& arena, const Contact& contact, std::span<const Segment> segments,

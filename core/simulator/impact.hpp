@@ -52,6 +52,7 @@ struct Contact {
   double approach = 0.0;    // m/s before the impact, positive if the bodies close
   double impulse = 0.0;     // N s along the normal, given by the impact
   bool holds = false;       // presses from here on: the gap stays zero
+  bool is_kept = false;     // where it holds: its gap stays zero on the whole curve, for certain
   double force = 0.0;       // N, where it holds
 };
 

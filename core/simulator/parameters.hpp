@@ -82,18 +82,18 @@ struct Tolerances {
   double touch = 1e-10;  // m: bodies with a smaller gap are in contact
   double sink = 1e-12;   // m: bodies in contact that come closer by this hit each other anew
   double rest_speed =
-      1e-4;  // m/s: an approach slower than this does not bounce, it rests. More than what
+      2e-4;  // m/s: an approach slower than this does not bounce, it rests. More than what
              // the motors can gain over `sink`, so that bouncing comes to an end
   // Within a tick patience wears off (patience.hpp). What counts as rest grows with each touch of a
   // body and with each bounce of a pair; `sink` grows with each touch of a body beyond the patient
   // ones, up to `touch`.
-  double rest_growth_per_touch = 2.0;
-  double rest_growth_per_bounce = 1.5;
+  double rest_growth_per_touch = 3.0;
+  double rest_growth_per_bounce = 2.5;
   double sink_growth_per_touch = 4.0;
   int patient_touches = 8;
   // An impact stops wheels that it makes slide no faster than this, m/s: they would grip again
   // within v / grip g.
-  double brief_slide = 1e-9;
+  double brief_slide = 1e-6;
   double brief_slide_growth_per_touch = 8.0;
   double hold = 1e-8;  // s: the shortest that bodies press and wheels grip
   // Of that and of the slowest rolling in contact, for each event; of the slowest sliding.

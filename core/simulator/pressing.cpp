@@ -18,8 +18,7 @@ struct Pivot {
   Vec2 normal;          // of the edge, in its body's frame or the field's
 
   double length() const {
-    return edge == nullptr ? robot.end - robot.begin
-                           : std::min(robot.end, edge->end) - robot.begin;
+    return edge == nullptr ? robot.end - robot.begin : std::min(robot.end, edge->end) - robot.begin;
   }
 };
 
@@ -36,7 +35,8 @@ Pivot pivot_of(const Arena& arena, const Contact& c, std::span<const Segment> se
 
 // By how much the robot turns against the edge, between these bounds.
 Range turn_over(const Pivot& pivot) {
-  const Series rate = pivot.edge == nullptr ? pivot.robot.turn : pivot.robot.turn - pivot.edge->turn;
+  const Series rate =
+      pivot.edge == nullptr ? pivot.robot.turn : pivot.robot.turn - pivot.edge->turn;
   Range turned{0.0, 0.0};
   double power = 1.0;
   for (int k = 0; k < rate.terms; ++k) {
@@ -61,10 +61,16 @@ RelativeHeading relative_heading(const Pivot& pivot) {
 
 }  // namespace
 
-bool keeps_apart(const Contact& c) {
-  if (!c.holds) return false;
+bool keeps_apart(const Arena& arena, const Contact& c) {
+  if (!c.holds || !c.is_kept) return false;
+  if (c.at.kind != Touching::corner_on_edge) return true;
   const bool on_end_wall = c.pair.with_obstacle() && c.pair.obstacle() >= plane_walls;
-  return c.at.kind == Touching::corner_on_edge ? c.a != no_body && !on_end_wall : true;
+  if (c.a == no_body || on_end_wall) return false;
+  const Shape& shape = arena.shape(c.a);
+  const Vec2 n{c.row_a[0], c.row_a[1]};
+  const double line = n.dot(shape.corner[c.at.corner]) - arena.tolerances.touch;
+  return std::all_of(shape.corner.begin(), shape.corner.begin() + shape.corners,
+                     [&](const Vec2& corner) { return n.dot(corner) >= line; });
 }
 
 double next_corner_down(const Arena& arena, const Contact& contact, bool others,
@@ -91,8 +97,8 @@ double next_corner_down(const Arena& arena, const Contact& contact, bool others,
   const RelativeHeading heading = relative_heading(pivot);
   double first = never;
   for (int i = 0; i < close; ++i) {
-    const Series height = pivot.normal.dot(arms[i]) * heading.cos +
-                          cross(arms[i], pivot.normal) * heading.sin;
+    const Series height =
+        pivot.normal.dot(arms[i]) * heading.cos + cross(arms[i], pivot.normal) * heading.sin;
     const double level = std::min(height[0], 0.0) - sink;
     first = std::min(first, first_fall(height, level, 0.0, std::min(first, pivot.length())));
   }

@@ -13,9 +13,10 @@
 
 namespace mirocup::simulator {
 
-// Is `contact` one of those that this is known of: does it press, with a body on a plane wall, or
-// with the ball or a robot's corner on a robot?
-bool keeps_apart(const Contact& contact);
+// Is `contact` one of those that this is known of: is it kept pressing, with a body on a plane wall, or
+// with the ball or a robot's corner on a robot, and is no other corner beyond the line? (One can be
+// where corner presses on corner: there the edges' ends are what separates the two.)
+bool keeps_apart(const Arena& arena, const Contact& contact);
 
 // The first time, s of the tick, at which another corner of the contact's pair has come down on its
 // line, closer by `sink` (m) if it is there already; or never until the end of their segments,

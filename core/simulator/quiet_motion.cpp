@@ -96,20 +96,13 @@ Box box_around_way(const Body& robot, const Body& end, const Drive& drive,
   return {middle.x() - reach, middle.x() + reach, middle.y() - reach, middle.y() + reach};
 }
 
-// A point that never gains more than `acceleration` stays within that times the square of the span
-// over eight of the straight way.
 Way quiet_way(const Body& robot, const Body& end, const Drive& drive, const MotorDecay& decay,
               double begin) {
   const double turn = fastest(robot.twist.turn, drive.turn);
   const double along = (drive.forward - robot.twist.forward) / decay.time_constant;
   const double across = fastest(robot.twist.forward, drive.forward) * turn;
   const double acceleration = std::sqrt(along * along + across * across);
-  constexpr double rounding = 1e-12;  // m
-  return {.begin = begin,
-          .from = robot.position,
-          .velocity = (end.position - robot.position) / decay.span,
-          .bulge = acceleration * decay.span * decay.span / 8.0 + rounding,
-          .turn_rate = turn};
+  return way_between(robot.position, end.position, begin, decay.span, acceleration, turn);
 }
 
 }  // namespace mirocup::simulator

@@ -30,6 +30,11 @@ Straightened straightened(const Series& p, double length) {
   return {velocity, bulge * length};
 }
 
+// How far a body can be from where its velocity leads it from where it is at time t.
+double stray(const Way& way, double t) {
+  return t == way.begin ? way.bulge : 2.0 * way.bulge;
+}
+
 }  // namespace
 
 Way way_along(const Segment& s) {
@@ -44,6 +49,15 @@ Way way_along(const Segment& s) {
           .turn_rate = std::max(std::abs(s.turn[0] + turn.low), std::abs(s.turn[0] + turn.high))};
 }
 
+Way way_between(const Vec2& from, const Vec2& to, double begin, double span, double acceleration,
+                double turn_rate) {
+  return {.begin = begin,
+          .from = from,
+          .velocity = span > 0.0 ? Vec2{(to - from) / span} : Vec2{0.0, 0.0},
+          .bulge = acceleration * span * span / 8.0 + rounding,
+          .turn_rate = turn_rate};
+}
+
 bool stays_out_of_reach(const Encounter& e) {
   const Vec2 apart = e.a.at(e.begin) - e.b.at(e.begin);
   const Vec2 velocity = e.a.velocity - e.b.velocity;
@@ -54,11 +68,6 @@ bool stays_out_of_reach(const Encounter& e) {
   }
   const double reach = e.reach + e.a.bulge + e.b.bulge;
   return (apart + nearest_after * velocity).squaredNorm() > reach * reach;
-}
-
-// How far from where its straight way leads a body can be that is where it is at time t.
-static double stray(const Way& way, double t) {
-  return t == way.begin ? way.bulge : 2.0 * way.bulge;
 }
 
 // The normal stays where it is while the outlines turn: each then reaches farther towards the
@@ -74,8 +83,8 @@ double earliest_touch(const Encounter& e, const Separation& separation, double r
     if (way <= 0.0) return 0.0;
     return speed > 0.0 ? way / speed : never;
   };
-  const double after = std::max(time_for(room, closing + turning),
-                                time_for(room - turned_at_most, closing));
+  const double after =
+      std::max(time_for(room, closing + turning), time_for(room - turned_at_most, closing));
   return e.begin + after <= e.end ? e.begin + after : never;
 }
 

@@ -10,11 +10,11 @@
 namespace mirocup::simulator {
 
 struct Way {
-  double begin = 0.0;  // s of the tick
-  Vec2 from{0.0, 0.0};  // m
+  double begin = 0.0;       // s of the tick
+  Vec2 from{0.0, 0.0};      // m
   Vec2 velocity{0.0, 0.0};  // m/s, from the curve's begin straight to its end
-  double bulge = 0.0;  // m: the reference point is never farther from where that leads
-  double turn_rate = 0.0;  // rad/s, at most
+  double bulge = 0.0;       // m: the reference point is never farther from where that leads
+  double turn_rate = 0.0;   // rad/s, at most
 
   Vec2 at(double t) const { return from + (t - begin) * velocity; }
 };
@@ -22,10 +22,15 @@ struct Way {
 // Along a segment that has its end.
 Way way_along(const Segment& segment);
 
+// Of a point that goes from one place to another within `span` seconds and never gains more than
+// `acceleration`, m/s^2.
+Way way_between(const Vec2& from, const Vec2& to, double begin, double span, double acceleration,
+                double turn_rate);
+
 // Two bodies and their ways, over the times at which both hold. A wall has the default way.
 struct Encounter {
   Way a, b;
-  double reach;  // m: farther apart than this, the reference points' bodies cannot touch
+  double reach;       // m: farther apart than this, the reference points' bodies cannot touch
   double begin, end;  // s of the tick
 };
 

@@ -198,7 +198,7 @@ bool World::pressing_keeps_apart(Neighbour& n) const {
   const Contact* pressing = nullptr;
   bool others = false;
   for (const Contact& c : contacts_.contacts()) {
-    if (!(c.pair == n.pair) || !keeps_apart(c)) continue;
+    if (!(c.pair == n.pair) || !keeps_apart(arena_, c)) continue;
     others = pressing != nullptr;
     pressing = &c;
   }
@@ -220,8 +220,7 @@ double World::earliest_touch_of(const Pair& pair, double t) const {
   const Encounter encounter{ways_[pair.a], ways_[pair.partner], radius_a + radius_b + touch, t,
                             end};
   if (stays_out_of_reach(encounter)) return never;
-  const Separation apart =
-      separation(arena_, pair, body_now(pair.a, t), body_now(pair.partner, t));
+  const Separation apart = separation(arena_, pair, body_now(pair.a, t), body_now(pair.partner, t));
   return earliest_touch(encounter, apart, radius_a, radius_b, touch);
 }
 

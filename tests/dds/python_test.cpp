@@ -20,8 +20,8 @@ TEST(PythonTeam, PlaysAFullLeg) {
                 "PYTHONDONTWRITEBYTECODE=1", "python3", "-S",
                 MIROCUP_SOURCE_FOLDER "/examples/python/chaser.py", id, "blue", "snake"});
   const Outcome played =
-      run({program("mirocup"), "match", "--blue", "dds:snake", "--yellow", "idle", "--half", "8",
-           "--match", id, "--record", folder / "leg.json"});
+      run({program("mirocup"), "match", "--blue", "dds:snake", "--yellow", "idle", "--league",
+           "large", "--half", "20", "--match", id, "--record", folder / "leg.json"});
   ASSERT_EQ(played.exit_code, 0) << played.err;
   const Outcome python = team.wait();
   EXPECT_EQ(python.exit_code, 0) << python.err;

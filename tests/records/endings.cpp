@@ -37,7 +37,7 @@ match::Setup setup_for(EndKind end, std::uint64_t seed) {
   return setup;
 }
 
-Scripted team_for(EndKind end, Team team) {
+Scripted team_for(EndKind end, Team team, std::uint64_t seed) {
   const bool both = end == EndKind::double_forfeit;
   if (end == EndKind::void_ || both || (end == EndKind::forfeit && team == Team::yellow)) {
     return Scripted([end](const Observation& o) -> Answer {
@@ -46,7 +46,9 @@ Scripted team_for(EndKind end, Team team) {
       return match::Fault{match::FaultCode::crash, "died of a \"signal\"\n"};
     });
   }
-  return team == Team::blue ? ball_hunter() : standing();
+  if (team == Team::blue) return ball_hunter();
+  // Beside a team that stands all seeds would play the same leg.
+  return end == EndKind::golden_goal || end == EndKind::mercy ? random_team(seed) : standing();
 }
 
 }  // namespace
@@ -54,8 +56,8 @@ Scripted team_for(EndKind end, Team team) {
 replay::Recording leg_that_ends(EndKind end) {
   for (std::uint64_t seed = 1;; ++seed) {
     match::Match match(setup_for(end, seed));
-    Scripted blue = team_for(end, Team::blue);
-    Scripted yellow = team_for(end, Team::yellow);
+    Scripted blue = team_for(end, Team::blue, seed);
+    Scripted yellow = team_for(end, Team::yellow, seed);
     replay::Trace trace;
     while (!match.is_over()) {
       match.advance(blue, yellow);

@@ -35,10 +35,10 @@ TEST(Verification, ReproducesALeg) {
 
 TEST(Verification, FindsAChangedCommandInTheTickAfterIt) {
   Recording r = played(1);
-  r.ticks[200].commands[1].wheels[0][0] ^= 1;
+  r.ticks[100].commands[0].wheels[1][0] ^= 1;
   const auto divergence = verify(r);
   ASSERT_TRUE(divergence);
-  EXPECT_EQ(divergence->tick, 201u);
+  EXPECT_EQ(divergence->tick, 101u);
 }
 
 // Catches a trace of another tick or body than it says.
