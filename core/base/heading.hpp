@@ -40,6 +40,11 @@ struct Heading {
 
   Heading half_turned() const { return {-cos, -sin}; }
 
+  // In the frame of another one.
+  Heading seen_from(const Heading& frame) const {
+    return {frame.cos * cos + frame.sin * sin, frame.cos * sin - frame.sin * cos};
+  }
+
   // Turned by an angle given as its sine and cosine.
   Heading turned(const SinCos& by) const {
     return Heading{cos * by.cos - sin * by.sin, sin * by.cos + cos * by.sin}.normalised();

@@ -17,9 +17,7 @@ struct Relative {
   Heading heading;
 };
 Relative relative(const Body& body, const Body& of) {
-  return {of.heading.to_body(body.position - of.position),
-          {of.heading.cos * body.heading.cos + of.heading.sin * body.heading.sin,
-           of.heading.cos * body.heading.sin - of.heading.sin * body.heading.cos}};
+  return {of.heading.to_body(body.position - of.position), body.heading.seen_from(of.heading)};
 }
 
 Axis axis_to_centre(const Body& body_a, const Shape& b, const Body& body_b) {
@@ -197,7 +195,7 @@ ContactPoints contact_points(const Shape& a, const Body& body_a, const field::Wa
                              double margin) {
   ContactPoints found;
   if (a.is_circle()) {
-    const double d = separation(a, body_a, wall).gap;
+    const double d = gap(a, body_a, wall);
     if (d > margin) return found;
     found.add({body_a.position - a.radius * wall.normal, wall.normal, d, Touching::circle_on_edge});
     return found;

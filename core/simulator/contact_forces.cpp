@@ -48,8 +48,7 @@ void ContactForces::decide(std::span<const Drive> drives, double rest_slide, dou
     c.holds = false;
     if (gap_rate(c, bodies) > c.rest_speed) continue;
     candidate_[candidate_count_++] = static_cast<int>(i);
-    in_contact.set(c.pair.a);
-    if (!c.pair.with_obstacle()) in_contact.set(c.pair.partner);
+    in_contact |= bodies_of(c.pair);
   }
   if (candidate_count_ == 0) return;
   member_count_ = 0;
@@ -100,10 +99,9 @@ void ContactForces::fit_velocities(std::span<const Drive> drives, std::span<Body
   if (fits) return;
   for (int i = 0; i < problem_.size(); ++i) {
     if (held(i)) problem_.low[i] = -std::numeric_limits<double>::infinity();
-    for (int j = 0; j <= i; ++j) {
-      problem_.a(i, j) = problem_.a(j, i) = coupling(constraints_[i], constraints_[j], mass);
-    }
   }
+  set_couplings(
+      problem_.size(), [&](int i) -> const Contact& { return constraints_[i]; }, mass, problem_);
   problem_.solve();
   for (int i = 0; i < problem_.size(); ++i) {
     apply_impulse(constraints_[i], problem_.x[i], mass, bodies);
@@ -205,10 +203,10 @@ void ContactForces::pose(std::span<const Drive> drives, std::span<const Body> bo
     start_rows(arena_, c, trial_, rows);
     extend_rows(arena_, c, trial_, 0, rows);
     problem_.b[i] = gap_rate_term(c, trial_, 1, rows);
-    for (int j = 0; j <= i; ++j) {
-      problem_.a(i, j) = problem_.a(j, i) = coupling(c, contacts[candidate_[j]], mass);
-    }
   }
+  set_couplings(
+      candidate_count_, [&](int i) -> const Contact& { return contacts[candidate_[i]]; }, mass,
+      problem_);
   const double grip_force = p.grip * p.robot_mass * gravity;
   for (int k = 0; k < wheel_count_; ++k) {
     const int row = candidate_count_ + k;

@@ -22,6 +22,28 @@ constexpr double resting_acceleration = 1e-9;
 
 }  // namespace
 
+BodySet cluster_of(int body, std::span<const Contact> contacts) {
+  BodySet cluster;
+  cluster.set(body);
+  bool held = false;
+  bool grows = true;
+  while (grows) {
+    grows = false;
+    for (const Contact& c : contacts) {
+      if (!c.holds ||
+          !(cluster[c.pair.a] || (c.b != no_body && c.a != no_body && cluster[c.pair.partner]))) {
+        continue;
+      }
+      held = true;
+      if (c.pair.with_obstacle() || cluster[c.pair.a] == cluster[c.pair.partner]) continue;
+      cluster.set(c.pair.a);
+      cluster.set(c.pair.partner);
+      grows = true;
+    }
+  }
+  return held ? cluster : BodySet{};
+}
+
 ContactMotion::ContactMotion(const Arena& arena) : arena_(arena), rows_(max_unknowns) {}
 
 void ContactMotion::move(const BodySet& cluster, const ContactForces& forces,

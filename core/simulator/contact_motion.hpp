@@ -27,6 +27,9 @@ struct Wanted {
   double at_least;  // so long no contact lets go and no wheels begin to slide
 };
 
+// The bodies that hold together with this one, itself included; empty if nothing holds it.
+BodySet cluster_of(int body, std::span<const Contact> contacts);
+
 class ContactMotion {
  public:
   // Allocates its scratch; moving does not allocate. The arena outlives it.

@@ -31,12 +31,6 @@ Vec2 turned_term(const TwoSeries& p, const TwoSeries& q, int k, int first) {
   return {x, y};
 }
 
-double product_term_from(const Series& a, const Series& b, int k, int first) {
-  double sum = 0.0;
-  for (int j = first; j <= k; ++j) sum += a[j] * b[k - j];
-  return sum;
-}
-
 // The outline of an obstacle that has corners, or null for a plane wall.
 const Shape* end_wall_of(const Arena& arena, const Pair& pair) {
   return pair.obstacle() < plane_walls ? nullptr
@@ -77,8 +71,7 @@ void start_on_edge(const Arena& arena, const Contact& c, std::span<const Segment
   rows.distance = rows.normal.dot(touching);
   rows.lever_b[0] = cross(touching, rows.normal);
 
-  const Heading heading{heading_b.cos * heading_a.cos + heading_b.sin * heading_a.sin,
-                        heading_b.cos * heading_a.sin - heading_b.sin * heading_a.cos};
+  const Heading heading = heading_a.seen_from(heading_b);
   rows.heading.c[0] = {heading.cos, heading.sin};
   rows.later_velocity = {0.0, 0.0};
 
@@ -153,10 +146,8 @@ void set_on_corner(const Arena& arena, const Contact& c, std::span<const Segment
     const Segment& b = segments[c.b];
     rows.dx[k] = ball.x[k] - b.x[k];
     rows.dy[k] = ball.y[k] - b.y[k];
-    rows.x[k] =
-        simulator::product_term(b.cos, rows.dx, k) + simulator::product_term(b.sin, rows.dy, k);
-    rows.y[k] =
-        simulator::product_term(b.cos, rows.dy, k) - simulator::product_term(b.sin, rows.dx, k);
+    rows.x[k] = product_term(b.cos, rows.dx, k) + product_term(b.sin, rows.dy, k);
+    rows.y[k] = product_term(b.cos, rows.dy, k) - product_term(b.sin, rows.dx, k);
     from_corner =
         Vec2{rows.dx[k], rows.dy[k]} - Vec2{b.cos[k] * corner.x() - b.sin[k] * corner.y(),
                                             b.sin[k] * corner.x() + b.cos[k] * corner.y()};
@@ -178,13 +169,12 @@ void set_on_corner(const Arena& arena, const Contact& c, std::span<const Segment
 double gap_rate_on_corner(const Contact& c, std::span<const Segment> segments, int k,
                           const ContactRows& rows) {
   const Segment& ball = segments[c.a];
-  double rate = simulator::product_term(rows.row_a[0], ball.forward, k) +
-                simulator::product_term(rows.row_a[1], ball.left, k);
+  double rate =
+      product_term(rows.row_a[0], ball.forward, k) + product_term(rows.row_a[1], ball.left, k);
   if (c.b == no_body) return rate;
   const Segment& b = segments[c.b];
-  rate -= simulator::product_term(rows.row_b[0], b.forward, k) +
-          simulator::product_term(rows.row_b[1], b.left, k) +
-          simulator::product_term(rows.row_b[2], b.turn, k);
+  rate -= product_term(rows.row_b[0], b.forward, k) + product_term(rows.row_b[1], b.left, k) +
+          product_term(rows.row_b[2], b.turn, k);
   return rate;
 }
 
@@ -219,7 +209,7 @@ double gap_rate_term(const Contact& c, std::span<const Segment> segments, int k,
 
 ForceTerm later_force_term(const Contact& c, const ContactRows& rows, int k) {
   if (is_on_corner(c)) {
-    const auto term = [&](const Series& row) { return product_term_from(row, rows.force, k, 1); };
+    const auto term = [&](const Series& row) { return product_term(row, rows.force, k, 1); };
     return {{term(rows.row_a[0]), term(rows.row_a[1]), 0.0},
             {term(rows.row_b[0]), term(rows.row_b[1]), term(rows.row_b[2])}};
   }
@@ -229,7 +219,7 @@ ForceTerm later_force_term(const Contact& c, const ContactRows& rows, int k) {
     const Vec2 seen_from_a = Heading{turning.x(), turning.y()}.to_body(rows.normal);
     force.on_a = {seen_from_a.x(), seen_from_a.y(), cross(rows.point, seen_from_a)};
   }
-  if (c.b != no_body) force.on_b[2] = product_term_from(rows.lever_b, rows.force, k, 1);
+  if (c.b != no_body) force.on_b[2] = product_term(rows.lever_b, rows.force, k, 1);
   return force;
 }
 

@@ -84,10 +84,9 @@ void step_in_contact(const Forces& forces, std::span<const int> members,
   for (int i = 0; i < rows.count; ++i) {
     problem.b[i] = gap_rate(rows.list[i], bodies);
     if (i < normals) problem.b[i] += std::max(contacts[i].at.gap, 0.0) / step;
-    for (int j = 0; j <= i; ++j) {
-      problem.a(i, j) = problem.a(j, i) = coupling(rows.list[i], rows.list[j], mass);
-    }
   }
+  set_couplings(
+      rows.count, [&](int i) -> const Contact& { return rows.list[i]; }, mass, problem);
   const double grip_impulse = p.grip * p.robot_mass * gravity * step;
   for (int i = with_tangents; i < rows.count; ++i) set_bounds(problem, i, grip_impulse);
   for (int i = normals; i < with_tangents; ++i) set_bounds(problem, i, 0.0);
@@ -113,13 +112,9 @@ void push_apart(std::span<const Contact> contacts, std::span<const InverseMass> 
                 std::span<Body> bodies, BoxProblem& problem) {
   const int n = static_cast<int>(contacts.size());
   problem.reset(n);
-  for (int i = 0; i < n; ++i) {
-    problem.b[i] = contacts[i].at.gap;
-    for (int j = 0; j <= i; ++j) {
-      problem.a(i, j) = coupling(contacts[i], contacts[j], free_mass);
-      problem.a(j, i) = problem.a(i, j);
-    }
-  }
+  for (int i = 0; i < n; ++i) problem.b[i] = contacts[i].at.gap;
+  set_couplings(
+      n, [&](int i) -> const Contact& { return contacts[i]; }, free_mass, problem);
   problem.solve();
 
   const auto move = [&](int i, const JacobianRow& row, double amount) {

@@ -42,11 +42,9 @@ void stop(std::span<const Contact> contacts, std::span<const int> chosen,
   problem.reset(n);
   for (int i = 0; i < n; ++i) {
     problem.b[i] = gap_rate(contacts[chosen[i]], bodies);
-    for (int j = 0; j <= i; ++j) {
-      problem.a(i, j) = coupling(contacts[chosen[i]], contacts[chosen[j]], mass);
-      problem.a(j, i) = problem.a(i, j);
-    }
   }
+  set_couplings(
+      n, [&](int i) -> const Contact& { return contacts[chosen[i]]; }, mass, problem);
   problem.solve();
 }
 
@@ -158,10 +156,9 @@ void stop_slides(std::span<Contact> contacts, std::span<const SlowWheels> wheels
       problem.high[i] = w.most;
     }
     problem.b[i] = gap_rate(rows[i], bodies);
-    for (int j = 0; j <= i; ++j) {
-      problem.a(i, j) = problem.a(j, i) = coupling(rows[i], rows[j], mass);
-    }
   }
+  set_couplings(
+      n, [&](int i) -> const Contact& { return rows[i]; }, mass, problem);
   problem.solve();
   for (int i = 0; i < n; ++i) apply_impulse(rows[i], problem.x[i], mass, bodies);
   for (int i = 0; i < first_wheels; ++i) contacts[i].impulse += problem.x[i];

@@ -77,6 +77,17 @@ double gap_rate(const Contact& contact, std::span<const Body> bodies);
 // J M^-1 J' of two contacts.
 double coupling(const Contact& c, const Contact& d, std::span<const InverseMass> mass);
 
+// Sets the problem's matrix of its first `count` unknowns; contact_of(i) is the contact of one.
+template <class ContactOf>
+void set_couplings(int count, ContactOf contact_of, std::span<const InverseMass> mass,
+                   BoxProblem& problem) {
+  for (int i = 0; i < count; ++i) {
+    for (int j = 0; j <= i; ++j) {
+      problem.a(i, j) = problem.a(j, i) = coupling(contact_of(i), contact_of(j), mass);
+    }
+  }
+}
+
 // Adds the impulse to the twists of both bodies.
 void apply_impulse(const Contact& contact, double impulse, std::span<const InverseMass> mass,
                    std::span<Body> bodies);

@@ -27,6 +27,13 @@ struct Pair {
   bool operator==(const Pair&) const = default;
 };
 
+inline BodySet bodies_of(const Pair& pair) {
+  BodySet bodies;
+  bodies.set(pair.a);
+  if (!pair.with_obstacle()) bodies.set(pair.partner);
+  return bodies;
+}
+
 inline Pair pair_of(int i, int j) {
   return i > j ? Pair{i, j} : Pair{j, i};
 }

@@ -105,4 +105,18 @@ double next_corner_down(const Arena& arena, const Contact& contact, bool others,
   return pivot.robot.begin + first;
 }
 
+std::optional<double> next_touch_while_pressing(const Arena& arena, const Pair& pair,
+                                                std::span<const Contact> contacts,
+                                                std::span<const Segment> segments, double sink) {
+  const Contact* pressing = nullptr;
+  bool others = false;
+  for (const Contact& c : contacts) {
+    if (!(c.pair == pair) || !keeps_apart(arena, c)) continue;
+    others = pressing != nullptr;
+    pressing = &c;
+  }
+  if (pressing == nullptr) return std::nullopt;
+  return next_corner_down(arena, *pressing, others, segments, sink);
+}
+
 }  // namespace mirocup::simulator

@@ -9,6 +9,7 @@
 
 #include "core/simulator/arena.hpp"
 
+#include <optional>
 #include <span>
 
 namespace mirocup::simulator {
@@ -23,5 +24,10 @@ bool keeps_apart(const Arena& arena, const Contact& contact);
 // which begin together. `others` of the same pair press, too: then nothing can turn.
 double next_corner_down(const Arena& arena, const Contact& contact, bool others,
                         std::span<const Segment> segments, double sink);
+
+// The same of all contacts of a pair; nothing if none of them is known to keep it apart.
+std::optional<double> next_touch_while_pressing(const Arena& arena, const Pair& pair,
+                                                std::span<const Contact> contacts,
+                                                std::span<const Segment> segments, double sink);
 
 }  // namespace mirocup::simulator

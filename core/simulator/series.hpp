@@ -57,10 +57,11 @@ Series operator-(const Series& a, const Series& b);
 Series operator*(const Series& a, const Series& b);  // truncated to the terms of the longer one
 Series operator*(double factor, const Series& a);
 
-// Coefficient k of a * b, from the coefficients 0 .. k of both: the step of every recurrence.
-inline double product_term(const Series& a, const Series& b, int k) {
+// Coefficient k of a * b, from the coefficients 0 .. k of both: the step of every recurrence. From
+// `first` on, without what the coefficients of a before that give.
+inline double product_term(const Series& a, const Series& b, int k, int first = 0) {
   double sum = 0.0;
-  for (int j = 0; j <= k; ++j) sum += a[j] * b[k - j];
+  for (int j = first; j <= k; ++j) sum += a[j] * b[k - j];
   return sum;
 }
 

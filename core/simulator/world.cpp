@@ -112,8 +112,7 @@ World::Event World::next_event(double tick_end) {
   if (const Neighbour* first = first_touch(next.time)) {
     next.is_touch = true;
     next.pair = first->pair;
-    next.involved.set(first->pair.a);
-    if (!first->pair.with_obstacle()) next.involved.set(first->pair.partner);
+    next.involved = bodies_of(first->pair);
   } else {
     for (int i = 0; i < arena_.bodies(); ++i) next.involved[i] = segments_[i].end <= next.time;
   }
@@ -163,7 +162,7 @@ void World::spread_over_touching(double t, BodySet& involved) {
     grows = false;
     for (Neighbour& n : neighbours_.list()) {
       if (n.pair.with_obstacle() || involved[n.pair.a] == involved[n.pair.partner]) continue;
-      if (n.apart_at == t || (n.is_estimate && n.touch > t)) continue;
+      if (n.is_apart_at(t)) continue;
       const Body a = body_now(n.pair.a, t);
       const Body b = body_now(n.pair.partner, t);
       if (gap(arena_, n.pair, a, b) > arena_.tolerances.touch) {
@@ -181,30 +180,17 @@ void World::spread_over_touching(double t, BodySet& involved) {
 void World::meet_neighbours(const BodySet& involved, double t, double tick_end) {
   const std::span<Neighbour> found = neighbours_.find(arena_, boxes_, involved);
   for (Neighbour& n : found) {
-    if (pressing_keeps_apart(n)) continue;
-    n.is_estimate = true;
+    const auto touch = next_touch_while_pressing(arena_, n.pair, contacts_.contacts(), segments_,
+                                                 patience_.sink(n.pair));
+    n.is_estimate = !touch;
     n.estimated = t;
-    n.touch = earliest_touch_of(n.pair, t);
+    n.touch = touch ? *touch : earliest_touch_of(n.pair, t);
   }
   for (const Neighbour& n : found) {
     if (n.touch == never) continue;
     write_as_series(n.pair.a, t, tick_end);
     if (!n.pair.with_obstacle()) write_as_series(n.pair.partner, t, tick_end);
   }
-}
-
-// Two that press on each other need no search for their next touch.
-bool World::pressing_keeps_apart(Neighbour& n) const {
-  const Contact* pressing = nullptr;
-  bool others = false;
-  for (const Contact& c : contacts_.contacts()) {
-    if (!(c.pair == n.pair) || !keeps_apart(arena_, c)) continue;
-    others = pressing != nullptr;
-    pressing = &c;
-  }
-  if (pressing == nullptr) return false;
-  n.touch = next_corner_down(arena_, *pressing, others, segments_, patience_.sink(n.pair));
-  return true;
 }
 
 double World::earliest_touch_of(const Pair& pair, double t) const {
@@ -264,7 +250,7 @@ void World::collect_contacts(const BodySet& involved, double t) {
   contacts_.count = 0;
   for (const Neighbour& n : neighbours_.list()) {
     if (!involved[n.pair.a] || !(n.pair.with_obstacle() || involved[n.pair.partner])) continue;
-    if (n.apart_at == t || (n.is_estimate && n.touch > t)) continue;
+    if (n.is_apart_at(t)) continue;
     add_contacts(arena_, n.pair, bodies_, arena_.tolerances.touch, contacts_);
   }
 }
@@ -313,8 +299,7 @@ void World::stop_brief_slides() {
   BodySet hit;
   for (const Contact& c : contacts_.contacts()) {
     if (c.impulse == 0.0) continue;
-    hit.set(c.pair.a);
-    if (!c.pair.with_obstacle()) hit.set(c.pair.partner);
+    hit |= bodies_of(c.pair);
   }
   std::array<SlowWheels, max_robots> wheels;
   std::size_t count = 0;
@@ -343,7 +328,7 @@ void World::start_segments(const BodySet& involved, double t, double tick_end) {
   BodySet left = involved;
   for (int i = 0; i < arena_.bodies(); ++i) {
     if (!left[i]) continue;
-    const BodySet cluster = cluster_of(i);
+    const BodySet cluster = cluster_of(i, contacts_.contacts());
     left &= ~cluster;
     quiet_.reset(i);
     if (cluster.any()) {
@@ -361,29 +346,6 @@ void World::start_segments(const BodySet& involved, double t, double tick_end) {
     boxes_[i] = swept_box(segments_[i]);
     ways_[i] = way_along(segments_[i]);
   }
-}
-
-// The bodies that hold together with this one, itself included; empty if nothing holds it.
-BodySet World::cluster_of(int body) const {
-  BodySet cluster;
-  cluster.set(body);
-  bool held = false;
-  bool grows = true;
-  while (grows) {
-    grows = false;
-    for (const Contact& c : contacts_.contacts()) {
-      if (!c.holds ||
-          !(cluster[c.pair.a] || (c.b != no_body && c.a != no_body && cluster[c.pair.partner]))) {
-        continue;
-      }
-      held = true;
-      if (c.pair.with_obstacle() || cluster[c.pair.a] == cluster[c.pair.partner]) continue;
-      cluster.set(c.pair.a);
-      cluster.set(c.pair.partner);
-      grows = true;
-    }
-  }
-  return held ? cluster : BodySet{};
 }
 
 void World::finish_in_steps(double t, double tick_end) {

@@ -86,7 +86,6 @@ class World {
   void meet_neighbours(const BodySet& involved, double t, double tick_end);
   void start_quietly(int body, double t, double tick_end);
   void write_as_series(int body, double t, double tick_end);
-  bool pressing_keeps_apart(Neighbour& n) const;
   double earliest_touch_of(const Pair& pair, double t) const;
   Body body_now(int body, double t) const;
   void bring_to(double t, const BodySet& involved);
@@ -96,7 +95,6 @@ class World {
   void collide(double t);
   void stop_brief_slides();
   void start_segments(const BodySet& involved, double t, double tick_end);
-  BodySet cluster_of(int body) const;
   void note_touches();
 
   Arena arena_;
