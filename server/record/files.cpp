@@ -5,6 +5,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <utility>
@@ -50,6 +51,36 @@ bool sync_folder_of(const std::string& path) {
   return fd.is_open() && fsync(fd.get()) == 0;
 }
 
+// Between a file's name and the process that writes it.
+constexpr std::string_view unfinished_mark = ".unfinished-";
+
+bool is_unfinished(const std::string& path) {
+  const std::size_t mark = path.rfind(unfinished_mark);
+  if (mark == std::string::npos) return false;
+  const std::string_view writer = std::string_view(path).substr(mark + unfinished_mark.size());
+  return !writer.empty() && writer.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+// Empty and locked for as long as it is open: the kernel gives a lock up with the process, so that
+// what has none has no writer any more.
+int open_unfinished(const std::string& path) {
+  while (true) {
+    const int fd = open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644);
+    if (fd < 0) return fd;
+    flock(fd, LOCK_EX);  // without locks the file is never taken for abandoned, see below
+    struct stat about {};
+    const bool is_removed = fstat(fd, &about) == 0 && about.st_nlink == 0;
+    if (!is_removed && ftruncate(fd, 0) == 0) return fd;
+    close(fd);
+    if (!is_removed) return -1;
+  }
+}
+
+void remove_if_abandoned(const std::string& path) {
+  const Descriptor fd(open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOFOLLOW));
+  if (fd.is_open() && flock(fd.get(), LOCK_EX | LOCK_NB) == 0) unlink(path.c_str());
+}
+
 }  // namespace
 
 Result<std::string> Files::read_from(const std::string& path, std::size_t offset) {
@@ -79,21 +110,27 @@ Result<std::string> Disk::read_from(const std::string& path, std::size_t offset)
 }
 
 Result<void> Disk::write(const std::string& path, std::string_view bytes) {
-  const std::string temporary = path + ".tmp" + std::to_string(getpid());
-  {
-    const Descriptor fd(open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
-    if (!fd.is_open()) return problem(path, "written");
-    if (!write_all(fd.get(), bytes) || fsync(fd.get()) != 0) {
-      const auto failed = problem(path, "written");
-      unlink(temporary.c_str());
-      return failed;
-    }
-  }
-  if (rename(temporary.c_str(), path.c_str()) != 0 || !sync_folder_of(path)) {
+  const std::string unfinished = path + std::string(unfinished_mark) + std::to_string(getpid());
+  const Descriptor fd(open_unfinished(unfinished));
+  if (!fd.is_open()) return problem(path, "written");
+  if (!write_all(fd.get(), bytes) || fsync(fd.get()) != 0 ||
+      rename(unfinished.c_str(), path.c_str()) != 0 || !sync_folder_of(path)) {
     const auto failed = problem(path, "written");
-    unlink(temporary.c_str());
+    unlink(unfinished.c_str());
     return failed;
   }
+  return {};
+}
+
+Result<void> Disk::remove_unfinished(const std::string& folder) {
+  std::error_code code;
+  using Walk = std::filesystem::recursive_directory_iterator;
+  Walk file(folder, std::filesystem::directory_options::skip_permission_denied, code);
+  for (; !code && file != Walk(); file.increment(code)) {
+    const std::string path = file->path().string();
+    if (is_unfinished(path)) remove_if_abandoned(path);
+  }
+  if (code) return fail(Errc::unavailable, folder + " cannot be searched: " + code.message());
   return {};
 }
 

@@ -25,6 +25,10 @@ class Files {
   // flushed.
   virtual Result<void> write(const std::string& path, std::string_view bytes) = 0;
 
+  // Removes what writers that were killed left in the folder and those below it; what is being
+  // written stays.
+  virtual Result<void> remove_unfinished(const std::string& folder) = 0;
+
   // Appends and flushes to disk.
   virtual Result<void> append(const std::string& path, std::string_view bytes) = 0;
 
@@ -43,6 +47,7 @@ class Disk final : public Files {
   Result<std::string> read(const std::string& path) override;
   Result<std::string> read_from(const std::string& path, std::size_t offset) override;
   Result<void> write(const std::string& path, std::string_view bytes) override;
+  Result<void> remove_unfinished(const std::string& folder) override;
   Result<void> append(const std::string& path, std::string_view bytes) override;
   Result<void> truncate(const std::string& path, std::size_t size) override;
   bool exists(const std::string& path) override;

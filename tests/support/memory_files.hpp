@@ -27,6 +27,8 @@ class MemoryFiles final : public record::Files {
     return {};
   }
 
+  Result<void> remove_unfinished(const std::string&) override { return {}; }
+
   Result<void> append(const std::string& path, std::string_view bytes) override {
     if (!may_write()) return fail(Errc::unavailable, path + " cannot be written: no space left");
     files_[path] += bytes;

@@ -54,6 +54,7 @@ Result<LeagueFile> file_from(record::Files& files, const LeagueOptions& options)
 
 Result<void> publish_site(record::Files& files, const Folder& folder, const LeagueState& state) {
   if (auto made = files.make_folder(folder.site() + "/teams"); !made) return made;
+  if (auto removed = files.remove_unfinished(folder.path); !removed) return removed;
   for (const SiteFile& file : make_site(state)) {
     if (auto written = files.write(folder.site() + "/" + file.name, file.bytes); !written)
       return written;

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// Catches a write that leaves half a file or a temporary one, and an error without the file's name.
+// Catches a write that leaves half a file or a temporary one, a cleaning that takes somebody's file away, and an error without
+// the file's name.
 #include "server/record/files.hpp"
 
 #include <gtest/gtest.h>
 
+#include <fcntl.h>
 #include <filesystem>
+#include <sys/file.h>
+#include <unistd.h>
 
 namespace mirocup::record {
 namespace {
@@ -31,6 +35,33 @@ TEST_F(DiskTest, ReplacesAWholeFileAndLeavesNothingElse) {
   int files = 0;
   for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder_)) ++files;
   EXPECT_EQ(files, 1);
+}
+
+TEST_F(DiskTest, RemovesWhatKilledWritersLeftAndNothingElse) {
+  ASSERT_TRUE(disk_.make_folder(at("site/replays")));
+  const std::string left = at("site/replays/a.html.unfinished-1");
+  const std::string being_written = at("site/replays/b.html.unfinished-2");
+  const std::string not_ours = at("site/notes.unfinished-yet");
+  for (const std::string& path : {left, being_written, not_ours}) {
+    ASSERT_TRUE(disk_.append(path, "half a file"));
+  }
+  const int writer = open(being_written.c_str(), O_WRONLY | O_CLOEXEC);
+  ASSERT_EQ(flock(writer, LOCK_EX), 0);
+  ASSERT_TRUE(disk_.remove_unfinished(folder_));
+  EXPECT_FALSE(disk_.exists(left));
+  EXPECT_TRUE(disk_.exists(being_written));
+  EXPECT_TRUE(disk_.exists(not_ours));
+  close(writer);
+  ASSERT_TRUE(disk_.remove_unfinished(folder_));
+  EXPECT_FALSE(disk_.exists(being_written));
+}
+
+TEST_F(DiskTest, WritesOverWhatAKilledWriterOfItsNumberLeft) {
+  const std::string left = at("a.unfinished-" + std::to_string(getpid()));
+  ASSERT_TRUE(disk_.append(left, "more than is written now"));
+  ASSERT_TRUE(disk_.write(at("a"), "new"));
+  EXPECT_EQ(*disk_.read(at("a")), "new");
+  EXPECT_FALSE(disk_.exists(left));
 }
 
 TEST_F(DiskTest, AppendsAndTruncates) {
