@@ -10,10 +10,12 @@
 #pragma once
 
 #include <array>
+#include <limits>
 
 namespace mirocup {
 
 inline constexpr double pi = 3.14159265358979323846;
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct SinCos {
   double sin;

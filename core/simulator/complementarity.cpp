@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "core/simulator/complementarity.hpp"
 
+#include "core/base/math.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace mirocup::simulator {
 
@@ -22,7 +23,7 @@ void BoxProblem::reset(int size) {
     std::fill_n(&a_[i * max_unknowns], size, 0.0);
     b[i] = 0.0;
     low[i] = 0.0;
-    high[i] = std::numeric_limits<double>::infinity();
+    high[i] = infinity;
   }
 }
 

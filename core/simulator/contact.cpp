@@ -3,13 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace mirocup::simulator {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // The pose of `body` in the frame of `of`.
 struct Relative {

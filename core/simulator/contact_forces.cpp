@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace mirocup::simulator {
 
@@ -31,10 +30,6 @@ ContactForces::ContactForces(const Arena& arena) : arena_(arena), rows_(max_unkn
 const InverseMass& ContactForces::mass(int body, std::span<const Drive> drives) const {
   if (arena_.is_ball(body)) return arena_.ball;
   return drives[body].wheels_on_ground ? arena_.grounded_robot : arena_.free_robot;
-}
-
-bool ContactForces::is_held_sideways(int body) const {
-  return grounding_[body].ground == Ground::rolls && arena_.parameters.grip != infinite_grip;
 }
 
 void ContactForces::decide(std::span<const Drive> drives, double rest_slide, double rest_roll,
@@ -98,7 +93,7 @@ void ContactForces::fit_velocities(std::span<const Drive> drives, std::span<Body
   }
   if (fits) return;
   for (int i = 0; i < problem_.size(); ++i) {
-    if (held(i)) problem_.low[i] = -std::numeric_limits<double>::infinity();
+    if (held(i)) problem_.low[i] = -infinity;
   }
   set_couplings(
       problem_.size(), [&](int i) -> const Contact& { return constraints_[i]; }, mass, problem_);
@@ -167,7 +162,7 @@ void ContactForces::ground_before_contact(std::span<const Drive> drives, std::sp
     } else {
       v.left = 0.0;
       grounding_[i] = {.ground = Ground::rolls};
-      if (is_held_sideways(i)) wheels_[wheel_count_++] = i;
+      if (is_held_sideways(arena_, grounding_[i])) wheels_[wheel_count_++] = i;
     }
   }
 }
@@ -190,7 +185,7 @@ void ContactForces::pose(std::span<const Drive> drives, std::span<const Body> bo
       extend_twist_on_ground(p, drives[i], g.slide, 0, s);
       // The wheels' sideways force is an unknown: without it a turning robot would drift off its
       // circle.
-      if (is_held_sideways(i)) s.left[1] = -s.turn[0] * s.forward[0];
+      if (is_held_sideways(arena_, grounding_[i])) s.left[1] = -s.turn[0] * s.forward[0];
     }
     integrate_pose(s, 0);
     mass[i] = this->mass(i, drives);

@@ -29,6 +29,11 @@ struct Grounding {
   Vec2 push{0.0, 0.0};  // N, on a ball that starts from rest against its rolling resistance
 };
 
+// Does the ground hold the body sideways by a force of its own?
+inline bool is_held_sideways(const Arena& arena, const Grounding& grounding) {
+  return grounding.ground == Ground::rolls && arena.parameters.grip != infinite_grip;
+}
+
 class ContactForces {
  public:
   explicit ContactForces(const Arena& arena);
@@ -42,9 +47,6 @@ class ContactForces {
 
   const Grounding& grounding(int body) const { return grounding_[body]; }
   double rest_slide() const { return rest_slide_; }
-
-  // Does the ground hold the body sideways by a force of its own?
-  bool is_held_sideways(int body) const;
 
   // What forces change of the body's velocities; the wheels' sideways hold counts as a force unless
   // it is infinite.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/simulator/contact_motion.hpp"
 
+#include "core/simulator/shift.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,6 +17,9 @@ constexpr double over_the_end = 1e-10;
 // A gap this share of the sink tolerance need not be closed.
 constexpr double closed_gap = 0.01;
 
+// Contacts that hardly differ ask for more than that, m, to close gaps that do: those stay.
+constexpr double longest_shift = 1e-9;
+
 // A cluster whose speeds (m/s, rad/s) and accelerations (m/s^2, rad/s^2) are below these is at
 // rest.
 constexpr double resting_speed = 1e-10;
@@ -22,40 +27,22 @@ constexpr double resting_acceleration = 1e-9;
 
 }  // namespace
 
-BodySet cluster_of(int body, std::span<const Contact> contacts) {
-  BodySet cluster;
-  cluster.set(body);
-  bool held = false;
-  bool grows = true;
-  while (grows) {
-    grows = false;
-    for (const Contact& c : contacts) {
-      if (!c.holds ||
-          !(cluster[c.pair.a] || (c.b != no_body && c.a != no_body && cluster[c.pair.partner]))) {
-        continue;
-      }
-      held = true;
-      if (c.pair.with_obstacle() || cluster[c.pair.a] == cluster[c.pair.partner]) continue;
-      cluster.set(c.pair.a);
-      cluster.set(c.pair.partner);
-      grows = true;
-    }
-  }
-  return held ? cluster : BodySet{};
-}
-
 ContactMotion::ContactMotion(const Arena& arena) : arena_(arena), rows_(max_unknowns) {}
 
 void ContactMotion::move(const BodySet& cluster, const ContactForces& forces,
                          std::span<Contact> contacts, std::span<const Drive> drives,
                          const Wanted& wanted, std::span<Body> bodies,
                          std::span<Segment> segments) {
-  forces_ = &forces;
   drives_ = drives;
-  choose(cluster, contacts);
-  start(wanted, bodies, segments);
+  take_members(cluster, forces);
+  choose(contacts);
+  close_gaps(bodies);
+  begin(wanted, bodies, segments);
+  while (hold_what_turns_back(segments)) {
+    choose(contacts);
+    begin(wanted, bodies, segments);
+  }
   say_which_are_kept(contacts);
-  extend(0, segments);
   if (is_at_rest(segments)) {
     for (int m = 0; m < member_count_; ++m) {
       segments[members_[m]] = still_segment(bodies[members_[m]], wanted.begin, wanted.horizon);
@@ -70,6 +57,22 @@ void ContactMotion::move(const BodySet& cluster, const ContactForces& forces,
     if (have_converged(std::min(wanted.enough, wanted.horizon - wanted.begin), segments)) break;
   }
   find_end(wanted, segments);
+}
+
+// Wheels at rest that were to slide one way, and that the cluster pulls the other: what was decided
+// about them was rounding, or the slide was all but over.
+bool ContactMotion::hold_what_turns_back(std::span<const Segment> segments) {
+  const double grip = sideways_limit(arena_.parameters) * arena_.parameters.robot_mass;
+  bool found = false;
+  for (int m = 0; m < member_count_; ++m) {
+    const int i = members_[m];
+    const Segment& s = segments[i];
+    Grounding& g = grounding_[i];
+    if (g.ground != Ground::slides || s.left[0] != 0.0 || g.slide * s.left[1] >= 0.0) continue;
+    g = {.ground = Ground::rolls, .hold = -g.slide * grip};
+    found = true;
+  }
+  return found;
 }
 
 // Term k + 1 of everything.
@@ -111,19 +114,29 @@ bool ContactMotion::is_at_rest(std::span<const Segment> segments) const {
   return true;
 }
 
-// The equations are put in order of how far their forces are from a bound: where some follow from
-// others, the last ones keep their force, and it is better that those with room to change do so.
-void ContactMotion::choose(const BodySet& cluster, std::span<const Contact> contacts) {
+void ContactMotion::take_members(const BodySet& cluster, const ContactForces& forces) {
+  rest_slide_ = forces.rest_slide();
   member_count_ = 0;
-  wheel_count_ = 0;
   for (int i = 0; i < arena_.bodies(); ++i) {
     if (!cluster[i]) continue;
     members_[member_count_++] = i;
-    mass_[i] = forces_->mass(i, drives_);
-    if (!arena_.is_ball(i) && forces_->is_held_sideways(i)) wheels_[wheel_count_++] = i;
+    mass_[i] = forces.mass(i, drives_);
+    grounding_[i] = forces.grounding(i);
+  }
+}
+
+// The equations are put in order of how far their forces are from a bound: where some follow from
+// others, the last ones keep their force, and it is better that those with room to change do so.
+void ContactMotion::choose(std::span<const Contact> contacts) {
+  wheel_count_ = 0;
+  BodySet cluster;
+  for (int m = 0; m < member_count_; ++m) {
+    const int i = members_[m];
+    cluster.set(i);
+    if (is_held_sideways(arena_, grounding_[i])) wheels_[wheel_count_++] = i;
   }
   std::stable_sort(wheels_.begin(), wheels_.begin() + wheel_count_, [this](int a, int b) {
-    return std::abs(forces_->grounding(a).hold) < std::abs(forces_->grounding(b).hold);
+    return std::abs(grounding_[a].hold) < std::abs(grounding_[b].hold);
   });
 
   held_count_ = 0;
@@ -144,9 +157,9 @@ void ContactMotion::say_which_are_kept(std::span<Contact> contacts) const {
   for (int i = 0; i < held_count_; ++i) contacts[held_index_[i]].is_kept = all;
 }
 
-void ContactMotion::start(const Wanted& wanted, std::span<Body> bodies,
+// The first two terms.
+void ContactMotion::begin(const Wanted& wanted, std::span<Body> bodies,
                           std::span<Segment> segments) {
-  close_gaps(bodies);
   for (int m = 0; m < member_count_; ++m) {
     segments[members_[m]] = moving_segment(bodies[members_[m]], wanted.begin, wanted.horizon);
   }
@@ -167,9 +180,10 @@ void ContactMotion::start(const Wanted& wanted, std::span<Body> bodies,
     segments[i].turn[0] = v.turn;
     if (arena_.is_ball(i)) {
       braking_[i] = braking_along(rolling_deceleration(arena_.parameters), {v.forward, v.left},
-                                  forces_->grounding(i).push);
+                                  grounding_[i].push);
     }
   }
+  extend(0, segments);
 }
 
 // Moves bodies by what rounding has opened or closed.
@@ -180,20 +194,19 @@ void ContactMotion::close_gaps(std::span<Body> bodies) {
   factorise();
   for (int i = 0; i < equations(); ++i) rhs_[i] = i < held_count_ ? -held_[i].at.gap : 0.0;
   elimination_.solve(rhs_);
-  const auto shift = [&](int body, const JacobianRow& row, double amount) {
-    if (body == no_body) return;
-    const InverseMass& m = mass_[body];
-    Body& b = bodies[body];
-    b.position += b.heading.to_world({amount * row[0] * m.forward, amount * row[1] * m.left});
-    const double turn = amount * row[2] * m.turn;  // far too small for a sine
-    b.heading = Heading{b.heading.cos - turn * b.heading.sin, b.heading.sin + turn * b.heading.cos}
-                    .normalised();
-  };
-  for (int i = 0; i < held_count_; ++i) {
-    shift(held_[i].a, held_[i].row_a, rhs_[i]);
-    shift(held_[i].b, held_[i].row_b, -rhs_[i]);
+  std::array<Shift, max_bodies> shifts{};
+  for (int i = 0; i < held_count_; ++i) add_shift(held_[i], rhs_[i], mass_, shifts);
+  for (int w = held_count_; w < equations(); ++w) {
+    add_shift(wheels_as_contact(wheels_of(w)), rhs_[w], mass_, shifts);
   }
-  for (int k = 0; k < wheel_count_; ++k) shift(wheels_[k], {0.0, 1.0, 0.0}, rhs_[held_count_ + k]);
+  const auto is_too_long = [&](int i) {
+    const Shift& by = shifts[i];
+    return std::abs(by.forward) + std::abs(by.left) + std::abs(by.turn) * arena_.shape(i).radius >
+           longest_shift;
+  };
+  const std::span<const int> members(members_.data(), static_cast<std::size_t>(member_count_));
+  if (std::any_of(members.begin(), members.end(), is_too_long)) return;
+  for (const int i : members) bodies[i] = moved_by(bodies[i], shifts[i]);
 }
 
 // The velocities fit already, but for what closing the gaps has changed.
@@ -207,9 +220,9 @@ void ContactMotion::stop_rates(std::span<Body> bodies) {
   for (int m = 0; m < member_count_; ++m) {
     const int i = members_[m];
     double& left = bodies[i].twist.left;
-    slide_[i] = forces_->grounding(i).slide;
+    slide_[i] = grounding_[i].slide;
     if (slide_[i] == 0.0) continue;
-    if (std::abs(left) <= forces_->rest_slide()) {
+    if (std::abs(left) <= rest_slide_) {
       left = 0.0;
     } else {
       slide_[i] = left > 0.0 ? 1.0 : -1.0;
@@ -244,7 +257,7 @@ void ContactMotion::extend_twists(int k, std::span<Segment> segments) {
   const Parameters& p = arena_.parameters;
   for (int m = 0; m < member_count_; ++m) {
     const int i = members_[m];
-    const Grounding& g = forces_->grounding(i);
+    const Grounding& g = grounding_[i];
     Segment& s = segments[i];
     switch (g.ground) {
       case Ground::ball:
@@ -280,8 +293,8 @@ void ContactMotion::solve_for_forces(int k, std::span<Segment> segments) {
       add_force(i, 0, segments);
     } else {
       const int body = wheels_of(i);
-      hold_[i - held_count_][0] = forces_->grounding(body).hold;
-      segments[body].left[1] += forces_->grounding(body).hold * mass_[body].left;
+      hold_[i - held_count_][0] = grounding_[body].hold;
+      segments[body].left[1] += grounding_[body].hold * mass_[body].left;
     }
   }
   for (int i = 0; i < equations(); ++i) {
@@ -353,7 +366,7 @@ void ContactMotion::find_end(const Wanted& wanted, std::span<Segment> segments) 
   int settles = no_body;
   for (int m = 0; m < member_count_; ++m) {
     const int i = members_[m];
-    const Grounding& g = forces_->grounding(i);
+    const Grounding& g = grounding_[i];
     Segment& s = segments[i];
     s.end = begin + length;
     double ends = never;

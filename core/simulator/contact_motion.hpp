@@ -27,9 +27,6 @@ struct Wanted {
   double at_least;  // so long no contact lets go and no wheels begin to slide
 };
 
-// The bodies that hold together with this one, itself included; empty if nothing holds it.
-BodySet cluster_of(int body, std::span<const Contact> contacts);
-
 class ContactMotion {
  public:
   // Allocates its scratch; moving does not allocate. The arena outlives it.
@@ -47,9 +44,11 @@ class ContactMotion {
   int equations() const { return held_count_ + wheel_count_; }
   int wheels_of(int equation) const { return wheels_[equation - held_count_]; }
 
-  void choose(const BodySet& cluster, std::span<const Contact> contacts);
+  void take_members(const BodySet& cluster, const ContactForces& forces);
+  void choose(std::span<const Contact> contacts);
+  bool hold_what_turns_back(std::span<const Segment> segments);
   void say_which_are_kept(std::span<Contact> contacts) const;
-  void start(const Wanted& wanted, std::span<Body> bodies, std::span<Segment> segments);
+  void begin(const Wanted& wanted, std::span<Body> bodies, std::span<Segment> segments);
   void close_gaps(std::span<Body> bodies);
   void stop_rates(std::span<Body> bodies);
   double coupling_of(int i, int j) const;
@@ -69,7 +68,7 @@ class ContactMotion {
   double wheels_let_go(double at_least, double length) const;
 
   const Arena& arena_;
-  const ContactForces* forces_ = nullptr;
+  double rest_slide_ = 0.0;
   std::span<const Drive> drives_;
 
   std::array<int, max_bodies> members_;
@@ -77,6 +76,7 @@ class ContactMotion {
   std::array<InverseMass, max_bodies> mass_;
   std::array<Braking, max_bodies> braking_;
   std::array<double, max_bodies> slide_;
+  std::array<Grounding, max_bodies> grounding_;
 
   std::array<Contact, max_unknowns> held_;
   std::array<int, max_unknowns> held_index_;  // of held_, among all contacts

@@ -7,8 +7,6 @@ namespace mirocup::simulator {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 // Both series times q: the sum of p[j] q[k - j] from j = first.
 Vec2 product_term(const TwoSeries& p, const Series& q, int k, int first) {
   double x = 0.0;

@@ -108,27 +108,4 @@ void step_in_contact(const Forces& forces, std::span<const int> members,
   }
 }
 
-void push_apart(std::span<const Contact> contacts, std::span<const InverseMass> free_mass,
-                std::span<Body> bodies, BoxProblem& problem) {
-  const int n = static_cast<int>(contacts.size());
-  problem.reset(n);
-  for (int i = 0; i < n; ++i) problem.b[i] = contacts[i].at.gap;
-  set_couplings(
-      n, [&](int i) -> const Contact& { return contacts[i]; }, free_mass, problem);
-  problem.solve();
-
-  const auto move = [&](int i, const JacobianRow& row, double amount) {
-    Body& body = bodies[i];
-    const InverseMass& m = free_mass[i];
-    body.position += body.heading.to_world({amount * row[0] * m.forward, amount * row[1] * m.left});
-    body.heading = body.heading.turned(sincos(amount * row[2] * m.turn));
-  };
-  for (int i = 0; i < n; ++i) {
-    const double amount = problem.x[i];
-    if (amount == 0.0) continue;
-    if (contacts[i].a != no_body) move(contacts[i].a, contacts[i].row_a, amount);
-    if (contacts[i].b != no_body) move(contacts[i].b, contacts[i].row_b, -amount);
-  }
-}
-
 }  // namespace mirocup::simulator

@@ -30,8 +30,4 @@ void step_in_contact(const Forces& forces, std::span<const int> members,
                      std::span<Contact> contacts, double step, std::span<const InverseMass> mass,
                      std::span<Body> bodies, BoxProblem& problem);
 
-// Moves bodies apart, as little as their masses allow, until no contact's gap is negative.
-void push_apart(std::span<const Contact> contacts, std::span<const InverseMass> free_mass,
-                std::span<Body> bodies, BoxProblem& problem);
-
 }  // namespace mirocup::simulator

@@ -37,6 +37,7 @@ Tolerances tolerances_of(Accuracy accuracy) {
       t.brief_slide = 1e-13;
       t.brief_slide_growth_per_touch = 1.5;
       t.growth_per_event = 1.02;
+      t.slide_growth_per_event = 1.15;
       t.events_per_tick = 10'000;
       t.step = 2e-5;
       break;

@@ -96,9 +96,11 @@ struct Tolerances {
   double brief_slide = 1e-6;
   double brief_slide_growth_per_touch = 8.0;
   double hold = 1e-8;  // s: the shortest that bodies press and wheels grip
-  // Of that and of the slowest rolling in contact, for each event; of the slowest sliding.
+  // Of that and of the slowest rolling in contact, for each event; of the slowest sliding, up to
+  // `rest_slide`, m/s.
   double growth_per_event = 1.3;
-  double slide_growth_per_event = 1.15;
+  double slide_growth_per_event = 2.0;
+  double rest_slide = 1e-7;
   int events_per_tick = 400;  // beyond, the rest of the tick is done in small steps
   double step = 1e-3;         // s: the longest of those
 };

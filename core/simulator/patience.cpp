@@ -32,6 +32,7 @@ Patience::Growing Patience::growing(double first, double growth, double most, in
 Patience::Patience(const Tolerances& t)
     : event_growth_(t.growth_per_event),
       slide_growth_(t.slide_growth_per_event),
+      most_slide_(t.rest_slide),
       rest_after_touches_(growing(t.rest_speed, t.rest_growth_per_touch, never)),
       rest_after_bounces_(growing(t.rest_speed, t.rest_growth_per_bounce, never)),
       sink_after_touches_(growing(t.sink, t.sink_growth_per_touch, t.touch, t.patient_touches)),
@@ -66,7 +67,7 @@ void Patience::note_bounce(const Pair& pair) {
 void Patience::note_event(bool was_forced) {
   hold_ = std::min(hold_ * (was_forced ? growth_when_forced : event_growth_), longest_hold);
   roll_ = std::min(roll_ * event_growth_, rest_after_touches_[0]);
-  slide_ = std::min(slide_ * slide_growth_, rest_after_touches_[0]);
+  slide_ = std::min(slide_ * slide_growth_, most_slide_);
 }
 
 int Patience::touches_of(const Pair& pair) const {

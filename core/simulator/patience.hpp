@@ -49,6 +49,7 @@ class Patience {
 
   double event_growth_;
   double slide_growth_;
+  double most_slide_;
   Growing rest_after_touches_, rest_after_bounces_, sink_after_touches_, slide_after_touches_;
   double first_hold_;
 

@@ -2,7 +2,9 @@
 #include "core/simulator/world.hpp"
 
 #include "core/simulator/ball_motion.hpp"
+#include "core/simulator/cluster.hpp"
 #include "core/simulator/pressing.hpp"
+#include "core/simulator/shift.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -293,21 +295,22 @@ void World::collide(double t) {
   stop_brief_slides();
 }
 
-// What little an impact makes wheels slide would end too soon to be worth an event.
+// What little an impact makes wheels slide would end too soon to be worth an event; so would the
+// slides that come and go where bodies are wedged.
 void World::stop_brief_slides() {
   if (arena_.parameters.grip == infinite_grip) return;
-  BodySet hit;
+  BodySet touching, hit;
   for (const Contact& c : contacts_.contacts()) {
-    if (c.impulse == 0.0) continue;
-    hit |= bodies_of(c.pair);
+    touching |= bodies_of(c.pair);
+    if (c.impulse != 0.0) hit |= bodies_of(c.pair);
   }
   std::array<SlowWheels, max_robots> wheels;
   std::size_t count = 0;
   bool slides = false;
   for (int i = 0; i < arena_.robots; ++i) {
-    const double brief = patience_.brief_slide(i);
+    const double brief = hit[i] ? patience_.brief_slide(i) : patience_.rest_slide();
     const double left = std::abs(bodies_[i].twist.left);
-    if (!hit[i] || !drives_[i].wheels_on_ground || left > brief) continue;
+    if (!touching[i] || !drives_[i].wheels_on_ground || left > brief) continue;
     wheels[count++] = {.robot = i, .most = arena_.parameters.robot_mass * brief};
     slides = slides || left > no_sliding;
   }

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 namespace mirocup::simulator {
@@ -67,6 +68,34 @@ TEST(World, PostsPushRobotsOutAndNothingElse) {
   EXPECT_EQ(world.arena().grounded_robot.forward, before.forward);
   EXPECT_EQ(world.arena().grounded_robot.left, before.left);
   EXPECT_EQ(world.arena().grounded_robot.turn, before.turn);
+}
+
+// Three robots and the ball wedged between two walls, found in a long scrum: what little is left of
+// speeds is rounding. Catches wheels that are decided to slide one way and then pulled the other,
+// again and again at one instant, until the tick has to go on in small steps.
+TEST(World, AWedgeAtRestIsNotFollowedForEver) {
+  const field::Field field = field::make_field(League::small);
+  World world(&field, Parameters{}, Tolerances{}, 3, true);
+  world.set_robot(0, {{-0x1.9ffff2841aa0ap-1, 0x1.6f00baf7bdd15p-5},
+                      {-0x1.ffffffff81bcap-1, 0x1.67930d873ec06p-17},
+                      {0x1.076f56eaa11ap-34, 0.0, 0x1.b70f109226337p-30}});
+  world.set_robot(1, {{-0x1.8c85a6ea4f122p-1, 0x1.eab323409c43dp-4},
+                      {-0x1.ffffffff81bc4p-1, 0x1.6793843427096p-17},
+                      {0x1.beb4543b6db5dp-4, -0x1.035f016b27c3bp-34, -0x1.d515dc41c0ca9p-30}});
+  world.set_robot(2, {{-0x1.79998c1dbdb27p-1, 0x1.6eff0b7a32268p-5},
+                      {-0x1.ffffffff81bcap-1, 0x1.67930d8735cecp-17},
+                      {0x1.076f17d1c63f6p-34, 0.0, 0x1.b70f546a7866fp-30}});
+  world.set_ball({{-0x1.98b12a2aedfc6p-1, 0x1.6de00d1b71759p-3},
+                  {0x1.37ac2794a5b5fp-17, 0x1.315ef22e07964p-60}});
+  const std::array<WheelCommand, 3> commands{
+      WheelSpeeds{0x1.e1e7576053341p+5, -0x1.f0255b0cb35cp-1},
+      WheelSpeeds{0x1.9e1d62e49c9bcp+4, -0x1.eb68a16e662cp+3},
+      WheelSpeeds{0x1.6f537cc77144cp+5, 0x1.1b2427f7c1168p+3}};
+  for (int tick = 0; tick < 4; ++tick) {
+    const TickEvents& events = world.advance(commands, 0.033);
+    EXPECT_LE(events.events, 40) << tick;
+    EXPECT_FALSE(events.stepped) << tick;
+  }
 }
 
 }  // namespace

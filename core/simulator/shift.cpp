@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "core/simulator/shift.hpp"
+
+#include <array>
+
+namespace mirocup::simulator {
+
+void add_shift(const Contact& contact, double amount, std::span<const InverseMass> mass,
+               std::span<Shift> shifts) {
+  const auto add = [&](int body, const JacobianRow& row, double times) {
+    if (body == no_body) return;
+    const InverseMass& m = mass[body];
+    shifts[body].forward += times * row[0] * m.forward;
+    shifts[body].left += times * row[1] * m.left;
+    shifts[body].turn += times * row[2] * m.turn;
+  };
+  add(contact.a, contact.row_a, amount);
+  add(contact.b, contact.row_b, -amount);
+}
+
+Body moved_by(const Body& body, const Shift& by) {
+  Body moved = body;
+  moved.position += body.heading.to_world({by.forward, by.left});
+  moved.heading = body.heading.turned(sincos(by.turn));
+  return moved;
+}
+
+void push_apart(std::span<const Contact> contacts, std::span<const InverseMass> free_mass,
+                std::span<Body> bodies, BoxProblem& problem) {
+  const int n = static_cast<int>(contacts.size());
+  problem.reset(n);
+  for (int i = 0; i < n; ++i) problem.b[i] = contacts[i].at.gap;
+  set_couplings(
+      n, [&](int i) -> const Contact& { return contacts[i]; }, free_mass, problem);
+  problem.solve();
+
+  std::array<Shift, max_bodies> shifts{};
+  BodySet moved;
+  for (int i = 0; i < n; ++i) {
+    if (problem.x[i] == 0.0) continue;
+    add_shift(contacts[i], problem.x[i], free_mass, shifts);
+    for (const int body : {contacts[i].a, contacts[i].b}) {
+      if (body != no_body) moved.set(body);
+    }
+  }
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (moved[i]) bodies[i] = moved_by(bodies[i], shifts[i]);
+  }
+}
+
+}  // namespace mirocup::simulator

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+//
+// Puts positions right: what rounding and small steps leave of gaps and overlaps is taken away by
+// moving bodies as little as their masses allow. Velocities stay.
+#pragma once
+
+#include "core/simulator/impact.hpp"
+
+#include <span>
+
+namespace mirocup::simulator {
+
+// How a body is moved, in its own frame: m, m, rad.
+using Shift = Twist;
+
+// What an impulse of that amount would do to velocities, done to positions: adds to the shifts of
+// both bodies. The gap changes by coupling(contact, contact, mass) times the amount, kg m.
+void add_shift(const Contact& contact, double amount, std::span<const InverseMass> mass,
+               std::span<Shift> shifts);
+
+Body moved_by(const Body& body, const Shift& by);
+
+// Moves bodies apart until no contact's gap is negative.
+void push_apart(std::span<const Contact> contacts, std::span<const InverseMass> free_mass,
+                std::span<Body> bodies, BoxProblem& problem);
+
+}  // namespace mirocup::simulator
