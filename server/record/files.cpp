@@ -51,6 +51,18 @@ bool sync_folder_of(const std::string& path) {
   return fd.is_open() && fsync(fd.get()) == 0;
 }
 
+// A device or a pipe, /dev/null for one. A file must not take its place.
+bool is_special(const std::string& path) {
+  struct stat about {};
+  return stat(path.c_str(), &about) == 0 && !S_ISREG(about.st_mode) && !S_ISDIR(about.st_mode);
+}
+
+Result<void> write_into(const std::string& path, std::string_view bytes) {
+  const Descriptor fd(open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  if (!fd.is_open() || !write_all(fd.get(), bytes)) return problem(path, "written");
+  return {};
+}
+
 // Between a file's name and the process that writes it.
 constexpr std::string_view unfinished_mark = ".unfinished-";
 
@@ -110,6 +122,7 @@ Result<std::string> Disk::read_from(const std::string& path, std::size_t offset)
 }
 
 Result<void> Disk::write(const std::string& path, std::string_view bytes) {
+  if (is_special(path)) return write_into(path, bytes);
   const std::string unfinished = path + std::string(unfinished_mark) + std::to_string(getpid());
   const Descriptor fd(open_unfinished(unfinished));
   if (!fd.is_open()) return problem(path, "written");

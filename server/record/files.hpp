@@ -22,7 +22,7 @@ class Files {
   virtual Result<std::string> read_from(const std::string& path, std::size_t offset);
 
   // Replaces the file: a temporary name in the same folder, flushed to disk, renamed, the folder
-  // flushed.
+  // flushed. A device or a pipe is written into.
   virtual Result<void> write(const std::string& path, std::string_view bytes) = 0;
 
   // Removes what writers that were killed left in the folder and those below it; what is being

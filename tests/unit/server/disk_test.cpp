@@ -9,6 +9,7 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace mirocup::record {
@@ -62,6 +63,17 @@ TEST_F(DiskTest, WritesOverWhatAKilledWriterOfItsNumberLeft) {
   ASSERT_TRUE(disk_.write(at("a"), "new"));
   EXPECT_EQ(*disk_.read(at("a")), "new");
   EXPECT_FALSE(disk_.exists(left));
+}
+
+// --record /dev/null, as root, must not leave the machine without it.
+TEST_F(DiskTest, WritesIntoAPipeAndLeavesIt) {
+  ASSERT_EQ(mkfifo(at("pipe").c_str(), 0600), 0);
+  const int reader = open(at("pipe").c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  ASSERT_TRUE(disk_.write(at("pipe"), "all of it"));
+  char got[16];
+  EXPECT_EQ(read(reader, got, sizeof got), 9);
+  close(reader);
+  EXPECT_TRUE(std::filesystem::is_fifo(at("pipe")));
 }
 
 TEST_F(DiskTest, AppendsAndTruncates) {
