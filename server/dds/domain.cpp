@@ -39,19 +39,13 @@ std::string configuration(const std::string& interface, const std::string& index
          "<Tracing><Verbosity>none</Verbosity></Tracing></Domain></CycloneDDS>";
 }
 
-// What Cyclone said about it, if it did.
-std::string reason(const Log& log) {
-  const std::string said = log.said();
-  return said.empty() ? said : " (" + said + ")";
-}
-
 Result<Domain> open_domain(const std::string& interface, const std::string& xml,
                            const std::string& credentials) {
   Domain opened{std::make_unique<Log>(), {}, credentials};
   const auto before = open_descriptors();
   auto made =
       keep(opened.domain, created(dds_create_domain(domain_id, xml.c_str()), "the connection"));
-  if (!made) return fail(made.error().code, made.error().what + reason(*opened.log));
+  if (!made) return fail(made.error().code, made.error().what + opened.log->as_end_of_sentence());
   if (!interface.empty()) confine_sockets(before, interface);
   return opened;
 }
@@ -105,7 +99,7 @@ Result<Entity> make_participant(const Domain& domain) {
     }
   }
   auto made = created(dds_create_participant(domain_id, qos.get(), nullptr), "the participant");
-  if (!made) return fail(made.error().code, made.error().what + reason(*domain.log));
+  if (!made) return fail(made.error().code, made.error().what + domain.log->as_end_of_sentence());
   return made;
 }
 

@@ -74,4 +74,9 @@ std::string Log::said() const {
   return all;
 }
 
+std::string Log::as_end_of_sentence() const {
+  const std::string all = said();
+  return all.empty() ? all : " (DDS: " + all + ")";
+}
+
 }  // namespace mirocup::dds

@@ -25,6 +25,9 @@ class Log {
   // them; of malformed packets only if there is nothing else; "" if there was none.
   std::string said() const;
 
+  // The same as the end of a sentence, " (DDS: ...)"; "" if there was none.
+  std::string as_end_of_sentence() const;
+
  private:
   void keep(std::string text);
 

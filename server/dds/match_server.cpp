@@ -110,8 +110,7 @@ void MatchServer::close(const match::Match& match) {
 }
 
 std::string MatchServer::last_words() const {
-  const std::string said = domain_.log->said();
-  return said.empty() ? said : " (DDS: " + said + ")";
+  return domain_.log->as_end_of_sentence();
 }
 
 }  // namespace mirocup::dds

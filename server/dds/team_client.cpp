@@ -193,8 +193,7 @@ std::string TeamClient::trouble() const {
     return "the match is there, but does not expect a team called \"" + call_.name + "\" as " +
            std::string(to_string(call_.team));
   }
-  const std::string said = domain_.log->said();
-  return "no match server answered" + (said.empty() ? said : " (DDS: " + said + ")");
+  return "no match server answered" + domain_.log->as_end_of_sentence();
 }
 
 }  // namespace mirocup::dds

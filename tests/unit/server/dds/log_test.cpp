@@ -19,6 +19,7 @@ void say(const std::string& text) {  // as Cyclone does
 TEST(DdsLog, KeepsTheLastDifferentMessages) {
   const Log log;
   EXPECT_EQ(log.said(), "");
+  EXPECT_EQ(log.as_end_of_sentence(), "");
   for (const char* text : {"one", "two", "three", "two", "four", "five", "five"}) {
     say(text);
   }
@@ -29,6 +30,7 @@ TEST(DdsLog, IsNotFloodedWithMalformedPackets) {
   const Log log;
   say("malformed packet 1");
   EXPECT_EQ(log.said(), "malformed packet 1");
+  EXPECT_EQ(log.as_end_of_sentence(), " (DDS: malformed packet 1)");
   say("certificate revoked");
   for (int i = 2; i < 10; ++i) say("malformed packet " + std::to_string(i));
   EXPECT_EQ(log.said(), "certificate revoked");
