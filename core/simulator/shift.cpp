@@ -39,9 +39,7 @@ void push_apart(std::span<const Contact> contacts, std::span<const InverseMass> 
   for (int i = 0; i < n; ++i) {
     if (problem.x[i] == 0.0) continue;
     add_shift(contacts[i], problem.x[i], free_mass, shifts);
-    for (const int body : {contacts[i].a, contacts[i].b}) {
-      if (body != no_body) moved.set(body);
-    }
+    moved |= bodies_of(contacts[i].pair);
   }
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (moved[i]) bodies[i] = moved_by(bodies[i], shifts[i]);
