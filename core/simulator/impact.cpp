@@ -120,16 +120,16 @@ double coupling(const Contact& c, const Contact& d, std::span<const InverseMass>
   return sum;
 }
 
+void add_impulse(const JacobianRow& row, double impulse, const InverseMass& mass, Twist& twist) {
+  twist.forward += impulse * row[0] * mass.forward;
+  twist.left += impulse * row[1] * mass.left;
+  twist.turn += impulse * row[2] * mass.turn;
+}
+
 void apply_impulse(const Contact& c, double impulse, std::span<const InverseMass> mass,
                    std::span<Body> bodies) {
-  const auto push = [&](int body, const JacobianRow& row, double amount) {
-    Twist& v = bodies[body].twist;
-    v.forward += amount * row[0] * mass[body].forward;
-    v.left += amount * row[1] * mass[body].left;
-    v.turn += amount * row[2] * mass[body].turn;
-  };
-  if (c.a != no_body) push(c.a, c.row_a, impulse);
-  if (c.b != no_body) push(c.b, c.row_b, -impulse);
+  if (c.a != no_body) add_impulse(c.row_a, impulse, mass[c.a], bodies[c.a].twist);
+  if (c.b != no_body) add_impulse(c.row_b, -impulse, mass[c.b], bodies[c.b].twist);
 }
 
 void stop_approaches(std::span<Contact> contacts, std::span<const InverseMass> mass,

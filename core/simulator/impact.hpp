@@ -88,6 +88,9 @@ void set_couplings(int count, ContactOf contact_of, std::span<const InverseMass>
   }
 }
 
+// What an impulse along a row of the Jacobian adds to one body's twist.
+void add_impulse(const JacobianRow& row, double impulse, const InverseMass& mass, Twist& twist);
+
 // Adds the impulse to the twists of both bodies.
 void apply_impulse(const Contact& contact, double impulse, std::span<const InverseMass> mass,
                    std::span<Body> bodies);

@@ -7,15 +7,8 @@ namespace mirocup::simulator {
 
 void add_shift(const Contact& contact, double amount, std::span<const InverseMass> mass,
                std::span<Shift> shifts) {
-  const auto add = [&](int body, const JacobianRow& row, double times) {
-    if (body == no_body) return;
-    const InverseMass& m = mass[body];
-    shifts[body].forward += times * row[0] * m.forward;
-    shifts[body].left += times * row[1] * m.left;
-    shifts[body].turn += times * row[2] * m.turn;
-  };
-  add(contact.a, contact.row_a, amount);
-  add(contact.b, contact.row_b, -amount);
+  if (contact.a != no_body) add_impulse(contact.row_a, amount, mass[contact.a], shifts[contact.a]);
+  if (contact.b != no_body) add_impulse(contact.row_b, -amount, mass[contact.b], shifts[contact.b]);
 }
 
 Body moved_by(const Body& body, const Shift& by) {
