@@ -81,14 +81,17 @@ enum class Accuracy { coarse, standard, reference };
 struct Tolerances {
   double touch = 1e-10;  // m: bodies with a smaller gap are in contact
   double sink = 1e-12;   // m: bodies in contact that come closer by this hit each other anew
-  double rest_speed =
-      2e-4;  // m/s: an approach slower than this does not bounce, it rests. More than what
-             // the motors can gain over `sink`, so that bouncing comes to an end
+  // m/s: an approach slower than this does not bounce, it rests. The first is for a body's first
+  // touch; the other, for bodies that are in company already, is more than what the motors can gain
+  // over `sink`, so that bouncing comes to an end.
+  double first_rest_speed = 1e-10;
+  double rest_speed = 2e-4;
   // Within a tick patience wears off (patience.hpp). What counts as rest grows with each touch of a
-  // body and with each bounce of a pair; `sink` grows with each touch of a body beyond the patient
-  // ones, up to `touch`.
+  // body; `sink` with each beyond the patient ones, up to `touch`. A touch is forgotten after a
+  // while, s, but where there are so many, bouncing has to end.
   double rest_growth_per_touch = 3.0;
-  double rest_growth_per_bounce = 2.5;
+  double touch_forgotten = 2e-3;
+  int touches_never_forgotten = 4;
   double sink_growth_per_touch = 4.0;
   int patient_touches = 8;
   // An impact stops wheels that it makes slide no faster than this, m/s: they would grip again

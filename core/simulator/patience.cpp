@@ -34,14 +34,30 @@ Patience::Patience(const Tolerances& t)
       slide_growth_(t.slide_growth_per_event),
       most_slide_(t.rest_slide),
       rest_after_touches_(growing(t.rest_speed, t.rest_growth_per_touch, never)),
-      rest_after_bounces_(growing(t.rest_speed, t.rest_growth_per_bounce, never)),
       sink_after_touches_(growing(t.sink, t.sink_growth_per_touch, t.touch, t.patient_touches)),
       slide_after_touches_(growing(t.brief_slide, t.brief_slide_growth_per_touch, never)),
-      first_hold_(t.hold) {}
+      first_hold_(t.hold),
+      touch_forgotten_(t.touch_forgotten),
+      never_forgotten_(t.touches_never_forgotten),
+      lasting_rest_(t.rest_speed),
+      lasting_slide_(t.brief_slide) {
+  // Until the second touch.
+  rest_after_touches_[0] = rest_after_touches_[1] = t.first_rest_speed;
+}
 
-void Patience::begin_tick() {
+void Patience::forget() {
+  touching_.reset();
   touches_ = {};
-  bounces_ = {};
+}
+
+void Patience::begin_tick(const BodySet& touching) {
+  accustomed_ = touching_;
+  for (int i = 0; i < max_bodies; ++i) {
+    if (touches_[i] > 0) accustomed_.set(i);
+  }
+  touching_ = touching;
+  last_touch_of_ = {};
+  touches_ = {};
   all_touches_ = 0;
   last_touch_ = 0.0;
   slide_ = no_sliding;
@@ -49,24 +65,34 @@ void Patience::begin_tick() {
   hold_ = first_hold_;
 }
 
+void Patience::count(int body, double t) {
+  if (touches_[body] < never_forgotten_) {
+    const double forgotten = (t - last_touch_of_[body]) / touch_forgotten_;
+    touches_[body] = forgotten < touches_[body] ? touches_[body] - static_cast<int>(forgotten) : 0;
+  }
+  touches_[body] = std::min(touches_[body] + 1, most_counted);
+  last_touch_of_[body] = t;
+}
+
 void Patience::note_touch(const Pair& pair, double t) {
-  const auto count = [this](int body) {
-    touches_[body] = std::min(touches_[body] + 1, most_counted);
-  };
-  count(pair.a);
-  if (!pair.with_obstacle()) count(pair.partner);
+  count(pair.a, t);
+  if (!pair.with_obstacle()) count(pair.partner, t);
   ++all_touches_;
   last_touch_ = t;
 }
 
-void Patience::note_bounce(const Pair& pair) {
-  unsigned char& bounces = bounces_[pair.a][pair.partner];
-  if (bounces < most_counted) ++bounces;
+// A bounce is a touch, if it was not noted as one.
+void Patience::note_bounce(const Pair& pair, double t) {
+  const auto count_once = [this, t](int body) {
+    if (touches_[body] == 0 || last_touch_of_[body] != t) count(body, t);
+  };
+  count_once(pair.a);
+  if (!pair.with_obstacle()) count_once(pair.partner);
 }
 
 void Patience::note_event(bool was_forced) {
   hold_ = std::min(hold_ * (was_forced ? growth_when_forced : event_growth_), longest_hold);
-  roll_ = std::min(roll_ * event_growth_, rest_after_touches_[0]);
+  roll_ = std::min(roll_ * event_growth_, lasting_rest_);
   slide_ = std::min(slide_ * slide_growth_, most_slide_);
 }
 
@@ -76,8 +102,8 @@ int Patience::touches_of(const Pair& pair) const {
 }
 
 double Patience::rest_speed(const Pair& pair) const {
-  return std::max(rest_after_touches_[touches_of(pair)],
-                  rest_after_bounces_[bounces_[pair.a][pair.partner]]);
+  if (lasts(pair.a) && (pair.with_obstacle() || lasts(pair.partner))) return lasting_rest_;
+  return rest_after_touches_[touches_of(pair)];
 }
 
 double Patience::sink(const Pair& pair) const {
@@ -85,6 +111,7 @@ double Patience::sink(const Pair& pair) const {
 }
 
 double Patience::brief_slide(int robot) const {
+  if (lasts(robot)) return lasting_slide_;
   return std::min(slide_after_touches_[touches_[robot]], rest_after_touches_[touches_[robot]]);
 }
 

@@ -3,10 +3,10 @@
 // How closely a tick is followed, and how that wears off.
 //
 // Bodies in a crowd would bounce, let go and grip again ever faster and ever less. So within a tick
-// what counts as rest grows: for a body with each of its touches, for a pair with each of its
-// bounces, for curves with each event. A body that is touched a few times is followed to the last
-// digit, and what happens in a crowd concerns nobody elsewhere. What is rest is stopped, never
-// thrown back, so no energy comes of it.
+// what counts as rest grows: for a body with each of its touches, for curves with each event. A
+// body's first touch is an impact however slow, touches that come now and then are forgotten again,
+// and what happens in a crowd concerns nobody elsewhere. What is rest is stopped, never thrown back,
+// so no energy comes of it.
 #pragma once
 
 #include "core/simulator/pair.hpp"
@@ -20,9 +20,14 @@ class Patience {
  public:
   explicit Patience(const Tolerances& tolerances);
 
-  void begin_tick();
+  // `touching`: the bodies with a contact now.
+  void begin_tick(const BodySet& touching);
+  // Bodies were put somewhere: whatever touches now does so for the first time.
+  void forget();
   void note_touch(const Pair& pair, double t);  // s of the tick
-  void note_bounce(const Pair& pair);
+  // Counts as a touch if it did not come of one, as when wheels grip again and throw a robot at what
+  // it touches anyway.
+  void note_bounce(const Pair& pair, double t);
   // `was_forced`: a curve ended as soon as it was allowed to, at hold().
   void note_event(bool was_forced);
 
@@ -46,15 +51,23 @@ class Patience {
   static Growing growing(double first, double growth, double most, int patient = 0);
 
   int touches_of(const Pair& pair) const;
+  void count(int body, double t);
+  // Has the body been in company since before the tick, and not been touched anew?
+  bool lasts(int body) const { return accustomed_[body] && touches_[body] == 0; }
 
   double event_growth_;
   double slide_growth_;
   double most_slide_;
-  Growing rest_after_touches_, rest_after_bounces_, sink_after_touches_, slide_after_touches_;
+  Growing rest_after_touches_, sink_after_touches_, slide_after_touches_;
   double first_hold_;
+  double touch_forgotten_;
+  int never_forgotten_;
+  double lasting_rest_, lasting_slide_;
 
-  std::array<int, max_bodies> touches_{};  // of each body in this tick, up to most_counted
-  std::array<std::array<unsigned char, max_partners>, max_bodies> bounces_{};
+  BodySet touching_;                                // when this tick began
+  BodySet accustomed_;                              // touched, or were touched, in the tick before
+  std::array<int, max_bodies> touches_{};           // of each body in this tick, up to most_counted
+  std::array<double, max_bodies> last_touch_of_{};  // s of the tick
   int all_touches_ = 0;
   double last_touch_ = 0.0;  // s of the tick
   double slide_ = 0.0;

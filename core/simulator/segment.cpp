@@ -2,6 +2,7 @@
 #include "core/simulator/segment.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace mirocup::simulator {
@@ -62,16 +63,24 @@ void set_terms(Segment& s, int terms) {
 
 namespace {
 
-// Their largest coefficients.
+// Terms that grow but are smaller than this (m) are let be.
+constexpr double least_growth = 1e-13;
+
+// The sizes of the last two coefficients of position and heading.
 struct LastTerms {
   int last;  // odd
+  std::array<double, 4> before_of, last_of;
   double largest_before = 0.0;
   double largest_last = 0.0;
 
   explicit LastTerms(const Segment& s) : last(s.x.terms - 1) {
+    int i = 0;
     for (const Series* p : {&s.x, &s.y, &s.cos, &s.sin}) {
-      largest_last = std::max(largest_last, std::abs((*p)[last]));
-      largest_before = std::max(largest_before, std::abs((*p)[last - 1]));
+      last_of[i] = std::abs((*p)[last]);
+      before_of[i] = std::abs((*p)[last - 1]);
+      largest_last = std::max(largest_last, last_of[i]);
+      largest_before = std::max(largest_before, before_of[i]);
+      ++i;
     }
   }
 
@@ -79,7 +88,17 @@ struct LastTerms {
     const double square = length * length;
     double power = square * square;
     for (int k = 4; k < last - 1; k += 2) power *= square;
-    return power * (largest_before + length * largest_last) <= to;
+    return power * (largest_before + length * largest_last) <= to && !grow_over(length, power);
+  }
+
+  // What is rounding at the begin, as the way sideways in a straight push, grows with each term
+  // beyond the length to which the series converges, and is no error of a tolerance's size yet.
+  bool grow_over(double length, double power) const {
+    for (int i = 0; i < 4; ++i) {
+      if (length * last_of[i] > before_of[i] && power * length * last_of[i] > least_growth)
+        return true;
+    }
+    return false;
   }
 };
 

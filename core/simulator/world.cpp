@@ -55,7 +55,6 @@ void World::set_ball(const BallState& state) {
 const TickEvents& World::advance(std::span<const WheelCommand> commands, double duration) {
   events_ = {};
   rubs_ = false;
-  patience_.begin_tick();
   for (int i = 0; i < arena_.robots; ++i) {
     drives_[i] = drive_of(arena_.parameters, commands[i]);
     const bool on_ground = drives_[i].wheels_on_ground;
@@ -65,8 +64,12 @@ const TickEvents& World::advance(std::span<const WheelCommand> commands, double 
   const BodySet all = first_bodies(arena_.bodies());
   neighbours_.clear();
   quiet_.reset();
-  if (bodies_were_set_) collect_contacts_anywhere(arena_.tolerances.touch);
+  if (bodies_were_set_) {
+    collect_contacts_anywhere(arena_.tolerances.touch);
+    patience_.forget();
+  }
   bodies_were_set_ = false;
+  patience_.begin_tick(touching_bodies());
   go_on(all, 0.0, duration);
 
   double t = 0.0;
@@ -271,6 +274,12 @@ void World::collect_contacts_anywhere(double margin) {
   }
 }
 
+BodySet World::touching_bodies() const {
+  BodySet touching;
+  for (const Contact& c : contacts_.contacts()) touching |= bodies_of(c.pair);
+  return touching;
+}
+
 void World::separate_overlaps() {
   double deepest = 0.0;
   for (const Contact& c : contacts_.contacts()) deepest = std::max(deepest, -c.at.gap);
@@ -290,7 +299,7 @@ void World::collide(double t) {
     if (c.impulse == 0.0 || c.approach <= c.rest_speed) continue;
     ++events_.impacts;
     if (trace_ != nullptr) add_impact(c, t, *trace_);
-    patience_.note_bounce(c.pair);
+    patience_.note_bounce(c.pair, t);
   }
   stop_brief_slides();
 }
@@ -299,9 +308,9 @@ void World::collide(double t) {
 // slides that come and go where bodies are wedged.
 void World::stop_brief_slides() {
   if (arena_.parameters.grip == infinite_grip) return;
-  BodySet touching, hit;
+  const BodySet touching = touching_bodies();
+  BodySet hit;
   for (const Contact& c : contacts_.contacts()) {
-    touching |= bodies_of(c.pair);
     if (c.impulse != 0.0) hit |= bodies_of(c.pair);
   }
   std::array<SlowWheels, max_robots> wheels;

@@ -91,6 +91,7 @@ class World {
   void bring_to(double t, const BodySet& involved);
   void collect_contacts(const BodySet& involved, double t);
   void collect_contacts_anywhere(double margin);
+  BodySet touching_bodies() const;
   void separate_overlaps();
   void collide(double t);
   void stop_brief_slides();

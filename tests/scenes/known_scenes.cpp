@@ -190,7 +190,8 @@ Bars wheel_spin_at_wall(Size size) {
 }
 
 // A robot bounces on the wall that it is driven into, and a ball between the two: infinitely many
-// bounces in a finite time, then rest.
+// bounces in a finite time, then rest. The ball is in the middle and the robot's face along the wall
+// to the last bit: the bounces multiply what is missing, and the ball would be squeezed out.
 Bars zeno_bounces(Size size) {
   const field::Field field = field::make_field(League::small);
   Random random(9);
@@ -205,8 +206,9 @@ Bars zeno_bounces(Size size) {
     const double e = random.uniform(0.0, 0.95);
     s.parameters.restitution = {e, e, e, e};
     const double x = random.uniform(-0.2, 0.2);
-    s.robots.push_back(robot_at({x, field.half_width - random.uniform(0.11, 0.15)}, pi / 2,
-                                {random.uniform(0.0, 1.8), 0.0, 0.0}));
+    s.robots.push_back({{x, field.half_width - random.uniform(0.11, 0.15)},
+                        Heading{0.0, 1.0},
+                        {random.uniform(0.0, 1.8), 0.0, 0.0}});
     if (i % 2 == 0)
       s.ball.push_back({{x, field.half_width - 0.05}, {0.0, random.uniform(-1.0, 1.0)}});
     const double u = random.uniform(5.0, 80.0);

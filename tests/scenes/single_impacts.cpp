@@ -79,7 +79,7 @@ Scene random_scene(Random& random, bool ball, Target target, const field::Field&
   return s;
 }
 
-// Only the target is looked at; at a post, other things can be in the way.
+// At a post, other things can be in the way.
 bool can_be_reached(const Scene& s, const field::Field& field, const Encounter& e) {
   if (s.start.field == nullptr) return true;
   const Vec2 post{field.half_length, field.goal_half_width};
@@ -102,20 +102,57 @@ bool impact_is_at(const Scene& s, Real time, double window, std::unique_ptr<Worl
   return world->advance(s.commands, 2.0 * window).impacts == 1;
 }
 
-double velocity_error(const World& world, const Parameters& p, Scene s, double after) {
+// Does the body meet another part of the field before its target?
+bool is_intercepted(const Scene& s, const field::Field& field, Real time) {
+  if (s.start.field == nullptr) return false;
+  const auto solids = test_support::solids_around(field);
+  return std::any_of(solids.begin(), solids.end(), [&](const Outline& solid) {
+    Mover body = s.a;
+    Mover other{.robot = {}, .ball = {}, .command = {}, .solid = solid};
+    const auto e = first_touch(s.start.parameters, body, other, time);
+    return e && e->time < time - 1e-6L;
+  });
+}
+
+// Puts the bodies of the scene where those of the world are.
+void take_from(const World& world, Scene& s) {
+  if (s.a.robot) s.a.robot = exactly(world.robot(world.robots() - 1));
+  if (s.a.ball) s.a.ball = exactly(world.ball());
+  if (s.b.robot) s.b.robot = exactly(world.robot(0));
+}
+
+// Equation (21) at the impact, then `after` seconds on the way.
+void bounce_and_move(const Parameters& p, const Encounter& e, double after, Scene& s) {
+  const double restitution = p.restitution.ball_wall;  // of every pair
+  const double bracket = inverse_mass(p, s.a, e.touch) + inverse_mass(p, s.b, e.touch);
+  const double impulse = (1.0 + restitution) * e.approach / bracket;
+  push(p, s.a, e.touch, impulse);
+  push(p, s.b, e.touch, -impulse);
   s.a.move(p, after);
   s.b.move(p, after);
+}
+
+// The velocities `clear` seconds after an impact, against (21). From where the world is as long
+// before it: what free motion is off by has a bar of its own. Nothing if there is no impact then.
+std::optional<double> velocity_error(Scene s, Real time, double clear) {
+  const Parameters& p = s.start.parameters;
+  const auto world = world_of(s.start);
+  if (world->advance(s.commands, static_cast<double>(time) - clear).impacts != 0) return {};
+  take_from(*world, s);
+  const std::optional<Encounter> last = first_touch(p, s.a, s.b, 0.1L);
+  if (!last || world->advance(s.commands, 2.0 * clear).impacts != 1) return {};
+  bounce_and_move(p, *last, static_cast<double>(2.0L * clear - last->time), s);
   double worst = 0.0;
   const auto compare = [&](const Mover& m, int index) {
     if (m.robot) {
-      worst = std::max(worst, velocity_difference(world.robot(index), rounded(*m.robot)));
+      worst = std::max(worst, velocity_difference(world->robot(index), rounded(*m.robot)));
     } else if (m.ball) {
-      const Vec2& v = world.ball().velocity;
+      const Vec2& v = world->ball().velocity;
       worst =
           std::max(worst, static_cast<double>(std::hypot(v.x() - m.ball->vx, v.y() - m.ball->vy)));
     }
   };
-  compare(s.a, world.robots() - 1);
+  compare(s.a, world->robots() - 1);
   compare(s.b, 0);
   return worst;
 }
@@ -140,28 +177,28 @@ void add_bars(const PairKind& kind, int wanted, Bars& bars) {
   double worst_time = 0.0;
   double worst_velocity = 0.0;
   int missed = 0;
+  int several = 0;
   for (int found = 0; found < wanted;) {
     const Parameters p = random_parameters(random);
-    Scene s = random_scene(random, kind.ball, kind.target, field, p);
+    const Scene s = random_scene(random, kind.ball, kind.target, field, p);
     if (overlap(s.start)) continue;
-    const std::optional<Encounter> e = first_touch(p, s.a, s.b, 0.1L);
+    Mover a = s.a;
+    Mover b = s.b;
+    const std::optional<Encounter> e = first_touch(p, a, b, 0.1L);
     if (!e || !can_be_reached(s, field, *e)) continue;
-    ++found;
-    const double e_pair = p.restitution.ball_wall;  // of every pair
-    const double bracket = inverse_mass(p, s.a, e->touch) + inverse_mass(p, s.b, e->touch);
-    const double impulse = (1.0 + e_pair) * e->approach / bracket;
-    push(p, s.a, e->touch, impulse);
-    push(p, s.b, e->touch, -impulse);
-
     std::unique_ptr<World> world;
     if (!impact_is_at(s, e->time, windows[0], world)) {
+      if (is_intercepted(s, field, e->time)) continue;
+      ++found;
       ++missed;
       continue;
     }
-    // Wider, so that no tick begins where the two touch already by the tolerance.
-    constexpr double clear = 1e-6;
-    if (impact_is_at(s, e->time, clear, world)) {
-      worst_velocity = std::max(worst_velocity, velocity_error(*world, p, s, clear));
+    ++found;
+    // Wide enough that no tick begins where the two touch already by the tolerance.
+    if (const auto error = velocity_error(s, e->time, 1e-6)) {
+      worst_velocity = std::max(worst_velocity, *error);
+    } else {
+      ++several;
     }
     double bound = windows[0];
     for (const double window : windows) {
@@ -172,15 +209,10 @@ void add_bars(const PairKind& kind, int wanted, Bars& bars) {
   }
   const std::string scene = std::string("single impacts: ") + kind.name;
   bars.push_back({scene, "impacts not found within 1e-9 s", static_cast<double>(missed), 0.0});
+  bars.push_back({scene, "share with several impacts within 2e-6 s, not compared",
+                  several / static_cast<double>(wanted), 0.01});
   bars.push_back({scene, "error of the time, s, at most", worst_time, 1e-9});
   bars.push_back({scene, "velocities against (21), m/s and rad/s", worst_velocity, 1e-9});
-}
-
-// Puts the bodies of the scene where those of the world are.
-void take_from(const World& world, Scene& s) {
-  if (s.a.robot) s.a.robot = exactly(world.robot(world.robots() - 1));
-  if (s.a.ball) s.a.ball = exactly(world.ball());
-  if (s.b.robot) s.b.robot = exactly(world.robot(0));
 }
 
 // Momentum and, about the origin, angular momentum, with their sizes.

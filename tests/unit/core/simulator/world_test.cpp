@@ -48,6 +48,43 @@ TEST(World, LiftedRobotsSlideWhateverTheGrip) {
   EXPECT_EQ(world.robot(0).twist.left, 0.0);
 }
 
+// Catches a rebound that is taken for rest because it is slow.
+TEST(World, SlowReboundsAreRebounds) {
+  const field::Field field = field::make_field(League::small);
+  Parameters parameters;
+  parameters.restitution.ball_wall = 1e-4;
+  parameters.rolling_resistance = 0.0;
+  parameters.viscous_friction = 0.0;
+  World world(&field, parameters, Tolerances{}, 0, true);
+  for (const double side : {-1.0, 1.0}) {
+    world.set_ball({{0.0, side * (field.half_width - 0.05)}, {0.0, side * 1.0}});
+    EXPECT_EQ(world.advance({}, 0.033).impacts, 1);
+    EXPECT_NEAR(world.ball().velocity.y(), -side * 1e-4, 1e-12);
+  }
+}
+
+// Mirror images that press a ball between them: what rounding leaves sideways grows with each term
+// of the ball's series from its turning point on. Catches a curve that is as long as it stays small.
+TEST(World, ASymmetricPinchStaysSymmetric) {
+  Parameters parameters;
+  parameters.restitution.ball_robot = 0.10662284917722653;
+  World world(nullptr, parameters, Tolerances{}, 2, true);
+  const Heading heading = Heading::from_angle(-0.20089410070816699);
+  world.set_robot(
+      0, {{0.0, 0.067858439702832701}, heading, {0.15426211078335478, 0.0, -1.5341704755924441}});
+  world.set_robot(1, {{0.0, -0.067858439702832701},
+                      {heading.cos, -heading.sin},
+                      {0.15426211078335478, 0.0, 1.5341704755924441}});
+  world.set_ball({{-0.2, 0.0}, {3.8793614464732951, 0.0}});
+  const std::array<WheelCommand, 2> commands{WheelSpeeds{34.604004210975262, -22.411810073882403},
+                                             WheelSpeeds{-22.411810073882403, 34.604004210975262}};
+  for (int tick = 0; tick < 5; ++tick) {
+    world.advance(commands, 0.033);
+    EXPECT_NEAR(world.ball().position.y(), 0.0, 1e-10) << tick;
+    EXPECT_NEAR(world.robot(0).heading.sin, -world.robot(1).heading.sin, 1e-9) << tick;
+  }
+}
+
 // A goal post's corner in a robot's side: the post is the point's side of that contact, and no
 // body. Catches a correction that moves "body -1", which is the memory before the bodies.
 TEST(World, PostsPushRobotsOutAndNothingElse) {
