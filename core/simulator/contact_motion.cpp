@@ -37,42 +37,57 @@ void ContactMotion::move(const BodySet& cluster, const ContactForces& forces,
   take_members(cluster, forces);
   choose(contacts);
   close_gaps(bodies);
-  begin(wanted, bodies, segments);
-  while (hold_what_turns_back(segments)) {
-    choose(contacts);
-    begin(wanted, bodies, segments);
-  }
-  say_which_are_kept(contacts);
-  if (is_at_rest(segments)) {
-    for (int m = 0; m < member_count_; ++m) {
-      segments[members_[m]] = still_segment(bodies[members_[m]], wanted.begin, wanted.horizon);
+  do {
+    do {
+      begin(wanted, bodies, segments);
+    } while (hold_what_hardly_slides(wanted, contacts, segments));
+    say_which_are_kept(contacts);
+    if (is_at_rest(segments)) {
+      for (int m = 0; m < member_count_; ++m) {
+        segments[members_[m]] = still_segment(bodies[members_[m]], wanted.begin, wanted.horizon);
+      }
+      return;
     }
-    return;
-  }
-  // As fill_series() does for one body.
-  int k = 1;
-  for (const int terms : term_counts) {
-    for (; k < terms - 1; ++k) extend(k, segments);
-    set_terms_of_all(terms, segments);
-    if (have_converged(std::min(wanted.enough, wanted.horizon - wanted.begin), segments)) break;
-  }
-  find_end(wanted, segments);
+    extend_until_converged(wanted, segments);
+    find_end(wanted, segments);
+  } while (hold_what_hardly_slides(wanted, contacts, segments));
 }
 
-// Wheels at rest that were to slide one way, and that the cluster pulls the other: what was decided
-// about them was rounding, or the slide was all but over.
-bool ContactMotion::hold_what_turns_back(std::span<const Segment> segments) {
+// Wheels at rest that were to slide one way, and that the cluster pulls the other or has back at
+// rest before anything else may change: what was decided about them was rounding, or the slide was
+// all but over. They would do the same again, and again.
+bool ContactMotion::hold_what_hardly_slides(const Wanted& wanted, std::span<const Contact> contacts,
+                                            std::span<const Segment> segments) {
   const double grip = sideways_limit(arena_.parameters) * arena_.parameters.robot_mass;
   bool found = false;
   for (int m = 0; m < member_count_; ++m) {
     const int i = members_[m];
     const Segment& s = segments[i];
     Grounding& g = grounding_[i];
-    if (g.ground != Ground::slides || s.left[0] != 0.0 || g.slide * s.left[1] >= 0.0) continue;
+    if (g.ground != Ground::slides || s.left[0] != 0.0) continue;
+    const bool turns_back = g.slide * s.left[1] < 0.0;
+    const bool is_brief =
+        s.settles == Settles::sideways && s.end - s.begin < wanted.at_least;  // once it has its end
+    if (!turns_back && !is_brief) continue;
     g = {.ground = Ground::rolls, .hold = -g.slide * grip};
     found = true;
   }
+  if (found) choose(contacts);
   return found;
+}
+
+// As fill_series() does for one body.
+void ContactMotion::extend_until_converged(const Wanted& wanted, std::span<Segment> segments) {
+  const double length = std::min(wanted.enough, wanted.horizon - wanted.begin);
+  int k = 1;
+  for (const int terms : term_counts) {
+    for (; k < terms - 1; ++k) extend(k, segments);
+    set_terms_of_all(terms, segments);
+    const bool converged =
+        std::all_of(members_.begin(), members_.begin() + member_count_,
+                    [&](int i) { return has_converged(segments[i], length, in_contact_to); });
+    if (converged) return;
+  }
 }
 
 // Term k + 1 of everything.
@@ -87,11 +102,6 @@ void ContactMotion::set_terms_of_all(int terms, std::span<Segment> segments) {
   for (int m = 0; m < member_count_; ++m) set_terms(segments[members_[m]], terms);
   for (int i = 0; i < held_count_; ++i) simulator::set_terms(rows_[i], terms);
   for (int w = 0; w < wheel_count_; ++w) hold_[w].terms = terms;
-}
-
-bool ContactMotion::have_converged(double length, std::span<const Segment> segments) const {
-  return std::all_of(members_.begin(), members_.begin() + member_count_,
-                     [&](int i) { return has_converged(segments[i], length, in_contact_to); });
 }
 
 double ContactMotion::converged_length_of_all(std::span<const Segment> segments) const {

@@ -46,7 +46,9 @@ class ContactMotion {
 
   void take_members(const BodySet& cluster, const ContactForces& forces);
   void choose(std::span<const Contact> contacts);
-  bool hold_what_turns_back(std::span<const Segment> segments);
+  bool hold_what_hardly_slides(const Wanted& wanted, std::span<const Contact> contacts,
+                               std::span<const Segment> segments);
+  void extend_until_converged(const Wanted& wanted, std::span<Segment> segments);
   void say_which_are_kept(std::span<Contact> contacts) const;
   void begin(const Wanted& wanted, std::span<Body> bodies, std::span<Segment> segments);
   void close_gaps(std::span<Body> bodies);
@@ -61,7 +63,6 @@ class ContactMotion {
                      double amount, int term, std::span<Segment> segments) const;
   bool is_at_rest(std::span<const Segment> segments) const;
   void set_terms_of_all(int terms, std::span<Segment> segments);
-  bool have_converged(double length, std::span<const Segment> segments) const;
   double converged_length_of_all(std::span<const Segment> segments) const;
   void find_end(const Wanted& wanted, std::span<Segment> segments) const;
   double contacts_change(double at_least, double length) const;
