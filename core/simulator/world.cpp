@@ -315,15 +315,27 @@ void World::stop_brief_slides() {
   }
   std::array<SlowWheels, max_robots> wheels;
   std::size_t count = 0;
-  bool slides = false;
   for (int i = 0; i < arena_.robots; ++i) {
     const double brief = hit[i] ? patience_.brief_slide(i) : patience_.rest_slide();
     const double left = std::abs(bodies_[i].twist.left);
     if (!touching[i] || !drives_[i].wheels_on_ground || left > brief) continue;
     wheels[count++] = {.robot = i, .most = arena_.parameters.robot_mass * brief};
-    slides = slides || left > no_sliding;
   }
-  if (slides) stop_slides(contacts_.contacts(), {wheels.data(), count}, mass_, bodies_, *problem_);
+  const std::span<const SlowWheels> slow(wheels.data(), count);
+  const double fastest = fastest_slide(slow);
+  if (fastest <= no_sliding) return;
+  const std::array<Body, max_bodies> before = bodies_;
+  stop_slides(contacts_.contacts(), slow, mass_, bodies_, *problem_);
+  // What stops one may make others slide that stood: they would stop, and slide again.
+  if (fastest_slide(slow) >= fastest) bodies_ = before;
+}
+
+double World::fastest_slide(std::span<const SlowWheels> wheels) const {
+  double fastest = 0.0;
+  for (const SlowWheels& w : wheels) {
+    fastest = std::max(fastest, std::abs(bodies_[w.robot].twist.left));
+  }
+  return fastest;
 }
 
 void World::note_touches() {
