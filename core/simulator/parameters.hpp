@@ -100,7 +100,7 @@ struct Tolerances {
   double brief_slide_growth_per_touch = 8.0;
   double hold = 1e-8;  // s: the shortest that bodies press and wheels grip
   // Of that and of the slowest rolling in contact, for each event; of the slowest sliding, up to
-  // `rest_slide`, m/s.
+  // `rest_slide`, m/s, from where on it grows slowly.
   double growth_per_event = 1.3;
   double slide_growth_per_event = 2.0;
   double rest_slide = 1e-7;

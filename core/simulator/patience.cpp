@@ -18,6 +18,10 @@ constexpr double times_between_touches = 2.0;
 constexpr double growth_when_forced = 8.0;
 constexpr double longest_hold = 2e-3;  // s
 
+// Of rest_slide() for each event, from Tolerances::rest_slide on up to what rests in company. The
+// slides of a large crowd may be a little faster than any limit, and come back as fast.
+constexpr double late_slide_growth = 1.05;
+
 }  // namespace
 
 Patience::Growing Patience::growing(double first, double growth, double most, int patient) {
@@ -32,7 +36,7 @@ Patience::Growing Patience::growing(double first, double growth, double most, in
 Patience::Patience(const Tolerances& t)
     : event_growth_(t.growth_per_event),
       slide_growth_(t.slide_growth_per_event),
-      most_slide_(t.rest_slide),
+      soon_slide_(t.rest_slide),
       rest_after_touches_(growing(t.rest_speed, t.rest_growth_per_touch, never)),
       sink_after_touches_(growing(t.sink, t.sink_growth_per_touch, t.touch, t.patient_touches)),
       slide_after_touches_(growing(t.brief_slide, t.brief_slide_growth_per_touch, never)),
@@ -93,7 +97,8 @@ void Patience::note_bounce(const Pair& pair, double t) {
 void Patience::note_event(bool was_forced) {
   hold_ = std::min(hold_ * (was_forced ? growth_when_forced : event_growth_), longest_hold);
   roll_ = std::min(roll_ * event_growth_, lasting_rest_);
-  slide_ = std::min(slide_ * slide_growth_, most_slide_);
+  slide_ = slide_ < soon_slide_ ? std::min(slide_ * slide_growth_, soon_slide_)
+                                : std::min(slide_ * late_slide_growth, lasting_rest_);
 }
 
 int Patience::touches_of(const Pair& pair) const {

@@ -57,7 +57,7 @@ class Patience {
 
   double event_growth_;
   double slide_growth_;
-  double most_slide_;
+  double soon_slide_;
   Growing rest_after_touches_, sink_after_touches_, slide_after_touches_;
   double first_hold_;
   double touch_forgotten_;

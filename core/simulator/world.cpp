@@ -315,12 +315,16 @@ void World::stop_brief_slides() {
   }
   std::array<SlowWheels, max_robots> wheels;
   std::size_t count = 0;
+  double longest = 0.0;
   for (int i = 0; i < arena_.robots; ++i) {
     const double brief = hit[i] ? patience_.brief_slide(i) : patience_.rest_slide();
     const double left = std::abs(bodies_[i].twist.left);
     if (!touching[i] || !drives_[i].wheels_on_ground || left > brief) continue;
-    wheels[count++] = {.robot = i, .most = arena_.parameters.robot_mass * brief};
+    wheels[count++] = {.robot = i, .most = 0.0};
+    longest = std::max(longest, brief);
   }
+  // Those that stand must be able to take what stops the others.
+  for (SlowWheels& w : wheels) w.most = arena_.parameters.robot_mass * longest;
   const std::span<const SlowWheels> slow(wheels.data(), count);
   const double fastest = fastest_slide(slow);
   if (fastest <= no_sliding) return;

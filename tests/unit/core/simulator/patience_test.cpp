@@ -112,6 +112,17 @@ TEST(Patience, HoldsLongerWhereItWasForced) {
   EXPECT_LT(patience.hold(), 0.01);
 }
 
+// Wheels that grip and slide on at some speed would do so until the tick's events are used up.
+TEST(Patience, StopsFasterSlidesTheLongerATickTakes) {
+  Patience patience = fresh();
+  for (int i = 0; i < 30; ++i) patience.note_event(false);
+  EXPECT_LT(patience.rest_slide(), 2.0 * tolerances.rest_slide);
+  for (int i = 0; i < 100; ++i) patience.note_event(false);
+  EXPECT_GT(patience.rest_slide(), 20.0 * tolerances.rest_slide);
+  for (int i = 0; i < 1000; ++i) patience.note_event(false);
+  EXPECT_LE(patience.rest_slide(), tolerances.rest_speed);
+}
+
 // A curve is wanted longer the longer nothing has touched: or each would be as short as those of a
 // burst that is over.
 TEST(Patience, AsksForLongerCurvesAfterABurst) {

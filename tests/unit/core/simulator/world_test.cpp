@@ -107,6 +107,52 @@ TEST(World, PostsPushRobotsOutAndNothingElse) {
   EXPECT_EQ(world.arena().grounded_robot.turn, before.turn);
 }
 
+// Wheels that are stopped push others that stand, these slide, stop and push back, ever less.
+TEST(World, SlidesOfACrowdAreStoppedTogether) {
+  const field::Field field = field::make_field(League::large);
+  World world(&field, Parameters{}, Tolerances{}, 9, false);
+  world.set_robot(0, {{0x1.f666666666667p+0, 0x1.4acd29693ca5dp+0},
+                      {0x1.1dfeb78f6b579p-49, 0x1p+0},
+                      {0x1.27dc779bfbbc3p-60, 0x0p+0, 0x1.219a344ccffd8p-59}});
+  world.set_robot(1, {{0x1.d70286a5f89bdp+0, 0x1.2d9a75af259bp+0},
+                      {0x1.57241af92ed9ep-1, 0x1.7bff6748dd1cep-1},
+                      {-0x1.ac24c11a4d2edp-9, 0x1.af58dda2aa9cfp-17, 0x1.70e4d58a2164dp-4}});
+  world.set_robot(2, {{0x1.e52421c7979cdp+0, 0x1.3b47937d0adfbp+0},
+                      {-0x1.6a96aea0e5e73p-1, 0x1.697ce75b17afap-1},
+                      {0x1.84875233b83f8p-9, -0x1.690e0738fa71p-14, -0x1.116347a2c63e2p-8}});
+  world.set_robot(3, {{0x1.d6ea2c9b0b01cp+0, 0x1.483443280dd1ap+0},
+                      {-0x1.6a96aea0e5e78p-1, 0x1.697ce75b17af6p-1},
+                      {0x1.866eb14e8b056p-9, 0x1.a0ed7c82459c2p-14, -0x1.116347a2c6415p-8}});
+  world.set_robot(4, {{0x1.e3f12b9600772p+0, 0x1.5bd49eece99d2p+0},
+                      {0x1.fd13da408c588p-1, -0x1.b502f8764206p-4},
+                      {-0x1.a05dabc936baep-59, 0x0p+0, 0x1.db2b7754a0919p-55}});
+  world.set_robot(5, {{0x1.b5320fe86c4b4p+0, 0x1.5ccccccccccccp+0},
+                      {0x1.4327ec40b1569p-51, 0x1p+0},
+                      {-0x1.73a56bcb1d1c7p-59, 0x1.0d2dda32bd9d2p-8, 0x1.8e5309799b088p-55}});
+  world.set_robot(6, {{0x1.cc5f3ab8590c8p+0, 0x1.58d2d530133ecp+0},
+                      {-0x1.6a96aea0e5e78p-1, 0x1.697ce75b17af6p-1},
+                      {0x1.7d3151a64416dp-9, 0x1.7c1904613f66ap-9, -0x1.116347a2c64p-8}});
+  world.set_robot(7, {{0x1.b8f91d4978946p+0, 0x1.45a43559eae7fp+0},
+                      {0x1.56fb778963664p-1, 0x1.7c2415bb0199bp-1},
+                      {-0x1.b57347e61bfecp-10, 0x1.642c866246cb6p-9, 0x1.b57b4c23105f8p-3}});
+  world.set_robot(8, {{0x1.b8262d3d4a6dfp+0, 0x1.2c889e4401689p+0},
+                      {0x1.569c7f0497fcp-1, 0x1.7c79b034c2bdcp-1},
+                      {0x1.3816aee5da206p-3, 0x0p+0, 0x1.6aa7c80dcc672p+2}});
+  const std::array<WheelCommand, 9> commands{
+      WheelSpeeds{0x1.cb7a1ef453207p+4, 0x1.8c68b16cb4fdap+3},
+      WheelSpeeds{-0x1.36afcb9d47e2p+0, 0x1.22bf75b938075p+5},
+      WheelSpeeds{0x1.30aecb2b74dep+5, -0x1.02f3201d6950fp+4},
+      WheelSpeeds{0x1.534a6c1828096p+6, -0x1.ed79727bd1aa8p+2},
+      WheelSpeeds{0x1.2dc104beb6204p+4, 0x1.66bf712f59d3p+4},
+      WheelSpeeds{0x1.e89b81af98638p+3, -0x1.94c61ab49984p+1},
+      WheelSpeeds{0x1.4853c6e606baap+6, 0x1.fca55462c1ab2p+4},
+      WheelSpeeds{0x1.cad8e0280effp+5, 0x1.2ce0b1fd66a2ap+6},
+      WheelSpeeds{0x1.033929f45ed6cp+6, 0x1.eef21471f2117p+4}};
+  for (int tick = 0; tick < 3; ++tick) {
+    EXPECT_LE(world.advance(commands, 0.033).events, 80) << tick;
+  }
+}
+
 // Three robots and the ball wedged between two walls, found in a long scrum: what little is left of
 // speeds is rounding. Catches wheels that are decided to slide one way and then pulled the other,
 // again and again at one instant, until the tick has to go on in small steps.
