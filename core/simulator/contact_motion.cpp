@@ -58,7 +58,7 @@ void ContactMotion::move(const BodySet& cluster, const ContactForces& forces,
 // all but over. They would do the same again, and again.
 bool ContactMotion::hold_what_hardly_slides(const Wanted& wanted, std::span<const Contact> contacts,
                                             std::span<const Segment> segments) {
-  const double grip = sideways_limit(arena_.parameters) * arena_.parameters.robot_mass;
+  const double grip = most_grip();
   bool found = false;
   for (int m = 0; m < member_count_; ++m) {
     const int i = members_[m];
@@ -359,7 +359,7 @@ double ContactMotion::contacts_change(double at_least, double length) const {
 
 // When the grip of wheels is used up; at most `length`.
 double ContactMotion::wheels_let_go(double at_least, double length) const {
-  const double grip = sideways_limit(arena_.parameters) * arena_.parameters.robot_mass;
+  const double grip = most_grip();
   for (int w = 0; w < wheel_count_; ++w) {
     if (elimination_.depends(held_count_ + w)) continue;
     const double from = std::min(at_least, length);

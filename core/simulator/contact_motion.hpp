@@ -43,6 +43,10 @@ class ContactMotion {
   // The equations of a cluster: first the contacts that press, then the wheels that hold sideways.
   int equations() const { return held_count_ + wheel_count_; }
   int wheels_of(int equation) const { return wheels_[equation - held_count_]; }
+  // What the ground gives wheels sideways at most, N.
+  double most_grip() const {
+    return sideways_limit(arena_.parameters) * arena_.parameters.robot_mass;
+  }
 
   void take_members(const BodySet& cluster, const ContactForces& forces);
   void choose(std::span<const Contact> contacts);

@@ -141,33 +141,6 @@ void stop_approaches(std::span<Contact> contacts, std::span<const InverseMass> m
   apply(contacts, all, 1.0, 0.0, mass, bodies, problem);
 }
 
-void stop_slides(std::span<Contact> contacts, std::span<const SlowWheels> wheels,
-                 std::span<const InverseMass> mass, std::span<Body> bodies, BoxProblem& problem) {
-  std::array<Contact, max_unknowns> rows;
-  const int n = static_cast<int>(contacts.size() + wheels.size());
-  const int first_wheels = static_cast<int>(contacts.size());
-  std::copy(contacts.begin(), contacts.end(), rows.begin());
-  problem.reset(n);
-  for (int i = 0; i < n; ++i) {
-    if (i >= first_wheels) {
-      const SlowWheels& w = wheels[i - first_wheels];
-      rows[i] = wheels_as_contact(w.robot);
-      problem.low[i] = -w.most;
-      problem.high[i] = w.most;
-    }
-    problem.b[i] = gap_rate(rows[i], bodies);
-  }
-  set_couplings(
-      n, [&](int i) -> const Contact& { return rows[i]; }, mass, problem);
-  problem.solve();
-  for (int i = 0; i < n; ++i) apply_impulse(rows[i], problem.x[i], mass, bodies);
-  for (int i = 0; i < first_wheels; ++i) contacts[i].impulse += problem.x[i];
-  for (const SlowWheels& w : wheels) {
-    double& left = bodies[w.robot].twist.left;
-    if (std::abs(left) <= no_approach) left = 0.0;
-  }
-}
-
 void resolve_impacts(std::span<Contact> contacts, std::span<const InverseMass> mass,
                      std::span<Body> bodies, BoxProblem& problem) {
   for (Contact& c : contacts) {

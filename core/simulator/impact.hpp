@@ -103,14 +103,4 @@ void resolve_impacts(std::span<Contact> contacts, std::span<const InverseMass> m
 void stop_approaches(std::span<Contact> contacts, std::span<const InverseMass> mass,
                      std::span<Body> bodies, BoxProblem& problem);
 
-// Wheels that slide slowly, and the most that the ground does to stop them, N s.
-struct SlowWheels {
-  int robot;
-  double most;
-};
-
-// Stops those wheels, as far as that goes, so that no contact approaches; adds to the impulses.
-void stop_slides(std::span<Contact> contacts, std::span<const SlowWheels> wheels,
-                 std::span<const InverseMass> mass, std::span<Body> bodies, BoxProblem& problem);
-
 }  // namespace mirocup::simulator

@@ -34,17 +34,10 @@ Patience::Growing Patience::growing(double first, double growth, double most, in
 }
 
 Patience::Patience(const Tolerances& t)
-    : event_growth_(t.growth_per_event),
-      slide_growth_(t.slide_growth_per_event),
-      soon_slide_(t.rest_slide),
+    : tolerances_(t),
       rest_after_touches_(growing(t.rest_speed, t.rest_growth_per_touch, never)),
       sink_after_touches_(growing(t.sink, t.sink_growth_per_touch, t.touch, t.patient_touches)),
-      slide_after_touches_(growing(t.brief_slide, t.brief_slide_growth_per_touch, never)),
-      first_hold_(t.hold),
-      touch_forgotten_(t.touch_forgotten),
-      never_forgotten_(t.touches_never_forgotten),
-      lasting_rest_(t.rest_speed),
-      lasting_slide_(t.brief_slide) {
+      slide_after_touches_(growing(t.brief_slide, t.brief_slide_growth_per_touch, never)) {
   // Until the second touch.
   rest_after_touches_[0] = rest_after_touches_[1] = t.first_rest_speed;
 }
@@ -66,12 +59,12 @@ void Patience::begin_tick(const BodySet& touching) {
   last_touch_ = 0.0;
   slide_ = no_sliding;
   roll_ = no_rolling;
-  hold_ = first_hold_;
+  hold_ = tolerances_.hold;
 }
 
 void Patience::count(int body, double t) {
-  if (touches_[body] < never_forgotten_) {
-    const double forgotten = (t - last_touch_of_[body]) / touch_forgotten_;
+  if (touches_[body] < tolerances_.touches_never_forgotten) {
+    const double forgotten = (t - last_touch_of_[body]) / tolerances_.touch_forgotten;
     touches_[body] = forgotten < touches_[body] ? touches_[body] - static_cast<int>(forgotten) : 0;
   }
   touches_[body] = std::min(touches_[body] + 1, most_counted);
@@ -95,10 +88,11 @@ void Patience::note_bounce(const Pair& pair, double t) {
 }
 
 void Patience::note_event(bool was_forced) {
-  hold_ = std::min(hold_ * (was_forced ? growth_when_forced : event_growth_), longest_hold);
-  roll_ = std::min(roll_ * event_growth_, lasting_rest_);
-  slide_ = slide_ < soon_slide_ ? std::min(slide_ * slide_growth_, soon_slide_)
-                                : std::min(slide_ * late_slide_growth, lasting_rest_);
+  const Tolerances& t = tolerances_;
+  hold_ = std::min(hold_ * (was_forced ? growth_when_forced : t.growth_per_event), longest_hold);
+  roll_ = std::min(roll_ * t.growth_per_event, t.rest_speed);
+  slide_ = slide_ < t.rest_slide ? std::min(slide_ * t.slide_growth_per_event, t.rest_slide)
+                                 : std::min(slide_ * late_slide_growth, t.rest_speed);
 }
 
 int Patience::touches_of(const Pair& pair) const {
@@ -107,7 +101,7 @@ int Patience::touches_of(const Pair& pair) const {
 }
 
 double Patience::rest_speed(const Pair& pair) const {
-  if (lasts(pair.a) && (pair.with_obstacle() || lasts(pair.partner))) return lasting_rest_;
+  if (lasts(pair.a) && (pair.with_obstacle() || lasts(pair.partner))) return tolerances_.rest_speed;
   return rest_after_touches_[touches_of(pair)];
 }
 
@@ -116,7 +110,7 @@ double Patience::sink(const Pair& pair) const {
 }
 
 double Patience::brief_slide(int robot) const {
-  if (lasts(robot)) return lasting_slide_;
+  if (lasts(robot)) return tolerances_.brief_slide;
   return std::min(slide_after_touches_[touches_[robot]], rest_after_touches_[touches_[robot]]);
 }
 

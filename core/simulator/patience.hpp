@@ -55,14 +55,8 @@ class Patience {
   // Has the body been in company since before the tick, and not been touched anew?
   bool lasts(int body) const { return accustomed_[body] && touches_[body] == 0; }
 
-  double event_growth_;
-  double slide_growth_;
-  double soon_slide_;
+  Tolerances tolerances_;
   Growing rest_after_touches_, sink_after_touches_, slide_after_touches_;
-  double first_hold_;
-  double touch_forgotten_;
-  int never_forgotten_;
-  double lasting_rest_, lasting_slide_;
 
   BodySet touching_;                                // when this tick began
   BodySet accustomed_;                              // touched, or were touched, in the tick before

@@ -5,6 +5,7 @@
 #include "core/simulator/cluster.hpp"
 #include "core/simulator/pressing.hpp"
 #include "core/simulator/shift.hpp"
+#include "core/simulator/slow_wheels.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -313,33 +314,19 @@ void World::stop_brief_slides() {
   for (const Contact& c : contacts_.contacts()) {
     if (c.impulse != 0.0) hit |= bodies_of(c.pair);
   }
-  std::array<SlowWheels, max_robots> wheels;
+  std::array<int, max_robots> slow;
   std::size_t count = 0;
   double longest = 0.0;
   for (int i = 0; i < arena_.robots; ++i) {
     const double brief = hit[i] ? patience_.brief_slide(i) : patience_.rest_slide();
     const double left = std::abs(bodies_[i].twist.left);
     if (!touching[i] || !drives_[i].wheels_on_ground || left > brief) continue;
-    wheels[count++] = {.robot = i, .most = 0.0};
+    slow[count++] = i;
     longest = std::max(longest, brief);
   }
   // Those that stand must be able to take what stops the others.
-  for (SlowWheels& w : wheels) w.most = arena_.parameters.robot_mass * longest;
-  const std::span<const SlowWheels> slow(wheels.data(), count);
-  const double fastest = fastest_slide(slow);
-  if (fastest <= no_sliding) return;
-  const std::array<Body, max_bodies> before = bodies_;
-  stop_slides(contacts_.contacts(), slow, mass_, bodies_, *problem_);
-  // What stops one may make others slide that stood: they would stop, and slide again.
-  if (fastest_slide(slow) >= fastest) bodies_ = before;
-}
-
-double World::fastest_slide(std::span<const SlowWheels> wheels) const {
-  double fastest = 0.0;
-  for (const SlowWheels& w : wheels) {
-    fastest = std::max(fastest, std::abs(bodies_[w.robot].twist.left));
-  }
-  return fastest;
+  const double most = arena_.parameters.robot_mass * longest;
+  stop_slides(contacts_.contacts(), {slow.data(), count}, most, mass_, bodies_, *problem_);
 }
 
 void World::note_touches() {

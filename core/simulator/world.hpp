@@ -95,7 +95,6 @@ class World {
   void separate_overlaps();
   void collide(double t);
   void stop_brief_slides();
-  double fastest_slide(std::span<const SlowWheels> wheels) const;
   void start_segments(const BodySet& involved, double t, double tick_end);
   void note_touches();
 

@@ -94,9 +94,9 @@ Parameters random_parameters(Random& random) {
   return p;
 }
 
-// Is the simulator's impact within `window` seconds of that time? Leaves the world behind it.
-bool impact_is_at(const Scene& s, Real time, double window, std::unique_ptr<World>& world) {
-  world = world_of(s.start);
+// Is the simulator's impact within `window` seconds of that time?
+bool impact_is_at(const Scene& s, Real time, double window) {
+  const auto world = world_of(s.start);
   const double before = static_cast<double>(time - window);
   if (world->advance(s.commands, before).impacts != 0) return false;
   return world->advance(s.commands, 2.0 * window).impacts == 1;
@@ -114,11 +114,18 @@ bool is_intercepted(const Scene& s, const field::Field& field, Real time) {
   });
 }
 
-// Puts the bodies of the scene where those of the world are.
-void take_from(const World& world, Scene& s) {
-  if (s.a.robot) s.a.robot = exactly(world.robot(world.robots() - 1));
-  if (s.a.ball) s.a.ball = exactly(world.ball());
-  if (s.b.robot) s.b.robot = exactly(world.robot(0));
+// Wide enough that no tick begins where two touch already by the tolerance.
+constexpr double clear = 1e-6;  // s
+
+// The world `clear` before an impact, and the bodies of the scene put where its are: what free motion
+// is off by until then has a bar of its own. Null if something bounced before.
+std::unique_ptr<World> world_before(Real time, Scene& s) {
+  auto world = world_of(s.start);
+  if (world->advance(s.commands, static_cast<double>(time) - clear).impacts != 0) return nullptr;
+  if (s.a.robot) s.a.robot = exactly(world->robot(world->robots() - 1));
+  if (s.a.ball) s.a.ball = exactly(world->ball());
+  if (s.b.robot) s.b.robot = exactly(world->robot(0));
+  return world;
 }
 
 // Equation (21) at the impact, then `after` seconds on the way.
@@ -132,13 +139,11 @@ void bounce_and_move(const Parameters& p, const Encounter& e, double after, Scen
   s.b.move(p, after);
 }
 
-// The velocities `clear` seconds after an impact, against (21). From where the world is as long
-// before it: what free motion is off by has a bar of its own. Nothing if there is no impact then.
-std::optional<double> velocity_error(Scene s, Real time, double clear) {
+// The velocities `clear` after an impact, against (21). Nothing if there is not one impact then.
+std::optional<double> velocity_error(Scene s, Real time) {
   const Parameters& p = s.start.parameters;
-  const auto world = world_of(s.start);
-  if (world->advance(s.commands, static_cast<double>(time) - clear).impacts != 0) return {};
-  take_from(*world, s);
+  const auto world = world_before(time, s);
+  if (world == nullptr) return {};
   const std::optional<Encounter> last = first_touch(p, s.a, s.b, 0.1L);
   if (!last || world->advance(s.commands, 2.0 * clear).impacts != 1) return {};
   bounce_and_move(p, *last, static_cast<double>(2.0L * clear - last->time), s);
@@ -186,23 +191,21 @@ void add_bars(const PairKind& kind, int wanted, Bars& bars) {
     Mover b = s.b;
     const std::optional<Encounter> e = first_touch(p, a, b, 0.1L);
     if (!e || !can_be_reached(s, field, *e)) continue;
-    std::unique_ptr<World> world;
-    if (!impact_is_at(s, e->time, windows[0], world)) {
+    if (!impact_is_at(s, e->time, windows[0])) {
       if (is_intercepted(s, field, e->time)) continue;
       ++found;
       ++missed;
       continue;
     }
     ++found;
-    // Wide enough that no tick begins where the two touch already by the tolerance.
-    if (const auto error = velocity_error(s, e->time, 1e-6)) {
+    if (const auto error = velocity_error(s, e->time)) {
       worst_velocity = std::max(worst_velocity, *error);
     } else {
       ++several;
     }
     double bound = windows[0];
     for (const double window : windows) {
-      if (!impact_is_at(s, e->time, window, world)) break;
+      if (!impact_is_at(s, e->time, window)) break;
       bound = window;
     }
     worst_time = std::max(worst_time, bound);
@@ -269,13 +272,10 @@ Bars conserved_in_impacts(Size size) {
     if (overlap(s.start)) continue;
     const std::optional<Encounter> touch = first_touch(p, s.a, s.b, 0.1L);
     if (!touch || !can_be_reached(s, field, *touch)) continue;
-    const auto world = world_of(s.start);
-    constexpr double clear = 1e-6;
-    if (world->advance(s.commands, static_cast<double>(touch->time) - clear).impacts != 0) continue;
+    const auto world = world_before(touch->time, s);
+    if (world == nullptr) continue;
     const double energy = kinetic_energy(*world);
     const Momentum before = momentum_of(*world);
-    // The last microsecond from where the world is: what it may be off by is not the impact's.
-    take_from(*world, s);
     const std::optional<Encounter> last = first_touch(p, s.a, s.b, 0.1L);
     if (!last || world->advance(s.commands, 2.0 * clear).impacts != 1) continue;
     ++found;

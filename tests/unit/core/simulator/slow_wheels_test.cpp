@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-//
-// Impacts are compared with closed forms in tests/scenes; here is what the ground adds to them.
-#include "core/simulator/impact.hpp"
+#include "core/simulator/slow_wheels.hpp"
 
 #include <gtest/gtest.h>
 
@@ -30,8 +28,8 @@ struct Side {
     c.row_a = contact_row(bodies[1], c.at);
     c.row_b = contact_row(bodies[0], c.at);
   }
-  void stop(const SlowWheels& wheels) {
-    stop_slides(contacts, std::array{wheels}, mass, bodies, problem);
+  void stop(int robot, double most) {
+    stop_slides(contacts, std::array{robot}, most, mass, bodies, problem);
   }
 };
 
@@ -39,11 +37,11 @@ TEST(StopSlides, StopsWhatTheGroundCanAndNoMore) {
   Side side;
   const double m = side.parameters.robot_mass;
   side.bodies[1].twist.left = 1e-4;
-  side.stop({.robot = 1, .most = 2e-4 * m});
+  side.stop(1, 2e-4 * m);
   EXPECT_EQ(side.bodies[1].twist.left, 0.0);
 
   side.bodies[1].twist.left = 1e-4;
-  side.stop({.robot = 1, .most = 0.25e-4 * m});
+  side.stop(1, 0.25e-4 * m);
   EXPECT_NEAR(side.bodies[1].twist.left, 0.75e-4, 1e-18);
 }
 
@@ -54,7 +52,7 @@ TEST(StopSlides, LetsNoContactApproach) {
   side.contacts[0].row_a = contact_row(side.bodies[1], side.contacts[0].at);
   side.bodies[0].twist.forward = 1e-4;
   side.bodies[1].twist.left = -1e-4;  // away from the first one, as fast as that follows
-  side.stop({.robot = 1, .most = 1e-3});
+  side.stop(1, 1e-3);
   EXPECT_GE(gap_rate(side.contacts[0], side.bodies), -1e-15);
   EXPECT_GE(side.contacts[0].impulse, 0.0);
 }

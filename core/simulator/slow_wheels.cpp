@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "core/simulator/slow_wheels.hpp"
+
+#include "core/simulator/robot_motion.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace mirocup::simulator {
+
+namespace {
+
+double fastest_slide(std::span<const int> robots, std::span<const Body> bodies) {
+  double fastest = 0.0;
+  for (const int robot : robots) fastest = std::max(fastest, std::abs(bodies[robot].twist.left));
+  return fastest;
+}
+
+}  // namespace
+
+void stop_slides(std::span<Contact> contacts, std::span<const int> robots, double most,
+                 std::span<const InverseMass> mass, std::span<Body> bodies, BoxProblem& problem) {
+  const double fastest = fastest_slide(robots, bodies);
+  if (fastest <= no_sliding) return;
+  std::array<Body, max_bodies> before;
+  std::copy(bodies.begin(), bodies.end(), before.begin());
+
+  std::array<Contact, max_unknowns> rows;
+  const int first_wheels = static_cast<int>(contacts.size());
+  const int n = first_wheels + static_cast<int>(robots.size());
+  std::copy(contacts.begin(), contacts.end(), rows.begin());
+  problem.reset(n);
+  for (int i = 0; i < n; ++i) {
+    if (i >= first_wheels) {
+      rows[i] = wheels_as_contact(robots[i - first_wheels]);
+      problem.low[i] = -most;
+      problem.high[i] = most;
+    }
+    problem.b[i] = gap_rate(rows[i], bodies);
+  }
+  set_couplings(
+      n, [&](int i) -> const Contact& { return rows[i]; }, mass, problem);
+  problem.solve();
+  for (int i = 0; i < n; ++i) apply_impulse(rows[i], problem.x[i], mass, bodies);
+  for (const int robot : robots) {
+    double& left = bodies[robot].twist.left;
+    if (std::abs(left) <= no_sliding) left = 0.0;
+  }
+  if (fastest_slide(robots, bodies) >= fastest) {
+    std::copy_n(before.begin(), bodies.size(), bodies.begin());
+    return;
+  }
+  for (int i = 0; i < first_wheels; ++i) contacts[i].impulse += problem.x[i];
+}
+
+}  // namespace mirocup::simulator
