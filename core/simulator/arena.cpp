@@ -106,7 +106,7 @@ double touch_time(const Arena& arena, const Pair& pair, std::span<const Segment>
   };
   const Body body_b = pair.with_obstacle() ? Body{} : body_at(b, t);
   const double now = gap(arena, pair, body_at(a, t), body_b);
-  if (now > closeness) {
+  if (now > std::max(closeness, sink)) {
     const double touch = search(0.0);
     if (touch > t) return touch;
   }

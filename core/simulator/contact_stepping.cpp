@@ -61,6 +61,27 @@ void set_bounds(BoxProblem& problem, int i, double bound) {
 
 }  // namespace
 
+double speed_at_most(const Arena& arena, int body, const Body& state) {
+  const Twist& v = state.twist;
+  return std::abs(v.forward) + std::abs(v.left) + std::abs(v.turn) * arena.shape(body).radius;
+}
+
+double overlap_by_turning(const Arena& arena, std::span<const Contact> contacts,
+                          std::span<const Body> bodies, double step) {
+  double most = 0.0;
+  for (const Contact& c : contacts) {
+    double turn = 0.0;
+    double speed = 0.0;
+    for (const int body : {c.a, c.b}) {
+      if (body == no_body) continue;
+      turn += std::abs(bodies[body].twist.turn);
+      speed += speed_at_most(arena, body, bodies[body]);
+    }
+    most = std::max(most, turn * speed * step * step);
+  }
+  return most;
+}
+
 void step_in_contact(const Forces& forces, std::span<const int> members,
                      std::span<Contact> contacts, double step, std::span<const InverseMass> mass,
                      std::span<Body> bodies, BoxProblem& problem) {

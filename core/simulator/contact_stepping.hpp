@@ -9,6 +9,7 @@
 // First order in the step; positions are then corrected so that no overlap builds up.
 #pragma once
 
+#include "core/simulator/arena.hpp"
 #include "core/simulator/friction.hpp"
 #include "core/simulator/robot_motion.hpp"
 
@@ -22,6 +23,14 @@ struct Forces {
   std::span<const Drive> drives;  // of the robots; the ball has none
   int ball;                       // its index, or no_body
 };
+
+// No point of the body is faster, m/s.
+double speed_at_most(const Arena& arena, int body, const Body& state);
+
+// How far (m) bodies in contact can come to overlap in a step of that length (s), which knows their
+// contact as it is at its begin: while they turn by omega step, their points go (v + omega r) step.
+double overlap_by_turning(const Arena& arena, std::span<const Contact> contacts,
+                          std::span<const Body> bodies, double step);
 
 // Sets the twists of the members to those that hold over the next `step` seconds, and the impulses
 // of the contacts. Members are in increasing order and the contacts are all between members or with

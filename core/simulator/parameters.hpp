@@ -104,8 +104,9 @@ struct Tolerances {
   double growth_per_event = 1.3;
   double slide_growth_per_event = 2.0;
   double rest_slide = 1e-7;
-  int events_per_tick = 400;  // beyond, the rest of the tick is done in small steps
-  double step = 1e-3;         // s: the longest of those
+  int events_per_tick = 400;   // beyond, the rest of the tick is done in small steps
+  double step = 1e-3;          // s: the longest of those
+  double step_overlap = 1e-7;  // m: what turning may add to an overlap in one of them
 };
 
 Tolerances tolerances_of(Accuracy accuracy);

@@ -370,18 +370,22 @@ void World::finish_in_steps(double t, double tick_end) {
   const std::span<const int> all(members.data(), static_cast<std::size_t>(arena_.bodies()));
   const Forces forces{arena_.parameters, drives_, arena_.has_ball ? arena_.robots : no_body};
 
+  double step = arena_.tolerances.step;
   while (t < tick_end) {
-    const double end = std::min(tick_end, t + arena_.tolerances.step);
-    double fastest = 0.0;
-    for (const int i : all) {
-      const Twist& v = bodies_[i].twist;
-      fastest = std::max(fastest, std::abs(v.forward) + std::abs(v.left) +
-                                      std::abs(v.turn) * arena_.shape(i).radius);
-    }
+    const double end = std::min(tick_end, t + step);
+    const auto before = bodies_;
     // Whatever can meet within the step is a contact of the step.
+    double fastest = 0.0;
+    for (const int i : all) fastest = std::max(fastest, speed_at_most(arena_, i, bodies_[i]));
     collect_contacts_anywhere(2.0 * fastest * (end - t) + 1e-4);
     note_touches();
     step_in_contact(forces, all, contacts_.contacts(), end - t, mass_, bodies_, *problem_);
+    const double turned = overlap_by_turning(arena_, contacts_.contacts(), bodies_, end - t);
+    if (turned > arena_.tolerances.step_overlap) {
+      bodies_ = before;
+      step *= 0.5;
+      continue;
+    }
     for (const int i : all) bodies_[i] = body_at(steady_segment(bodies_[i], t, end), end);
     collect_contacts_anywhere(arena_.tolerances.touch);
     separate_overlaps();

@@ -181,5 +181,29 @@ TEST(World, AWedgeAtRestIsNotFollowedForEver) {
   }
 }
 
+// Six robots that whirl into each other around the ball, in small steps only. Catches steps so long
+// that corners turn into their neighbours, by 8 um with steps of 1 ms whatever happens.
+TEST(World, SmallStepsKeepOverlapsSmall) {
+  const field::Field field = field::make_field(League::small);
+  Tolerances tolerances;
+  tolerances.events_per_tick = 0;
+  World world(&field, Parameters{}, tolerances, 6, true);
+  for (int i = 0; i < 6; ++i) {
+    const Heading inwards = Heading::from_angle(pi / 3.0 * i);
+    world.set_robot(i, {-0.12 * inwards.forward(), inwards, {}});
+  }
+  world.set_ball({});
+  for (int tick = 0; tick < 60; ++tick) {
+    std::array<WheelCommand, 6> commands;
+    for (int i = 0; i < 6; ++i) {
+      const double turn = 12.0 * ((tick / 10 + i) % 3 - 1);
+      commands[i] = WheelSpeeds{30.0 - turn, 30.0 + turn};
+    }
+    const TickEvents& events = world.advance(commands, 0.033);
+    EXPECT_TRUE(events.stepped);
+    EXPECT_LE(events.deepest_overlap, 1e-6) << tick;
+  }
+}
+
 }  // namespace
 }  // namespace mirocup::simulator
