@@ -181,6 +181,77 @@ TEST(World, AWedgeAtRestIsNotFollowedForEver) {
   }
 }
 
+// Fifteen robots wedged in a corner of the large field, and the ball at rest between them, found in a
+// crowd of 22. Catches velocities that are fitted to a heap, contradict each other by 5e-10 m/s, and
+// set the ball going: it stopped within 7 ns, and so on until the tick went on in small steps.
+TEST(World, ABallAtRestInAHeapStaysAtRest) {
+  const field::Field field = field::make_field(League::large);
+  World world(&field, Parameters{}, Tolerances{}, 15, true);
+  world.set_robot(0, {{0x1.0e66663e8ac9ap+1, 0x1.1de6960e07f6fp-4},
+                      {-0x1.09b8197ec0727p-21, 0x1.ffffffffffbb1p-1},
+                      {-0x1.fd0611d5402bap-31, 0x0p+0, -0x1.be16553ccf239p-47}});
+  world.set_robot(1, {{0x1.f32af6ab5da59p+0, 0x1.196be3c9e792p-2},
+                      {0x1.bfeed157f028ep-2, -0x1.cc6a88f5dacabp-1},
+                      {-0x1.f336711a31c6ap-6, -0x1.a736122f7f54ap-8, 0x1.1add84274ce26p+0}});
+  world.set_robot(2, {{0x1.e1f2127764dap+0, 0x1.eef08c2b1bfccp-3},
+                      {0x1.bfeed157f027bp-2, -0x1.cc6a88f5dacaep-1},
+                      {0x1.1314cb2890b11p-4, -0x1.8b29f1385a44bp-8, 0x1.1add84274ce25p+0}});
+  world.set_robot(3, {{0x1.f8561e714f3ddp+0, 0x1.9b43fdabdcc9fp-3},
+                      {0x1.cc6a88f5dacafp-1, 0x1.bfeed157f027cp-2},
+                      {0x1.395dc53d047d8p-7, 0x0p+0, 0x1.1add84274ce6ep+0}});
+  world.set_robot(4, {{0x1.e7121fb4e3d69p+0, 0x1.58135e45125ebp-3},
+                      {0x1.cc6a88f5dacaep-1, 0x1.bfeed157f027bp-2},
+                      {0x1.395dc53d046d4p-7, -0x1.5370382f290a1p-4, 0x1.1add84274ce24p+0}});
+  world.set_robot(5, {{0x1.e333333333334p+0, 0x1.5fc0bd5f9042bp-2},
+                      {0x1p+0, 0x1.7ea5009075e45p-48},
+                      {-0x1.55e4e423c8a6dp-59, 0x0p+0, -0x1.7251235162c4ep-53}});
+  world.set_robot(6, {{0x1.0e66666666666p+1, 0x1.c226809d49519p-3},
+                      {0x1p+0, -0x1.611188bb8375cp-50},
+                      {0x1.1d0b29af3ad35p-56, 0x0p+0, -0x1.e47a08191164bp-52}});
+  world.set_robot(7, {{0x1.f078c1cdc1c97p+0, 0x1.a3b39c45b7bb2p-4},
+                      {-0x1.bfeed157f0283p-2, 0x1.cc6a88f5dacaep-1},
+                      {-0x1.3fbc64738e7cap-4, 0x1.8316cae13fbf7p-5, 0x1.1add84274ce11p+0}});
+  world.set_robot(8, {{0x1.03dae131d48a1p+1, 0x1.182b05fd5d223p-3},
+                      {0x1.f823254c188f3p-1, 0x1.6589c362258cbp-3},
+                      {0x1.cd6bd21f51da8p-9, 0x0p+0, -0x1.778e41c61e6a7p-5}});
+  world.set_robot(9, {{0x1.0dd968f32ca9bp+1, -0x1.4e6d6cb523d65p-4},
+                      {-0x1.3852e883a121ep-5, 0x1.ffa0b495557f6p-1},
+                      {-0x1.349c35e459d27p-10, 0x0p+0, 0x1.f2b396a1ee9f6p-6}});
+  world.set_robot(10, {{0x1.ce8794214ffa4p+0, 0x1.279c6c7fd6606p-2},
+                       {0x1.b34522788dcb6p-1, -0x1.0d9983641c431p-1},
+                       {0x1.102e9fc993816p-4, 0x0p+0, -0x1.c8cb0f91cd08cp-55}});
+  world.set_robot(11, {{0x1.0dbf6b7efc7edp+1, -0x1.40fcc983791e7p-3},
+                       {-0x1.3852e883a121ep-5, 0x1.ffa0b495557f6p-1},
+                       {-0x1.51c6a9c8b706cp-10, 0x0p+0, 0x1.f2b396a1eea3p-6}});
+  world.set_robot(12, {{0x1.0e3309eff3711p+1, 0x1.288ce48614c15p-3},
+                       {0x1.ffffffffffbb1p-1, 0x1.09ab40598fdd4p-21},
+                       {0x1.ea67bede5e47ep-10, 0x0p+0, -0x1.a81b442c18723p-26}});
+  world.set_robot(13, {{0x1.0dd117244934ap+1, -0x1.b0b29e5848556p-8},
+                       {0x1.3852e883a121ep-5, -0x1.ffa0b495557f6p-1},
+                       {0x1.1fce18a05b123p-10, 0x0p+0, 0x1.f2b396a1eea22p-6}});
+  world.set_robot(14, {{0x1.f666666666667p+0, 0x1.74ab64e2cc67fp-2},
+                       {0x1p+0, 0x1.28cbae72e6577p-49},
+                       {-0x1.5617bded02408p-59, 0x0p+0, -0x1.c7fd85c7a64c3p-53}});
+  world.set_ball({{0x1.1056dc7378b31p+1, 0x1.1d566cf41f213p-2}, {0x1.03cd3875bf0dfp-54, 0x0p+0}});
+  const std::array<WheelCommand, 15> commands{
+      WheelSpeeds{-0x1.c8d7fda433648p+1, -0x1.776342c556cf3p+4},
+      WheelSpeeds{0x1.f047eb9a449ebp+4, 0x1.dbdd9c4eb12eap+5},
+      WheelSpeeds{0x1.701d56c0beb92p+5, 0x1.15d50f2d07109p+6},
+      WheelSpeeds{-0x1.8df65111f7795p+3, 0x1.1bc3f27d615fp+4},
+      WheelSpeeds{0x1.56382851a076cp+5, 0x1.9df3d7253f2f1p+4},
+      WheelSpeeds{0x1.bd8689e91b5aap+5, 0x1.d6c9584bd4744p+4},
+      WheelSpeeds{0x1.c6c2ad1b4ddeep+5, 0x1.206e005f7f9c3p+6},
+      WheelSpeeds{0x1.2c0a4f054749ap+5, 0x1.10d7facb5b7dcp+5},
+      WheelSpeeds{-0x1.bc8d92c7e8ebp+2, 0x1.48e6195d14754p+4},
+      WheelSpeeds{0x1.41739e196933p+0, 0x1.2a9e1df194fap+5},
+      WheelSpeeds{0x1.c864800024034p+4, 0x1.1daaee8e55be3p+6},
+      WheelSpeeds{0x1.f2141123ffeap+5, 0x1.0da6ff100e57p+6},
+      WheelSpeeds{-0x1.0c0c7a3b79f84p+4, -0x1.55eb3bd42b3a4p+3},
+      WheelSpeeds{0x1.5e6ddedd18144p+3, 0x1.99152958be358p+6},
+      WheelSpeeds{-0x1.b5ad3ce17442p-1, 0x1.42ca9972f9ed9p+4}};
+  EXPECT_LE(world.advance(commands, 0.033).events, 120);
+}
+
 // Six robots that whirl into each other around the ball, in small steps only. Catches steps so long
 // that corners turn into their neighbours, by 8 um with steps of 1 ms whatever happens.
 TEST(World, SmallStepsKeepOverlapsSmall) {
