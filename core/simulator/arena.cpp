@@ -16,10 +16,6 @@ const Segment& obstacle_segment() {
   return still;
 }
 
-bool is_plane(int obstacle) {
-  return obstacle < plane_walls;
-}
-
 double of_pair(const Arena& arena, const Pair& pair, const PerPair& value) {
   const bool ball = arena.is_ball(pair.a);
   if (pair.with_obstacle()) return ball ? value.ball_wall : value.robot_wall;
@@ -42,6 +38,8 @@ Arena make_arena(const field::Field* field, const Parameters& parameters,
   arena.field = field;
   arena.robot_shape = robot_shape(parameters);
   arena.ball_shape = circle(parameters.ball_radius);
+  arena.reach_of_robots = arena.robot_shape.radius + tolerances.touch + arena.robot_shape.radius;
+  arena.reach_of_ball = arena.ball_shape.radius + tolerances.touch + arena.robot_shape.radius;
   if (field != nullptr) {
     for (int i = 0; i < end_walls; ++i) arena.end_wall_shapes[i] = end_wall(field->posts[i]);
   }
@@ -62,7 +60,7 @@ double contact_friction(const Arena& arena, const Pair& pair) {
 Separation separation(const Arena& arena, const Pair& pair, const Body& a, const Body& b) {
   const Shape& shape = arena.shape(pair.a);
   if (!pair.with_obstacle()) return separation(shape, a, arena.shape(pair.partner), b);
-  if (is_plane(pair.obstacle())) return separation(shape, a, arena.field->walls[pair.obstacle()]);
+  if (pair.with_plane()) return separation(shape, a, arena.field->walls[pair.obstacle()]);
   return separation(shape, a, end_wall_of(arena, pair.obstacle()), Body{});
 }
 
@@ -73,7 +71,7 @@ void add_contacts(const Arena& arena, const Pair& pair, std::span<const Body> bo
   ContactPoints found;
   if (!pair.with_obstacle()) {
     found = contact_points(shape, a, arena.shape(pair.partner), bodies[pair.partner], margin);
-  } else if (is_plane(pair.obstacle())) {
+  } else if (pair.with_plane()) {
     found = contact_points(shape, a, arena.field->walls[pair.obstacle()], margin);
   } else {
     found = contact_points(shape, a, end_wall_of(arena, pair.obstacle()), Body{}, margin);
@@ -94,7 +92,7 @@ double touch_time(const Arena& arena, const Pair& pair, std::span<const Segment>
                   double sink) {
   const Segment& a = segments[pair.a];
   const Mover mover{arena.shape(pair.a), a};
-  const bool plane = pair.with_obstacle() && is_plane(pair.obstacle());
+  const bool plane = pair.with_plane();
   const Segment& b = pair.with_obstacle() ? obstacle_segment() : segments[pair.partner];
   const double end = std::min(a.end, b.end);
 
@@ -111,39 +109,6 @@ double touch_time(const Arena& arena, const Pair& pair, std::span<const Segment>
     if (touch > t) return touch;
   }
   return search(std::min(now, 0.0) - sink);
-}
-
-bool boxes_meet(const Arena& arena, const Pair& pair, std::span<const Box> boxes) {
-  const Box& a = boxes[pair.a];
-  const double radius = arena.shape(pair.a).radius + arena.tolerances.touch;
-  if (!pair.with_obstacle()) {
-    const Box& b = boxes[pair.partner];
-    const double reach = radius + arena.shape(pair.partner).radius;
-    return a.low_x - b.high_x <= reach && b.low_x - a.high_x <= reach &&
-           a.low_y - b.high_y <= reach && b.low_y - a.high_y <= reach;
-  }
-  if (is_plane(pair.obstacle())) {
-    const field::Wall& wall = arena.field->walls[pair.obstacle()];
-    const double nearest = std::min(wall.normal.x() * a.low_x, wall.normal.x() * a.high_x) +
-                           std::min(wall.normal.y() * a.low_y, wall.normal.y() * a.high_y);
-    return nearest - wall.offset <= radius;
-  }
-  // An end wall is the quarter-plane behind its post.
-  const field::GoalPost& post = arena.field->posts[pair.obstacle() - plane_walls];
-  const double face = std::min(post.face.x() * (a.low_x - post.post.x()),
-                               post.face.x() * (a.high_x - post.post.x()));
-  const double side = std::min(post.side.y() * (a.low_y - post.post.y()),
-                               post.side.y() * (a.high_y - post.post.y()));
-  return face <= radius && side <= radius;
-}
-
-bool is_far_from_obstacles(const Arena& arena, int body, const Box& box) {
-  if (arena.field == nullptr) return true;
-  // Inside this rectangle neither walls nor corner cuts can be reached.
-  const double margin = arena.field->corner_leg + arena.shape(body).radius + arena.tolerances.touch;
-  const double x = arena.field->half_length - margin;
-  const double y = arena.field->half_width - margin;
-  return box.low_x > -x && box.high_x < x && box.low_y > -y && box.high_y < y;
 }
 
 }  // namespace mirocup::simulator

@@ -27,10 +27,15 @@ struct Arena {
   Shape ball_shape;
   std::array<Shape, end_walls> end_wall_shapes;
   InverseMass free_robot, grounded_robot, ball;
+  double reach_of_robots = 0.0;  // m between reference points: beyond, two robots do not touch
+  double reach_of_ball = 0.0;    // m: beyond, the ball and a robot do not
 
   int bodies() const { return robots + (has_ball ? 1 : 0); }
   bool is_ball(int body) const { return body == robots; }
   const Shape& shape(int body) const { return is_ball(body) ? ball_shape : robot_shape; }
+  double reach(int i, int j) const {
+    return is_ball(i) || is_ball(j) ? reach_of_ball : reach_of_robots;
+  }
 };
 
 Arena make_arena(const field::Field* field, const Parameters& parameters,
@@ -54,11 +59,5 @@ void add_contacts(const Arena& arena, const Pair& pair, std::span<const Body> bo
 // already is looked at until it has come closer by `sink`, m.
 double touch_time(const Arena& arena, const Pair& pair, std::span<const Segment> segments, double t,
                   double sink);
-
-// Could the pair touch at all, judged by the boxes that hold both bodies' reference points?
-bool boxes_meet(const Arena& arena, const Pair& pair, std::span<const Box> boxes);
-
-// Is a body that stays in the box out of reach of every obstacle?
-bool is_far_from_obstacles(const Arena& arena, int body, const Box& box);
 
 }  // namespace mirocup::simulator

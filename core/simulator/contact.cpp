@@ -120,12 +120,14 @@ EdgeSeparation best_edge(const Shape& reference, const Shape& other, const Vec2&
     corner[i] = position + heading.to_world(other.corner[i]);
   }
   EdgeSeparation best{0, -infinity};
+  const double reach = other.inner_radius * (1.0 - 1e-9);  // at least so far towards any edge
   for (int edge = 0; edge < reference.corners; ++edge) {
+    const Vec2& normal = reference.normal[edge];
+    const double offset = reference.offset[edge];
+    if (normal.dot(position) - reach - offset <= best.separation) continue;
     double nearest = infinity;
-    for (int i = 0; i < other.corners; ++i) {
-      nearest = std::min(nearest, reference.normal[edge].dot(corner[i]));
-    }
-    const double separation = nearest - reference.offset[edge];
+    for (int i = 0; i < other.corners; ++i) nearest = std::min(nearest, normal.dot(corner[i]));
+    const double separation = nearest - offset;
     if (separation > best.separation) best = {edge, separation};
   }
   return best;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/simulator/neighbours.hpp"
 
+#include "core/simulator/near_pairs.hpp"
+
 namespace mirocup::simulator {
 
 std::span<Neighbour> Neighbours::find(const Arena& arena, std::span<const Box> boxes,
@@ -13,18 +15,12 @@ std::span<Neighbour> Neighbours::find(const Arena& arena, std::span<const Box> b
   }
   count_ = kept;
 
+  const unsigned long unchanged = bodies_below(arena.bodies()) & ~changed.to_ulong();
   for (int i = 0; i < arena.bodies(); ++i) {
     if (!changed[i]) continue;
-    for (int j = 0; j < arena.bodies(); ++j) {
-      if (j == i || (changed[j] && j > i)) continue;
-      const Pair pair = pair_of(i, j);
-      if (boxes_meet(arena, pair, boxes)) add(pair);
-    }
-    if (is_far_from_obstacles(arena, i, boxes[i])) continue;
-    for (int k = 0; k < plane_walls + end_walls; ++k) {
-      const Pair pair = pair_with_obstacle(i, k);
-      if (boxes_meet(arena, pair, boxes)) add(pair);
-    }
+    // Of two that changed, the one with the higher index finds the pair.
+    for_near_pairs(arena, boxes, i, unchanged | bodies_below(i),
+                   [this](const Pair& pair) { add(pair); });
   }
   return {list_.data() + kept, static_cast<std::size_t>(count_ - kept)};
 }

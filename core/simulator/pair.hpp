@@ -7,8 +7,9 @@
 
 namespace mirocup::simulator {
 
-// Bodies are the robots by index, then the ball. Obstacles are the eight half-plane walls, then the
-// four end walls beside the goal mouths.
+// Bodies are the robots by index, then the ball. Obstacles are the eight half-plane walls, side walls
+// first, then the four end walls beside the goal mouths.
+inline constexpr int side_walls = 2;
 inline constexpr int plane_walls = 8;
 inline constexpr int end_walls = 4;
 inline constexpr int max_partners = max_bodies + plane_walls + end_walls;
@@ -21,6 +22,7 @@ struct Pair {
   int partner = 0;
 
   bool with_obstacle() const { return partner >= max_bodies; }
+  bool with_plane() const { return with_obstacle() && obstacle() < plane_walls; }
   int obstacle() const { return partner - max_bodies; }
   int b() const { return with_obstacle() ? no_body : partner; }
 

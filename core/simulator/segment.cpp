@@ -35,26 +35,27 @@ Segment steady_segment(const Body& body, double begin, double end) {
 }
 
 void integrate_pose(Segment& s, int k, bool drifts) {
-  // Four product_term()s in one go.
+  // Six product_term()s in one go.
   double cos = 0.0;
   double sin = 0.0;
   double x = 0.0;
   double y = 0.0;
+  double drift_x = 0.0;
+  double drift_y = 0.0;
   for (int j = 0; j <= k; ++j) {
     cos += s.turn[j] * s.sin[k - j];
     sin += s.turn[j] * s.cos[k - j];
     x += s.forward[j] * s.cos[k - j];
     y += s.forward[j] * s.sin[k - j];
+    if (!drifts) continue;
+    drift_x += s.left[j] * s.sin[k - j];
+    drift_y += s.left[j] * s.cos[k - j];
   }
   const double next = k + 1;
   s.cos[k + 1] = -cos / next;
   s.sin[k + 1] = sin / next;
-  if (drifts) {
-    x -= product_term(s.left, s.sin, k);
-    y += product_term(s.left, s.cos, k);
-  }
-  s.x[k + 1] = x / next;
-  s.y[k + 1] = y / next;
+  s.x[k + 1] = (x - drift_x) / next;
+  s.y[k + 1] = (y + drift_y) / next;
 }
 
 void set_terms(Segment& s, int terms) {
@@ -117,9 +118,12 @@ double converged_length(const Segment& s, double longest, double to) {
 
 Body body_at(const Segment& segment, double t) {
   const double u = t - segment.begin;
-  Body body{.position = {segment.x.at(u), segment.y.at(u)},
-            .heading = Heading{segment.cos.at(u), segment.sin.at(u)}.normalised(),
-            .twist = {segment.forward.at(u), segment.left.at(u), segment.turn.at(u)}};
+  Body body = with_terms(segment.x.terms, [&](auto n) {
+    const auto at = [u](const Series& p) { return p.at<decltype(n)::value>(u); };
+    return Body{.position = {at(segment.x), at(segment.y)},
+                .heading = Heading{at(segment.cos), at(segment.sin)}.normalised(),
+                .twist = {at(segment.forward), at(segment.left), at(segment.turn)}};
+  });
   if (t == segment.end && segment.settles != Settles::nothing) {
     body.twist.left = 0.0;
     if (segment.settles == Settles::everything) body.twist.forward = 0.0;

@@ -3,22 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
+#include <utility>
 
 namespace mirocup::simulator {
-
-namespace {
-
-// Calls f with the number of terms as a constant, which is what lets a compiler unroll its loops.
-template <class F>
-auto with_terms(int terms, F f) {
-  if (terms == term_counts[0]) return f(std::integral_constant<int, term_counts[0]>{});
-  if (terms == term_counts[1]) return f(std::integral_constant<int, term_counts[1]>{});
-  return terms == term_counts[2] ? f(std::integral_constant<int, term_counts[2]>{})
-                                 : f(std::integral_constant<int, term_counts[3]>{});
-}
-
-}  // namespace
 
 Series operator+(const Series& a, const Series& b) {
   return with_terms(std::max(a.terms, b.terms), [&](auto n) {
@@ -40,14 +27,21 @@ Series operator-(const Series& a, const Series& b) {
 
 Series operator*(const Series& a, const Series& b) {
   // The same sums in the same order as product_term(), arranged so that a compiler can do two at a
-  // time.
+  // time, and keep them in registers: j is a constant in each line of what this comes to.
   return with_terms(std::max(a.terms, b.terms), [&](auto n) {
+    std::array<double, n> sum{};
+    const auto add = [&](auto j) {
+      const double factor = a[j];
+      if (factor == 0.0) return;
+      for (int k = j; k < n; ++k) sum[k] += factor * b[k - j];
+    };
+    [&]<int... j>(std::integer_sequence<int, j...>) {
+      (add(std::integral_constant<int, j>{}), ...);
+    }
+    (std::make_integer_sequence<int, n>{});
     Series s;
     s.terms = n;
-    for (int j = 0; j < n; ++j) {
-      if (a[j] == 0.0) continue;
-      for (int k = j; k < n; ++k) s[k] += a[j] * b[k - j];
-    }
+    std::copy(sum.begin(), sum.end(), s.c.begin());
     return s;
   });
 }
@@ -89,6 +83,19 @@ Range change_over(const Series& p, double length) {
 
 namespace {
 
+// Range::low of change_over().
+double least_change(const Series& p, double length) {
+  return with_terms(p.terms, [&](auto n) {
+    double low = 0.0;
+    double power = 1.0;
+    for (int k = 1; k < n; ++k) {
+      power *= length;
+      low += std::min(p[k] * power, 0.0);
+    }
+    return low;
+  });
+}
+
 struct Value {
   double p;
   double slope;
@@ -128,7 +135,7 @@ double safe_step(double value, double slope, double curvature) {
 }  // namespace
 
 double first_fall(const Series& p, double level, double begin, double end) {
-  if (p[0] + change_over(p, end).low > level) return never;
+  if (p[0] + least_change(p, end) > level) return never;
 
   // Looks at one window after the other; a window is made smaller where the bounds over it are too
   // loose.
@@ -140,7 +147,7 @@ double first_fall(const Series& p, double level, double begin, double end) {
     const Series local = shifted(p, origin);
     window = std::min(window, end - origin);
     double t = 0.0;
-    if (local[0] + change_over(local, window).low > level) {
+    if (local[0] + least_change(local, window) > level) {
       t = window;
     } else {
       const double curvature = downward_curvature(local, window);

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <limits>
+#include <type_traits>
 
 namespace mirocup::simulator {
 
@@ -30,10 +31,14 @@ struct Series {
   double operator[](int k) const { return c[k]; }
   double& operator[](int k) { return c[k]; }
 
+  double at(double t) const;
+
+  // The same for a series of n terms.
+  template <int n>
   double at(double t) const {
-    if (terms == term_counts[0]) return at<term_counts[0]>(t);
-    if (terms == term_counts[1]) return at<term_counts[1]>(t);
-    return terms == term_counts[2] ? at<term_counts[2]>(t) : at<term_counts[3]>(t);
+    double sum = c[n - 1];
+    for (int k = n - 2; k >= 0; --k) sum = sum * t + c[k];
+    return sum;
   }
 
   static Series constant(double value) {
@@ -42,15 +47,21 @@ struct Series {
     s.terms = fewest_terms;
     return s;
   }
-
- private:
-  template <int n>
-  double at(double t) const {
-    double sum = c[n - 1];
-    for (int k = n - 2; k >= 0; --k) sum = sum * t + c[k];
-    return sum;
-  }
 };
+
+// Calls f with a number of terms, one of term_counts, as a constant (an std::integral_constant): it
+// is what lets a compiler unroll loops over terms.
+template <class F>
+auto with_terms(int terms, F f) {
+  if (terms == term_counts[0]) return f(std::integral_constant<int, term_counts[0]>{});
+  if (terms == term_counts[1]) return f(std::integral_constant<int, term_counts[1]>{});
+  return terms == term_counts[2] ? f(std::integral_constant<int, term_counts[2]>{})
+                                 : f(std::integral_constant<int, term_counts[3]>{});
+}
+
+inline double Series::at(double t) const {
+  return with_terms(terms, [&](auto n) { return at<n>(t); });
+}
 
 Series operator+(const Series& a, const Series& b);
 Series operator-(const Series& a, const Series& b);

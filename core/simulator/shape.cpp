@@ -23,6 +23,9 @@ Shape polygon(std::span<const Vec2> corners) {
     shape.normal[i] = Vec2{edge.y(), -edge.x()} / length;
     shape.offset[i] = shape.normal[i].dot(corners[i]);
   }
+  const double nearest =
+      *std::min_element(shape.offset.begin(), shape.offset.begin() + shape.corners);
+  if (nearest > 0.0) shape.inner_radius = nearest;
   return shape;
 }
 

@@ -4,6 +4,7 @@
 // point.
 #pragma once
 
+#include "core/base/math.hpp"
 #include "core/base/vec2.hpp"
 #include "core/field/field.hpp"
 #include "core/simulator/parameters.hpp"
@@ -17,6 +18,10 @@ struct Shape {
   int corners = 0;  // 0: a circle
   double radius =
       0.0;  // of the circle, or of the smallest circle around the reference point that holds all
+
+  // Of the largest circle around the reference point within a polygon; -infinity if that point is
+  // outside.
+  double inner_radius = -infinity;
 
   // Counter-clockwise. Edge i runs from corner i to corner i + 1; normal . x = offset on it,
   // outwards.

@@ -3,6 +3,7 @@
 
 #include "core/simulator/ball_motion.hpp"
 #include "core/simulator/cluster.hpp"
+#include "core/simulator/near_pairs.hpp"
 #include "core/simulator/pressing.hpp"
 #include "core/simulator/shift.hpp"
 #include "core/simulator/slow_wheels.hpp"
@@ -267,11 +268,9 @@ void World::collect_contacts_anywhere(double margin) {
     const Vec2& p = bodies_[i].position;
     boxes_[i] = {p.x() - margin, p.x() + margin, p.y() - margin, p.y() + margin};
     const auto add = [&](const Pair& pair) {
-      if (boxes_meet(arena_, pair, boxes_)) add_contacts(arena_, pair, bodies_, margin, contacts_);
+      add_contacts(arena_, pair, bodies_, margin, contacts_);
     };
-    for (int j = 0; j < i; ++j) add({i, j});
-    if (is_far_from_obstacles(arena_, i, boxes_[i])) continue;
-    for (int k = 0; k < plane_walls + end_walls; ++k) add(pair_with_obstacle(i, k));
+    for_near_pairs(arena_, boxes_, i, bodies_below(i), add);
   }
 }
 
