@@ -22,9 +22,8 @@ constexpr double weak_share = 1e-3;
 constexpr double least_closing = 1e-9;
 
 bool is_not_pressed(int body, std::span<const Contact> contacts) {
-  return std::none_of(contacts.begin(), contacts.end(), [body](const Contact& c) {
-    return c.holds && (c.a == body || c.b == body);
-  });
+  return std::none_of(contacts.begin(), contacts.end(),
+                      [body](const Contact& c) { return c.holds && (c.a == body || c.b == body); });
 }
 
 }  // namespace
