@@ -4,6 +4,7 @@
 namespace mirocup::simulator {
 
 BodySet cluster_of(int body, std::span<const Contact> contacts) {
+  if (contacts.empty()) return {};
   BodySet cluster;
   cluster.set(body);
   bool held = false;

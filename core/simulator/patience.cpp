@@ -44,15 +44,14 @@ Patience::Patience(const Tolerances& t)
 
 void Patience::forget() {
   touching_.reset();
+  touched_.reset();
   touches_ = {};
 }
 
 void Patience::begin_tick(const BodySet& touching) {
-  accustomed_ = touching_;
-  for (int i = 0; i < max_bodies; ++i) {
-    if (touches_[i] > 0) accustomed_.set(i);
-  }
+  accustomed_ = touching_ | touched_;
   touching_ = touching;
+  touched_.reset();
   last_touch_of_ = {};
   touches_ = {};
   all_touches_ = 0;
@@ -68,6 +67,7 @@ void Patience::count(int body, double t) {
     touches_[body] = forgotten < touches_[body] ? touches_[body] - static_cast<int>(forgotten) : 0;
   }
   touches_[body] = std::min(touches_[body] + 1, most_counted);
+  touched_.set(body);
   last_touch_of_[body] = t;
 }
 

@@ -59,6 +59,7 @@ class Patience {
   Growing rest_after_touches_, sink_after_touches_, slide_after_touches_;
 
   BodySet touching_;                                // when this tick began
+  BodySet touched_;                                 // since it began
   BodySet accustomed_;                              // touched, or were touched, in the tick before
   std::array<int, max_bodies> touches_{};           // of each body in this tick, up to most_counted
   std::array<double, max_bodies> last_touch_of_{};  // s of the tick

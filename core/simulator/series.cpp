@@ -143,13 +143,16 @@ double first_fall(const Series& p, double level, double begin, double end) {
   constexpr int most_windows = 256;
   double origin = begin;
   double window = end - begin;
+  bool may_fall = begin == 0.0;  // in the window; known of the whole of [0, end]
   for (int i = 0; i < most_windows; ++i) {
-    const Series local = shifted(p, origin);
+    const Series moved = origin == 0.0 ? Series{} : shifted(p, origin);
+    const Series& local = origin == 0.0 ? p : moved;
     window = std::min(window, end - origin);
     double t = 0.0;
-    if (local[0] + least_change(local, window) > level) {
+    if (!may_fall && local[0] + least_change(local, window) > level) {
       t = window;
     } else {
+      may_fall = false;
       const double curvature = downward_curvature(local, window);
       for (int step = 0; step < steps_per_window && t < window; ++step) {
         const Value here = evaluate(local, t);

@@ -307,7 +307,7 @@ void World::collide(double t) {
 // What little an impact makes wheels slide would end too soon to be worth an event; so would the
 // slides that come and go where bodies are wedged.
 void World::stop_brief_slides() {
-  if (arena_.parameters.grip == infinite_grip) return;
+  if (contacts_.count == 0 || arena_.parameters.grip == infinite_grip) return;
   const BodySet touching = touching_bodies();
   BodySet hit;
   for (const Contact& c : contacts_.contacts()) {
