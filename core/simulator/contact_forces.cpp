@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/simulator/contact_forces.hpp"
 
+#include "core/simulator/cluster.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -20,11 +22,6 @@ constexpr double weak_share = 1e-3;
 
 // A contact may do without its force if its gap then closes no faster than this, m/s^2.
 constexpr double least_closing = 1e-9;
-
-bool is_not_pressed(int body, std::span<const Contact> contacts) {
-  return std::none_of(contacts.begin(), contacts.end(),
-                      [body](const Contact& c) { return c.holds && (c.a == body || c.b == body); });
-}
 
 }  // namespace
 
@@ -69,7 +66,7 @@ void ContactForces::decide(std::span<const Drive> drives, double rest_slide, dou
   fit_velocities(drives, bodies, contacts);
   // What that gives a ball at rest on which nothing presses is rounding: it would stop at once, again
   // and again.
-  if (rests && is_not_pressed(ball, contacts)) bodies[ball].twist = {};
+  if (rests && cluster_of(ball, contacts).none()) bodies[ball].twist = {};
 }
 
 // Gaps that are held do not change, no other closes, wheels that roll do not slide yet. Of all such

@@ -35,10 +35,10 @@ Series operator*(const Series& a, const Series& b) {
       if (factor == 0.0) return;
       for (int k = j; k < n; ++k) sum[k] += factor * b[k - j];
     };
-    [&]<int... j>(std::integer_sequence<int, j...>) {
+    const auto add_all = [&]<int... j>(std::integer_sequence<int, j...>) {
       (add(std::integral_constant<int, j>{}), ...);
-    }
-    (std::make_integer_sequence<int, n>{});
+    };
+    add_all(std::make_integer_sequence<int, n>{});
     Series s;
     s.terms = n;
     std::copy(sum.begin(), sum.end(), s.c.begin());
@@ -145,8 +145,7 @@ double first_fall(const Series& p, double level, double begin, double end) {
   double window = end - begin;
   bool may_fall = begin == 0.0;  // in the window; known of the whole of [0, end]
   for (int i = 0; i < most_windows; ++i) {
-    const Series moved = origin == 0.0 ? Series{} : shifted(p, origin);
-    const Series& local = origin == 0.0 ? p : moved;
+    const Series local = shifted(p, origin);
     window = std::min(window, end - origin);
     double t = 0.0;
     if (!may_fall && local[0] + least_change(local, window) > level) {

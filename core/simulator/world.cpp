@@ -13,16 +13,6 @@
 
 namespace mirocup::simulator {
 
-namespace {
-
-BodySet first_bodies(int count) {
-  BodySet set;
-  for (int i = 0; i < count; ++i) set.set(i);
-  return set;
-}
-
-}  // namespace
-
 World::World(const field::Field* field, const Parameters& parameters, const Tolerances& tolerances,
              int robots, bool has_ball)
     : arena_(make_arena(field, parameters, tolerances, robots, has_ball)),
@@ -63,7 +53,7 @@ const TickEvents& World::advance(std::span<const WheelCommand> commands, double 
     mass_[i] = on_ground ? arena_.grounded_robot : arena_.free_robot;
     if (on_ground && arena_.parameters.grip == infinite_grip) bodies_[i].twist.left = 0.0;
   }
-  const BodySet all = first_bodies(arena_.bodies());
+  const BodySet all(bodies_below(arena_.bodies()));
   neighbours_.clear();
   quiet_.reset();
   if (bodies_were_set_) {
@@ -377,7 +367,6 @@ void World::finish_in_steps(double t, double tick_end) {
     double fastest = 0.0;
     for (const int i : all) fastest = std::max(fastest, speed_at_most(arena_, i, bodies_[i]));
     collect_contacts_anywhere(2.0 * fastest * (end - t) + 1e-4);
-    note_touches();
     step_in_contact(forces, all, contacts_.contacts(), end - t, mass_, bodies_, *problem_);
     const double turned = overlap_by_turning(arena_, contacts_.contacts(), bodies_, end - t);
     if (turned > arena_.tolerances.step_overlap) {
@@ -385,6 +374,7 @@ void World::finish_in_steps(double t, double tick_end) {
       step *= 0.5;
       continue;
     }
+    note_touches();
     for (const int i : all) bodies_[i] = body_at(steady_segment(bodies_[i], t, end), end);
     collect_contacts_anywhere(arena_.tolerances.touch);
     separate_overlaps();
