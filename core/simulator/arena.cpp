@@ -88,6 +88,40 @@ void add_contacts(const Arena& arena, const Pair& pair, std::span<const Body> bo
   }
 }
 
+void look_again(const Arena& arena, std::span<const Body> bodies, Contact& c) {
+  const Shape* edges = c.b != no_body        ? &arena.shape(c.b)
+                       : c.pair.with_plane() ? nullptr
+                                             : &end_wall_of(arena, c.pair.obstacle());
+  const Body side = c.b != no_body ? bodies[c.b] : Body{};
+  ContactPoint& at = c.at;
+  if (c.a != no_body && at.kind == Touching::corner_on_edge) {
+    const Body& a = bodies[c.a];
+    at.point = a.position + a.heading.to_world(arena.shape(c.a).corner[at.corner]);
+  }
+  const Vec2& centre = c.a == no_body ? at.point : bodies[c.a].position;
+  if (at.kind == Touching::circle_on_corner) {
+    const Vec2 corner = side.position + side.heading.to_world(edges->corner[at.corner]);
+    const double distance = std::sqrt((centre - corner).squaredNorm());
+    at.normal = (centre - corner) / distance;
+    at.gap = distance - arena.ball_shape.radius;
+    at.point = corner;
+  } else {
+    double offset = 0.0;
+    if (edges == nullptr) {
+      offset = arena.field->walls[c.pair.obstacle()].offset;
+    } else {
+      at.normal = side.heading.to_world(edges->normal[at.edge]);
+      offset = edges->offset[at.edge] + at.normal.dot(side.position);
+    }
+    const bool is_ball = at.kind == Touching::circle_on_edge;
+    at.gap = at.normal.dot(is_ball ? centre : at.point) - offset -
+             (is_ball ? arena.ball_shape.radius : 0.0);
+    if (is_ball) at.point = centre - arena.ball_shape.radius * at.normal;
+  }
+  if (c.a != no_body) c.row_a = contact_row(bodies[c.a], at);
+  if (c.b != no_body) c.row_b = contact_row(bodies[c.b], at);
+}
+
 double touch_time(const Arena& arena, const Pair& pair, std::span<const Segment> segments, double t,
                   double sink) {
   const Segment& a = segments[pair.a];

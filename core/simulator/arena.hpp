@@ -55,6 +55,9 @@ inline double gap(const Arena& arena, const Pair& pair, const Body& a, const Bod
 void add_contacts(const Arena& arena, const Pair& pair, std::span<const Body> bodies, double margin,
                   ContactList& list);
 
+// The same corner and edge once more, where the bodies are now: gap, place and rows of a contact.
+void look_again(const Arena& arena, std::span<const Body> bodies, Contact& contact);
+
 // When the pair first touches in [t, end of both segments], or never. A pair that touches at t
 // already is looked at until it has come closer by `sink`, m.
 double touch_time(const Arena& arena, const Pair& pair, std::span<const Segment> segments, double t,

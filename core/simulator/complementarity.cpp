@@ -13,9 +13,25 @@ namespace {
 // contacts that push the same thing the same way. It is given this much give of its own: where the
 // others leave it open, it hardly moves; where they contradict it, it goes to its bound.
 constexpr double least_pivot = 1e-10;
+
+// A problem of so many unknowns, six robots around the ball have fewer, is large.
+constexpr int large = 32;
+
+// What solve_softly() adds to the diagonal, as shares of it, one after the other; what it begins
+// with if that is easy enough.
+constexpr std::array<double, 8> softness{1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 1e-5};
+constexpr std::size_t usual_softness = 4;
+
+// Rounds of solve_softly() that may exchange all wrong bounds although that does not make them
+// fewer; and rounds altogether.
+constexpr int patient_rounds = 1;
+constexpr int most_soft_rounds = 25;
 }  // namespace
 
-BoxProblem::BoxProblem() : a_(max_unknowns * max_unknowns), factor_(max_unknowns * max_unknowns) {}
+BoxProblem::BoxProblem()
+    : a_(max_unknowns * max_unknowns),
+      upper_factor_(max_unknowns * max_unknowns),
+      factor_(max_unknowns * max_unknowns) {}
 
 void BoxProblem::reset(int size) {
   size_ = size;
@@ -166,6 +182,11 @@ void BoxProblem::solve() {
   }
   const double tolerance = 1e-14 * scale;
   if (is_solved(tolerance)) return;
+  // From far away each bound costs a round; a large problem is begun where it is nearly solved.
+  if (size_ >= large) {
+    solve_softly(false);
+    for (int i = 0; i < size_; ++i) x[i] = std::clamp(x[i], low[i], high[i]);
+  }
   order_all_free();
 
   // Each round releases one bound; far fewer rounds than this are ever needed.
@@ -187,6 +208,133 @@ void BoxProblem::solve() {
       banned_[released] = true;
       drop_fixed();
     }
+  }
+}
+
+// The larger the diagonal, the easier. Each of these problems is near the solution of the one
+// before, and the last one says what that is to its own softness times how far the two are apart.
+void BoxProblem::solve_softly(bool again) {
+  if (again && solve_near(softness.back())) return;
+  if (!again) {
+    for (int i = 0; i < size_; ++i) {
+      x[i] = 0.0;
+      const bool starts_free = low[i] < 0.0 ? high[i] > 0.0 : b[i] < 0.0;
+      bound_[i] = starts_free && a(i, i) != 0.0 ? Bound::free : Bound::fixed;
+    }
+  }
+  std::size_t first = usual_softness;
+  if (!solve_near(softness[first])) first = 0;
+  for (std::size_t k = first; k < softness.size(); ++k) {
+    if (!solve_near(softness[k])) return;
+  }
+}
+
+// With a diagonal that pulls towards x as it is. Whole sets of wrong bounds are exchanged at once as
+// long as that makes them fewer, else the last wrong one alone, which comes to an end for certain.
+bool BoxProblem::solve_near(double soft) {
+  double scale = 0.0;
+  for (int i = 0; i < size_; ++i) {
+    scale = std::max(scale, std::abs(b[i]));
+    pull_[i] = soft * a(i, i);
+    centre_[i] = x[i];
+    if (bound_[i] == Bound::fixed) x[i] = x[i] - low[i] <= high[i] - x[i] ? low[i] : high[i];
+  }
+  const double tolerance = 1e-10 * scale;
+  int fewest = size_ + 1;
+  int patience = patient_rounds;
+  for (int round = 0; round < most_soft_rounds; ++round) {
+    solve_for_free();
+    const int wrong = find_wrong(tolerance);
+    if (wrong == 0) return true;
+    if (wrong < fewest) {
+      fewest = wrong;
+      patience = patient_rounds;
+    } else {
+      --patience;
+    }
+    exchange_wrong(patience < 0);
+  }
+  for (int i = 0; i < size_; ++i) {
+    x[i] = centre_[i];
+    bound_[i] = x[i] <= low[i] || x[i] >= high[i] ? Bound::fixed : Bound::free;
+  }
+  return false;
+}
+
+namespace {
+void subtract(double factor, const double* __restrict row, int count, double* __restrict from) {
+  for (int i = 0; i < count; ++i) from[i] -= factor * row[i];
+}
+}  // namespace
+
+// x of the free unknowns, the others held.
+void BoxProblem::solve_for_free() {
+  order_count_ = 0;
+  std::array<int, max_unknowns> held;
+  int held_count = 0;
+  // The last ones first: wheels, whose rows are nearly empty.
+  for (int i = size_ - 1; i >= 0; --i) {
+    if (bound_[i] == Bound::free) {
+      order_[order_count_++] = i;
+    } else if (x[i] != 0.0) {
+      held[held_count++] = i;
+    }
+  }
+  // Row k of the upper triangle, with the right side behind it.
+  const int n = order_count_;
+  const auto row = [&](int k) { return &upper_factor_[k * (n + 1)]; };
+  for (int k = 0; k < n; ++k) {
+    const double* const a = &a_[order_[k] * max_unknowns];
+    double* const u = row(k);
+    for (int l = k; l < n; ++l) u[l] = a[order_[l]];
+    u[k] += pull_[order_[k]];
+    double right = pull_[order_[k]] * centre_[order_[k]] - b[order_[k]];
+    for (int l = 0; l < held_count; ++l) right -= a[held[l]] * x[held[l]];
+    u[n] = right;
+  }
+  for (int k = 0; k < n; ++k) {
+    const double* const u = row(k);
+    const double pivot = std::max(u[k], least_pivot * a(order_[k], order_[k]));
+    pivot_[k] = 1.0 / pivot;
+    for (int l = k + 1; l < n; ++l) {
+      if (u[l] == 0.0) continue;
+      subtract(u[l] * pivot_[k], u + l, n + 1 - l, row(l) + l);
+    }
+  }
+  for (int k = n - 1; k >= 0; --k) {
+    const double* const u = row(k);
+    double sum = u[n];
+    for (int l = k + 1; l < n; ++l) sum -= u[l] * rhs_[l];
+    x[order_[k]] = rhs_[k] = sum * pivot_[k];
+  }
+}
+
+// Free unknowns beyond their bounds, bounds that pull the wrong way.
+int BoxProblem::find_wrong(double tolerance) {
+  int count = 0;
+  for (int i = 0; i < size_; ++i) {
+    if (bound_[i] == Bound::free) {
+      wrong_[i] = x[i] < low[i] || x[i] > high[i];
+    } else {
+      const bool is_given = low[i] == high[i] || a(i, i) == 0.0;
+      const double w = is_given ? 0.0 : gradient(i) + pull_[i] * (x[i] - centre_[i]);
+      wrong_[i] = x[i] <= low[i] ? w < -tolerance : w > tolerance;
+    }
+    count += wrong_[i];
+  }
+  return count;
+}
+
+void BoxProblem::exchange_wrong(bool only_last) {
+  for (int i = size_ - 1; i >= 0; --i) {
+    if (!wrong_[i]) continue;
+    if (bound_[i] == Bound::free) {
+      bound_[i] = Bound::fixed;
+      x[i] = x[i] < low[i] ? low[i] : high[i];
+    } else {
+      bound_[i] = Bound::free;
+    }
+    if (only_last) return;
   }
 }
 

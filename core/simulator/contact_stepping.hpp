@@ -1,42 +1,66 @@
 // SPDX-License-Identifier: MIT
 //
-// Lasting contact by small steps: bodies that push, are pushed, or lie against something.
+// Lasting contact by small steps: bodies that press on each other where following every event would
+// take too long, and wherever bodies rub.
 //
-// One step finds the impulses of all contacts of a cluster and of its wheels together, as one
-// convex problem: contacts only push, wheels hold sideways up to their grip, and at the end of the
-// step no gap closes further. Where contacts have friction its bound is not known before the normal
-// impulses are: the problem is solved again with the bounds that it gave, until they hardly change.
-// First order in the step; positions are then corrected so that no overlap builds up.
+// Within a step every body keeps its twist. All impulses of the step, of contacts and of the ground
+// on wheels, are one convex problem: contacts only push, wheels hold sideways up to their grip, and
+// no gap may be closed further than to zero at the step's end. That end is looked at where the
+// bodies will be, and the problem is solved again with the gaps and normals that are found there,
+// until every contact that pushes touches and none overlaps: so overlaps do not build up and are
+// never pushed out afterwards. First order in the step. What meets in a step does not bounce.
 #pragma once
 
 #include "core/simulator/arena.hpp"
 #include "core/simulator/friction.hpp"
 #include "core/simulator/robot_motion.hpp"
 
+#include <array>
 #include <span>
 
 namespace mirocup::simulator {
 
-// What moves the bodies of a cluster besides their contacts.
-struct Forces {
-  const Parameters& parameters;
-  std::span<const Drive> drives;  // of the robots; the ball has none
-  int ball;                       // its index, or no_body
+class ContactStepping {
+ public:
+  // Both outlive it.
+  ContactStepping(const Arena& arena, BoxProblem& problem);
+
+  // Who steps together, and for how long, s; nobody, if no contact lasts.
+  struct Step {
+    BodySet members;
+    double length = 0.0;
+  };
+
+  // Of the candidates, those whose contacts with each other or with walls last. Sets the twists of
+  // the members to what they keep during the step, which is no longer than `longest`, s.
+  Step take(const BodySet& candidates, std::span<const Drive> drives,
+            std::span<const InverseMass> mass, double longest, std::span<Body> bodies);
+
+  // Of the last step: a member at its end, and the members' contacts there with their impulses, N s.
+  const Body& end(int member) const { return end_[member]; }
+  std::span<const Contact> contacts() const { return contacts_.contacts(); }
+
+ private:
+  double fastest_of(const BodySet& some, std::span<const Body> bodies) const;
+  double longest_step(const BodySet& some, std::span<const Body> bodies) const;
+  double reach_of_motors(double length) const;
+  bool find(const BodySet& candidates, std::span<const Drive> drives,
+            std::span<const InverseMass> mass, double length, std::span<const Body> bodies,
+            Step& step);
+  void look_ahead(const BodySet& candidates, double length, std::span<const Body> bodies);
+  bool settle(const BodySet& members, std::span<const Drive> drives,
+              std::span<const InverseMass> mass, double length, std::span<const Body> bodies);
+  void solve(const BodySet& members, std::span<const Drive> drives,
+             std::span<const InverseMass> mass, double length, bool again);
+  bool has_settled() const;
+
+  const Arena& arena_;
+  BoxProblem& problem_;
+  ContactList contacts_, tangents_;
+  std::array<Contact, max_robots> wheels_;
+  std::array<Body, max_bodies> end_;    // with the twists of the step
+  std::array<Body, max_bodies> alone_;  // twists at the end if there were no contacts
+  std::array<Box, max_bodies> boxes_;
 };
-
-// No point of the body is faster, m/s.
-double speed_at_most(const Arena& arena, int body, const Body& state);
-
-// How far (m) bodies in contact can come to overlap in a step of that length (s), which knows their
-// contact as it is at its begin: while they turn by omega step, their points go (v + omega r) step.
-double overlap_by_turning(const Arena& arena, std::span<const Contact> contacts,
-                          std::span<const Body> bodies, double step);
-
-// Sets the twists of the members to those that hold over the next `step` seconds, and the impulses
-// of the contacts. Members are in increasing order and the contacts are all between members or with
-// walls.
-void step_in_contact(const Forces& forces, std::span<const int> members,
-                     std::span<Contact> contacts, double step, std::span<const InverseMass> mass,
-                     std::span<Body> bodies, BoxProblem& problem);
 
 }  // namespace mirocup::simulator

@@ -77,15 +77,43 @@ double gap_rate(const Contact& contact, std::span<const Body> bodies);
 // J M^-1 J' of two contacts.
 double coupling(const Contact& c, const Contact& d, std::span<const InverseMass> mass);
 
-// Sets the problem's matrix of its first `count` unknowns; contact_of(i) is the contact of one.
+// The bodies of several contacts, each with its rows: only contacts that share a body are coupled.
+class SharedBodies {
+ public:
+  SharedBodies() { newest_.fill(none); }
+
+  void add(int unknown, const Contact& contact) {
+    if (contact.a != no_body) add(unknown, contact.a, contact.row_a, 1.0);
+    if (contact.b != no_body) add(unknown, contact.b, contact.row_b, -1.0);
+  }
+  // Adds J M^-1 J' to the problem's matrix.
+  void couple(std::span<const InverseMass> mass, BoxProblem& problem) const;
+
+ private:
+  static constexpr int none = -1;
+  struct Row {
+    JacobianRow row;
+    int unknown;
+    int before;  // the body's row before this one
+  };
+
+  void add(int unknown, int body, const JacobianRow& row, double sign) {
+    rows_[count_] = {{sign * row[0], sign * row[1], sign * row[2]}, unknown, newest_[body]};
+    newest_[body] = count_++;
+  }
+
+  std::array<int, max_bodies> newest_;
+  std::array<Row, 2 * max_unknowns> rows_;
+  int count_ = 0;
+};
+
+// Sets the matrix of a problem that was reset; contact_of(i) is the contact of unknown i < count.
 template <class ContactOf>
 void set_couplings(int count, ContactOf contact_of, std::span<const InverseMass> mass,
                    BoxProblem& problem) {
-  for (int i = 0; i < count; ++i) {
-    for (int j = 0; j <= i; ++j) {
-      problem.a(i, j) = problem.a(j, i) = coupling(contact_of(i), contact_of(j), mass);
-    }
-  }
+  SharedBodies bodies;
+  for (int i = 0; i < count; ++i) bodies.add(i, contact_of(i));
+  bodies.couple(mass, problem);
 }
 
 // What an impulse along a row of the Jacobian adds to one body's twist.

@@ -25,7 +25,9 @@ Tolerances tolerances_of(Accuracy accuracy) {
       t.touch = 1e-7;
       t.sink = 1e-8;
       t.rest_speed = 2e-3;
-      t.events_per_tick = 100;
+      t.followed_per_tick = 10;
+      t.step = 8e-3;
+      t.step_touch = 2e-7;
       break;
     case Accuracy::standard:
       break;
@@ -38,8 +40,9 @@ Tolerances tolerances_of(Accuracy accuracy) {
       t.brief_slide_growth_per_touch = 1.5;
       t.growth_per_event = 1.02;
       t.slide_growth_per_event = 1.15;
-      t.events_per_tick = 10'000;
+      t.followed_per_tick = 1'000'000;
       t.step = 2e-5;
+      t.step_touch = 1e-10;
       break;
   }
   return t;

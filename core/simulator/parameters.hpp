@@ -104,9 +104,12 @@ struct Tolerances {
   double growth_per_event = 1.3;
   double slide_growth_per_event = 2.0;
   double rest_slide = 1e-7;
-  int events_per_tick = 400;   // beyond, the rest of the tick is done in small steps
-  double step = 1e-3;          // s: the longest of those
-  double step_overlap = 1e-7;  // m: what turning may add to an overlap in one of them
+  // What a body's events of a tick may cost, summed: of each the square of how many bodies it
+  // involves. Four of six robots and the ball, or 45 of two. Beyond, the body and what it touches
+  // go on in small steps.
+  int followed_per_tick = 180;
+  double step = 2e-3;         // s: the longest of those
+  double step_touch = 1e-10;  // m: what is left of gaps and overlaps at the end of one
 };
 
 Tolerances tolerances_of(Accuracy accuracy);

@@ -29,7 +29,9 @@ class Patience {
   // it touches anyway.
   void note_bounce(const Pair& pair, double t);
   // `was_forced`: a curve ended as soon as it was allowed to, at hold().
-  void note_event(bool was_forced);
+  void note_event(const BodySet& involved, bool was_forced);
+  // Has one of them had all that is followed in a tick?
+  bool is_exhausted(const BodySet& bodies) const;
 
   // A slower approach of the pair does not bounce, m/s.
   double rest_speed(const Pair& pair) const;
@@ -62,6 +64,7 @@ class Patience {
   BodySet touched_;                                 // since it began
   BodySet accustomed_;                              // touched, or were touched, in the tick before
   std::array<int, max_bodies> touches_{};           // of each body in this tick, up to most_counted
+  std::array<int, max_bodies> followed_{};          // of each in this tick, what it cost
   std::array<double, max_bodies> last_touch_of_{};  // s of the tick
   int all_touches_ = 0;
   double last_touch_ = 0.0;  // s of the tick

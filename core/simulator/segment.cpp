@@ -34,6 +34,23 @@ Segment steady_segment(const Body& body, double begin, double end) {
   return s;
 }
 
+Body along_arc(const Body& body, double span) {
+  const Twist& v = body.twist;
+  const double angle = v.turn * span;
+  const SinCos turned = sincos(angle);
+  // sin(angle) / angle and (1 - cos(angle)) / angle, of which one series term is enough below this.
+  constexpr double small = 1e-4;
+  const double square = angle * angle;
+  const bool is_small = square < small * small;
+  const double along = is_small ? 1.0 - square / 6.0 : turned.sin / angle;
+  const double across = is_small ? 0.5 * angle : along * turned.sin / (1.0 + turned.cos);
+  Body end = body;
+  end.position += span * body.heading.to_world({along * v.forward - across * v.left,
+                                                across * v.forward + along * v.left});
+  end.heading = body.heading.turned(turned);
+  return end;
+}
+
 void integrate_pose(Segment& s, int k, bool drifts) {
   // Six product_term()s in one go.
   double cos = 0.0;

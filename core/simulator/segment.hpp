@@ -45,6 +45,9 @@ Segment moving_segment(const Body& body, double begin, double end);
 // A body that keeps its twist: a straight line or an arc.
 Segment steady_segment(const Body& body, double begin, double end);
 
+// Where such a body is after `span` seconds.
+Body along_arc(const Body& body, double span);
+
 // One more term of the pose from the twist's terms up to k: dx/dt = v_f cos - v_l sin, d(cos)/dt =
 // -omega sin. Without `drifts`, v_l is zero throughout.
 void integrate_pose(Segment& segment, int k, bool drifts = true);

@@ -58,6 +58,12 @@ Way way_between(const Vec2& from, const Vec2& to, double begin, double span, dou
           .turn_rate = turn_rate};
 }
 
+Box box_around(const Way& way, double span) {
+  const Vec2 to = way.at(way.begin + span);
+  return {std::min(way.from.x(), to.x()) - way.bulge, std::max(way.from.x(), to.x()) + way.bulge,
+          std::min(way.from.y(), to.y()) - way.bulge, std::max(way.from.y(), to.y()) + way.bulge};
+}
+
 bool stays_out_of_reach(const Encounter& e) {
   const Vec2 apart = e.a.at(e.begin) - e.b.at(e.begin);
   const Vec2 velocity = e.a.velocity - e.b.velocity;

@@ -27,6 +27,9 @@ Way way_along(const Segment& segment);
 Way way_between(const Vec2& from, const Vec2& to, double begin, double span, double acceleration,
                 double turn_rate);
 
+// A box that holds the reference point for `span` seconds from the way's begin.
+Box box_around(const Way& way, double span);
+
 // Two bodies and their ways, over the times at which both hold. A wall has the default way.
 struct Encounter {
   Way a, b;

@@ -19,7 +19,8 @@ World::World(const field::Field* field, const Parameters& parameters, const Tole
       patience_(tolerances),
       problem_(std::make_unique<BoxProblem>()),
       forces_(std::make_unique<ContactForces>(arena_)),
-      motion_(std::make_unique<ContactMotion>(arena_)) {
+      motion_(std::make_unique<ContactMotion>(arena_)),
+      steps_(std::make_unique<ContactStepping>(arena_, *problem_)) {
   for (int i = 0; i < robots; ++i) free_mass_[i] = arena_.free_robot;
   if (has_ball) mass_[robots] = free_mass_[robots] = arena_.ball;
 }
@@ -46,7 +47,6 @@ void World::set_ball(const BallState& state) {
 
 const TickEvents& World::advance(std::span<const WheelCommand> commands, double duration) {
   events_ = {};
-  rubs_ = false;
   for (int i = 0; i < arena_.robots; ++i) {
     drives_[i] = drive_of(arena_.parameters, commands[i]);
     const bool on_ground = drives_[i].wheels_on_ground;
@@ -56,25 +56,24 @@ const TickEvents& World::advance(std::span<const WheelCommand> commands, double 
   const BodySet all(bodies_below(arena_.bodies()));
   neighbours_.clear();
   quiet_.reset();
-  if (bodies_were_set_) {
+  stepping_.reset();
+  const bool were_set = bodies_were_set_;
+  if (were_set) {
     collect_contacts_anywhere(arena_.tolerances.touch);
     patience_.forget();
   }
   bodies_were_set_ = false;
   patience_.begin_tick(touching_bodies());
+  if (!patience_.is_exhausted(all) || were_set) run_into_each_other(0.0);
   go_on(all, 0.0, duration);
 
-  double t = 0.0;
-  while (!rubs_ && events_.events < arena_.tolerances.events_per_tick) {
-    const Event event = next_event(duration);
-    t = event.time;
-    if (t >= duration) break;
+  for (Event event = next_event(duration); event.time < duration; event = next_event(duration)) {
     play_event(event, duration);
   }
 
-  bring_to(t, all);
-  if (t < duration) finish_in_steps(t, duration);
-  collect_contacts(all, t);
+  bring_to(duration, all);
+  stepping_.reset();
+  collect_contacts(all, duration);
   if (trace_ != nullptr) {
     trace_->deepest_overlap = std::max(trace_->deepest_overlap, events_.deepest_overlap);
   }
@@ -119,12 +118,18 @@ World::Event World::next_event(double tick_end) {
 void World::play_event(const Event& event, double tick_end) {
   ++events_.events;
   if (event.is_touch) patience_.note_touch(event.pair, event.time);
-  patience_.note_event(was_forced_to_hold(event));
   const double t = event.time;
   BodySet involved = event.involved;
   spread_over_touching(t, involved);
+  patience_.note_event(involved, was_forced_to_hold(event));
   bring_to(t, involved);
-  collect_contacts(involved, t);
+  const bool a_step_is_over = !event.is_touch && (involved & ~stepping_).none();
+  if (a_step_is_over && goes_in_steps(involved)) {
+    contacts_.count = 0;
+  } else {
+    collect_contacts(involved, t);
+    run_into_each_other(t);
+  }
   go_on(involved, t, tick_end);
 }
 
@@ -139,24 +144,78 @@ bool World::was_forced_to_hold(const Event& event) const {
   return false;
 }
 
-// From the contacts that the involved bodies have now: who bounces, who presses, and how all of
-// them move on.
-void World::go_on(const BodySet& involved, double t, double tick_end) {
+void World::run_into_each_other(double t) {
   note_touches();
   separate_overlaps();
   collide(t);
-  forces_->decide(drives_, patience_.rest_slide(), patience_.rest_roll(), bodies_,
-                  contacts_.contacts());
-  for (const Contact& c : contacts_.contacts()) rubs_ = rubs_ || (c.holds && c.friction > 0.0);
-  if (trace_ != nullptr) add_pressing(contacts_.contacts(), involved, *trace_);
-  start_segments(involved, t, tick_end);
+}
+
+// From the contacts that the involved bodies have now: who presses, and how all of them move on.
+void World::go_on(const BodySet& involved, double t, double tick_end) {
+  const BodySet were_stepping = stepping_ & involved;
+  stepping_ &= ~involved;
+  BodySet on_curves = involved;
+  if (goes_in_steps(involved)) {
+    on_curves &= ~step(were_stepping | touching_bodies(), t, tick_end);
+  } else {
+    forces_->decide(drives_, patience_.rest_slide(), patience_.rest_roll(), bodies_,
+                    contacts_.contacts());
+  }
+  if (trace_ != nullptr) add_pressing(contacts_.contacts(), on_curves, *trace_);
+  start_segments(on_curves, t, tick_end);
   meet_neighbours(involved, t, tick_end);
+}
+
+bool World::goes_in_steps(const BodySet& involved) const {
+  return has_friction(arena_.parameters) || patience_.is_exhausted(involved);
+}
+
+// Those of the candidates whose contacts last take a small step; they are returned.
+BodySet World::step(const BodySet& candidates, double t, double tick_end) {
+  contacts_.count = 0;
+  if (candidates.none()) return {};
+  const auto [members, length] = steps_->take(candidates, drives_, mass_, tick_end - t, bodies_);
+  events_.stepped = events_.stepped || members.any();
+  // The last one of a tick ends with it.
+  const double end = t + 1.5 * length < tick_end ? t + length : tick_end;
+  for (int i = 0; i < arena_.bodies(); ++i) {
+    if (!members[i]) continue;
+    quiet_.set(i);
+    stepping_.set(i);
+    company_[i] = members;
+    segments_[i].begin = t;
+    segments_[i].end = end;
+    const Twist& v = bodies_[i].twist;
+    const double speed = std::sqrt(v.forward * v.forward + v.left * v.left);
+    ways_[i] = way_between(bodies_[i].position, steps_->end(i).position, t, end - t,
+                           speed * std::abs(v.turn), std::abs(v.turn));
+    boxes_[i] = box_around(ways_[i], end - t);
+  }
+  if (members.none()) return members;
+  for (const Contact& c : steps_->contacts()) {
+    if (c.impulse == 0.0) continue;
+    contacts_.list[contacts_.count] = c;
+    contacts_.list[contacts_.count++].holds = true;
+  }
+  note_touches();
+  if (trace_ != nullptr) add_pressing(contacts_.contacts(), members, *trace_);
+  contacts_.count = 0;
+  return members;
+}
+
+// Do they keep out of each other's way by a step that they take together?
+bool World::are_in_step(const Pair& pair) const {
+  if (!stepping_[pair.a]) return false;
+  return pair.with_obstacle() || (stepping_[pair.partner] && company_[pair.a][pair.partner]);
 }
 
 void World::spread_over_touching(double t, BodySet& involved) {
   bool grows = true;
   while (grows) {
     grows = false;
+    for (int i = 0; i < arena_.bodies(); ++i) {
+      if (involved[i] && stepping_[i]) involved |= company_[i];
+    }
     for (Neighbour& n : neighbours_.list()) {
       if (n.pair.with_obstacle() || involved[n.pair.a] == involved[n.pair.partner]) continue;
       if (n.is_apart_at(t)) continue;
@@ -177,6 +236,7 @@ void World::spread_over_touching(double t, BodySet& involved) {
 void World::meet_neighbours(const BodySet& involved, double t, double tick_end) {
   const std::span<Neighbour> found = neighbours_.find(arena_, boxes_, involved);
   for (Neighbour& n : found) {
+    if (are_in_step(n.pair)) continue;
     const auto touch = next_touch_while_pressing(arena_, n.pair, contacts_.contacts(), segments_,
                                                  patience_.sink(n.pair));
     n.is_estimate = !touch;
@@ -223,13 +283,16 @@ void World::write_as_series(int body, double t, double tick_end) {
   if (!quiet_[body]) return;
   bodies_[body] = body_now(body, t);
   quiet_.reset(body);
-  segments_[body] = drive(arena_.parameters, bodies_[body], drives_[body], t, tick_end, never);
+  segments_[body] =
+      stepping_[body] ? steady_segment(bodies_[body], t, segments_[body].end)
+                      : drive(arena_.parameters, bodies_[body], drives_[body], t, tick_end, never);
   boxes_[body] = swept_box(segments_[body]);
   ways_[body] = way_along(segments_[body]);
 }
 
 Body World::body_now(int body, double t) const {
   if (!quiet_[body]) return body_at(segments_[body], t);
+  if (stepping_[body]) return along_arc(bodies_[body], t - segments_[body].begin);
   if (t == segments_[body].end) return quiet_end_[body];
   const double span = t - segments_[body].begin;
   if (span == 0.0) return bodies_[body];
@@ -247,7 +310,8 @@ void World::collect_contacts(const BodySet& involved, double t) {
   contacts_.count = 0;
   for (const Neighbour& n : neighbours_.list()) {
     if (!involved[n.pair.a] || !(n.pair.with_obstacle() || involved[n.pair.partner])) continue;
-    if (n.is_apart_at(t)) continue;
+    // Within a step, nobody knows what the gaps of those who take it together are.
+    if (n.is_apart_at(t) || are_in_step(n.pair)) continue;
     add_contacts(arena_, n.pair, bodies_, arena_.tolerances.touch, contacts_);
   }
 }
@@ -350,37 +414,6 @@ void World::start_segments(const BodySet& involved, double t, double tick_end) {
     boxes_[i] = swept_box(segments_[i]);
     ways_[i] = way_along(segments_[i]);
   }
-}
-
-void World::finish_in_steps(double t, double tick_end) {
-  events_.stepped = true;
-  std::array<int, max_bodies> members;
-  for (int i = 0; i < arena_.bodies(); ++i) members[i] = i;
-  const std::span<const int> all(members.data(), static_cast<std::size_t>(arena_.bodies()));
-  const Forces forces{arena_.parameters, drives_, arena_.has_ball ? arena_.robots : no_body};
-
-  double step = arena_.tolerances.step;
-  while (t < tick_end) {
-    const double end = std::min(tick_end, t + step);
-    const auto before = bodies_;
-    // Whatever can meet within the step is a contact of the step.
-    double fastest = 0.0;
-    for (const int i : all) fastest = std::max(fastest, speed_at_most(arena_, i, bodies_[i]));
-    collect_contacts_anywhere(2.0 * fastest * (end - t) + 1e-4);
-    step_in_contact(forces, all, contacts_.contacts(), end - t, mass_, bodies_, *problem_);
-    const double turned = overlap_by_turning(arena_, contacts_.contacts(), bodies_, end - t);
-    if (turned > arena_.tolerances.step_overlap) {
-      bodies_ = before;
-      step *= 0.5;
-      continue;
-    }
-    note_touches();
-    for (const int i : all) bodies_[i] = body_at(steady_segment(bodies_[i], t, end), end);
-    collect_contacts_anywhere(arena_.tolerances.touch);
-    separate_overlaps();
-    t = end;
-  }
-  bodies_were_set_ = true;
 }
 
 }  // namespace mirocup::simulator

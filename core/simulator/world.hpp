@@ -4,9 +4,9 @@
 //
 // A tick is played from event to event. Between events every body follows its own segment; an event
 // is the first touch of two bodies, wheels that begin or cease to slide, a ball that stops, or a
-// contact that opens. Only the bodies that touch at an event are looked at again. A tick with more
-// events than anyone can follow is finished in small steps, so no scene can stall the world; so is
-// one in which bodies press on each other with friction (an option).
+// contact that opens. Only the bodies that touch at an event are looked at again. Bodies that have
+// had more events in a tick than anyone can follow go on in small steps with what they touch, so no
+// scene can stall the world; so do bodies that touch with friction (an option).
 //
 // Threads: none; one world belongs to one thread. Nothing is allocated after construction. The same
 // commands give the same bits everywhere, and a world turned by 180 degrees stays turned, bit for
@@ -36,7 +36,7 @@ struct TickEvents {
   int last_to_touch_ball = no_body;  // the last robot that touched the ball, if one did
   int events = 0;
   int impacts = 0;
-  bool stepped = false;          // the tick was finished in small steps
+  bool stepped = false;          // some bodies went on in small steps
   double deepest_overlap = 0.0;  // m, before it was corrected
 };
 
@@ -79,8 +79,11 @@ class World {
   const Neighbour* first_touch(double& t);
   void play_event(const Event& event, double tick_end);
   bool was_forced_to_hold(const Event& event) const;
+  void run_into_each_other(double t);
   void go_on(const BodySet& involved, double t, double tick_end);
-  void finish_in_steps(double t, double tick_end);
+  bool goes_in_steps(const BodySet& involved) const;
+  BodySet step(const BodySet& candidates, double t, double tick_end);
+  bool are_in_step(const Pair& pair) const;
 
   void spread_over_touching(double t, BodySet& involved);
   void meet_neighbours(const BodySet& involved, double t, double tick_end);
@@ -113,13 +116,15 @@ class World {
   Neighbours neighbours_;
   TickEvents events_;
   bool bodies_were_set_ = true;
-  bool rubs_ = false;  // bodies press on each other with friction: only small steps can follow them
+  BodySet stepping_;  // bodies that keep their twists to the end of a small step
+  std::array<BodySet, max_bodies> company_;  // of those: who takes the same step
   Trace* trace_ = nullptr;
 
   ContactList contacts_;  // of the event being played; between ticks, of all bodies
   std::unique_ptr<BoxProblem> problem_;
   std::unique_ptr<ContactForces> forces_;
   std::unique_ptr<ContactMotion> motion_;
+  std::unique_ptr<ContactStepping> steps_;
 };
 
 }  // namespace mirocup::simulator

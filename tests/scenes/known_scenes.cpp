@@ -144,7 +144,7 @@ Bars corner_on_corner(Size size) {
           {scene, "momentum, relative", momentum, 1e-9},
           {scene, "energy gained, relative", energy, 1e-12},
           {scene, "did not touch", static_cast<double>(untouched), 0.0},
-          {scene, "ticks finished in small steps", static_cast<double>(stepped), 0.0}};
+          {scene, "ticks with small steps", static_cast<double>(stepped), 0.0}};
 }
 
 // A robot that spins by 67 degrees a tick right beside a wall, and one that is driven into it.
@@ -185,8 +185,8 @@ Bars wheel_spin_at_wall(Size size) {
   return {{scene, "overlap, m", deepest, 1e-9},
           {scene, "from tiny steps after 3 ticks, m and rad", from_tiny, 2e-5},
           {scene, "most events in a tick", static_cast<double>(most_events),
-           simulator::Tolerances{}.events_per_tick},
-          {scene, "ticks finished in small steps", static_cast<double>(stepped), 0.0}};
+           simulator::Tolerances{}.followed_per_tick},
+          {scene, "ticks with small steps", static_cast<double>(stepped), 0.0}};
 }
 
 // A robot bounces on the wall that it is driven into, and a ball between the two: infinitely many
@@ -227,8 +227,8 @@ Bars zeno_bounces(Size size) {
   return {{scene, "speed after 3 s, m/s", speed, 1e-7},
           {scene, "overlap, m", deepest, 1e-9},
           {scene, "most events in a tick", static_cast<double>(most_events),
-           simulator::Tolerances{}.events_per_tick},
-          {scene, "ticks finished in small steps", static_cast<double>(stepped), 0.0}};
+           simulator::Tolerances{}.followed_per_tick},
+          {scene, "ticks with small steps", static_cast<double>(stepped), 0.0}};
 }
 
 }  // namespace mirocup::scenes

@@ -98,7 +98,7 @@ Bars shots(Size size) {
   return {{scene, "went through or did not touch", static_cast<double>(through), 0.0},
           {scene, "deepest overlap at the end of a tick, m", deepest, 1e-9},
           {scene, "deepest overlap within a tick, m", deepest_own, 1e-9},
-          {scene, "ticks finished in small steps", static_cast<double>(stepped), 0.0},
+          {scene, "ticks with small steps", static_cast<double>(stepped), 0.0},
           {scene, "ticks with numbers that are not finite", static_cast<double>(not_finite), 0.0}};
 }
 

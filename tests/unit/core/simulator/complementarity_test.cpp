@@ -47,6 +47,33 @@ void make_random(BoxProblem& p, int size, int rank, Random& random) {
   }
 }
 
+// Soft solutions are as good as their softness, also where contacts are redundant, and better when
+// asked for again. Catches bounds that are exchanged for ever, and a pull to the wrong place.
+TEST(BoxProblem, SolvesSoftly) {
+  Random random(2);
+  BoxProblem p;
+  for (int i = 0; i < 300; ++i) {
+    const int size = 1 + static_cast<int>(random.below(60));
+    make_random(p, size, 1 + static_cast<int>(random.below(size)), random);
+    p.solve_softly(false);
+    ASSERT_LE(worst_violation(p), 1e-3) << "case " << i << ", size " << size;
+    for (int again = 0; again < 10; ++again) p.solve_softly(true);
+    ASSERT_LE(worst_violation(p), 1e-6) << "case " << i << ", size " << size;
+  }
+}
+
+// Large problems are begun softly and solved as exactly as small ones.
+TEST(BoxProblem, SolvesLargeProblems) {
+  Random random(3);
+  BoxProblem p;
+  for (int i = 0; i < 100; ++i) {
+    const int size = 32 + static_cast<int>(random.below(60));
+    make_random(p, size, size / 2, random);
+    p.solve();
+    ASSERT_LE(worst_violation(p), 1e-6) << "case " << i << ", size " << size;
+  }
+}
+
 TEST(BoxProblem, SolvesRandomProblems) {
   Random random(1);
   BoxProblem p;

@@ -9,6 +9,7 @@ namespace mirocup::simulator {
 namespace {
 
 const Tolerances tolerances;
+const BodySet crowd{0b111};  // bodies 0, 1 and 2
 
 Patience fresh() {
   Patience patience(tolerances);
@@ -104,22 +105,22 @@ TEST(Patience, StopsNoFasterSlideThanWhatRests) {
 TEST(Patience, HoldsLongerWhereItWasForced) {
   Patience patience = fresh();
   const double first = patience.hold();
-  patience.note_event(false);
+  patience.note_event(crowd, false);
   const double calm = patience.hold() / first;
-  patience.note_event(true);
+  patience.note_event(crowd, true);
   EXPECT_GT(patience.hold() / (first * calm), 2.0 * calm);
-  for (int i = 0; i < 100; ++i) patience.note_event(true);
+  for (int i = 0; i < 100; ++i) patience.note_event(crowd, true);
   EXPECT_LT(patience.hold(), 0.01);
 }
 
 // Wheels that grip and slide on at some speed would do so until the tick's events are used up.
 TEST(Patience, StopsFasterSlidesTheLongerATickTakes) {
   Patience patience = fresh();
-  for (int i = 0; i < 30; ++i) patience.note_event(false);
+  for (int i = 0; i < 30; ++i) patience.note_event(crowd, false);
   EXPECT_LT(patience.rest_slide(), 2.0 * tolerances.rest_slide);
-  for (int i = 0; i < 100; ++i) patience.note_event(false);
+  for (int i = 0; i < 100; ++i) patience.note_event(crowd, false);
   EXPECT_GT(patience.rest_slide(), 20.0 * tolerances.rest_slide);
-  for (int i = 0; i < 1000; ++i) patience.note_event(false);
+  for (int i = 0; i < 1000; ++i) patience.note_event(crowd, false);
   EXPECT_LE(patience.rest_slide(), tolerances.rest_speed);
 }
 
@@ -133,12 +134,29 @@ TEST(Patience, AsksForLongerCurvesAfterABurst) {
   EXPECT_GT(patience.long_enough(5e-3), 5e-3);
 }
 
+// Many events of a few are followed, few of many, and those of a crowd end nobody else's. Catches a
+// budget that counts events alone: one of 22 robots costs a hundred times one of two.
+TEST(Patience, FollowsFewerEventsOfMoreBodies) {
+  const auto followed = [](const BodySet& bodies) {
+    Patience patience = fresh();
+    int events = 0;
+    while (!patience.is_exhausted(bodies)) {
+      patience.note_event(bodies, false);
+      ++events;
+    }
+    EXPECT_FALSE(patience.is_exhausted(~bodies));
+    return events;
+  };
+  EXPECT_EQ(followed(crowd), (tolerances.followed_per_tick + 8) / 9);
+  EXPECT_EQ(followed(BodySet{0b1}), tolerances.followed_per_tick);
+}
+
 TEST(Patience, IsFreshInEachTick) {
   Patience patience = fresh();
   for (int i = 0; i < 12; ++i) {
     patience.note_touch(pair_of(0, 1), 1e-3);
     patience.note_bounce(pair_of(0, 1), 2e-3);
-    patience.note_event(true);
+    patience.note_event(crowd, true);
   }
   patience.begin_tick({});
   EXPECT_DOUBLE_EQ(patience.rest_speed(pair_of(0, 1)), tolerances.rest_speed);

@@ -13,6 +13,13 @@
 namespace mirocup::simulator {
 namespace {
 
+// Everything is followed, however long it takes.
+Tolerances patient() {
+  Tolerances tolerances;
+  tolerances.followed_per_tick = 1'000'000;
+  return tolerances;
+}
+
 // The sharper a turn changes, the slower its series converge. Catches a segment that is longer than
 // its series are good for.
 TEST(World, RobotsAreExactWhenTheirTurnIsReversed) {
@@ -158,7 +165,7 @@ TEST(World, SlidesOfACrowdAreStoppedTogether) {
 // again and again at one instant, until the tick has to go on in small steps.
 TEST(World, AWedgeAtRestIsNotFollowedForEver) {
   const field::Field field = field::make_field(League::small);
-  World world(&field, Parameters{}, Tolerances{}, 3, true);
+  World world(&field, Parameters{}, patient(), 3, true);
   world.set_robot(0, {{-0x1.9ffff2841aa0ap-1, 0x1.6f00baf7bdd15p-5},
                       {-0x1.ffffffff81bcap-1, 0x1.67930d873ec06p-17},
                       {0x1.076f56eaa11ap-34, 0.0, 0x1.b70f109226337p-30}});
@@ -186,7 +193,7 @@ TEST(World, AWedgeAtRestIsNotFollowedForEver) {
 // set the ball going: it stopped within 7 ns, and so on until the tick went on in small steps.
 TEST(World, ABallAtRestInAHeapStaysAtRest) {
   const field::Field field = field::make_field(League::large);
-  World world(&field, Parameters{}, Tolerances{}, 15, true);
+  World world(&field, Parameters{}, patient(), 15, true);
   world.set_robot(0, {{0x1.0e66663e8ac9ap+1, 0x1.1de6960e07f6fp-4},
                       {-0x1.09b8197ec0727p-21, 0x1.ffffffffffbb1p-1},
                       {-0x1.fd0611d5402bap-31, 0x0p+0, -0x1.be16553ccf239p-47}});
@@ -252,27 +259,66 @@ TEST(World, ABallAtRestInAHeapStaysAtRest) {
   EXPECT_LE(world.advance(commands, 0.033).events, 120);
 }
 
-// Six robots that whirl into each other around the ball, in small steps only. Catches steps so long
-// that corners turn into their neighbours, by 8 um with steps of 1 ms whatever happens.
-TEST(World, SmallStepsKeepOverlapsSmall) {
+// Six robots that whirl into each other around the ball, in small steps only. Catches a step that
+// takes the gaps at its begin for those at its end: corners turn into neighbours by micrometres.
+TEST(World, SmallStepsLeaveNoOverlaps) {
   const field::Field field = field::make_field(League::small);
   Tolerances tolerances;
-  tolerances.events_per_tick = 0;
+  tolerances.followed_per_tick = 0;
   World world(&field, Parameters{}, tolerances, 6, true);
   for (int i = 0; i < 6; ++i) {
     const Heading inwards = Heading::from_angle(pi / 3.0 * i);
     world.set_robot(i, {-0.12 * inwards.forward(), inwards, {}});
   }
   world.set_ball({});
+  int stepped = 0;
   for (int tick = 0; tick < 60; ++tick) {
     std::array<WheelCommand, 6> commands;
     for (int i = 0; i < 6; ++i) {
       const double turn = 12.0 * ((tick / 10 + i) % 3 - 1);
       commands[i] = WheelSpeeds{30.0 - turn, 30.0 + turn};
     }
-    const TickEvents& events = world.advance(commands, 0.033);
-    EXPECT_TRUE(events.stepped);
-    EXPECT_LE(events.deepest_overlap, 1e-6) << tick;
+    stepped += world.advance(commands, 0.033).stepped;
+    for (int i = 0; i < 6; ++i) {
+      const RobotState& r = world.robot(i);
+      const Body body{r.position, r.heading, r.twist};
+      for (int j = 0; j < i; ++j) {
+        const RobotState& other = world.robot(j);
+        const Shape& shape = world.arena().robot_shape;
+        EXPECT_GT(gap(shape, body, shape, {other.position, other.heading, other.twist}), -1e-9)
+            << tick;
+      }
+    }
+  }
+  EXPECT_GT(stepped, 50);
+}
+
+// A robot that steps with company beside it is alone again later. Catches one that goes on as if it
+// still took steps with others, and through a wall.
+TEST(World, StepsEndWithTheCompany) {
+  const field::Field field = field::make_field(League::small);
+  Tolerances tolerances;
+  tolerances.followed_per_tick = 6;
+  World world(&field, Parameters{}, tolerances, 3, true);
+  for (int i = 0; i < 3; ++i) {
+    const Heading heading = Heading::from_angle(0.4 * (i - 1));
+    world.set_robot(i, {{0.6 - 0.1 * i, 0.3 + 0.05 * i}, heading, {1.0, 0.0, 3.0 * (i - 1)}});
+  }
+  world.set_ball({{0.65, 0.2}, {0.0, 0.0}});
+  for (int tick = 0; tick < 200; ++tick) {
+    std::array<WheelCommand, 3> commands;
+    for (int i = 0; i < 3; ++i) {
+      const double turn = 30.0 * ((tick / 7 + 2 * i) % 5 - 2);
+      commands[i] = WheelSpeeds{40.0 - turn, 40.0 + turn};
+    }
+    world.advance(commands, 0.033);
+    for (int i = 0; i < 3; ++i) {
+      const RobotState& r = world.robot(i);
+      const Body body{r.position, r.heading, r.twist};
+      for (int k = 0; k < plane_walls + end_walls; ++k) {
+        EXPECT_GT(gap(world.arena(), pair_with_obstacle(i, k), body, Body{}), -1e-9) << tick;
+      }
+    }
   }
 }
 
