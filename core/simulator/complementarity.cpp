@@ -184,8 +184,11 @@ void BoxProblem::solve() {
   if (is_solved(tolerance)) return;
   // From far away each bound costs a round; a large problem is begun where it is nearly solved.
   if (size_ >= large) {
-    solve_softly(false);
-    for (int i = 0; i < size_; ++i) x[i] = std::clamp(x[i], low[i], high[i]);
+    const bool is_near = solve_softly(false);
+    for (int i = 0; i < size_; ++i) {
+      x[i] = std::clamp(is_near ? x[i] : 0.0, low[i], high[i]);
+      if (!is_near) bound_[i] = low[i] < high[i] ? Bound::free : Bound::fixed;
+    }
   }
   order_all_free();
 
@@ -213,8 +216,8 @@ void BoxProblem::solve() {
 
 // The larger the diagonal, the easier. Each of these problems is near the solution of the one
 // before, and the last one says what that is to its own softness times how far the two are apart.
-void BoxProblem::solve_softly(bool again) {
-  if (again && solve_near(softness.back())) return;
+bool BoxProblem::solve_softly(bool again) {
+  if (again && solve_near(softness.back())) return true;
   if (!again) {
     for (int i = 0; i < size_; ++i) {
       x[i] = 0.0;
@@ -222,11 +225,14 @@ void BoxProblem::solve_softly(bool again) {
       bound_[i] = starts_free && a(i, i) != 0.0 ? Bound::free : Bound::fixed;
     }
   }
-  std::size_t first = usual_softness;
-  if (!solve_near(softness[first])) first = 0;
-  for (std::size_t k = first; k < softness.size(); ++k) {
-    if (!solve_near(softness[k])) return;
+  std::size_t k = usual_softness;
+  if (!solve_near(softness[k])) {
+    k = 0;
+    if (!solve_near(softness[k])) return false;
   }
+  while (++k < softness.size() && solve_near(softness[k])) {
+  }
+  return true;
 }
 
 // With a diagonal that pulls towards x as it is. Whole sets of wrong bounds are exchanged at once as

@@ -38,8 +38,9 @@ class BoxProblem {
   void solve();
   // The solution for a diagonal that is a hair larger, which leaves nothing open: many bounds are
   // taken and released at once, which is several times as fast. For what is solved anew until it
-  // fits; `again`: of a problem of the same size as the last one, and much like it.
-  void solve_softly(bool again);
+  // fits; `again`: of a problem of the same size as the last one, and much like it. False if
+  // even the softest is too hard; then solve() is left.
+  bool solve_softly(bool again);
   std::array<double, max_unknowns> x;
 
   // w_i, from x as it stands.

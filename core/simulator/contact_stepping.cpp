@@ -111,13 +111,12 @@ bool ContactStepping::find(const BodySet& candidates, std::span<const Drive> dri
          length <= 1.5 * longest_step(step.members, end_);
 }
 
-// What motors can do to the distance of two robots within a step that neither sees coming, m: both
-// go from rest to full speed. As near as that at its end, bodies go on together.
+// What motors can do to the distance of two corners within a step, m: both robots go to full speed, or
+// to their fastest turn, which moves a corner about as fast, and do so over the whole step.
 double ContactStepping::reach_of_motors(double length) const {
   const Parameters& p = arena_.parameters;
   const double fastest = p.wheel_radius * p.wheel_speed_limit;
-  const double step = std::min(length, arena_.tolerances.step);
-  return fastest / p.motor_time_constant * step * step;
+  return 2.0 * 2.0 * fastest / p.motor_time_constant * length * length;
 }
 
 // Where the candidates would be if they kept their twists, and what is close to what there.
@@ -202,7 +201,7 @@ void ContactStepping::solve(const BodySet& members, std::span<const Drive> drive
   const double grip_impulse = p.grip * p.robot_mass * gravity * length;
   for (int i = with_tangents; i < count; ++i) set_bounds(i, grip_impulse);
   for (int i = normals; i < with_tangents; ++i) set_bounds(i, 0.0);
-  problem_.solve_softly(again);
+  if (!problem_.solve_softly(again)) problem_.solve();
   for (int round = 0; round < friction_rounds && with_tangents > normals; ++round) {
     for (int i = normals, k = 0; i < with_tangents; ++i, ++k) {
       while (contacts_.list[k].friction == 0.0) ++k;
