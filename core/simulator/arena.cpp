@@ -81,8 +81,7 @@ void add_contacts(const Arena& arena, const Pair& pair, std::span<const Body> bo
     c = Contact{.pair = pair, .at = found.points[i]};
     c.a = c.at.point_on_a ? pair.a : pair.b();
     c.b = c.at.point_on_a ? pair.b() : pair.a;
-    if (c.a != no_body) c.row_a = contact_row(bodies[c.a], c.at);
-    if (c.b != no_body) c.row_b = contact_row(bodies[c.b], c.at);
+    set_rows(bodies, c);
     c.restitution = restitution(arena, pair);
     c.friction = contact_friction(arena, pair);
   }
@@ -118,8 +117,7 @@ void look_again(const Arena& arena, std::span<const Body> bodies, Contact& c) {
              (is_ball ? arena.ball_shape.radius : 0.0);
     if (is_ball) at.point = centre - arena.ball_shape.radius * at.normal;
   }
-  if (c.a != no_body) c.row_a = contact_row(bodies[c.a], at);
-  if (c.b != no_body) c.row_b = contact_row(bodies[c.b], at);
+  set_rows(bodies, c);
 }
 
 double touch_time(const Arena& arena, const Pair& pair, std::span<const Segment> segments, double t,

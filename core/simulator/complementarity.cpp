@@ -26,6 +26,10 @@ constexpr std::size_t usual_softness = 4;
 // fewer; and rounds altogether.
 constexpr int patient_rounds = 1;
 constexpr int most_soft_rounds = 25;
+
+void subtract(double factor, const double* __restrict row, int count, double* __restrict from) {
+  for (int i = 0; i < count; ++i) from[i] -= factor * row[i];
+}
 }  // namespace
 
 BoxProblem::BoxProblem()
@@ -230,7 +234,10 @@ bool BoxProblem::solve_softly(bool again) {
     k = 0;
     if (!solve_near(softness[k])) return false;
   }
-  while (++k < softness.size() && solve_near(softness[k])) {
+  while (++k < softness.size()) {
+    if (solve_near(softness[k])) continue;
+    solve_near(softness[k - 1]);  // once more, from where it led: as good as it gets
+    break;
   }
   return true;
 }
@@ -266,12 +273,6 @@ bool BoxProblem::solve_near(double soft) {
   }
   return false;
 }
-
-namespace {
-void subtract(double factor, const double* __restrict row, int count, double* __restrict from) {
-  for (int i = 0; i < count; ++i) from[i] -= factor * row[i];
-}
-}  // namespace
 
 // x of the free unknowns, the others held.
 void BoxProblem::solve_for_free() {

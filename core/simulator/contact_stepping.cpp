@@ -73,7 +73,17 @@ ContactStepping::Step ContactStepping::take(const BodySet& candidates,
   for (int i = 0; i < arena_.bodies(); ++i) {
     if (step.members[i]) bodies[i].twist = end_[i].twist;
   }
+  keep_what_presses();
   return step;
+}
+
+void ContactStepping::keep_what_presses() {
+  int left = 0;
+  for (Contact& c : contacts_.contacts()) {
+    c.holds = c.impulse != 0.0;
+    if (c.holds) contacts_.list[left++] = c;
+  }
+  contacts_.count = left;
 }
 
 double ContactStepping::fastest_of(const BodySet& some, std::span<const Body> bodies) const {

@@ -36,9 +36,9 @@ class ContactStepping {
   Step take(const BodySet& candidates, std::span<const Drive> drives,
             std::span<const InverseMass> mass, double longest, std::span<Body> bodies);
 
-  // Of the last step: a member at its end, and the members' contacts there with their impulses, N s.
+  // Of the last step, if it had members: a member at its end, and the contacts that press.
   const Body& end(int member) const { return end_[member]; }
-  std::span<const Contact> contacts() const { return contacts_.contacts(); }
+  std::span<const Contact> pressing() const { return contacts_.contacts(); }
 
  private:
   double fastest_of(const BodySet& some, std::span<const Body> bodies) const;
@@ -53,6 +53,7 @@ class ContactStepping {
   void solve(const BodySet& members, std::span<const Drive> drives,
              std::span<const InverseMass> mass, double length, bool again);
   bool has_settled() const;
+  void keep_what_presses();
 
   const Arena& arena_;
   BoxProblem& problem_;

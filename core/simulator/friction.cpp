@@ -8,8 +8,7 @@ namespace mirocup::simulator {
 Contact tangent_of(const Contact& c, std::span<const Body> bodies) {
   Contact tangent = c;
   tangent.at.normal = cross(1.0, c.at.normal);
-  if (c.a != no_body) tangent.row_a = contact_row(bodies[c.a], tangent.at);
-  if (c.b != no_body) tangent.row_b = contact_row(bodies[c.b], tangent.at);
+  set_rows(bodies, tangent);
   return tangent;
 }
 

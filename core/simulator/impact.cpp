@@ -89,6 +89,11 @@ JacobianRow contact_row(const Body& body, const ContactPoint& contact) {
   return {n.x(), n.y(), cross(Vec2{contact.point - body.position}, contact.normal)};
 }
 
+void set_rows(std::span<const Body> bodies, Contact& c) {
+  if (c.a != no_body) c.row_a = contact_row(bodies[c.a], c.at);
+  if (c.b != no_body) c.row_b = contact_row(bodies[c.b], c.at);
+}
+
 Contact wheels_as_contact(int body) {
   Contact c;
   c.a = body;

@@ -56,6 +56,9 @@ struct Contact {
   double force = 0.0;       // N, where it holds
 };
 
+// Sets its rows from where its bodies are.
+void set_rows(std::span<const Body> bodies, Contact& contact);
+
 // The contacts of the bodies that touch at one instant.
 struct ContactList {
   std::array<Contact, max_unknowns - max_bodies> list;

@@ -55,6 +55,7 @@ void Patience::begin_tick(const BodySet& touching) {
   last_touch_of_ = {};
   touches_ = {};
   followed_ = {};
+  exhausted_ = tolerances_.followed_per_tick > 0 ? BodySet{} : ~BodySet{};
   all_touches_ = 0;
   last_touch_ = 0.0;
   slide_ = no_sliding;
@@ -91,20 +92,15 @@ void Patience::note_bounce(const Pair& pair, double t) {
 void Patience::note_event(const BodySet& involved, bool was_forced) {
   const int company = static_cast<int>(involved.count());
   for (int i = 0; i < max_bodies; ++i) {
-    if (involved[i]) followed_[i] += company * company;
+    if (!involved[i]) continue;
+    followed_[i] += company * company;
+    exhausted_[i] = followed_[i] >= tolerances_.followed_per_tick;
   }
   const Tolerances& t = tolerances_;
   hold_ = std::min(hold_ * (was_forced ? growth_when_forced : t.growth_per_event), longest_hold);
   roll_ = std::min(roll_ * t.growth_per_event, t.rest_speed);
   slide_ = slide_ < t.rest_slide ? std::min(slide_ * t.slide_growth_per_event, t.rest_slide)
                                  : std::min(slide_ * late_slide_growth, t.rest_speed);
-}
-
-bool Patience::is_exhausted(const BodySet& bodies) const {
-  for (int i = 0; i < max_bodies; ++i) {
-    if (bodies[i] && followed_[i] >= tolerances_.followed_per_tick) return true;
-  }
-  return false;
 }
 
 int Patience::touches_of(const Pair& pair) const {

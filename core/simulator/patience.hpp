@@ -31,7 +31,7 @@ class Patience {
   // `was_forced`: a curve ended as soon as it was allowed to, at hold().
   void note_event(const BodySet& involved, bool was_forced);
   // Has one of them had all that is followed in a tick?
-  bool is_exhausted(const BodySet& bodies) const;
+  bool is_exhausted(const BodySet& bodies) const { return (bodies & exhausted_).any(); }
 
   // A slower approach of the pair does not bounce, m/s.
   double rest_speed(const Pair& pair) const;
@@ -65,6 +65,7 @@ class Patience {
   BodySet accustomed_;                              // touched, or were touched, in the tick before
   std::array<int, max_bodies> touches_{};           // of each body in this tick, up to most_counted
   std::array<int, max_bodies> followed_{};          // of each in this tick, what it cost
+  BodySet exhausted_;                               // by it
   std::array<double, max_bodies> last_touch_of_{};  // s of the tick
   int all_touches_ = 0;
   double last_touch_ = 0.0;  // s of the tick

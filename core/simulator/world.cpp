@@ -59,7 +59,7 @@ const TickEvents& World::advance(std::span<const WheelCommand> commands, double 
   stepping_.reset();
   const bool were_set = bodies_were_set_;
   if (were_set) {
-    collect_contacts_anywhere(arena_.tolerances.touch);
+    collect_contacts_anywhere();
     patience_.forget();
   }
   bodies_were_set_ = false;
@@ -145,7 +145,7 @@ bool World::was_forced_to_hold(const Event& event) const {
 }
 
 void World::run_into_each_other(double t) {
-  note_touches();
+  note_touches(contacts_.contacts());
   separate_overlaps();
   collide(t);
 }
@@ -191,15 +191,10 @@ BodySet World::step(const BodySet& candidates, double t, double tick_end) {
                            speed * std::abs(v.turn), std::abs(v.turn));
     boxes_[i] = box_around(ways_[i], end - t);
   }
-  if (members.none()) return members;
-  for (const Contact& c : steps_->contacts()) {
-    if (c.impulse == 0.0) continue;
-    contacts_.list[contacts_.count] = c;
-    contacts_.list[contacts_.count++].holds = true;
+  if (members.any()) {
+    note_touches(steps_->pressing());
+    if (trace_ != nullptr) add_pressing(steps_->pressing(), members, *trace_);
   }
-  note_touches();
-  if (trace_ != nullptr) add_pressing(contacts_.contacts(), members, *trace_);
-  contacts_.count = 0;
   return members;
 }
 
@@ -316,7 +311,8 @@ void World::collect_contacts(const BodySet& involved, double t) {
   }
 }
 
-void World::collect_contacts_anywhere(double margin) {
+void World::collect_contacts_anywhere() {
+  const double margin = arena_.tolerances.touch;
   contacts_.count = 0;
   for (int i = 0; i < arena_.bodies(); ++i) {
     const Vec2& p = bodies_[i].position;
@@ -382,8 +378,8 @@ void World::stop_brief_slides() {
   stop_slides(contacts_.contacts(), {slow.data(), count}, most, mass_, bodies_, *problem_);
 }
 
-void World::note_touches() {
-  for (const Contact& c : contacts_.contacts()) {
+void World::note_touches(std::span<const Contact> contacts) {
+  for (const Contact& c : contacts) {
     if (c.pair.with_obstacle()) continue;
     events_.touched[c.pair.a].set(c.pair.partner);
     events_.touched[c.pair.partner].set(c.pair.a);

@@ -93,13 +93,13 @@ class World {
   Body body_now(int body, double t) const;
   void bring_to(double t, const BodySet& involved);
   void collect_contacts(const BodySet& involved, double t);
-  void collect_contacts_anywhere(double margin);
+  void collect_contacts_anywhere();
   BodySet touching_bodies() const;
   void separate_overlaps();
   void collide(double t);
   void stop_brief_slides();
   void start_segments(const BodySet& involved, double t, double tick_end);
-  void note_touches();
+  void note_touches(std::span<const Contact> contacts);
 
   Arena arena_;
   std::array<Body, max_bodies> bodies_{};       // each at the begin of its segment

@@ -47,7 +47,7 @@ void make_random(BoxProblem& p, int size, int rank, Random& random) {
   }
 }
 
-// Soft solutions are nearly as good as their softness, also where contacts are redundant, and better when
+// Soft solutions are as good as their softness, also where contacts are redundant, and better when
 // asked for again. Catches bounds that are exchanged for ever, and a pull to the wrong place.
 TEST(BoxProblem, SolvesSoftly) {
   Random random(2);
@@ -56,7 +56,7 @@ TEST(BoxProblem, SolvesSoftly) {
     const int size = 1 + static_cast<int>(random.below(60));
     make_random(p, size, 1 + static_cast<int>(random.below(size)), random);
     p.solve_softly(false);
-    ASSERT_LE(worst_violation(p), 1e-2) << "case " << i << ", size " << size;
+    ASSERT_LE(worst_violation(p), 1e-3) << "case " << i << ", size " << size;
     for (int again = 0; again < 10; ++again) p.solve_softly(true);
     ASSERT_LE(worst_violation(p), 1e-6) << "case " << i << ", size " << size;
   }
