@@ -87,60 +87,59 @@ void add_contacts(const Arena& arena, const Pair& pair, std::span<const Body> bo
   }
 }
 
-void look_again(const Arena& arena, std::span<const Body> bodies, Contact& c) {
-  const Shape* edges = c.b != no_body        ? &arena.shape(c.b)
-                       : c.pair.with_plane() ? nullptr
-                                             : &end_wall_of(arena, c.pair.obstacle());
-  const Body side = c.b != no_body ? bodies[c.b] : Body{};
-  ContactPoint& at = c.at;
-  if (c.a != no_body && at.kind == Touching::corner_on_edge) {
-    const Body& a = bodies[c.a];
-    at.point = a.position + a.heading.to_world(arena.shape(c.a).corner[at.corner]);
+void look_again(const Arena& arena, std::span<const Body> bodies, const Pair& pair,
+                ContactPoint& at) {
+  const int a = at.point_on_a ? pair.a : pair.b();
+  const int b = at.point_on_a ? pair.b() : pair.a;
+  const Shape* edges = b != no_body        ? &arena.shape(b)
+                       : pair.with_plane() ? nullptr
+                                           : &end_wall_of(arena, pair.obstacle());
+  const Body side = b != no_body ? bodies[b] : Body{};
+  if (a != no_body && arena.is_ball(a)) {
+    const Shape& ball = arena.ball_shape;
+    at = (edges == nullptr
+              ? contact_points(ball, bodies[a], arena.field->walls[pair.obstacle()], never)
+              : contact_points(ball, bodies[a], *edges, side, never))
+             .points[0];
+    return;
   }
-  const Vec2& centre = c.a == no_body ? at.point : bodies[c.a].position;
-  if (at.kind == Touching::circle_on_corner) {
-    const Vec2 corner = side.position + side.heading.to_world(edges->corner[at.corner]);
-    const double distance = std::sqrt((centre - corner).squaredNorm());
-    at.normal = (centre - corner) / distance;
-    at.gap = distance - arena.ball_shape.radius;
-    at.point = corner;
+  if (a != no_body) {
+    at.point = bodies[a].position + bodies[a].heading.to_world(arena.shape(a).corner[at.corner]);
+  }
+  double offset = 0.0;
+  if (edges == nullptr) {
+    offset = arena.field->walls[pair.obstacle()].offset;
   } else {
-    double offset = 0.0;
-    if (edges == nullptr) {
-      offset = arena.field->walls[c.pair.obstacle()].offset;
-    } else {
-      at.normal = side.heading.to_world(edges->normal[at.edge]);
-      offset = edges->offset[at.edge] + at.normal.dot(side.position);
-    }
-    const bool is_ball = at.kind == Touching::circle_on_edge;
-    at.gap = at.normal.dot(is_ball ? centre : at.point) - offset -
-             (is_ball ? arena.ball_shape.radius : 0.0);
-    if (is_ball) at.point = centre - arena.ball_shape.radius * at.normal;
+    at.normal = side.heading.to_world(edges->normal[at.edge]);
+    offset = edges->offset[at.edge] + at.normal.dot(side.position);
   }
-  set_rows(bodies, c);
+  at.gap = at.normal.dot(at.point) - offset;
+}
+
+double first_time_below(const Arena& arena, const Pair& pair, double level,
+                        std::span<const Segment> segments, double t) {
+  const Segment& a = segments[pair.a];
+  const Mover mover{arena.shape(pair.a), a};
+  const Segment& b = pair.with_obstacle() ? obstacle_segment() : segments[pair.partner];
+  const double end = std::min(a.end, b.end);
+  if (pair.with_plane()) {
+    return first_touch(mover, arena.field->walls[pair.obstacle()], level, t, end);
+  }
+  const Shape& other =
+      pair.with_obstacle() ? end_wall_of(arena, pair.obstacle()) : arena.shape(pair.partner);
+  return first_touch(mover, Mover{other, b}, level, t, end);
 }
 
 double touch_time(const Arena& arena, const Pair& pair, std::span<const Segment> segments, double t,
                   double sink) {
-  const Segment& a = segments[pair.a];
-  const Mover mover{arena.shape(pair.a), a};
-  const bool plane = pair.with_plane();
-  const Segment& b = pair.with_obstacle() ? obstacle_segment() : segments[pair.partner];
-  const double end = std::min(a.end, b.end);
-
-  const auto search = [&](double level) {
-    if (plane) return first_touch(mover, arena.field->walls[pair.obstacle()], level, t, end);
-    const Shape& other =
-        pair.with_obstacle() ? end_wall_of(arena, pair.obstacle()) : arena.shape(pair.partner);
-    return first_touch(mover, Mover{other, b}, level, t, end);
-  };
-  const Body body_b = pair.with_obstacle() ? Body{} : body_at(b, t);
-  const double now = gap(arena, pair, body_at(a, t), body_b);
+  const Body body_a = body_at(segments[pair.a], t);
+  const Body body_b = pair.with_obstacle() ? Body{} : body_at(segments[pair.partner], t);
+  const double now = gap(arena, pair, body_a, body_b);
   if (now > std::max(closeness, sink)) {
-    const double touch = search(0.0);
+    const double touch = first_time_below(arena, pair, 0.0, segments, t);
     if (touch > t) return touch;
   }
-  return search(std::min(now, 0.0) - sink);
+  return first_time_below(arena, pair, std::min(now, 0.0) - sink, segments, t);
 }
 
 }  // namespace mirocup::simulator

@@ -55,8 +55,15 @@ inline double gap(const Arena& arena, const Pair& pair, const Body& a, const Bod
 void add_contacts(const Arena& arena, const Pair& pair, std::span<const Body> bodies, double margin,
                   ContactList& list);
 
-// The same corner and edge once more, where the bodies are now: gap, place and rows of a contact.
-void look_again(const Arena& arena, std::span<const Body> bodies, Contact& contact);
+// A contact of the pair where the bodies are now: the same corner and edge once more, or what of the
+// other side the ball is nearest to.
+void look_again(const Arena& arena, std::span<const Body> bodies, const Pair& pair,
+                ContactPoint& contact);
+
+// The first time from t on at which the pair's gap is `level` or less, m, or never; t and the segments
+// as in touch_time().
+double first_time_below(const Arena& arena, const Pair& pair, double level,
+                        std::span<const Segment> segments, double t);
 
 // When the pair first touches in [t, end of both segments], or never. A pair that touches at t
 // already is looked at until it has come closer by `sink`, m.

@@ -14,37 +14,46 @@ namespace {
 // others leave it open, it hardly moves; where they contradict it, it goes to its bound.
 constexpr double least_pivot = 1e-10;
 
+// What counts as nothing, as a share of the largest |b|. Where rows nearly contradict each other,
+// rounding can release bounds in circles: after so many, more counts as nothing with each.
+constexpr double next_to_nothing = 1e-14;
+constexpr int patient_releases = 8;
+constexpr double tolerance_growth = 4.0;
+constexpr double most_tolerance = 1e-6;
+constexpr int most_releases = 64;
+
 // A problem of so many unknowns, six robots around the ball have fewer, is large.
 constexpr int large = 32;
 
-// What solve_softly() adds to the diagonal, as shares of it, one after the other; what it begins
-// with if that is easy enough.
-constexpr std::array<double, 8> softness{1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 1e-5};
-constexpr std::size_t usual_softness = 4;
+// What solve_softly() adds to the diagonal, as a share of it; and the slope that it leaves, as a share
+// of the largest |b|.
+constexpr double softness = 1e-5;
+constexpr double soft_solved = 1e-10;
 
-// Rounds of solve_softly() that may exchange all wrong bounds although that does not make them
-// fewer; and rounds altogether.
-constexpr int patient_rounds = 1;
-constexpr int most_soft_rounds = 25;
+// Its rounds, few of which are needed; and of one, how many halves of a step are tried for whether
+// they lower the function by this share of what its slope promised, as far as rounding lets see.
+constexpr int most_soft_rounds = 40;
+constexpr int most_shortenings = 4;
+constexpr double kept_promise = 0.1;
+constexpr double unseen = 1e-15;
 
-void subtract(double factor, const double* __restrict row, int count, double* __restrict from) {
-  for (int i = 0; i < count; ++i) from[i] -= factor * row[i];
+void add_row(double factor, const double* __restrict row, int count, double* __restrict to) {
+  for (int i = 0; i < count; ++i) to[i] += factor * row[i];
 }
 }  // namespace
 
 BoxProblem::BoxProblem()
     : a_(max_unknowns * max_unknowns),
-      upper_factor_(max_unknowns * max_unknowns),
-      factor_(max_unknowns * max_unknowns) {}
+      factor_(max_unknowns * max_unknowns),
+      soft_system_(max_unknowns) {}
 
 void BoxProblem::reset(int size) {
   size_ = size;
-  for (int i = 0; i < size; ++i) {
-    std::fill_n(&a_[i * max_unknowns], size, 0.0);
-    b[i] = 0.0;
-    low[i] = 0.0;
-    high[i] = infinity;
-  }
+  soft_system_fits_ = false;
+  std::fill_n(a_.begin(), size * size, 0.0);
+  std::fill_n(b.begin(), size, 0.0);
+  std::fill_n(low.begin(), size, 0.0);
+  std::fill_n(high.begin(), size, infinity);
 }
 
 double BoxProblem::gradient(int i) const {
@@ -92,7 +101,7 @@ void BoxProblem::factorise() {
   for (int k = factorised_; k < order_count_; ++k) {
     const int i = order_[k];
     pivot_[i] = a(i, i);
-    const double* row = &factor_[i * max_unknowns];
+    const double* row = &factor_[i * size_];
     for (int l = 0; l < factorised_; ++l) pivot_[i] -= row[l] * row[l];
   }
   for (int n = factorised_; n < order_count_; ++n) {
@@ -102,11 +111,11 @@ void BoxProblem::factorise() {
     }
     std::swap(order_[n], order_[next]);
     const int i = order_[n];
-    double* row = &factor_[i * max_unknowns];
+    double* row = &factor_[i * size_];
     row[n] = std::sqrt(std::max(pivot_[i], least_pivot * a(i, i)));
     for (int k = n + 1; k < order_count_; ++k) {
       const int j = order_[k];
-      double* other = &factor_[j * max_unknowns];
+      double* other = &factor_[j * size_];
       double sum = a(j, i);
       for (int l = 0; l < n; ++l) sum -= other[l] * row[l];
       other[n] = sum / row[n];
@@ -122,14 +131,14 @@ void BoxProblem::solve_free() {
   const int n = order_count_;
   for (int k = 0; k < n; ++k) {
     double sum = -gradient(order_[k]);
-    const double* row = &factor_[order_[k] * max_unknowns];
+    const double* row = &factor_[order_[k] * size_];
     for (int l = 0; l < k; ++l) sum -= row[l] * rhs_[l];
     rhs_[k] = sum / row[k];
   }
   for (int k = n - 1; k >= 0; --k) {
     double sum = rhs_[k];
-    for (int l = k + 1; l < n; ++l) sum -= factor_[order_[l] * max_unknowns + k] * rhs_[l];
-    rhs_[k] = sum / factor_[order_[k] * max_unknowns + k];
+    for (int l = k + 1; l < n; ++l) sum -= factor_[order_[l] * size_ + k] * rhs_[l];
+    rhs_[k] = sum / factor_[order_[k] * size_ + k];
     target_[order_[k]] = x[order_[k]] + rhs_[k];
   }
 }
@@ -184,24 +193,28 @@ void BoxProblem::solve() {
     banned_[i] = false;
     scale = std::max(scale, std::abs(b[i]));
   }
-  const double tolerance = 1e-14 * scale;
+  double tolerance = next_to_nothing * scale;
   if (is_solved(tolerance)) return;
   // From far away each bound costs a round; a large problem is begun where it is nearly solved.
   if (size_ >= large) {
-    const bool is_near = solve_softly(false);
+    const bool is_near = solve_softly();
     for (int i = 0; i < size_; ++i) {
       x[i] = std::clamp(is_near ? x[i] : 0.0, low[i], high[i]);
       if (!is_near) bound_[i] = low[i] < high[i] ? Bound::free : Bound::fixed;
     }
   }
+  soft_system_fits_ = false;
   order_all_free();
 
-  // Each round releases one bound; far fewer rounds than this are ever needed.
-  for (int round = 0; round < 8 * max_unknowns; ++round) {
+  // Each round releases one bound.
+  for (int round = 0; round < most_releases; ++round) {
     do {
       solve_free();
     } while (!step_to_target());
 
+    if (round >= patient_releases) {
+      tolerance = std::min(tolerance * tolerance_growth, most_tolerance * scale);
+    }
     const int released = most_violating(tolerance);
     if (released < 0) return;
     bound_[released] = Bound::free;
@@ -218,131 +231,135 @@ void BoxProblem::solve() {
   }
 }
 
-// The larger the diagonal, the easier. Each of these problems is near the solution of the one
-// before, and the last one says what that is to its own softness times how far the two are apart.
-bool BoxProblem::solve_softly(bool again) {
-  if (again && solve_near(softness.back())) return true;
-  if (!again) {
-    for (int i = 0; i < size_; ++i) {
-      x[i] = 0.0;
-      const bool starts_free = low[i] < 0.0 ? high[i] > 0.0 : b[i] < 0.0;
-      bound_[i] = starts_free && a(i, i) != 0.0 ? Bound::free : Bound::fixed;
-    }
-  }
-  std::size_t k = usual_softness;
-  if (!solve_near(softness[k])) {
-    k = 0;
-    if (!solve_near(softness[k])) return false;
-  }
-  while (++k < softness.size()) {
-    if (solve_near(softness[k])) continue;
-    solve_near(softness[k - 1]);  // once more, from where it led: as good as it gets
-    break;
-  }
-  return true;
+bool BoxProblem::solve_softly() {
+  std::fill_n(x.begin(), size_, 0.0);
+  return solve_softly_from_x();
 }
 
-// With a diagonal that pulls towards x as it is. Whole sets of wrong bounds are exchanged at once as
-// long as that makes them fewer, else the last wrong one alone, which comes to an end for certain.
-bool BoxProblem::solve_near(double soft) {
+// Newton's method on the function plus 1/2 (x - centre).D(x - centre), D a small diagonal. Steps are
+// cut off at the bounds, and shortened until that goes down: so no bound is exchanged in circles.
+bool BoxProblem::solve_softly_from_x() {
   double scale = 0.0;
   for (int i = 0; i < size_; ++i) {
     scale = std::max(scale, std::abs(b[i]));
-    pull_[i] = soft * a(i, i);
-    centre_[i] = x[i];
-    if (bound_[i] == Bound::fixed) x[i] = x[i] - low[i] <= high[i] - x[i] ? low[i] : high[i];
+    pull_[i] = softness * a(i, i);
+    centre_[i] = x[i] = std::clamp(x[i], low[i], high[i]);
   }
-  const double tolerance = 1e-10 * scale;
-  int fewest = size_ + 1;
-  int patience = patient_rounds;
+  soft_value_ = soft_value(x, slope_);
   for (int round = 0; round < most_soft_rounds; ++round) {
-    solve_for_free();
-    const int wrong = find_wrong(tolerance);
-    if (wrong == 0) return true;
-    if (wrong < fewest) {
-      fewest = wrong;
-      patience = patient_rounds;
-    } else {
-      --patience;
-    }
-    exchange_wrong(patience < 0);
-  }
-  for (int i = 0; i < size_; ++i) {
-    x[i] = centre_[i];
-    bound_[i] = x[i] <= low[i] || x[i] >= high[i] ? Bound::fixed : Bound::free;
+    if (hold_at_bounds(soft_solved * scale)) return true;
+    find_direction();
+    std::copy_n(x.begin(), size_, begin_.begin());
+    std::copy_n(slope_.begin(), size_, begin_slope_.begin());
+    if (!go_down()) return false;
   }
   return false;
 }
 
-// x of the free unknowns, the others held.
-void BoxProblem::solve_for_free() {
-  order_count_ = 0;
-  std::array<int, max_unknowns> held;
-  int held_count = 0;
-  // The last ones first: wheels, whose rows are nearly empty.
-  for (int i = size_ - 1; i >= 0; --i) {
-    if (bound_[i] == Bound::free) {
-      order_[order_count_++] = i;
-    } else if (x[i] != 0.0) {
-      held[held_count++] = i;
-    }
+// The function with its pull, and what it changes with each unknown.
+double BoxProblem::soft_value(const Unknowns& at, Unknowns& slope) const {
+  // A times at, row by row: it is symmetric, and many unknowns are zero.
+  std::fill_n(slope.begin(), size_, 0.0);
+  for (int j = 0; j < size_; ++j) {
+    if (at[j] != 0.0) add_row(at[j], &a_[j * size_], size_, slope.data());
   }
-  // Row k of the upper triangle, with the right side behind it.
-  const int n = order_count_;
-  const auto row = [&](int k) { return &upper_factor_[k * (n + 1)]; };
-  for (int k = 0; k < n; ++k) {
-    const double* const a = &a_[order_[k] * max_unknowns];
-    double* const u = row(k);
-    for (int l = k; l < n; ++l) u[l] = a[order_[l]];
-    u[k] += pull_[order_[k]];
-    double right = pull_[order_[k]] * centre_[order_[k]] - b[order_[k]];
-    for (int l = 0; l < held_count; ++l) right -= a[held[l]] * x[held[l]];
-    u[n] = right;
-  }
-  for (int k = 0; k < n; ++k) {
-    const double* const u = row(k);
-    const double pivot = std::max(u[k], least_pivot * a(order_[k], order_[k]));
-    pivot_[k] = 1.0 / pivot;
-    for (int l = k + 1; l < n; ++l) {
-      if (u[l] == 0.0) continue;
-      subtract(u[l] * pivot_[k], u + l, n + 1 - l, row(l) + l);
-    }
-  }
-  for (int k = n - 1; k >= 0; --k) {
-    const double* const u = row(k);
-    double sum = u[n];
-    for (int l = k + 1; l < n; ++l) sum -= u[l] * rhs_[l];
-    x[order_[k]] = rhs_[k] = sum * pivot_[k];
-  }
-}
-
-// Free unknowns beyond their bounds, bounds that pull the wrong way.
-int BoxProblem::find_wrong(double tolerance) {
-  int count = 0;
+  double value = 0.0;
   for (int i = 0; i < size_; ++i) {
-    if (bound_[i] == Bound::free) {
-      wrong_[i] = x[i] < low[i] || x[i] > high[i];
-    } else {
-      const bool is_given = low[i] == high[i] || a(i, i) == 0.0;
-      const double w = is_given ? 0.0 : gradient(i) + pull_[i] * (x[i] - centre_[i]);
-      wrong_[i] = x[i] <= low[i] ? w < -tolerance : w > tolerance;
-    }
-    count += wrong_[i];
+    const double off = at[i] - centre_[i];
+    value += at[i] * (0.5 * slope[i] + b[i]) + 0.5 * pull_[i] * off * off;
+    slope[i] += b[i] + pull_[i] * off;
   }
-  return count;
+  return value;
 }
 
-void BoxProblem::exchange_wrong(bool only_last) {
-  for (int i = size_ - 1; i >= 0; --i) {
-    if (!wrong_[i]) continue;
-    if (bound_[i] == Bound::free) {
-      bound_[i] = Bound::fixed;
-      x[i] = x[i] < low[i] ? low[i] : high[i];
-    } else {
-      bound_[i] = Bound::free;
-    }
-    if (only_last) return;
+void BoxProblem::set_soft_bound(int i, Bound bound) {
+  soft_system_fits_ = soft_system_fits_ && bound_[i] == bound;
+  bound_[i] = bound;
+}
+
+// What is pulled out of its bounds stays there; true if nothing else is pulled anywhere.
+bool BoxProblem::hold_at_bounds(double tolerance) {
+  bool solved = true;
+  for (int i = 0; i < size_; ++i) {
+    const bool is_given = low[i] == high[i] || a(i, i) == 0.0;
+    const bool is_held = is_given || (x[i] <= low[i] && slope_[i] >= -tolerance) ||
+                         (x[i] >= high[i] && slope_[i] <= tolerance);
+    set_soft_bound(i, is_held ? Bound::fixed : Bound::free);
+    solved = solved && (is_held || std::abs(slope_[i]) <= tolerance);
   }
+  return solved;
+}
+
+// Newton's step of the free unknowns, rhs_ in the order of order_. Those that it would push out of
+// the bounds where they are are held, too.
+void BoxProblem::find_direction() {
+  bool goes_out = true;
+  while (goes_out) {
+    goes_out = false;
+    order_count_ = 0;
+    // The last ones first: wheels, whose rows are nearly empty.
+    for (int i = size_ - 1; i >= 0; --i) {
+      if (bound_[i] == Bound::free) order_[order_count_++] = i;
+    }
+    if (!soft_system_fits_) factorise_softly();
+    for (int k = 0; k < order_count_; ++k) rhs_[k] = -slope_[order_[k]];
+    soft_system_.solve(rhs_.data());
+    for (int k = 0; k < order_count_; ++k) {
+      const int i = order_[k];
+      if ((x[i] > low[i] || rhs_[k] >= 0.0) && (x[i] < high[i] || rhs_[k] <= 0.0)) continue;
+      set_soft_bound(i, Bound::fixed);
+      goes_out = true;
+    }
+  }
+}
+
+void BoxProblem::factorise_softly() {
+  soft_system_.reset(order_count_);
+  for (int k = 0; k < order_count_; ++k) {
+    const double* const a = &a_[order_[k] * size_];
+    double* const row = soft_system_.row(k);
+    for (int l = k; l < order_count_; ++l) row[l] = a[order_[l]];
+    row[k] += pull_[order_[k]];
+  }
+  soft_system_.factorise();
+  soft_system_fits_ = true;
+}
+
+// Far in that direction, cut off at the bounds, if that lowers the function as promised; else to the
+// first bound, up to where it always goes down. False if not even that can be seen.
+bool BoxProblem::go_down() {
+  const double old_value = soft_value_;
+  double part = 1.0;
+  for (int halved = 0; halved < most_shortenings; ++halved, part *= 0.5) {
+    const double promised = try_part(part);
+    if (soft_value_ <= old_value + kept_promise * promised + unseen * std::abs(old_value)) {
+      return true;
+    }
+  }
+  try_part(part_to_first_bound());
+  return soft_value_ <= old_value + unseen * std::abs(old_value);
+}
+
+double BoxProblem::part_to_first_bound() const {
+  double part = 1.0;
+  for (int k = 0; k < order_count_; ++k) {
+    const int i = order_[k];
+    const double limit = rhs_[k] < 0.0 ? low[i] : high[i];
+    if (rhs_[k] != 0.0) part = std::min(part, (limit - begin_[i]) / rhs_[k]);
+  }
+  return part;
+}
+
+// x, value and slope after that part of the step; returns what the slope before promised of it.
+double BoxProblem::try_part(double part) {
+  double promised = 0.0;
+  for (int k = 0; k < order_count_; ++k) {
+    const int i = order_[k];
+    x[i] = std::clamp(begin_[i] + part * rhs_[k], low[i], high[i]);
+    promised += begin_slope_[i] * (x[i] - begin_[i]);
+  }
+  soft_value_ = soft_value(x, slope_);
+  return promised;
 }
 
 }  // namespace mirocup::simulator

@@ -14,12 +14,14 @@
 // everywhere.
 #pragma once
 
+#include "core/simulator/definite_system.hpp"
+
 #include <array>
 #include <vector>
 
 namespace mirocup::simulator {
 
-inline constexpr int max_unknowns = 128;
+inline constexpr int max_unknowns = 192;
 
 // Kept and reused: making one allocates, solving does not.
 class BoxProblem {
@@ -30,18 +32,25 @@ class BoxProblem {
   void reset(int size);
 
   int size() const { return size_; }
-  double& a(int row, int column) { return a_[row * max_unknowns + column]; }
-  double a(int row, int column) const { return a_[row * max_unknowns + column]; }
-  std::array<double, max_unknowns> b, low, high;
+  double& a(int row, int column) { return a_[row * size_ + column]; }
+  double a(int row, int column) const { return a_[row * size_ + column]; }
+  // Adds to both halves; j <= i.
+  void add_to_a(int i, int j, double by) {
+    a(i, j) += by;
+    if (i != j) a(j, i) += by;
+  }
+  using Unknowns = std::array<double, max_unknowns>;
+  Unknowns b, low, high;
 
   // The solution is in x; where A leaves it open, one of the solutions.
   void solve();
   // The solution for a diagonal that is a hair larger, which leaves nothing open: many bounds are
   // taken and released at once, which is several times as fast. For what is solved anew until it
-  // fits; `again`: of a problem of the same size as the last one, and much like it. False if
-  // even the softest is too hard; then solve() is left.
-  bool solve_softly(bool again);
-  std::array<double, max_unknowns> x;
+  // fits: from_x() begins with x as it stands, and the nearer that is, the closer to it the solution
+  // and the cheaper; the most where only b has changed. False if it is too hard; then solve() is left.
+  bool solve_softly();
+  bool solve_softly_from_x();
+  Unknowns x;
 
   // w_i, from x as it stands.
   double gradient(int i) const;
@@ -56,20 +65,31 @@ class BoxProblem {
   void solve_free();      // target_ from the free unknowns, the others held
   bool step_to_target();  // true if no bound was in the way
   int most_violating(double tolerance) const;
-  bool solve_near(double soft);
-  void solve_for_free();
-  int find_wrong(double tolerance);
-  void exchange_wrong(bool only_last);
+  double soft_value(const Unknowns& at, Unknowns& slope) const;
+  void set_soft_bound(int i, Bound bound);
+  bool hold_at_bounds(double tolerance);
+  void find_direction();
+  void factorise_softly();
+  bool go_down();
+  double part_to_first_bound() const;
+  double try_part(double part);
 
   int size_ = 0;
-  std::vector<double> a_, upper_factor_;
+  std::vector<double> a_;
   std::vector<double> factor_;  // row i of the factor belongs to unknown i
-  std::array<double, max_unknowns> target_, rhs_, pivot_, pull_, centre_;
+  Unknowns target_, rhs_, pivot_;
   std::array<Bound, max_unknowns> bound_;
-  std::array<bool, max_unknowns> banned_, wrong_;
+  std::array<bool, max_unknowns> banned_;
   std::array<int, max_unknowns> order_;  // the free unknowns, in the order of the factorisation
   int order_count_ = 0;
   int factorised_ = 0;  // so many of them, the first ones, have been
+
+  // Of the soft problem.
+  Unknowns pull_, centre_, slope_;
+  Unknowns begin_, begin_slope_;  // of a round
+  double soft_value_ = 0.0;
+  DefiniteSystem soft_system_;     // of the free unknowns
+  bool soft_system_fits_ = false;  // the matrix and the free ones as they are
 };
 
 }  // namespace mirocup::simulator

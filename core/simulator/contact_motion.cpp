@@ -240,26 +240,13 @@ void ContactMotion::stop_rates(std::span<Body> bodies) {
   }
 }
 
-double ContactMotion::coupling_of(int i, int j) const {
-  const Contact* c = i < held_count_ ? &held_[i] : nullptr;
-  const Contact* d = j < held_count_ ? &held_[j] : nullptr;
-  if (c != nullptr && d != nullptr) return coupling(*c, *d, mass_);
-  if (c != nullptr) return coupling_of(j, i);
-  const int body = wheels_of(i);
-  const double inverse = mass_[body].left;
-  if (d == nullptr) return wheels_of(j) == body ? inverse : 0.0;
-  double sum = 0.0;
-  if (d->a == body) sum += d->row_a[1] * inverse;
-  if (d->b == body) sum -= d->row_b[1] * inverse;
-  return sum;
-}
-
 void ContactMotion::factorise() {
-  const int n = equations();
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j <= i; ++j) elimination_.a(i, j) = coupling_of(i, j);
-  }
-  elimination_.factorise(n);
+  SharedBodies bodies;
+  for (int i = 0; i < held_count_; ++i) bodies.add(i, held_[i]);
+  for (int w = held_count_; w < equations(); ++w) bodies.add(w, wheels_as_contact(wheels_of(w)));
+  elimination_.reset(equations());
+  bodies.couple(mass_, elimination_);
+  elimination_.factorise();
 }
 
 // Term k + 1 of the twists, but for what the forces' own term k adds.

@@ -57,7 +57,6 @@ class ContactMotion {
   void begin(const Wanted& wanted, std::span<Body> bodies, std::span<Segment> segments);
   void close_gaps(std::span<Body> bodies);
   void stop_rates(std::span<Body> bodies);
-  double coupling_of(int i, int j) const;
   void factorise();
   void extend(int k, std::span<Segment> segments);
   void extend_twists(int k, std::span<Segment> segments);

@@ -15,7 +15,18 @@ constexpr double radii_a_step = 0.5;
 
 // Looks at the end of a step, and times that it is halved, before what is found there is taken.
 constexpr int most_looks = 10;
+// Contacts may contradict each other by a hair; then it is not for more looks to find an end.
+constexpr int patient_looks = 4;
+constexpr int looks_at_normals = 1;
 constexpr int most_halvings = 3;
+
+// How deep (m) two may overlap between the ends of a step.
+constexpr double most_on_the_way = 5e-7;
+
+// Overlaps at the begin of a step are not undone faster than that, m/s. Deeper than that, m, they are
+// of a corner that is not over its edge yet.
+constexpr double fastest_undoing = 2e-4;
+constexpr double deepest_to_undo = 1e-7;
 
 // Rounds in which the bounds of friction follow the normal impulses.
 constexpr int friction_rounds = 10;
@@ -48,6 +59,11 @@ Twist braked(const Parameters& p, const Twist& v, double step) {
   return {v.forward * left, v.left * left, 0.0};
 }
 
+bool is_same_place(const ContactPoint& p, const ContactPoint& q) {
+  return p.kind == q.kind && p.point_on_a == q.point_on_a && p.corner == q.corner &&
+         p.edge == q.edge;
+}
+
 // No point of the body is faster, m/s.
 double speed_at_most(const Shape& shape, const Twist& v) {
   return std::abs(v.forward) + std::abs(v.left) + std::abs(v.turn) * shape.radius;
@@ -56,11 +72,12 @@ double speed_at_most(const Shape& shape, const Twist& v) {
 }  // namespace
 
 ContactStepping::ContactStepping(const Arena& arena, BoxProblem& problem)
-    : arena_(arena), problem_(problem) {
+    : arena_(arena), problem_(problem), ways_(max_bodies) {
   for (int i = 0; i < arena.robots; ++i) wheels_[i] = wheels_as_contact(i);
 }
 
 ContactStepping::Step ContactStepping::take(const BodySet& candidates,
+                                            std::span<const Contact> touching,
                                             std::span<const Drive> drives,
                                             std::span<const InverseMass> mass, double longest,
                                             std::span<Body> bodies) {
@@ -68,22 +85,51 @@ ContactStepping::Step ContactStepping::take(const BodySet& candidates,
   double parts = std::ceil(longest / length);
   Step step;
   for (int halved = 0; halved <= most_halvings; ++halved, parts *= 2.0) {
-    if (find(candidates, drives, mass, longest / parts, bodies, step)) break;
+    if (find(candidates, touching, drives, mass, longest / parts, bodies, step)) break;
   }
   for (int i = 0; i < arena_.bodies(); ++i) {
     if (step.members[i]) bodies[i].twist = end_[i].twist;
   }
-  keep_what_presses();
+  keep_what_presses(step);
   return step;
 }
 
-void ContactStepping::keep_what_presses() {
+void ContactStepping::keep_what_presses(const Step& step) {
+  const auto last = std::remove_if(
+      pressed_.begin(), pressed_.begin() + pressed_count_,
+      [&](const Pressed& known) { return (bodies_of(known.pair) & step.members).any(); });
+  pressed_count_ = static_cast<int>(last - pressed_.begin());
   int left = 0;
   for (Contact& c : contacts_.contacts()) {
     c.holds = c.impulse != 0.0;
-    if (c.holds) contacts_.list[left++] = c;
+    if (!c.holds) continue;
+    c.force = c.impulse / step.length;
+    if (pressed_count_ < max_unknowns) pressed_[pressed_count_++] = {c.pair, c.at, c.force};
+    contacts_.list[left++] = c;
   }
   contacts_.count = left;
+  for (int i = 0; i < arena_.robots; ++i) {
+    if (step.members[i]) wheels_[i].force = wheels_[i].impulse / step.length;
+  }
+}
+
+// The impulses of a step like the last one.
+void ContactStepping::recall(const BodySet& members, double length) {
+  int next = 0;
+  for (Contact& c : contacts_.contacts()) {
+    c.impulse = 0.0;
+    for (int tried = 0; tried < pressed_count_; ++tried) {
+      const Pressed& known = pressed_[next];
+      next = next + 1 == pressed_count_ ? 0 : next + 1;
+      if (!(known.pair == c.pair) || !is_same_place(known.at, c.at)) continue;
+      c.impulse = known.force * length;
+      break;
+    }
+  }
+  for (int i = 0; i < arena_.robots; ++i) {
+    // A hair more, lest rounding takes what was at its bound off it.
+    if (members[i]) wheels_[i].impulse = wheels_[i].force * length * (1.0 + 1e-12);
+  }
 }
 
 double ContactStepping::fastest_of(const BodySet& some, std::span<const Body> bodies) const {
@@ -104,16 +150,16 @@ double ContactStepping::longest_step(const BodySet& some, std::span<const Body> 
 }
 
 // A step of that length. False if overlaps remain at its end, or if it turns out to be too long.
-bool ContactStepping::find(const BodySet& candidates, std::span<const Drive> drives,
-                           std::span<const InverseMass> mass, double length,
-                           std::span<const Body> bodies, Step& step) {
+bool ContactStepping::find(const BodySet& candidates, std::span<const Contact> touching,
+                           std::span<const Drive> drives, std::span<const InverseMass> mass,
+                           double length, std::span<const Body> bodies, Step& step) {
   for (int i = 0; i < arena_.bodies(); ++i) {
     if (!candidates[i]) continue;
     alone_[i].twist = arena_.is_ball(i)
                           ? braked(arena_.parameters, bodies[i].twist, length)
                           : driven(arena_.parameters, drives[i], bodies[i].twist, length);
   }
-  look_ahead(candidates, length, bodies);
+  look_ahead(candidates, touching, length, bodies);
   step = {{}, length};
   for (const Contact& c : contacts_.contacts()) step.members |= bodies_of(c.pair);
   if (step.members.none()) return true;
@@ -130,8 +176,8 @@ double ContactStepping::reach_of_motors(double length) const {
 }
 
 // Where the candidates would be if they kept their twists, and what is close to what there.
-void ContactStepping::look_ahead(const BodySet& candidates, double length,
-                                 std::span<const Body> bodies) {
+void ContactStepping::look_ahead(const BodySet& candidates, std::span<const Contact> touching,
+                                 double length, std::span<const Body> bodies) {
   for (int i = 0; i < arena_.bodies(); ++i) {
     if (candidates[i]) end_[i] = along_arc(bodies[i], length);
   }
@@ -147,88 +193,163 @@ void ContactStepping::look_ahead(const BodySet& candidates, double length,
     for_near_pairs(arena_, boxes_, i, others & bodies_below(i),
                    [&](const Pair& pair) { add_contacts(arena_, pair, end_, margin, contacts_); });
   }
+  // Who touches may part faster than anybody goes, and yet not part once the others are heard.
+  for (const Contact& c : touching) {
+    if (!has_contact(c.pair)) add_contacts(arena_, c.pair, end_, never, contacts_);
+  }
 }
 
-// Solves until what was solved for is what is found. False if that does not come about.
+bool ContactStepping::has_contact(const Pair& pair) const {
+  const auto all = contacts_.contacts();
+  return std::any_of(all.begin(), all.end(), [&](const Contact& c) { return c.pair == pair; });
+}
+
+// Solves until what was solved for is what is found. False if that does not come about. The normals
+// are followed in the first looks only; later they hardly turn, and each solution costs far less.
 bool ContactStepping::settle(const BodySet& members, std::span<const Drive> drives,
                              std::span<const InverseMass> mass, double length,
                              std::span<const Body> bodies) {
+  recall(members, length);
+  leave_overlaps(length, bodies);
   for (int look = 0; look < most_looks; ++look) {
-    solve(members, drives, mass, length, look > 0);
+    if (look < looks_at_normals) {
+      if (look > 0) {
+        for (Contact& c : contacts_.contacts()) set_rows(end_, c);
+      }
+      pose(members, drives, mass, length);
+    }
+    solve(members, mass, length);
     for (int i = 0; i < arena_.bodies(); ++i) {
       if (!members[i]) continue;
       Body moving = bodies[i];
       moving.twist = end_[i].twist;
       end_[i] = along_arc(moving, length);
     }
-    for (Contact& c : contacts_.contacts()) look_again(arena_, end_, c);
-    if (has_settled()) return true;
+    for (Contact& c : contacts_.contacts()) look_again(arena_, end_, c.pair, c.at);
+    const Tolerances& t = arena_.tolerances;
+    if (has_settled(look < patient_looks ? t.step_touch : t.step_overlap)) {
+      return is_clear_between(length, bodies);
+    }
   }
   return false;
 }
 
-bool ContactStepping::has_settled() const {
-  const double touch = arena_.tolerances.step_touch;
-  for (const Contact& c : contacts_.contacts()) {
-    if (c.at.gap < -touch || (c.impulse > 0.0 && c.at.gap > touch)) return false;
+bool ContactStepping::presses(const Pair& pair) const {
+  const auto all = contacts_.contacts();
+  return std::any_of(all.begin(), all.end(),
+                     [&](const Contact& c) { return c.impulse != 0.0 && c.pair == pair; });
+}
+
+// Two corners can pass through each other on the way to an end where they are apart. Only what opens
+// there, and was not as far apart at the begin as that says, is worth a search.
+bool ContactStepping::passes_through(const Contact& c, double length,
+                                     std::span<const Body> bodies) {
+  if (c.at.gap >= gap_rate(c, end_) * length || presses(c.pair)) return false;
+  for (const int i : {c.a, c.b}) {
+    if (i == no_body) continue;
+    Body moving = bodies[i];
+    moving.twist = end_[i].twist;
+    ways_[i] = steady_segment(moving, 0.0, length);
+  }
+  const double overlaps = first_time_below(arena_, c.pair, -most_on_the_way, ways_, 0.0);
+  return overlaps > 0.0 && overlaps != never;
+}
+
+bool ContactStepping::is_clear_between(double length, std::span<const Body> bodies) {
+  const auto all = contacts_.contacts();
+  return std::none_of(all.begin(), all.end(), [&](const Contact& c) {
+    return c.impulse == 0.0 && passes_through(c, length, bodies);
+  });
+}
+
+// What overlaps at the begin is undone in a step, but not faster than that would add energy: steps may
+// be as short as what is left of a tick.
+void ContactStepping::leave_overlaps(double length, std::span<const Body> bodies) {
+  std::fill_n(left_.begin(), contacts_.count, 0.0);
+  const double undone = fastest_undoing * length;
+  if (undone >= deepest_to_undo) return;
+  for (int i = 0; i < contacts_.count; ++i) {
+    ContactPoint at = contacts_.list[i].at;
+    look_again(arena_, bodies, contacts_.list[i].pair, at);
+    if (at.gap > -deepest_to_undo) left_[i] = std::max(0.0, -at.gap - undone);
+  }
+}
+
+bool ContactStepping::has_settled(double touch) const {
+  for (int i = 0; i < contacts_.count; ++i) {
+    const Contact& c = contacts_.list[i];
+    const double gap = c.at.gap + left_[i];
+    if (gap < -touch || (c.impulse > 0.0 && gap > touch)) return false;
   }
   return true;
 }
 
-// The impulses that a step asks for: of contacts, along their tangents, of wheels. Sets the twists of
-// end_.
-void ContactStepping::solve(const BodySet& members, std::span<const Drive> drives,
-                            std::span<const InverseMass> mass, double length, bool again) {
+// What impulses the step asks for: of contacts, along their tangents, of wheels.
+void ContactStepping::pose(const BodySet& members, std::span<const Drive> drives,
+                           std::span<const InverseMass> mass, double length) {
   const Parameters& p = arena_.parameters;
-  std::array<const Contact*, max_unknowns> row;
   int count = 0;
-  for (const Contact& c : contacts_.contacts()) row[count++] = &c;
-  const int normals = count;
+  for (Contact& c : contacts_.contacts()) row_[count++] = &c;
   tangents_.count = 0;
   for (const Contact& c : contacts_.contacts()) {
     if (c.friction == 0.0 || count == max_unknowns - max_bodies) continue;
     tangents_.list[tangents_.count] = tangent_of(c, end_);
-    row[count++] = &tangents_.list[tangents_.count++];
+    row_[count++] = &tangents_.list[tangents_.count++];
   }
   const int with_tangents = count;
   for (int i = 0; i < arena_.robots; ++i) {
     const bool holds = members[i] && drives[i].wheels_on_ground && p.grip != infinite_grip;
-    if (holds && count < max_unknowns) row[count++] = &wheels_[i];
+    if (holds && count < max_unknowns) row_[count++] = &wheels_[i];
   }
-
   problem_.reset(count);
-  for (int i = 0; i < count; ++i) {
-    problem_.b[i] = gap_rate(*row[i], alone_);
-    // The gap at the end of the step, from what it is with the twists of the last look.
-    if (i < normals) problem_.b[i] += row[i]->at.gap / length - gap_rate(*row[i], end_);
-  }
   set_couplings(
-      count, [&](int i) -> const Contact& { return *row[i]; }, mass, problem_);
-  const auto set_bounds = [&](int i, double bound) {
-    problem_.low[i] = -bound;
-    problem_.high[i] = bound;
-  };
-  const double grip_impulse = p.grip * p.robot_mass * gravity * length;
-  for (int i = with_tangents; i < count; ++i) set_bounds(i, grip_impulse);
+      count, [&](int i) -> const Contact& { return *row_[i]; }, mass, problem_);
+  for (int i = with_tangents; i < count; ++i) set_bounds(i, most_grip(length));
+}
+
+// These impulses, from where the last look ended. Sets the twists of end_.
+void ContactStepping::solve(const BodySet& members, std::span<const InverseMass> mass,
+                            double length) {
+  const int normals = contacts_.count;
+  const int with_tangents = normals + tangents_.count;
+  const int count = problem_.size();
+  for (int i = 0; i < count; ++i) {
+    problem_.x[i] = row_[i]->impulse;
+    problem_.b[i] = gap_rate(*row_[i], alone_);
+    // The gap at the end of the step, from what it is with the twists of the last look.
+    if (i >= normals) continue;
+    problem_.b[i] += (row_[i]->at.gap + left_[i]) / length - gap_rate(*row_[i], end_);
+  }
   for (int i = normals; i < with_tangents; ++i) set_bounds(i, 0.0);
-  if (!problem_.solve_softly(again)) problem_.solve();
+  if (!problem_.solve_softly_from_x()) problem_.solve();
   for (int round = 0; round < friction_rounds && with_tangents > normals; ++round) {
     for (int i = normals, k = 0; i < with_tangents; ++i, ++k) {
       while (contacts_.list[k].friction == 0.0) ++k;
       set_bounds(i, contacts_.list[k].friction * problem_.x[k]);
     }
-    problem_.solve_softly(true);
+    problem_.solve_softly_from_x();
   }
 
   for (int i = 0; i < arena_.bodies(); ++i) {
     if (members[i]) end_[i].twist = alone_[i].twist;
   }
-  for (int i = 0; i < count; ++i) apply_impulse(*row[i], problem_.x[i], mass, end_);
-  for (int i = 0; i < normals; ++i) contacts_.list[i].impulse = problem_.x[i];
-  for (int i = with_tangents; i < count; ++i) {
-    double& left = end_[row[i]->a].twist.left;
-    if (std::abs(problem_.x[i]) < grip_impulse) left = 0.0;
+  for (int i = 0; i < count; ++i) {
+    row_[i]->impulse = problem_.x[i];
+    apply_impulse(*row_[i], problem_.x[i], mass, end_);
   }
+  for (int i = with_tangents; i < count; ++i) {
+    if (std::abs(problem_.x[i]) < most_grip(length)) end_[row_[i]->a].twist.left = 0.0;
+  }
+}
+
+void ContactStepping::set_bounds(int i, double bound) {
+  problem_.low[i] = -bound;
+  problem_.high[i] = bound;
+}
+
+double ContactStepping::most_grip(double length) const {
+  const Parameters& p = arena_.parameters;
+  return p.grip * p.robot_mass * gravity * length;
 }
 
 }  // namespace mirocup::simulator

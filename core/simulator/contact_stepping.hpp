@@ -17,6 +17,7 @@
 
 #include <array>
 #include <span>
+#include <vector>
 
 namespace mirocup::simulator {
 
@@ -31,37 +32,63 @@ class ContactStepping {
     double length = 0.0;
   };
 
-  // Of the candidates, those whose contacts with each other or with walls last. Sets the twists of
-  // the members to what they keep during the step, which is no longer than `longest`, s.
-  Step take(const BodySet& candidates, std::span<const Drive> drives,
-            std::span<const InverseMass> mass, double longest, std::span<Body> bodies);
+  // Of the candidates, those that touch now and those that may before the step ends. Sets the twists
+  // of the members to what they keep during the step, which is no longer than `longest`, s.
+  Step take(const BodySet& candidates, std::span<const Contact> touching,
+            std::span<const Drive> drives, std::span<const InverseMass> mass, double longest,
+            std::span<Body> bodies);
 
   // Of the last step, if it had members: a member at its end, and the contacts that press.
   const Body& end(int member) const { return end_[member]; }
   std::span<const Contact> pressing() const { return contacts_.contacts(); }
 
+  // The next step begins from nothing: bodies were moved.
+  void forget() { pressed_count_ = 0; }
+
  private:
+  // A contact that pressed in a step: the next one begins with its force.
+  struct Pressed {
+    Pair pair;
+    ContactPoint at;
+    double force;  // N
+  };
+
   double fastest_of(const BodySet& some, std::span<const Body> bodies) const;
   double longest_step(const BodySet& some, std::span<const Body> bodies) const;
   double reach_of_motors(double length) const;
-  bool find(const BodySet& candidates, std::span<const Drive> drives,
-            std::span<const InverseMass> mass, double length, std::span<const Body> bodies,
-            Step& step);
-  void look_ahead(const BodySet& candidates, double length, std::span<const Body> bodies);
+  bool find(const BodySet& candidates, std::span<const Contact> touching,
+            std::span<const Drive> drives, std::span<const InverseMass> mass, double length,
+            std::span<const Body> bodies, Step& step);
+  void look_ahead(const BodySet& candidates, std::span<const Contact> touching, double length,
+                  std::span<const Body> bodies);
+  bool has_contact(const Pair& pair) const;
   bool settle(const BodySet& members, std::span<const Drive> drives,
               std::span<const InverseMass> mass, double length, std::span<const Body> bodies);
-  void solve(const BodySet& members, std::span<const Drive> drives,
-             std::span<const InverseMass> mass, double length, bool again);
-  bool has_settled() const;
-  void keep_what_presses();
+  void pose(const BodySet& members, std::span<const Drive> drives,
+            std::span<const InverseMass> mass, double length);
+  void solve(const BodySet& members, std::span<const InverseMass> mass, double length);
+  void set_bounds(int i, double bound);
+  double most_grip(double length) const;  // N s
+  void leave_overlaps(double length, std::span<const Body> bodies);
+  bool has_settled(double touch) const;
+  bool presses(const Pair& pair) const;
+  bool passes_through(const Contact& contact, double length, std::span<const Body> bodies);
+  bool is_clear_between(double length, std::span<const Body> bodies);
+  void recall(const BodySet& members, double length);
+  void keep_what_presses(const Step& step);
 
   const Arena& arena_;
   BoxProblem& problem_;
   ContactList contacts_, tangents_;
+  std::array<double, max_unknowns> left_;  // m, of each contact's overlap at the begin, that stays
   std::array<Contact, max_robots> wheels_;
-  std::array<Body, max_bodies> end_;    // with the twists of the step
-  std::array<Body, max_bodies> alone_;  // twists at the end if there were no contacts
+  std::array<Pressed, max_unknowns> pressed_;  // of each body in its last step
+  int pressed_count_ = 0;
+  std::array<Contact*, max_unknowns> row_;  // of each unknown: contacts_, tangents_, wheels_
+  std::array<Body, max_bodies> end_;        // with the twists of the step
+  std::array<Body, max_bodies> alone_;      // twists at the end if there were no contacts
   std::array<Box, max_bodies> boxes_;
+  std::vector<Segment> ways_;  // of two that may pass through each other
 };
 
 }  // namespace mirocup::simulator

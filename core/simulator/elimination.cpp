@@ -21,10 +21,15 @@ Elimination::Elimination()
       factor_(max_unknowns * max_unknowns),
       packed_(max_unknowns * (max_unknowns + 1) / 2) {}
 
+void Elimination::reset(int n) {
+  size_ = n;
+  std::fill_n(a_.begin(), n * n, 0.0);
+}
+
 // What nearly depends on others comes behind all that are clear, the largest pivot first: dividing
 // by what rounding leaves of a small one would spoil the others.
-void Elimination::factorise(int n) {
-  size_ = n;
+void Elimination::factorise() {
+  const int n = size_;
   for (int i = 0; i < n; ++i) {
     pivot_[i] = a(i, i);
     order_[i] = i;
@@ -48,7 +53,7 @@ void Elimination::factorise(int n) {
 void Elimination::pack() {
   double* to = packed_.data();
   for (int k = 0; k < size_; ++k) {
-    const double* row = &factor_[order_[k] * max_unknowns];
+    const double* row = &factor_[order_[k] * size_];
     to = std::copy_n(row, k + 1, to);
   }
 }
@@ -57,12 +62,12 @@ void Elimination::take(int place, int taken) {
   // Those passed over keep their order.
   std::rotate(order_.begin() + taken, order_.begin() + place, order_.begin() + place + 1);
   const int i = order_[taken];
-  double* row = &factor_[i * max_unknowns];
+  double* row = &factor_[i * size_];
   depends_[i] = pivot_[i] <= dependent_pivot * a(i, i);
   row[taken] = depends_[i] ? 1.0 : std::sqrt(pivot_[i]);
   for (int k = taken + 1; k < size_; ++k) {
     const int j = order_[k];
-    double* other = &factor_[j * max_unknowns];
+    double* other = &factor_[j * size_];
     other[taken] = 0.0;
     if (depends_[i]) continue;
     double sum = a(std::max(i, j), std::min(i, j));

@@ -15,11 +15,15 @@ class Elimination {
  public:
   Elimination();  // allocates; nothing else does
 
-  // The matrix, in any unit, positive semidefinite; the lower half, j <= i, is what counts.
-  double& a(int i, int j) { return a_[i * max_unknowns + j]; }
+  // Starts with n equations and a matrix of zeros.
+  void reset(int n);
 
-  // Of the first n equations, taken in their order as long as they are clear of those before.
-  void factorise(int n);
+  // The matrix, in any unit, positive semidefinite; the lower half, j <= i, is what counts.
+  double& a(int i, int j) { return a_[i * size_ + j]; }
+  void add_to_a(int i, int j, double by) { a(i, j) += by; }
+
+  // The equations are taken in their order as long as they are clear of those before.
+  void factorise();
 
   // rhs becomes the solution. Unknowns of equations that follow from others are zero.
   void solve(std::array<double, max_unknowns>& rhs) const;

@@ -125,22 +125,6 @@ double coupling(const Contact& c, const Contact& d, std::span<const InverseMass>
   return sum;
 }
 
-void SharedBodies::couple(std::span<const InverseMass> mass, BoxProblem& problem) const {
-  for (std::size_t body = 0; body < mass.size(); ++body) {
-    const InverseMass& m = mass[body];
-    for (int i = newest_[body]; i != none; i = rows_[i].before) {
-      const Row& p = rows_[i];
-      const JacobianRow moved{p.row[0] * m.forward, p.row[1] * m.left, p.row[2] * m.turn};
-      for (int j = i; j != none; j = rows_[j].before) {
-        const Row& q = rows_[j];
-        const double by = moved[0] * q.row[0] + moved[1] * q.row[1] + moved[2] * q.row[2];
-        problem.a(p.unknown, q.unknown) += by;
-        if (i != j) problem.a(q.unknown, p.unknown) += by;
-      }
-    }
-  }
-}
-
 void add_impulse(const JacobianRow& row, double impulse, const InverseMass& mass, Twist& twist) {
   twist.forward += impulse * row[0] * mass.forward;
   twist.left += impulse * row[1] * mass.left;

@@ -89,8 +89,22 @@ class SharedBodies {
     if (contact.a != no_body) add(unknown, contact.a, contact.row_a, 1.0);
     if (contact.b != no_body) add(unknown, contact.b, contact.row_b, -1.0);
   }
-  // Adds J M^-1 J' to the problem's matrix.
-  void couple(std::span<const InverseMass> mass, BoxProblem& problem) const;
+  // Adds J M^-1 J' to the matrix of a problem, or of equations.
+  template <class Matrix>
+  void couple(std::span<const InverseMass> mass, Matrix& matrix) const {
+    for (std::size_t body = 0; body < mass.size(); ++body) {
+      const InverseMass& m = mass[body];
+      for (int i = newest_[body]; i != none; i = rows_[i].before) {
+        const Row& p = rows_[i];
+        const JacobianRow moved{p.row[0] * m.forward, p.row[1] * m.left, p.row[2] * m.turn};
+        for (int j = i; j != none; j = rows_[j].before) {
+          const Row& q = rows_[j];
+          const double by = moved[0] * q.row[0] + moved[1] * q.row[1] + moved[2] * q.row[2];
+          matrix.add_to_a(p.unknown, q.unknown, by);
+        }
+      }
+    }
+  }
 
  private:
   static constexpr int none = -1;

@@ -28,6 +28,7 @@ Tolerances tolerances_of(Accuracy accuracy) {
       t.followed_per_tick = 10;
       t.step = 8e-3;
       t.step_touch = 2e-7;
+      t.step_overlap = 5e-7;
       break;
     case Accuracy::standard:
       break;
@@ -42,7 +43,6 @@ Tolerances tolerances_of(Accuracy accuracy) {
       t.slide_growth_per_event = 1.15;
       t.followed_per_tick = 1'000'000;
       t.step = 2e-5;
-      t.step_touch = 1e-10;
       break;
   }
   return t;

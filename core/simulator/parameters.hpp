@@ -105,11 +105,12 @@ struct Tolerances {
   double slide_growth_per_event = 2.0;
   double rest_slide = 1e-7;
   // What a body's events of a tick may cost, summed: of each the square of how many bodies it
-  // involves. Four of six robots and the ball, or 45 of two. Beyond, the body and what it touches
-  // go on in small steps.
-  int followed_per_tick = 180;
-  double step = 2e-3;         // s: the longest of those
-  double step_touch = 1e-10;  // m: what is left of gaps and overlaps at the end of one
+  // involves. Two of six robots and the ball, or 23 of two. Beyond, the body and what it touches go
+  // on in small steps.
+  int followed_per_tick = 90;
+  double step = 2e-3;          // s: the longest of those
+  double step_touch = 1e-10;   // m: what is left of gaps and overlaps at the end of one,
+  double step_overlap = 1e-8;  // m: and where contacts nearly contradict each other
 };
 
 Tolerances tolerances_of(Accuracy accuracy);

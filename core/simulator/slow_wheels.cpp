@@ -26,23 +26,22 @@ void stop_slides(std::span<Contact> contacts, std::span<const int> robots, doubl
   std::array<Body, max_bodies> before;
   std::copy(bodies.begin(), bodies.end(), before.begin());
 
-  std::array<Contact, max_unknowns> rows;
+  std::array<Contact, max_robots> wheels;
   const int first_wheels = static_cast<int>(contacts.size());
   const int n = first_wheels + static_cast<int>(robots.size());
-  std::copy(contacts.begin(), contacts.end(), rows.begin());
+  const auto row = [&](int i) -> const Contact& {
+    return i < first_wheels ? contacts[i] : wheels[i - first_wheels];
+  };
   problem.reset(n);
-  for (int i = 0; i < n; ++i) {
-    if (i >= first_wheels) {
-      rows[i] = wheels_as_contact(robots[i - first_wheels]);
-      problem.low[i] = -most;
-      problem.high[i] = most;
-    }
-    problem.b[i] = gap_rate(rows[i], bodies);
+  for (int i = first_wheels; i < n; ++i) {
+    wheels[i - first_wheels] = wheels_as_contact(robots[i - first_wheels]);
+    problem.low[i] = -most;
+    problem.high[i] = most;
   }
-  set_couplings(
-      n, [&](int i) -> const Contact& { return rows[i]; }, mass, problem);
+  for (int i = 0; i < n; ++i) problem.b[i] = gap_rate(row(i), bodies);
+  set_couplings(n, row, mass, problem);
   problem.solve();
-  for (int i = 0; i < n; ++i) apply_impulse(rows[i], problem.x[i], mass, bodies);
+  for (int i = 0; i < n; ++i) apply_impulse(row(i), problem.x[i], mass, bodies);
   for (const int robot : robots) {
     double& left = bodies[robot].twist.left;
     if (std::abs(left) <= no_sliding) left = 0.0;

@@ -29,13 +29,23 @@ SeriesPoint difference(const Track& a, const Track& b) {
   return {a.x - b.x, a.y - b.y};
 }
 
-// n . (q + R corner), where the heading of R is (cos, sin).
-Series distance_along(const Vec2& n, const SeriesPoint& q, const Series& cos, const Series& sin,
-                      const Vec2& corner) {
-  const double by_cos = n.dot(corner);
-  const double by_sin = cross(corner, n);
-  return n.x() * q.x + n.y() * q.y + by_cos * cos + by_sin * sin;
-}
+// A body's motion seen from a line with the normal n: n . (q + R corner) for each of its corners,
+// where the heading of R is (cos, sin).
+class DistanceAlong {
+ public:
+  DistanceAlong(const Vec2& n, const SeriesPoint& q, const Series& cos, const Series& sin)
+      : n_(n), of_centre_(n.x() * q.x + n.y() * q.y), cos_(cos), sin_(sin) {}
+
+  Series operator()(const Vec2& corner) const {
+    return of_centre_ + n_.dot(corner) * cos_ + cross(corner, n_) * sin_;
+  }
+
+ private:
+  Vec2 n_;
+  Series of_centre_;
+  const Series& cos_;
+  const Series& sin_;
+};
 
 // A polygon's motion in the frame of another: position and heading.
 struct RelativeTrack {
@@ -52,12 +62,12 @@ RelativeTrack relative_track(const Track& moving, const Track& frame) {
 // When the first corner of `other` comes down to `level` over one edge of `reference`.
 double first_corner_over(const Shape& reference, int edge, const Shape& other,
                          const RelativeTrack& motion, double level, double begin, double end) {
+  const DistanceAlong distance(reference.normal[edge], motion.position, motion.cos, motion.sin);
+  const double target = reference.offset[edge] + level;
   double first = never;
   for (int i = 0; i < other.corners; ++i) {
-    const Series d = distance_along(reference.normal[edge], motion.position, motion.cos, motion.sin,
-                                    other.corner[i]);
-    first =
-        std::min(first, first_fall(d, reference.offset[edge] + level, begin, std::min(first, end)));
+    const Series d = distance(other.corner[i]);
+    first = std::min(first, first_fall(d, target, begin, std::min(first, end)));
   }
   return first;
 }
@@ -146,10 +156,10 @@ double first_touch(const Mover& a, const field::Wall& wall, double level, double
     const Series d = wall.normal.x() * track.x + wall.normal.y() * track.y;
     return begin + first_fall(d, target + a.shape.radius, 0.0, end - begin);
   }
+  const DistanceAlong distance(wall.normal, {track.x, track.y}, track.cos, track.sin);
   double first = never;
   for (int i = 0; i < a.shape.corners; ++i) {
-    const Series d =
-        distance_along(wall.normal, {track.x, track.y}, track.cos, track.sin, a.shape.corner[i]);
+    const Series d = distance(a.shape.corner[i]);
     first = std::min(first, first_fall(d, target, 0.0, std::min(first, end - begin)));
   }
   return begin + first;

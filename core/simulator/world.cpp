@@ -61,6 +61,7 @@ const TickEvents& World::advance(std::span<const WheelCommand> commands, double 
   if (were_set) {
     collect_contacts_anywhere();
     patience_.forget();
+    steps_->forget();
   }
   bodies_were_set_ = false;
   patience_.begin_tick(touching_bodies());
@@ -172,9 +173,10 @@ bool World::goes_in_steps(const BodySet& involved) const {
 
 // Those of the candidates whose contacts last take a small step; they are returned.
 BodySet World::step(const BodySet& candidates, double t, double tick_end) {
-  contacts_.count = 0;
   if (candidates.none()) return {};
-  const auto [members, length] = steps_->take(candidates, drives_, mass_, tick_end - t, bodies_);
+  const auto [members, length] =
+      steps_->take(candidates, contacts_.contacts(), drives_, mass_, tick_end - t, bodies_);
+  contacts_.count = 0;
   events_.stepped = events_.stepped || members.any();
   // The last one of a tick ends with it.
   const double end = t + 1.5 * length < tick_end ? t + length : tick_end;

@@ -4,6 +4,7 @@
 // released, a free unknown that is not solved, a singular matrix that stalls.
 #include "core/simulator/complementarity.hpp"
 
+#include "core/base/math.hpp"
 #include "core/base/random.hpp"
 
 #include <gtest/gtest.h>
@@ -55,10 +56,50 @@ TEST(BoxProblem, SolvesSoftly) {
   for (int i = 0; i < 300; ++i) {
     const int size = 1 + static_cast<int>(random.below(60));
     make_random(p, size, 1 + static_cast<int>(random.below(size)), random);
-    p.solve_softly(false);
+    p.solve_softly();
     ASSERT_LE(worst_violation(p), 1e-3) << "case " << i << ", size " << size;
-    for (int again = 0; again < 10; ++again) p.solve_softly(true);
+    for (int again = 0; again < 10; ++again) p.solve_softly_from_x();
     ASSERT_LE(worst_violation(p), 1e-6) << "case " << i << ", size " << size;
+  }
+}
+
+// What is solved for another b begins where the last one ended. Catches a factorisation that is kept
+// though other unknowns are free now, and bounds that stay where they were.
+TEST(BoxProblem, SolvesSoftlyForAnotherB) {
+  Random random(4);
+  BoxProblem p;
+  for (int i = 0; i < 300; ++i) {
+    const int size = 1 + static_cast<int>(random.below(40));
+    make_random(p, size, size, random);
+    p.solve_softly();
+    for (int change = 0; change < 5; ++change) {
+      for (int k = 0; k < size; ++k) p.b[k] += random.uniform(-0.5, 0.5);
+      for (int again = 0; again < 3; ++again) ASSERT_TRUE(p.solve_softly_from_x());
+      ASSERT_LE(worst_violation(p), 1e-5) << "case " << i << ", size " << size;
+    }
+  }
+}
+
+// Rows that contradict each other have no solution. Catches bounds that are released in circles, with
+// ever larger unknowns: it ends, within the bounds and not above where it began.
+TEST(BoxProblem, EndsWhereRowsContradict) {
+  Random random(5);
+  BoxProblem p;
+  for (int i = 0; i < 100; ++i) {
+    const int size = 40 + static_cast<int>(random.below(60));
+    make_random(p, size, size / 3, random);
+    for (int k = 0; k < size; ++k) {
+      p.b[k] += 1e-9 * random.uniform(-1.0, 1.0);
+      if (k % 3 == 0) p.low[k] = -infinity;
+    }
+    p.solve();
+    double value = 0.0;
+    for (int k = 0; k < size; ++k) {
+      ASSERT_GE(p.x[k], p.low[k]);
+      ASSERT_LE(p.x[k], p.high[k]);
+      value += 0.5 * p.x[k] * (p.gradient(k) + p.b[k]);
+    }
+    EXPECT_LE(value, 0.0) << "case " << i << ", size " << size;
   }
 }
 

@@ -12,6 +12,7 @@ namespace {
 // The Gram matrix of `rows`.
 template <std::size_t n>
 void set_gram(const std::array<std::array<double, 3>, n>& rows, Elimination& e) {
+  e.reset(n);
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j <= i; ++j) {
       double sum = 0.0;
@@ -24,7 +25,7 @@ void set_gram(const std::array<std::array<double, 3>, n>& rows, Elimination& e) 
 TEST(Elimination, SolvesWhatIsIndependent) {
   Elimination e;
   set_gram<3>({{{2.0, 0.0, 0.0}, {1.0, 3.0, 0.0}, {0.5, -1.0, 1.0}}}, e);
-  e.factorise(3);
+  e.factorise();
   const std::array<double, 3> x{1.0, -2.0, 3.0};
   std::array<double, max_unknowns> rhs{};
   for (int i = 0; i < 3; ++i) {
@@ -43,7 +44,7 @@ TEST(Elimination, NamesAnEquationThatFollowsFromOthers) {
   set_gram<4>(
       {{{1.0, third, 0.0}, {third, 1.0, 0.0}, {1.0 + third, 1.0 + third, 0.0}, {0.0, 0.0, 1.0}}},
       e);
-  e.factorise(4);
+  e.factorise();
   int dependent = 0;
   for (int i = 0; i < 4; ++i) dependent += e.depends(i);
   EXPECT_EQ(dependent, 1);

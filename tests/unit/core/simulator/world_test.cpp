@@ -293,6 +293,37 @@ TEST(World, SmallStepsLeaveNoOverlaps) {
   EXPECT_GT(stepped, 50);
 }
 
+// Twenty-two robots side by side have more contacts within reach of a step than most crowds. Catches a
+// list that is full before the last of them.
+TEST(World, SmallStepsSeeAllContacts) {
+  const field::Field field = field::make_field(League::large);
+  Tolerances tolerances;
+  tolerances.followed_per_tick = 0;
+  World world(&field, Parameters{}, tolerances, max_robots, true);
+  const double side = world.parameters().robot_side + 1e-4;
+  const auto place = [&](int i) { return Vec2{side * (i % 5 - 2), side * (i / 5 - 2)}; };
+  for (int i = 0; i < max_robots; ++i) world.set_robot(i, {place(i), Heading{}, {}});
+  world.set_ball({{0.5, 0.5}, {0.0, 0.0}});
+  for (int tick = 0; tick < 30; ++tick) {
+    std::array<WheelCommand, max_robots> commands;
+    for (int i = 0; i < max_robots; ++i) {
+      const double forward = i % 5 < 2 ? 30.0 : -30.0;
+      const double turn = 10.0 * ((tick / 5 + i) % 3 - 1);
+      commands[i] = WheelSpeeds{forward - turn, forward + turn};
+    }
+    world.advance(commands, 0.033);
+    for (int i = 0; i < max_robots; ++i) {
+      for (int j = 0; j < i; ++j) {
+        const auto body = [&](int k) {
+          const RobotState& r = world.robot(k);
+          return Body{r.position, r.heading, r.twist};
+        };
+        EXPECT_GT(gap(world.arena(), pair_of(i, j), body(i), body(j)), -1e-6) << tick;
+      }
+    }
+  }
+}
+
 // A robot that steps with company beside it is alone again later. Catches one that goes on as if it
 // still took steps with others, and through a wall.
 TEST(World, StepsEndWithTheCompany) {
