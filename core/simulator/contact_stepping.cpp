@@ -113,6 +113,11 @@ void ContactStepping::keep_what_presses(const Step& step) {
   }
 }
 
+void ContactStepping::forget() {
+  pressed_count_ = 0;
+  for (Contact& wheels : wheels_) wheels.force = 0.0;
+}
+
 // The impulses of a step like the last one.
 void ContactStepping::recall(const BodySet& members, double length) {
   int next = 0;

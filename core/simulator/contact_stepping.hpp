@@ -43,7 +43,7 @@ class ContactStepping {
   std::span<const Contact> pressing() const { return contacts_.contacts(); }
 
   // The next step begins from nothing: bodies were moved.
-  void forget() { pressed_count_ = 0; }
+  void forget();
 
  private:
   // A contact that pressed in a step: the next one begins with its force.

@@ -324,6 +324,45 @@ TEST(World, SmallStepsSeeAllContacts) {
   }
 }
 
+// Bodies that are set anew go on as in a world that never had others. Catches a step that begins with
+// the forces of wheels from before.
+TEST(World, ForgetsWhatWasBeforeBodiesWereSet) {
+  const field::Field field = field::make_field(League::small);
+  Tolerances tolerances;
+  tolerances.followed_per_tick = 0;
+  World used(&field, Parameters{}, tolerances, 6, true);
+  World fresh(&field, Parameters{}, tolerances, 6, true);
+  const auto set = [](World& world, double turned) {
+    for (int i = 0; i < 6; ++i) {
+      const Heading inwards = Heading::from_angle(pi / 3.0 * i);
+      world.set_robot(i,
+                      {-0.09 * inwards.forward(), Heading::from_angle(pi / 3.0 * i + turned), {}});
+    }
+    world.set_ball({});
+  };
+  const auto play = [](World& world) {
+    for (int tick = 0; tick < 20; ++tick) {
+      std::array<WheelCommand, 6> commands;
+      for (int i = 0; i < 6; ++i) {
+        const double turn = 12.0 * ((tick / 10 + i) % 3 - 1);
+        commands[i] = WheelSpeeds{30.0 - turn, 30.0 + turn};
+      }
+      world.advance(commands, 0.033);
+    }
+  };
+  set(used, 0.3);
+  play(used);
+  set(used, 0.1);
+  set(fresh, 0.1);
+  play(used);
+  play(fresh);
+  for (int i = 0; i < 6; ++i) {
+    EXPECT_EQ(used.robot(i).position.x(), fresh.robot(i).position.x());
+    EXPECT_EQ(used.robot(i).position.y(), fresh.robot(i).position.y());
+    EXPECT_EQ(used.robot(i).heading.sin, fresh.robot(i).heading.sin);
+  }
+}
+
 // A robot that steps with company beside it is alone again later. Catches one that goes on as if it
 // still took steps with others, and through a wall.
 TEST(World, StepsEndWithTheCompany) {
