@@ -98,8 +98,8 @@ void look_again(const Arena& arena, std::span<const Body> bodies, const Pair& pa
   if (a != no_body && arena.is_ball(a)) {
     const Shape& ball = arena.ball_shape;
     at = (edges == nullptr
-              ? contact_points(ball, bodies[a], arena.field->walls[pair.obstacle()], never)
-              : contact_points(ball, bodies[a], *edges, side, never))
+              ? contact_points(ball, bodies[a], arena.field->walls[pair.obstacle()], infinity)
+              : contact_points(ball, bodies[a], *edges, side, infinity))
              .points[0];
     return;
   }

@@ -183,26 +183,24 @@ int BoxProblem::most_violating(double tolerance) const {
   return worst;
 }
 
-void BoxProblem::solve() {
-  double scale = 0.0;
+// All are tried together first; those that would go the wrong way stop where they are. Most contacts
+// of a heap press, so this takes fewer rounds than to begin with none.
+void BoxProblem::begin_from_nothing() {
   for (int i = 0; i < size_; ++i) {
     x[i] = std::clamp(0.0, low[i], high[i]);
-    // All are tried together first; those that would go the wrong way stop where they are. Most
-    // contacts of a heap press, so this takes fewer rounds than to begin with none.
     bound_[i] = low[i] < high[i] ? Bound::free : Bound::fixed;
-    banned_[i] = false;
-    scale = std::max(scale, std::abs(b[i]));
   }
+}
+
+void BoxProblem::solve() {
+  begin_from_nothing();
+  std::fill_n(banned_.begin(), size_, false);
+  double scale = 0.0;
+  for (int i = 0; i < size_; ++i) scale = std::max(scale, std::abs(b[i]));
   double tolerance = next_to_nothing * scale;
   if (is_solved(tolerance)) return;
   // From far away each bound costs a round; a large problem is begun where it is nearly solved.
-  if (size_ >= large) {
-    const bool is_near = solve_softly();
-    for (int i = 0; i < size_; ++i) {
-      x[i] = std::clamp(is_near ? x[i] : 0.0, low[i], high[i]);
-      if (!is_near) bound_[i] = low[i] < high[i] ? Bound::free : Bound::fixed;
-    }
-  }
+  if (size_ >= large && !solve_softly()) begin_from_nothing();
   soft_system_fits_ = false;
   order_all_free();
 
@@ -245,7 +243,7 @@ bool BoxProblem::solve_softly_from_x() {
     pull_[i] = softness * a(i, i);
     centre_[i] = x[i] = std::clamp(x[i], low[i], high[i]);
   }
-  soft_value_ = soft_value(x, slope_);
+  look_at_soft_value();
   for (int round = 0; round < most_soft_rounds; ++round) {
     if (hold_at_bounds(soft_solved * scale)) return true;
     find_direction();
@@ -256,20 +254,19 @@ bool BoxProblem::solve_softly_from_x() {
   return false;
 }
 
-// The function with its pull, and what it changes with each unknown.
-double BoxProblem::soft_value(const Unknowns& at, Unknowns& slope) const {
-  // A times at, row by row: it is symmetric, and many unknowns are zero.
-  std::fill_n(slope.begin(), size_, 0.0);
+// The function with its pull at x, and what it changes with each unknown.
+void BoxProblem::look_at_soft_value() {
+  // A x, row by row: it is symmetric, and many unknowns are zero.
+  std::fill_n(slope_.begin(), size_, 0.0);
   for (int j = 0; j < size_; ++j) {
-    if (at[j] != 0.0) add_row(at[j], &a_[j * size_], size_, slope.data());
+    if (x[j] != 0.0) add_row(x[j], &a_[j * size_], size_, slope_.data());
   }
-  double value = 0.0;
+  soft_value_ = 0.0;
   for (int i = 0; i < size_; ++i) {
-    const double off = at[i] - centre_[i];
-    value += at[i] * (0.5 * slope[i] + b[i]) + 0.5 * pull_[i] * off * off;
-    slope[i] += b[i] + pull_[i] * off;
+    const double off = x[i] - centre_[i];
+    soft_value_ += x[i] * (0.5 * slope_[i] + b[i]) + 0.5 * pull_[i] * off * off;
+    slope_[i] += b[i] + pull_[i] * off;
   }
-  return value;
 }
 
 void BoxProblem::set_soft_bound(int i, Bound bound) {
@@ -358,7 +355,7 @@ double BoxProblem::try_part(double part) {
     x[i] = std::clamp(begin_[i] + part * rhs_[k], low[i], high[i]);
     promised += begin_slope_[i] * (x[i] - begin_[i]);
   }
-  soft_value_ = soft_value(x, slope_);
+  look_at_soft_value();
   return promised;
 }
 

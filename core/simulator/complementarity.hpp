@@ -58,6 +58,7 @@ class BoxProblem {
  private:
   enum class Bound : unsigned char { free, fixed };
 
+  void begin_from_nothing();
   bool is_solved(double tolerance) const;
   void order_all_free();  // order_ from bound_, nothing of it factorised
   void drop_fixed();      // from order_
@@ -65,7 +66,7 @@ class BoxProblem {
   void solve_free();      // target_ from the free unknowns, the others held
   bool step_to_target();  // true if no bound was in the way
   int most_violating(double tolerance) const;
-  double soft_value(const Unknowns& at, Unknowns& slope) const;
+  void look_at_soft_value();
   void set_soft_bound(int i, Bound bound);
   bool hold_at_bounds(double tolerance);
   void find_direction();

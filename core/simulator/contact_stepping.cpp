@@ -12,12 +12,13 @@ namespace mirocup::simulator {
 namespace {
 
 constexpr double radii_a_step = 0.5;
+// So many times as far is taken where it turns out only at the end of a step.
+constexpr double too_far = 1.5;
 
 // Looks at the end of a step, and times that it is halved, before what is found there is taken.
 constexpr int most_looks = 10;
 // Contacts may contradict each other by a hair; then it is not for more looks to find an end.
 constexpr int patient_looks = 4;
-constexpr int looks_at_normals = 1;
 constexpr int most_halvings = 3;
 
 // How deep (m) two may overlap between the ends of a step.
@@ -27,6 +28,9 @@ constexpr double most_on_the_way = 5e-7;
 // of a corner that is not over its edge yet.
 constexpr double fastest_undoing = 2e-4;
 constexpr double deepest_to_undo = 1e-7;
+
+// The force of wheels is remembered a hair larger, lest rounding takes what was at its bound off it.
+constexpr double above_rounding = 1.0 + 1e-12;
 
 // Rounds in which the bounds of friction follow the normal impulses.
 constexpr int friction_rounds = 10;
@@ -64,6 +68,12 @@ bool is_same_place(const ContactPoint& p, const ContactPoint& q) {
          p.edge == q.edge;
 }
 
+template <class Test>
+bool is_any_of_pair(std::span<const Contact> contacts, const Pair& pair, Test test) {
+  return std::any_of(contacts.begin(), contacts.end(),
+                     [&](const Contact& c) { return c.pair == pair && test(c); });
+}
+
 // No point of the body is faster, m/s.
 double speed_at_most(const Shape& shape, const Twist& v) {
   return std::abs(v.forward) + std::abs(v.left) + std::abs(v.turn) * shape.radius;
@@ -72,7 +82,7 @@ double speed_at_most(const Shape& shape, const Twist& v) {
 }  // namespace
 
 ContactStepping::ContactStepping(const Arena& arena, BoxProblem& problem)
-    : arena_(arena), problem_(problem), ways_(max_bodies) {
+    : arena_(arena), problem_(problem), arcs_(max_bodies) {
   for (int i = 0; i < arena.robots; ++i) wheels_[i] = wheels_as_contact(i);
 }
 
@@ -132,8 +142,7 @@ void ContactStepping::recall(const BodySet& members, double length) {
     }
   }
   for (int i = 0; i < arena_.robots; ++i) {
-    // A hair more, lest rounding takes what was at its bound off it.
-    if (members[i]) wheels_[i].impulse = wheels_[i].force * length * (1.0 + 1e-12);
+    if (members[i]) wheels_[i].impulse = wheels_[i].force * length * above_rounding;
   }
 }
 
@@ -169,7 +178,7 @@ bool ContactStepping::find(const BodySet& candidates, std::span<const Contact> t
   for (const Contact& c : contacts_.contacts()) step.members |= bodies_of(c.pair);
   if (step.members.none()) return true;
   return settle(step.members, drives, mass, length, bodies) &&
-         length <= 1.5 * longest_step(step.members, end_);
+         length <= too_far * longest_step(step.members, end_);
 }
 
 // What motors can do to the distance of two corners within a step, m: both robots go to full speed, or
@@ -187,48 +196,28 @@ void ContactStepping::look_ahead(const BodySet& candidates, std::span<const Cont
     if (candidates[i]) end_[i] = along_arc(bodies[i], length);
   }
   const double margin = fastest_of(candidates, bodies) * length + reach_of_motors(length);
-  for (int i = 0; i < arena_.bodies(); ++i) {
-    const Vec2& p = end_[i].position;
-    boxes_[i] = {p.x() - margin, p.x() + margin, p.y() - margin, p.y() + margin};
-  }
   contacts_.count = 0;
-  const unsigned long others = candidates.to_ulong();
-  for (int i = 0; i < arena_.bodies(); ++i) {
-    if (!candidates[i]) continue;
-    for_near_pairs(arena_, boxes_, i, others & bodies_below(i),
-                   [&](const Pair& pair) { add_contacts(arena_, pair, end_, margin, contacts_); });
-  }
+  add_contacts_among(arena_, candidates, end_, margin, boxes_, contacts_);
   // Who touches may part faster than anybody goes, and yet not part once the others are heard.
   for (const Contact& c : touching) {
-    if (!has_contact(c.pair)) add_contacts(arena_, c.pair, end_, never, contacts_);
+    const auto any = [](const Contact&) { return true; };
+    if (is_any_of_pair(contacts_.contacts(), c.pair, any)) continue;
+    add_contacts(arena_, c.pair, end_, infinity, contacts_);
   }
-}
-
-bool ContactStepping::has_contact(const Pair& pair) const {
-  const auto all = contacts_.contacts();
-  return std::any_of(all.begin(), all.end(), [&](const Contact& c) { return c.pair == pair; });
 }
 
 // Solves until what was solved for is what is found. False if that does not come about. The normals
-// are followed in the first looks only; later they hardly turn, and each solution costs far less.
+// hardly turn any more, and while they stay each solution but the first costs far less.
 bool ContactStepping::settle(const BodySet& members, std::span<const Drive> drives,
                              std::span<const InverseMass> mass, double length,
                              std::span<const Body> bodies) {
   recall(members, length);
   leave_overlaps(length, bodies);
+  pose(members, drives, mass, length);
   for (int look = 0; look < most_looks; ++look) {
-    if (look < looks_at_normals) {
-      if (look > 0) {
-        for (Contact& c : contacts_.contacts()) set_rows(end_, c);
-      }
-      pose(members, drives, mass, length);
-    }
     solve(members, mass, length);
     for (int i = 0; i < arena_.bodies(); ++i) {
-      if (!members[i]) continue;
-      Body moving = bodies[i];
-      moving.twist = end_[i].twist;
-      end_[i] = along_arc(moving, length);
+      if (members[i]) end_[i] = along_arc(starting(i, bodies), length);
     }
     for (Contact& c : contacts_.contacts()) look_again(arena_, end_, c.pair, c.at);
     const Tolerances& t = arena_.tolerances;
@@ -239,24 +228,24 @@ bool ContactStepping::settle(const BodySet& members, std::span<const Drive> driv
   return false;
 }
 
-bool ContactStepping::presses(const Pair& pair) const {
-  const auto all = contacts_.contacts();
-  return std::any_of(all.begin(), all.end(),
-                     [&](const Contact& c) { return c.impulse != 0.0 && c.pair == pair; });
+// A body at the begin of the step, with its twist of the step.
+Body ContactStepping::starting(int body, std::span<const Body> bodies) const {
+  Body starting = bodies[body];
+  starting.twist = end_[body].twist;
+  return starting;
 }
 
 // Two corners can pass through each other on the way to an end where they are apart. Only what opens
 // there, and was not as far apart at the begin as that says, is worth a search.
 bool ContactStepping::passes_through(const Contact& c, double length,
                                      std::span<const Body> bodies) {
-  if (c.at.gap >= gap_rate(c, end_) * length || presses(c.pair)) return false;
+  const auto presses = [](const Contact& other) { return other.impulse != 0.0; };
+  if (c.at.gap >= gap_rate(c, end_) * length) return false;
+  if (is_any_of_pair(contacts_.contacts(), c.pair, presses)) return false;
   for (const int i : {c.a, c.b}) {
-    if (i == no_body) continue;
-    Body moving = bodies[i];
-    moving.twist = end_[i].twist;
-    ways_[i] = steady_segment(moving, 0.0, length);
+    if (i != no_body) arcs_[i] = steady_segment(starting(i, bodies), 0.0, length);
   }
-  const double overlaps = first_time_below(arena_, c.pair, -most_on_the_way, ways_, 0.0);
+  const double overlaps = first_time_below(arena_, c.pair, -most_on_the_way, arcs_, 0.0);
   return overlaps > 0.0 && overlaps != never;
 }
 

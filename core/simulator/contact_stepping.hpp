@@ -5,10 +5,10 @@
 //
 // Within a step every body keeps its twist. All impulses of the step, of contacts and of the ground
 // on wheels, are one convex problem: contacts only push, wheels hold sideways up to their grip, and
-// no gap may be closed further than to zero at the step's end. That end is looked at where the
-// bodies will be, and the problem is solved again with the gaps and normals that are found there,
-// until every contact that pushes touches and none overlaps: so overlaps do not build up and are
-// never pushed out afterwards. First order in the step. What meets in a step does not bounce.
+// no gap may be closed further than to zero at the step's end. Which contacts there are, and along
+// which normals, is seen where the bodies would be if they kept their twists. The problem is solved
+// again with the gaps that are found where they come instead, until every contact that pushes touches
+// and none overlaps: so overlaps do not build up and are never pushed out afterwards. First order in the step. What meets in a step does not bounce.
 #pragma once
 
 #include "core/simulator/arena.hpp"
@@ -61,7 +61,6 @@ class ContactStepping {
             std::span<const Body> bodies, Step& step);
   void look_ahead(const BodySet& candidates, std::span<const Contact> touching, double length,
                   std::span<const Body> bodies);
-  bool has_contact(const Pair& pair) const;
   bool settle(const BodySet& members, std::span<const Drive> drives,
               std::span<const InverseMass> mass, double length, std::span<const Body> bodies);
   void pose(const BodySet& members, std::span<const Drive> drives,
@@ -71,7 +70,7 @@ class ContactStepping {
   double most_grip(double length) const;  // N s
   void leave_overlaps(double length, std::span<const Body> bodies);
   bool has_settled(double touch) const;
-  bool presses(const Pair& pair) const;
+  Body starting(int body, std::span<const Body> bodies) const;
   bool passes_through(const Contact& contact, double length, std::span<const Body> bodies);
   bool is_clear_between(double length, std::span<const Body> bodies);
   void recall(const BodySet& members, double length);
@@ -88,7 +87,7 @@ class ContactStepping {
   std::array<Body, max_bodies> end_;        // with the twists of the step
   std::array<Body, max_bodies> alone_;      // twists at the end if there were no contacts
   std::array<Box, max_bodies> boxes_;
-  std::vector<Segment> ways_;  // of two that may pass through each other
+  std::vector<Segment> arcs_;  // of two that may pass through each other
 };
 
 }  // namespace mirocup::simulator

@@ -63,7 +63,7 @@ void apply(std::span<Contact> contacts, std::span<const int> chosen, double sign
 void resolve_single(Contact& c, std::span<const InverseMass> mass, std::span<Body> bodies) {
   if (c.approach <= no_approach) return;
   const double e = c.approach > c.rest_speed ? c.restitution : 0.0;
-  c.impulse = (1.0 + e) * c.approach / coupling(c, c, mass);
+  c.impulse = (1.0 + e) * c.approach / give(c, mass);
   apply_impulse(c, c.impulse, mass, bodies);
 }
 
@@ -108,20 +108,14 @@ double gap_rate(const Contact& c, std::span<const Body> bodies) {
   return rate;
 }
 
-double coupling(const Contact& c, const Contact& d, std::span<const InverseMass> mass) {
-  const auto through = [&mass](int body, const JacobianRow& p, const JacobianRow& q) {
+double give(const Contact& c, std::span<const InverseMass> mass) {
+  const auto of_body = [&mass](int body, const JacobianRow& row) {
     const InverseMass& m = mass[body];
-    return p[0] * m.forward * q[0] + p[1] * m.left * q[1] + p[2] * m.turn * q[2];
+    return row[0] * m.forward * row[0] + row[1] * m.left * row[1] + row[2] * m.turn * row[2];
   };
   double sum = 0.0;
-  if (c.a != no_body) {
-    if (c.a == d.a) sum += through(c.a, c.row_a, d.row_a);
-    if (c.a == d.b) sum -= through(c.a, c.row_a, d.row_b);
-  }
-  if (c.b != no_body) {
-    if (c.b == d.b) sum += through(c.b, c.row_b, d.row_b);
-    if (c.b == d.a) sum -= through(c.b, c.row_b, d.row_a);
-  }
+  if (c.a != no_body) sum += of_body(c.a, c.row_a);
+  if (c.b != no_body) sum += of_body(c.b, c.row_b);
   return sum;
 }
 

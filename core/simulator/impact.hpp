@@ -77,8 +77,8 @@ Contact wheels_as_contact(int body);
 // The rate of the contact's gap, m/s.
 double gap_rate(const Contact& contact, std::span<const Body> bodies);
 
-// J M^-1 J' of two contacts.
-double coupling(const Contact& c, const Contact& d, std::span<const InverseMass> mass);
+// J M^-1 J', 1/kg: what an impulse of 1 N s along the contact adds to the rate of its gap.
+double give(const Contact& contact, std::span<const InverseMass> mass);
 
 // The bodies of several contacts, each with its rows: only contacts that share a body are coupled.
 class SharedBodies {

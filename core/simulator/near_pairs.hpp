@@ -71,4 +71,19 @@ void for_near_pairs(const Arena& arena, std::span<const Box> boxes, int i, unsig
   }
 }
 
+// The contacts with a gap of at most `margin`, m, of these bodies with each other and with obstacles,
+// appended. Uses the boxes of all bodies.
+inline void add_contacts_among(const Arena& arena, const BodySet& some,
+                               std::span<const Body> bodies, double margin, std::span<Box> boxes,
+                               ContactList& list) {
+  for (int i = 0; i < arena.bodies(); ++i) {
+    const Vec2& p = bodies[i].position;
+    boxes[i] = {p.x() - margin, p.x() + margin, p.y() - margin, p.y() + margin};
+  }
+  const auto add = [&](const Pair& pair) { add_contacts(arena, pair, bodies, margin, list); };
+  for (int i = 0; i < arena.bodies(); ++i) {
+    if (some[i]) for_near_pairs(arena, boxes, i, some.to_ulong() & bodies_below(i), add);
+  }
+}
+
 }  // namespace mirocup::simulator

@@ -14,7 +14,7 @@ namespace mirocup::simulator {
 using Shift = Twist;
 
 // What an impulse of that amount would do to velocities, done to positions: adds to the shifts of
-// both bodies. The gap changes by coupling(contact, contact, mass) times the amount, kg m.
+// both bodies. The gap changes by give(contact, mass) times the amount, kg m.
 void add_shift(const Contact& contact, double amount, std::span<const InverseMass> mass,
                std::span<Shift> shifts);
 

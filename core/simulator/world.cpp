@@ -13,6 +13,13 @@
 
 namespace mirocup::simulator {
 
+namespace {
+
+// Of a step: what is left of a tick beyond one, and is less, belongs to it.
+constexpr double least_step_left = 0.5;
+
+}  // namespace
+
 World::World(const field::Field* field, const Parameters& parameters, const Tolerances& tolerances,
              int robots, bool has_ball)
     : arena_(make_arena(field, parameters, tolerances, robots, has_ball)),
@@ -56,7 +63,7 @@ const TickEvents& World::advance(std::span<const WheelCommand> commands, double 
   const BodySet all(bodies_below(arena_.bodies()));
   neighbours_.clear();
   quiet_.reset();
-  stepping_.reset();
+  companies_ = {};
   const bool were_set = bodies_were_set_;
   if (were_set) {
     collect_contacts_anywhere();
@@ -73,7 +80,7 @@ const TickEvents& World::advance(std::span<const WheelCommand> commands, double 
   }
 
   bring_to(duration, all);
-  stepping_.reset();
+  companies_ = {};
   collect_contacts(all, duration);
   if (trace_ != nullptr) {
     trace_->deepest_overlap = std::max(trace_->deepest_overlap, events_.deepest_overlap);
@@ -124,7 +131,7 @@ void World::play_event(const Event& event, double tick_end) {
   spread_over_touching(t, involved);
   patience_.note_event(involved, was_forced_to_hold(event));
   bring_to(t, involved);
-  const bool a_step_is_over = !event.is_touch && (involved & ~stepping_).none();
+  const bool a_step_is_over = !event.is_touch && (involved & ~companies_.stepping()).none();
   if (a_step_is_over && goes_in_steps(involved)) {
     contacts_.count = 0;
   } else {
@@ -153,8 +160,8 @@ void World::run_into_each_other(double t) {
 
 // From the contacts that the involved bodies have now: who presses, and how all of them move on.
 void World::go_on(const BodySet& involved, double t, double tick_end) {
-  const BodySet were_stepping = stepping_ & involved;
-  stepping_ &= ~involved;
+  const BodySet were_stepping = companies_.stepping() & involved;
+  companies_.leave(involved);
   BodySet on_curves = involved;
   if (goes_in_steps(involved)) {
     on_curves &= ~step(were_stepping | touching_bodies(), t, tick_end);
@@ -178,13 +185,11 @@ BodySet World::step(const BodySet& candidates, double t, double tick_end) {
       steps_->take(candidates, contacts_.contacts(), drives_, mass_, tick_end - t, bodies_);
   contacts_.count = 0;
   events_.stepped = events_.stepped || members.any();
-  // The last one of a tick ends with it.
-  const double end = t + 1.5 * length < tick_end ? t + length : tick_end;
+  companies_.set_out(members);
+  const double end = t + (1.0 + least_step_left) * length < tick_end ? t + length : tick_end;
   for (int i = 0; i < arena_.bodies(); ++i) {
     if (!members[i]) continue;
     quiet_.set(i);
-    stepping_.set(i);
-    company_[i] = members;
     segments_[i].begin = t;
     segments_[i].end = end;
     const Twist& v = bodies_[i].twist;
@@ -200,18 +205,12 @@ BodySet World::step(const BodySet& candidates, double t, double tick_end) {
   return members;
 }
 
-// Do they keep out of each other's way by a step that they take together?
-bool World::are_in_step(const Pair& pair) const {
-  if (!stepping_[pair.a]) return false;
-  return pair.with_obstacle() || (stepping_[pair.partner] && company_[pair.a][pair.partner]);
-}
-
 void World::spread_over_touching(double t, BodySet& involved) {
   bool grows = true;
   while (grows) {
     grows = false;
     for (int i = 0; i < arena_.bodies(); ++i) {
-      if (involved[i] && stepping_[i]) involved |= company_[i];
+      if (involved[i]) involved |= companies_.company_of(i);
     }
     for (Neighbour& n : neighbours_.list()) {
       if (n.pair.with_obstacle() || involved[n.pair.a] == involved[n.pair.partner]) continue;
@@ -233,7 +232,7 @@ void World::spread_over_touching(double t, BodySet& involved) {
 void World::meet_neighbours(const BodySet& involved, double t, double tick_end) {
   const std::span<Neighbour> found = neighbours_.find(arena_, boxes_, involved);
   for (Neighbour& n : found) {
-    if (are_in_step(n.pair)) continue;
+    if (companies_.are_in_step(n.pair)) continue;
     const auto touch = next_touch_while_pressing(arena_, n.pair, contacts_.contacts(), segments_,
                                                  patience_.sink(n.pair));
     n.is_estimate = !touch;
@@ -281,15 +280,16 @@ void World::write_as_series(int body, double t, double tick_end) {
   bodies_[body] = body_now(body, t);
   quiet_.reset(body);
   segments_[body] =
-      stepping_[body] ? steady_segment(bodies_[body], t, segments_[body].end)
-                      : drive(arena_.parameters, bodies_[body], drives_[body], t, tick_end, never);
+      companies_.is_stepping(body)
+          ? steady_segment(bodies_[body], t, segments_[body].end)
+          : drive(arena_.parameters, bodies_[body], drives_[body], t, tick_end, never);
   boxes_[body] = swept_box(segments_[body]);
   ways_[body] = way_along(segments_[body]);
 }
 
 Body World::body_now(int body, double t) const {
   if (!quiet_[body]) return body_at(segments_[body], t);
-  if (stepping_[body]) return along_arc(bodies_[body], t - segments_[body].begin);
+  if (companies_.is_stepping(body)) return along_arc(bodies_[body], t - segments_[body].begin);
   if (t == segments_[body].end) return quiet_end_[body];
   const double span = t - segments_[body].begin;
   if (span == 0.0) return bodies_[body];
@@ -308,22 +308,15 @@ void World::collect_contacts(const BodySet& involved, double t) {
   for (const Neighbour& n : neighbours_.list()) {
     if (!involved[n.pair.a] || !(n.pair.with_obstacle() || involved[n.pair.partner])) continue;
     // Within a step, nobody knows what the gaps of those who take it together are.
-    if (n.is_apart_at(t) || are_in_step(n.pair)) continue;
+    if (n.is_apart_at(t) || companies_.are_in_step(n.pair)) continue;
     add_contacts(arena_, n.pair, bodies_, arena_.tolerances.touch, contacts_);
   }
 }
 
 void World::collect_contacts_anywhere() {
-  const double margin = arena_.tolerances.touch;
   contacts_.count = 0;
-  for (int i = 0; i < arena_.bodies(); ++i) {
-    const Vec2& p = bodies_[i].position;
-    boxes_[i] = {p.x() - margin, p.x() + margin, p.y() - margin, p.y() + margin};
-    const auto add = [&](const Pair& pair) {
-      add_contacts(arena_, pair, bodies_, margin, contacts_);
-    };
-    for_near_pairs(arena_, boxes_, i, bodies_below(i), add);
-  }
+  const BodySet all(bodies_below(arena_.bodies()));
+  add_contacts_among(arena_, all, bodies_, arena_.tolerances.touch, boxes_, contacts_);
 }
 
 BodySet World::touching_bodies() const {

@@ -14,6 +14,7 @@
 #pragma once
 
 #include "core/simulator/arena.hpp"
+#include "core/simulator/companies.hpp"
 #include "core/simulator/contact_motion.hpp"
 #include "core/simulator/contact_stepping.hpp"
 #include "core/simulator/friction.hpp"
@@ -83,7 +84,6 @@ class World {
   void go_on(const BodySet& involved, double t, double tick_end);
   bool goes_in_steps(const BodySet& involved) const;
   BodySet step(const BodySet& candidates, double t, double tick_end);
-  bool are_in_step(const Pair& pair) const;
 
   void spread_over_touching(double t, BodySet& involved);
   void meet_neighbours(const BodySet& involved, double t, double tick_end);
@@ -116,8 +116,7 @@ class World {
   Neighbours neighbours_;
   TickEvents events_;
   bool bodies_were_set_ = true;
-  BodySet stepping_;  // bodies that keep their twists to the end of a small step
-  std::array<BodySet, max_bodies> company_;  // of those: who takes the same step
+  Companies companies_;
   Trace* trace_ = nullptr;
 
   ContactList contacts_;  // of the event being played; between ticks, of all bodies

@@ -20,6 +20,38 @@ Tolerances patient() {
   return tolerances;
 }
 
+// Everything goes in small steps.
+Tolerances hasty() {
+  Tolerances tolerances;
+  tolerances.followed_per_tick = 0;
+  return tolerances;
+}
+
+Body body_of(const World& world, int robot) {
+  const RobotState& r = world.robot(robot);
+  return {r.position, r.heading, r.twist};
+}
+
+// Six robots around the ball, each turned by that angle (rad) against the direction to it.
+void set_around_ball(World& world, double distance, double turned) {
+  for (int i = 0; i < 6; ++i) {
+    const double angle = pi / 3.0 * i;
+    const Heading inwards = Heading::from_angle(angle);
+    world.set_robot(i, {-distance * inwards.forward(), Heading::from_angle(angle + turned), {}});
+  }
+  world.set_ball({});
+}
+
+// Of six robots that whirl, and change how every ten ticks.
+std::array<WheelCommand, 6> whirl(int tick) {
+  std::array<WheelCommand, 6> commands;
+  for (int i = 0; i < 6; ++i) {
+    const double turn = 12.0 * ((tick / 10 + i) % 3 - 1);
+    commands[i] = WheelSpeeds{30.0 - turn, 30.0 + turn};
+  }
+  return commands;
+}
+
 // The sharper a turn changes, the slower its series converge. Catches a segment that is longer than
 // its series are good for.
 TEST(World, RobotsAreExactWhenTheirTurnIsReversed) {
@@ -263,30 +295,15 @@ TEST(World, ABallAtRestInAHeapStaysAtRest) {
 // takes the gaps at its begin for those at its end: corners turn into neighbours by micrometres.
 TEST(World, SmallStepsLeaveNoOverlaps) {
   const field::Field field = field::make_field(League::small);
-  Tolerances tolerances;
-  tolerances.followed_per_tick = 0;
-  World world(&field, Parameters{}, tolerances, 6, true);
-  for (int i = 0; i < 6; ++i) {
-    const Heading inwards = Heading::from_angle(pi / 3.0 * i);
-    world.set_robot(i, {-0.12 * inwards.forward(), inwards, {}});
-  }
-  world.set_ball({});
+  World world(&field, Parameters{}, hasty(), 6, true);
+  set_around_ball(world, 0.12, 0.0);
   int stepped = 0;
   for (int tick = 0; tick < 60; ++tick) {
-    std::array<WheelCommand, 6> commands;
+    stepped += world.advance(whirl(tick), 0.033).stepped;
     for (int i = 0; i < 6; ++i) {
-      const double turn = 12.0 * ((tick / 10 + i) % 3 - 1);
-      commands[i] = WheelSpeeds{30.0 - turn, 30.0 + turn};
-    }
-    stepped += world.advance(commands, 0.033).stepped;
-    for (int i = 0; i < 6; ++i) {
-      const RobotState& r = world.robot(i);
-      const Body body{r.position, r.heading, r.twist};
       for (int j = 0; j < i; ++j) {
-        const RobotState& other = world.robot(j);
         const Shape& shape = world.arena().robot_shape;
-        EXPECT_GT(gap(shape, body, shape, {other.position, other.heading, other.twist}), -1e-9)
-            << tick;
+        EXPECT_GT(gap(shape, body_of(world, i), shape, body_of(world, j)), -1e-9) << tick;
       }
     }
   }
@@ -297,9 +314,7 @@ TEST(World, SmallStepsLeaveNoOverlaps) {
 // list that is full before the last of them.
 TEST(World, SmallStepsSeeAllContacts) {
   const field::Field field = field::make_field(League::large);
-  Tolerances tolerances;
-  tolerances.followed_per_tick = 0;
-  World world(&field, Parameters{}, tolerances, max_robots, true);
+  World world(&field, Parameters{}, hasty(), max_robots, true);
   const double side = world.parameters().robot_side + 1e-4;
   const auto place = [&](int i) { return Vec2{side * (i % 5 - 2), side * (i / 5 - 2)}; };
   for (int i = 0; i < max_robots; ++i) world.set_robot(i, {place(i), Heading{}, {}});
@@ -314,11 +329,8 @@ TEST(World, SmallStepsSeeAllContacts) {
     world.advance(commands, 0.033);
     for (int i = 0; i < max_robots; ++i) {
       for (int j = 0; j < i; ++j) {
-        const auto body = [&](int k) {
-          const RobotState& r = world.robot(k);
-          return Body{r.position, r.heading, r.twist};
-        };
-        EXPECT_GT(gap(world.arena(), pair_of(i, j), body(i), body(j)), -1e-6) << tick;
+        const Body body = body_of(world, i);
+        EXPECT_GT(gap(world.arena(), pair_of(i, j), body, body_of(world, j)), -1e-6) << tick;
       }
     }
   }
@@ -328,32 +340,15 @@ TEST(World, SmallStepsSeeAllContacts) {
 // the forces of wheels from before.
 TEST(World, ForgetsWhatWasBeforeBodiesWereSet) {
   const field::Field field = field::make_field(League::small);
-  Tolerances tolerances;
-  tolerances.followed_per_tick = 0;
-  World used(&field, Parameters{}, tolerances, 6, true);
-  World fresh(&field, Parameters{}, tolerances, 6, true);
-  const auto set = [](World& world, double turned) {
-    for (int i = 0; i < 6; ++i) {
-      const Heading inwards = Heading::from_angle(pi / 3.0 * i);
-      world.set_robot(i,
-                      {-0.09 * inwards.forward(), Heading::from_angle(pi / 3.0 * i + turned), {}});
-    }
-    world.set_ball({});
-  };
+  World used(&field, Parameters{}, hasty(), 6, true);
+  World fresh(&field, Parameters{}, hasty(), 6, true);
   const auto play = [](World& world) {
-    for (int tick = 0; tick < 20; ++tick) {
-      std::array<WheelCommand, 6> commands;
-      for (int i = 0; i < 6; ++i) {
-        const double turn = 12.0 * ((tick / 10 + i) % 3 - 1);
-        commands[i] = WheelSpeeds{30.0 - turn, 30.0 + turn};
-      }
-      world.advance(commands, 0.033);
-    }
+    for (int tick = 0; tick < 20; ++tick) world.advance(whirl(tick), 0.033);
   };
-  set(used, 0.3);
+  set_around_ball(used, 0.09, 0.3);
   play(used);
-  set(used, 0.1);
-  set(fresh, 0.1);
+  set_around_ball(used, 0.09, 0.1);
+  set_around_ball(fresh, 0.09, 0.1);
   play(used);
   play(fresh);
   for (int i = 0; i < 6; ++i) {
@@ -383,8 +378,7 @@ TEST(World, StepsEndWithTheCompany) {
     }
     world.advance(commands, 0.033);
     for (int i = 0; i < 3; ++i) {
-      const RobotState& r = world.robot(i);
-      const Body body{r.position, r.heading, r.twist};
+      const Body body = body_of(world, i);
       for (int k = 0; k < plane_walls + end_walls; ++k) {
         EXPECT_GT(gap(world.arena(), pair_with_obstacle(i, k), body, Body{}), -1e-9) << tick;
       }

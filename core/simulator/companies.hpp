@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+//
+// Who goes in a small step, and with whom: those who take one together keep out of each other's way
+// until its end, or until somebody else runs into them.
+#pragma once
+
+#include "core/simulator/pair.hpp"
+
+#include <array>
+
+namespace mirocup::simulator {
+
+class Companies {
+ public:
+  void set_out(const BodySet& members) {
+    stepping_ |= members;
+    for (int i = 0; i < max_bodies; ++i) {
+      if (members[i]) company_[i] = members;
+    }
+  }
+  void leave(const BodySet& bodies) { stepping_ &= ~bodies; }
+
+  const BodySet& stepping() const { return stepping_; }
+  bool is_stepping(int body) const { return stepping_[body]; }
+  // Nobody, if the body is not in a step.
+  BodySet company_of(int body) const { return stepping_[body] ? company_[body] : BodySet{}; }
+
+  // Does the pair keep out of each other's way by one step?
+  bool are_in_step(const Pair& pair) const {
+    if (!stepping_[pair.a]) return false;
+    return pair.with_obstacle() || (stepping_[pair.partner] && company_[pair.a][pair.partner]);
+  }
+
+ private:
+  BodySet stepping_;
+  std::array<BodySet, max_bodies> company_;  // of those: who takes the same step
+};
+
+}  // namespace mirocup::simulator
