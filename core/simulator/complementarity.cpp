@@ -25,31 +25,13 @@ constexpr int most_releases = 64;
 // A problem of so many unknowns, six robots around the ball have fewer, is large.
 constexpr int large = 32;
 
-// What solve_softly() adds to the diagonal, as a share of it; and the slope that it leaves, as a share
-// of the largest |b|.
-constexpr double softness = 1e-5;
-constexpr double soft_solved = 1e-10;
-
-// Its rounds, few of which are needed; and of one, how many halves of a step are tried for whether
-// they lower the function by this share of what its slope promised, as far as rounding lets see.
-constexpr int most_soft_rounds = 40;
-constexpr int most_shortenings = 4;
-constexpr double kept_promise = 0.1;
-constexpr double unseen = 1e-15;
-
-void add_row(double factor, const double* __restrict row, int count, double* __restrict to) {
-  for (int i = 0; i < count; ++i) to[i] += factor * row[i];
-}
 }  // namespace
 
-BoxProblem::BoxProblem()
-    : a_(max_unknowns * max_unknowns),
-      factor_(max_unknowns * max_unknowns),
-      soft_system_(max_unknowns) {}
+BoxProblem::BoxProblem() : a_(max_unknowns * max_unknowns), factor_(max_unknowns * max_unknowns) {}
 
 void BoxProblem::reset(int size) {
   size_ = size;
-  soft_system_fits_ = false;
+  soft_.reset({});
   std::fill_n(a_.begin(), size * size, 0.0);
   std::fill_n(b.begin(), size, 0.0);
   std::fill_n(low.begin(), size, 0.0);
@@ -192,6 +174,29 @@ void BoxProblem::begin_from_nothing() {
   }
 }
 
+bool BoxProblem::is_large() const {
+  return size_ >= large;
+}
+
+SoftProblem& BoxProblem::to_begin_softly(std::span<const InverseMass> mass) {
+  soft_.reset(mass);
+  return soft_;
+}
+
+bool BoxProblem::begin_softly() {
+  if (soft_.size() != size_ || !is_large()) return false;
+  soft_.b = b;
+  soft_.low = low;
+  soft_.high = high;
+  std::fill_n(soft_.x.begin(), size_, 0.0);
+  if (!soft_.solve()) return false;
+  for (int i = 0; i < size_; ++i) {
+    x[i] = soft_.x[i];
+    bound_[i] = low[i] < x[i] && x[i] < high[i] ? Bound::free : Bound::fixed;
+  }
+  return true;
+}
+
 void BoxProblem::solve() {
   begin_from_nothing();
   std::fill_n(banned_.begin(), size_, false);
@@ -199,9 +204,7 @@ void BoxProblem::solve() {
   for (int i = 0; i < size_; ++i) scale = std::max(scale, std::abs(b[i]));
   double tolerance = next_to_nothing * scale;
   if (is_solved(tolerance)) return;
-  // From far away each bound costs a round; a large problem is begun where it is nearly solved.
-  if (size_ >= large && !solve_softly()) begin_from_nothing();
-  soft_system_fits_ = false;
+  begin_softly();
   order_all_free();
 
   // Each round releases one bound.
@@ -227,136 +230,6 @@ void BoxProblem::solve() {
       drop_fixed();
     }
   }
-}
-
-bool BoxProblem::solve_softly() {
-  std::fill_n(x.begin(), size_, 0.0);
-  return solve_softly_from_x();
-}
-
-// Newton's method on the function plus 1/2 (x - centre).D(x - centre), D a small diagonal. Steps are
-// cut off at the bounds, and shortened until that goes down: so no bound is exchanged in circles.
-bool BoxProblem::solve_softly_from_x() {
-  double scale = 0.0;
-  for (int i = 0; i < size_; ++i) {
-    scale = std::max(scale, std::abs(b[i]));
-    pull_[i] = softness * a(i, i);
-    centre_[i] = x[i] = std::clamp(x[i], low[i], high[i]);
-  }
-  look_at_soft_value();
-  for (int round = 0; round < most_soft_rounds; ++round) {
-    if (hold_at_bounds(soft_solved * scale)) return true;
-    find_direction();
-    std::copy_n(x.begin(), size_, begin_.begin());
-    std::copy_n(slope_.begin(), size_, begin_slope_.begin());
-    if (!go_down()) return false;
-  }
-  return false;
-}
-
-// The function with its pull at x, and what it changes with each unknown.
-void BoxProblem::look_at_soft_value() {
-  // A x, row by row: it is symmetric, and many unknowns are zero.
-  std::fill_n(slope_.begin(), size_, 0.0);
-  for (int j = 0; j < size_; ++j) {
-    if (x[j] != 0.0) add_row(x[j], &a_[j * size_], size_, slope_.data());
-  }
-  soft_value_ = 0.0;
-  for (int i = 0; i < size_; ++i) {
-    const double off = x[i] - centre_[i];
-    soft_value_ += x[i] * (0.5 * slope_[i] + b[i]) + 0.5 * pull_[i] * off * off;
-    slope_[i] += b[i] + pull_[i] * off;
-  }
-}
-
-void BoxProblem::set_soft_bound(int i, Bound bound) {
-  soft_system_fits_ = soft_system_fits_ && bound_[i] == bound;
-  bound_[i] = bound;
-}
-
-// What is pulled out of its bounds stays there; true if nothing else is pulled anywhere.
-bool BoxProblem::hold_at_bounds(double tolerance) {
-  bool solved = true;
-  for (int i = 0; i < size_; ++i) {
-    const bool is_given = low[i] == high[i] || a(i, i) == 0.0;
-    const bool is_held = is_given || (x[i] <= low[i] && slope_[i] >= -tolerance) ||
-                         (x[i] >= high[i] && slope_[i] <= tolerance);
-    set_soft_bound(i, is_held ? Bound::fixed : Bound::free);
-    solved = solved && (is_held || std::abs(slope_[i]) <= tolerance);
-  }
-  return solved;
-}
-
-// Newton's step of the free unknowns, rhs_ in the order of order_. Those that it would push out of
-// the bounds where they are are held, too.
-void BoxProblem::find_direction() {
-  bool goes_out = true;
-  while (goes_out) {
-    goes_out = false;
-    order_count_ = 0;
-    // The last ones first: wheels, whose rows are nearly empty.
-    for (int i = size_ - 1; i >= 0; --i) {
-      if (bound_[i] == Bound::free) order_[order_count_++] = i;
-    }
-    if (!soft_system_fits_) factorise_softly();
-    for (int k = 0; k < order_count_; ++k) rhs_[k] = -slope_[order_[k]];
-    soft_system_.solve(rhs_.data());
-    for (int k = 0; k < order_count_; ++k) {
-      const int i = order_[k];
-      if ((x[i] > low[i] || rhs_[k] >= 0.0) && (x[i] < high[i] || rhs_[k] <= 0.0)) continue;
-      set_soft_bound(i, Bound::fixed);
-      goes_out = true;
-    }
-  }
-}
-
-void BoxProblem::factorise_softly() {
-  soft_system_.reset(order_count_);
-  for (int k = 0; k < order_count_; ++k) {
-    const double* const a = &a_[order_[k] * size_];
-    double* const row = soft_system_.row(k);
-    for (int l = k; l < order_count_; ++l) row[l] = a[order_[l]];
-    row[k] += pull_[order_[k]];
-  }
-  soft_system_.factorise();
-  soft_system_fits_ = true;
-}
-
-// Far in that direction, cut off at the bounds, if that lowers the function as promised; else to the
-// first bound, up to where it always goes down. False if not even that can be seen.
-bool BoxProblem::go_down() {
-  const double old_value = soft_value_;
-  double part = 1.0;
-  for (int halved = 0; halved < most_shortenings; ++halved, part *= 0.5) {
-    const double promised = try_part(part);
-    if (soft_value_ <= old_value + kept_promise * promised + unseen * std::abs(old_value)) {
-      return true;
-    }
-  }
-  try_part(part_to_first_bound());
-  return soft_value_ <= old_value + unseen * std::abs(old_value);
-}
-
-double BoxProblem::part_to_first_bound() const {
-  double part = 1.0;
-  for (int k = 0; k < order_count_; ++k) {
-    const int i = order_[k];
-    const double limit = rhs_[k] < 0.0 ? low[i] : high[i];
-    if (rhs_[k] != 0.0) part = std::min(part, (limit - begin_[i]) / rhs_[k]);
-  }
-  return part;
-}
-
-// x, value and slope after that part of the step; returns what the slope before promised of it.
-double BoxProblem::try_part(double part) {
-  double promised = 0.0;
-  for (int k = 0; k < order_count_; ++k) {
-    const int i = order_[k];
-    x[i] = std::clamp(begin_[i] + part * rhs_[k], low[i], high[i]);
-    promised += begin_slope_[i] * (x[i] - begin_[i]);
-  }
-  look_at_soft_value();
-  return promised;
 }
 
 }  // namespace mirocup::simulator

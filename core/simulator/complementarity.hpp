@@ -14,14 +14,12 @@
 // everywhere.
 #pragma once
 
-#include "core/simulator/definite_system.hpp"
+#include "core/simulator/soft_problem.hpp"
 
 #include <array>
 #include <vector>
 
 namespace mirocup::simulator {
-
-inline constexpr int max_unknowns = 192;
 
 // Kept and reused: making one allocates, solving does not.
 class BoxProblem {
@@ -39,17 +37,15 @@ class BoxProblem {
     a(i, j) += by;
     if (i != j) a(j, i) += by;
   }
-  using Unknowns = std::array<double, max_unknowns>;
   Unknowns b, low, high;
+
+  // Each bound costs a round. So a large problem whose rows are known, all of them, is begun where it
+  // is nearly solved, after reset().
+  bool is_large() const;
+  SoftProblem& to_begin_softly(std::span<const InverseMass> mass);
 
   // The solution is in x; where A leaves it open, one of the solutions.
   void solve();
-  // The solution for a diagonal that is a hair larger, which leaves nothing open: many bounds are
-  // taken and released at once, which is several times as fast. For what is solved anew until it
-  // fits: from_x() begins with x as it stands, and the nearer that is, the closer to it the solution
-  // and the cheaper; the most where only b has changed. False if it is too hard; then solve() is left.
-  bool solve_softly();
-  bool solve_softly_from_x();
   Unknowns x;
 
   // w_i, from x as it stands.
@@ -66,14 +62,7 @@ class BoxProblem {
   void solve_free();      // target_ from the free unknowns, the others held
   bool step_to_target();  // true if no bound was in the way
   int most_violating(double tolerance) const;
-  void look_at_soft_value();
-  void set_soft_bound(int i, Bound bound);
-  bool hold_at_bounds(double tolerance);
-  void find_direction();
-  void factorise_softly();
-  bool go_down();
-  double part_to_first_bound() const;
-  double try_part(double part);
+  bool begin_softly();
 
   int size_ = 0;
   std::vector<double> a_;
@@ -85,12 +74,7 @@ class BoxProblem {
   int order_count_ = 0;
   int factorised_ = 0;  // so many of them, the first ones, have been
 
-  // Of the soft problem.
-  Unknowns pull_, centre_, slope_;
-  Unknowns begin_, begin_slope_;  // of a round
-  double soft_value_ = 0.0;
-  DefiniteSystem soft_system_;     // of the free unknowns
-  bool soft_system_fits_ = false;  // the matrix and the free ones as they are
+  SoftProblem soft_;  // if it has the unknowns
 };
 
 }  // namespace mirocup::simulator

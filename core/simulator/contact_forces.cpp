@@ -27,6 +27,7 @@ constexpr double least_closing = 1e-9;
 
 ContactForces::ContactForces(const Arena& arena) : arena_(arena), rows_(max_unknowns) {
   constraints_.reserve(max_unknowns);
+  for (int i = 0; i < arena.robots; ++i) held_wheels_[i] = wheels_as_contact(i);
 }
 
 const InverseMass& ContactForces::mass(int body, std::span<const Drive> drives) const {
@@ -204,24 +205,17 @@ void ContactForces::pose(std::span<const Drive> drives, std::span<const Body> bo
     extend_rows(arena_, c, trial_, 0, rows);
     problem_.b[i] = gap_rate_term(c, trial_, 1, rows);
   }
-  set_couplings(
-      candidate_count_, [&](int i) -> const Contact& { return contacts[candidate_[i]]; }, mass,
-      problem_);
+  const auto row = [&](int i) -> const Contact& {
+    return i < candidate_count_ ? contacts[candidate_[i]]
+                                : held_wheels_[wheels_[i - candidate_count_]];
+  };
+  set_couplings(problem_.size(), row, mass, problem_);
   const double grip_force = p.grip * p.robot_mass * gravity;
   for (int k = 0; k < wheel_count_; ++k) {
-    const int row = candidate_count_ + k;
-    const int body = wheels_[k];
-    problem_.b[row] = trial_[body].left[1];
-    problem_.low[row] = -grip_force;
-    problem_.high[row] = grip_force;
-    problem_.a(row, row) = mass[body].left;
-    for (int i = 0; i < candidate_count_; ++i) {
-      const Contact& c = contacts[candidate_[i]];
-      double sideways = 0.0;
-      if (c.a == body) sideways += c.row_a[1] * mass[body].left;
-      if (c.b == body) sideways -= c.row_b[1] * mass[body].left;
-      problem_.a(row, i) = problem_.a(i, row) = sideways;
-    }
+    const int unknown = candidate_count_ + k;
+    problem_.b[unknown] = trial_[wheels_[k]].left[1];
+    problem_.low[unknown] = -grip_force;
+    problem_.high[unknown] = grip_force;
   }
 }
 

@@ -21,8 +21,10 @@ constexpr int most_looks = 10;
 constexpr int patient_looks = 4;
 constexpr int most_halvings = 3;
 
-// How deep (m) two may overlap between the ends of a step.
-constexpr double most_on_the_way = 5e-7;
+// The next step is so long that it should overlap between its ends by this share of what it may, and
+// grows by no more than that.
+constexpr double cautious = 0.8;
+constexpr double step_growth = 2.0;
 
 // Overlaps at the begin of a step are not undone faster than that, m/s. Deeper than that, m, they are
 // of a corner that is not over its edge yet.
@@ -81,8 +83,9 @@ double speed_at_most(const Shape& shape, const Twist& v) {
 
 }  // namespace
 
-ContactStepping::ContactStepping(const Arena& arena, BoxProblem& problem)
+ContactStepping::ContactStepping(const Arena& arena, SoftProblem& problem)
     : arena_(arena), problem_(problem), arcs_(max_bodies) {
+  forget();
   for (int i = 0; i < arena.robots; ++i) wheels_[i] = wheels_as_contact(i);
 }
 
@@ -91,7 +94,7 @@ ContactStepping::Step ContactStepping::take(const BodySet& candidates,
                                             std::span<const Drive> drives,
                                             std::span<const InverseMass> mass, double longest,
                                             std::span<Body> bodies) {
-  const double length = longest_step(candidates, bodies);
+  const double length = std::min(longest_step(candidates, bodies), next_step(candidates));
   double parts = std::ceil(longest / length);
   Step step;
   for (int halved = 0; halved <= most_halvings; ++halved, parts *= 2.0) {
@@ -126,6 +129,7 @@ void ContactStepping::keep_what_presses(const Step& step) {
 void ContactStepping::forget() {
   pressed_count_ = 0;
   for (Contact& wheels : wheels_) wheels.force = 0.0;
+  next_step_.fill(infinity);
 }
 
 // The impulses of a step like the last one.
@@ -161,6 +165,14 @@ double ContactStepping::longest_step(const BodySet& some, std::span<const Body> 
   const double farthest = radii_a_step * arena_.parameters.ball_radius;
   const double length = arena_.tolerances.step;
   return fastest * length > farthest ? farthest / fastest : length;
+}
+
+double ContactStepping::next_step(const BodySet& some) const {
+  double shortest = infinity;
+  for (int i = 0; i < arena_.bodies(); ++i) {
+    if (some[i]) shortest = std::min(shortest, next_step_[i]);
+  }
+  return shortest;
 }
 
 // A step of that length. False if overlaps remain at its end, or if it turns out to be too long.
@@ -222,7 +234,7 @@ bool ContactStepping::settle(const BodySet& members, std::span<const Drive> driv
     for (Contact& c : contacts_.contacts()) look_again(arena_, end_, c.pair, c.at);
     const Tolerances& t = arena_.tolerances;
     if (has_settled(look < patient_looks ? t.step_touch : t.step_overlap)) {
-      return is_clear_between(length, bodies);
+      return is_clear_between(length, bodies) && stays_together(members, length, bodies);
     }
   }
   return false;
@@ -245,7 +257,8 @@ bool ContactStepping::passes_through(const Contact& c, double length,
   for (const int i : {c.a, c.b}) {
     if (i != no_body) arcs_[i] = steady_segment(starting(i, bodies), 0.0, length);
   }
-  const double overlaps = first_time_below(arena_, c.pair, -most_on_the_way, arcs_, 0.0);
+  const double overlaps =
+      first_time_below(arena_, c.pair, -arena_.tolerances.overlap_within_step, arcs_, 0.0);
   return overlaps > 0.0 && overlaps != never;
 }
 
@@ -254,6 +267,33 @@ bool ContactStepping::is_clear_between(double length, std::span<const Body> bodi
   return std::none_of(all.begin(), all.end(), [&](const Contact& c) {
     return c.impulse == 0.0 && passes_through(c, length, bodies);
   });
+}
+
+// Those who press touch at the ends of the step and overlap most in the middle, by what grows with its
+// square. Judges how long the next one may be. False if this one is too long.
+bool ContactStepping::stays_together(const BodySet& members, double length,
+                                     std::span<const Body> bodies) {
+  for (int i = 0; i < arena_.bodies(); ++i) {
+    if (members[i]) middle_[i] = along_arc(starting(i, bodies), 0.5 * length);
+  }
+  double deepest = 0.0;
+  for (const Contact& c : contacts_.contacts()) {
+    if (c.impulse == 0.0) continue;
+    ContactPoint at = c.at;
+    look_again(arena_, middle_, c.pair, at);
+    if (at.gap >= -deepest) continue;
+    // A corner that is still beside the edge is behind it, and overlaps nothing.
+    const Body& other = middle_[c.pair.with_obstacle() ? c.pair.a : c.pair.partner];
+    const double apart = gap(arena_, c.pair, middle_[c.pair.a], other);
+    deepest = std::max(deepest, -std::max(at.gap, apart));
+  }
+  const double most = arena_.tolerances.overlap_within_step;
+  const double next =
+      length * std::sqrt(std::min(step_growth * step_growth, cautious * most / deepest));
+  for (int i = 0; i < arena_.bodies(); ++i) {
+    if (members[i]) next_step_[i] = next;
+  }
+  return deepest <= most;
 }
 
 // What overlaps at the begin is undone in a step, but not faster than that would add energy: steps may
@@ -295,9 +335,8 @@ void ContactStepping::pose(const BodySet& members, std::span<const Drive> drives
     const bool holds = members[i] && drives[i].wheels_on_ground && p.grip != infinite_grip;
     if (holds && count < max_unknowns) row_[count++] = &wheels_[i];
   }
-  problem_.reset(count);
-  set_couplings(
-      count, [&](int i) -> const Contact& { return *row_[i]; }, mass, problem_);
+  problem_.reset(mass);
+  for (int i = 0; i < count; ++i) problem_.add(row_of(*row_[i]));
   for (int i = with_tangents; i < count; ++i) set_bounds(i, most_grip(length));
 }
 
@@ -315,13 +354,13 @@ void ContactStepping::solve(const BodySet& members, std::span<const InverseMass>
     problem_.b[i] += (row_[i]->at.gap + left_[i]) / length - gap_rate(*row_[i], end_);
   }
   for (int i = normals; i < with_tangents; ++i) set_bounds(i, 0.0);
-  if (!problem_.solve_softly_from_x()) problem_.solve();
+  problem_.solve();
   for (int round = 0; round < friction_rounds && with_tangents > normals; ++round) {
     for (int i = normals, k = 0; i < with_tangents; ++i, ++k) {
       while (contacts_.list[k].friction == 0.0) ++k;
       set_bounds(i, contacts_.list[k].friction * problem_.x[k]);
     }
-    problem_.solve_softly_from_x();
+    problem_.solve();
   }
 
   for (int i = 0; i < arena_.bodies(); ++i) {

@@ -8,12 +8,15 @@
 // no gap may be closed further than to zero at the step's end. Which contacts there are, and along
 // which normals, is seen where the bodies would be if they kept their twists. The problem is solved
 // again with the gaps that are found where they come instead, until every contact that pushes touches
-// and none overlaps: so overlaps do not build up and are never pushed out afterwards. First order in the step. What meets in a step does not bounce.
+// and none overlaps: so overlaps do not build up and are never pushed out afterwards. Between its ends
+// bodies that turn overlap a little, with the step's square: the faster they do, the shorter it is, for
+// anybody may run into them half way. First order in the step. What meets in a step does not bounce.
 #pragma once
 
 #include "core/simulator/arena.hpp"
 #include "core/simulator/friction.hpp"
 #include "core/simulator/robot_motion.hpp"
+#include "core/simulator/soft_problem.hpp"
 
 #include <array>
 #include <span>
@@ -24,7 +27,7 @@ namespace mirocup::simulator {
 class ContactStepping {
  public:
   // Both outlive it.
-  ContactStepping(const Arena& arena, BoxProblem& problem);
+  ContactStepping(const Arena& arena, SoftProblem& problem);
 
   // Who steps together, and for how long, s; nobody, if no contact lasts.
   struct Step {
@@ -55,6 +58,7 @@ class ContactStepping {
 
   double fastest_of(const BodySet& some, std::span<const Body> bodies) const;
   double longest_step(const BodySet& some, std::span<const Body> bodies) const;
+  double next_step(const BodySet& some) const;
   double reach_of_motors(double length) const;
   bool find(const BodySet& candidates, std::span<const Contact> touching,
             std::span<const Drive> drives, std::span<const InverseMass> mass, double length,
@@ -73,19 +77,22 @@ class ContactStepping {
   Body starting(int body, std::span<const Body> bodies) const;
   bool passes_through(const Contact& contact, double length, std::span<const Body> bodies);
   bool is_clear_between(double length, std::span<const Body> bodies);
+  bool stays_together(const BodySet& members, double length, std::span<const Body> bodies);
   void recall(const BodySet& members, double length);
   void keep_what_presses(const Step& step);
 
   const Arena& arena_;
-  BoxProblem& problem_;
+  SoftProblem& problem_;
   ContactList contacts_, tangents_;
   std::array<double, max_unknowns> left_;  // m, of each contact's overlap at the begin, that stays
   std::array<Contact, max_robots> wheels_;
   std::array<Pressed, max_unknowns> pressed_;  // of each body in its last step
   int pressed_count_ = 0;
-  std::array<Contact*, max_unknowns> row_;  // of each unknown: contacts_, tangents_, wheels_
-  std::array<Body, max_bodies> end_;        // with the twists of the step
-  std::array<Body, max_bodies> alone_;      // twists at the end if there were no contacts
+  std::array<double, max_bodies> next_step_;  // s, of each body, by what its last one was like
+  std::array<Contact*, max_unknowns> row_;    // of each unknown: contacts_, tangents_, wheels_
+  std::array<Body, max_bodies> middle_;       // of the step
+  std::array<Body, max_bodies> end_;          // with the twists of the step
+  std::array<Body, max_bodies> alone_;        // twists at the end if there were no contacts
   std::array<Box, max_bodies> boxes_;
   std::vector<Segment> arcs_;  // of two that may pass through each other
 };

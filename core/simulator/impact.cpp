@@ -94,6 +94,12 @@ void set_rows(std::span<const Body> bodies, Contact& c) {
   if (c.b != no_body) c.row_b = contact_row(bodies[c.b], c.at);
 }
 
+CoupledRow row_of(const Contact& c) {
+  const JacobianRow on_b{-c.row_b[0], -c.row_b[1], -c.row_b[2]};
+  if (c.a == no_body) return {.a = c.b, .b = no_body, .on_a = on_b, .on_b = {}};
+  return {.a = c.a, .b = c.b, .on_a = c.row_a, .on_b = on_b};
+}
+
 Contact wheels_as_contact(int body) {
   Contact c;
   c.a = body;

@@ -11,6 +11,7 @@
 
 #include "core/simulator/complementarity.hpp"
 #include "core/simulator/contact.hpp"
+#include "core/simulator/coupled_rows.hpp"
 #include "core/simulator/pair.hpp"
 #include "core/simulator/parameters.hpp"
 
@@ -19,32 +20,19 @@
 
 namespace mirocup::simulator {
 
-// What a unit impulse along each generalised velocity of a body changes: 1/M, 1/M, 1/I; zero where
-// wheels of infinite grip hold.
-struct InverseMass {
-  double forward = 0.0;
-  double left = 0.0;
-  double turn = 0.0;
-};
-
 InverseMass free_robot_mass(const Parameters& parameters);
 InverseMass robot_mass(const Parameters& parameters, bool wheels_on_ground);
 InverseMass ball_mass(const Parameters& parameters);
 
-// One row of the contact Jacobian: the rate of the gap is row . twist of a minus row . twist of b.
-using JacobianRow = std::array<double, 3>;
+// Of a body's share of a gap's rate.
 JacobianRow contact_row(const Body& body, const ContactPoint& contact);
-
-inline double along(const JacobianRow& row, const Twist& v) {
-  return row[0] * v.forward + row[1] * v.left + row[2] * v.turn;
-}
 
 struct Contact {
   Pair pair;
   int a = no_body;  // the point's side, or no_body if that is a wall's corner
   int b = no_body;  // the edge's side, or no_body if that is a wall
   ContactPoint at;
-  JacobianRow row_a{};
+  JacobianRow row_a{};  // the rate of the gap is row_a . twist of a minus row_b . twist of b
   JacobianRow row_b{};
   double restitution = 0.0;
   double friction = 0.0;    // Coulomb's coefficient
@@ -58,6 +46,8 @@ struct Contact {
 
 // Sets its rows from where its bodies are.
 void set_rows(std::span<const Body> bodies, Contact& contact);
+
+CoupledRow row_of(const Contact& contact);
 
 // The contacts of the bodies that touch at one instant.
 struct ContactList {
@@ -131,6 +121,9 @@ void set_couplings(int count, ContactOf contact_of, std::span<const InverseMass>
   SharedBodies bodies;
   for (int i = 0; i < count; ++i) bodies.add(i, contact_of(i));
   bodies.couple(mass, problem);
+  if (!problem.is_large()) return;
+  SoftProblem& soft = problem.to_begin_softly(mass);
+  for (int i = 0; i < count; ++i) soft.add(row_of(contact_of(i)));
 }
 
 // What an impulse along a row of the Jacobian adds to one body's twist.

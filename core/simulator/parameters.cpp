@@ -29,6 +29,7 @@ Tolerances tolerances_of(Accuracy accuracy) {
       t.step = 8e-3;
       t.step_touch = 2e-7;
       t.step_overlap = 5e-7;
+      t.overlap_within_step = 1e-5;
       break;
     case Accuracy::standard:
       break;

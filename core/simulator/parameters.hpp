@@ -108,9 +108,10 @@ struct Tolerances {
   // involves. Two of six robots and the ball, or 23 of two. Beyond, the body and what it touches go
   // on in small steps.
   int followed_per_tick = 90;
-  double step = 2e-3;          // s: the longest of those
-  double step_touch = 1e-10;   // m: what is left of gaps and overlaps at the end of one,
-  double step_overlap = 1e-8;  // m: and where contacts nearly contradict each other
+  double step = 2e-3;                 // s: the longest of those
+  double step_touch = 1e-10;          // m: what is left of gaps and overlaps at the end of one,
+  double step_overlap = 1e-8;         // m: where contacts nearly contradict each other,
+  double overlap_within_step = 8e-7;  // m: and between its ends
 };
 
 Tolerances tolerances_of(Accuracy accuracy);

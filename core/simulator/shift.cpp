@@ -19,12 +19,14 @@ Body moved_by(const Body& body, const Shift& by) {
 }
 
 void push_apart(std::span<const Contact> contacts, std::span<const InverseMass> free_mass,
-                std::span<Body> bodies, BoxProblem& problem) {
+                std::span<Body> bodies, SoftProblem& problem) {
   const int n = static_cast<int>(contacts.size());
-  problem.reset(n);
-  for (int i = 0; i < n; ++i) problem.b[i] = contacts[i].at.gap;
-  set_couplings(
-      n, [&](int i) -> const Contact& { return contacts[i]; }, free_mass, problem);
+  problem.reset(free_mass);
+  for (int i = 0; i < n; ++i) {
+    problem.add(row_of(contacts[i]));
+    problem.b[i] = contacts[i].at.gap;
+    problem.x[i] = 0.0;
+  }
   problem.solve();
 
   std::array<Shift, max_bodies> shifts{};

@@ -25,9 +25,10 @@ World::World(const field::Field* field, const Parameters& parameters, const Tole
     : arena_(make_arena(field, parameters, tolerances, robots, has_ball)),
       patience_(tolerances),
       problem_(std::make_unique<BoxProblem>()),
+      soft_problem_(std::make_unique<SoftProblem>()),
       forces_(std::make_unique<ContactForces>(arena_)),
       motion_(std::make_unique<ContactMotion>(arena_)),
-      steps_(std::make_unique<ContactStepping>(arena_, *problem_)) {
+      steps_(std::make_unique<ContactStepping>(arena_, *soft_problem_)) {
   for (int i = 0; i < robots; ++i) free_mass_[i] = arena_.free_robot;
   if (has_ball) mass_[robots] = free_mass_[robots] = arena_.ball;
 }
@@ -330,7 +331,7 @@ void World::separate_overlaps() {
   for (const Contact& c : contacts_.contacts()) deepest = std::max(deepest, -c.at.gap);
   events_.deepest_overlap = std::max(events_.deepest_overlap, deepest);
   if (deepest > 2.0 * arena_.tolerances.touch) {
-    push_apart(contacts_.contacts(), free_mass_, bodies_, *problem_);
+    push_apart(contacts_.contacts(), free_mass_, bodies_, *soft_problem_);
   }
 }
 

@@ -121,6 +121,7 @@ class World {
 
   ContactList contacts_;  // of the event being played; between ticks, of all bodies
   std::unique_ptr<BoxProblem> problem_;
+  std::unique_ptr<SoftProblem> soft_problem_;
   std::unique_ptr<ContactForces> forces_;
   std::unique_ptr<ContactMotion> motion_;
   std::unique_ptr<ContactStepping> steps_;
