@@ -21,11 +21,6 @@ constexpr int most_looks = 10;
 constexpr int patient_looks = 4;
 constexpr int most_halvings = 3;
 
-// The next step is so long that it should overlap between its ends by this share of what it may, and
-// grows by no more than that.
-constexpr double cautious = 0.8;
-constexpr double step_growth = 2.0;
-
 // Overlaps at the begin of a step are not undone faster than that, m/s. Deeper than that, m, they are
 // of a corner that is not over its edge yet.
 constexpr double fastest_undoing = 2e-4;
@@ -70,12 +65,6 @@ bool is_same_place(const ContactPoint& p, const ContactPoint& q) {
          p.edge == q.edge;
 }
 
-template <class Test>
-bool is_any_of_pair(std::span<const Contact> contacts, const Pair& pair, Test test) {
-  return std::any_of(contacts.begin(), contacts.end(),
-                     [&](const Contact& c) { return c.pair == pair && test(c); });
-}
-
 // No point of the body is faster, m/s.
 double speed_at_most(const Shape& shape, const Twist& v) {
   return std::abs(v.forward) + std::abs(v.left) + std::abs(v.turn) * shape.radius;
@@ -84,7 +73,7 @@ double speed_at_most(const Shape& shape, const Twist& v) {
 }  // namespace
 
 ContactStepping::ContactStepping(const Arena& arena, SoftProblem& problem)
-    : arena_(arena), problem_(problem), arcs_(max_bodies) {
+    : arena_(arena), problem_(problem), paths_(arena, problem) {
   forget();
   for (int i = 0; i < arena.robots; ++i) wheels_[i] = wheels_as_contact(i);
 }
@@ -212,8 +201,9 @@ void ContactStepping::look_ahead(const BodySet& candidates, std::span<const Cont
   add_contacts_among(arena_, candidates, end_, margin, boxes_, contacts_);
   // Who touches may part faster than anybody goes, and yet not part once the others are heard.
   for (const Contact& c : touching) {
-    const auto any = [](const Contact&) { return true; };
-    if (is_any_of_pair(contacts_.contacts(), c.pair, any)) continue;
+    const auto found = contacts_.contacts();
+    const auto is_of_pair = [&c](const Contact& other) { return other.pair == c.pair; };
+    if (std::any_of(found.begin(), found.end(), is_of_pair)) continue;
     add_contacts(arena_, c.pair, end_, infinity, contacts_);
   }
 }
@@ -226,74 +216,35 @@ bool ContactStepping::settle(const BodySet& members, std::span<const Drive> driv
   recall(members, length);
   leave_overlaps(length, bodies);
   pose(members, drives, mass, length);
+  for (int i = 0; i < arena_.bodies(); ++i) {
+    if (members[i]) begin_[i] = bodies[i];
+  }
   for (int look = 0; look < most_looks; ++look) {
     solve(members, mass, length);
     for (int i = 0; i < arena_.bodies(); ++i) {
-      if (members[i]) end_[i] = along_arc(starting(i, bodies), length);
+      if (!members[i]) continue;
+      begin_[i].twist = end_[i].twist;
+      end_[i] = along_arc(begin_[i], length);
     }
     for (Contact& c : contacts_.contacts()) look_again(arena_, end_, c.pair, c.at);
     const Tolerances& t = arena_.tolerances;
     if (has_settled(look < patient_looks ? t.step_touch : t.step_overlap)) {
-      return is_clear_between(length, bodies) && stays_together(members, length, bodies);
+      return stays_apart(members, length);
     }
   }
   return false;
 }
 
-// A body at the begin of the step, with its twist of the step.
-Body ContactStepping::starting(int body, std::span<const Body> bodies) const {
-  Body starting = bodies[body];
-  starting.twist = end_[body].twist;
-  return starting;
-}
-
-// Two corners can pass through each other on the way to an end where they are apart. Only what opens
-// there, and was not as far apart at the begin as that says, is worth a search.
-bool ContactStepping::passes_through(const Contact& c, double length,
-                                     std::span<const Body> bodies) {
-  const auto presses = [](const Contact& other) { return other.impulse != 0.0; };
-  if (c.at.gap >= gap_rate(c, end_) * length) return false;
-  if (is_any_of_pair(contacts_.contacts(), c.pair, presses)) return false;
-  for (const int i : {c.a, c.b}) {
-    if (i != no_body) arcs_[i] = steady_segment(starting(i, bodies), 0.0, length);
-  }
-  const double overlaps =
-      first_time_below(arena_, c.pair, -arena_.tolerances.overlap_within_step, arcs_, 0.0);
-  return overlaps > 0.0 && overlaps != never;
-}
-
-bool ContactStepping::is_clear_between(double length, std::span<const Body> bodies) {
-  const auto all = contacts_.contacts();
-  return std::none_of(all.begin(), all.end(), [&](const Contact& c) {
-    return c.impulse == 0.0 && passes_through(c, length, bodies);
-  });
-}
-
-// Those who press touch at the ends of the step and overlap most in the middle, by what grows with its
-// square. Judges how long the next one may be. False if this one is too long.
-bool ContactStepping::stays_together(const BodySet& members, double length,
-                                     std::span<const Body> bodies) {
-  for (int i = 0; i < arena_.bodies(); ++i) {
-    if (members[i]) middle_[i] = along_arc(starting(i, bodies), 0.5 * length);
-  }
-  double deepest = 0.0;
-  for (const Contact& c : contacts_.contacts()) {
-    if (c.impulse == 0.0) continue;
-    ContactPoint at = c.at;
-    look_again(arena_, middle_, c.pair, at);
-    if (at.gap >= -deepest) continue;
-    // A corner that is still beside the edge is behind it, and overlaps nothing.
-    const Body& other = middle_[c.pair.with_obstacle() ? c.pair.a : c.pair.partner];
-    const double apart = gap(arena_, c.pair, middle_[c.pair.a], other);
-    deepest = std::max(deepest, -std::max(at.gap, apart));
-  }
-  const double most = arena_.tolerances.overlap_within_step;
-  const double next =
-      length * std::sqrt(std::min(step_growth * step_growth, cautious * most / deepest));
+// Between its ends: does nobody pass through anybody, nor overlap too deep? Judges the next one, too.
+bool ContactStepping::stays_apart(const BodySet& members, double length) {
+  const StepPaths::Step step{members, begin_, end_, contacts_.contacts(), length};
+  if (!paths_.is_clear(step)) return false;
+  const double overlap = paths_.bend(step);
+  const double next = paths_.next_length(step, overlap);
   for (int i = 0; i < arena_.bodies(); ++i) {
     if (members[i]) next_step_[i] = next;
   }
-  return deepest <= most;
+  return overlap <= arena_.tolerances.overlap_within_step;
 }
 
 // What overlaps at the begin is undone in a step, but not faster than that would add energy: steps may

@@ -8,19 +8,18 @@
 // no gap may be closed further than to zero at the step's end. Which contacts there are, and along
 // which normals, is seen where the bodies would be if they kept their twists. The problem is solved
 // again with the gaps that are found where they come instead, until every contact that pushes touches
-// and none overlaps: so overlaps do not build up and are never pushed out afterwards. Between its ends
-// bodies that turn overlap a little, with the step's square: the faster they do, the shorter it is, for
-// anybody may run into them half way. First order in the step. What meets in a step does not bounce.
+// and none overlaps: so overlaps do not build up and are never pushed out afterwards. How they move between its
+// ends is for step_paths.hpp, and may ask for a shorter step. First order in the step. What meets in a step does not bounce.
 #pragma once
 
 #include "core/simulator/arena.hpp"
 #include "core/simulator/friction.hpp"
 #include "core/simulator/robot_motion.hpp"
 #include "core/simulator/soft_problem.hpp"
+#include "core/simulator/step_paths.hpp"
 
 #include <array>
 #include <span>
-#include <vector>
 
 namespace mirocup::simulator {
 
@@ -41,8 +40,10 @@ class ContactStepping {
             std::span<const Drive> drives, std::span<const InverseMass> mass, double longest,
             std::span<Body> bodies);
 
-  // Of the last step, if it had members: a member at its end, and the contacts that press.
+  // Of the last step, if it had members: a member at its end, how far it is beside its arc in the middle
+  // (step_paths.hpp), and the contacts that press.
   const Body& end(int member) const { return end_[member]; }
+  const Vec2& bend(int member) const { return paths_.bend_of(member); }
   std::span<const Contact> pressing() const { return contacts_.contacts(); }
 
   // The next step begins from nothing: bodies were moved.
@@ -74,10 +75,7 @@ class ContactStepping {
   double most_grip(double length) const;  // N s
   void leave_overlaps(double length, std::span<const Body> bodies);
   bool has_settled(double touch) const;
-  Body starting(int body, std::span<const Body> bodies) const;
-  bool passes_through(const Contact& contact, double length, std::span<const Body> bodies);
-  bool is_clear_between(double length, std::span<const Body> bodies);
-  bool stays_together(const BodySet& members, double length, std::span<const Body> bodies);
+  bool stays_apart(const BodySet& members, double length);
   void recall(const BodySet& members, double length);
   void keep_what_presses(const Step& step);
 
@@ -90,11 +88,11 @@ class ContactStepping {
   int pressed_count_ = 0;
   std::array<double, max_bodies> next_step_;  // s, of each body, by what its last one was like
   std::array<Contact*, max_unknowns> row_;    // of each unknown: contacts_, tangents_, wheels_
-  std::array<Body, max_bodies> middle_;       // of the step
+  std::array<Body, max_bodies> begin_;        // with the twists of the step
   std::array<Body, max_bodies> end_;          // with the twists of the step
   std::array<Body, max_bodies> alone_;        // twists at the end if there were no contacts
   std::array<Box, max_bodies> boxes_;
-  std::vector<Segment> arcs_;  // of two that may pass through each other
+  StepPaths paths_;
 };
 
 }  // namespace mirocup::simulator

@@ -25,7 +25,7 @@ Tolerances tolerances_of(Accuracy accuracy) {
       t.touch = 1e-7;
       t.sink = 1e-8;
       t.rest_speed = 2e-3;
-      t.followed_per_tick = 10;
+      t.followed_per_tick = 24;
       t.step = 8e-3;
       t.step_touch = 2e-7;
       t.step_overlap = 5e-7;

@@ -104,11 +104,11 @@ struct Tolerances {
   double growth_per_event = 1.3;
   double slide_growth_per_event = 2.0;
   double rest_slide = 1e-7;
-  // What a body's events of a tick may cost, summed: of each the square of how many bodies it
-  // involves. Two of six robots and the ball, or 23 of two. Beyond, the body and what it touches go
-  // on in small steps.
-  int followed_per_tick = 90;
-  double step = 2e-3;                 // s: the longest of those
+  // What a body's events of a tick may cost, summed: of each the cube of how many bodies it involves.
+  // Two of six robots and the ball, or 50 of two. Beyond, the body and what it touches go on in small
+  // steps.
+  int followed_per_tick = 400;
+  double step = 3e-3;                 // s: the longest of those
   double step_touch = 1e-10;          // m: what is left of gaps and overlaps at the end of one,
   double step_overlap = 1e-8;         // m: where contacts nearly contradict each other,
   double overlap_within_step = 8e-7;  // m: and between its ends

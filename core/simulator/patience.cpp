@@ -93,7 +93,7 @@ void Patience::note_event(const BodySet& involved, bool was_forced) {
   const int company = static_cast<int>(involved.count());
   for (int i = 0; i < max_bodies; ++i) {
     if (!involved[i]) continue;
-    followed_[i] += company * company;
+    followed_[i] += company * company * company;
     exhausted_[i] = followed_[i] >= tolerances_.followed_per_tick;
   }
   const Tolerances& t = tolerances_;

@@ -46,7 +46,7 @@ TEST(ContactStepping, CornersDoNotPassThroughEachOther) {
 }
 
 // A robot spins with a corner on another's side: it touches at both ends of a step and would be 10 µm
-// inside between, where somebody may run into it. Catches steps as long for it as for anybody.
+// inside between, where somebody may run into it. Catches arcs that are not bent, or the wrong way.
 TEST(ContactStepping, TurningRobotsStayTogetherWithinAStep) {
   const Parameters p;
   const Arena arena = make_arena(nullptr, p, Tolerances{}, 2, false);
@@ -65,8 +65,8 @@ TEST(ContactStepping, TurningRobotsStayTogetherWithinAStep) {
       ASSERT_EQ(members, BodySet(3));
       for (int part = 0; part <= 20; ++part) {
         const double t = length * part / 20.0;
-        const Body a = along_arc(bodies[0], t);
-        const Body b = along_arc(bodies[1], t);
+        const Body a = along_bent_arc(bodies[0], steps.bend(0), length, t);
+        const Body b = along_bent_arc(bodies[1], steps.bend(1), length, t);
         EXPECT_GT(gap(arena, pair_of(0, 1), b, a), -1e-6) << "step " << step << ", " << t << " s";
       }
       for (Body& body : bodies) body = along_arc(body, length);

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+//
+// How those who take a small step together move between its ends: each along the arc of the twist that
+// it keeps, and a little beside it. Who touches at both ends and turns would overlap between them, by
+// what grows with the step's square; that is taken away from the middle and, as a parabola, from the
+// rest. What stays grows with its cube. Anybody may run into them half way.
+#pragma once
+
+#include "core/simulator/arena.hpp"
+#include "core/simulator/segment.hpp"
+#include "core/simulator/soft_problem.hpp"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace mirocup::simulator {
+
+// A step of `length` seconds along an arc, in the middle of which the body is `bend` (m, in the field's
+// frame) beside it: where it is `span` seconds after the begin.
+Body along_bent_arc(const Body& begin, const Vec2& bend, double length, double span);
+
+// The rest of such a step, which began at `step_begin`, s of the tick, from where the body is now.
+Segment bent_segment(const Body& now, const Vec2& bend, double step_begin, double begin,
+                     double end);
+
+class StepPaths {
+ public:
+  // Both outlive it.
+  StepPaths(const Arena& arena, SoftProblem& problem);
+
+  // What a step is judged by: its members, each at the begin with the twist of the step, its contacts
+  // at the end with their impulses.
+  struct Step {
+    BodySet members;
+    std::span<const Body> begin, end;
+    std::span<const Contact> contacts;
+    double length;  // s
+  };
+
+  // Can no two corners pass through each other on the way to an end where they are apart?
+  bool is_clear(const Step& step);
+  // Bends the arcs of the members where those who press would overlap. Returns how deep two of them
+  // still do, m.
+  double bend(const Step& step);
+  // How long the next such step may be, s, to overlap by a little less than is allowed.
+  double next_length(const Step& step, double overlap) const;
+
+  const Vec2& bend_of(int member) const { return bend_[member]; }
+
+ private:
+  bool passes_through(const Step& step, const Contact& contact);
+  double overlap_at(const Step& step, double part);
+  double line_gap_there(const Contact& contact) const;
+  double gap_there(const Contact& contact) const;
+  void push_middle_apart(const Step& step, double reach);
+
+  const Arena& arena_;
+  SoftProblem& problem_;
+  std::array<InverseMass, max_bodies> shifted_;  // bodies that do not turn
+  bool is_bent_ = false;
+  std::array<Vec2, max_bodies> bend_;              // m, of each member
+  std::array<Body, max_bodies> there_;             // at the part of the step that is looked at
+  std::array<const Contact*, max_unknowns> near_;  // contacts that may overlap there
+  int near_count_ = 0;
+  std::vector<Segment> arcs_;  // of two that may pass through each other
+};
+
+}  // namespace mirocup::simulator
