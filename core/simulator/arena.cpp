@@ -116,6 +116,14 @@ void look_again(const Arena& arena, std::span<const Body> bodies, const Pair& pa
   at.gap = at.normal.dot(at.point) - offset;
 }
 
+double gap_beyond(const Arena& arena, std::span<const Body> bodies, const Contact& c, double line) {
+  ContactPoint at = c.at;
+  look_again(arena, bodies, c.pair, at);
+  if (at.gap >= -line) return at.gap;
+  const Body& other = bodies[c.pair.with_obstacle() ? c.pair.a : c.pair.partner];
+  return std::max(at.gap, gap(arena, c.pair, bodies[c.pair.a], other));
+}
+
 double first_time_below(const Arena& arena, const Pair& pair, double level,
                         std::span<const Segment> segments, double t) {
   const Segment& a = segments[pair.a];

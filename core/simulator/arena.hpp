@@ -60,6 +60,11 @@ void add_contacts(const Arena& arena, const Pair& pair, std::span<const Body> bo
 void look_again(const Arena& arena, std::span<const Body> bodies, const Pair& pair,
                 ContactPoint& contact);
 
+// The gap of a contact where its bodies are now, m. The corner is behind its edge's line, too, while it
+// is still beside the edge; so what is deeper than `line`, m, is at most as deep as the pair overlaps.
+double gap_beyond(const Arena& arena, std::span<const Body> bodies, const Contact& contact,
+                  double line);
+
 // The first time from t on at which the pair's gap is `level` or less, m, or never; t and the segments
 // as in touch_time().
 double first_time_below(const Arena& arena, const Pair& pair, double level,

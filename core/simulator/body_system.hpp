@@ -8,6 +8,7 @@
 
 #include "core/simulator/coupled_rows.hpp"
 
+#include <array>
 #include <span>
 #include <vector>
 

@@ -183,18 +183,17 @@ SoftProblem& BoxProblem::to_begin_softly(std::span<const InverseMass> mass) {
   return soft_;
 }
 
-bool BoxProblem::begin_softly() {
-  if (soft_.size() != size_ || !is_large()) return false;
+void BoxProblem::begin_softly() {
+  if (soft_.size() != size_) return;
   soft_.b = b;
   soft_.low = low;
   soft_.high = high;
   std::fill_n(soft_.x.begin(), size_, 0.0);
-  if (!soft_.solve()) return false;
+  if (!soft_.solve()) return;
   for (int i = 0; i < size_; ++i) {
     x[i] = soft_.x[i];
     bound_[i] = low[i] < x[i] && x[i] < high[i] ? Bound::free : Bound::fixed;
   }
-  return true;
 }
 
 void BoxProblem::solve() {

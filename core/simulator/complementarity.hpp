@@ -62,7 +62,7 @@ class BoxProblem {
   void solve_free();      // target_ from the free unknowns, the others held
   bool step_to_target();  // true if no bound was in the way
   int most_violating(double tolerance) const;
-  bool begin_softly();
+  void begin_softly();
 
   int size_ = 0;
   std::vector<double> a_;

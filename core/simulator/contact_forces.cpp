@@ -89,7 +89,7 @@ void ContactForces::fit_velocities(std::span<const Drive> drives, std::span<Body
   const auto held = [&](int i) {
     return i >= static_cast<int>(contacts.size()) || constraints_[i].holds;
   };
-  for (int k = 0; k < wheel_count_; ++k) constraints_.push_back(wheels_as_contact(wheels_[k]));
+  for (int k = 0; k < wheel_count_; ++k) constraints_.push_back(held_wheels_[wheels_[k]]);
 
   problem_.reset(static_cast<int>(constraints_.size()));
   bool fits = true;

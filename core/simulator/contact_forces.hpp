@@ -75,8 +75,8 @@ class ContactForces {
   std::array<Contact, max_robots> held_wheels_;  // of each robot
   std::array<int, max_unknowns> candidate_;      // contacts whose gaps do not open
   int candidate_count_ = 0;
-  std::array<int, max_bodies> member_,
-      wheels_;  // bodies with a candidate; robots whose wheels may hold
+  std::array<int, max_bodies> member_;  // bodies with a candidate
+  std::array<int, max_bodies> wheels_;  // robots whose wheels may hold
   int member_count_ = 0;
   int wheel_count_ = 0;
 };

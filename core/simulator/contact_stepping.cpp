@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/simulator/contact_stepping.hpp"
 
+#include "core/base/math.hpp"
 #include "core/simulator/ball_motion.hpp"
 #include "core/simulator/near_pairs.hpp"
 
@@ -21,13 +22,20 @@ constexpr int most_looks = 10;
 constexpr int patient_looks = 4;
 constexpr int most_halvings = 3;
 
-// Overlaps at the begin of a step are not undone faster than that, m/s. Deeper than that, m, they are
-// of a corner that is not over its edge yet.
+// Overlaps at the begin of a step are not undone faster than that, m/s, unless the step is so long that
+// it undoes as much, m, anyway.
 constexpr double fastest_undoing = 2e-4;
-constexpr double deepest_to_undo = 1e-7;
+constexpr double undone_at_once = 1e-7;
 
 // The force of wheels is remembered a hair larger, lest rounding takes what was at its bound off it.
 constexpr double above_rounding = 1.0 + 1e-12;
+// As many steps as fit into a time exactly are not one more.
+constexpr double below_rounding = 1.0 - 1e-9;
+
+// No next step is judged to be shorter, as a share of the longest one; and one that was cut to less
+// than this share of what it should have been says little about the next.
+constexpr double shortest_step = 1.0 / 64.0;
+constexpr double crumb = 0.5;
 
 // Rounds in which the bounds of friction follow the normal impulses.
 constexpr int friction_rounds = 10;
@@ -84,13 +92,18 @@ ContactStepping::Step ContactStepping::take(const BodySet& candidates,
                                             std::span<const InverseMass> mass, double longest,
                                             std::span<Body> bodies) {
   const double length = std::min(longest_step(candidates, bodies), next_step(candidates));
-  double parts = std::ceil(longest / length);
+  double parts = std::ceil(longest / length * below_rounding);
   Step step;
   for (int halved = 0; halved <= most_halvings; ++halved, parts *= 2.0) {
     if (find(candidates, touching, drives, mass, longest / parts, bodies, step)) break;
   }
   for (int i = 0; i < arena_.bodies(); ++i) {
     if (step.members[i]) bodies[i].twist = end_[i].twist;
+  }
+  stepped_ |= step.members;
+  const double next = step.length < crumb * length ? std::max(length, next_) : next_;
+  for (int i = 0; i < arena_.bodies(); ++i) {
+    if (step.members[i]) next_step_[i] = std::max(next, shortest_step * arena_.tolerances.step);
   }
   keep_what_presses(step);
   return step;
@@ -119,6 +132,13 @@ void ContactStepping::forget() {
   pressed_count_ = 0;
   for (Contact& wheels : wheels_) wheels.force = 0.0;
   next_step_.fill(infinity);
+}
+
+void ContactStepping::begin_tick() {
+  for (int i = 0; i < arena_.bodies(); ++i) {
+    if (!stepped_[i]) next_step_[i] = infinity;
+  }
+  stepped_.reset();
 }
 
 // The impulses of a step like the last one.
@@ -208,11 +228,13 @@ void ContactStepping::look_ahead(const BodySet& candidates, std::span<const Cont
   }
 }
 
-// Solves until what was solved for is what is found. False if that does not come about. The normals
-// hardly turn any more, and while they stay each solution but the first costs far less.
+// Solves until what was solved for is what is found, along the normals of the look ahead. False if that
+// does not come about.
 bool ContactStepping::settle(const BodySet& members, std::span<const Drive> drives,
                              std::span<const InverseMass> mass, double length,
                              std::span<const Body> bodies) {
+  next_ = length;
+  paths_.straighten(members);
   recall(members, length);
   leave_overlaps(length, bodies);
   pose(members, drives, mass, length);
@@ -240,10 +262,7 @@ bool ContactStepping::stays_apart(const BodySet& members, double length) {
   const StepPaths::Step step{members, begin_, end_, contacts_.contacts(), length};
   if (!paths_.is_clear(step)) return false;
   const double overlap = paths_.bend(step);
-  const double next = paths_.next_length(step, overlap);
-  for (int i = 0; i < arena_.bodies(); ++i) {
-    if (members[i]) next_step_[i] = next;
-  }
+  next_ = paths_.next_length(step, overlap);
   return overlap <= arena_.tolerances.overlap_within_step;
 }
 
@@ -252,11 +271,9 @@ bool ContactStepping::stays_apart(const BodySet& members, double length) {
 void ContactStepping::leave_overlaps(double length, std::span<const Body> bodies) {
   std::fill_n(left_.begin(), contacts_.count, 0.0);
   const double undone = fastest_undoing * length;
-  if (undone >= deepest_to_undo) return;
+  if (undone >= undone_at_once) return;
   for (int i = 0; i < contacts_.count; ++i) {
-    ContactPoint at = contacts_.list[i].at;
-    look_again(arena_, bodies, contacts_.list[i].pair, at);
-    if (at.gap > -deepest_to_undo) left_[i] = std::max(0.0, -at.gap - undone);
+    left_[i] = std::max(0.0, -gap_beyond(arena_, bodies, contacts_.list[i], 0.0) - undone);
   }
 }
 

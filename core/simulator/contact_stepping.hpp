@@ -8,8 +8,9 @@
 // no gap may be closed further than to zero at the step's end. Which contacts there are, and along
 // which normals, is seen where the bodies would be if they kept their twists. The problem is solved
 // again with the gaps that are found where they come instead, until every contact that pushes touches
-// and none overlaps: so overlaps do not build up and are never pushed out afterwards. How they move between its
-// ends is for step_paths.hpp, and may ask for a shorter step. First order in the step. What meets in a step does not bounce.
+// and none overlaps: so overlaps do not build up and are never pushed out afterwards. How they move
+// between the ends of a step is for step_paths.hpp, and may ask for a shorter one. First order in the
+// step. What meets in a step does not bounce.
 #pragma once
 
 #include "core/simulator/arena.hpp"
@@ -40,12 +41,14 @@ class ContactStepping {
             std::span<const Drive> drives, std::span<const InverseMass> mass, double longest,
             std::span<Body> bodies);
 
-  // Of the last step, if it had members: a member at its end, how far it is beside its arc in the middle
-  // (step_paths.hpp), and the contacts that press.
+  // Of the last step, if it had members: a member at its end, how far it is beside its arc in the
+  // middle, and the contacts that press.
   const Body& end(int member) const { return end_[member]; }
   const Vec2& bend(int member) const { return paths_.bend_of(member); }
   std::span<const Contact> pressing() const { return contacts_.contacts(); }
 
+  // Who was in no step of the last tick may take a long one again.
+  void begin_tick();
   // The next step begins from nothing: bodies were moved.
   void forget();
 
@@ -86,6 +89,8 @@ class ContactStepping {
   std::array<Contact, max_robots> wheels_;
   std::array<Pressed, max_unknowns> pressed_;  // of each body in its last step
   int pressed_count_ = 0;
+  BodySet stepped_;                           // in this tick
+  double next_ = 0.0;                         // s, by what the last attempt at a step was like
   std::array<double, max_bodies> next_step_;  // s, of each body, by what its last one was like
   std::array<Contact*, max_unknowns> row_;    // of each unknown: contacts_, tangents_, wheels_
   std::array<Body, max_bodies> begin_;        // with the twists of the step

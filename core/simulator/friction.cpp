@@ -23,10 +23,10 @@ void resolve_friction(std::span<Contact> contacts, std::span<const InverseMass> 
   for (const Contact& c : contacts) {
     if (c.friction == 0.0 || c.impulse <= 0.0) continue;
     const Contact tangent = tangent_of(c, bodies);
-    const double yield = give(tangent, mass);
-    if (yield <= 0.0) continue;
+    const double compliance = give(tangent, mass);
+    if (compliance <= 0.0) continue;
     const double most = c.friction * c.impulse;
-    const double impulse = std::clamp(-gap_rate(tangent, bodies) / yield, -most, most);
+    const double impulse = std::clamp(-gap_rate(tangent, bodies) / compliance, -most, most);
     apply_impulse(tangent, impulse, mass, bodies);
     some_slid = some_slid || impulse != 0.0;
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Which pairs can touch at all, judged by boxes that hold the bodies' reference points. Asked for
-// every body in every tick, so all of it is inline.
+// Which pairs can touch at all, judged by boxes that hold the bodies' reference points, and what
+// contacts they have. The first is asked for every body in every tick, so all of it is inline.
 #pragma once
 
 #include "core/simulator/arena.hpp"

@@ -25,7 +25,6 @@ void push_apart(std::span<const Contact> contacts, std::span<const InverseMass> 
   for (int i = 0; i < n; ++i) {
     problem.add(row_of(contacts[i]));
     problem.b[i] = contacts[i].at.gap;
-    problem.x[i] = 0.0;
   }
   problem.solve();
 

@@ -20,8 +20,8 @@ void add_shift(const Contact& contact, double amount, std::span<const InverseMas
 
 Body moved_by(const Body& body, const Shift& by);
 
-// Moves bodies apart until no contact's gap is negative, or, where contacts contradict each other, as
-// far as all of them together leave room.
+// Moves bodies apart until next to nothing is left of negative gaps, or, where contacts contradict each
+// other, as far as all of them together leave room.
 void push_apart(std::span<const Contact> contacts, std::span<const InverseMass> free_mass,
                 std::span<Body> bodies, SoftProblem& problem);
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/simulator/slow_wheels.hpp"
 
-#include "core/simulator/robot_motion.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -51,6 +49,31 @@ void stop_slides(std::span<Contact> contacts, std::span<const int> robots, doubl
     return;
   }
   for (int i = 0; i < first_wheels; ++i) contacts[i].impulse += problem.x[i];
+}
+
+void stop_brief_slides(const Arena& arena, const Patience& patience, std::span<const Drive> drives,
+                       std::span<Contact> contacts, std::span<const InverseMass> mass,
+                       std::span<Body> bodies, BoxProblem& problem) {
+  if (contacts.empty() || arena.parameters.grip == infinite_grip) return;
+  BodySet touching;
+  BodySet hit;
+  for (const Contact& c : contacts) {
+    touching |= bodies_of(c.pair);
+    if (c.impulse != 0.0) hit |= bodies_of(c.pair);
+  }
+  std::array<int, max_robots> slow;
+  std::size_t count = 0;
+  double longest = 0.0;
+  for (int i = 0; i < arena.robots; ++i) {
+    const double brief = hit[i] ? patience.brief_slide(i) : patience.rest_slide();
+    const double left = std::abs(bodies[i].twist.left);
+    if (!touching[i] || !drives[i].wheels_on_ground || left > brief) continue;
+    slow[count++] = i;
+    longest = std::max(longest, brief);
+  }
+  // Those that stand must be able to take what stops the others.
+  const double most = arena.parameters.robot_mass * longest;
+  stop_slides(contacts, {slow.data(), count}, most, mass, bodies, problem);
 }
 
 }  // namespace mirocup::simulator

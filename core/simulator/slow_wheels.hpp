@@ -4,7 +4,9 @@
 // and slide on: the ground's impulse that stops them.
 #pragma once
 
-#include "core/simulator/impact.hpp"
+#include "core/simulator/arena.hpp"
+#include "core/simulator/patience.hpp"
+#include "core/simulator/robot_motion.hpp"
 
 #include <span>
 
@@ -15,5 +17,12 @@ namespace mirocup::simulator {
 // push others that stood: where the fastest would be no slower than before, nothing changes.
 void stop_slides(std::span<Contact> contacts, std::span<const int> robots, double most,
                  std::span<const InverseMass> mass, std::span<Body> bodies, BoxProblem& problem);
+
+// What little an impact makes wheels slide would end too soon to be worth an event; so would the slides
+// that come and go where bodies are wedged: stops those, of all robots with a contact. How little that
+// is says patience. The contacts are those of an impact that was resolved.
+void stop_brief_slides(const Arena& arena, const Patience& patience, std::span<const Drive> drives,
+                       std::span<Contact> contacts, std::span<const InverseMass> mass,
+                       std::span<Body> bodies, BoxProblem& problem);
 
 }  // namespace mirocup::simulator

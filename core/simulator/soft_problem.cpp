@@ -57,7 +57,7 @@ void SoftProblem::add(const CoupledRow& row) {
     give_[i] += give_of(row.on_b, mass_[row.b]);
     bodies_.set(row.b);
   }
-  b[i] = low[i] = 0.0;
+  x[i] = b[i] = low[i] = 0.0;
   high[i] = infinity;
   bound_[i] = Bound::fixed;
   system_fits_ = false;

@@ -13,13 +13,17 @@
 
 #include "core/simulator/body_system.hpp"
 
+#include <array>
+#include <span>
+
 namespace mirocup::simulator {
 
+// Kept and reused: making one allocates, solving does not.
 class SoftProblem {
  public:
   // Starts without unknowns. The masses of all bodies that rows will be of.
   void reset(std::span<const InverseMass> mass);
-  // One more unknown, with b = 0 and 0 <= x < infinity.
+  // One more unknown, with x = 0, b = 0 and 0 <= x < infinity.
   void add(const CoupledRow& row);
 
   int size() const { return size_; }

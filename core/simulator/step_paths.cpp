@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/simulator/step_paths.hpp"
 
+#include "core/simulator/shift.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -27,6 +29,10 @@ Body along_bent_arc(const Body& begin, const Vec2& bend, double length, double s
   return body;
 }
 
+double bend_acceleration(const Vec2& bend, double length) {
+  return 8.0 * std::sqrt(bend.squaredNorm()) / (length * length);
+}
+
 Segment bent_segment(const Body& now, const Vec2& bend, double step_begin, double begin,
                      double end) {
   Segment s = steady_segment(now, begin, end);
@@ -42,6 +48,7 @@ Segment bent_segment(const Body& now, const Vec2& bend, double step_begin, doubl
 
 StepPaths::StepPaths(const Arena& arena, SoftProblem& problem)
     : arena_(arena), problem_(problem), arcs_(max_bodies) {
+  bend_.fill({0.0, 0.0});
   for (int i = 0; i < arena.bodies(); ++i) {
     shifted_[i] = arena.is_ball(i) ? arena.ball : arena.free_robot;
     shifted_[i].turn = 0.0;
@@ -69,27 +76,47 @@ bool StepPaths::passes_through(const Step& step, const Contact& c) {
   return overlaps > 0.0 && overlaps != never;
 }
 
-double StepPaths::bend(const Step& step) {
+void StepPaths::straighten(const BodySet& members) {
   is_bent_ = false;
   for (int i = 0; i < arena_.bodies(); ++i) {
-    if (step.members[i]) bend_[i] = {0.0, 0.0};
+    if (members[i]) bend_[i] = {0.0, 0.0};
   }
-  near_count_ = 0;
-  for (const Contact& c : step.contacts) {
-    if (c.impulse != 0.0) near_[near_count_++] = &c;
-  }
+}
+
+double StepPaths::bend(const Step& step) {
+  straighten(step.members);
+  find_pressing_pairs(step);
   const double deepest = overlap_at(step, 0.5);
   const double most = arena_.tolerances.overlap_within_step;
   if (deepest <= not_worth_a_bend * most || deepest > most_bend) return deepest;
-  push_middle_apart(step, 2.0 * deepest);
+  if (push_middle_apart(step) > most_bend) {
+    straighten(step.members);
+    return deepest;
+  }
   is_bent_ = true;
-  return std::max(overlap_at(step, 0.25), overlap_at(step, 0.75));
+  return std::max({overlap_at(step, 0.25), overlap_at(step, 0.5), overlap_at(step, 0.75)});
+}
+
+// All contacts of a pair follow each other.
+void StepPaths::find_pressing_pairs(const Step& step) {
+  near_count_ = 0;
+  const auto& contacts = step.contacts;
+  for (std::size_t first = 0, last = 0; first < contacts.size(); first = last) {
+    bool presses = false;
+    for (; last < contacts.size() && contacts[last].pair == contacts[first].pair; ++last) {
+      presses = presses || contacts[last].impulse != 0.0;
+    }
+    if (!presses) continue;
+    for (std::size_t i = first; i < last; ++i) near_[near_count_++] = &contacts[i];
+  }
 }
 
 double StepPaths::next_length(const Step& step, double overlap) const {
   const double most = arena_.tolerances.overlap_within_step;
   const double ratio = cautious * (overlap > most_bend ? most_bend : most) / overlap;
-  const double longer = is_bent_ ? std::cbrt(ratio) : std::sqrt(ratio);
+  // With the square, or the cube: never longer than its root says.
+  const double root = std::sqrt(ratio);
+  const double longer = is_bent_ && ratio > 1.0 ? std::sqrt(root) : root;
   return step.length * std::min(step_growth, longer);
 }
 
@@ -101,52 +128,40 @@ double StepPaths::overlap_at(const Step& step, double part) {
   }
   double deepest = 0.0;
   for (int i = 0; i < near_count_; ++i) {
-    if (-line_gap_there(*near_[i]) > deepest) deepest = std::max(deepest, -gap_there(*near_[i]));
+    deepest = std::max(deepest, -gap_there(*near_[i]));
   }
   return deepest;
 }
 
-// Of the corner to the line along the edge.
-double StepPaths::line_gap_there(const Contact& c) const {
-  ContactPoint at = c.at;
-  look_again(arena_, there_, c.pair, at);
-  return at.gap;
-}
-
 // A corner that is still beside the edge is behind its line, and overlaps nothing.
 double StepPaths::gap_there(const Contact& c) const {
-  const double line_gap = line_gap_there(c);
-  if (line_gap > -arena_.tolerances.overlap_within_step) return line_gap;
-  const Body& other = there_[c.pair.with_obstacle() ? c.pair.a : c.pair.partner];
-  return std::max(line_gap, gap(arena_, c.pair, there_[c.pair.a], other));
+  return gap_beyond(arena_, there_, c, arena_.tolerances.overlap_within_step);
 }
 
-// The middle is where there_ is. What is farther than `reach` (m) from touching stays out of it.
-void StepPaths::push_middle_apart(const Step& step, double reach) {
+// The middle is where there_ is. What is farther from touching than anybody is taken stays out of it.
+// Returns how far the farthest is, m.
+double StepPaths::push_middle_apart(const Step& step) {
   problem_.reset(shifted_);
   near_count_ = 0;
   for (const Contact& c : step.contacts) {
     const double apart = gap_there(c);
-    if (apart > reach) continue;
+    if (apart > most_bend) continue;
     problem_.add(row_of(c));
     problem_.b[near_count_] = apart;
-    problem_.x[near_count_] = 0.0;
     near_[near_count_++] = &c;
   }
   problem_.solve();
-  std::array<Twist, max_bodies> shift{};
+  std::array<Shift, max_bodies> shifts{};
   for (int i = 0; i < near_count_; ++i) {
-    const Contact& c = *near_[i];
-    const double amount = problem_.x[i];
-    if (amount == 0.0) continue;
-    if (c.a != no_body) add_impulse(c.row_a, amount, shifted_[c.a], shift[c.a]);
-    if (c.b != no_body) add_impulse(c.row_b, -amount, shifted_[c.b], shift[c.b]);
+    if (problem_.x[i] != 0.0) add_shift(*near_[i], problem_.x[i], shifted_, shifts);
   }
-  for (int k = 0; k < arena_.bodies(); ++k) {
-    if (step.members[k]) {
-      bend_[k] = there_[k].heading.to_world({shift[k].forward, shift[k].left});
-    }
+  double farthest = 0.0;
+  for (int i = 0; i < arena_.bodies(); ++i) {
+    if (!step.members[i]) continue;
+    bend_[i] = there_[i].heading.to_world({shifts[i].forward, shifts[i].left});
+    farthest = std::max(farthest, bend_[i].norm());
   }
+  return farthest;
 }
 
 }  // namespace mirocup::simulator

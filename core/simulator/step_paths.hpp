@@ -20,13 +20,16 @@ namespace mirocup::simulator {
 // frame) beside it: where it is `span` seconds after the begin.
 Body along_bent_arc(const Body& begin, const Vec2& bend, double length, double span);
 
+// Its acceleration beside the arc, m/s^2.
+double bend_acceleration(const Vec2& bend, double length);
+
 // The rest of such a step, which began at `step_begin`, s of the tick, from where the body is now.
 Segment bent_segment(const Body& now, const Vec2& bend, double step_begin, double begin,
                      double end);
 
 class StepPaths {
  public:
-  // Both outlive it.
+  // Both outlive it. Looking at a step resets the problem.
   StepPaths(const Arena& arena, SoftProblem& problem);
 
   // What a step is judged by: its members, each at the begin with the twist of the step, its contacts
@@ -40,6 +43,8 @@ class StepPaths {
 
   // Can no two corners pass through each other on the way to an end where they are apart?
   bool is_clear(const Step& step);
+  // Nobody is beside an arc, until bend() says so.
+  void straighten(const BodySet& members);
   // Bends the arcs of the members where those who press would overlap. Returns how deep two of them
   // still do, m.
   double bend(const Step& step);
@@ -51,9 +56,9 @@ class StepPaths {
  private:
   bool passes_through(const Step& step, const Contact& contact);
   double overlap_at(const Step& step, double part);
-  double line_gap_there(const Contact& contact) const;
   double gap_there(const Contact& contact) const;
-  void push_middle_apart(const Step& step, double reach);
+  void find_pressing_pairs(const Step& step);
+  double push_middle_apart(const Step& step);
 
   const Arena& arena_;
   SoftProblem& problem_;

@@ -72,6 +72,7 @@ const TickEvents& World::advance(std::span<const WheelCommand> commands, double 
     steps_->forget();
   }
   bodies_were_set_ = false;
+  steps_->begin_tick();
   patience_.begin_tick(touching_bodies());
   if (!patience_.is_exhausted(all) || were_set) run_into_each_other(0.0);
   go_on(all, 0.0, duration);
@@ -196,7 +197,7 @@ BodySet World::step(const BodySet& candidates, double t, double tick_end) {
     const Twist& v = bodies_[i].twist;
     const double speed = std::sqrt(v.forward * v.forward + v.left * v.left);
     bends_[i] = steps_->bend(i);
-    const double bent = 8.0 * std::sqrt(bends_[i].squaredNorm()) / (length * length);
+    const double bent = bend_acceleration(bends_[i], end - t);
     ways_[i] = way_between(bodies_[i].position, steps_->end(i).position, t, end - t,
                            speed * std::abs(v.turn) + bent, std::abs(v.turn));
     boxes_[i] = box_around(ways_[i], end - t);
@@ -352,31 +353,7 @@ void World::collide(double t) {
     if (trace_ != nullptr) add_impact(c, t, *trace_);
     patience_.note_bounce(c.pair, t);
   }
-  stop_brief_slides();
-}
-
-// What little an impact makes wheels slide would end too soon to be worth an event; so would the
-// slides that come and go where bodies are wedged.
-void World::stop_brief_slides() {
-  if (contacts_.count == 0 || arena_.parameters.grip == infinite_grip) return;
-  const BodySet touching = touching_bodies();
-  BodySet hit;
-  for (const Contact& c : contacts_.contacts()) {
-    if (c.impulse != 0.0) hit |= bodies_of(c.pair);
-  }
-  std::array<int, max_robots> slow;
-  std::size_t count = 0;
-  double longest = 0.0;
-  for (int i = 0; i < arena_.robots; ++i) {
-    const double brief = hit[i] ? patience_.brief_slide(i) : patience_.rest_slide();
-    const double left = std::abs(bodies_[i].twist.left);
-    if (!touching[i] || !drives_[i].wheels_on_ground || left > brief) continue;
-    slow[count++] = i;
-    longest = std::max(longest, brief);
-  }
-  // Those that stand must be able to take what stops the others.
-  const double most = arena_.parameters.robot_mass * longest;
-  stop_slides(contacts_.contacts(), {slow.data(), count}, most, mass_, bodies_, *problem_);
+  stop_brief_slides(arena_, patience_, drives_, contacts_.contacts(), mass_, bodies_, *problem_);
 }
 
 void World::note_touches(std::span<const Contact> contacts) {

@@ -97,7 +97,6 @@ class World {
   BodySet touching_bodies() const;
   void separate_overlaps();
   void collide(double t);
-  void stop_brief_slides();
   void start_segments(const BodySet& involved, double t, double tick_end);
   void note_touches(std::span<const Contact> contacts);
 
@@ -117,7 +116,7 @@ class World {
   TickEvents events_;
   bool bodies_were_set_ = true;
   Companies companies_;
-  std::array<Vec2, max_bodies> bends_{};  // m, of the steps of those who are in one
+  std::array<Vec2, max_bodies> bends_;  // m, of the steps of those who are in one
   Trace* trace_ = nullptr;
 
   ContactList contacts_;  // of the event being played; between ticks, of all bodies

@@ -38,15 +38,16 @@ TEST(ContactStepping, CornersDoNotPassThroughEachOther) {
     ASSERT_EQ(members, both);
     for (int part = 0; part <= 1000; ++part) {
       const double t = length * part / 1000.0;
-      const Body a = along_arc(bodies[0], t);
-      const Body b = along_arc(bodies[1], t);
+      const Body a = along_bent_arc(bodies[0], steps.bend(0), length, t);
+      const Body b = along_bent_arc(bodies[1], steps.bend(1), length, t);
       ASSERT_GT(gap(arena, pair_of(0, 1), b, a), -1e-6) << "after " << t << " s";
     }
   }
 }
 
 // A robot spins with a corner on another's side: it touches at both ends of a step and would be 10 µm
-// inside between, where somebody may run into it. Catches arcs that are not bent, or the wrong way.
+// inside between, where somebody may run into it. Catches arcs that are not bent, or the wrong way, and
+// steps that are short instead.
 TEST(ContactStepping, TurningRobotsStayTogetherWithinAStep) {
   const Parameters p;
   const Arena arena = make_arena(nullptr, p, Tolerances{}, 2, false);
@@ -60,16 +61,15 @@ TEST(ContactStepping, TurningRobotsStayTogetherWithinAStep) {
     bodies[1] = {{side * reach, 0.0}, Heading::from_angle(out + pi / 4.0), {-0.2, 0.2, 20.0}};
     const std::array<Drive, 2> lifted{drive_of(p, std::nullopt), drive_of(p, std::nullopt)};
     const std::array<InverseMass, 2> mass{arena.free_robot, arena.free_robot};
-    for (int step = 0; step < 5; ++step) {
-      const auto [members, length] = steps.take(BodySet(3), {}, lifted, mass, 2e-3, bodies);
-      ASSERT_EQ(members, BodySet(3));
-      for (int part = 0; part <= 20; ++part) {
-        const double t = length * part / 20.0;
-        const Body a = along_bent_arc(bodies[0], steps.bend(0), length, t);
-        const Body b = along_bent_arc(bodies[1], steps.bend(1), length, t);
-        EXPECT_GT(gap(arena, pair_of(0, 1), b, a), -1e-6) << "step " << step << ", " << t << " s";
-      }
-      for (Body& body : bodies) body = along_arc(body, length);
+    const auto [members, length] = steps.take(BodySet(3), {}, lifted, mass, 2e-3, bodies);
+    ASSERT_EQ(members, BodySet(3));
+    EXPECT_EQ(length, 2e-3);
+    EXPECT_GT(steps.bend(1).norm(), 1e-6);
+    for (int part = 0; part <= 20; ++part) {
+      const double t = length * part / 20.0;
+      const Body a = along_bent_arc(bodies[0], steps.bend(0), length, t);
+      const Body b = along_bent_arc(bodies[1], steps.bend(1), length, t);
+      EXPECT_GT(gap(arena, pair_of(0, 1), b, a), -1e-6) << t << " s";
     }
   }
 }
@@ -81,8 +81,9 @@ TEST(ContactStepping, ShortStepsDoNotThrowApart) {
   const Arena arena = make_arena(nullptr, p, Tolerances{}, 2, false);
   SoftProblem problem;
   ContactStepping steps(arena, problem);
-  for (const double side : {1.0, -1.0}) {
-    std::array<Body, 2> bodies{Body{}, Body{{side * (p.robot_side - 1e-12), 0.01}, Heading{}, {}}};
+  for (const double overlap : {1e-12, -1e-12, 5e-7, -5e-7}) {
+    const double side = overlap > 0.0 ? 1.0 : -1.0;
+    std::array<Body, 2> bodies{Body{}, Body{{side * p.robot_side - overlap, 0.01}, Heading{}, {}}};
     const std::array<Drive, 2> drives{drive_of(p, WheelSpeeds{}), drive_of(p, WheelSpeeds{})};
     const std::array<InverseMass, 2> mass{arena.grounded_robot, arena.grounded_robot};
     const auto [members, length] = steps.take(BodySet(3), {}, drives, mass, 3e-12, bodies);

@@ -22,7 +22,7 @@ struct Row {
   std::array<InverseMass, 4> mass{};
   ContactList list;
 
-  // Robots beside each other, `by` too close, the last against the ball if there is one.
+  // Robots beside each other, `by` too close.
   Row(int robots, double by, double side) : arena(make_arena(nullptr, {}, {}, robots, false)) {
     for (int i = 0; i < robots; ++i) {
       bodies[i].position = {side * i * (arena.parameters.robot_side - by), 0.0};

@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace mirocup::simulator {
@@ -44,7 +43,6 @@ class RandomProblem {
         p_.high[i] = 0.2;
       }
     }
-    std::fill_n(p_.x.begin(), size, 0.0);
     move_on(random);
   }
 
@@ -134,7 +132,6 @@ TEST(SoftProblem, LeavesGivenUnknowns) {
   p.add({.a = 0, .b = no_body, .on_a = {1.0, 0.0, 0.5}, .on_b = {}});
   p.b = {-1.0, -1.0, 0.0};
   p.low[1] = p.high[1] = 0.5;
-  std::fill_n(p.x.begin(), 3, 0.0);
   EXPECT_TRUE(p.solve());
   EXPECT_EQ(p.x[0], 0.0);
   EXPECT_EQ(p.x[1], 0.5);
