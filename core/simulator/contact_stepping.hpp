@@ -41,10 +41,10 @@ class ContactStepping {
             std::span<const Drive> drives, std::span<const InverseMass> mass, double longest,
             std::span<Body> bodies);
 
-  // Of the last step, if it had members: a member at its end, how far it is beside its arc in the
-  // middle, and the contacts that press.
-  const Body& end(int member) const { return end_[member]; }
+  // How far a body is beside its arc in the middle of the step that it takes, m.
   const Vec2& bend(int member) const { return paths_.bend_of(member); }
+  // Of the last step, if it had members: a member at its end, and the contacts that press.
+  const Body& end(int member) const { return end_[member]; }
   std::span<const Contact> pressing() const { return contacts_.contacts(); }
 
   // Who was in no step of the last tick may take a long one again.

@@ -20,6 +20,18 @@ constexpr double most_bend = 2e-5;
 constexpr double cautious = 0.8;
 constexpr double step_growth = 2.0;
 
+// Calls visit(contacts, presses) for each pair: all contacts of a pair follow each other.
+template <class Visit>
+void for_each_pair(std::span<const Contact> contacts, Visit visit) {
+  for (std::size_t first = 0, last = 0; first < contacts.size(); first = last) {
+    bool presses = false;
+    for (; last < contacts.size() && contacts[last].pair == contacts[first].pair; ++last) {
+      presses = presses || contacts[last].impulse != 0.0;
+    }
+    visit(contacts.subspan(first, last - first), presses);
+  }
+}
+
 }  // namespace
 
 Body along_bent_arc(const Body& begin, const Vec2& bend, double length, double span) {
@@ -56,18 +68,17 @@ StepPaths::StepPaths(const Arena& arena, SoftProblem& problem)
 }
 
 bool StepPaths::is_clear(const Step& step) {
-  return std::none_of(step.contacts.begin(), step.contacts.end(), [&](const Contact& c) {
-    return c.impulse == 0.0 && passes_through(step, c);
+  bool clear = true;
+  for_each_pair(step.contacts, [&](std::span<const Contact> contacts, bool presses) {
+    if (presses) return;
+    for (const Contact& c : contacts) clear = clear && !passes_through(step, c);
   });
+  return clear;
 }
 
 // Only what opens at the end, and was not as far apart at the begin as that says, is worth a search.
 bool StepPaths::passes_through(const Step& step, const Contact& c) {
   if (c.at.gap >= gap_rate(c, step.end) * step.length) return false;
-  const auto presses = [&](const Contact& other) {
-    return other.impulse != 0.0 && other.pair == c.pair;
-  };
-  if (std::any_of(step.contacts.begin(), step.contacts.end(), presses)) return false;
   for (const int i : {c.a, c.b}) {
     if (i != no_body) arcs_[i] = steady_segment(step.begin[i], 0.0, step.length);
   }
@@ -84,8 +95,11 @@ void StepPaths::straighten(const BodySet& members) {
 }
 
 double StepPaths::bend(const Step& step) {
-  straighten(step.members);
-  find_pressing_pairs(step);
+  near_count_ = 0;
+  for_each_pair(step.contacts, [&](std::span<const Contact> contacts, bool presses) {
+    if (!presses) return;
+    for (const Contact& c : contacts) near_[near_count_++] = &c;
+  });
   const double deepest = overlap_at(step, 0.5);
   const double most = arena_.tolerances.overlap_within_step;
   if (deepest <= not_worth_a_bend * most || deepest > most_bend) return deepest;
@@ -95,20 +109,6 @@ double StepPaths::bend(const Step& step) {
   }
   is_bent_ = true;
   return std::max({overlap_at(step, 0.25), overlap_at(step, 0.5), overlap_at(step, 0.75)});
-}
-
-// All contacts of a pair follow each other.
-void StepPaths::find_pressing_pairs(const Step& step) {
-  near_count_ = 0;
-  const auto& contacts = step.contacts;
-  for (std::size_t first = 0, last = 0; first < contacts.size(); first = last) {
-    bool presses = false;
-    for (; last < contacts.size() && contacts[last].pair == contacts[first].pair; ++last) {
-      presses = presses || contacts[last].impulse != 0.0;
-    }
-    if (!presses) continue;
-    for (std::size_t i = first; i < last; ++i) near_[near_count_++] = &contacts[i];
-  }
 }
 
 double StepPaths::next_length(const Step& step, double overlap) const {

@@ -43,7 +43,7 @@ class StepPaths {
 
   // Can no two corners pass through each other on the way to an end where they are apart?
   bool is_clear(const Step& step);
-  // Nobody is beside an arc, until bend() says so.
+  // None of them is beside an arc, until bend() says so: for the begin of each attempt at a step.
   void straighten(const BodySet& members);
   // Bends the arcs of the members where those who press would overlap. Returns how deep two of them
   // still do, m.
@@ -51,13 +51,13 @@ class StepPaths {
   // How long the next such step may be, s, to overlap by a little less than is allowed.
   double next_length(const Step& step, double overlap) const;
 
+  // Of a body's last step; stays until the next attempt at one with that body.
   const Vec2& bend_of(int member) const { return bend_[member]; }
 
  private:
   bool passes_through(const Step& step, const Contact& contact);
   double overlap_at(const Step& step, double part);
   double gap_there(const Contact& contact) const;
-  void find_pressing_pairs(const Step& step);
   double push_middle_apart(const Step& step);
 
   const Arena& arena_;

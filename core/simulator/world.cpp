@@ -196,8 +196,7 @@ BodySet World::step(const BodySet& candidates, double t, double tick_end) {
     segments_[i].end = end;
     const Twist& v = bodies_[i].twist;
     const double speed = std::sqrt(v.forward * v.forward + v.left * v.left);
-    bends_[i] = steps_->bend(i);
-    const double bent = bend_acceleration(bends_[i], end - t);
+    const double bent = bend_acceleration(steps_->bend(i), end - t);
     ways_[i] = way_between(bodies_[i].position, steps_->end(i).position, t, end - t,
                            speed * std::abs(v.turn) + bent, std::abs(v.turn));
     boxes_[i] = box_around(ways_[i], end - t);
@@ -285,7 +284,8 @@ void World::write_as_series(int body, double t, double tick_end) {
   quiet_.reset(body);
   segments_[body] =
       companies_.is_stepping(body)
-          ? bent_segment(bodies_[body], bends_[body], segments_[body].begin, t, segments_[body].end)
+          ? bent_segment(bodies_[body], steps_->bend(body), segments_[body].begin, t,
+                         segments_[body].end)
           : drive(arena_.parameters, bodies_[body], drives_[body], t, tick_end, never);
   boxes_[body] = swept_box(segments_[body]);
   ways_[body] = way_along(segments_[body]);
@@ -295,7 +295,7 @@ Body World::body_now(int body, double t) const {
   if (!quiet_[body]) return body_at(segments_[body], t);
   if (companies_.is_stepping(body)) {
     const Segment& s = segments_[body];
-    return along_bent_arc(bodies_[body], bends_[body], s.end - s.begin, t - s.begin);
+    return along_bent_arc(bodies_[body], steps_->bend(body), s.end - s.begin, t - s.begin);
   }
   if (t == segments_[body].end) return quiet_end_[body];
   const double span = t - segments_[body].begin;

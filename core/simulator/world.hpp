@@ -116,7 +116,6 @@ class World {
   TickEvents events_;
   bool bodies_were_set_ = true;
   Companies companies_;
-  std::array<Vec2, max_bodies> bends_;  // m, of the steps of those who are in one
   Trace* trace_ = nullptr;
 
   ContactList contacts_;  // of the event being played; between ticks, of all bodies
