@@ -27,12 +27,14 @@ constexpr int large = 32;
 
 }  // namespace
 
-BoxProblem::BoxProblem() : a_(max_unknowns * max_unknowns), factor_(max_unknowns * max_unknowns) {}
+BoxProblem::BoxProblem()
+    : a_(std::make_unique_for_overwrite<double[]>(max_unknowns * max_unknowns)),
+      factor_(std::make_unique_for_overwrite<double[]>(max_unknowns * max_unknowns)) {}
 
 void BoxProblem::reset(int size) {
   size_ = size;
   soft_.reset({});
-  std::fill_n(a_.begin(), size * size, 0.0);
+  std::fill_n(a_.get(), size * size, 0.0);
   std::fill_n(b.begin(), size, 0.0);
   std::fill_n(low.begin(), size, 0.0);
   std::fill_n(high.begin(), size, infinity);

@@ -17,7 +17,7 @@
 #include "core/simulator/soft_problem.hpp"
 
 #include <array>
-#include <vector>
+#include <memory>
 
 namespace mirocup::simulator {
 
@@ -65,8 +65,9 @@ class BoxProblem {
   void begin_softly();
 
   int size_ = 0;
-  std::vector<double> a_;
-  std::vector<double> factor_;  // row i of the factor belongs to unknown i
+  // Not cleared: most of it is never touched.
+  std::unique_ptr<double[]> a_;
+  std::unique_ptr<double[]> factor_;  // row i of the factor belongs to unknown i
   Unknowns target_, rhs_, pivot_;
   std::array<Bound, max_unknowns> bound_;
   std::array<bool, max_unknowns> banned_;

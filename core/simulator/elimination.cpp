@@ -17,13 +17,13 @@ constexpr double independent_pivot = 1e-3;
 }  // namespace
 
 Elimination::Elimination()
-    : a_(max_unknowns * max_unknowns),
-      factor_(max_unknowns * max_unknowns),
-      packed_(max_unknowns * (max_unknowns + 1) / 2) {}
+    : a_(std::make_unique_for_overwrite<double[]>(max_unknowns * max_unknowns)),
+      factor_(std::make_unique_for_overwrite<double[]>(max_unknowns * max_unknowns)),
+      packed_(std::make_unique_for_overwrite<double[]>(max_unknowns * (max_unknowns + 1) / 2)) {}
 
 void Elimination::reset(int n) {
   size_ = n;
-  std::fill_n(a_.begin(), n * n, 0.0);
+  std::fill_n(a_.get(), n * n, 0.0);
 }
 
 // What nearly depends on others comes behind all that are clear, the largest pivot first: dividing
@@ -51,7 +51,7 @@ void Elimination::factorise() {
 
 // The rows one after the other, as solve() reads them: it is called for every term of a motion.
 void Elimination::pack() {
-  double* to = packed_.data();
+  double* to = packed_.get();
   for (int k = 0; k < size_; ++k) {
     const double* row = &factor_[order_[k] * size_];
     to = std::copy_n(row, k + 1, to);
@@ -79,7 +79,7 @@ void Elimination::take(int place, int taken) {
 
 void Elimination::solve(std::array<double, max_unknowns>& rhs) const {
   std::array<double, max_unknowns> y;
-  const double* row = packed_.data();
+  const double* row = packed_.get();
   for (int k = 0; k < size_; ++k) {
     const int i = order_[k];
     double sum = rhs[i];

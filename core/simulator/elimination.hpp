@@ -7,7 +7,7 @@
 #include "core/simulator/complementarity.hpp"
 
 #include <array>
-#include <vector>
+#include <memory>
 
 namespace mirocup::simulator {
 
@@ -35,9 +35,10 @@ class Elimination {
   void pack();
 
   int size_ = 0;
-  std::vector<double> a_;
-  std::vector<double> factor_;           // row i belongs to equation i
-  std::vector<double> packed_;           // the same in their order, without gaps
+  // Not cleared: most of it is never touched.
+  std::unique_ptr<double[]> a_;
+  std::unique_ptr<double[]> factor_;     // row i belongs to equation i
+  std::unique_ptr<double[]> packed_;     // the same in their order, without gaps
   std::array<int, max_unknowns> order_;  // of the equations in it
   std::array<double, max_unknowns> pivot_;
   std::array<bool, max_unknowns> depends_;
