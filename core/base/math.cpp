@@ -19,9 +19,29 @@ constexpr double half_pi_3 = 0x1.3198a2e037073p-69;
 constexpr double ln2_1 = 0x1.62e42feep-1;
 constexpr double ln2_2 = 0x1.a39ef35793c76p-33;
 
-constexpr int sine_terms = 9;    // x^19/19! < 1e-19 for |x| <= pi/4
-constexpr int cosine_terms = 9;  // x^18/18!
-constexpr int exp_terms = 14;    // x^15/15! < 1e-19 for |x| <= ln(2)/2
+constexpr int sine_terms = 9;         // x^19/19! < 1e-19 for |x| <= pi/4
+constexpr int cosine_terms = 9;       // x^18/18!
+constexpr int exp_terms = 14;         // x^15/15! < 1e-19 for |x| <= ln(2)/2
+constexpr int arctangent_terms = 11;  // x^12/13 < 1e-19 for |x| <= 1/32
+
+// atan(k/16) for k = 0 .. 16.
+constexpr std::array<double, 17> arctangent_of_sixteenths{0x0.0p+0,
+                                                          0x1.ff55bb72cfdeap-5,
+                                                          0x1.fd5ba9aac2f6ep-4,
+                                                          0x1.7b97b4bce5b02p-3,
+                                                          0x1.f5b75f92c80ddp-3,
+                                                          0x1.362773707ebccp-2,
+                                                          0x1.6f61941e4def1p-2,
+                                                          0x1.a64eec3cc23fdp-2,
+                                                          0x1.dac670561bb4fp-2,
+                                                          0x1.0657e94db30d0p-1,
+                                                          0x1.1e00babdefeb4p-1,
+                                                          0x1.345f01cce37bbp-1,
+                                                          0x1.4978fa3269ee1p-1,
+                                                          0x1.5d58987169b18p-1,
+                                                          0x1.700a7c5784634p-1,
+                                                          0x1.819d0b7158a4dp-1,
+                                                          0x1.921fb54442d18p-1};
 
 // 1/k! for k = 0 .. 19.
 constexpr auto inverse_factorial = [] {
@@ -159,20 +179,23 @@ double log1p(double x) {
 
 double atan2(double y, double x) {
   if (x == 0.0 && y == 0.0) return 0.0;
-  // The octant is taken off first, so that the halvings below start at most at 45 degrees.
+  // The octant is taken off first, then the nearest sixteenth: atan(t) = atan(c) + atan(r).
   const double ax = std::abs(x);
   const double ay = std::abs(y);
   const bool steep = ay > ax;
-  double t = steep ? ax / ay : ay / ax;
-  // atan(t) = 2 atan(t / (1 + sqrt(1 + t^2))), twice: t <= 0.199.
-  t = t / (1.0 + std::sqrt(1.0 + t * t));
-  t = t / (1.0 + std::sqrt(1.0 + t * t));
-  const double z = t * t;
+  const double longer = steep ? ay : ax;
+  const double shorter = steep ? ax : ay;
+  const double t = shorter / longer;
+  if (!(t <= 1.0)) return t;  // not a number
+  const int nearest = static_cast<int>(16.0 * t + 0.5);
+  const double c = nearest / 16.0;
+  const double r = (shorter - c * longer) / (longer + c * shorter);
+  const double z = r * r;
   double sum = 0.0;
-  for (int k = 23; k >= 3; k -= 2) {
+  for (int k = arctangent_terms; k >= 3; k -= 2) {
     sum = ((k / 2) % 2 ? -1.0 / k : 1.0 / k) + sum * z;
   }
-  double angle = 4.0 * (t + t * z * sum);
+  double angle = arctangent_of_sixteenths[nearest] + (r + r * z * sum);
   if (steep) angle = 0.5 * pi - angle;
   if (x < 0.0) angle = pi - angle;
   return y < 0.0 ? -angle : angle;

@@ -2,16 +2,17 @@
 #include "core/simulator/body_system.hpp"
 
 #include <algorithm>
-#include <bit>
 
 namespace mirocup::simulator {
 
 namespace {
 
-// Calls visit(body) for each bit, in increasing order.
-template <class Visit>
-void for_each_body(unsigned long bodies, Visit visit) {
-  for (; bodies != 0; bodies &= bodies - 1UL) visit(std::countr_zero(bodies));
+// Of a block on the diagonal, what stands left of it is never read.
+void add_square(const JacobianRow& p, double weight, std::array<JacobianRow, 3>& to) {
+  for (int i = 0; i < 3; ++i) {
+    const double by = weight * p[i];
+    for (int j = i; j < 3; ++j) to[i][j] += by * p[j];
+  }
 }
 
 void add_product(const JacobianRow& p, const JacobianRow& q, double weight,
@@ -20,6 +21,14 @@ void add_product(const JacobianRow& p, const JacobianRow& q, double weight,
     const double by = weight * p[i];
     for (int j = 0; j < 3; ++j) to[i][j] += by * q[j];
   }
+}
+
+std::array<JacobianRow, 3> transposed(const std::array<JacobianRow, 3>& block) {
+  std::array<JacobianRow, 3> t;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) t[i][j] = block[j][i];
+  }
+  return t;
 }
 
 }  // namespace
@@ -51,9 +60,9 @@ void BodySystem::couple(int body, unsigned long others) {
 }
 
 void BodySystem::add(const CoupledRow& row, double weight) {
-  add_product(row.on_a, row.on_a, weight, block(row.a, row.a));
+  add_square(row.on_a, weight, block(row.a, row.a));
   if (row.b == no_body) return;
-  add_product(row.on_b, row.on_b, weight, block(row.b, row.b));
+  add_square(row.on_b, weight, block(row.b, row.b));
   couple(row.a, 1UL << row.b);
   if (row.a > row.b) {
     add_product(row.on_a, row.on_b, weight, block(row.a, row.b));
@@ -87,21 +96,19 @@ void BodySystem::leave(int body) {
 void BodySystem::gather(int body, unsigned long others) {
   Front& f = fronts_[body];
   f.others = others;
-  for (int r = 0; r < 3; ++r) std::copy_n(block(body, body)[r].begin(), 3, f.row[r].begin());
-  int column = 3;
+  f.own = block(body, body);
+  int count = 0;
   for_each_body(others, [&](int other) {
-    for (int r = 0; r < 3; ++r) {
-      for (int c = 0; c < 3; ++c) {
-        f.row[r][column + c] = other > body ? block(other, body)[c][r] : block(body, other)[r][c];
-      }
-    }
-    column += 3;
+    f.beside[count++] = other > body ? transposed(block(other, body)) : block(body, other);
   });
   for (int r = 0; r < 3; ++r) {
-    f.inverse_pivot[r] = 1.0 / f.row[r][r];
+    f.inverse_pivot[r] = 1.0 / f.own[r][r];
     for (int below = r + 1; below < 3; ++below) {
-      const double by = f.row[r][below] * f.inverse_pivot[r];
-      for (int c = below; c < column; ++c) f.row[below][c] -= by * f.row[r][c];
+      const double by = f.own[r][below] * f.inverse_pivot[r];
+      for (int c = below; c < 3; ++c) f.own[below][c] -= by * f.own[r][c];
+      for (int k = 0; k < count; ++k) {
+        for (int c = 0; c < 3; ++c) f.beside[k][below][c] -= by * f.beside[k][r][c];
+      }
     }
   }
 }
@@ -109,24 +116,24 @@ void BodySystem::gather(int body, unsigned long others) {
 // The body's rows from those of all that are coupled with it, which thereby are with each other.
 void BodySystem::eliminate(int body) {
   const Front& f = fronts_[body];
-  int at = 3;
+  int at = 0;
   for_each_body(f.others, [&](int low) {
     couple(low, f.others & ~(1UL << low));
-    Block by;
+    Block by = f.beside[at];
     for (int r = 0; r < 3; ++r) {
-      for (int c = 0; c < 3; ++c) by[r][c] = f.row[r][at + c] * f.inverse_pivot[r];
+      for (int c = 0; c < 3; ++c) by[r][c] *= f.inverse_pivot[r];
     }
-    int column = at;
+    int beside = at;
     for_each_body(f.others & ~((1UL << low) - 1UL), [&](int high) {
+      const Block& rows = f.beside[beside++];
       Block& to = block(high, low);
-      for (int r = 0; r < 3; ++r) {
-        for (int i = 0; i < 3; ++i) {
-          for (int j = 0; j < 3; ++j) to[i][j] -= f.row[r][column + i] * by[r][j];
+      for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+          to[i][j] -= rows[0][i] * by[0][j] + rows[1][i] * by[1][j] + rows[2][i] * by[2][j];
         }
       }
-      column += 3;
     });
-    at += 3;
+    ++at;
   });
 }
 
@@ -134,28 +141,32 @@ void BodySystem::solve(BodyVector& rhs) const {
   for (int k = 0; k < count_; ++k) {
     const Front& f = fronts_[order_[k]];
     JacobianRow& own = rhs[order_[k]];
+    JacobianRow by;
     for (int r = 0; r < 3; ++r) {
-      const double by = own[r] * f.inverse_pivot[r];
-      for (int below = r + 1; below < 3; ++below) own[below] -= by * f.row[r][below];
-      int column = 3;
-      for_each_body(f.others, [&](int other) {
-        for (int c = 0; c < 3; ++c) rhs[other][c] -= by * f.row[r][column + c];
-        column += 3;
-      });
+      by[r] = own[r] * f.inverse_pivot[r];
+      for (int below = r + 1; below < 3; ++below) own[below] -= by[r] * f.own[r][below];
     }
+    const Block* beside = f.beside.data();
+    for_each_body(f.others, [&](int other) {
+      const Block& rows = *beside++;
+      for (int c = 0; c < 3; ++c) {
+        rhs[other][c] -= by[0] * rows[0][c] + by[1] * rows[1][c] + by[2] * rows[2][c];
+      }
+    });
   }
   for (int k = count_ - 1; k >= 0; --k) {
     const Front& f = fronts_[order_[k]];
     JacobianRow& own = rhs[order_[k]];
+    const Block* beside = f.beside.data();
+    for_each_body(f.others, [&](int other) {
+      const Block& rows = *beside++;
+      const JacobianRow& v = rhs[other];
+      for (int r = 0; r < 3; ++r)
+        own[r] -= rows[r][0] * v[0] + rows[r][1] * v[1] + rows[r][2] * v[2];
+    });
     for (int r = 2; r >= 0; --r) {
-      double sum = own[r];
-      for (int c = r + 1; c < 3; ++c) sum -= f.row[r][c] * own[c];
-      int column = 3;
-      for_each_body(f.others, [&](int other) {
-        for (int c = 0; c < 3; ++c) sum -= f.row[r][column + c] * rhs[other][c];
-        column += 3;
-      });
-      own[r] = sum * f.inverse_pivot[r];
+      for (int c = r + 1; c < 3; ++c) own[r] -= f.own[r][c] * own[c];
+      own[r] *= f.inverse_pivot[r];
     }
   }
 }

@@ -32,12 +32,13 @@ class BodySystem {
   void solve(BodyVector& rhs) const;
 
  private:
-  using Block = std::array<JacobianRow, 3>;
-  // The rows of a body when it is eliminated: its own three columns, then those of `others`.
+  using Block = std::array<JacobianRow, 3>;  // rows, then columns
+  // The rows of a body when it is eliminated: the columns of its own, then of each of the `others`.
   struct Front {
-    std::array<std::array<double, 3 * max_bodies>, 3> row;
+    Block own;
     JacobianRow inverse_pivot;
     unsigned long others;
+    std::array<Block, max_bodies> beside;
   };
 
   Block& block(int high, int low) { return blocks_[high * max_bodies + low]; }

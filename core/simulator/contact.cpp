@@ -113,21 +113,27 @@ Axis nearest_axis(const Shape& polygon, const Vec2& point) {
   return {normal, normal.dot(polygon.corner[corner]), distance, edge, corner};
 }
 
+// The edge that faces the other's middle comes first: most others are out of question then.
 EdgeSeparation best_edge(const Shape& reference, const Shape& other, const Vec2& position,
                          const Heading& heading) {
-  std::array<Vec2, max_corners> corner;
-  for (int i = 0; i < other.corners; ++i) {
-    corner[i] = position + heading.to_world(other.corner[i]);
+  std::array<double, max_corners> of_middle{};
+  int facing = 0;
+  for (int edge = 0; edge < reference.corners; ++edge) {
+    of_middle[edge] = reference.normal[edge].dot(position) - reference.offset[edge];
+    if (of_middle[edge] > of_middle[facing]) facing = edge;
   }
-  EdgeSeparation best{0, -infinity};
+  const auto separation_of = [&](int edge) {
+    const Vec2 normal = heading.to_body(reference.normal[edge]);
+    double nearest = infinity;
+    for (int i = 0; i < other.corners; ++i)
+      nearest = std::min(nearest, normal.dot(other.corner[i]));
+    return of_middle[edge] + nearest;
+  };
+  EdgeSeparation best{facing, separation_of(facing)};
   const double reach = other.inner_radius * (1.0 - 1e-9);  // at least so far towards any edge
   for (int edge = 0; edge < reference.corners; ++edge) {
-    const Vec2& normal = reference.normal[edge];
-    const double offset = reference.offset[edge];
-    if (normal.dot(position) - reach - offset <= best.separation) continue;
-    double nearest = infinity;
-    for (int i = 0; i < other.corners; ++i) nearest = std::min(nearest, normal.dot(corner[i]));
-    const double separation = nearest - offset;
+    if (edge == facing || of_middle[edge] - reach <= best.separation) continue;
+    const double separation = separation_of(edge);
     if (separation > best.separation) best = {edge, separation};
   }
   return best;

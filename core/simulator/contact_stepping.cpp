@@ -6,6 +6,7 @@
 #include "core/simulator/near_pairs.hpp"
 
 #include <algorithm>
+#include <bitset>
 #include <cmath>
 
 namespace mirocup::simulator {
@@ -202,12 +203,18 @@ bool ContactStepping::find(const BodySet& candidates, std::span<const Contact> t
          length <= too_far * longest_step(step.members, end_);
 }
 
-// What motors can do to the distance of two corners within a step, m: both robots go to full speed, or
-// to their fastest turn, which moves a corner about as fast, and do so over the whole step.
-double ContactStepping::reach_of_motors(double length) const {
-  const Parameters& p = arena_.parameters;
-  const double fastest = p.wheel_radius * p.wheel_speed_limit;
-  return 2.0 * 2.0 * fastest / p.motor_time_constant * length * length;
+// How much the distance of two may change by what their motors add to their twists within a step, m.
+double ContactStepping::reach_of_motors(const BodySet& candidates, double length,
+                                        std::span<const Body> bodies) const {
+  double fastest = 0.0;
+  for (int i = 0; i < arena_.bodies(); ++i) {
+    if (!candidates[i]) continue;
+    const Twist& v = bodies[i].twist;
+    const Twist& alone = alone_[i].twist;
+    const Twist added{alone.forward - v.forward, alone.left - v.left, alone.turn - v.turn};
+    fastest = std::max(fastest, speed_at_most(arena_.shape(i), added));
+  }
+  return 2.0 * fastest * length;
 }
 
 // Where the candidates would be if they kept their twists, and what is close to what there.
@@ -216,14 +223,16 @@ void ContactStepping::look_ahead(const BodySet& candidates, std::span<const Cont
   for (int i = 0; i < arena_.bodies(); ++i) {
     if (candidates[i]) end_[i] = along_arc(bodies[i], length);
   }
-  const double margin = fastest_of(candidates, bodies) * length + reach_of_motors(length);
+  const double margin =
+      fastest_of(candidates, bodies) * length + reach_of_motors(candidates, length, bodies);
   contacts_.count = 0;
   add_contacts_among(arena_, candidates, end_, margin, boxes_, contacts_);
+  std::array<std::bitset<max_partners>, max_bodies> found;
+  for (const Contact& c : contacts_.contacts()) found[c.pair.a].set(c.pair.partner);
   // Who touches may part faster than anybody goes, and yet not part once the others are heard.
   for (const Contact& c : touching) {
-    const auto found = contacts_.contacts();
-    const auto is_of_pair = [&c](const Contact& other) { return other.pair == c.pair; };
-    if (std::any_of(found.begin(), found.end(), is_of_pair)) continue;
+    if (found[c.pair.a][c.pair.partner]) continue;
+    found[c.pair.a].set(c.pair.partner);
     add_contacts(arena_, c.pair, end_, infinity, contacts_);
   }
 }

@@ -63,7 +63,8 @@ class ContactStepping {
   double fastest_of(const BodySet& some, std::span<const Body> bodies) const;
   double longest_step(const BodySet& some, std::span<const Body> bodies) const;
   double next_step(const BodySet& some) const;
-  double reach_of_motors(double length) const;
+  double reach_of_motors(const BodySet& candidates, double length,
+                         std::span<const Body> bodies) const;
   bool find(const BodySet& candidates, std::span<const Contact> touching,
             std::span<const Drive> drives, std::span<const InverseMass> mass, double length,
             std::span<const Body> bodies, Step& step);

@@ -5,6 +5,8 @@
 
 #include "core/simulator/state.hpp"
 
+#include <bit>
+
 namespace mirocup::simulator {
 
 // Bodies are the robots by index, then the ball. Obstacles are the eight half-plane walls, side walls
@@ -28,6 +30,14 @@ struct Pair {
 
   bool operator==(const Pair&) const = default;
 };
+
+// Calls visit(body) for each, in increasing order.
+template <class Visit>
+void for_each_body(const BodySet& bodies, Visit visit) {
+  for (unsigned long left = bodies.to_ulong(); left != 0; left &= left - 1UL) {
+    visit(std::countr_zero(left));
+  }
+}
 
 inline BodySet bodies_of(const Pair& pair) {
   BodySet bodies;

@@ -25,11 +25,11 @@ Tolerances tolerances_of(Accuracy accuracy) {
       t.touch = 1e-7;
       t.sink = 1e-8;
       t.rest_speed = 2e-3;
-      t.followed_per_tick = 24;
-      t.step = 8e-3;
+      t.followed_per_tick = 0;
+      t.step = 34e-3;
       t.step_touch = 2e-7;
       t.step_overlap = 5e-7;
-      t.overlap_within_step = 1e-5;
+      t.overlap_within_step = 1e-4;
       break;
     case Accuracy::standard:
       break;
@@ -42,7 +42,7 @@ Tolerances tolerances_of(Accuracy accuracy) {
       t.brief_slide_growth_per_touch = 1.5;
       t.growth_per_event = 1.02;
       t.slide_growth_per_event = 1.15;
-      t.followed_per_tick = 1'000'000;
+      t.followed_per_tick = 20'000'000;
       t.step = 2e-5;
       break;
   }

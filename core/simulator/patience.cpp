@@ -91,9 +91,10 @@ void Patience::note_bounce(const Pair& pair, double t) {
 
 void Patience::note_event(const BodySet& involved, bool was_forced) {
   const int company = static_cast<int>(involved.count());
+  const int cost = company * company * company * company;
   for (int i = 0; i < max_bodies; ++i) {
-    if (!involved[i]) continue;
-    followed_[i] += company * company * company;
+    if (!involved[i] || exhausted_[i]) continue;
+    followed_[i] += cost;
     exhausted_[i] = followed_[i] >= tolerances_.followed_per_tick;
   }
   const Tolerances& t = tolerances_;

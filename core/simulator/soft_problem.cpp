@@ -15,11 +15,15 @@ constexpr double softness = 1e-5;
 constexpr double soft_solved = 1e-10;
 
 // Rounds, few of which are needed; and of one, how many halves of a step are tried for whether they
-// lower the function by this share of what its slope promised, as far as rounding lets see.
+// lower the function by this share of what its slope promised, as far as rounding lets see, where the
+// first bound is nearer than this share of the step.
 constexpr int most_soft_rounds = 40;
 constexpr int most_shortenings = 4;
+constexpr double near_bound = 0.1;
 constexpr double kept_promise = 0.1;
-constexpr double unseen = 1e-15;
+constexpr double unseen = 1e-14;
+// Rounding could leave what reaches its bound a hair inside it, for ever.
+constexpr double past_rounding = 1.0 + 1e-12;
 
 double rate(const CoupledRow& row, const BodyVector& v) {
   const JacobianRow& a = v[row.a];
@@ -30,9 +34,11 @@ double rate(const CoupledRow& row, const BodyVector& v) {
 }
 
 void add_to(BodyVector& v, const CoupledRow& row, double by) {
-  for (int c = 0; c < 3; ++c) v[row.a][c] += by * row.on_a[c];
+  JacobianRow& a = v[row.a];
+  for (int c = 0; c < 3; ++c) a[c] += by * row.on_a[c];
   if (row.b == no_body) return;
-  for (int c = 0; c < 3; ++c) v[row.b][c] += by * row.on_b[c];
+  JacobianRow& b = v[row.b];
+  for (int c = 0; c < 3; ++c) b[c] += by * row.on_b[c];
 }
 
 double give_of(const JacobianRow& row, const InverseMass& m) {
@@ -82,26 +88,28 @@ bool SoftProblem::solve() {
 
 // The function at x, and what it changes with each unknown.
 void SoftProblem::look_at_value() {
-  for (int k = 0; k < max_bodies; ++k) {
-    if (bodies_[k]) moved_[k] = {};
-  }
+  stand_still();
   for (int i = 0; i < size_; ++i) {
     if (x[i] != 0.0) add_to(moved_, rows_[i], x[i]);
   }
-  for (int k = 0; k < max_bodies; ++k) {
-    if (!bodies_[k]) continue;
+  for_each_body(bodies_, [this](int k) {
     moved_[k][0] *= mass_[k].forward;
     moved_[k][1] *= mass_[k].left;
     moved_[k][2] *= mass_[k].turn;
-  }
-  value_ = 0.0;
+  });
+  double value = 0.0;
   for (int i = 0; i < size_; ++i) {
     const double ax = rate(rows_[i], moved_);
     const double off = x[i] - centre_[i];
     const double pull = softness * give_[i] * off;
-    value_ += x[i] * (0.5 * ax + b[i]) + 0.5 * pull * off;
+    value += x[i] * (0.5 * ax + b[i]) + 0.5 * pull * off;
     slope_[i] = ax + b[i] + pull;
   }
+  value_ = value;
+}
+
+void SoftProblem::stand_still() {
+  for_each_body(bodies_, [this](int k) { moved_[k] = {}; });
 }
 
 void SoftProblem::hold(int i, Bound bound) {
@@ -129,9 +137,7 @@ void SoftProblem::find_direction() {
   while (goes_out) {
     goes_out = false;
     if (!system_fits_) set_up_system();
-    for (int k = 0; k < max_bodies; ++k) {
-      if (bodies_[k]) moved_[k] = {};
-    }
+    stand_still();
     for (int i = 0; i < size_; ++i) {
       if (bound_[i] == Bound::free) add_to(moved_, rows_[i], -slope_[i] / (softness * give_[i]));
     }
@@ -158,15 +164,18 @@ void SoftProblem::set_up_system() {
 }
 
 // Far in that direction, cut off at the bounds, if that lowers the function as promised; else to the
-// first bound, up to where it always goes down. False if not even that can be seen.
+// first bound, up to where it always goes down. Where that is near, less far is tried before. False if
+// not even that can be seen.
 bool SoftProblem::go_down() {
   const double old_value = value_;
+  const double first_bound = part_to_first_bound();
   double part = 1.0;
   for (int halved = 0; halved < most_shortenings; ++halved, part *= 0.5) {
+    if (halved > 0 && first_bound >= near_bound) break;
     const double promised = try_part(part);
     if (value_ <= old_value + kept_promise * promised + unseen * std::abs(old_value)) return true;
   }
-  try_part(part_to_first_bound());
+  try_part(first_bound);
   return value_ <= old_value + unseen * std::abs(old_value);
 }
 
@@ -175,7 +184,7 @@ double SoftProblem::part_to_first_bound() const {
   for (int i = 0; i < size_; ++i) {
     if (bound_[i] != Bound::free || direction_[i] == 0.0) continue;
     const double limit = direction_[i] < 0.0 ? low[i] : high[i];
-    part = std::min(part, (limit - begin_[i]) / direction_[i]);
+    part = std::min(part, past_rounding * (limit - begin_[i]) / direction_[i]);
   }
   return part;
 }

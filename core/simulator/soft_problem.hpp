@@ -38,6 +38,7 @@ class SoftProblem {
   enum class Bound : unsigned char { free, fixed };
 
   void look_at_value();
+  void stand_still();
   bool hold_at_bounds(double tolerance);
   void hold(int i, Bound bound);
   void find_direction();

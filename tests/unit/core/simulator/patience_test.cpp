@@ -147,7 +147,7 @@ TEST(Patience, FollowsFewerEventsOfMoreBodies) {
     EXPECT_FALSE(patience.is_exhausted(~bodies));
     return events;
   };
-  EXPECT_EQ(followed(crowd), (tolerances.followed_per_tick + 26) / 27);
+  EXPECT_EQ(followed(crowd), (tolerances.followed_per_tick + 80) / 81);
   EXPECT_EQ(followed(BodySet{0b1}), tolerances.followed_per_tick);
 }
 
