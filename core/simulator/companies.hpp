@@ -12,16 +12,20 @@ namespace mirocup::simulator {
 
 class Companies {
  public:
-  void set_out(const BodySet& members) {
+  // `begin`: s of the tick.
+  void set_out(const BodySet& members, double begin) {
     stepping_ |= members;
-    for (int i = 0; i < max_bodies; ++i) {
-      if (members[i]) company_[i] = members;
-    }
+    for_each_body(members, [&](int i) {
+      company_[i] = members;
+      begin_[i] = begin;
+    });
   }
   void leave(const BodySet& bodies) { stepping_ &= ~bodies; }
 
   const BodySet& stepping() const { return stepping_; }
   bool is_stepping(int body) const { return stepping_[body]; }
+  // When the step began that the body is in, s of the tick.
+  double begin_of(int body) const { return begin_[body]; }
   // Nobody, if the body is not in a step.
   BodySet company_of(int body) const { return stepping_[body] ? company_[body] : BodySet{}; }
 
@@ -34,6 +38,7 @@ class Companies {
  private:
   BodySet stepping_;
   std::array<BodySet, max_bodies> company_;  // of those: who takes the same step
+  std::array<double, max_bodies> begin_{};   // of that
 };
 
 }  // namespace mirocup::simulator

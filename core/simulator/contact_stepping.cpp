@@ -99,7 +99,9 @@ ContactStepping::Step ContactStepping::take(const BodySet& candidates,
     if (find(candidates, touching, drives, mass, longest / parts, bodies, step)) break;
   }
   for (int i = 0; i < arena_.bodies(); ++i) {
-    if (step.members[i]) bodies[i].twist = end_[i].twist;
+    if (!step.members[i]) continue;
+    before_[i] = bodies[i].twist;
+    bodies[i].twist = during_[i] = end_[i].twist;
   }
   stepped_ |= step.members;
   const double next = step.length < crumb * length ? std::max(length, next_) : next_;
@@ -108,6 +110,13 @@ ContactStepping::Step ContactStepping::take(const BodySet& candidates,
   }
   keep_what_presses(step);
   return step;
+}
+
+Twist ContactStepping::twist_after(int member, double part) const {
+  const Twist& v = before_[member];
+  const Twist& then = during_[member];
+  return {v.forward + part * (then.forward - v.forward), v.left + part * (then.left - v.left),
+          v.turn + part * (then.turn - v.turn)};
 }
 
 void ContactStepping::keep_what_presses(const Step& step) {

@@ -187,7 +187,7 @@ BodySet World::step(const BodySet& candidates, double t, double tick_end) {
       steps_->take(candidates, contacts_.contacts(), drives_, mass_, tick_end - t, bodies_);
   contacts_.count = 0;
   events_.stepped = events_.stepped || members.any();
-  companies_.set_out(members);
+  companies_.set_out(members, t);
   const double end = t + (1.0 + least_step_left) * length < tick_end ? t + length : tick_end;
   for (int i = 0; i < arena_.bodies(); ++i) {
     if (!members[i]) continue;
@@ -305,7 +305,11 @@ Body World::body_now(int body, double t) const {
 
 void World::bring_to(double t, const BodySet& involved) {
   for (int i = 0; i < arena_.bodies(); ++i) {
-    if (involved[i]) bodies_[i] = body_now(i, t);
+    if (!involved[i]) continue;
+    bodies_[i] = body_now(i, t);
+    if (!companies_.is_stepping(i) || t >= segments_[i].end) continue;
+    const double begin = companies_.begin_of(i);
+    bodies_[i].twist = steps_->twist_after(i, (t - begin) / (segments_[i].end - begin));
   }
   if (trace_ != nullptr) trace_->position_evaluations += static_cast<long>(involved.count());
 }

@@ -386,5 +386,29 @@ TEST(World, StepsEndWithTheCompany) {
   }
 }
 
+// One robot pushes another, and a ball hits the first in the middle of their step. Catches one that keeps
+// what the motors would have given it until the step's end, and gets it again: a tenth and more too fast.
+// A share that is taken as linear is up to 4 % off.
+TEST(World, InterruptedStepsGiveNoMoreThanTheirShare) {
+  Tolerances tolerances = hasty();
+  tolerances.step = 0.04;
+  const Parameters p;
+  const double radii = 0.5 * p.robot_side + p.ball_radius;
+  const std::array<WheelCommand, 2> commands{WheelSpeeds{40.0, 40.0}, WheelSpeeds{40.0, 40.0}};
+  const auto speed = [&](double ball_speed) {
+    World world(nullptr, p, tolerances, 2, true);
+    world.set_robot(0, {{0.0, 0.0}, Heading{}, {}});
+    world.set_robot(1, {{p.robot_side, 0.0}, Heading{}, {}});
+    world.set_ball({{p.robot_side, radii + 0.02}, {0.0, -ball_speed}});
+    EXPECT_EQ(world.advance(commands, 0.033).impacts, ball_speed > 0.0 ? 1 : 0);
+    return world.robot(0).twist.forward;
+  };
+  const double asked = p.forward_speed(40.0, 40.0);
+  EXPECT_NEAR(speed(0.0), -expm1(-0.033 / p.motor_time_constant) * asked, 1e-12);
+  for (const double ball_speed : {1.0, 2.0, 5.0}) {
+    EXPECT_NEAR(speed(ball_speed), speed(0.0), 0.04 * asked) << ball_speed;
+  }
+}
+
 }  // namespace
 }  // namespace mirocup::simulator
