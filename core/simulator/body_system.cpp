@@ -161,8 +161,9 @@ void BodySystem::solve(BodyVector& rhs) const {
     for_each_body(f.others, [&](int other) {
       const Block& rows = *beside++;
       const JacobianRow& v = rhs[other];
-      for (int r = 0; r < 3; ++r)
+      for (int r = 0; r < 3; ++r) {
         own[r] -= rows[r][0] * v[0] + rows[r][1] * v[1] + rows[r][2] * v[2];
+      }
     });
     for (int r = 2; r >= 0; --r) {
       for (int c = r + 1; c < 3; ++c) own[r] -= f.own[r][c] * own[c];

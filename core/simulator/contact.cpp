@@ -125,8 +125,9 @@ EdgeSeparation best_edge(const Shape& reference, const Shape& other, const Vec2&
   const auto separation_of = [&](int edge) {
     const Vec2 normal = heading.to_body(reference.normal[edge]);
     double nearest = infinity;
-    for (int i = 0; i < other.corners; ++i)
+    for (int i = 0; i < other.corners; ++i) {
       nearest = std::min(nearest, normal.dot(other.corner[i]));
+    }
     return of_middle[edge] + nearest;
   };
   EdgeSeparation best{facing, separation_of(facing)};

@@ -79,6 +79,16 @@ double speed_at_most(const Shape& shape, const Twist& v) {
   return std::abs(v.forward) + std::abs(v.left) + std::abs(v.turn) * shape.radius;
 }
 
+// The fastest that a point of some body is with the twist that twist_of(body) says, m/s.
+template <class TwistOf>
+double fastest_point(const Arena& arena, const BodySet& some, TwistOf twist_of) {
+  double fastest = 0.0;
+  for_each_body(some, [&](int i) {
+    fastest = std::max(fastest, speed_at_most(arena.shape(i), twist_of(i)));
+  });
+  return fastest;
+}
+
 }  // namespace
 
 ContactStepping::ContactStepping(const Arena& arena, SoftProblem& problem)
@@ -101,7 +111,7 @@ ContactStepping::Step ContactStepping::take(const BodySet& candidates,
   for (int i = 0; i < arena_.bodies(); ++i) {
     if (!step.members[i]) continue;
     before_[i] = bodies[i].twist;
-    bodies[i].twist = during_[i] = end_[i].twist;
+    bodies[i].twist = end_[i].twist;
   }
   stepped_ |= step.members;
   const double next = step.length < crumb * length ? std::max(length, next_) : next_;
@@ -112,11 +122,10 @@ ContactStepping::Step ContactStepping::take(const BodySet& candidates,
   return step;
 }
 
-Twist ContactStepping::twist_after(int member, double part) const {
+Twist ContactStepping::twist_after(int member, const Twist& kept, double part) const {
   const Twist& v = before_[member];
-  const Twist& then = during_[member];
-  return {v.forward + part * (then.forward - v.forward), v.left + part * (then.left - v.left),
-          v.turn + part * (then.turn - v.turn)};
+  return {v.forward + part * (kept.forward - v.forward), v.left + part * (kept.left - v.left),
+          v.turn + part * (kept.turn - v.turn)};
 }
 
 void ContactStepping::keep_what_presses(const Step& step) {
@@ -170,12 +179,7 @@ void ContactStepping::recall(const BodySet& members, double length) {
 }
 
 double ContactStepping::fastest_of(const BodySet& some, std::span<const Body> bodies) const {
-  double fastest = 0.0;
-  for (int i = 0; i < arena_.bodies(); ++i) {
-    if (!some[i]) continue;
-    fastest = std::max(fastest, speed_at_most(arena_.shape(i), bodies[i].twist));
-  }
-  return fastest;
+  return fastest_point(arena_, some, [&](int i) { return bodies[i].twist; });
 }
 
 // Nothing goes farther than half the ball's radius in a step: it would be seen behind what it hit.
@@ -215,15 +219,12 @@ bool ContactStepping::find(const BodySet& candidates, std::span<const Contact> t
 // How much the distance of two may change by what their motors add to their twists within a step, m.
 double ContactStepping::reach_of_motors(const BodySet& candidates, double length,
                                         std::span<const Body> bodies) const {
-  double fastest = 0.0;
-  for (int i = 0; i < arena_.bodies(); ++i) {
-    if (!candidates[i]) continue;
+  const auto added = [&](int i) {
     const Twist& v = bodies[i].twist;
     const Twist& alone = alone_[i].twist;
-    const Twist added{alone.forward - v.forward, alone.left - v.left, alone.turn - v.turn};
-    fastest = std::max(fastest, speed_at_most(arena_.shape(i), added));
-  }
-  return 2.0 * fastest * length;
+    return Twist{alone.forward - v.forward, alone.left - v.left, alone.turn - v.turn};
+  };
+  return 2.0 * fastest_point(arena_, candidates, added) * length;
 }
 
 // Where the candidates would be if they kept their twists, and what is close to what there.

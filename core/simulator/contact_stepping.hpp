@@ -43,9 +43,9 @@ class ContactStepping {
 
   // How far a body is beside its arc in the middle of the step that it takes, m.
   const Vec2& bend(int member) const { return paths_.bend_of(member); }
-  // A body keeps one twist for a whole step, with all that the step's forces give it. What it would be
-  // after that part of the step, if they gave it bit by bit: for who is interrupted.
-  Twist twist_after(int member, double part) const;
+  // A body keeps one twist for a whole step, with all that the step's forces give it. From that one,
+  // what it would be after that part of the step if they gave it bit by bit: for who is interrupted.
+  Twist twist_after(int member, const Twist& kept, double part) const;
   // Of the last step, if it had members: a member at its end, and the contacts that press.
   const Body& end(int member) const { return end_[member]; }
   std::span<const Contact> pressing() const { return contacts_.contacts(); }
@@ -93,14 +93,14 @@ class ContactStepping {
   std::array<Contact, max_robots> wheels_;
   std::array<Pressed, max_unknowns> pressed_;  // of each body in its last step
   int pressed_count_ = 0;
-  BodySet stepped_;                                // in this tick
-  double next_ = 0.0;                              // s, by what the last attempt at a step was like
-  std::array<double, max_bodies> next_step_;       // s, of each body, by what its last one was like
-  std::array<Contact*, max_unknowns> row_;         // of each unknown: contacts_, tangents_, wheels_
-  std::array<Body, max_bodies> begin_;             // with the twists of the step
-  std::array<Twist, max_bodies> before_, during_;  // of each body, before its last step and in it
-  std::array<Body, max_bodies> end_;               // with the twists of the step
-  std::array<Body, max_bodies> alone_;             // twists at the end if there were no contacts
+  BodySet stepped_;                           // in this tick
+  double next_ = 0.0;                         // s, by what the last attempt at a step was like
+  std::array<double, max_bodies> next_step_;  // s, of each body, by what its last one was like
+  std::array<Contact*, max_unknowns> row_;    // of each unknown: contacts_, tangents_, wheels_
+  std::array<Body, max_bodies> begin_;        // with the twists of the step
+  std::array<Twist, max_bodies> before_;      // of each body, before its last step
+  std::array<Body, max_bodies> end_;          // with the twists of the step
+  std::array<Body, max_bodies> alone_;        // twists at the end if there were no contacts
   std::array<Box, max_bodies> boxes_;
   StepPaths paths_;
 };

@@ -7,7 +7,6 @@
 #include "core/simulator/arena.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <span>
 
 namespace mirocup::simulator {
@@ -51,10 +50,9 @@ template <class Add>
 void for_near_pairs(const Arena& arena, std::span<const Box> boxes, int i, unsigned long others,
                     Add add) {
   const Box& box = boxes[i];
-  for (; others != 0; others &= others - 1UL) {
-    const int j = std::countr_zero(others);
+  for_each_body(others, [&](int j) {
     if (!are_apart(box, boxes[j], arena.reach(i, j))) add(pair_of(i, j));
-  }
+  });
   if (arena.field == nullptr) return;
   const field::Field& field = *arena.field;
   const double reach = arena.shape(i).radius + arena.tolerances.touch;

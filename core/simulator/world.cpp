@@ -309,7 +309,8 @@ void World::bring_to(double t, const BodySet& involved) {
     bodies_[i] = body_now(i, t);
     if (!companies_.is_stepping(i) || t >= segments_[i].end) continue;
     const double begin = companies_.begin_of(i);
-    bodies_[i].twist = steps_->twist_after(i, (t - begin) / (segments_[i].end - begin));
+    const double part = (t - begin) / (segments_[i].end - begin);
+    bodies_[i].twist = steps_->twist_after(i, bodies_[i].twist, part);
   }
   if (trace_ != nullptr) trace_->position_evaluations += static_cast<long>(involved.count());
 }

@@ -47,6 +47,9 @@ class Judge {
     in_jams();
     bars_.push_back(
         {"crowds: p90 of the error after 5 ticks, mm", 1e3 * own_.crowd.five_ticks.p90, 0.02});
+    for (const SceneKind kind : {SceneKind::jam, SceneKind::scrum}) {
+      bars_.push_back(overlap_in(kind, own_, std::string(to_string(kind))));
+    }
     better_peers();
     growth();
     for (const Leg& leg : report_.legs) {
@@ -65,12 +68,17 @@ class Judge {
     return report_.ratio(peer, kind, own, own_kind) / factor;
   }
 
+  Bar overlap_in(SceneKind kind, const Row& row, const std::string& name) const {
+    const double deepest = report_.timing(row, kind).play.deepest_overlap;
+    return {name + ": deepest overlap, mm", 1e3 * deepest, deepest_in_jams};
+  }
+
   // Of our levels of accuracy, the cheapest that keeps overlaps of this scene as small as asked.
   const Row& cheapest_in(SceneKind kind) const {
     const Row* cheapest = &own_;
     for (const Row& row : report_.rows) {
       if (row.contender.engine != own_.contender.engine) continue;
-      if (1e3 * report_.timing(row, kind).play.deepest_overlap > deepest_in_jams) continue;
+      if (overlap_in(kind, row, "").measured > deepest_in_jams) continue;
       if (report_.cost(row, kind) < report_.cost(*cheapest, kind)) cheapest = &row;
     }
     return *cheapest;
@@ -101,8 +109,7 @@ class Judge {
     for (const SceneKind kind : {SceneKind::scrum, SceneKind::jam}) {
       const Row& own = cheapest_in(kind);
       const std::string name = std::string(to_string(kind)) + ", " + own.contender.point;
-      bars_.push_back({name + ": deepest overlap, mm",
-                       1e3 * report_.timing(own, kind).play.deepest_overlap, deepest_in_jams});
+      if (&own != &own_) bars_.push_back(overlap_in(kind, own, name));
       double least = HUGE_VAL;
       for (const char* engine : {"Chipmunk", "Box2D, all bullets", "Box2D, ball bullet"}) {
         if (const Row* row = peer(engine); row != nullptr) {

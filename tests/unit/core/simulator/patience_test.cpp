@@ -135,7 +135,7 @@ TEST(Patience, AsksForLongerCurvesAfterABurst) {
 }
 
 // Many events of a few are followed, few of many, and those of a crowd end nobody else's. Catches a
-// budget that counts events alone: one of 22 robots costs a hundred times one of two.
+// budget that counts events alone: one of 22 robots costs far more than one of two.
 TEST(Patience, FollowsFewerEventsOfMoreBodies) {
   const auto followed = [](const BodySet& bodies) {
     Patience patience = fresh();

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+//
+// Worlds whose bodies in contact go in small steps: who takes one with whom, and what becomes of who is
+// interrupted. The steps themselves are tested without a world.
+#include "core/simulator/world.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+namespace mirocup::simulator {
+namespace {
+
+// Everything goes in small steps.
+Tolerances hasty() {
+  Tolerances tolerances;
+  tolerances.followed_per_tick = 0;
+  return tolerances;
+}
+
+Body body_of(const World& world, int robot) {
+  const RobotState& r = world.robot(robot);
+  return {r.position, r.heading, r.twist};
+}
+
+// Six robots around the ball, each turned by that angle (rad) against the direction to it.
+void set_around_ball(World& world, double distance, double turned) {
+  for (int i = 0; i < 6; ++i) {
+    const double angle = pi / 3.0 * i;
+    const Heading inwards = Heading::from_angle(angle);
+    world.set_robot(i, {-distance * inwards.forward(), Heading::from_angle(angle + turned), {}});
+  }
+  world.set_ball({});
+}
+
+// Of six robots that whirl, and change how every ten ticks.
+std::array<WheelCommand, 6> whirl(int tick) {
+  std::array<WheelCommand, 6> commands;
+  for (int i = 0; i < 6; ++i) {
+    const double turn = 12.0 * ((tick / 10 + i) % 3 - 1);
+    commands[i] = WheelSpeeds{30.0 - turn, 30.0 + turn};
+  }
+  return commands;
+}
+
+// Six robots that whirl into each other around the ball, in small steps only. Catches a step that
+// takes the gaps at its begin for those at its end: corners turn into neighbours by micrometres.
+TEST(World, SmallStepsLeaveNoOverlaps) {
+  const field::Field field = field::make_field(League::small);
+  World world(&field, Parameters{}, hasty(), 6, true);
+  set_around_ball(world, 0.12, 0.0);
+  int stepped = 0;
+  for (int tick = 0; tick < 60; ++tick) {
+    stepped += world.advance(whirl(tick), 0.033).stepped;
+    for (int i = 0; i < 6; ++i) {
+      for (int j = 0; j < i; ++j) {
+        const Shape& shape = world.arena().robot_shape;
+        EXPECT_GT(gap(shape, body_of(world, i), shape, body_of(world, j)), -1e-9) << tick;
+      }
+    }
+  }
+  EXPECT_GT(stepped, 50);
+}
+
+// Twenty-two robots side by side have more contacts within reach of a step than most crowds. Catches a
+// list that is full before the last of them.
+TEST(World, SmallStepsSeeAllContacts) {
+  const field::Field field = field::make_field(League::large);
+  World world(&field, Parameters{}, hasty(), max_robots, true);
+  const double side = world.parameters().robot_side + 1e-4;
+  const auto place = [&](int i) { return Vec2{side * (i % 5 - 2), side * (i / 5 - 2)}; };
+  for (int i = 0; i < max_robots; ++i) world.set_robot(i, {place(i), Heading{}, {}});
+  world.set_ball({{0.5, 0.5}, {0.0, 0.0}});
+  for (int tick = 0; tick < 30; ++tick) {
+    std::array<WheelCommand, max_robots> commands;
+    for (int i = 0; i < max_robots; ++i) {
+      const double forward = i % 5 < 2 ? 30.0 : -30.0;
+      const double turn = 10.0 * ((tick / 5 + i) % 3 - 1);
+      commands[i] = WheelSpeeds{forward - turn, forward + turn};
+    }
+    world.advance(commands, 0.033);
+    for (int i = 0; i < max_robots; ++i) {
+      for (int j = 0; j < i; ++j) {
+        const Body body = body_of(world, i);
+        EXPECT_GT(gap(world.arena(), pair_of(i, j), body, body_of(world, j)), -1e-6) << tick;
+      }
+    }
+  }
+}
+
+// Bodies that are set anew go on as in a world that never had others. Catches a step that begins with
+// the forces of wheels from before.
+TEST(World, ForgetsWhatWasBeforeBodiesWereSet) {
+  const field::Field field = field::make_field(League::small);
+  World used(&field, Parameters{}, hasty(), 6, true);
+  World fresh(&field, Parameters{}, hasty(), 6, true);
+  const auto play = [](World& world) {
+    for (int tick = 0; tick < 20; ++tick) world.advance(whirl(tick), 0.033);
+  };
+  set_around_ball(used, 0.09, 0.3);
+  play(used);
+  set_around_ball(used, 0.09, 0.1);
+  set_around_ball(fresh, 0.09, 0.1);
+  play(used);
+  play(fresh);
+  for (int i = 0; i < 6; ++i) {
+    EXPECT_EQ(used.robot(i).position.x(), fresh.robot(i).position.x());
+    EXPECT_EQ(used.robot(i).position.y(), fresh.robot(i).position.y());
+    EXPECT_EQ(used.robot(i).heading.sin, fresh.robot(i).heading.sin);
+  }
+}
+
+// A robot that steps with company beside it is alone again later. Catches one that goes on as if it
+// still took steps with others, and through a wall.
+TEST(World, StepsEndWithTheCompany) {
+  const field::Field field = field::make_field(League::small);
+  Tolerances tolerances;
+  tolerances.followed_per_tick = 6;
+  World world(&field, Parameters{}, tolerances, 3, true);
+  for (int i = 0; i < 3; ++i) {
+    const Heading heading = Heading::from_angle(0.4 * (i - 1));
+    world.set_robot(i, {{0.6 - 0.1 * i, 0.3 + 0.05 * i}, heading, {1.0, 0.0, 3.0 * (i - 1)}});
+  }
+  world.set_ball({{0.65, 0.2}, {0.0, 0.0}});
+  for (int tick = 0; tick < 200; ++tick) {
+    std::array<WheelCommand, 3> commands;
+    for (int i = 0; i < 3; ++i) {
+      const double turn = 30.0 * ((tick / 7 + 2 * i) % 5 - 2);
+      commands[i] = WheelSpeeds{40.0 - turn, 40.0 + turn};
+    }
+    world.advance(commands, 0.033);
+    for (int i = 0; i < 3; ++i) {
+      const Body body = body_of(world, i);
+      for (int k = 0; k < plane_walls + end_walls; ++k) {
+        EXPECT_GT(gap(world.arena(), pair_with_obstacle(i, k), body, Body{}), -1e-9) << tick;
+      }
+    }
+  }
+}
+
+// One robot pushes another, and a ball hits the first in the middle of their step. Catches one that keeps
+// what the motors would have given it until the step's end, and gets it again: a tenth and more too fast.
+// A share that is taken as linear is up to 4 % off.
+TEST(World, InterruptedStepsGiveNoMoreThanTheirShare) {
+  Tolerances tolerances = hasty();
+  tolerances.step = 0.04;
+  const Parameters p;
+  const double radii = 0.5 * p.robot_side + p.ball_radius;
+  const std::array<WheelCommand, 2> commands{WheelSpeeds{40.0, 40.0}, WheelSpeeds{40.0, 40.0}};
+  const auto speed = [&](double ball_speed) {
+    World world(nullptr, p, tolerances, 2, true);
+    world.set_robot(0, {{0.0, 0.0}, Heading{}, {}});
+    world.set_robot(1, {{p.robot_side, 0.0}, Heading{}, {}});
+    world.set_ball({{p.robot_side, radii + 0.02}, {0.0, -ball_speed}});
+    EXPECT_EQ(world.advance(commands, 0.033).impacts, ball_speed > 0.0 ? 1 : 0);
+    return world.robot(0).twist.forward;
+  };
+  const double asked = p.forward_speed(40.0, 40.0);
+  EXPECT_NEAR(speed(0.0), -expm1(-0.033 / p.motor_time_constant) * asked, 1e-12);
+  for (const double ball_speed : {1.0, 2.0, 5.0}) {
+    EXPECT_NEAR(speed(ball_speed), speed(0.0), 0.04 * asked) << ball_speed;
+  }
+}
+
+}  // namespace
+}  // namespace mirocup::simulator
