@@ -120,8 +120,7 @@ double gap_beyond(const Arena& arena, std::span<const Body> bodies, const Contac
   ContactPoint at = c.at;
   look_again(arena, bodies, c.pair, at);
   if (at.gap >= -line) return at.gap;
-  const Body& other = bodies[c.pair.with_obstacle() ? c.pair.a : c.pair.partner];
-  return std::max(at.gap, gap(arena, c.pair, bodies[c.pair.a], other));
+  return std::max(at.gap, gap(arena, c.pair, bodies));
 }
 
 double first_time_below(const Arena& arena, const Pair& pair, double level,

@@ -50,6 +50,11 @@ inline double gap(const Arena& arena, const Pair& pair, const Body& a, const Bod
   return separation(arena, pair, a, b).gap;
 }
 
+// Where these bodies are.
+inline double gap(const Arena& arena, const Pair& pair, std::span<const Body> bodies) {
+  return gap(arena, pair, bodies[pair.a], bodies[pair.with_obstacle() ? pair.a : pair.partner]);
+}
+
 // The pair's contacts with a gap of at most `margin`, appended with their Jacobian rows. For an
 // obstacle `bodies` needs only a.
 void add_contacts(const Arena& arena, const Pair& pair, std::span<const Body> bodies, double margin,

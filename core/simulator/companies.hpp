@@ -20,7 +20,12 @@ class Companies {
       begin_[i] = begin;
     });
   }
-  void leave(const BodySet& bodies) { stepping_ &= ~bodies; }
+  // Of these bodies, those that were in a step: they no longer are.
+  BodySet leave(const BodySet& bodies) {
+    const BodySet left = stepping_ & bodies;
+    stepping_ &= ~bodies;
+    return left;
+  }
 
   const BodySet& stepping() const { return stepping_; }
   bool is_stepping(int body) const { return stepping_[body]; }

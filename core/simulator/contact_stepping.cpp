@@ -3,6 +3,7 @@
 
 #include "core/base/math.hpp"
 #include "core/simulator/ball_motion.hpp"
+#include "core/simulator/cluster.hpp"
 #include "core/simulator/near_pairs.hpp"
 
 #include <algorithm>
@@ -19,9 +20,11 @@ constexpr double too_far = 1.5;
 
 // Looks at the end of a step, and times that it is halved, before what is found there is taken.
 constexpr int most_looks = 10;
+// How close impulses have to be for a look, as a share of the largest relative velocity.
+constexpr double close_enough = 1e-9;
 // Contacts may contradict each other by a hair; then it is not for more looks to find an end.
 constexpr int patient_looks = 4;
-constexpr int most_halvings = 3;
+constexpr int most_halvings = 6;
 
 // Overlaps at the begin of a step are not undone faster than that, m/s, unless the step is so long that
 // it undoes as much, m, anyway.
@@ -33,8 +36,8 @@ constexpr double above_rounding = 1.0 + 1e-12;
 // As many steps as fit into a time exactly are not one more.
 constexpr double below_rounding = 1.0 - 1e-9;
 
-// No next step is judged to be shorter, as a share of the longest one; and one that was cut to less
-// than this share of what it should have been says little about the next.
+// No next step is judged to be shorter, as a share of the longest one; and one for which less than this
+// share of its time was left says little about the next.
 constexpr double shortest_step = 1.0 / 64.0;
 constexpr double crumb = 0.5;
 
@@ -43,10 +46,11 @@ constexpr int friction_rounds = 10;
 
 // The twist after a step without any contact and without the ground's sideways force.
 Twist driven(const Parameters& p, const Drive& drive, const Twist& v, double step) {
-  // The frame turns; the velocity does not.
+  // The frame turns; the velocity does not, unless wheels that roll turn it.
   const Heading turned = Heading::from_angle(v.turn * step);
-  const Vec2 kept = v.left == 0.0 ? Vec2{v.forward, -v.forward * turned.sin}
-                                  : turned.to_body({v.forward, v.left});
+  const bool rolls = std::abs(v.left) <= no_sliding;
+  const Vec2 kept =
+      rolls ? Vec2{v.forward, -v.forward * turned.sin} : turned.to_body({v.forward, v.left});
   Twist next{kept.x(), kept.y(), v.turn};
   if (!drive.wheels_on_ground) return next;
   const double reached = -expm1(-step / p.motor_time_constant);
@@ -114,7 +118,7 @@ ContactStepping::Step ContactStepping::take(const BodySet& candidates,
     bodies[i].twist = end_[i].twist;
   }
   stepped_ |= step.members;
-  const double next = step.length < crumb * length ? std::max(length, next_) : next_;
+  const double next = longest < crumb * length ? std::max(length, next_) : next_;
   for (int i = 0; i < arena_.bodies(); ++i) {
     if (step.members[i]) next_step_[i] = std::max(next, shortest_step * arena_.tolerances.step);
   }
@@ -133,15 +137,13 @@ void ContactStepping::keep_what_presses(const Step& step) {
       pressed_.begin(), pressed_.begin() + pressed_count_,
       [&](const Pressed& known) { return (bodies_of(known.pair) & step.members).any(); });
   pressed_count_ = static_cast<int>(last - pressed_.begin());
-  int left = 0;
+  contacts_.keep_if([](const Contact& c) { return c.impulse != 0.0; });
   for (Contact& c : contacts_.contacts()) {
-    c.holds = c.impulse != 0.0;
-    if (!c.holds) continue;
+    c.holds = true;
     c.force = c.impulse / step.length;
-    if (pressed_count_ < max_unknowns) pressed_[pressed_count_++] = {c.pair, c.at, c.force};
-    contacts_.list[left++] = c;
+    if (pressed_count_ == max_unknowns) continue;
+    pressed_[pressed_count_++] = {c.pair, c.at, c.force, c.impulse};
   }
-  contacts_.count = left;
   for (int i = 0; i < arena_.robots; ++i) {
     if (step.members[i]) wheels_[i].force = wheels_[i].impulse / step.length;
   }
@@ -169,7 +171,7 @@ void ContactStepping::recall(const BodySet& members, double length) {
       const Pressed& known = pressed_[next];
       next = next + 1 == pressed_count_ ? 0 : next + 1;
       if (!(known.pair == c.pair) || !is_same_place(known.at, c.at)) continue;
-      c.impulse = known.force * length;
+      c.impulse = std::min(known.force * length, known.impulse);
       break;
     }
   }
@@ -210,8 +212,9 @@ bool ContactStepping::find(const BodySet& candidates, std::span<const Contact> t
   }
   look_ahead(candidates, touching, length, bodies);
   step = {{}, length};
-  for (const Contact& c : contacts_.contacts()) step.members |= bodies_of(c.pair);
-  if (step.members.none()) return true;
+  if (contacts_.count == 0) return true;
+  step.members = touching_with(bodies_of(contacts_.list[0].pair), contacts_.contacts());
+  contacts_.keep_if([&](const Contact& c) { return step.members[c.pair.a]; });
   return settle(step.members, drives, mass, length, bodies) &&
          length <= too_far * longest_step(step.members, end_);
 }
@@ -241,7 +244,7 @@ void ContactStepping::look_ahead(const BodySet& candidates, std::span<const Cont
   for (const Contact& c : contacts_.contacts()) found[c.pair.a].set(c.pair.partner);
   // Who touches may part faster than anybody goes, and yet not part once the others are heard.
   for (const Contact& c : touching) {
-    if (found[c.pair.a][c.pair.partner]) continue;
+    if (!candidates[c.pair.a] || found[c.pair.a][c.pair.partner]) continue;
     found[c.pair.a].set(c.pair.partner);
     add_contacts(arena_, c.pair, end_, infinity, contacts_);
   }
@@ -282,7 +285,8 @@ bool ContactStepping::stays_apart(const BodySet& members, double length) {
   if (!paths_.is_clear(step)) return false;
   const double overlap = paths_.bend(step);
   next_ = paths_.next_length(step, overlap);
-  return overlap <= arena_.tolerances.overlap_within_step;
+  return overlap <= arena_.tolerances.overlap_within_step ||
+         overlap <= paths_.overlap_at_begin(step);
 }
 
 // What overlaps at the begin is undone in a step, but not faster than that would add energy: steps may
@@ -341,13 +345,13 @@ void ContactStepping::solve(const BodySet& members, std::span<const InverseMass>
     problem_.b[i] += (row_[i]->at.gap + left_[i]) / length - gap_rate(*row_[i], end_);
   }
   for (int i = normals; i < with_tangents; ++i) set_bounds(i, 0.0);
-  problem_.solve();
+  problem_.solve(close_enough);
   for (int round = 0; round < friction_rounds && with_tangents > normals; ++round) {
     for (int i = normals, k = 0; i < with_tangents; ++i, ++k) {
       while (contacts_.list[k].friction == 0.0) ++k;
       set_bounds(i, contacts_.list[k].friction * problem_.x[k]);
     }
-    problem_.solve();
+    problem_.solve(close_enough);
   }
 
   for (int i = 0; i < arena_.bodies(); ++i) {

@@ -35,8 +35,9 @@ class ContactStepping {
     double length = 0.0;
   };
 
-  // Of the candidates, those that touch now and those that may before the step ends. Sets the twists
-  // of the members to what they keep during the step, which is no longer than `longest`, s.
+  // Of the candidates, the first that touches another or may before the step ends, and all that are so
+  // connected with it. Sets the twists of the members to what they keep during the step, which is no
+  // longer than `longest`, s.
   Step take(const BodySet& candidates, std::span<const Contact> touching,
             std::span<const Drive> drives, std::span<const InverseMass> mass, double longest,
             std::span<Body> bodies);
@@ -56,11 +57,13 @@ class ContactStepping {
   void forget();
 
  private:
-  // A contact that pressed in a step: the next one begins with its force.
+  // A contact that pressed in a step: the next one begins with its force, but with no more than it gave
+  // then. Of a short one that stopped something, the force says nothing about a longer one.
   struct Pressed {
     Pair pair;
     ContactPoint at;
-    double force;  // N
+    double force;    // N
+    double impulse;  // N s
   };
 
   double fastest_of(const BodySet& some, std::span<const Body> bodies) const;

@@ -94,6 +94,12 @@ void set_rows(std::span<const Body> bodies, Contact& c) {
   if (c.b != no_body) c.row_b = contact_row(bodies[c.b], c.at);
 }
 
+BodySet bodies_of(std::span<const Contact> contacts) {
+  BodySet bodies;
+  for (const Contact& c : contacts) bodies |= bodies_of(c.pair);
+  return bodies;
+}
+
 CoupledRow row_of(const Contact& c) {
   const JacobianRow on_b{-c.row_b[0], -c.row_b[1], -c.row_b[2]};
   if (c.a == no_body) return {.a = c.b, .b = no_body, .on_a = on_b, .on_b = {}};

@@ -49,6 +49,8 @@ void set_rows(std::span<const Body> bodies, Contact& contact);
 
 CoupledRow row_of(const Contact& contact);
 
+BodySet bodies_of(std::span<const Contact> contacts);
+
 // The contacts of the bodies that touch at one instant.
 struct ContactList {
   std::array<Contact, max_unknowns - max_bodies> list;
@@ -59,6 +61,18 @@ struct ContactList {
     return {list.data(), static_cast<std::size_t>(count)};
   }
   bool full() const { return count == static_cast<int>(list.size()); }
+
+  // Drops those for which keep(contact) is false; the others stay in order.
+  template <class Keep>
+  void keep_if(Keep keep) {
+    int kept = 0;
+    for (int i = 0; i < count; ++i) {
+      if (!keep(list[i])) continue;
+      if (kept != i) list[kept] = list[i];
+      ++kept;
+    }
+    count = kept;
+  }
 };
 
 // The ground holds wheels as a contact does whose row is v_l.

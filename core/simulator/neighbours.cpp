@@ -29,4 +29,17 @@ void Neighbours::add(const Pair& pair) {
   if (count_ < static_cast<int>(list_.size())) list_[count_++] = {.pair = pair};
 }
 
+Neighbour* Neighbours::first_to_touch(double& t) {
+  Neighbour* first = nullptr;
+  for (Neighbour& n : list()) {
+    if (n.touch > t) continue;
+    const bool earlier = first == nullptr || n.touch < t || n.pair.a < first->pair.a ||
+                         (n.pair.a == first->pair.a && n.pair.partner < first->pair.partner);
+    if (!earlier) continue;
+    first = &n;
+    t = n.touch;
+  }
+  return first;
+}
+
 }  // namespace mirocup::simulator

@@ -32,6 +32,10 @@ class Neighbours {
 
   void clear() { count_ = 0; }
 
+  // Not later than t, which becomes their time, as it is known; of several at once those of the lowest
+  // bodies. Null if there are none.
+  Neighbour* first_to_touch(double& t);
+
   // Finds the pairs of the changed bodies anew: those whose boxes meet. When they touch is for the
   // caller to say.
   std::span<Neighbour> find(const Arena& arena, std::span<const Box> boxes, const BodySet& changed);

@@ -105,8 +105,8 @@ struct Tolerances {
   double slide_growth_per_event = 2.0;
   double rest_slide = 1e-7;
   // What a body's events of a tick may cost, summed: of each the fourth power of how many bodies it
-  // involves. One of five, 7 of three or 32 of two. Beyond, the body and what it touches go on in small
-  // steps.
+  // involves. 2 of four, 7 of three or 32 of two. Beyond, the body and what it touches go on in small
+  // steps; five that still touch then do so from the next tick's begin.
   int followed_per_tick = 500;
   double step = 3e-3;                 // s: the longest of those
   double step_touch = 1e-10;          // m: what is left of gaps and overlaps at the end of one,

@@ -46,6 +46,7 @@ void Patience::forget() {
   touching_.reset();
   touched_.reset();
   touches_ = {};
+  exhausted_.reset();
 }
 
 void Patience::begin_tick(const BodySet& touching) {
@@ -55,6 +56,7 @@ void Patience::begin_tick(const BodySet& touching) {
   last_touch_of_ = {};
   touches_ = {};
   followed_ = {};
+  were_exhausted_ = exhausted_;
   exhausted_ = tolerances_.followed_per_tick > 0 ? BodySet{} : ~BodySet{};
   all_touches_ = 0;
   last_touch_ = 0.0;
@@ -89,9 +91,13 @@ void Patience::note_bounce(const Pair& pair, double t) {
   if (!pair.with_obstacle()) count_once(pair.partner);
 }
 
-void Patience::note_event(const BodySet& involved, bool was_forced) {
+int Patience::cost_of_event(const BodySet& involved) {
   const int company = static_cast<int>(involved.count());
-  const int cost = company * company * company * company;
+  return company * company * company * company;
+}
+
+void Patience::note_event(const BodySet& involved, bool was_forced) {
+  const int cost = cost_of_event(involved);
   for (int i = 0; i < max_bodies; ++i) {
     if (!involved[i] || exhausted_[i]) continue;
     followed_[i] += cost;
@@ -102,6 +108,11 @@ void Patience::note_event(const BodySet& involved, bool was_forced) {
   roll_ = std::min(roll_ * t.growth_per_event, t.rest_speed);
   slide_ = slide_ < t.rest_slide ? std::min(slide_ * t.slide_growth_per_event, t.rest_slide)
                                  : std::min(slide_ * late_slide_growth, t.rest_speed);
+}
+
+void Patience::note_group(const BodySet& group) {
+  if ((group & were_exhausted_).none()) return;
+  if (cost_of_event(group) >= tolerances_.followed_per_tick) exhausted_ |= group;
 }
 
 int Patience::touches_of(const Pair& pair) const {

@@ -30,8 +30,11 @@ class Patience {
   void note_bounce(const Pair& pair, double t);
   // `was_forced`: a curve ended as soon as it was allowed to, at hold().
   void note_event(const BodySet& involved, bool was_forced);
-  // Has one of them had all that is followed in a tick?
-  bool is_exhausted(const BodySet& bodies) const { return (bodies & exhausted_).any(); }
+  // The tick begins with these in one group of bodies that touch. If a single event of all of them costs
+  // what is followed in a tick, and it was too much in the last one, none is.
+  void note_group(const BodySet& group);
+  // Who has had all that is followed in a tick.
+  const BodySet& exhausted() const { return exhausted_; }
 
   // A slower approach of the pair does not bounce, m/s.
   double rest_speed(const Pair& pair) const;
@@ -52,6 +55,7 @@ class Patience {
   using Growing = std::array<double, most_counted + 1>;  // after so many of something
   static Growing growing(double first, double growth, double most, int patient = 0);
 
+  static int cost_of_event(const BodySet& involved);
   int touches_of(const Pair& pair) const;
   void count(int body, double t);
   // Has the body been in company since before the tick, and not been touched anew?
@@ -65,7 +69,7 @@ class Patience {
   BodySet accustomed_;                              // touched, or were touched, in the tick before
   std::array<int, max_bodies> touches_{};           // of each body in this tick, up to most_counted
   std::array<int, max_bodies> followed_{};          // of each in this tick, what it cost
-  BodySet exhausted_;                               // by it
+  BodySet exhausted_, were_exhausted_;              // by it; in the tick before
   std::array<double, max_bodies> last_touch_of_{};  // s of the tick
   int all_touches_ = 0;
   double last_touch_ = 0.0;  // s of the tick

@@ -10,9 +10,8 @@ namespace mirocup::simulator {
 
 namespace {
 
-// D as a share of A's diagonal; and the slope that is left, as a share of the largest |b|.
+// D as a share of A's diagonal.
 constexpr double softness = 1e-5;
-constexpr double soft_solved = 1e-10;
 
 // Rounds, few of which are needed; and of one, how many halves of a step are tried for whether they
 // lower the function by this share of what its slope promised, as far as rounding lets see, where the
@@ -69,7 +68,7 @@ void SoftProblem::add(const CoupledRow& row) {
   system_fits_ = false;
 }
 
-bool SoftProblem::solve() {
+bool SoftProblem::solve(double close) {
   double scale = 0.0;
   for (int i = 0; i < size_; ++i) {
     scale = std::max(scale, std::abs(b[i]));
@@ -77,7 +76,7 @@ bool SoftProblem::solve() {
   }
   look_at_value();
   for (int round = 0; round < most_soft_rounds; ++round) {
-    if (hold_at_bounds(soft_solved * scale)) return true;
+    if (hold_at_bounds(close * scale)) return true;
     find_direction();
     std::copy_n(x.begin(), size_, begin_.begin());
     std::copy_n(slope_.begin(), size_, begin_slope_.begin());

@@ -29,9 +29,10 @@ class SoftProblem {
   int size() const { return size_; }
   Unknowns b, low, high;
 
-  // From x as it stands: the nearer that is, the closer to it the solution and the cheaper. False if
-  // x is not quite the solution: it is within its bounds, and no worse than where it began.
-  bool solve();
+  // From x as it stands: the nearer that is, the closer to it the solution and the cheaper. `close` is
+  // the slope that may be left, as a share of the largest |b|. False if x is not quite the solution: it
+  // is within its bounds, and no worse than where it began.
+  bool solve(double close = 1e-10);
   Unknowns x;
 
  private:

@@ -14,6 +14,8 @@ namespace {
 constexpr double not_worth_a_bend = 0.25;
 // Farther, m, nobody is taken beside the arc: it would be at another speed than its twist says.
 constexpr double most_bend = 2e-5;
+// How close what bends an arc has to be, as a share of the largest overlap.
+constexpr double bent_enough = 1e-3;
 
 // The next step is so long that it should overlap by this share of what it may, and grows by no more
 // than that.
@@ -70,20 +72,24 @@ StepPaths::StepPaths(const Arena& arena, SoftProblem& problem)
 bool StepPaths::is_clear(const Step& step) {
   bool clear = true;
   for_each_pair(step.contacts, [&](std::span<const Contact> contacts, bool presses) {
-    if (presses) return;
-    for (const Contact& c : contacts) clear = clear && !passes_through(step, c);
+    const auto came_from_behind = [&](const Contact& c) {
+      if (presses && c.impulse == 0.0) return false;
+      return c.at.gap < gap_rate(c, step.end) * step.length;
+    };
+    if (!clear || std::none_of(contacts.begin(), contacts.end(), came_from_behind)) return;
+    const Pair& pair = contacts.front().pair;
+    // Who presses at both ends is bent.
+    if (presses && gap(arena_, pair, step.begin) <= most_bend) return;
+    clear = !passes_through(step, pair);
   });
   return clear;
 }
 
-// Only what opens at the end, and was not as far apart at the begin as that says, is worth a search.
-bool StepPaths::passes_through(const Step& step, const Contact& c) {
-  if (c.at.gap >= gap_rate(c, step.end) * step.length) return false;
-  for (const int i : {c.a, c.b}) {
-    if (i != no_body) arcs_[i] = steady_segment(step.begin[i], 0.0, step.length);
-  }
+bool StepPaths::passes_through(const Step& step, const Pair& pair) {
+  for_each_body(bodies_of(pair),
+                [&](int i) { arcs_[i] = steady_segment(step.begin[i], 0.0, step.length); });
   const double overlaps =
-      first_time_below(arena_, c.pair, -arena_.tolerances.overlap_within_step, arcs_, 0.0);
+      first_time_below(arena_, pair, -arena_.tolerances.overlap_within_step, arcs_, 0.0);
   return overlaps > 0.0 && overlaps != never;
 }
 
@@ -102,8 +108,10 @@ double StepPaths::bend(const Step& step) {
   });
   const double deepest = overlap_at(step, 0.5);
   const double most = arena_.tolerances.overlap_within_step;
+  farthest_ = deepest;
   if (deepest <= not_worth_a_bend * most || deepest > most_bend) return deepest;
-  if (push_middle_apart(step) > most_bend) {
+  farthest_ = push_middle_apart(step);
+  if (farthest_ > most_bend) {
     straighten(step.members);
     return deepest;
   }
@@ -113,10 +121,13 @@ double StepPaths::bend(const Step& step) {
 
 double StepPaths::next_length(const Step& step, double overlap) const {
   const double most = arena_.tolerances.overlap_within_step;
-  const double ratio = cautious * (overlap > most_bend ? most_bend : most) / overlap;
-  // With the square, or the cube: never longer than its root says.
-  const double root = std::sqrt(ratio);
-  const double longer = is_bent_ && ratio > 1.0 ? std::sqrt(root) : root;
+  // What would overlap without bends grows with the step's square,
+  double longer = std::sqrt(cautious * std::max(most, most_bend) / farthest_);
+  if (is_bent_) {
+    // what overlaps with them, with its cube: never longer than its root says.
+    const double root = std::sqrt(cautious * most / overlap);
+    longer = std::min(longer, root > 1.0 ? std::sqrt(root) : root);
+  }
   return step.length * std::min(step_growth, longer);
 }
 
@@ -150,7 +161,7 @@ double StepPaths::push_middle_apart(const Step& step) {
     problem_.b[near_count_] = apart;
     near_[near_count_++] = &c;
   }
-  problem_.solve();
+  problem_.solve(bent_enough);
   std::array<Shift, max_bodies> shifts{};
   for (int i = 0; i < near_count_; ++i) {
     if (problem_.x[i] != 0.0) add_shift(*near_[i], problem_.x[i], shifted_, shifts);

@@ -41,13 +41,16 @@ class StepPaths {
     double length;  // s
   };
 
-  // Can no two corners pass through each other on the way to an end where they are apart?
+  // Can no two corners pass through each other on the way to an end where they are apart, or touch from
+  // another side? Only what opens at the end, and by that was behind the edge at the begin, is looked at.
   bool is_clear(const Step& step);
   // None of them is beside an arc, until bend() says so: for the begin of each attempt at a step.
   void straighten(const BodySet& members);
   // Bends the arcs of the members where those who press would overlap. Returns how deep two of them
   // still do, m.
   double bend(const Step& step);
+  // How deep two of them did when the step began, m.
+  double overlap_at_begin(const Step& step) { return overlap_at(step, 0.0); }
   // How long the next such step may be, s, to overlap by a little less than is allowed.
   double next_length(const Step& step, double overlap) const;
 
@@ -55,7 +58,7 @@ class StepPaths {
   const Vec2& bend_of(int member) const { return bend_[member]; }
 
  private:
-  bool passes_through(const Step& step, const Contact& contact);
+  bool passes_through(const Step& step, const Pair& pair);
   double overlap_at(const Step& step, double part);
   double gap_there(const Contact& contact) const;
   double push_middle_apart(const Step& step);
@@ -64,6 +67,7 @@ class StepPaths {
   SoftProblem& problem_;
   std::array<InverseMass, max_bodies> shifted_;  // bodies that do not turn
   bool is_bent_ = false;
+  double farthest_ = 0.0;  // m: how far the last bend() wanted to take somebody beside an arc
   std::array<Vec2, max_bodies> bend_;              // m, of each member
   std::array<Body, max_bodies> there_;             // at the part of the step that is looked at
   std::array<const Contact*, max_unknowns> near_;  // contacts that may overlap there

@@ -73,9 +73,13 @@ const TickEvents& World::advance(std::span<const WheelCommand> commands, double 
   }
   bodies_were_set_ = false;
   steps_->begin_tick();
-  patience_.begin_tick(touching_bodies());
-  if (!patience_.is_exhausted(all) || were_set) run_into_each_other(0.0);
-  go_on(all, 0.0, duration);
+  patience_.begin_tick(bodies_of(contacts_.contacts()));
+  groups_.for_each(contacts_, [this](std::span<const Contact> group) {
+    patience_.note_group(bodies_of(group));
+  });
+  if (!were_set) step(touching_with(patience_.exhausted(), contacts_.contacts()), 0.0, duration);
+  run_into_each_other(0.0);
+  go_on(all, {}, 0.0, duration);
 
   for (Event event = next_event(duration); event.time < duration; event = next_event(duration)) {
     play_event(event, duration);
@@ -90,21 +94,13 @@ const TickEvents& World::advance(std::span<const WheelCommand> commands, double 
   return events_;
 }
 
-// The first neighbours to touch, not later than t, which becomes their time; null if there are none.
-// Estimates are made exact only where that may decide.
+// Not later than t, which becomes their time; null if there are none. Estimates are made exact only where
+// that may decide.
 const Neighbour* World::first_touch(double& t) {
   const double latest = t;
   while (true) {
     t = latest;
-    Neighbour* first = nullptr;
-    for (Neighbour& n : neighbours_.list()) {
-      if (n.touch > t) continue;
-      const bool earlier = first == nullptr || n.touch < t || n.pair.a < first->pair.a ||
-                           (n.pair.a == first->pair.a && n.pair.partner < first->pair.partner);
-      if (!earlier) continue;
-      first = &n;
-      t = n.touch;
-    }
+    Neighbour* first = neighbours_.first_to_touch(t);
     if (first == nullptr || !first->is_estimate) return first;
     const double sink = patience_.sink(first->pair);
     first->touch = touch_time(arena_, first->pair, segments_, first->estimated, sink);
@@ -134,13 +130,13 @@ void World::play_event(const Event& event, double tick_end) {
   patience_.note_event(involved, was_forced_to_hold(event));
   bring_to(t, involved);
   const bool a_step_is_over = !event.is_touch && (involved & ~companies_.stepping()).none();
-  if (a_step_is_over && goes_in_steps(involved)) {
-    contacts_.count = 0;
+  if (a_step_is_over && bound_for_steps(involved).any()) {
+    drop_contacts_of(~BodySet{});
   } else {
     collect_contacts(involved, t);
     run_into_each_other(t);
   }
-  go_on(involved, t, tick_end);
+  go_on(involved, companies_.leave(involved), t, tick_end);
 }
 
 // Did a curve end as soon as it was allowed to?
@@ -157,36 +153,45 @@ bool World::was_forced_to_hold(const Event& event) const {
 void World::run_into_each_other(double t) {
   note_touches(contacts_.contacts());
   separate_overlaps();
-  collide(t);
+  groups_.for_each(contacts_, [this, t](std::span<Contact> group) { collide(group, t); });
 }
 
 // From the contacts that the involved bodies have now: who presses, and how all of them move on.
-void World::go_on(const BodySet& involved, double t, double tick_end) {
-  const BodySet were_stepping = companies_.stepping() & involved;
-  companies_.leave(involved);
-  BodySet on_curves = involved;
-  if (goes_in_steps(involved)) {
-    on_curves &= ~step(were_stepping | touching_bodies(), t, tick_end);
-  } else {
-    forces_->decide(drives_, patience_.rest_slide(), patience_.rest_roll(), bodies_,
-                    contacts_.contacts());
-  }
+void World::go_on(const BodySet& involved, const BodySet& were_stepping, double t,
+                  double tick_end) {
+  step(were_stepping |
+           touching_with(were_stepping | bound_for_steps(involved), contacts_.contacts()),
+       t, tick_end);
+  groups_.for_each(contacts_, [this](std::span<Contact> group) {
+    forces_->decide(drives_, patience_.rest_slide(), patience_.rest_roll(), bodies_, group);
+  });
+  const BodySet on_curves = involved & ~companies_.stepping();
   if (trace_ != nullptr) add_pressing(contacts_.contacts(), on_curves, *trace_);
   start_segments(on_curves, t, tick_end);
   meet_neighbours(involved, t, tick_end);
 }
 
-bool World::goes_in_steps(const BodySet& involved) const {
-  return has_friction(arena_.parameters) || patience_.is_exhausted(involved);
+// Of these, the bodies that go in small steps with whatever touches them.
+BodySet World::bound_for_steps(const BodySet& bodies) const {
+  return has_friction(arena_.parameters) ? bodies : bodies & patience_.exhausted();
 }
 
-// Those of the candidates whose contacts last take a small step; they are returned.
-BodySet World::step(const BodySet& candidates, double t, double tick_end) {
-  if (candidates.none()) return {};
-  const auto [members, length] =
-      steps_->take(candidates, contacts_.contacts(), drives_, mass_, tick_end - t, bodies_);
-  contacts_.count = 0;
-  events_.stepped = events_.stepped || members.any();
+// Those of the candidates whose contacts last take a small step, each with whom it may touch in it.
+void World::step(const BodySet& candidates, double t, double tick_end) {
+  if (candidates.none()) return;
+  for (BodySet left = candidates; left.any();) {
+    const ContactStepping::Step taken =
+        steps_->take(left, contacts_.contacts(), drives_, mass_, tick_end - t, bodies_);
+    if (taken.members.none()) break;
+    set_out(taken, t, tick_end);
+    left &= ~taken.members;
+  }
+  drop_contacts_of(candidates);
+}
+
+void World::set_out(const ContactStepping::Step& taken, double t, double tick_end) {
+  const auto& [members, length] = taken;
+  events_.stepped = true;
   companies_.set_out(members, t);
   const double end = t + (1.0 + least_step_left) * length < tick_end ? t + length : tick_end;
   for (int i = 0; i < arena_.bodies(); ++i) {
@@ -201,11 +206,8 @@ BodySet World::step(const BodySet& candidates, double t, double tick_end) {
                            speed * std::abs(v.turn) + bent, std::abs(v.turn));
     boxes_[i] = box_around(ways_[i], end - t);
   }
-  if (members.any()) {
-    note_touches(steps_->pressing());
-    if (trace_ != nullptr) add_pressing(steps_->pressing(), members, *trace_);
-  }
-  return members;
+  note_touches(steps_->pressing());
+  if (trace_ != nullptr) add_pressing(steps_->pressing(), members, *trace_);
 }
 
 void World::spread_over_touching(double t, BodySet& involved) {
@@ -323,18 +325,19 @@ void World::collect_contacts(const BodySet& involved, double t) {
     if (n.is_apart_at(t) || companies_.are_in_step(n.pair)) continue;
     add_contacts(arena_, n.pair, bodies_, arena_.tolerances.touch, contacts_);
   }
+  groups_.sort(contacts_);
 }
 
 void World::collect_contacts_anywhere() {
   contacts_.count = 0;
   const BodySet all(bodies_below(arena_.bodies()));
   add_contacts_among(arena_, all, bodies_, arena_.tolerances.touch, boxes_, contacts_);
+  groups_.sort(contacts_);
 }
 
-BodySet World::touching_bodies() const {
-  BodySet touching;
-  for (const Contact& c : contacts_.contacts()) touching |= bodies_of(c.pair);
-  return touching;
+void World::drop_contacts_of(const BodySet& bodies) {
+  contacts_.keep_if([&](const Contact& c) { return (bodies_of(c.pair) & bodies).none(); });
+  groups_.sort(contacts_);
 }
 
 void World::separate_overlaps() {
@@ -346,19 +349,17 @@ void World::separate_overlaps() {
   }
 }
 
-void World::collide(double t) {
-  for (Contact& c : contacts_.contacts()) c.rest_speed = patience_.rest_speed(c.pair);
-  resolve_impacts(contacts_.contacts(), mass_, bodies_, *problem_);
-  if (has_friction(arena_.parameters)) {
-    resolve_friction(contacts_.contacts(), mass_, bodies_, *problem_);
-  }
-  for (const Contact& c : contacts_.contacts()) {
+void World::collide(std::span<Contact> contacts, double t) {
+  for (Contact& c : contacts) c.rest_speed = patience_.rest_speed(c.pair);
+  resolve_impacts(contacts, mass_, bodies_, *problem_);
+  if (has_friction(arena_.parameters)) resolve_friction(contacts, mass_, bodies_, *problem_);
+  for (const Contact& c : contacts) {
     if (c.impulse == 0.0 || c.approach <= c.rest_speed) continue;
     ++events_.impacts;
     if (trace_ != nullptr) add_impact(c, t, *trace_);
     patience_.note_bounce(c.pair, t);
   }
-  stop_brief_slides(arena_, patience_, drives_, contacts_.contacts(), mass_, bodies_, *problem_);
+  stop_brief_slides(arena_, patience_, drives_, contacts, mass_, bodies_, *problem_);
 }
 
 void World::note_touches(std::span<const Contact> contacts) {

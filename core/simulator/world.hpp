@@ -6,7 +6,8 @@
 // is the first touch of two bodies, wheels that begin or cease to slide, a ball that stops, or a
 // contact that opens. Only the bodies that touch at an event are looked at again. Bodies that have
 // had more events in a tick than anyone can follow go on in small steps with what they touch, so no
-// scene can stall the world; so do bodies that touch with friction (an option).
+// scene can stall the world; so do heaps from the begin, and bodies that touch with friction (an
+// option).
 //
 // Threads: none; one world belongs to one thread. Nothing is allocated after construction. The same
 // commands give the same bits everywhere, and a world turned by 180 degrees stays turned, bit for
@@ -15,6 +16,7 @@
 
 #include "core/simulator/arena.hpp"
 #include "core/simulator/companies.hpp"
+#include "core/simulator/contact_groups.hpp"
 #include "core/simulator/contact_motion.hpp"
 #include "core/simulator/contact_stepping.hpp"
 #include "core/simulator/friction.hpp"
@@ -81,9 +83,10 @@ class World {
   void play_event(const Event& event, double tick_end);
   bool was_forced_to_hold(const Event& event) const;
   void run_into_each_other(double t);
-  void go_on(const BodySet& involved, double t, double tick_end);
-  bool goes_in_steps(const BodySet& involved) const;
-  BodySet step(const BodySet& candidates, double t, double tick_end);
+  void go_on(const BodySet& involved, const BodySet& were_stepping, double t, double tick_end);
+  BodySet bound_for_steps(const BodySet& bodies) const;
+  void step(const BodySet& candidates, double t, double tick_end);
+  void set_out(const ContactStepping::Step& taken, double t, double tick_end);
 
   void spread_over_touching(double t, BodySet& involved);
   void meet_neighbours(const BodySet& involved, double t, double tick_end);
@@ -94,9 +97,9 @@ class World {
   void bring_to(double t, const BodySet& involved);
   void collect_contacts(const BodySet& involved, double t);
   void collect_contacts_anywhere();
-  BodySet touching_bodies() const;
+  void drop_contacts_of(const BodySet& bodies);
   void separate_overlaps();
-  void collide(double t);
+  void collide(std::span<Contact> contacts, double t);
   void start_segments(const BodySet& involved, double t, double tick_end);
   void note_touches(std::span<const Contact> contacts);
 
@@ -119,6 +122,7 @@ class World {
   Trace* trace_ = nullptr;
 
   ContactList contacts_;  // of the event being played; between ticks, of all bodies
+  ContactGroups groups_;  // of those, always
   std::unique_ptr<BoxProblem> problem_;
   std::unique_ptr<SoftProblem> soft_problem_;
   std::unique_ptr<ContactForces> forces_;

@@ -14,35 +14,88 @@
 namespace mirocup::simulator {
 namespace {
 
-// Two robots on their corners, one on its way past the other, so that the corners, apart at both ends
-// of a step, would pass 0.05 mm deep through each other. Catches a step that only looks at its ends.
-TEST(ContactStepping, CornersDoNotPassThroughEachOther) {
+// Two robots on their corners, one on its way past the other at 1 m/s, from `before` metres before it,
+// so that the corners would pass 0.05 mm deep through each other. Their gap is looked at on the way.
+void expect_apart_past_a_corner(double side, double before) {
   const Parameters p;
   const Arena arena = make_arena(nullptr, p, Tolerances{}, 2, false);
   SoftProblem problem;
   ContactStepping steps(arena, problem);
   const double reach = arena.robot_shape.radius;
-  const double step = arena.tolerances.step;
-  std::array<Body, 2> bodies;
-  for (const bool turned : {false, true}) {
-    const double side = turned ? -1.0 : 1.0;
-    bodies[0] = {{0.0, 0.0}, Heading::from_angle(pi / 4.0), {}};
-    bodies[1] = {{side * (2.0 * reach - 5e-5), -side * 0.55 * step},
-                 Heading::from_angle(pi / 4.0),
-                 {side * std::sqrt(0.5), side * std::sqrt(0.5), 0.0}};
-    const std::array<Drive, 2> lifted{drive_of(p, std::nullopt), drive_of(p, std::nullopt)};
-    const std::array<InverseMass, 2> mass{arena.free_robot, arena.free_robot};
-    BodySet both;
-    both.set(0).set(1);
-    const auto [members, length] = steps.take(both, {}, lifted, mass, step, bodies);
-    ASSERT_EQ(members, both);
-    for (int part = 0; part <= 1000; ++part) {
-      const double t = length * part / 1000.0;
-      const Body a = along_bent_arc(bodies[0], steps.bend(0), length, t);
-      const Body b = along_bent_arc(bodies[1], steps.bend(1), length, t);
-      ASSERT_GT(gap(arena, pair_of(0, 1), b, a), -1e-6) << "after " << t << " s";
-    }
+  std::array<Body, 2> bodies{Body{{0.0, 0.0}, Heading::from_angle(pi / 4.0), {}},
+                             Body{{side * (2.0 * reach - 5e-5), -side * before},
+                                  Heading::from_angle(pi / 4.0),
+                                  {side * std::sqrt(0.5), side * std::sqrt(0.5), 0.0}}};
+  const std::array<Drive, 2> lifted{drive_of(p, std::nullopt), drive_of(p, std::nullopt)};
+  const std::array<InverseMass, 2> mass{arena.free_robot, arena.free_robot};
+  const auto [members, length] =
+      steps.take(BodySet(3), {}, lifted, mass, arena.tolerances.step, bodies);
+  ASSERT_EQ(members, BodySet(3));
+  for (int part = 0; part <= 1000; ++part) {
+    const double t = length * part / 1000.0;
+    const Body a = along_bent_arc(bodies[0], steps.bend(0), length, t);
+    const Body b = along_bent_arc(bodies[1], steps.bend(1), length, t);
+    ASSERT_GT(gap(arena, pair_of(0, 1), b, a), -1e-6) << "after " << t << " s";
   }
+}
+
+// Catches a step that only looks at its ends, where they are apart.
+TEST(ContactStepping, CornersDoNotPassThroughEachOther) {
+  const double step = Tolerances{}.step;
+  for (const double side : {1.0, -1.0}) expect_apart_past_a_corner(side, 0.55 * step);
+}
+
+// At the step's end a corner is just past the other, a hair inside: by the edge that is nearest there it
+// would be pushed on. Catches a step that asks who does not press only.
+TEST(ContactStepping, CornersAreNotPushedOutOnTheOtherSide) {
+  const double step = Tolerances{}.step;
+  for (const double side : {1.0, -1.0}) expect_apart_past_a_corner(side, step - 2e-5);
+}
+
+// Two robots in touch turn as they roll, and a mirror image that rounding lets slide at 1e-17 m/s does the
+// same. Catches one whose frame turns away from its velocity: a ten thousandth slower after a step.
+TEST(ContactStepping, RoundingIsNoSliding) {
+  const Parameters p;
+  const Arena arena = make_arena(nullptr, p, Tolerances{}, 2, false);
+  SoftProblem problem;
+  const std::array<Drive, 2> drives{drive_of(p, WheelSpeeds{10.0, 14.0}),
+                                    drive_of(p, WheelSpeeds{10.0, 14.0})};
+  const std::array<InverseMass, 2> mass{arena.grounded_robot, arena.grounded_robot};
+  const auto speed = [&](double left) {
+    ContactStepping steps(arena, problem);
+    std::array<Body, 2> bodies{Body{{0.0, 0.0}, Heading{}, {0.3, left, 5.0}},
+                               Body{{p.robot_side, 0.01}, Heading{}, {0.3, 0.0, 5.0}}};
+    EXPECT_EQ(steps.take(BodySet(3), {}, drives, mass, 2e-3, bodies).members, BodySet(3));
+    return bodies[0].twist.forward;
+  };
+  EXPECT_NEAR(speed(1e-17), speed(0.0), 1e-12);
+}
+
+// A robot between two walls that stop it from turning within next to no time, and nothing to press it
+// afterwards. Catches a step that begins with the force of the one before, however long it is itself:
+// forces of which bodies feel nothing stay, and would drive them apart where they can move.
+TEST(ContactStepping, AShortStepsForceIsNotThatOfALongOne) {
+  const field::Field field = field::make_field(League::small);
+  Parameters p;
+  p.robot_side = 2.0 * field.half_width;
+  p.robot_outline = {};
+  const Arena arena = make_arena(&field, p, Tolerances{}, 1, false);
+  SoftProblem problem;
+  ContactStepping steps(arena, problem);
+  std::array<Body, 1> bodies{Body{{0.0, 0.0}, Heading{}, {0.0, 0.0, 0.01}}};
+  const std::array<Drive, 1> lifted{drive_of(p, std::nullopt)};
+  const std::array<InverseMass, 1> mass{arena.free_robot};
+  const auto impulse_of_step = [&](double length) {
+    EXPECT_EQ(steps.take(BodySet(1), {}, lifted, mass, length, bodies).members, BodySet(1));
+    bodies[0] = steps.end(0);
+    double sum = 0.0;
+    for (const Contact& c : steps.pressing()) sum += c.impulse;
+    return sum;
+  };
+  const double stopped = impulse_of_step(1e-7);
+  EXPECT_GT(stopped, 1e-5);
+  EXPECT_LT(impulse_of_step(1e-3), 1.01 * stopped);
+  EXPECT_LT(std::abs(bodies[0].twist.turn), 1e-6);
 }
 
 // A robot spins with a corner on another's side: it touches at both ends of a step and would be 10 µm

@@ -163,5 +163,32 @@ TEST(World, InterruptedStepsGiveNoMoreThanTheirShare) {
   }
 }
 
+// Two pairs push far from each other, and a ball hits somebody of one in the middle of a step. Catches one
+// step for all: the others would be interrupted, too.
+TEST(World, WhoIsHitInterruptsNobodyFarAway) {
+  const Parameters p;
+  const double radii = 0.5 * p.robot_side + p.ball_radius;
+  const auto far_pair = [&](double ball_speed) {
+    World world(nullptr, p, hasty(), 4, true);
+    for (int i = 0; i < 4; ++i) {
+      const Vec2 place{p.robot_side * (i % 2), i < 2 ? 0.0 : 1.0};
+      world.set_robot(i, {place, Heading::from_angle(i % 2 == 0 ? 0.0 : 0.3), {}});
+    }
+    world.set_ball({{p.robot_side, -radii - 0.02}, {0.0, ball_speed}});
+    const std::array<WheelCommand, 4> commands{WheelSpeeds{30.0, 35.0}, WheelSpeeds{-20.0, -10.0},
+                                               WheelSpeeds{30.0, 35.0}, WheelSpeeds{-20.0, -10.0}};
+    int impacts = 0;
+    for (int tick = 0; tick < 3; ++tick) impacts += world.advance(commands, 0.033).impacts;
+    EXPECT_EQ(impacts > 0, ball_speed > 0.0);
+    return std::array<RobotState, 2>{world.robot(2), world.robot(3)};
+  };
+  const auto undisturbed = far_pair(0.0);
+  const auto disturbed = far_pair(2.0);
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_EQ(disturbed[i].position, undisturbed[i].position);
+    EXPECT_EQ(disturbed[i].twist.turn, undisturbed[i].twist.turn);
+  }
+}
+
 }  // namespace
 }  // namespace mirocup::simulator
