@@ -178,7 +178,8 @@ BodySet World::bound_for_steps(const BodySet& bodies) const {
 
 // Those of the candidates whose contacts last take a small step, each with whom it may touch in it.
 void World::step(const BodySet& candidates, double t, double tick_end) {
-  if (candidates.none()) return;
+  // Scenes are sampled by ticks that last no time: there is nothing to step over.
+  if (candidates.none() || t == tick_end) return;
   for (BodySet left = candidates; left.any();) {
     const ContactStepping::Step taken =
         steps_->take(left, contacts_.contacts(), drives_, mass_, tick_end - t, bodies_);

@@ -89,6 +89,19 @@ TEST(World, SmallStepsSeeAllContacts) {
   }
 }
 
+// Scenes are sampled by ticks that last no time. Catches a step that divides by it: nobody is anywhere.
+TEST(World, NoStepIsTakenInNoTime) {
+  World world(nullptr, Parameters{}, hasty(), 6, true);
+  set_around_ball(world, 0.09, 0.3);
+  for (int tick = 0; tick < 20; ++tick) {
+    world.advance(whirl(tick), 0.033);
+    const Body before = body_of(world, 0);
+    EXPECT_FALSE(world.advance(whirl(tick), 0.0).stepped);
+    EXPECT_NEAR((body_of(world, 0).position - before.position).norm(), 0.0, 1e-9);
+    EXPECT_TRUE(std::isfinite(body_of(world, 0).twist.turn));
+  }
+}
+
 // Bodies that are set anew go on as in a world that never had others. Catches a step that begins with
 // the forces of wheels from before.
 TEST(World, ForgetsWhatWasBeforeBodiesWereSet) {
