@@ -57,25 +57,36 @@ double contact_friction(const Arena& arena, const Pair& pair) {
   return of_pair(arena, pair, arena.parameters.contact_friction);
 }
 
+const Shape& partner_shape(const Arena& arena, const Pair& pair) {
+  return pair.with_obstacle() ? end_wall_of(arena, pair.obstacle()) : arena.shape(pair.partner);
+}
+
+Body partner_body(const Pair& pair, std::span<const Body> bodies) {
+  return pair.with_obstacle() ? Body{} : bodies[pair.partner];
+}
+
 Separation separation(const Arena& arena, const Pair& pair, const Body& a, const Body& b) {
   const Shape& shape = arena.shape(pair.a);
-  if (!pair.with_obstacle()) return separation(shape, a, arena.shape(pair.partner), b);
   if (pair.with_plane()) return separation(shape, a, arena.field->walls[pair.obstacle()]);
-  return separation(shape, a, end_wall_of(arena, pair.obstacle()), Body{});
+  return separation(shape, a, partner_shape(arena, pair), pair.with_obstacle() ? Body{} : b);
 }
 
 void add_contacts(const Arena& arena, const Pair& pair, std::span<const Body> bodies, double margin,
                   ContactList& list) {
   const Shape& shape = arena.shape(pair.a);
   const Body& a = bodies[pair.a];
-  ContactPoints found;
-  if (!pair.with_obstacle()) {
-    found = contact_points(shape, a, arena.shape(pair.partner), bodies[pair.partner], margin);
-  } else if (pair.with_plane()) {
-    found = contact_points(shape, a, arena.field->walls[pair.obstacle()], margin);
+  if (pair.with_plane()) {
+    const field::Wall& wall = arena.field->walls[pair.obstacle()];
+    add_points(arena, pair, bodies, contact_points(shape, a, wall, margin), list);
   } else {
-    found = contact_points(shape, a, end_wall_of(arena, pair.obstacle()), Body{}, margin);
+    const Body b = partner_body(pair, bodies);
+    const ContactPoints found = contact_points(shape, a, partner_shape(arena, pair), b, margin);
+    add_points(arena, pair, bodies, found, list);
   }
+}
+
+void add_points(const Arena& arena, const Pair& pair, std::span<const Body> bodies,
+                const ContactPoints& found, ContactList& list) {
   for (int i = 0; i < found.count && !list.full(); ++i) {
     Contact& c = list.list[list.count++];
     c = Contact{.pair = pair, .at = found.points[i]};
@@ -132,9 +143,7 @@ double first_time_below(const Arena& arena, const Pair& pair, double level,
   if (pair.with_plane()) {
     return first_touch(mover, arena.field->walls[pair.obstacle()], level, t, end);
   }
-  const Shape& other =
-      pair.with_obstacle() ? end_wall_of(arena, pair.obstacle()) : arena.shape(pair.partner);
-  return first_touch(mover, Mover{other, b}, level, t, end);
+  return first_touch(mover, Mover{partner_shape(arena, pair), b}, level, t, end);
 }
 
 double touch_time(const Arena& arena, const Pair& pair, std::span<const Segment> segments, double t,

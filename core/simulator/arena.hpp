@@ -45,6 +45,10 @@ Arena make_arena(const field::Field* field, const Parameters& parameters,
 double restitution(const Arena& arena, const Pair& pair);
 double contact_friction(const Arena& arena, const Pair& pair);
 
+// The pair's second outline, of a body or an end wall, and where it is.
+const Shape& partner_shape(const Arena& arena, const Pair& pair);
+Body partner_body(const Pair& pair, std::span<const Body> bodies);
+
 Separation separation(const Arena& arena, const Pair& pair, const Body& a, const Body& b);
 inline double gap(const Arena& arena, const Pair& pair, const Body& a, const Body& b) {
   return separation(arena, pair, a, b).gap;
@@ -59,6 +63,9 @@ inline double gap(const Arena& arena, const Pair& pair, std::span<const Body> bo
 // obstacle `bodies` needs only a.
 void add_contacts(const Arena& arena, const Pair& pair, std::span<const Body> bodies, double margin,
                   ContactList& list);
+// The same of points that were found for it.
+void add_points(const Arena& arena, const Pair& pair, std::span<const Body> bodies,
+                const ContactPoints& found, ContactList& list);
 
 // A contact of the pair where the bodies are now: the same corner and edge once more, or what of the
 // other side the ball is nearest to.

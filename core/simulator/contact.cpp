@@ -17,6 +17,15 @@ Relative relative(const Body& body, const Body& of) {
   return {of.heading.to_body(body.position - of.position), body.heading.seen_from(of.heading)};
 }
 
+// The corner that is farthest against `normal` (in the polygon's frame): where along it, m.
+double nearest_corner(const Shape& polygon, const Vec2& normal) {
+  double nearest = infinity;
+  for (int i = 0; i < polygon.corners; ++i) {
+    nearest = std::min(nearest, normal.dot(polygon.corner[i]));
+  }
+  return nearest;
+}
+
 Axis axis_to_centre(const Body& body_a, const Shape& b, const Body& body_b) {
   return nearest_axis(b, body_b.heading.to_body(body_a.position - body_b.position));
 }
@@ -123,12 +132,7 @@ EdgeSeparation best_edge(const Shape& reference, const Shape& other, const Vec2&
     if (of_middle[edge] > of_middle[facing]) facing = edge;
   }
   const auto separation_of = [&](int edge) {
-    const Vec2 normal = heading.to_body(reference.normal[edge]);
-    double nearest = infinity;
-    for (int i = 0; i < other.corners; ++i) {
-      nearest = std::min(nearest, normal.dot(other.corner[i]));
-    }
-    return of_middle[edge] + nearest;
+    return of_middle[edge] + nearest_corner(other, heading.to_body(reference.normal[edge]));
   };
   EdgeSeparation best{facing, separation_of(facing)};
   const double reach = other.inner_radius * (1.0 - 1e-9);  // at least so far towards any edge
@@ -147,6 +151,34 @@ Reference reference_of(const Shape& a, const Body& body_a, const Shape& b, const
   const EdgeSeparation of_b = best_edge(b, a, a_in_b.position, a_in_b.heading);
   if (of_a.separation >= of_b.separation) return {true, of_a};
   return {false, of_b};
+}
+
+double separation_from(const Reference& reference, const Shape& a, const Body& body_a,
+                       const Shape& b, const Body& body_b) {
+  const int edge = reference.best.edge;
+  const Shape& side = reference.is_a ? a : b;
+  const Relative other = reference.is_a ? relative(body_b, body_a) : relative(body_a, body_b);
+  return side.normal[edge].dot(other.position) - side.offset[edge] +
+         nearest_corner(reference.is_a ? b : a, other.heading.to_body(side.normal[edge]));
+}
+
+ContactPoints corners_over(const Reference& reference, const Shape& a, const Body& body_a,
+                           const Shape& b, const Body& body_b) {
+  const int edge = reference.best.edge;
+  const Shape& side = reference.is_a ? a : b;
+  const Body& body = reference.is_a ? body_a : body_b;
+  const Shape& other = reference.is_a ? b : a;
+  const Body& other_body = reference.is_a ? body_b : body_a;
+  const Vec2 start = body.position + body.heading.to_world(side.corner[edge]);
+  const Vec2 normal = body.heading.to_world(side.normal[edge]);
+  const int facing = incident_edge(other, other_body, normal);
+  ContactPoints found;
+  for (const int corner : {facing, other.next(facing)}) {
+    const Vec2 place = other_body.position + other_body.heading.to_world(other.corner[corner]);
+    found.add({place, normal, normal.dot(place - start), Touching::corner_on_edge, !reference.is_a,
+               corner, edge});
+  }
+  return found;
 }
 
 Separation separation(const Shape& a, const Body& body_a, const Shape& b, const Body& body_b) {
@@ -169,12 +201,7 @@ Separation separation(const Shape& a, const Body& body_a, const Shape& b, const 
 
 Separation separation(const Shape& a, const Body& body_a, const field::Wall& wall) {
   double reach = a.radius;
-  if (!a.is_circle()) {
-    const Vec2 n = body_a.heading.to_body(wall.normal);
-    double nearest = infinity;
-    for (int i = 0; i < a.corners; ++i) nearest = std::min(nearest, n.dot(a.corner[i]));
-    reach = -nearest;
-  }
+  if (!a.is_circle()) reach = -nearest_corner(a, body_a.heading.to_body(wall.normal));
   return {wall.normal.dot(body_a.position) - wall.offset - reach, wall.normal, reach, 0.0};
 }
 

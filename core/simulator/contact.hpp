@@ -87,4 +87,11 @@ struct Reference {
 };
 Reference reference_of(const Shape& a, const Body& body_a, const Shape& b, const Body& body_b);
 
+// Of two polygons, by the line of that edge, whichever separates them best now: how far the nearest
+// corner of the other one is beyond it, m, and as contact points the two corners that face it.
+double separation_from(const Reference& reference, const Shape& a, const Body& body_a,
+                       const Shape& b, const Body& body_b);
+ContactPoints corners_over(const Reference& reference, const Shape& a, const Body& body_a,
+                           const Shape& b, const Body& body_b);
+
 }  // namespace mirocup::simulator

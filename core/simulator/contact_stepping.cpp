@@ -4,6 +4,7 @@
 #include "core/base/math.hpp"
 #include "core/simulator/ball_motion.hpp"
 #include "core/simulator/cluster.hpp"
+#include "core/simulator/first_edges.hpp"
 #include "core/simulator/near_pairs.hpp"
 
 #include <algorithm>
@@ -184,9 +185,16 @@ double ContactStepping::fastest_of(const BodySet& some, std::span<const Body> bo
   return fastest_point(arena_, some, [&](int i) { return bodies[i].twist; });
 }
 
-// Nothing goes farther than half the ball's radius in a step: it would be seen behind what it hit.
+// Nobody goes farther than half the ball's radius from where all of them go in a step: it would be seen
+// behind what it hit.
 double ContactStepping::longest_step(const BodySet& some, std::span<const Body> bodies) const {
-  const double fastest = fastest_of(some, bodies);
+  Vec2 common{0.0, 0.0};
+  for_each_body(some, [&](int i) { common += bodies[i].velocity(); });
+  common /= static_cast<double>(some.count());
+  const double fastest = fastest_point(arena_, some, [&](int i) {
+    const Vec2 own = bodies[i].heading.to_body(bodies[i].velocity() - common);
+    return Twist{own.x(), own.y(), bodies[i].twist.turn};
+  });
   const double farthest = radii_a_step * arena_.parameters.ball_radius;
   const double length = arena_.tolerances.step;
   return fastest * length > farthest ? farthest / fastest : length;
@@ -248,6 +256,7 @@ void ContactStepping::look_ahead(const BodySet& candidates, std::span<const Cont
     found[c.pair.a].set(c.pair.partner);
     add_contacts(arena_, c.pair, end_, infinity, contacts_);
   }
+  put_on_first_edges(arena_, bodies, end_, contacts_);
 }
 
 // Solves until what was solved for is what is found, along the normals of the look ahead. False if that

@@ -75,6 +75,15 @@ struct ContactList {
   }
 };
 
+// Calls visit(contacts) for each pair, whose contacts all follow each other.
+template <class Visit>
+void for_each_pair(std::span<const Contact> contacts, Visit visit) {
+  for (std::size_t first = 0, last = 0; first < contacts.size(); first = last) {
+    while (last < contacts.size() && contacts[last].pair == contacts[first].pair) ++last;
+    visit(contacts.subspan(first, last - first));
+  }
+}
+
 // The ground holds wheels as a contact does whose row is v_l.
 Contact wheels_as_contact(int body);
 

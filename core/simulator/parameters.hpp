@@ -104,13 +104,14 @@ struct Tolerances {
   double growth_per_event = 1.3;
   double slide_growth_per_event = 2.0;
   double rest_slide = 1e-7;
-  // What a body's events of a tick may cost, summed: of each the fourth power of how many bodies it
-  // involves. 2 of four, 7 of three or 32 of two. Beyond, the body and what it touches go on in small
-  // steps; five that still touch then do so from the next tick's begin.
-  int followed_per_tick = 500;
+  // What a body's events of a tick may cost, summed: of each the square of how many bodies it involves,
+  // times the square of how many these have met in the tick. 3 of four, 7 of three or 34 of two that meet
+  // nobody else. Beyond, the body and what it touches go on in small steps; five that still touch then do
+  // so from the next tick's begin.
+  int followed_per_tick = 540;
   double step = 3e-3;                 // s: the longest of those
   double step_touch = 1e-10;          // m: what is left of gaps and overlaps at the end of one,
-  double step_overlap = 1e-8;         // m: where contacts nearly contradict each other,
+  double step_overlap = 1e-7;         // m: where contacts nearly contradict each other,
   double overlap_within_step = 8e-7;  // m: and between its ends
 };
 

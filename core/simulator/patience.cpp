@@ -55,6 +55,7 @@ void Patience::begin_tick(const BodySet& touching) {
   touched_.reset();
   last_touch_of_ = {};
   touches_ = {};
+  met_ = {};
   followed_ = {};
   were_exhausted_ = exhausted_;
   exhausted_ = tolerances_.followed_per_tick > 0 ? BodySet{} : ~BodySet{};
@@ -76,8 +77,11 @@ void Patience::count(int body, double t) {
 }
 
 void Patience::note_touch(const Pair& pair, double t) {
-  count(pair.a, t);
-  if (!pair.with_obstacle()) count(pair.partner, t);
+  const BodySet both = bodies_of(pair);
+  for_each_body(both, [&](int i) {
+    count(i, t);
+    met_[i] |= both;
+  });
   ++all_touches_;
   last_touch_ = t;
 }
@@ -91,18 +95,20 @@ void Patience::note_bounce(const Pair& pair, double t) {
   if (!pair.with_obstacle()) count_once(pair.partner);
 }
 
-int Patience::cost_of_event(const BodySet& involved) {
-  const int company = static_cast<int>(involved.count());
-  return company * company * company * company;
+// Who has met many will have many more events.
+int Patience::cost_of_event(const BodySet& involved, const BodySet& company) {
+  const int both = static_cast<int>(involved.count() * company.count());
+  return both * both;
 }
 
 void Patience::note_event(const BodySet& involved, bool was_forced) {
-  const int cost = cost_of_event(involved);
-  for (int i = 0; i < max_bodies; ++i) {
-    if (!involved[i] || exhausted_[i]) continue;
+  BodySet company = involved;
+  for_each_body(involved, [&](int i) { company |= met_[i]; });
+  const int cost = cost_of_event(involved, company);
+  for_each_body(involved & ~exhausted_, [&](int i) {
     followed_[i] += cost;
     exhausted_[i] = followed_[i] >= tolerances_.followed_per_tick;
-  }
+  });
   const Tolerances& t = tolerances_;
   hold_ = std::min(hold_ * (was_forced ? growth_when_forced : t.growth_per_event), longest_hold);
   roll_ = std::min(roll_ * t.growth_per_event, t.rest_speed);
@@ -112,7 +118,7 @@ void Patience::note_event(const BodySet& involved, bool was_forced) {
 
 void Patience::note_group(const BodySet& group) {
   if ((group & were_exhausted_).none()) return;
-  if (cost_of_event(group) >= tolerances_.followed_per_tick) exhausted_ |= group;
+  if (cost_of_event(group, group) >= tolerances_.followed_per_tick) exhausted_ |= group;
 }
 
 int Patience::touches_of(const Pair& pair) const {

@@ -55,7 +55,7 @@ class Patience {
   using Growing = std::array<double, most_counted + 1>;  // after so many of something
   static Growing growing(double first, double growth, double most, int patient = 0);
 
-  static int cost_of_event(const BodySet& involved);
+  static int cost_of_event(const BodySet& involved, const BodySet& company);
   int touches_of(const Pair& pair) const;
   void count(int body, double t);
   // Has the body been in company since before the tick, and not been touched anew?
@@ -64,12 +64,13 @@ class Patience {
   Tolerances tolerances_;
   Growing rest_after_touches_, sink_after_touches_, slide_after_touches_;
 
-  BodySet touching_;                                // when this tick began
-  BodySet touched_;                                 // since it began
-  BodySet accustomed_;                              // touched, or were touched, in the tick before
-  std::array<int, max_bodies> touches_{};           // of each body in this tick, up to most_counted
-  std::array<int, max_bodies> followed_{};          // of each in this tick, what it cost
-  BodySet exhausted_, were_exhausted_;              // by it; in the tick before
+  BodySet touching_;                        // when this tick began
+  BodySet touched_;                         // since it began
+  BodySet accustomed_;                      // touched, or were touched, in the tick before
+  std::array<BodySet, max_bodies> met_{};   // of each body: itself, and whom it touched in it
+  std::array<int, max_bodies> touches_{};   // of each body in this tick, up to most_counted
+  std::array<int, max_bodies> followed_{};  // of each in this tick, what it cost
+  BodySet exhausted_, were_exhausted_;      // by it; in the tick before
   std::array<double, max_bodies> last_touch_of_{};  // s of the tick
   int all_touches_ = 0;
   double last_touch_ = 0.0;  // s of the tick

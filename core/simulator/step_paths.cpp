@@ -22,16 +22,18 @@ constexpr double bent_enough = 1e-3;
 constexpr double cautious = 0.8;
 constexpr double step_growth = 2.0;
 
-// Calls visit(contacts, presses) for each pair: all contacts of a pair follow each other.
-template <class Visit>
-void for_each_pair(std::span<const Contact> contacts, Visit visit) {
-  for (std::size_t first = 0, last = 0; first < contacts.size(); first = last) {
-    bool presses = false;
-    for (; last < contacts.size() && contacts[last].pair == contacts[first].pair; ++last) {
-      presses = presses || contacts[last].impulse != 0.0;
-    }
-    visit(contacts.subspan(first, last - first), presses);
-  }
+bool do_press(std::span<const Contact> contacts) {
+  return std::any_of(contacts.begin(), contacts.end(),
+                     [](const Contact& c) { return c.impulse != 0.0; });
+}
+
+// Was a corner of the pair, one that presses if any does, behind its edge when the step began?
+bool came_from_behind(const StepPaths::Step& step, std::span<const Contact> contacts,
+                      bool presses) {
+  return std::any_of(contacts.begin(), contacts.end(), [&](const Contact& c) {
+    if (presses && c.impulse == 0.0) return false;
+    return c.at.gap < gap_rate(c, step.end) * step.length;
+  });
 }
 
 }  // namespace
@@ -70,17 +72,18 @@ StepPaths::StepPaths(const Arena& arena, SoftProblem& problem)
 }
 
 bool StepPaths::is_clear(const Step& step) {
+  near_count_ = 0;
   bool clear = true;
-  for_each_pair(step.contacts, [&](std::span<const Contact> contacts, bool presses) {
-    const auto came_from_behind = [&](const Contact& c) {
-      if (presses && c.impulse == 0.0) return false;
-      return c.at.gap < gap_rate(c, step.end) * step.length;
-    };
-    if (!clear || std::none_of(contacts.begin(), contacts.end(), came_from_behind)) return;
+  for_each_pair(step.contacts, [&](std::span<const Contact> contacts) {
+    const bool presses = do_press(contacts);
     const Pair& pair = contacts.front().pair;
-    // Who presses at both ends is bent.
-    if (presses && gap(arena_, pair, step.begin) <= most_bend) return;
-    clear = !passes_through(step, pair);
+    bool is_near = presses;
+    if (came_from_behind(step, contacts, presses)) {
+      is_near = gap(arena_, pair, step.begin) <= most_bend;
+      clear = clear && (is_near || !passes_through(step, pair));
+    }
+    if (!is_near && !presses) return;
+    for (const Contact& c : contacts) near_[near_count_++] = &c;
   });
   return clear;
 }
@@ -101,11 +104,6 @@ void StepPaths::straighten(const BodySet& members) {
 }
 
 double StepPaths::bend(const Step& step) {
-  near_count_ = 0;
-  for_each_pair(step.contacts, [&](std::span<const Contact> contacts, bool presses) {
-    if (!presses) return;
-    for (const Contact& c : contacts) near_[near_count_++] = &c;
-  });
   const double deepest = overlap_at(step, 0.5);
   const double most = arena_.tolerances.overlap_within_step;
   farthest_ = deepest;

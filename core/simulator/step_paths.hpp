@@ -41,13 +41,14 @@ class StepPaths {
     double length;  // s
   };
 
-  // Can no two corners pass through each other on the way to an end where they are apart, or touch from
-  // another side? Only what opens at the end, and by that was behind the edge at the begin, is looked at.
+  // Does nobody pass through anybody on the way to an end where they are apart, or touch from another
+  // side? Only what opens at the end, and by that was behind the edge at the begin, is looked at; and not
+  // who nearly touches at the begin, or presses: that is for bend(), which comes next.
   bool is_clear(const Step& step);
   // None of them is beside an arc, until bend() says so: for the begin of each attempt at a step.
   void straighten(const BodySet& members);
-  // Bends the arcs of the members where those who press would overlap. Returns how deep two of them
-  // still do, m.
+  // Bends the arcs of the members where those who press or touched would overlap. Returns how deep two
+  // of them still do, m.
   double bend(const Step& step);
   // How deep two of them did when the step began, m.
   double overlap_at_begin(const Step& step) { return overlap_at(step, 0.0); }
@@ -70,7 +71,7 @@ class StepPaths {
   double farthest_ = 0.0;  // m: how far the last bend() wanted to take somebody beside an arc
   std::array<Vec2, max_bodies> bend_;              // m, of each member
   std::array<Body, max_bodies> there_;             // at the part of the step that is looked at
-  std::array<const Contact*, max_unknowns> near_;  // contacts that may overlap there
+  std::array<const Contact*, max_unknowns> near_;  // contacts of pairs that may overlap there
   int near_count_ = 0;
   std::vector<Segment> arcs_;  // of two that may pass through each other
 };

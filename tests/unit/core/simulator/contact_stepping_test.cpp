@@ -31,6 +31,7 @@ void expect_apart_past_a_corner(double side, double before) {
   const auto [members, length] =
       steps.take(BodySet(3), {}, lifted, mass, arena.tolerances.step, bodies);
   ASSERT_EQ(members, BodySet(3));
+  EXPECT_EQ(length, arena.tolerances.step);
   for (int part = 0; part <= 1000; ++part) {
     const double t = length * part / 1000.0;
     const Body a = along_bent_arc(bodies[0], steps.bend(0), length, t);

@@ -151,6 +151,24 @@ TEST(Patience, FollowsFewerEventsOfMoreBodies) {
   EXPECT_EQ(followed(BodySet{0b1}), tolerances.followed_per_tick);
 }
 
+// Two that meet again and again are followed for longer than two of whom one has met others before. Catches
+// a budget that sees only who is involved: in a crowd most events are of two.
+TEST(Patience, FollowsWhoHasMetManyLessClosely) {
+  const auto followed = [](int met) {
+    Patience patience = fresh();
+    for (int other = 2; other < 2 + met; ++other) patience.note_touch(pair_of(0, other), 1e-3);
+    int events = 0;
+    while (!patience.exhausted()[1]) {
+      patience.note_touch(pair_of(0, 1), 2e-3);
+      patience.note_event(bodies_of(pair_of(0, 1)), false);
+      ++events;
+    }
+    return events;
+  };
+  EXPECT_EQ(followed(0), (tolerances.followed_per_tick + 15) / 16);
+  EXPECT_EQ(followed(3), (tolerances.followed_per_tick + 99) / 100);
+}
+
 // Groups that were too much in a tick go in steps from the next one's begin while they are large, and
 // concern no others. Catches one that waits for events, and one that does not let a row at rest be hit.
 TEST(Patience, DoesNotFollowLargeGroupsAgain) {
