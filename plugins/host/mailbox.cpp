@@ -23,4 +23,10 @@ void wake(const std::atomic<std::uint32_t>& word) {
   syscall(SYS_futex, &word, FUTEX_WAKE, 1, nullptr, nullptr, 0);
 }
 
+void wake(const std::atomic<std::uint32_t>& one, const std::atomic<std::uint32_t>& other) {
+  // The only call that wakes on two words; it changes the second, too (adds 0), and asks what it was.
+  const auto always = FUTEX_OP(FUTEX_OP_ADD, 0, FUTEX_OP_CMP_NE, 0);
+  syscall(SYS_futex, &one, FUTEX_WAKE_OP, 1, 1, &other, always);
+}
+
 }  // namespace mirocup::plugins

@@ -60,7 +60,8 @@ std::string seconds_text(double seconds) {
 
 Result<std::unique_ptr<ProcessController>> ProcessController::start(
     const std::string& host_program, Isolation isolation, const Entry& entry,
-    const match::Briefing& briefing, const Budget& budget, std::optional<Deadline> deadline) {
+    const match::Briefing& briefing, const Budget& budget, std::optional<Deadline> deadline,
+    std::shared_ptr<Doorbell> bell) {
   const Descriptor in_fd(memfd_create("observation", MFD_CLOEXEC | MFD_ALLOW_SEALING));
   const Descriptor out_fd(memfd_create("command", MFD_CLOEXEC | MFD_ALLOW_SEALING));
   ObservationPage* in = make_page<ObservationPage>(in_fd.get());
@@ -92,13 +93,15 @@ Result<std::unique_ptr<ProcessController>> ProcessController::start(
                        .entry = entry.descriptor(),
                        .log = child_log.get()});
   if (!child) return tl::unexpected(child.error());
-  return std::unique_ptr<ProcessController>(new ProcessController(
-      std::move(*child), in, out, std::move(setup), std::move(log), budget, deadline));
+  return std::unique_ptr<ProcessController>(
+      new ProcessController(std::move(*child), in, out, std::move(setup), std::move(log), budget,
+                            deadline, std::move(bell)));
 }
 
 ProcessController::ProcessController(Child child, ObservationPage* in, CommandPage* out,
                                      Descriptor setup, Descriptor log, const Budget& budget,
-                                     std::optional<Deadline> deadline)
+                                     std::optional<Deadline> deadline,
+                                     std::shared_ptr<Doorbell> bell)
     : child_(std::move(child)),
       in_(in),
       out_(out),
@@ -106,10 +109,14 @@ ProcessController::ProcessController(Child child, ObservationPage* in, CommandPa
       log_pipe_(std::move(log)),
       budget_(budget),
       deadline_(deadline),
+      bell_(std::move(bell)),
       posted_at_(Clock::now()),
-      asked_at_(posted_at_) {}
+      asked_at_(posted_at_) {
+  bell_->join();
+}
 
 ProcessController::~ProcessController() {
+  bell_->leave();
   child_.kill();
   munmap(in_, sizeof *in_);
   munmap(out_, sizeof *out_);
@@ -241,7 +248,7 @@ void ProcessController::post(const match::Observation& observation) {
   cpu_at_post_ = cpu_;
   in_->observation = to_observation(observation);
   in_->request.store(++request_, std::memory_order_release);
-  wake(in_->request);
+  bell_->ask(in_->request);
 }
 
 Answer ProcessController::late() {
@@ -283,6 +290,7 @@ bool ProcessController::has_slept_too_long() {
 }
 
 Answer ProcessController::collect() {
+  bell_->ring();
   const auto is_answered = [this] {
     return out_->answer.load(std::memory_order_acquire) == request_;
   };

@@ -11,6 +11,7 @@
 #include "core/match/controller.hpp"
 #include "plugins/host/child.hpp"
 #include "plugins/host/descriptor.hpp"
+#include "plugins/host/doorbell.hpp"
 #include "plugins/host/entry.hpp"
 #include "plugins/host/log.hpp"
 #include "plugins/host/mailbox.hpp"
@@ -53,11 +54,13 @@ class ProcessController final : public match::Controller {
  public:
   // Starts mirocup-plugin-host at `host_program` with the entry. An error is the host's; what the
   // library does comes out of wait_until_ready(). Without a deadline a tick lasts until the answer.
+  // The bell is that of the match: two teams that share it are woken together.
   static Result<std::unique_ptr<ProcessController>> start(const std::string& host_program,
                                                           Isolation isolation, const Entry& entry,
                                                           const match::Briefing& briefing,
                                                           const Budget& budget,
-                                                          std::optional<Deadline> deadline);
+                                                          std::optional<Deadline> deadline,
+                                                          std::shared_ptr<Doorbell> bell);
   ~ProcessController() override;
 
   // Returns when the library is loaded, or why it never will be.
@@ -94,7 +97,8 @@ class ProcessController final : public match::Controller {
   };
 
   ProcessController(Child child, ObservationPage* in, CommandPage* out, Descriptor setup,
-                    Descriptor log, const Budget& budget, std::optional<Deadline> deadline);
+                    Descriptor log, const Budget& budget, std::optional<Deadline> deadline,
+                    std::shared_ptr<Doorbell> bell);
 
   std::optional<match::HostFailure> wait_for_sandbox();
   // Waits until done() holds, or `until`; else why the team has lost or the leg is void.
@@ -116,6 +120,7 @@ class ProcessController final : public match::Controller {
   Log log_;
   Budget budget_;
   std::optional<Deadline> deadline_;
+  std::shared_ptr<Doorbell> bell_;
   bool is_ready_ = false;
 
   std::uint32_t ticks_ = 0;    // observations that there were

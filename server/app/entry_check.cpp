@@ -231,10 +231,11 @@ Result<bool> Examination::examine_play() {
 Result<Examination::Leg> Examination::play(Team team, std::uint32_t most_ticks) {
   match::Match match(setup_);
   Seats seats;
+  const auto bell = std::make_shared<plugins::Doorbell>();
   for (const Team seat : both_teams) {
     auto process = plugins::ProcessController::start(
         record::sibling_program("mirocup-plugin-host"), report_.isolation,
-        seat == team ? *entry_ : *idle_, match.briefing(seat), budget(), std::nullopt);
+        seat == team ? *entry_ : *idle_, match.briefing(seat), budget(), std::nullopt, bell);
     if (!process) return tl::unexpected(process.error());
     seats[index_of(seat)] = std::move(*process);
   }

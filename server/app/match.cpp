@@ -86,7 +86,8 @@ class Session {
   pace::Pacer pacer_;
   std::unique_ptr<dds::MatchServer> network_;  // if a team plays over it
   std::unique_ptr<web::LiveServer> live_;      // if it is watched
-  std::vector<TeamSeat> seats_;                // blue, yellow
+  std::shared_ptr<plugins::Doorbell> bell_ = std::make_shared<plugins::Doorbell>();
+  std::vector<TeamSeat> seats_;  // blue, yellow
   std::string isolation_ = "network";
 };
 
@@ -136,6 +137,7 @@ Result<TeamSeat> Session::take_seat(const TeamChoice& choice, Team team) {
 
 Result<ProcessTerms> Session::process_terms() const {
   ProcessTerms terms;
+  terms.bell = bell_;
   const auto strongest = plugins::strongest_isolation();
   if (!strongest) return tl::unexpected(strongest.error());
   const auto wanted = from_string<plugins::Isolation>(options_.isolation);

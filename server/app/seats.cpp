@@ -66,7 +66,7 @@ Result<TeamSeat> TeamSeat::take_in_process(const TeamChoice& choice,
   if (choice.fault) return seat;
   auto process = plugins::ProcessController::start(record::sibling_program("mirocup-plugin-host"),
                                                    terms.isolation, *choice.entry, briefing,
-                                                   terms.budget, terms.deadline);
+                                                   terms.budget, terms.deadline, terms.bell);
   if (!process) return tl::unexpected(process.error());
   seat.process_ = process->get();
   seat.controller_ = process->get();

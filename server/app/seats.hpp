@@ -27,11 +27,12 @@ struct TeamChoice {
 
 Result<TeamChoice> choose_team(const std::string& text);
 
-// How a team in a process of its own is treated.
+// How teams in processes of their own are treated; the bell is for one match.
 struct ProcessTerms {
   plugins::Isolation isolation = plugins::Isolation::T2;
   plugins::Budget budget;
   std::optional<plugins::Deadline> deadline;
+  std::shared_ptr<plugins::Doorbell> bell = std::make_shared<plugins::Doorbell>();
 };
 
 // One team's place in a match.

@@ -66,8 +66,9 @@ class Bench {
     match::Setup setup;
     setup.rules.half_s = 3600.0;
     match::Match match(setup);
-    const auto blue = seat(isolation, match.briefing(Team::blue), measured);
-    const auto yellow = seat(isolation, match.briefing(Team::yellow), measured);
+    const auto bell = std::make_shared<Doorbell>();
+    const auto blue = seat(isolation, match.briefing(Team::blue), bell, measured);
+    const auto yellow = seat(isolation, match.briefing(Team::yellow), bell, measured);
     for (double& fastest : measured.fastest) {
       const auto begin = Clock::now();
       for (int i = 0; i < ticks_of_piece; ++i) match.advance(*blue, *yellow);
@@ -77,6 +78,7 @@ class Bench {
 
  private:
   std::unique_ptr<match::Controller> seat(Isolation isolation, const match::Briefing& briefing,
+                                          const std::shared_ptr<Doorbell>& bell,
                                           Measured& measured) {
     const auto begin = Clock::now();
     if (isolation == Isolation::none) {
@@ -86,7 +88,7 @@ class Bench {
       return std::move(*controller);
     }
     auto controller = ProcessController::start(host_program_, isolation, *entry_, briefing,
-                                               Budget{}, std::nullopt);
+                                               Budget{}, std::nullopt, bell);
     if (!controller) give_up(controller.error().what);
     if (!(*controller)->wait_until_ready()) give_up("the team does not start");
     measured.start_ms.push_back(1e3 * seconds_since(begin));
