@@ -109,6 +109,9 @@ class Match {
   void forfeit(std::vector<TeamFault> faults);
 
   Scene scene() const;
+  // What it holds of one body: cheaper than the scene where nothing else is asked for.
+  simulator::RobotState robot(Team team, int i) const { return world_->robot(body_of(team, i)); }
+  simulator::BallState ball() const { return world_->ball(); }
   const referee::Referee& referee() const { return *referee_; }
   const referee::Decision& restart() const { return restart_; }  // the last one
   // What the referee was shown in the last tick, or nothing while play stood.

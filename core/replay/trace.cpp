@@ -41,21 +41,21 @@ std::string exact(const Vec2& v) {
 
 void Trace::add(const match::Match& match) {
   if (match.log().size() <= ticks.size()) return;  // a fault ended it before anything moved
-  const match::Scene scene = match.scene();
+  if (ticks.capacity() == 0) ticks.reserve(match.log().capacity());
   const int robots = match.field().robots_per_team;
-  Checkpoint now;
-  now.ball = scene.ball;
-  Fingerprints fingerprints{};
+  Checkpoint* checkpoint = nullptr;
+  if (ticks.size() % checkpoint_ticks == 0) checkpoint = &checkpoints.emplace_back();
+  Fingerprints& fingerprints = ticks.emplace_back();
   for (const Team team : both_teams) {
     for (int i = 0; i < robots; ++i) {
       const int body = index_of(team) * robots + i;
-      now.robots[body] = scene.robots[index_of(team)][i];
-      fingerprints[body] = fingerprint(now.robots[body]);
+      const simulator::RobotState robot = match.robot(team, i);
+      fingerprints[body] = fingerprint(robot);
+      if (checkpoint != nullptr) checkpoint->robots[body] = robot;
     }
   }
-  fingerprints[2 * robots] = fingerprint(now.ball);
-  if (ticks.size() % checkpoint_ticks == 0) checkpoints.push_back(now);
-  ticks.push_back(fingerprints);
+  fingerprints[2 * robots] = fingerprint(match.ball());
+  if (checkpoint != nullptr) checkpoint->ball = match.ball();
 }
 
 std::vector<int> differing_bodies(const Trace& a, const Trace& b, std::size_t tick, int bodies) {

@@ -216,10 +216,12 @@ std::optional<Answer> ProcessController::wait(Done done, const Patience& patienc
                                                : seconds_text(patience.wall) + " ") +
                                       patience.doing};
     }
-    if (until && Clock::now() >= *until) return match::Late{};
+    if (until && Clock::now() >= *until) {
+      in_->is_awaited.store(0, std::memory_order_relaxed);
+      return match::Late{};
+    }
   }
   in_->is_awaited.store(0, std::memory_order_relaxed);
-  cpu_ = child_.cpu_seconds();
   return std::nullopt;
 }
 
@@ -230,7 +232,7 @@ tl::expected<void, Answer> ProcessController::wait_until_ready() {
                           "to load its library and create its team"};
   if (auto problem = wait(is_ready, patience, std::nullopt)) return tl::unexpected(*problem);
   is_ready_ = true;
-  cpu_at_ready_ = cpu_;
+  cpu_at_ready_ = cpu_ = child_.cpu_seconds();
   start_wall_ = seconds_since(posted_at_);
   return {};
 }
@@ -303,10 +305,13 @@ Answer ProcessController::collect() {
     until = posted_at_ + std::chrono::duration_cast<Clock::duration>(
                              std::chrono::duration<double>(deadline_->tick));
   }
-  const auto begin = Clock::now();
-  if (auto problem = wait(is_answered, patience, until))
-    return std::holds_alternative<match::Late>(*problem) ? late() : *problem;
-  waited_ += seconds_since(begin);
+  if (!is_answered()) {
+    const auto begin = Clock::now();
+    if (auto problem = wait(is_answered, patience, until))
+      return std::holds_alternative<match::Late>(*problem) ? late() : *problem;
+    waited_ += seconds_since(begin);
+  }
+  cpu_ = child_.cpu_seconds();
   is_awaited_ = false;
   late_in_a_row_ = 0;
   slowest_tick_ = std::max(slowest_tick_, cpu_ - cpu_at_post_);
