@@ -15,6 +15,32 @@ target_compile_options(mirocup_options INTERFACE
   # a floating-point exception: calls may be inlined, and branches be turned into selections.
   -fno-semantic-interposition -fno-math-errno -fno-trapping-math)
 
+if(CMAKE_SYSTEM_PROCESSOR STREQUAL x86_64)
+  # By itself g++ copies and clears structs of some hundred bytes with `rep movs`, which takes longer to start than a call of
+  # memcpy() does all of it: a twentieth of a tick.
+  set(sizes unrolled_loop:64:noalign,libcall:-1:noalign)
+  target_compile_options(mirocup_options INTERFACE
+    $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-mmemcpy-strategy=${sizes}>
+    $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-mmemset-strategy=${sizes}>)
+
+  # The same bits in a seventh less time. A release is for this machine and its like: anywhere else the loader says
+  # "CPU ISA level is lower than required", and MIROCUP_AVX2=OFF is the remedy.
+  if(CMAKE_BUILD_TYPE STREQUAL Release AND NOT CMAKE_CROSSCOMPILING)
+    include(CheckCXXSourceRuns)
+    check_cxx_source_runs([[
+      int main() {
+        __builtin_cpu_init();
+        return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2") ? 0 : 1;
+      }]] MIROCUP_HERE_IS_AVX2)
+  endif()
+  option(MIROCUP_AVX2 "For processors with AVX2 only (x86-64-v3)" ${MIROCUP_HERE_IS_AVX2})
+  if(MIROCUP_AVX2)
+    # Two numbers at a time all the same: four would often have to wait for stores of two.
+    target_compile_options(mirocup_options INTERFACE -mavx2 -mprefer-vector-width=128)
+    target_link_options(mirocup_options INTERFACE LINKER:-z,x86-64-v3)
+  endif()
+endif()
+
 # A target with the property MIROCUP_NOT_SANITIZED is built without sanitizers.
 if(MIROCUP_SANITIZE)
   set(sanitized $<NOT:$<BOOL:$<TARGET_PROPERTY:MIROCUP_NOT_SANITIZED>>>)

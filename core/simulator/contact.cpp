@@ -144,10 +144,12 @@ EdgeSeparation best_edge(const Shape& reference, const Shape& other, const Vec2&
   return best;
 }
 
-Reference reference_of(const Shape& a, const Body& body_a, const Shape& b, const Body& body_b) {
+Reference reference_of(const Shape& a, const Body& body_a, const Shape& b, const Body& body_b,
+                       double margin) {
   const Relative b_in_a = relative(body_b, body_a);
-  const Relative a_in_b = relative(body_a, body_b);
   const EdgeSeparation of_a = best_edge(a, b, b_in_a.position, b_in_a.heading);
+  if (of_a.separation > margin) return {true, of_a};
+  const Relative a_in_b = relative(body_a, body_b);
   const EdgeSeparation of_b = best_edge(b, a, a_in_b.position, a_in_b.heading);
   if (of_a.separation >= of_b.separation) return {true, of_a};
   return {false, of_b};
@@ -218,7 +220,9 @@ ContactPoints contact_points(const Shape& a, const Body& body_a, const Shape& b,
                axis.corner, axis.edge});
     return found;
   }
-  const Reference reference = reference_of(a, body_a, b, body_b);
+  const double reach = (a.radius + b.radius + margin) * (1.0 + 1e-9);  // of the circles around them
+  if ((body_a.position - body_b.position).squaredNorm() > reach * reach) return {};
+  const Reference reference = reference_of(a, body_a, b, body_b, margin);
   if (reference.best.separation > margin) return {};
   return reference.is_a ? over_edge(a, body_a, reference.best.edge, b, body_b, false, margin)
                         : over_edge(b, body_b, reference.best.edge, a, body_a, true, margin);

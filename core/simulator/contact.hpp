@@ -80,12 +80,14 @@ struct EdgeSeparation {
 EdgeSeparation best_edge(const Shape& reference, const Shape& other, const Vec2& position,
                          const Heading& heading);
 
-// Which of two polygons offers the better separating edge. On a tie the first, whatever the poses.
+// Which of two polygons offers the better separating edge. On a tie the first, whatever the poses. Of
+// two that are more than `margin` m apart, an edge that says so.
 struct Reference {
   bool is_a;
   EdgeSeparation best;
 };
-Reference reference_of(const Shape& a, const Body& body_a, const Shape& b, const Body& body_b);
+Reference reference_of(const Shape& a, const Body& body_a, const Shape& b, const Body& body_b,
+                       double margin = infinity);
 
 // Of two polygons, by the line of that edge, whichever separates them best now: how far the nearest
 // corner of the other one is beyond it, m, and as contact points the two corners that face it.

@@ -338,6 +338,7 @@ void ContactStepping::pose(const BodySet& members, std::span<const Drive> drives
   problem_.reset(mass);
   for (int i = 0; i < count; ++i) problem_.add(row_of(*row_[i]));
   for (int i = with_tangents; i < count; ++i) set_bounds(i, most_grip(length));
+  for (int i = 0; i < count; ++i) alone_rate_[i] = gap_rate(*row_[i], alone_);
 }
 
 // These impulses, from where the last look ended. Sets the twists of end_.
@@ -348,7 +349,7 @@ void ContactStepping::solve(const BodySet& members, std::span<const InverseMass>
   const int count = problem_.size();
   for (int i = 0; i < count; ++i) {
     problem_.x[i] = row_[i]->impulse;
-    problem_.b[i] = gap_rate(*row_[i], alone_);
+    problem_.b[i] = alone_rate_[i];
     // The gap at the end of the step, from what it is with the twists of the last look.
     if (i >= normals) continue;
     problem_.b[i] += (row_[i]->at.gap + left_[i]) / length - gap_rate(*row_[i], end_);

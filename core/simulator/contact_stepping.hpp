@@ -104,6 +104,7 @@ class ContactStepping {
   std::array<Twist, max_bodies> before_;      // of each body, before its last step
   std::array<Body, max_bodies> end_;          // with the twists of the step
   std::array<Body, max_bodies> alone_;        // twists at the end if there were no contacts
+  Unknowns alone_rate_;                       // m/s, of each unknown: its rate then
   std::array<Box, max_bodies> boxes_;
   StepPaths paths_;
 };

@@ -50,7 +50,7 @@ void SoftProblem::reset(std::span<const InverseMass> mass) {
   std::copy(mass.begin(), mass.end(), mass_.begin());
   size_ = 0;
   bodies_.reset();
-  system_fits_ = false;
+  system_fits_ = rates_fit_ = false;
 }
 
 void SoftProblem::add(const CoupledRow& row) {
@@ -65,7 +65,7 @@ void SoftProblem::add(const CoupledRow& row) {
   x[i] = b[i] = low[i] = 0.0;
   high[i] = infinity;
   bound_[i] = Bound::fixed;
-  system_fits_ = false;
+  system_fits_ = rates_fit_ = false;
 }
 
 bool SoftProblem::solve(double close) {
@@ -87,6 +87,20 @@ bool SoftProblem::solve(double close) {
 
 // The function at x, and what it changes with each unknown.
 void SoftProblem::look_at_value() {
+  if (!rates_fit_ || !std::equal(x.begin(), x.begin() + size_, x_of_rates_.begin())) find_rates();
+  double value = 0.0;
+  for (int i = 0; i < size_; ++i) {
+    const double ax = rates_[i];
+    const double off = x[i] - centre_[i];
+    const double pull = softness * give_[i] * off;
+    value += x[i] * (0.5 * ax + b[i]) + 0.5 * pull * off;
+    slope_[i] = ax + b[i] + pull;
+  }
+  value_ = value;
+}
+
+// A x. Who is solved anew for another b begins where it was looked at last.
+void SoftProblem::find_rates() {
   stand_still();
   for (int i = 0; i < size_; ++i) {
     if (x[i] != 0.0) add_to(moved_, rows_[i], x[i]);
@@ -96,15 +110,9 @@ void SoftProblem::look_at_value() {
     moved_[k][1] *= mass_[k].left;
     moved_[k][2] *= mass_[k].turn;
   });
-  double value = 0.0;
-  for (int i = 0; i < size_; ++i) {
-    const double ax = rate(rows_[i], moved_);
-    const double off = x[i] - centre_[i];
-    const double pull = softness * give_[i] * off;
-    value += x[i] * (0.5 * ax + b[i]) + 0.5 * pull * off;
-    slope_[i] = ax + b[i] + pull;
-  }
-  value_ = value;
+  for (int i = 0; i < size_; ++i) rates_[i] = rate(rows_[i], moved_);
+  std::copy_n(x.begin(), size_, x_of_rates_.begin());
+  rates_fit_ = true;
 }
 
 void SoftProblem::stand_still() {

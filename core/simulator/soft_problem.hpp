@@ -39,6 +39,7 @@ class SoftProblem {
   enum class Bound : unsigned char { free, fixed };
 
   void look_at_value();
+  void find_rates();
   void stand_still();
   bool hold_at_bounds(double tolerance);
   void hold(int i, Bound bound);
@@ -57,6 +58,8 @@ class SoftProblem {
   Unknowns centre_, direction_;
   Unknowns slope_;
   double value_ = 0.0;
+  Unknowns rates_, x_of_rates_;   // A x, and of which x
+  bool rates_fit_ = false;        // the rows are as they were then
   Unknowns begin_, begin_slope_;  // of a round
   BodyVector moved_;
   BodySystem system_;
