@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Prints every bar of the physics: scene, what was measured, the bar, ok or missed. Exit 0 if all
-// are met. Usage: physics_bars [--small] [SCENE...]; the full sizes take an hour or two.
+// are met. Usage: physics_bars [--small] [SCENE...]; the full sizes take half an hour.
 #include "tests/scenes/bars.hpp"
 
 #include <algorithm>
