@@ -79,7 +79,9 @@ void add_running(CLI::App& app, Run& run) {
       ->capture_default_str();
   start->add_flag("--watch", start.options->watched,
                   "legs of this host can be watched through league serve while they are played");
-  start->add_option("--jobs", start.options->jobs, "legs at once (default: one for each processor)")
+  start
+      ->add_option("--jobs", start.options->jobs,
+                   "legs, and then pages, at once (default: one for each processor)")
       ->check(CLI::Range(1, 1024));
 
   LeagueCommand stop(app, run, "stop", "Let a league that is being played stop", run_stop);

@@ -52,14 +52,15 @@ Result<LeagueFile> file_from(record::Files& files, const LeagueOptions& options)
   return parse_league_file(print_league_file(file), "--team");
 }
 
-Result<void> publish_site(record::Files& files, const Folder& folder, const LeagueState& state) {
+Result<void> publish_site(record::Files& files, const Folder& folder, const LeagueState& state,
+                          int jobs = 0) {
   if (auto made = files.make_folder(folder.site() + "/teams"); !made) return made;
   if (auto removed = files.remove_unfinished(folder.path); !removed) return removed;
   for (const SiteFile& file : make_site(state)) {
     if (auto written = files.write(folder.site() + "/" + file.name, file.bytes); !written)
       return written;
   }
-  const auto failed = make_replay_pages(files, folder, state);
+  const auto failed = make_replay_pages(files, folder, state, jobs);
   if (!failed) return tl::unexpected(failed.error());
   if (*failed > 0) {
     std::cerr << "mirocup: " << *failed
@@ -130,7 +131,8 @@ Result<int> run_start(const LeagueOptions& options) {
   const auto played = play(disk, std::move(*book), *progress, options);
   if (!played) return tl::unexpected(played.error());
   progress->say("making pages");
-  if (auto published = publish_site(disk, folder, *played); !published) {
+  const int jobs_here = options.engine == "local" ? options.jobs : 0;
+  if (auto published = publish_site(disk, folder, *played, jobs_here); !published) {
     return tl::unexpected(published.error());
   }
   progress.reset();  // a bar does not stay above the table

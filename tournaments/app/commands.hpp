@@ -22,7 +22,7 @@ struct LeagueOptions {
   double half_s = 0.0;             // init; 0: as the rules say
   std::uint64_t seed = 1;          // init
   std::string engine = "local";    // start
-  int jobs = 0;                    // start; 0: as many as there are processors
+  int jobs = 0;                    // start: legs, then pages; 0: as many as there are processors
   bool watched = false;            // start
   bool now = false;                // stop
   std::string output;              // export, publish

@@ -48,14 +48,14 @@ std::string replay_page_of(const std::string& record) {
   return "replays/" + std::filesystem::path(record).stem().string() + ".html";
 }
 
-Result<int> make_replay_pages(record::Files& files, const Folder& folder,
-                              const LeagueState& state) {
+Result<int> make_replay_pages(record::Files& files, const Folder& folder, const LeagueState& state,
+                              int jobs) {
   const std::vector<Arguments> commands = missing_pages(files, folder, state);
   if (commands.empty()) return 0;
   if (auto made = files.make_folder(folder.site() + "/replays"); !made) {
     return tl::unexpected(made.error());
   }
-  const std::size_t at_once = processors().size();
+  const std::size_t at_once = jobs > 0 ? static_cast<std::size_t>(jobs) : processors().size();
   ProcessSet processes;
   int failed = 0;
   std::size_t next = 0;
