@@ -22,12 +22,12 @@ Tolerances tolerances_of(Accuracy accuracy) {
   Tolerances t;
   switch (accuracy) {
     case Accuracy::coarse:
-      t.touch = 1e-7;
+      t.touch = 5e-7;
       t.sink = 1e-8;
       t.rest_speed = 2e-3;
       t.followed_per_tick = 0;
       t.step = 34e-3;
-      t.step_touch = 2e-7;
+      t.step_touch = 5e-7;
       t.step_overlap = 5e-7;
       t.overlap_within_step = 1e-4;
       break;

@@ -28,11 +28,11 @@ bool do_press(std::span<const Contact> contacts) {
 }
 
 // Was a corner of the pair, one that presses if any does, behind its edge when the step began?
-bool came_from_behind(const StepPaths::Step& step, std::span<const Contact> contacts,
-                      bool presses) {
+bool came_from_behind(const StepPaths::Step& step, std::span<const Contact> contacts, bool presses,
+                      double touch) {
   return std::any_of(contacts.begin(), contacts.end(), [&](const Contact& c) {
     if (presses && c.impulse == 0.0) return false;
-    return c.at.gap < gap_rate(c, step.end) * step.length;
+    return c.at.gap < gap_rate(c, step.end) * step.length - touch;
   });
 }
 
@@ -78,7 +78,7 @@ bool StepPaths::is_clear(const Step& step) {
     const bool presses = do_press(contacts);
     const Pair& pair = contacts.front().pair;
     bool is_near = presses;
-    if (came_from_behind(step, contacts, presses)) {
+    if (came_from_behind(step, contacts, presses, arena_.tolerances.step_touch)) {
       is_near = gap(arena_, pair, step.begin) <= most_bend;
       clear = clear && (is_near || !passes_through(step, pair));
     }
