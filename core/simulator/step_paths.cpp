@@ -27,7 +27,8 @@ bool do_press(std::span<const Contact> contacts) {
                      [](const Contact& c) { return c.impulse != 0.0; });
 }
 
-// Was a corner of the pair, one that presses if any does, behind its edge when the step began?
+// Was a corner of the pair, one that presses if any does, behind its edge when the step began, by more
+// than what counts as touching?
 bool came_from_behind(const StepPaths::Step& step, std::span<const Contact> contacts, bool presses,
                       double touch) {
   return std::any_of(contacts.begin(), contacts.end(), [&](const Contact& c) {
