@@ -220,8 +220,6 @@ ContactPoints contact_points(const Shape& a, const Body& body_a, const Shape& b,
                axis.corner, axis.edge});
     return found;
   }
-  const double reach = (a.radius + b.radius + margin) * (1.0 + 1e-9);  // of the circles around them
-  if ((body_a.position - body_b.position).squaredNorm() > reach * reach) return {};
   const Reference reference = reference_of(a, body_a, b, body_b, margin);
   if (reference.best.separation > margin) return {};
   return reference.is_a ? over_edge(a, body_a, reference.best.edge, b, body_b, false, margin)

@@ -121,6 +121,28 @@ TEST(SoftProblem, SolvesForAnotherB) {
   }
 }
 
+// What is remembered of the last look changes no bit. Catches rates that are taken for those of another x,
+// or of other rows.
+TEST(SoftProblem, RemembersWhatWouldBeFoundAnew) {
+  SoftProblem p;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    Random random(seed);
+    RandomProblem problem(p, random);
+    p.solve();
+    const Unknowns before = p.x;
+    problem.move_on(random);
+    p.solve();
+
+    Random same(seed);
+    SoftProblem fresh;
+    RandomProblem again(fresh, same);
+    fresh.x = before;
+    again.move_on(same);
+    fresh.solve();
+    for (int i = 0; i < p.size(); ++i) ASSERT_EQ(p.x[i], fresh.x[i]) << "seed " << seed;
+  }
+}
+
 // A row of a body that cannot be moved, and one whose bounds leave nothing: catches a division by what
 // such a row gives.
 TEST(SoftProblem, LeavesGivenUnknowns) {
