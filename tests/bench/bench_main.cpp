@@ -64,8 +64,8 @@ bool parse(int argc, char** argv, Options& options) {
 
 std::vector<Contender> contenders(const Options& options) {
   std::vector<Contender> all;
-  for (const auto& some :
-       {own_contenders(), box2d_contenders(), chipmunk_contenders(), ode_contenders()}) {
+  for (const auto& some : {own_contenders(), box2d_contenders(), chipmunk_contenders(),
+                           ode_contenders(), mujoco_contenders()}) {
     all.insert(all.end(), some.begin(), some.end());
   }
   std::erase_if(all, [&](const Contender& c) {

@@ -58,6 +58,7 @@ std::vector<Contender> own_contenders();
 std::vector<Contender> box2d_contenders();
 std::vector<Contender> chipmunk_contenders();
 std::vector<Contender> ode_contenders();
+std::vector<Contender> mujoco_contenders();
 
 // A solid box that stands around the field.
 struct WallBox {

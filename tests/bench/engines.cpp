@@ -93,5 +93,10 @@ std::vector<Contender> ode_contenders() {
   return {};
 }
 #endif
+#ifndef MIROCUP_BENCH_MUJOCO
+std::vector<Contender> mujoco_contenders() {
+  return {};
+}
+#endif
 
 }  // namespace mirocup::bench

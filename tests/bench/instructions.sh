@@ -39,4 +39,5 @@ Box2D, ball bullet:1 ms
 Chipmunk:1 ms
 Chipmunk:4 ms
 ODE:1 ms
+MuJoCo:1 ms
 POINTS

@@ -24,7 +24,8 @@ constexpr Style styles[] = {{"mirocup", "#c2185b"},
                             {"Box2D, all bullets", "#1565c0"},
                             {"Box2D, ball bullet", "#64b5f6"},
                             {"Chipmunk", "#2e7d32"},
-                            {"ODE", "#ef6c00"}};
+                            {"ODE", "#ef6c00"},
+                            {"MuJoCo", "#6d4c41"}};
 
 std::string number(double value) {
   char text[32];
