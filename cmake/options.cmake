@@ -23,8 +23,8 @@ if(CMAKE_SYSTEM_PROCESSOR STREQUAL x86_64)
     $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-mmemcpy-strategy=${sizes}>
     $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-mmemset-strategy=${sizes}>)
 
-  # The same bits in a seventh less time. A release is for this machine and its like: anywhere else the loader says
-  # "CPU ISA level is lower than required", and MIROCUP_AVX2=OFF is the remedy.
+  # For core/CMakeLists.txt. A release is for this machine and its like: anywhere else the loader says "CPU ISA level is lower than
+  # required", and MIROCUP_AVX2=OFF is the remedy.
   if(CMAKE_BUILD_TYPE STREQUAL Release AND NOT CMAKE_CROSSCOMPILING)
     include(CheckCXXSourceRuns)
     check_cxx_source_runs([[
@@ -35,8 +35,6 @@ if(CMAKE_SYSTEM_PROCESSOR STREQUAL x86_64)
   endif()
   option(MIROCUP_AVX2 "For processors with AVX2 only (x86-64-v3)" ${MIROCUP_HERE_IS_AVX2})
   if(MIROCUP_AVX2)
-    # Two numbers at a time all the same: four would often have to wait for stores of two.
-    target_compile_options(mirocup_options INTERFACE -mavx2 -mprefer-vector-width=128)
     target_link_options(mirocup_options INTERFACE LINKER:-z,x86-64-v3)
   endif()
 endif()
