@@ -2,6 +2,7 @@
 //
 // MuJoCo held to the plane: bodies on two slides, robots with a hinge. Its contacts are springs with
 // dampers, soft on purpose; a bounce is half a period of one, over some steps.
+#include "core/base/math.hpp"
 #include "tests/bench/kicks.hpp"
 
 #include <cstdio>
@@ -104,7 +105,6 @@ class MuJoCo {
     Xml xml;
     xml.add(
         "<mujoco><option timestep=\"%.17g\" gravity=\"0 0 0\" solver=\"Newton\"/>"
-        "<size nuserdata=\"0\"/>"
         "<default><geom contype=\"0\" conaffinity=\"0\"/></default>",
         step);
     // As a box it would have contacts some cm deep with boxes that it does not touch.
@@ -158,7 +158,7 @@ class MuJoCo {
   static void add_pair(const std::string& one, const std::string& other, double restitution,
                        double step, Xml& xml) {
     const double half_period = steps_of_bounce * step;
-    const double omega = 3.14159265358979323846 / half_period;
+    const double omega = pi / half_period;
     const double b = -2.0 * std::log(std::max(restitution, least_restitution)) / half_period;
     const double k = omega * omega + 0.25 * b * b;
     xml.add("<pair geom1=\"%s\" geom2=\"%s\" condim=\"1\" solref=\"%.17g %.17g\" ", one.c_str(),
