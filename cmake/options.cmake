@@ -22,21 +22,6 @@ if(CMAKE_SYSTEM_PROCESSOR STREQUAL x86_64)
   target_compile_options(mirocup_options INTERFACE
     $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-mmemcpy-strategy=${sizes}>
     $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-mmemset-strategy=${sizes}>)
-
-  # For core/CMakeLists.txt. A release is for this machine and its like: anywhere else the loader says "CPU ISA level is lower than
-  # required", and MIROCUP_AVX2=OFF is the remedy.
-  if(CMAKE_BUILD_TYPE STREQUAL Release AND NOT CMAKE_CROSSCOMPILING)
-    include(CheckCXXSourceRuns)
-    check_cxx_source_runs([[
-      int main() {
-        __builtin_cpu_init();
-        return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2") ? 0 : 1;
-      }]] MIROCUP_HERE_IS_AVX2)
-  endif()
-  option(MIROCUP_AVX2 "For processors with AVX2 only (x86-64-v3)" ${MIROCUP_HERE_IS_AVX2})
-  if(MIROCUP_AVX2)
-    target_link_options(mirocup_options INTERFACE LINKER:-z,x86-64-v3)
-  endif()
 endif()
 
 # A target with the property MIROCUP_NOT_SANITIZED is built without sanitizers.
