@@ -26,6 +26,16 @@ const Shape& end_wall_of(const Arena& arena, int obstacle) {
   return arena.end_wall_shapes[obstacle - plane_walls];
 }
 
+// Calls f with the two of a pair, of which the second may be a wall, and the end of both segments.
+template <class F>
+double with_movers(const Arena& arena, const Pair& pair, std::span<const Segment> segments, F f) {
+  const Segment& a = segments[pair.a];
+  const Mover mover{arena.shape(pair.a), a};
+  if (pair.with_plane()) return f(mover, arena.field->walls[pair.obstacle()], a.end);
+  const Segment& b = pair.with_obstacle() ? obstacle_segment() : segments[pair.partner];
+  return f(mover, Mover{partner_shape(arena, pair), b}, std::min(a.end, b.end));
+}
+
 }  // namespace
 
 Arena make_arena(const field::Field* field, const Parameters& parameters,
@@ -136,26 +146,16 @@ double gap_beyond(const Arena& arena, std::span<const Body> bodies, const Contac
 
 double first_time_below(const Arena& arena, const Pair& pair, double level,
                         std::span<const Segment> segments, double t) {
-  const Segment& a = segments[pair.a];
-  const Mover mover{arena.shape(pair.a), a};
-  const Segment& b = pair.with_obstacle() ? obstacle_segment() : segments[pair.partner];
-  const double end = std::min(a.end, b.end);
-  if (pair.with_plane()) {
-    return first_touch(mover, arena.field->walls[pair.obstacle()], level, t, end);
-  }
-  return first_touch(mover, Mover{partner_shape(arena, pair), b}, level, t, end);
+  return with_movers(arena, pair, segments, [&](const Mover& a, const auto& b, double end) {
+    return first_touch(a, b, level, t, end);
+  });
 }
 
 double touch_time(const Arena& arena, const Pair& pair, std::span<const Segment> segments, double t,
                   double sink) {
-  const Body body_a = body_at(segments[pair.a], t);
-  const Body body_b = pair.with_obstacle() ? Body{} : body_at(segments[pair.partner], t);
-  const double now = gap(arena, pair, body_a, body_b);
-  if (now > std::max(closeness, sink)) {
-    const double touch = first_time_below(arena, pair, 0.0, segments, t);
-    if (touch > t) return touch;
-  }
-  return first_time_below(arena, pair, std::min(now, 0.0) - sink, segments, t);
+  return with_movers(arena, pair, segments, [&](const Mover& a, const auto& b, double end) {
+    return first_touch_or_sinking(a, b, sink, t, end);
+  });
 }
 
 }  // namespace mirocup::simulator

@@ -17,6 +17,7 @@ struct Neighbour {
   double estimated = 0.0;  // when the estimate was made: from here on the touch is to be found
   double apart_at = -1.0;  // s: when they were last seen not to touch
   bool is_estimate = false;
+  int looks = 0;  // how often it was estimated anew
 
   // Is it known, without looking, that they do not touch at time t?
   bool is_apart_at(double t) const { return apart_at == t || (is_estimate && touch > t); }

@@ -133,13 +133,28 @@ double converged_length(const Segment& s, double longest, double to) {
   return length;
 }
 
+namespace {
+
+template <int terms>
+Body pose_of_terms(const Segment& s, double u) {
+  return {.position = {s.x.at<terms>(u), s.y.at<terms>(u)},
+          .heading = Heading{s.cos.at<terms>(u), s.sin.at<terms>(u)}.normalised(),
+          .twist = {}};
+}
+
+}  // namespace
+
+Body pose_at(const Segment& s, double t) {
+  const double u = t - s.begin;
+  return with_terms(s.x.terms, [&](auto n) { return pose_of_terms<n>(s, u); });
+}
+
 Body body_at(const Segment& segment, double t) {
   const double u = t - segment.begin;
   Body body = with_terms(segment.x.terms, [&](auto n) {
-    const auto at = [u](const Series& p) { return p.at<decltype(n)::value>(u); };
-    return Body{.position = {at(segment.x), at(segment.y)},
-                .heading = Heading{at(segment.cos), at(segment.sin)}.normalised(),
-                .twist = {at(segment.forward), at(segment.left), at(segment.turn)}};
+    Body there = pose_of_terms<n>(segment, u);
+    there.twist = {segment.forward.at<n>(u), segment.left.at<n>(u), segment.turn.at<n>(u)};
+    return there;
   });
   if (t == segment.end && segment.settles != Settles::nothing) {
     body.twist.left = 0.0;

@@ -83,8 +83,10 @@ void fill_series(Segment& segment, double enough, Extend extend) {
   if (length < wanted) segment.end = segment.begin + length;
 }
 
-// The body at time t of the segment, with a heading of length 1.
+// The body at time t of the segment, with a heading of length 1; and the same with a twist of zero, for
+// which only half the work is done.
 Body body_at(const Segment& segment, double t);
+Body pose_at(const Segment& segment, double t);
 
 // The same motion with its series counted from `origin` >= segment.begin.
 struct Track {

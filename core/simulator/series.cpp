@@ -25,23 +25,55 @@ Series operator-(const Series& a, const Series& b) {
   });
 }
 
+namespace {
+
+// The same sums in the same order as product_term(), arranged so that a compiler can do two at a
+// time, and keep them in registers: j is a constant in each line of what this comes to.
+template <int n>
+std::array<double, n> product(const Series& a, const Series& b) {
+  std::array<double, n> sum{};
+  const auto add = [&](auto j) {
+    const double factor = a[j];
+    if (factor == 0.0) return;
+    for (int k = j; k < n; ++k) sum[k] += factor * b[k - j];
+  };
+  const auto add_all = [&]<int... j>(std::integer_sequence<int, j...>) {
+    (add(std::integral_constant<int, j>{}), ...);
+  };
+  add_all(std::make_integer_sequence<int, n>{});
+  return sum;
+}
+
+}  // namespace
+
 Series operator*(const Series& a, const Series& b) {
-  // The same sums in the same order as product_term(), arranged so that a compiler can do two at a
-  // time, and keep them in registers: j is a constant in each line of what this comes to.
   return with_terms(std::max(a.terms, b.terms), [&](auto n) {
-    std::array<double, n> sum{};
-    const auto add = [&](auto j) {
-      const double factor = a[j];
-      if (factor == 0.0) return;
-      for (int k = j; k < n; ++k) sum[k] += factor * b[k - j];
-    };
-    const auto add_all = [&]<int... j>(std::integer_sequence<int, j...>) {
-      (add(std::integral_constant<int, j>{}), ...);
-    };
-    add_all(std::make_integer_sequence<int, n>{});
     Series s;
     s.terms = n;
-    std::copy(sum.begin(), sum.end(), s.c.begin());
+    const auto ab = product<n>(a, b);
+    std::copy(ab.begin(), ab.end(), s.c.begin());
+    return s;
+  });
+}
+
+Series sum_of_products(const Series& a, const Series& b, const Series& c, const Series& d) {
+  return with_terms(std::max({a.terms, b.terms, c.terms, d.terms}), [&](auto n) {
+    Series s;
+    s.terms = n;
+    const auto ab = product<n>(a, b);
+    const auto cd = product<n>(c, d);
+    for (int k = 0; k < n; ++k) s[k] = ab[k] + cd[k];
+    return s;
+  });
+}
+
+Series difference_of_products(const Series& a, const Series& b, const Series& c, const Series& d) {
+  return with_terms(std::max({a.terms, b.terms, c.terms, d.terms}), [&](auto n) {
+    Series s;
+    s.terms = n;
+    const auto ab = product<n>(a, b);
+    const auto cd = product<n>(c, d);
+    for (int k = 0; k < n; ++k) s[k] = ab[k] - cd[k];
     return s;
   });
 }

@@ -68,6 +68,10 @@ Series operator-(const Series& a, const Series& b);
 Series operator*(const Series& a, const Series& b);  // truncated to the terms of the longer one
 Series operator*(double factor, const Series& a);
 
+// a b + c d and a b - c d: the same numbers, with less to store.
+Series sum_of_products(const Series& a, const Series& b, const Series& c, const Series& d);
+Series difference_of_products(const Series& a, const Series& b, const Series& c, const Series& d);
+
 // Coefficient k of a * b, from the coefficients 0 .. k of both: the step of every recurrence. From
 // `first` on, without what the coefficients of a before that give.
 inline double product_term(const Series& a, const Series& b, int k, int first = 0) {

@@ -46,8 +46,13 @@ Body along_bent_arc(const Body& begin, const Vec2& bend, double length, double s
   return body;
 }
 
-double bend_acceleration(const Vec2& bend, double length) {
-  return 8.0 * std::sqrt(bend.squaredNorm()) / (length * length);
+Way way_along_bent_arc(const Body& begin, const Vec2& end, const Vec2& bend, double t,
+                       double length) {
+  const Twist& v = begin.twist;
+  const double speed = std::sqrt(v.forward * v.forward + v.left * v.left);
+  const double beside = 8.0 * std::sqrt(bend.squaredNorm()) / (length * length);
+  return way_between(begin.position, end, t, length, speed * std::abs(v.turn) + beside,
+                     std::abs(v.turn));
 }
 
 Segment bent_segment(const Body& now, const Vec2& bend, double step_begin, double begin,

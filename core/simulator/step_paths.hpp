@@ -9,6 +9,7 @@
 #include "core/simulator/arena.hpp"
 #include "core/simulator/segment.hpp"
 #include "core/simulator/soft_problem.hpp"
+#include "core/simulator/way.hpp"
 
 #include <array>
 #include <span>
@@ -20,8 +21,9 @@ namespace mirocup::simulator {
 // frame) beside it: where it is `span` seconds after the begin.
 Body along_bent_arc(const Body& begin, const Vec2& bend, double length, double span);
 
-// Its acceleration beside the arc, m/s^2.
-double bend_acceleration(const Vec2& bend, double length);
+// The way that such a step of `length` seconds takes from its begin, at time t, to where it ends.
+Way way_along_bent_arc(const Body& begin, const Vec2& end, const Vec2& bend, double t,
+                       double length);
 
 // The rest of such a step, which began at `step_begin`, s of the tick, from where the body is now.
 Segment bent_segment(const Body& now, const Vec2& bend, double step_begin, double begin,

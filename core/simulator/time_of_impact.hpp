@@ -26,4 +26,11 @@ struct Mover {
 double first_touch(const Mover& a, const Mover& b, double level, double begin, double end);
 double first_touch(const Mover& a, const field::Wall& wall, double level, double begin, double end);
 
+// The same to level 0; where they touch at the begin already, or are about to, until they have come
+// closer than then by `sink`, m.
+double first_touch_or_sinking(const Mover& a, const Mover& b, double sink, double begin,
+                              double end);
+double first_touch_or_sinking(const Mover& a, const field::Wall& wall, double sink, double begin,
+                              double end);
+
 }  // namespace mirocup::simulator

@@ -18,6 +18,9 @@ namespace {
 // Of a step: what is left of a tick beyond one, and is less, belongs to it.
 constexpr double least_step_left = 0.5;
 
+// So often it is estimated anew when two touch, from when they did not yet.
+constexpr int most_looks_ahead = 2;
+
 }  // namespace
 
 World::World(const field::Field* field, const Parameters& parameters, const Tolerances& tolerances,
@@ -102,10 +105,20 @@ const Neighbour* World::first_touch(double& t) {
     t = latest;
     Neighbour* first = neighbours_.first_to_touch(t);
     if (first == nullptr || !first->is_estimate) return first;
+    if (looks_again(*first)) continue;
     const double sink = patience_.sink(first->pair);
     first->touch = touch_time(arena_, first->pair, segments_, first->estimated, sink);
     first->is_estimate = false;
   }
+}
+
+// An estimate from where the last one led costs a quarter of an exact time, and most who come close pass.
+bool World::looks_again(Neighbour& n) const {
+  if (n.touch == n.estimated || n.looks == most_looks_ahead) return false;
+  ++n.looks;
+  const double before = n.touch;
+  n.touch = earliest_touch_of(n.pair, before);
+  return n.touch > before;
 }
 
 World::Event World::next_event(double tick_end) {
@@ -151,7 +164,7 @@ bool World::was_forced_to_hold(const Event& event) const {
 }
 
 void World::run_into_each_other(double t) {
-  note_touches(contacts_.contacts());
+  add_touches(arena_, contacts_.contacts(), events_);
   separate_overlaps();
   groups_.for_each(contacts_, [this, t](std::span<Contact> group) { collide(group, t); });
 }
@@ -191,38 +204,31 @@ void World::step(const BodySet& candidates, double t, double tick_end) {
 }
 
 void World::set_out(const ContactStepping::Step& taken, double t, double tick_end) {
-  const auto& [members, length] = taken;
   events_.stepped = true;
-  companies_.set_out(members, t);
-  const double end = t + (1.0 + least_step_left) * length < tick_end ? t + length : tick_end;
-  for (int i = 0; i < arena_.bodies(); ++i) {
-    if (!members[i]) continue;
+  companies_.set_out(taken.members, t);
+  const double end =
+      t + (1.0 + least_step_left) * taken.length < tick_end ? t + taken.length : tick_end;
+  for_each_body(taken.members, [&](int i) {
     quiet_.set(i);
     segments_[i].begin = t;
     segments_[i].end = end;
-    const Twist& v = bodies_[i].twist;
-    const double speed = std::sqrt(v.forward * v.forward + v.left * v.left);
-    const double bent = bend_acceleration(steps_->bend(i), end - t);
-    ways_[i] = way_between(bodies_[i].position, steps_->end(i).position, t, end - t,
-                           speed * std::abs(v.turn) + bent, std::abs(v.turn));
+    ways_[i] = way_along_bent_arc(bodies_[i], steps_->end(i).position, steps_->bend(i), t, end - t);
     boxes_[i] = box_around(ways_[i], end - t);
-  }
-  note_touches(steps_->pressing());
-  if (trace_ != nullptr) add_pressing(steps_->pressing(), members, *trace_);
+  });
+  add_touches(arena_, steps_->pressing(), events_);
+  if (trace_ != nullptr) add_pressing(steps_->pressing(), taken.members, *trace_);
 }
 
 void World::spread_over_touching(double t, BodySet& involved) {
   bool grows = true;
   while (grows) {
     grows = false;
-    for (int i = 0; i < arena_.bodies(); ++i) {
-      if (involved[i]) involved |= companies_.company_of(i);
-    }
+    for_each_body(involved, [&](int i) { involved |= companies_.company_of(i); });
     for (Neighbour& n : neighbours_.list()) {
       if (n.pair.with_obstacle() || involved[n.pair.a] == involved[n.pair.partner]) continue;
       if (n.is_apart_at(t)) continue;
-      const Body a = body_now(n.pair.a, t);
-      const Body b = body_now(n.pair.partner, t);
+      const Body a = pose_now(n.pair.a, t);
+      const Body b = pose_now(n.pair.partner, t);
       if (gap(arena_, n.pair, a, b) > arena_.tolerances.touch) {
         n.apart_at = t;
         continue;
@@ -253,11 +259,11 @@ void World::meet_neighbours(const BodySet& involved, double t, double tick_end) 
 }
 
 double World::earliest_touch_of(const Pair& pair, double t) const {
-  const double radius_a = arena_.shape(pair.a).radius;
   const double touch = arena_.tolerances.touch;
+  const double radius_a = arena_.shape(pair.a).radius;
   if (pair.with_obstacle()) {
     const Encounter encounter{ways_[pair.a], Way{}, never, t, segments_[pair.a].end};
-    const Separation apart = separation(arena_, pair, body_now(pair.a, t), Body{});
+    const Separation apart = separation(arena_, pair, pose_now(pair.a, t), Body{});
     return earliest_touch(encounter, apart, radius_a, apart.reach_b, touch);
   }
   const double radius_b = arena_.shape(pair.partner).radius;
@@ -265,7 +271,7 @@ double World::earliest_touch_of(const Pair& pair, double t) const {
   const Encounter encounter{ways_[pair.a], ways_[pair.partner], radius_a + radius_b + touch, t,
                             end};
   if (stays_out_of_reach(encounter)) return never;
-  const Separation apart = separation(arena_, pair, body_now(pair.a, t), body_now(pair.partner, t));
+  const Separation apart = separation(arena_, pair, pose_now(pair.a, t), pose_now(pair.partner, t));
   return earliest_touch(encounter, apart, radius_a, radius_b, touch);
 }
 
@@ -306,15 +312,18 @@ Body World::body_now(int body, double t) const {
   return moved(bodies_[body], drives_[body], motor_decay(arena_.parameters, span));
 }
 
+Body World::pose_now(int body, double t) const {
+  return quiet_[body] ? body_now(body, t) : pose_at(segments_[body], t);
+}
+
 void World::bring_to(double t, const BodySet& involved) {
-  for (int i = 0; i < arena_.bodies(); ++i) {
-    if (!involved[i]) continue;
+  for_each_body(involved, [&](int i) {
     bodies_[i] = body_now(i, t);
-    if (!companies_.is_stepping(i) || t >= segments_[i].end) continue;
+    if (!companies_.is_stepping(i) || t >= segments_[i].end) return;
     const double begin = companies_.begin_of(i);
     const double part = (t - begin) / (segments_[i].end - begin);
     bodies_[i].twist = steps_->twist_after(i, bodies_[i].twist, part);
-  }
+  });
   if (trace_ != nullptr) trace_->position_evaluations += static_cast<long>(involved.count());
 }
 
@@ -361,15 +370,6 @@ void World::collide(std::span<Contact> contacts, double t) {
     patience_.note_bounce(c.pair, t);
   }
   stop_brief_slides(arena_, patience_, drives_, contacts, mass_, bodies_, *problem_);
-}
-
-void World::note_touches(std::span<const Contact> contacts) {
-  for (const Contact& c : contacts) {
-    if (c.pair.with_obstacle()) continue;
-    events_.touched[c.pair.a].set(c.pair.partner);
-    events_.touched[c.pair.partner].set(c.pair.a);
-    if (arena_.is_ball(c.pair.a)) events_.last_to_touch_ball = c.pair.partner;
-  }
 }
 
 void World::start_segments(const BodySet& involved, double t, double tick_end) {

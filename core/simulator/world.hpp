@@ -23,6 +23,7 @@
 #include "core/simulator/neighbours.hpp"
 #include "core/simulator/patience.hpp"
 #include "core/simulator/quiet_motion.hpp"
+#include "core/simulator/tick_events.hpp"
 #include "core/simulator/trace.hpp"
 
 #include <array>
@@ -30,18 +31,6 @@
 #include <span>
 
 namespace mirocup::simulator {
-
-// What happened in a tick, for the referee and for reports.
-struct TickEvents {
-  // touched[a][b]: bodies a and b were in contact at some time of the tick; symmetric. The ball's
-  // index is the number of robots.
-  std::array<BodySet, max_bodies> touched{};
-  int last_to_touch_ball = no_body;  // the last robot that touched the ball, if one did
-  int events = 0;
-  int impacts = 0;
-  bool stepped = false;          // some bodies went on in small steps
-  double deepest_overlap = 0.0;  // m, before it was corrected
-};
 
 class World {
  public:
@@ -80,6 +69,7 @@ class World {
   };
   Event next_event(double tick_end);
   const Neighbour* first_touch(double& t);
+  bool looks_again(Neighbour& n) const;
   void play_event(const Event& event, double tick_end);
   bool was_forced_to_hold(const Event& event) const;
   void run_into_each_other(double t);
@@ -94,6 +84,7 @@ class World {
   void write_as_series(int body, double t, double tick_end);
   double earliest_touch_of(const Pair& pair, double t) const;
   Body body_now(int body, double t) const;
+  Body pose_now(int body, double t) const;  // without its twist, where that is less work
   void bring_to(double t, const BodySet& involved);
   void collect_contacts(const BodySet& involved, double t);
   void collect_contacts_anywhere();
@@ -101,7 +92,6 @@ class World {
   void separate_overlaps();
   void collide(std::span<Contact> contacts, double t);
   void start_segments(const BodySet& involved, double t, double tick_end);
-  void note_touches(std::span<const Contact> contacts);
 
   Arena arena_;
   std::array<Body, max_bodies> bodies_{};       // each at the begin of its segment

@@ -37,6 +37,21 @@ TEST(Series, ProductIsTruncatedNotWrapped) {
   EXPECT_NEAR((p * q).at(0.7), p.at(0.7) * q.at(0.7), 1e-15);
 }
 
+// With the same bits: terms or factors in another order would make other states.
+TEST(Series, SumsOfProductsAreWhatTheyAreByThemselves) {
+  Random random(3);
+  for (const int terms : term_counts) {
+    std::array<Series, 4> p;
+    for (Series& series : p) {
+      series.terms = &series == &p[1] ? fewest_terms : terms;
+      for (int k = 0; k < series.terms; ++k) series[k] = random.uniform(-1.0, 1.0);
+    }
+    EXPECT_EQ(sum_of_products(p[0], p[1], p[2], p[3]).c, (p[0] * p[1] + p[2] * p[3]).c);
+    EXPECT_EQ(difference_of_products(p[0], p[1], p[2], p[3]).c, (p[0] * p[1] - p[2] * p[3]).c);
+    EXPECT_EQ(sum_of_products(p[0], p[1], p[2], p[3]).terms, terms);
+  }
+}
+
 TEST(FirstFall, FindsTheFirstOfSeveralRoots) {
   const Series p = with_roots({0.011, 0.017, 0.029}, -1e5);
   EXPECT_GT(p[0], 0.0);
