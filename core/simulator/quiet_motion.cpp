@@ -21,10 +21,6 @@ constexpr std::array<double, gauss_nodes> weight{
 // Turn plus time constants that pass: at 2.5 the rule is exact to 1e-16.
 constexpr double farthest = 2.5;
 
-double fastest(double now, double aim) {
-  return std::max(std::abs(now), std::abs(aim));
-}
-
 SinCosOfSome headings(const std::array<double, gauss_nodes>& angle) {
   double farthest_turn = 0.0;
   for (const double a : angle) farthest_turn = std::max(farthest_turn, std::abs(a));
@@ -79,30 +75,6 @@ Body moved(const Body& robot, const Drive& drive, const MotorDecay& decay) {
       .heading = robot.heading.turned(sincos(turned)),
       .twist = {drive.forward + speed_to_lose * decay.at_end, 0.0,
                 drive.turn + turn_to_lose * decay.at_end}};
-}
-
-// A way of length l lies within l/2 of the middle between its ends.
-Box box_around_way(const Body& robot, const Body& end, const Drive& drive,
-                   const MotorDecay& decay) {
-  const double now = robot.twist.forward;
-  const double aim = drive.forward;
-  const bool turns_back = now * aim < 0.0;
-  const double way =
-      turns_back
-          ? decay.span * fastest(now, aim)
-          : std::abs(aim * decay.span + (now - aim) * decay.time_constant * (1.0 - decay.at_end));
-  const double reach = 0.5 * way * (1.0 + 1e-9);
-  const Vec2 middle = 0.5 * (robot.position + end.position);
-  return {middle.x() - reach, middle.x() + reach, middle.y() - reach, middle.y() + reach};
-}
-
-Way quiet_way(const Body& robot, const Body& end, const Drive& drive, const MotorDecay& decay,
-              double begin) {
-  const double turn = fastest(robot.twist.turn, drive.turn);
-  const double along = (drive.forward - robot.twist.forward) / decay.time_constant;
-  const double across = fastest(robot.twist.forward, drive.forward) * turn;
-  const double acceleration = std::sqrt(along * along + across * across);
-  return way_between(robot.position, end.position, begin, decay.span, acceleration, turn);
 }
 
 }  // namespace mirocup::simulator

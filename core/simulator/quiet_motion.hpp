@@ -13,7 +13,9 @@
 #include "core/simulator/segment.hpp"
 #include "core/simulator/way.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace mirocup::simulator {
 
@@ -35,11 +37,38 @@ bool is_quiet(const Parameters& parameters, const Body& robot, const Drive& driv
 // The robot after decay.span seconds.
 Body moved(const Body& robot, const Drive& drive, const MotorDecay& decay);
 
-// A box that holds its centre on the way from `robot` to `end`, as moved() gave it.
-Box box_around_way(const Body& robot, const Body& end, const Drive& drive, const MotorDecay& decay);
+// The faster of a speed now and what the motors aim at.
+inline double fastest(double now, double aim) {
+  return std::max(std::abs(now), std::abs(aim));
+}
+
+// Where it is meanwhile. Every robot in every tick has these, so they are inline: what comes back by
+// memory is written by single numbers, read by twos, and has to be waited for.
+
+// A box that holds its centre on the way from `robot` to `end`, as moved() gave it: a way of length l
+// lies within l/2 of the middle between its ends.
+inline Box box_around_way(const Body& robot, const Body& end, const Drive& drive,
+                          const MotorDecay& decay) {
+  const double now = robot.twist.forward;
+  const double aim = drive.forward;
+  const bool turns_back = now * aim < 0.0;
+  const double way =
+      turns_back
+          ? decay.span * fastest(now, aim)
+          : std::abs(aim * decay.span + (now - aim) * decay.time_constant * (1.0 - decay.at_end));
+  const double reach = 0.5 * way * (1.0 + 1e-9);
+  const Vec2 middle = 0.5 * (robot.position + end.position);
+  return {middle.x() - reach, middle.x() + reach, middle.y() - reach, middle.y() + reach};
+}
 
 // The same as a way that begins at `begin`, s of the tick.
-Way quiet_way(const Body& robot, const Body& end, const Drive& drive, const MotorDecay& decay,
-              double begin);
+inline Way quiet_way(const Body& robot, const Body& end, const Drive& drive,
+                     const MotorDecay& decay, double begin) {
+  const double turn = fastest(robot.twist.turn, drive.turn);
+  const double along = (drive.forward - robot.twist.forward) / decay.time_constant;
+  const double across = fastest(robot.twist.forward, drive.forward) * turn;
+  const double acceleration = std::sqrt(along * along + across * across);
+  return way_between(robot.position, end.position, begin, decay.span, acceleration, turn);
+}
 
 }  // namespace mirocup::simulator

@@ -8,9 +8,6 @@ namespace mirocup::simulator {
 
 namespace {
 
-// What rounding adds to a bulge, m.
-constexpr double rounding = 1e-12;
-
 struct Straightened {
   double velocity;
   double bulge;
@@ -45,17 +42,8 @@ Way way_along(const Segment& s) {
   return {.begin = s.begin,
           .from = {s.x[0], s.y[0]},
           .velocity = {x.velocity, y.velocity},
-          .bulge = x.bulge + y.bulge + rounding,
+          .bulge = x.bulge + y.bulge + rounding_of_ways,
           .turn_rate = std::max(std::abs(s.turn[0] + turn.low), std::abs(s.turn[0] + turn.high))};
-}
-
-Way way_between(const Vec2& from, const Vec2& to, double begin, double span, double acceleration,
-                double turn_rate) {
-  return {.begin = begin,
-          .from = from,
-          .velocity = span > 0.0 ? Vec2{(to - from) / span} : Vec2{0.0, 0.0},
-          .bulge = acceleration * span * span / 8.0 + rounding,
-          .turn_rate = turn_rate};
 }
 
 Box box_around(const Way& way, double span) {
