@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 namespace mirocup::simulator {
@@ -44,6 +45,20 @@ std::array<double, n> product(const Series& a, const Series& b) {
   return sum;
 }
 
+// Of a b and c d, term by term.
+template <class Combine>
+Series of_products(const Series& a, const Series& b, const Series& c, const Series& d,
+                   Combine combine) {
+  return with_terms(std::max({a.terms, b.terms, c.terms, d.terms}), [&](auto n) {
+    Series s;
+    s.terms = n;
+    const auto ab = product<n>(a, b);
+    const auto cd = product<n>(c, d);
+    for (int k = 0; k < n; ++k) s[k] = combine(ab[k], cd[k]);
+    return s;
+  });
+}
+
 }  // namespace
 
 Series operator*(const Series& a, const Series& b) {
@@ -57,25 +72,11 @@ Series operator*(const Series& a, const Series& b) {
 }
 
 Series sum_of_products(const Series& a, const Series& b, const Series& c, const Series& d) {
-  return with_terms(std::max({a.terms, b.terms, c.terms, d.terms}), [&](auto n) {
-    Series s;
-    s.terms = n;
-    const auto ab = product<n>(a, b);
-    const auto cd = product<n>(c, d);
-    for (int k = 0; k < n; ++k) s[k] = ab[k] + cd[k];
-    return s;
-  });
+  return of_products(a, b, c, d, std::plus<>{});
 }
 
 Series difference_of_products(const Series& a, const Series& b, const Series& c, const Series& d) {
-  return with_terms(std::max({a.terms, b.terms, c.terms, d.terms}), [&](auto n) {
-    Series s;
-    s.terms = n;
-    const auto ab = product<n>(a, b);
-    const auto cd = product<n>(c, d);
-    for (int k = 0; k < n; ++k) s[k] = ab[k] - cd[k];
-    return s;
-  });
+  return of_products(a, b, c, d, std::minus<>{});
 }
 
 Series operator*(double factor, const Series& a) {
