@@ -114,6 +114,7 @@ Report measure(const Options& options) {
     }
   }
   report.legs = play_legs(options.quick ? 1 : report.rounds);
+  if (!options.quick) report.league = play_leagues();
   return report;
 }
 

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "tests/bench/legs.hpp"
 
+#include "tests/bench/programs.hpp"
+
 #include <nlohmann/json.hpp>
 
-#include <chrono>
-#include <fcntl.h>
-#include <filesystem>
 #include <fstream>
 #include <optional>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace mirocup::bench {
 
@@ -20,55 +16,37 @@ namespace fs = std::filesystem;
 
 constexpr double half = 300.0;  // s
 
-double seconds(const timeval& t) {
-  return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-}
-
-// How long the program took, or nothing if it failed; it writes the record.
-std::optional<Leg> run(std::vector<std::string> words, const fs::path& record) {
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  const auto begin = std::chrono::steady_clock::now();
-  const pid_t pid = fork();
-  if (pid == 0) {
-    dup2(open("/dev/null", O_WRONLY), STDOUT_FILENO);
-    execv(arguments[0], arguments.data());
-    _exit(127);
-  }
-  int status = 0;
-  rusage used{};
-  if (pid < 0 || wait4(pid, &status, 0, &used) != pid || status != 0) return std::nullopt;
-  Leg leg;
-  leg.wall_seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  leg.cpu_seconds = seconds(used.ru_utime) + seconds(used.ru_stime);
+// Nothing if the match could not be played.
+std::optional<Leg> play_leg(const fs::path& program, const fs::path& record, bool trusted) {
+  std::vector<std::string> words{program.string(), "match",
+                                 "--blue",         "striker",
+                                 "--yellow",       "chaser",
+                                 "--half",         std::to_string(half),
+                                 "--rule",         "mercy_goal_diff=1000",
+                                 "--speed",        "max",
+                                 "--record",       record.string()};
+  if (trusted) words.push_back("--trusted");
+  const auto times = run(std::move(words), Cores::this_one);
+  if (!times) return std::nullopt;
   const auto json = nlohmann::json::parse(std::ifstream(record), nullptr, false);
   if (json.is_discarded()) return std::nullopt;
-  leg.played_seconds = json.value("ticks", 0.0) * json.value("control_period", 0.0);
-  return leg;
+  return Leg{.name = trusted ? "trusted" : "sandboxed",
+             .wall_seconds = times->wall_seconds,
+             .cpu_seconds = times->cpu_seconds,
+             .played_seconds = json.value("ticks", 0.0) * json.value("control_period", 0.0)};
 }
 
 }  // namespace
 
 std::vector<Leg> play_legs(int rounds) {
-  const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / "mirocup";
-  std::string folder = (fs::temp_directory_path() / "mirocup-bench-XXXXXX").string();
-  if (!fs::exists(program) || mkdtemp(folder.data()) == nullptr) return {};
+  const fs::path program = program_beside("mirocup");
+  const ScratchFolder folder;
+  if (!fs::exists(program) || folder.path().empty()) return {};
   std::vector<Leg> legs;
   for (int round = 0; round < rounds; ++round) {
     for (const bool trusted : {false, true}) {
-      std::vector<std::string> words{program.string(), "match",
-                                     "--blue",         "striker",
-                                     "--yellow",       "chaser",
-                                     "--half",         std::to_string(half),
-                                     "--rule",         "mercy_goal_diff=1000",
-                                     "--speed",        "max",
-                                     "--record",       folder + "/leg.json"};
-      if (trusted) words.push_back("--trusted");
-      auto leg = run(std::move(words), folder + "/leg.json");
+      const auto leg = play_leg(program, folder.path() / "leg.json", trusted);
       if (!leg) continue;
-      leg->name = trusted ? "trusted" : "sandboxed";
       bool is_new = true;
       for (Leg& known : legs) {
         if (known.name != leg->name) continue;
@@ -78,8 +56,6 @@ std::vector<Leg> play_legs(int rounds) {
       if (is_new) legs.push_back(*leg);
     }
   }
-  std::error_code ignored;
-  fs::remove_all(folder, ignored);
   return legs;
 }
 

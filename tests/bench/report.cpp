@@ -56,6 +56,11 @@ class Judge {
       bars_.push_back({"leg of ten minutes, " + leg.name + ": times real time", leg.speed(),
                        leg.name == "trusted" ? 4000.0 : 1500.0, true});
     }
+    if (report_.league) {
+      bars_.push_back(
+          {"league of " + std::to_string(league_teams) + " teams: two jobs, times as fast as one",
+           report_.league->gain(), 1.8, true});
+    }
     return bars_;
   }
 

@@ -4,9 +4,11 @@
 #pragma once
 
 #include "tests/bench/errors.hpp"
+#include "tests/bench/leagues.hpp"
 #include "tests/bench/legs.hpp"
 #include "tests/bench/scenes.hpp"
 
+#include <optional>
 #include <string>
 
 namespace mirocup::bench {
@@ -31,6 +33,7 @@ struct Report {
   std::vector<Row> rows;
   Spread yardstick_one, yardstick_five;  // of crowds, against itself
   std::vector<Leg> legs;
+  std::optional<LeagueTimes> league;  // only of a whole run
 
   // Medians over rounds; a ratio is the median of the rounds' ratios.
   double cost(const Row& row, SceneKind kind) const;

@@ -72,6 +72,11 @@ std::string to_json(const Report& report) {
                     {"cpu_seconds", leg.cpu_seconds},
                     {"times_real_time", leg.speed()}});
   }
+  if (report.league) {
+    json["league"] = {{"teams", league_teams},
+                      {"one_job_seconds", report.league->one_job_seconds},
+                      {"two_jobs_seconds", report.league->two_jobs_seconds}};
+  }
   Json& judged = json["bars"] = Json::array();
   for (const Bar& bar : bars(report)) {
     judged.push_back({{"name", bar.name},

@@ -90,6 +90,11 @@ std::string to_text(const Report& report) {
     text.add("leg, %s: %.0f s played in %.3f s of processor time, %.3f s on the wall\n",
              leg.name.c_str(), leg.played_seconds, leg.cpu_seconds, leg.wall_seconds);
   }
+  if (report.league) {
+    text.add(
+        "league of %d house teams, each twice against each: %.1f s by one job, %.1f s by two\n",
+        league_teams, report.league->one_job_seconds, report.league->two_jobs_seconds);
+  }
   text.add("\n%-66s%12s%12s\n", "asked", "measured", "limit");
   for (const Bar& bar : bars(report)) {
     text.add("%-66s%12.3g%4s%8.3g  %s\n", bar.name.c_str(), bar.measured,
