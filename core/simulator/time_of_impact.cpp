@@ -4,6 +4,7 @@
 #include "core/simulator/contact.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 namespace mirocup::simulator {
@@ -103,21 +104,26 @@ class RelativeTrack {
   std::optional<Series> forward_, left_;
 };
 
+// From `begin` on, when the first corner of the shape comes down to `level`.
+double first_corner_down(const DistanceAlong& distance, const Shape& shape, double level,
+                         double begin, double end) {
+  double first = never;
+  for (int from = 0; from < shape.corners; from += DistanceAlong::at_once) {
+    const auto lowest = distance.lowest(shape, from, end);
+    for (int i = 0; i < DistanceAlong::at_once && from + i < shape.corners; ++i) {
+      if (lowest[i] > level) continue;
+      const Series d = distance(shape.corner[from + i]);
+      first = std::min(first, first_fall(d, level, begin, std::min(first, end)));
+    }
+  }
+  return first;
+}
+
 // When the first corner of `other` comes down to `level` over one edge of `reference`.
 double first_corner_over(const Shape& reference, int edge, const Shape& other,
                          RelativeTrack& motion, double level, double begin, double end) {
   const DistanceAlong distance = motion.distance_along(reference.normal[edge]);
-  const double target = reference.offset[edge] + level;
-  double first = never;
-  for (int from = 0; from < other.corners; from += DistanceAlong::at_once) {
-    const auto lowest = distance.lowest(other, from, end);
-    for (int i = 0; i < DistanceAlong::at_once && from + i < other.corners; ++i) {
-      if (lowest[i] > target) continue;
-      const Series d = distance(other.corner[from + i]);
-      first = std::min(first, first_fall(d, target, begin, std::min(first, end)));
-    }
-  }
-  return first;
+  return first_corner_down(distance, other, reference.offset[edge] + level, begin, end);
 }
 
 // From t on, the first time at which the centre comes within `reach` of a corner or leaves the
@@ -190,24 +196,6 @@ double first_touch_of_polygons(const Mover& a, const Mover& b, Reference referen
   return begin + t;
 }
 
-double first_touch_of(const Mover& a, const field::Wall& wall, double level, double begin,
-                      double end) {
-  const Track track = track_from(a.segment, begin);
-  const double target = wall.offset + level;
-  if (a.shape.is_circle()) {
-    const Series d = wall.normal.x() * track.x + wall.normal.y() * track.y;
-    return begin + first_fall(d, target + a.shape.radius, 0.0, end - begin);
-  }
-  const Series of_centre = wall.normal.x() * track.x + wall.normal.y() * track.y;
-  const DistanceAlong distance(wall.normal, of_centre, track.cos, track.sin);
-  double first = never;
-  for (int i = 0; i < a.shape.corners; ++i) {
-    const Series d = distance(a.shape.corner[i]);
-    first = std::min(first, first_fall(d, target, 0.0, std::min(first, end - begin)));
-  }
-  return begin + first;
-}
-
 // From the gap at the begin and what says when it has fallen to a level.
 template <class FirstTouch>
 double touch_or_sinking(double now, double sink, double begin, FirstTouch first_touch) {
@@ -227,7 +215,15 @@ double first_touch(const Mover& a, const Mover& b, double level, double begin, d
 
 double first_touch(const Mover& a, const field::Wall& wall, double level, double begin,
                    double end) {
-  return first_touch_of(a, wall, level, begin, end);
+  const Track track = track_from(a.segment, begin);
+  const Series of_centre = wall.normal.x() * track.x + wall.normal.y() * track.y;
+  const double target = wall.offset + level;
+  const double length = end - begin;
+  if (a.shape.is_circle()) {
+    return begin + first_fall(of_centre, target + a.shape.radius, 0.0, length);
+  }
+  const DistanceAlong distance(wall.normal, of_centre, track.cos, track.sin);
+  return begin + first_corner_down(distance, a.shape, target, 0.0, length);
 }
 
 double first_touch_or_sinking(const Mover& a, const Mover& b, double sink, double begin,
@@ -248,7 +244,7 @@ double first_touch_or_sinking(const Mover& a, const field::Wall& wall, double si
                               double end) {
   const double now = gap(a.shape, pose_at(a.segment, begin), wall);
   return touch_or_sinking(now, sink, begin,
-                          [&](double level) { return first_touch_of(a, wall, level, begin, end); });
+                          [&](double level) { return first_touch(a, wall, level, begin, end); });
 }
 
 }  // namespace mirocup::simulator
