@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "tests/bench/legs.hpp"
 
+#include "server/record/locations.hpp"
 #include "tests/bench/programs.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <fstream>
 #include <optional>
 
@@ -12,19 +15,17 @@ namespace mirocup::bench {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr double half = 300.0;  // s
 
 // Nothing if the match could not be played.
-std::optional<Leg> play_leg(const fs::path& program, const fs::path& record, bool trusted) {
-  std::vector<std::string> words{program.string(), "match",
-                                 "--blue",         "striker",
-                                 "--yellow",       "chaser",
-                                 "--half",         std::to_string(half),
-                                 "--rule",         "mercy_goal_diff=1000",
-                                 "--speed",        "max",
-                                 "--record",       record.string()};
+std::optional<Leg> play_leg(const std::string& program, const std::string& record, bool trusted) {
+  std::vector<std::string> words{program,    "match",
+                                 "--blue",   "striker",
+                                 "--yellow", "chaser",
+                                 "--half",   std::to_string(half),
+                                 "--rule",   "mercy_goal_diff=1000",
+                                 "--speed",  "max",
+                                 "--record", record};
   if (trusted) words.push_back("--trusted");
   const auto times = run(std::move(words), Cores::this_one);
   if (!times) return std::nullopt;
@@ -39,13 +40,13 @@ std::optional<Leg> play_leg(const fs::path& program, const fs::path& record, boo
 }  // namespace
 
 std::vector<Leg> play_legs(int rounds) {
-  const fs::path program = program_beside("mirocup");
-  const ScratchFolder folder;
-  if (!fs::exists(program) || folder.path().empty()) return {};
+  const std::string program = record::sibling_program("mirocup");
+  if (!std::filesystem::exists(program)) return {};
+  const test_support::TemporaryFolder folder;
   std::vector<Leg> legs;
   for (int round = 0; round < rounds; ++round) {
     for (const bool trusted : {false, true}) {
-      const auto leg = play_leg(program, folder.path() / "leg.json", trusted);
+      const auto leg = play_leg(program, folder / "leg.json", trusted);
       if (!leg) continue;
       bool is_new = true;
       for (Leg& known : legs) {

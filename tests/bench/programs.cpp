@@ -2,7 +2,6 @@
 #include "tests/bench/programs.hpp"
 
 #include <chrono>
-#include <cstdlib>
 #include <fcntl.h>
 #include <sched.h>
 #include <sys/resource.h>
@@ -12,8 +11,6 @@
 namespace mirocup::bench {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 double seconds(const timeval& t) {
   return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
@@ -28,20 +25,6 @@ void go_to_any_core() {
 }
 
 }  // namespace
-
-fs::path program_beside(const std::string& name) {
-  return fs::read_symlink("/proc/self/exe").parent_path() / name;
-}
-
-ScratchFolder::ScratchFolder() {
-  std::string path = (fs::temp_directory_path() / "mirocup-bench-XXXXXX").string();
-  if (mkdtemp(path.data()) != nullptr) path_ = path;
-}
-
-ScratchFolder::~ScratchFolder() {
-  std::error_code ignored;
-  if (!path_.empty()) fs::remove_all(path_, ignored);
-}
 
 std::optional<ProgramTimes> run(std::vector<std::string> words, Cores cores) {
   std::vector<char*> arguments;

@@ -3,6 +3,8 @@
 // Runs the programs as their users do: arguments in, exit code and text out.
 #pragma once
 
+#include "tests/support/temporary_folder.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <string>
@@ -39,19 +41,6 @@ Outcome run(const std::vector<std::string>& arguments);
 
 // build/NAME of the build that the tests belong to.
 std::string program(const std::string& name);
-
-// A folder that is empty now and gone afterwards.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  ~TemporaryFolder();
-  std::string operator/(const std::string& name) const { return path_ + "/" + name; }
-
- private:
-  std::string path_;
-};
 
 std::string read_file(const std::string& path);
 void write_file(const std::string& path, const std::string& bytes);
