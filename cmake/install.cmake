@@ -1,5 +1,5 @@
 # What a prefix holds, and find_package(mirocup) from it and from the build tree. Programs find their parts relative to
-# themselves (server/record/locations.hpp), so a prefix can be moved.
+# themselves (server/system/locations.hpp), so a prefix can be moved.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/mirocup)

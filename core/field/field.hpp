@@ -13,8 +13,8 @@
 #pragma once
 
 #include "core/base/vec2.hpp"
+#include "core/field/frames.hpp"
 #include "core/field/league.hpp"
-#include "core/field/side.hpp"
 
 #include <array>
 #include <optional>

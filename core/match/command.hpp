@@ -9,8 +9,8 @@
 #pragma once
 
 #include "core/field/league.hpp"
-#include "core/match/poses.hpp"
-#include "core/simulator/state.hpp"
+#include "core/match/placement_request.hpp"
+#include "core/simulator/model/state.hpp"
 
 #include <array>
 #include <cstdint>

@@ -118,7 +118,7 @@ void Match::simulate() {
     for (int i = 0; i < field_.robots_per_team; ++i) {
       const int body = body_of(team, i);
       wheels[body] = plays(team, i) ? pending_[index_of(team)].speeds(i) : simulator::WheelSpeeds{};
-      const simulator::RobotState robot = world_->robot(body);
+      const simulator::BodyState robot = world_->robot(body);
       velocity_before_[index_of(team)][i] =
           robot.heading.to_world({robot.twist.forward, robot.twist.left});
     }
@@ -239,7 +239,7 @@ void Match::record() {
   add(hash_, ball.position);
   add(hash_, ball.velocity);
   for (int i = 0; i < world_->robots(); ++i) {
-    const simulator::RobotState robot = world_->robot(i);
+    const simulator::BodyState robot = world_->robot(i);
     add(hash_, robot.position);
     hash_.add(robot.heading.cos);
     hash_.add(robot.heading.sin);
@@ -330,7 +330,7 @@ referee::Situation Match::situation() const {
   for (const Team team : both_teams) {
     const int e = index_of(end_of(team));
     for (int i = 0; i < field_.robots_per_team; ++i) {
-      const simulator::RobotState robot = world_->robot(body_of(team, i));
+      const simulator::BodyState robot = world_->robot(body_of(team, i));
       s.robots[e][i] = {robot.position, robot.heading};
       s.velocity[e][i] = velocity_before_[index_of(team)][i];
       if (!plays(team, i)) continue;

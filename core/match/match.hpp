@@ -15,7 +15,8 @@
 #include "core/base/state_hash.hpp"
 #include "core/match/controller.hpp"
 #include "core/match/observation.hpp"
-#include "core/match/scene.hpp"
+#include "core/match/snapshot.hpp"
+#include "core/simulator/model/tolerances.hpp"
 #include "core/simulator/world.hpp"
 
 #include <memory>
@@ -110,7 +111,7 @@ class Match {
 
   Scene scene() const;
   // What it holds of one body: cheaper than the scene where nothing else is asked for.
-  simulator::RobotState robot(Team team, int i) const { return world_->robot(body_of(team, i)); }
+  simulator::BodyState robot(Team team, int i) const { return world_->robot(body_of(team, i)); }
   simulator::BallState ball() const { return world_->ball(); }
   const referee::Referee& referee() const { return *referee_; }
   const referee::Decision& restart() const { return restart_; }  // the last one

@@ -5,7 +5,7 @@ namespace mirocup::match {
 
 namespace {
 
-ObservedRobot observed(End end, const simulator::RobotState& robot) {
+ObservedRobot observed(End end, const simulator::BodyState& robot) {
   const Vec2 velocity = robot.heading.to_world({robot.twist.forward, robot.twist.left});
   return {.position = team_frame(end, robot.position),
           .heading = team_frame(end, robot.heading).angle(),

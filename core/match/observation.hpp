@@ -4,8 +4,8 @@
 // metres, radians counter-clockwise, m/s, rad/s.
 #pragma once
 
-#include "core/match/scene.hpp"
-#include "core/simulator/parameters.hpp"
+#include "core/match/snapshot.hpp"
+#include "core/simulator/model/parameters.hpp"
 
 #include <array>
 #include <cstdint>

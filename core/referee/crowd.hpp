@@ -5,7 +5,7 @@
 #pragma once
 
 #include "core/referee/dwell.hpp"
-#include "core/referee/watch.hpp"
+#include "core/referee/occupancy.hpp"
 
 namespace mirocup::referee {
 

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "core/referee/touches.hpp"
 
-#include "core/simulator/contact.hpp"
+#include "core/geometry/separation.hpp"
 
 namespace mirocup::referee {
 
 namespace {
-
-using simulator::Body;
 
 // Could squares or a ball of these half extents come this near?
 bool within(const Vec2& a, const Vec2& b, double distance) {
@@ -23,15 +21,13 @@ double reach_of(const Pitch& pitch) {
 
 double robot_gap(const Pitch& pitch, const Pose& a, const Pose& b, double reach) {
   if (!within(a.position, b.position, 2.0 * reach_of(pitch) + reach)) return HUGE_VAL;
-  const simulator::Shape square = simulator::square(pitch.robot_side);
-  return simulator::gap(square, Body{a.position, a.heading, {}}, square,
-                        Body{b.position, b.heading, {}});
+  const geometry::Outline square = geometry::square(pitch.robot_side);
+  return geometry::gap(square, a, square, b);
 }
 
 double ball_gap(const Pitch& pitch, const Vec2& ball, const Pose& robot) {
-  return simulator::gap(simulator::circle(pitch.ball_radius), Body{ball, Heading{}, {}},
-                        simulator::square(pitch.robot_side),
-                        Body{robot.position, robot.heading, {}});
+  return geometry::gap(geometry::circle(pitch.ball_radius), Pose{ball, Heading{}},
+                       geometry::square(pitch.robot_side), robot);
 }
 
 void set_touch(Situation& s, const RobotId& a, const RobotId& b) {

@@ -4,7 +4,7 @@
 // was commanded in every tick and asked for at restarts, and a hash of the state after each.
 #pragma once
 
-#include "core/replay/trace.hpp"
+#include "core/replay/state_trace.hpp"
 
 #include <optional>
 #include <vector>

@@ -97,7 +97,7 @@ std::optional<Overlap> find_overlap(const Scene& scene, double tolerance) {
   const int robots = static_cast<int>(scene.robots.size());
   const Arena arena = make_arena(scene.has_walls ? &field : nullptr, scene.parameters, Tolerances{},
                                  robots, scene.ball.has_value());
-  std::vector<Body> bodies;
+  std::vector<BodyState> bodies;
   for (const SceneRobot& robot : scene.robots) {
     bodies.push_back({robot.state.position, robot.state.heading, {}});
   }
@@ -112,7 +112,7 @@ std::optional<Overlap> find_overlap(const Scene& scene, double tolerance) {
     if (!scene.has_walls) continue;
     check(i, no_body, -field.clearance(bodies[i].position));
     for (int k = 0; k < plane_walls + end_walls; ++k) {
-      check(i, no_body, -gap(arena, pair_with_obstacle(i, k), bodies[i], Body{}));
+      check(i, no_body, -gap(arena, pair_with_obstacle(i, k), bodies[i], BodyState{}));
     }
   }
   return deepest;

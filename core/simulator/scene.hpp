@@ -5,9 +5,10 @@
 #pragma once
 
 #include "core/field/league.hpp"
-#include "core/simulator/parameters.hpp"
-#include "core/simulator/state.hpp"
-#include "core/simulator/trace.hpp"
+#include "core/simulator/model/parameters.hpp"
+#include "core/simulator/model/state.hpp"
+#include "core/simulator/model/tolerances.hpp"
+#include "core/simulator/statistics.hpp"
 
 #include <optional>
 #include <string>
@@ -23,7 +24,7 @@ struct WheelsFrom {
 
 struct SceneRobot {
   std::string name;
-  RobotState state;                // at time 0
+  BodyState state;                 // at time 0
   bool wheels_on_ground = true;    // false: a free body without motor and grip
   std::vector<WheelsFrom> wheels;  // by increasing time; before the first one, zero
 };
@@ -42,7 +43,7 @@ struct Scene {
 struct Sample {
   double time = 0.0;
   std::optional<BallState> ball;
-  std::vector<RobotState> robots;
+  std::vector<BodyState> robots;
 };
 
 struct SceneResult {

@@ -3,7 +3,7 @@
 // What happened in a tick, for the referee and for reports.
 #pragma once
 
-#include "core/simulator/arena.hpp"
+#include "core/simulator/collision/collision_queries.hpp"
 
 #include <array>
 #include <span>

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "core/simulator/world.hpp"
 
-#include "core/simulator/ball_motion.hpp"
-#include "core/simulator/cluster.hpp"
-#include "core/simulator/near_pairs.hpp"
-#include "core/simulator/pressing.hpp"
-#include "core/simulator/shift.hpp"
-#include "core/simulator/slow_wheels.hpp"
+#include "core/simulator/collision/broad_phase.hpp"
+#include "core/simulator/collision/closest_approach.hpp"
+#include "core/simulator/collision/next_contact.hpp"
+#include "core/simulator/impact/islands.hpp"
+#include "core/simulator/impact/position_correction.hpp"
+#include "core/simulator/impact/wheel_stiction.hpp"
+#include "core/simulator/trajectory/rolling_ball.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,16 +37,16 @@ World::World(const field::Field* field, const Parameters& parameters, const Tole
   if (has_ball) mass_[robots] = free_mass_[robots] = arena_.ball;
 }
 
-RobotState World::robot(int i) const {
+BodyState World::robot(int i) const {
   return {bodies_[i].position, bodies_[i].heading, bodies_[i].twist};
 }
 
 BallState World::ball() const {
-  const Body& ball = bodies_[arena_.robots];
+  const BodyState& ball = bodies_[arena_.robots];
   return {ball.position, {ball.twist.forward, ball.twist.left}};
 }
 
-void World::set_robot(int i, const RobotState& state) {
+void World::set_robot(int i, const BodyState& state) {
   bodies_[i] = {state.position, state.heading, state.twist};
   bodies_were_set_ = true;
 }
@@ -227,8 +228,8 @@ void World::spread_over_touching(double t, BodySet& involved) {
     for (Neighbour& n : neighbours_.list()) {
       if (n.pair.with_obstacle() || involved[n.pair.a] == involved[n.pair.partner]) continue;
       if (n.is_apart_at(t)) continue;
-      const Body a = pose_now(n.pair.a, t);
-      const Body b = pose_now(n.pair.partner, t);
+      const Pose a = pose_now(n.pair.a, t);
+      const Pose b = pose_now(n.pair.partner, t);
       if (gap(arena_, n.pair, a, b) > arena_.tolerances.touch) {
         n.apart_at = t;
         continue;
@@ -263,7 +264,7 @@ double World::earliest_touch_of(const Pair& pair, double t) const {
   const double radius_a = arena_.shape(pair.a).radius;
   if (pair.with_obstacle()) {
     const Encounter encounter{ways_[pair.a], Way{}, never, t, segments_[pair.a].end};
-    const Separation apart = separation(arena_, pair, pose_now(pair.a, t), Body{});
+    const geometry::Separation apart = separation(arena_, pair, pose_now(pair.a, t), Pose{});
     return earliest_touch(encounter, apart, radius_a, apart.reach_b, touch);
   }
   const double radius_b = arena_.shape(pair.partner).radius;
@@ -271,7 +272,8 @@ double World::earliest_touch_of(const Pair& pair, double t) const {
   const Encounter encounter{ways_[pair.a], ways_[pair.partner], radius_a + radius_b + touch, t,
                             end};
   if (stays_out_of_reach(encounter)) return never;
-  const Separation apart = separation(arena_, pair, pose_now(pair.a, t), pose_now(pair.partner, t));
+  const geometry::Separation apart =
+      separation(arena_, pair, pose_now(pair.a, t), pose_now(pair.partner, t));
   return earliest_touch(encounter, apart, radius_a, radius_b, touch);
 }
 
@@ -300,7 +302,7 @@ void World::write_as_series(int body, double t, double tick_end) {
   ways_[body] = way_along(segments_[body]);
 }
 
-Body World::body_now(int body, double t) const {
+BodyState World::body_now(int body, double t) const {
   if (!quiet_[body]) return body_at(segments_[body], t);
   if (companies_.is_stepping(body)) {
     const Segment& s = segments_[body];
@@ -312,8 +314,8 @@ Body World::body_now(int body, double t) const {
   return moved(bodies_[body], drives_[body], motor_decay(arena_.parameters, span));
 }
 
-Body World::pose_now(int body, double t) const {
-  return quiet_[body] ? body_now(body, t) : pose_at(segments_[body], t);
+Pose World::pose_now(int body, double t) const {
+  return quiet_[body] ? static_cast<Pose>(body_now(body, t)) : pose_at(segments_[body], t);
 }
 
 void World::bring_to(double t, const BodySet& involved) {

@@ -14,17 +14,19 @@
 // bit.
 #pragma once
 
-#include "core/simulator/arena.hpp"
-#include "core/simulator/companies.hpp"
-#include "core/simulator/contact_groups.hpp"
-#include "core/simulator/contact_motion.hpp"
-#include "core/simulator/contact_stepping.hpp"
-#include "core/simulator/friction.hpp"
-#include "core/simulator/neighbours.hpp"
-#include "core/simulator/patience.hpp"
-#include "core/simulator/quiet_motion.hpp"
+#include "core/simulator/collision/collision_queries.hpp"
+#include "core/simulator/collision/pair_list.hpp"
+#include "core/simulator/impact/friction.hpp"
+#include "core/simulator/impact/islands.hpp"
+#include "core/simulator/impact/rest_thresholds.hpp"
+#include "core/simulator/model/tolerances.hpp"
+#include "core/simulator/resting_contact/contact_motion.hpp"
+#include "core/simulator/solver/box_qp.hpp"
+#include "core/simulator/statistics.hpp"
+#include "core/simulator/stepping/step_islands.hpp"
+#include "core/simulator/stepping/time_stepper.hpp"
 #include "core/simulator/tick_events.hpp"
-#include "core/simulator/trace.hpp"
+#include "core/simulator/trajectory/closed_form.hpp"
 
 #include <array>
 #include <memory>
@@ -45,11 +47,11 @@ class World {
   const Parameters& parameters() const { return arena_.parameters; }
   const Arena& arena() const { return arena_; }
 
-  RobotState robot(int i) const;
+  BodyState robot(int i) const;
   BallState ball() const;
 
   // Puts a body somewhere; it must overlap nothing when the next tick begins.
-  void set_robot(int i, const RobotState& state);
+  void set_robot(int i, const BodyState& state);
   void set_ball(const BallState& state);
 
   // Where impacts and counts are added from now on; null, as at the beginning: nowhere. It outlives
@@ -83,8 +85,8 @@ class World {
   void start_quietly(int body, double t, double tick_end);
   void write_as_series(int body, double t, double tick_end);
   double earliest_touch_of(const Pair& pair, double t) const;
-  Body body_now(int body, double t) const;
-  Body pose_now(int body, double t) const;  // without its twist, where that is less work
+  BodyState body_now(int body, double t) const;
+  Pose pose_now(int body, double t) const;
   void bring_to(double t, const BodySet& involved);
   void collect_contacts(const BodySet& involved, double t);
   void collect_contacts_anywhere();
@@ -94,11 +96,11 @@ class World {
   void start_segments(const BodySet& involved, double t, double tick_end);
 
   Arena arena_;
-  std::array<Body, max_bodies> bodies_{};       // each at the begin of its segment
+  std::array<BodyState, max_bodies> bodies_{};  // each at the begin of its segment
   std::array<Segment, max_bodies> segments_{};  // of quiet bodies only begin and end
   BodySet quiet_;
-  std::array<Body, max_bodies> quiet_end_;  // of quiet bodies
-  MotorDecay whole_decay_, rest_decay_;     // over a whole tick, over a rest of one
+  std::array<BodyState, max_bodies> quiet_end_;  // of quiet bodies
+  MotorDecay whole_decay_, rest_decay_;          // over a whole tick, over a rest of one
   std::array<Box, max_bodies> boxes_{};
   std::array<Way, max_bodies> ways_{};
   std::array<Drive, max_robots> drives_{};

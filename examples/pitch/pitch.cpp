@@ -7,7 +7,7 @@
 // and the referee is a person beside the pitch.
 #include "server/dds/convert.hpp"
 #include "server/dds/domain.hpp"
-#include "server/dds/draw.hpp"
+#include "server/dds/nonce.hpp"
 #include "table.hpp"
 
 #include <chrono>
@@ -28,7 +28,7 @@ constexpr double period = 1.0 / 30.0;  // s: of the camera's pictures
 constexpr std::uint32_t longest_silence = 4;
 
 // Speeds from two pictures. With a camera that trembles, put a filter here.
-simulator::RobotState robot_state(const Place& now, const Place& before) {
+simulator::BodyState robot_state(const Place& now, const Place& before) {
   const Vec2 speed{(now.x - before.x) / period, (now.y - before.y) / period};
   const double c = std::cos(now.heading);
   const double s = std::sin(now.heading);

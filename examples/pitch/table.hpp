@@ -6,7 +6,7 @@
 
 #include "camera_and_radio.hpp"
 #include "core/field/field.hpp"
-#include "core/simulator/parameters.hpp"
+#include "core/simulator/model/parameters.hpp"
 
 namespace pitch {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "plugins/host/process_controller.hpp"
 
-#include "plugins/host/convert.hpp"
+#include "plugins/abi/convert.hpp"
 #include "plugins/host/launch.hpp"
 #include "plugins/host/sandbox/filter.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "plugins/host/trusted_controller.hpp"
 
-#include "plugins/host/convert.hpp"
+#include "plugins/abi/convert.hpp"
 
 #include <optional>
 #include <utility>

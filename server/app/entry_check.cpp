@@ -7,9 +7,9 @@
 #include "plugins/host/process_controller.hpp"
 #include "plugins/host/sandbox/private_root.hpp"
 #include "server/pace/clock.hpp"
-#include "server/record/digest.hpp"
-#include "server/record/files.hpp"
-#include "server/record/locations.hpp"
+#include "server/system/digest.hpp"
+#include "server/system/files.hpp"
+#include "server/system/locations.hpp"
 
 #include <algorithm>
 #include <array>

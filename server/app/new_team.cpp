@@ -2,8 +2,8 @@
 //
 // mirocup new DIR: a team that builds as it is.
 #include "server/app/commands.hpp"
-#include "server/record/files.hpp"
-#include "server/record/locations.hpp"
+#include "server/system/files.hpp"
+#include "server/system/locations.hpp"
 
 #include <filesystem>
 #include <iostream>

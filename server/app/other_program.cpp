@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "server/app/commands.hpp"
-#include "server/record/locations.hpp"
+#include "server/system/locations.hpp"
 
 #include <cerrno>
 #include <cstring>

@@ -2,11 +2,11 @@
 //
 // mirocup referee TRACE.jsonl: one situation a line in, one verdict a line out, in the same order.
 // mirocup referee --record FILE: a played match judged with other parameters.
-#include "core/replay/appeal.hpp"
+#include "core/replay/rejudge.hpp"
 #include "server/app/commands.hpp"
 #include "server/record/match_record.hpp"
 #include "server/record/rules_json.hpp"
-#include "server/record/trace_verdict.hpp"
+#include "server/traces/trace_verdict.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -4,7 +4,7 @@
 #include "server/app/commands.hpp"
 #include "server/app/interrupt.hpp"
 #include "server/app/seats.hpp"
-#include "server/record/digest.hpp"
+#include "server/system/digest.hpp"
 
 #include <nlohmann/json.hpp>
 

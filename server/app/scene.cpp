@@ -2,8 +2,8 @@
 //
 // mirocup scene FILE: runs bodies, commands and parameters, and nothing of the game.
 #include "server/app/commands.hpp"
-#include "server/record/files.hpp"
 #include "server/record/scene_json.hpp"
+#include "server/system/files.hpp"
 
 #include <nlohmann/json.hpp>
 

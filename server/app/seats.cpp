@@ -2,8 +2,8 @@
 #include "server/app/seats.hpp"
 
 #include "plugins/host/elf.hpp"
-#include "server/record/digest.hpp"
-#include "server/record/locations.hpp"
+#include "server/system/digest.hpp"
+#include "server/system/locations.hpp"
 
 #include <filesystem>
 #include <sched.h>

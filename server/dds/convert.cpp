@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/dds/convert.hpp"
 
-#include "core/match/same_names.hpp"
+#include "core/match/copy_fields.hpp"
 
 namespace mirocup::dds {
 
@@ -9,12 +9,12 @@ static_assert(max_robots_per_team == mirocup_v2_MAX_ROBOTS);
 
 namespace {
 
-mirocup_v2_RobotState to_sample(const simulator::RobotState& r) {
+mirocup_v2_RobotState to_sample(const simulator::BodyState& r) {
   return {r.position.x(),  r.position.y(), r.heading.cos, r.heading.sin,
           r.twist.forward, r.twist.left,   r.twist.turn};
 }
 
-simulator::RobotState to_robot(const mirocup_v2_RobotState& r) {
+simulator::BodyState to_robot(const mirocup_v2_RobotState& r) {
   return {{r.x, r.y}, {r.heading_cos, r.heading_sin}, {r.forward, r.left, r.turn}};
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "server/dds/domain.hpp"
 
-#include "server/dds/confine.hpp"
 #include "server/dds/credentials.hpp"
+#include "server/dds/network_interface.hpp"
 
 #include <cstdio>
 

@@ -9,10 +9,10 @@
 // A seat is part of a MatchServer, in whose thread everything happens.
 #pragma once
 
-#include "server/dds/attendance.hpp"
 #include "server/dds/convert.hpp"
 #include "server/dds/entity.hpp"
 #include "server/dds/inbox.hpp"
+#include "server/dds/liveliness.hpp"
 #include "server/dds/wall_time.hpp"
 #include "server/pace/durations.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/dds/team_client.hpp"
 
-#include "server/dds/draw.hpp"
+#include "server/dds/nonce.hpp"
 
 #include <algorithm>
 #include <utility>

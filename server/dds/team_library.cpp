@@ -2,7 +2,7 @@
 //
 // team.h on top of the team's side of the network.
 #include "mirocup/team.h"
-#include "plugins/host/convert.hpp"
+#include "plugins/abi/convert.hpp"
 #include "server/dds/team_client.hpp"
 
 #include <cstdio>

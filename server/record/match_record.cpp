@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "server/record/match_record.hpp"
 
-#include "server/record/digest.hpp"
 #include "server/record/replay_file.hpp"
 #include "server/record/rules_json.hpp"
+#include "server/system/digest.hpp"
 
 #include <nlohmann/json.hpp>
 

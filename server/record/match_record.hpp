@@ -9,7 +9,7 @@
 
 #include "core/replay/recording.hpp"
 #include "server/pace/durations.hpp"
-#include "server/record/files.hpp"
+#include "server/system/files.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -65,7 +65,7 @@ struct PaceReport {
 };
 
 // What plays or played a match. `game` stands for the physics and the laws: the hash of the golden
-// leg (tests/compilers). Programs of another game may get another leg from the same commands.
+// leg (tests/build/compilers). Programs of another game may get another leg from the same commands.
 struct Software {
   std::string version;
   std::string build;

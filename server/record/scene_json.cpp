@@ -38,9 +38,9 @@ void read_per_pair(const JsonReader& json, double most, PerPair& value) {
 }
 
 // Convex, around the origin; in either direction.
-Outline read_outline(const JsonReader& json) {
-  Outline outline;
-  if (!json.expect_array(3, max_corners)) return outline;
+geometry::OutlineCorners read_outline(const JsonReader& json) {
+  geometry::OutlineCorners outline;
+  if (!json.expect_array(3, geometry::max_corners)) return outline;
   const std::size_t n = json.size();
   std::vector<Vec2> corners;
   for (std::size_t i = 0; i < n; ++i) corners.push_back(read_vector(json.at(i)));
@@ -103,7 +103,7 @@ void read_parameters(const JsonReader& json, Parameters& p) {
   if (json.has("contact_friction")) {
     read_per_pair(json.at("contact_friction"), infinite_grip, p.contact_friction);
   }
-  if (json.has("shape")) p.robot_outline = read_outline(json.at("shape"));
+  if (json.has("shape")) p.robot_corners = read_outline(json.at("shape"));
 }
 
 void read_wheels(const JsonReader& json, SceneRobot& robot) {
@@ -217,7 +217,7 @@ Json to_json(const Scene& scene, const Sample& sample) {
   }
   json["robots"] = Json::array();
   for (std::size_t i = 0; i < sample.robots.size(); ++i) {
-    const RobotState& r = sample.robots[i];
+    const BodyState& r = sample.robots[i];
     json["robots"].push_back({{"name", scene.robots[i].name},
                               {"pose", {r.position.x(), r.position.y(), r.heading.angle()}},
                               {"twist", {r.twist.forward, r.twist.left, r.twist.turn}}});

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "server/web/page.hpp"
 
-#include "server/record/digest.hpp"
-#include "server/record/markup.hpp"
+#include "server/system/digest.hpp"
+#include "server/system/markup.hpp"
 #include "server/web/assets.hpp"
 #include "server/web/page_json.hpp"
 #include "server/web/picture.hpp"

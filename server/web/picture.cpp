@@ -28,7 +28,7 @@ std::string translated(const Vec2& position) {
   return "translate(" + millimetres(position.x()) + " " + millimetres(-position.y()) + ")";
 }
 
-std::string robot(Team team, int number, const simulator::RobotState& state, double side) {
+std::string robot(Team team, int number, const simulator::BodyState& state, double side) {
   const std::string half = millimetres(-side / 2.0);
   const std::string edge = millimetres(side);
   const std::string degrees =

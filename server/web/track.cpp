@@ -38,7 +38,7 @@ Frame frame_of(const match::Scene& scene, int robots, const Frame& before) {
   add_point(scene.ball.position);
   for (const Team team : both_teams) {
     for (int i = 0; i < robots; ++i) {
-      const simulator::RobotState& robot = scene.robots[index_of(team)][i];
+      const simulator::BodyState& robot = scene.robots[index_of(team)][i];
       add_point(robot.position);
       const std::int32_t last = before.empty() ? 0 : before[frame.size()];
       frame.push_back(heading_near(robot.heading.angle(), last));

@@ -7,7 +7,7 @@
 // and y, then of each robot, blue ones first, x, y and heading. page/track.js reads both forms.
 #pragma once
 
-#include "core/match/scene.hpp"
+#include "core/match/snapshot.hpp"
 
 #include <cstdint>
 #include <string>

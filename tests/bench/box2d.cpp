@@ -57,7 +57,7 @@ class Box2d {
     world_.SetContactListener(&restitution_);
     world_.SetAllowSleeping(false);
     if (start.league) add_walls(*start.league);
-    for (const simulator::RobotState& r : start.robots) add_robot(p, r, bullets);
+    for (const simulator::BodyState& r : start.robots) add_robot(p, r, bullets);
     b2CircleShape circle;
     circle.m_radius = static_cast<float>(scale * p.ball_radius);
     ball_ = add_body(start.ball.position, 0.0, circle, Kind::ball, true);
@@ -79,7 +79,7 @@ class Box2d {
   void set_ball_velocity(const Vec2& v) { ball_->SetLinearVelocity(scaled(v)); }
   void step() { world_.Step(step_, velocity_iterations, position_iterations); }
 
-  simulator::RobotState robot(int i) const {
+  simulator::BodyState robot(int i) const {
     return state_of(metres(robots_[i]->GetPosition()), robot_motion(i));
   }
   simulator::BallState ball() const { return {metres(ball_->GetPosition()), ball_velocity()}; }
@@ -101,7 +101,7 @@ class Box2d {
     return body;
   }
 
-  void add_robot(const simulator::Parameters& p, const simulator::RobotState& r, Bullets bullets) {
+  void add_robot(const simulator::Parameters& p, const simulator::BodyState& r, Bullets bullets) {
     const Vec2 half = half_size(p);
     b2PolygonShape box;
     box.SetAsBox(static_cast<float>(scale * half.x()) - b2_polygonRadius,

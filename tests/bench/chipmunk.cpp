@@ -36,7 +36,7 @@ class Chipmunk {
     ball_elasticity_ = p.restitution.ball_robot / robot_elasticity_;
     if (start.league) add_walls(*start.league, p.restitution);
     const Vec2 half = half_size(p);
-    for (const simulator::RobotState& r : start.robots) {
+    for (const simulator::BodyState& r : start.robots) {
       cpBody* body = add_body(p.robot_mass, p.robot_inertia(), r.position);
       cpBodySetAngle(body, r.heading.angle());
       add_shape(cpBoxShapeNew(body, 2.0 * half.x(), 2.0 * half.y(), 0.0), robot_elasticity_,
@@ -79,7 +79,7 @@ class Chipmunk {
   void set_ball_velocity(const Vec2& v) { cpBodySetVelocity(ball_, to_cp(v)); }
   void step() { cpSpaceStep(space_, step_); }
 
-  simulator::RobotState robot(int i) const {
+  simulator::BodyState robot(int i) const {
     return state_of(from_cp(cpBodyGetPosition(robots_[i])), robot_motion(i));
   }
   simulator::BallState ball() const { return {from_cp(cpBodyGetPosition(ball_)), ball_velocity()}; }

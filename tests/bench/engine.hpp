@@ -5,8 +5,8 @@
 #pragma once
 
 #include "core/field/league.hpp"
-#include "core/simulator/parameters.hpp"
-#include "core/simulator/state.hpp"
+#include "core/simulator/model/parameters.hpp"
+#include "core/simulator/model/state.hpp"
 
 #include <functional>
 #include <memory>
@@ -23,7 +23,7 @@ inline constexpr double tick = 0.033;  // s: the control period
 struct Start {
   std::optional<League> league;  // whose walls stand around; none: a plane
   simulator::Parameters parameters;
-  std::vector<simulator::RobotState> robots;
+  std::vector<simulator::BodyState> robots;
   simulator::BallState ball;
 };
 
@@ -36,7 +36,7 @@ class Engine {
   // Plays one tick.
   virtual void advance(std::span<const simulator::WheelCommand> commands) = 0;
 
-  virtual simulator::RobotState robot(int i) const = 0;
+  virtual simulator::BodyState robot(int i) const = 0;
   virtual simulator::BallState ball() const = 0;
 };
 

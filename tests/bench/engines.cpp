@@ -27,7 +27,7 @@ class Own final : public Engine {
   void advance(std::span<const simulator::WheelCommand> commands) override {
     world_.advance(commands, tick);
   }
-  simulator::RobotState robot(int i) const override { return world_.robot(i); }
+  simulator::BodyState robot(int i) const override { return world_.robot(i); }
   simulator::BallState ball() const override { return world_.ball(); }
 
  private:
@@ -48,10 +48,10 @@ std::vector<Contender> own_contenders() {
 }
 
 Vec2 half_size(const simulator::Parameters& p) {
-  if (p.robot_outline.corners == 0) return {p.robot_side / 2.0, p.robot_side / 2.0};
+  if (p.robot_corners.corners == 0) return {p.robot_side / 2.0, p.robot_side / 2.0};
   Vec2 half{0.0, 0.0};
-  for (int i = 0; i < p.robot_outline.corners; ++i) {
-    half = half.cwiseMax(p.robot_outline.corner(i).cwiseAbs());
+  for (int i = 0; i < p.robot_corners.corners; ++i) {
+    half = half.cwiseMax(p.robot_corners.corner(i).cwiseAbs());
   }
   return half;
 }

@@ -12,7 +12,7 @@ namespace mirocup::bench {
 
 namespace {
 
-using simulator::RobotState;
+using simulator::BodyState;
 using simulator::WheelSpeeds;
 using test_support::Outline;
 using Positions = std::array<std::vector<Vec2>, 2>;
@@ -28,8 +28,8 @@ Vec2 random_in(Random& random, double half_x, double half_y) {
   return {x, random.uniform(-half_y, half_y)};
 }
 
-RobotState random_robot(Random& random, const Vec2& at) {
-  RobotState r{at, Heading::from_angle(random.uniform(-pi, pi)), {}};
+BodyState random_robot(Random& random, const Vec2& at) {
+  BodyState r{at, Heading::from_angle(random.uniform(-pi, pi)), {}};
   r.twist.forward = random.uniform(-1.0, 1.0);
   r.twist.turn = random.uniform(-7.0, 7.0);
   return r;
@@ -53,7 +53,7 @@ void add_commands(Random& random, Moment& moment) {
 bool is_crowded_out(const Start& start, const std::vector<Outline>& solids) {
   constexpr double apart = 1e-4;
   std::vector<Outline> bodies;
-  for (const RobotState& r : start.robots) {
+  for (const BodyState& r : start.robots) {
     bodies.push_back(
         test_support::square_at(r.position, r.heading.angle(), start.parameters.robot_side));
   }
@@ -221,9 +221,9 @@ MomentErrors errors(const Moments& moments, const Contender& contender) {
 
 Shots shots(const Contender& contender) {
   simulator::Parameters plate;  // 5 mm by 300 mm, too heavy to be moved
-  plate.robot_outline.corners = 4;
-  plate.robot_outline.x = {-0.0025, 0.0025, 0.0025, -0.0025};
-  plate.robot_outline.y = {-0.15, -0.15, 0.15, 0.15};
+  plate.robot_corners.corners = 4;
+  plate.robot_corners.x = {-0.0025, 0.0025, 0.0025, -0.0025};
+  plate.robot_corners.y = {-0.15, -0.15, 0.15, 0.15};
   plate.robot_mass = 1e3;
   Shots all;
   for (std::size_t i = 0; i < std::size(shot_speeds); ++i) {

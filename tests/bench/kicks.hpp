@@ -84,7 +84,7 @@ class Stepped final : public Engine {
     }
   }
 
-  simulator::RobotState robot(int i) const override { return physics_.robot(i); }
+  simulator::BodyState robot(int i) const override { return physics_.robot(i); }
   simulator::BallState ball() const override { return physics_.ball(); }
 
  private:
@@ -110,7 +110,7 @@ class Stepped final : public Engine {
   Physics physics_;
 };
 
-inline simulator::RobotState state_of(const Vec2& position, const RobotMotion& m) {
+inline simulator::BodyState state_of(const Vec2& position, const RobotMotion& m) {
   const Vec2 v = m.heading.to_body(m.velocity);
   return {position, m.heading, {v.x(), v.y(), m.turn}};
 }

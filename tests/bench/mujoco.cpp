@@ -44,7 +44,7 @@ class MuJoCo {
       : robots_(static_cast<int>(start.robots.size())), model_(compile(xml_of(start, step))) {
     data_ = mj_makeData(model_);
     for (int i = 0; i < robots_; ++i) {
-      const simulator::RobotState& r = start.robots[i];
+      const simulator::BodyState& r = start.robots[i];
       mjtNum* at = data_->qpos + 3 * i;
       at[0] = r.position.x();
       at[1] = r.position.y();
@@ -85,7 +85,7 @@ class MuJoCo {
 
   void step() { mj_step(model_, data_); }
 
-  simulator::RobotState robot(int i) const {
+  simulator::BodyState robot(int i) const {
     const mjtNum* at = data_->qpos + 3 * i;
     return state_of({at[0], at[1]}, robot_motion(i));
   }

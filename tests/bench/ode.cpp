@@ -50,7 +50,7 @@ class Ode {
     dWorldSetAutoDisableFlag(world_, 0);
     const Vec2 half = half_size(p);
     for (std::size_t i = 0; i < robots_.size(); ++i) {
-      const simulator::RobotState& r = start.robots[i];
+      const simulator::BodyState& r = start.robots[i];
       robots_[i] = add_body(p.robot_mass, p.robot_inertia(), r.position,
                             dCreateBox(space_, 2.0 * half.x(), 2.0 * half.y(), height));
       dMatrix3 turned;
@@ -99,7 +99,7 @@ class Ode {
     dJointGroupEmpty(joints_);
   }
 
-  simulator::RobotState robot(int i) const {
+  simulator::BodyState robot(int i) const {
     const dReal* at = dBodyGetPosition(robots_[i]);
     return state_of({at[0], at[1]}, robot_motion(i));
   }

@@ -10,7 +10,7 @@ namespace mirocup::bench {
 
 namespace {
 
-using simulator::RobotState;
+using simulator::BodyState;
 using simulator::WheelSpeeds;
 using test_support::Outline;
 
@@ -31,11 +31,11 @@ WheelSpeeds wheels_for(const simulator::Parameters& p, double forward, double tu
 }
 
 // Robots in columns over the whole field, headings at random, none at the centre.
-std::vector<RobotState> spread_out(const field::Field& field, Random& random) {
+std::vector<BodyState> spread_out(const field::Field& field, Random& random) {
   const int robots = 2 * field.robots_per_team;
   const int rows = robots > 10 ? 4 : 2;
   const int columns = (robots + rows - 1) / rows;
-  std::vector<RobotState> all;
+  std::vector<BodyState> all;
   for (int i = 0; i < robots; ++i) {
     const double x = 1.5 * field.half_length * ((i / rows + 0.5) / columns - 0.5);
     const double y = 1.2 * field.half_width * ((i % rows + 0.5) / rows - 0.5);
@@ -97,7 +97,7 @@ class Steering {
     return goals_[i];
   }
 
-  WheelSpeeds drive_to(const RobotState& r, const Vec2& place, double fastest) const {
+  WheelSpeeds drive_to(const BodyState& r, const Vec2& place, double fastest) const {
     const Vec2 to = r.heading.to_body(place - r.position);
     const double turn = std::clamp(8.0 * std::atan2(to.y(), to.x()), -12.0, 12.0);
     const double along = fastest * std::max(0.3, to.x() / std::max(to.norm(), 1e-3));
@@ -114,7 +114,7 @@ class Steering {
 std::vector<Outline> outlines(const Start& start, const Engine& engine) {
   std::vector<Outline> all;
   for (std::size_t i = 0; i < start.robots.size(); ++i) {
-    const RobotState r = engine.robot(static_cast<int>(i));
+    const BodyState r = engine.robot(static_cast<int>(i));
     all.push_back(
         test_support::square_at(r.position, r.heading.angle(), start.parameters.robot_side));
   }

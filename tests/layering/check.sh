@@ -21,27 +21,42 @@ may() {
     grep -vE "#include \"($allowed)" || true)
 }
 
+# The rooms of core, each of which may include the ones before it and itself.
 may core/base 'core/base/'
 may core/field 'core/(base|field)/'
-may core/simulator 'core/(base|field|simulator)/'
-may core/referee 'core/(base|field|simulator|referee)/'
-may core/match 'core/(base|field|simulator|referee|match)/'
+may core/geometry 'core/(base|field|geometry)/'
+below='core/(base|field|geometry)/'
+simulator=core/simulator
+may $simulator/model "$below|$simulator/model/"
+may $simulator/trajectory "$below|$simulator/(model|trajectory)/"
+may $simulator/solver "$below|$simulator/(model|solver)/"
+may $simulator/collision "$below|$simulator/(model|trajectory|solver|collision)/"
+may $simulator/impact "$below|$simulator/(model|trajectory|solver|collision|impact)/"
+may $simulator/resting_contact "$below|$simulator/(model|trajectory|solver|collision|impact|resting_contact)/"
+may $simulator/stepping "$below|$simulator/(model|trajectory|solver|collision|impact|stepping)/"
+may $simulator "$below|$simulator/"
+may core/referee 'core/(base|field|geometry|referee)/'
+may core/match 'core/(base|field|geometry|simulator|referee|match)/'
 may core/replay 'core/'
 may plugins/include 'mirocup/(strategy|team)\.h"'
 may plugins/house 'mirocup/'
-may plugins/host 'core/|plugins/host/|mirocup/'
+may plugins/abi 'core/|plugins/abi/|mirocup/'
+may plugins/host 'core/|plugins/(abi|host)/|mirocup/'
 may idl 'idl/'
-may server/record 'core/|server/record/|server/pace/durations\.hpp"'
+may server/system 'core/base/|server/system/'
 may server/pace 'server/pace/'
-may server/dds 'core/|idl/|server/dds/|server/pace/durations\.hpp"|plugins/host/convert\.hpp"|mirocup/'
-may server/web 'core/|server/(record|web)/'
-may server/app 'core/|plugins/host/|mirocup/|server/'
+may server/record 'core/|server/(system|record)/|server/pace/durations\.hpp"'
+may server/traces 'core/|server/(system|record|traces)/'
+may server/dds 'core/|idl/|server/dds/|server/pace/durations\.hpp"|plugins/abi/|mirocup/'
+may server/web 'core/|server/(system|record|web)/'
+may server/app 'core/|plugins/(abi|host)/|mirocup/|server/'
 may tournaments/table 'core/base/|tournaments/table/'
-may tournaments/format 'core/|server/record/|tournaments/(format|table)/'
-may tournaments/journal 'core/base/|server/record/|tournaments/journal/'
-may tournaments/run 'core/|server/record/|tournaments/(format|table|journal|run)/'
-may tournaments/publish 'core/|server/record/|tournaments/(format|table|journal|run|publish)/'
-may tournaments/app 'core/|server/(record|web)/|tournaments/'
+may tournaments/format 'core/|server/(system|record)/|tournaments/(format|table)/'
+may tournaments/journal 'core/base/|server/system/|tournaments/journal/'
+may tournaments/league 'core/|server/(system|record)/|tournaments/(format|table|journal|league)/'
+may tournaments/play 'core/|server/(system|record)/|tournaments/(format|table|journal|league|play)/'
+may tournaments/publish 'core/|server/(system|record)/|tournaments/(format|table|journal|league|publish)/'
+may tournaments/app 'core/|server/(system|record|web)/|tournaments/'
 
 # only PATTERN ROOM...: the system's or a library's headers that match PATTERN appear in these rooms only.
 only() {
@@ -54,11 +69,11 @@ only() {
 }
 
 only 'dds/|mirocup\.h>' server/dds
-only 'nlohmann/' server/record server/web server/app tournaments
+only 'nlohmann/' server/record server/traces server/web server/app tournaments
 only 'dlfcn\.h' plugins/host
 only 'httplib' server/web
 only 'CLI/' server/app tournaments/app
-only 'openssl/|zstd' server/record
+only 'openssl/|zstd' server/system server/record
 only 'box2d/|chipmunk/|ode/' none  # peers: tests/bench alone
 only 'thread>|chrono>|mutex>|fstream>|iostream>|filesystem>|random>|sys/|unistd\.h' plugins server tournaments
 

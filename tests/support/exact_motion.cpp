@@ -98,7 +98,7 @@ Model model_of(const simulator::Parameters& p, const simulator::WheelCommand& co
 
 }  // namespace
 
-ExactRobot exactly(const simulator::RobotState& r) {
+ExactRobot exactly(const simulator::BodyState& r) {
   return {r.position.x(),
           r.position.y(),
           std::atan2(static_cast<Real>(r.heading.sin), static_cast<Real>(r.heading.cos)),
@@ -111,7 +111,7 @@ ExactBall exactly(const simulator::BallState& b) {
   return {b.position.x(), b.position.y(), b.velocity.x(), b.velocity.y()};
 }
 
-simulator::RobotState rounded(const ExactRobot& r) {
+simulator::BodyState rounded(const ExactRobot& r) {
   const auto d = [](Real x) { return static_cast<double>(x); };
   return {{d(r.x), d(r.y)},
           {d(std::cos(r.angle)), d(std::sin(r.angle))},

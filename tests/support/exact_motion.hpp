@@ -8,8 +8,8 @@
 // cease to slide are found by bisection.
 #pragma once
 
-#include "core/simulator/parameters.hpp"
-#include "core/simulator/state.hpp"
+#include "core/simulator/model/parameters.hpp"
+#include "core/simulator/model/state.hpp"
 
 namespace mirocup::test_support {
 
@@ -24,9 +24,9 @@ struct ExactBall {
   Real x = 0, y = 0, vx = 0, vy = 0;
 };
 
-ExactRobot exactly(const simulator::RobotState& robot);
+ExactRobot exactly(const simulator::BodyState& robot);
 ExactBall exactly(const simulator::BallState& ball);
-simulator::RobotState rounded(const ExactRobot& robot);
+simulator::BodyState rounded(const ExactRobot& robot);
 
 // The motion for `duration` seconds under one command, wheels on the ground or not. Exact to about
 // 1e-17 of the motion for every second of it.

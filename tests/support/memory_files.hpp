@@ -3,7 +3,7 @@
 // A disk in memory, which can be made to fail.
 #pragma once
 
-#include "server/record/files.hpp"
+#include "server/system/files.hpp"
 
 #include <map>
 #include <string>

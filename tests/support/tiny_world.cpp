@@ -48,7 +48,7 @@ TinyWorld::TinyWorld(const field::Field* field, const simulator::Parameters& par
   inner_ = {field->half_length - reach, field->half_width - reach};
 }
 
-void TinyWorld::set_robot(int i, const simulator::RobotState& s) {
+void TinyWorld::set_robot(int i, const simulator::BodyState& s) {
   const Vec2 velocity = s.heading.to_world({s.twist.forward, s.twist.left});
   bodies_[i] = {s.position,
                 std::atan2(s.heading.sin, s.heading.cos),
@@ -59,7 +59,7 @@ void TinyWorld::set_ball(const simulator::BallState& s) {
   bodies_[robots_] = {s.position, 0.0, {s.velocity.x(), s.velocity.y(), 0.0}};
 }
 
-simulator::RobotState TinyWorld::robot(int i) const {
+simulator::BodyState TinyWorld::robot(int i) const {
   const Body& b = bodies_[i];
   const Heading heading{std::cos(b.angle), std::sin(b.angle)};
   const Vec2 velocity = heading.to_body({b.velocity[0], b.velocity[1]});

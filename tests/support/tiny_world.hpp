@@ -11,8 +11,8 @@
 // ends also where the wheels of a robot lose or find their grip, but only to the step.
 #pragma once
 
-#include "core/simulator/parameters.hpp"
-#include "core/simulator/state.hpp"
+#include "core/simulator/model/parameters.hpp"
+#include "core/simulator/model/state.hpp"
 #include "tests/support/outline.hpp"
 
 #include <Eigen/Core>
@@ -37,9 +37,9 @@ class TinyWorld {
   TinyWorld(const field::Field* field, const simulator::Parameters& parameters, int robots,
             bool has_ball, double step);
 
-  void set_robot(int i, const simulator::RobotState& state);
+  void set_robot(int i, const simulator::BodyState& state);
   void set_ball(const simulator::BallState& state);
-  simulator::RobotState robot(int i) const;
+  simulator::BodyState robot(int i) const;
   simulator::BallState ball() const;
 
   void advance(std::span<const simulator::WheelCommand> commands, double duration);

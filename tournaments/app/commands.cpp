@@ -3,11 +3,11 @@
 
 #include "tournaments/app/progress_bar.hpp"
 #include "tournaments/journal/file_lock.hpp"
-#include "tournaments/publish/release.hpp"
+#include "tournaments/play/runner.hpp"
+#include "tournaments/play/slurm_runner.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/site.hpp"
-#include "tournaments/run/runner.hpp"
-#include "tournaments/run/slurm_runner.hpp"
+#include "tournaments/publish/snapshot.hpp"
 
 #include <nlohmann/json.hpp>
 

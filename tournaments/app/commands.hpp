@@ -5,7 +5,7 @@
 #pragma once
 
 #include "core/base/error.hpp"
-#include "tournaments/run/comparison_run.hpp"
+#include "tournaments/play/comparison_run.hpp"
 
 #include <cstdint>
 #include <string>

@@ -2,10 +2,10 @@
 //
 // mirocup league credentials: what the processes of a league are known by on the network. The work
 // is done by credentials.sh with openssl; this says for whom.
-#include "server/record/locations.hpp"
 #include "server/record/match_record.hpp"
+#include "server/system/locations.hpp"
 #include "tournaments/app/commands.hpp"
-#include "tournaments/run/folder.hpp"
+#include "tournaments/league/folder.hpp"
 
 #include <algorithm>
 #include <spawn.h>

@@ -3,8 +3,8 @@
 // Handing in entries, and finding out which of two is better.
 #include "tournaments/app/commands.hpp"
 #include "tournaments/app/progress_bar.hpp"
-#include "tournaments/run/comparison_run.hpp"
-#include "tournaments/run/submission.hpp"
+#include "tournaments/league/submission.hpp"
+#include "tournaments/play/comparison_run.hpp"
 
 #include <nlohmann/json.hpp>
 

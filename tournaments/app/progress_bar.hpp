@@ -4,7 +4,7 @@
 // plain lines.
 #pragma once
 
-#include "tournaments/run/progress.hpp"
+#include "tournaments/play/progress.hpp"
 
 #include <memory>
 

@@ -3,7 +3,7 @@
 // What a person decides about a league. Each is a line of the journal with a reason; the lines before
 // stay. They may be given while the league is being played.
 #include "tournaments/app/commands.hpp"
-#include "tournaments/run/book.hpp"
+#include "tournaments/league/league_store.hpp"
 
 #include <nlohmann/json.hpp>
 

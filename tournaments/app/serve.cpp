@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // mirocup league serve: a league in browsers while it is played.
+#include "server/system/process_set.hpp"
 #include "tournaments/app/commands.hpp"
 #include "tournaments/app/served_league.hpp"
-#include "tournaments/run/process_set.hpp"
 
 #include <iostream>
 

@@ -5,9 +5,9 @@
 #include "server/web/assets.hpp"
 #include "server/web/page.hpp"
 #include "server/web/page_json.hpp"
+#include "tournaments/play/leg_command.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/site.hpp"
-#include "tournaments/run/leg_command.hpp"
 
 #include <charconv>
 #include <filesystem>

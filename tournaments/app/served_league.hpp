@@ -6,7 +6,7 @@
 #pragma once
 
 #include "server/web/site_server.hpp"
-#include "tournaments/run/book.hpp"
+#include "tournaments/league/league_store.hpp"
 
 #include <nlohmann/json.hpp>
 

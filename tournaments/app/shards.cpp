@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/app/commands.hpp"
 #include "tournaments/app/progress_bar.hpp"
-#include "tournaments/run/bookkeeper.hpp"
-#include "tournaments/run/shard.hpp"
+#include "tournaments/play/result_recorder.hpp"
+#include "tournaments/play/shard.hpp"
 
 #include <iostream>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/journal/journal.hpp"
 
-#include "server/record/digest.hpp"
+#include "server/system/digest.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -11,7 +11,7 @@
 // it calls refresh() and append().
 #pragma once
 
-#include "server/record/files.hpp"
+#include "server/system/files.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

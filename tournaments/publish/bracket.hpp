@@ -4,7 +4,7 @@
 // programs draw.
 #pragma once
 
-#include "tournaments/run/league_state.hpp"
+#include "tournaments/league/league_state.hpp"
 
 #include <string>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/record/markup.hpp"
+#include "server/system/markup.hpp"
 #include "tournaments/publish/bracket.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/html.hpp"
 
-#include "server/record/markup.hpp"
+#include "server/system/markup.hpp"
 
 namespace mirocup::league {
 

@@ -4,7 +4,7 @@
 // words for what ended a leg, what a fault is and what put one team above another.
 #pragma once
 
-#include "tournaments/run/league_state.hpp"
+#include "tournaments/league/league_state.hpp"
 #include "tournaments/table/rating.hpp"
 
 #include <string>

@@ -5,7 +5,7 @@
 // not made again; its record does not change.
 #pragma once
 
-#include "tournaments/run/folder.hpp"
+#include "tournaments/league/folder.hpp"
 
 #include <string>
 

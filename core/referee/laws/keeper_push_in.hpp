@@ -6,7 +6,7 @@
 // and the keeper is at the ball or over the line when it falls.
 #pragma once
 
-#include "core/referee/watch.hpp"
+#include "core/referee/occupancy.hpp"
 
 #include <array>
 

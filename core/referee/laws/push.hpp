@@ -6,7 +6,7 @@
 // the ball. The keeper in its goal area has laws of its own.
 #pragma once
 
-#include "core/referee/watch.hpp"
+#include "core/referee/occupancy.hpp"
 
 #include <array>
 

@@ -246,7 +246,7 @@ TEST(Placing, SurvivesAnything) {
       std::vector<Pose> placed;
       for (const Team team : both_teams) {
         for (int i = 0; i < match.field().robots_per_team; ++i) {
-          const simulator::RobotState& r = scene.robots[index_of(team)][i];
+          const simulator::BodyState& r = scene.robots[index_of(team)][i];
           const Pose pose{r.position, r.heading};
           ASSERT_TRUE(is_inside_walls(pitch, pose)) << to_string(team) << " " << i;
           ASSERT_GT(ball_gap(pitch, scene.ball.position, pose), 0.0);

@@ -3,8 +3,8 @@
 // Catches poses that overlap, stand in walls or break the placement rules of their restart.
 #include "core/referee/placement.hpp"
 
-#include "core/simulator/contact.hpp"
-#include "core/simulator/shape.hpp"
+#include "core/geometry/outline.hpp"
+#include "core/geometry/separation.hpp"
 
 #include <gtest/gtest.h>
 
@@ -69,24 +69,24 @@ class DefaultPlacement : public testing::TestWithParam<Case> {
 INSTANTIATE_TEST_SUITE_P(All, DefaultPlacement, testing::ValuesIn(all_cases()));
 
 TEST_P(DefaultPlacement, OverlapsNothing) {
-  const simulator::Shape robot = simulator::square(0.075);
-  const simulator::Shape ball = simulator::circle(0.02135);
-  std::vector<simulator::Body> bodies;
+  const geometry::Outline robot = geometry::square(0.075);
+  const geometry::Outline ball = geometry::circle(0.02135);
+  std::vector<Pose> bodies;
   for (const End end : both_ends) {
     for (int i = 0; i < field_.robots_per_team; ++i) {
       const Pose& pose = placed_.robots[index_of(end)][i];
-      bodies.push_back({pose.position, pose.heading, {}});
+      bodies.push_back(pose);
       for (const field::Wall& wall : field_.walls) {
-        EXPECT_GE(simulator::gap(robot, bodies.back(), wall), 0.0) << i;
+        EXPECT_GE(geometry::gap(robot, bodies.back(), wall), 0.0) << i;
       }
       EXPECT_GE(field_.clearance(pose.position), 0.0375) << i;
     }
   }
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      EXPECT_GE(simulator::gap(robot, bodies[i], robot, bodies[j]), 0.004) << i << " " << j;
+      EXPECT_GE(geometry::gap(robot, bodies[i], robot, bodies[j]), 0.004) << i << " " << j;
     }
-    EXPECT_GT(simulator::gap(ball, {placed_.ball, {}, {}}, robot, bodies[i]), 0.0) << i;
+    EXPECT_GT(geometry::gap(ball, Pose{placed_.ball, {}}, robot, bodies[i]), 0.0) << i;
   }
 }
 

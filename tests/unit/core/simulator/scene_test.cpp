@@ -95,7 +95,7 @@ TEST(Scene, PlaysWithOtherConvexShapes) {
   Scene scene;
   scene.has_walls = false;
   scene.duration = 1.0;
-  Outline& hexagon = scene.parameters.robot_outline;
+  geometry::OutlineCorners& hexagon = scene.parameters.robot_corners;
   hexagon.corners = 6;
   for (int i = 0; i < 6; ++i) {
     hexagon.x[i] = 0.04 * std::cos((i + 0.5) * std::acos(-1.0) / 3.0);

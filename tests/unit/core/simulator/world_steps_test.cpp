@@ -19,8 +19,8 @@ Tolerances hasty() {
   return tolerances;
 }
 
-Body body_of(const World& world, int robot) {
-  const RobotState& r = world.robot(robot);
+BodyState body_of(const World& world, int robot) {
+  const BodyState& r = world.robot(robot);
   return {r.position, r.heading, r.twist};
 }
 
@@ -55,7 +55,7 @@ TEST(World, SmallStepsLeaveNoOverlaps) {
     stepped += world.advance(whirl(tick), 0.033).stepped;
     for (int i = 0; i < 6; ++i) {
       for (int j = 0; j < i; ++j) {
-        const Shape& shape = world.arena().robot_shape;
+        const geometry::Outline& shape = world.arena().robot_outline;
         EXPECT_GT(gap(shape, body_of(world, i), shape, body_of(world, j)), -1e-9) << tick;
       }
     }
@@ -82,7 +82,7 @@ TEST(World, SmallStepsSeeAllContacts) {
     world.advance(commands, 0.033);
     for (int i = 0; i < max_robots; ++i) {
       for (int j = 0; j < i; ++j) {
-        const Body body = body_of(world, i);
+        const BodyState body = body_of(world, i);
         EXPECT_GT(gap(world.arena(), pair_of(i, j), body, body_of(world, j)), -1e-6) << tick;
       }
     }
@@ -95,7 +95,7 @@ TEST(World, NoStepIsTakenInNoTime) {
   set_around_ball(world, 0.09, 0.3);
   for (int tick = 0; tick < 20; ++tick) {
     world.advance(whirl(tick), 0.033);
-    const Body before = body_of(world, 0);
+    const BodyState before = body_of(world, 0);
     EXPECT_FALSE(world.advance(whirl(tick), 0.0).stepped);
     EXPECT_NEAR((body_of(world, 0).position - before.position).norm(), 0.0, 1e-9);
     EXPECT_TRUE(std::isfinite(body_of(world, 0).twist.turn));
@@ -144,9 +144,9 @@ TEST(World, StepsEndWithTheCompany) {
     }
     world.advance(commands, 0.033);
     for (int i = 0; i < 3; ++i) {
-      const Body body = body_of(world, i);
+      const BodyState body = body_of(world, i);
       for (int k = 0; k < plane_walls + end_walls; ++k) {
-        EXPECT_GT(gap(world.arena(), pair_with_obstacle(i, k), body, Body{}), -1e-9) << tick;
+        EXPECT_GT(gap(world.arena(), pair_with_obstacle(i, k), body, BodyState{}), -1e-9) << tick;
       }
     }
   }
@@ -193,7 +193,7 @@ TEST(World, WhoIsHitInterruptsNobodyFarAway) {
     int impacts = 0;
     for (int tick = 0; tick < 3; ++tick) impacts += world.advance(commands, 0.033).impacts;
     EXPECT_EQ(impacts > 0, ball_speed > 0.0);
-    return std::array<RobotState, 2>{world.robot(2), world.robot(3)};
+    return std::array<BodyState, 2>{world.robot(2), world.robot(3)};
   };
   const auto undisturbed = far_pair(0.0);
   const auto disturbed = far_pair(2.0);

@@ -26,13 +26,13 @@ TEST(World, RobotsAreExactWhenTheirTurnIsReversed) {
   Parameters parameters;
   parameters.grip = infinite_grip;
   for (const double turn : {8.0, 20.0, 50.0}) {
-    const RobotState start{{0.0, 0.0}, {}, {1.0, 0.0, turn}};
+    const BodyState start{{0.0, 0.0}, {}, {1.0, 0.0, turn}};
     const double u = -turn * parameters.wheel_distance / (2.0 * parameters.wheel_radius);
     const WheelCommand reversed = WheelSpeeds{-u, u};
     World world(nullptr, parameters, Tolerances{}, 1, false);
     world.set_robot(0, start);
     world.advance({&reversed, 1}, 0.033);
-    const RobotState exact = test_support::rounded(
+    const BodyState exact = test_support::rounded(
         test_support::drive_exactly(parameters, test_support::exactly(start), reversed, 0.033L));
     EXPECT_LE((world.robot(0).position - exact.position).norm(), 1e-12) << turn;
     EXPECT_NEAR(world.robot(0).heading.sin, exact.heading.sin, 1e-12) << turn;
@@ -103,7 +103,7 @@ TEST(World, PostsPushRobotsOutAndNothingElse) {
   const Vec2 outwards{-diagonal, -diagonal};
   const Vec2 post{field.half_length, field.goal_half_width};
   const double reach = parameters.robot_side / 2.0 - overlap;
-  const RobotState start{post + reach * outwards, {diagonal, diagonal}, {}};
+  const BodyState start{post + reach * outwards, {diagonal, diagonal}, {}};
   world.set_robot(0, start);
   const InverseMass before = world.arena().grounded_robot;
   const WheelCommand standing = WheelSpeeds{};

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "core/geometry/separation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mirocup::geometry {
+
+namespace {
+
+// The pose of `body` in the frame of `of`.
+struct Relative {
+  Vec2 position;
+  Heading heading;
+};
+Relative relative(const Pose& body, const Pose& of) {
+  return {of.heading.to_body(body.position - of.position), body.heading.seen_from(of.heading)};
+}
+
+// The corner that is farthest against `normal` (in the polygon's frame): where along it, m.
+double nearest_corner(const Outline& polygon, const Vec2& normal) {
+  double nearest = infinity;
+  for (int i = 0; i < polygon.corners; ++i) {
+    nearest = std::min(nearest, normal.dot(polygon.corner[i]));
+  }
+  return nearest;
+}
+
+}  // namespace
+
+Axis nearest_axis(const Outline& polygon, const Vec2& point) {
+  int edge = 0;
+  double best = -infinity;
+  for (int i = 0; i < polygon.corners; ++i) {
+    const double d = polygon.normal[i].dot(point) - polygon.offset[i];
+    if (d > best) {
+      best = d;
+      edge = i;
+    }
+  }
+  const Axis facing{polygon.normal[edge], polygon.offset[edge], best, edge, -1};
+  if (best <= 0.0) return facing;
+
+  const Vec2& start = polygon.corner[edge];
+  const Vec2& stop = polygon.corner[polygon.next(edge)];
+  const Vec2 along = stop - start;
+  int corner = -1;
+  if (along.dot(point - start) < 0.0) corner = edge;
+  if (along.dot(point - stop) > 0.0) corner = polygon.next(edge);
+  if (corner < 0) return facing;
+  const Vec2 away = point - polygon.corner[corner];
+  const double distance = std::sqrt(away.squaredNorm());
+  const Vec2 normal = away / distance;
+  return {normal, normal.dot(polygon.corner[corner]), distance, edge, corner};
+}
+
+Axis axis_to_centre(const Pose& body_a, const Outline& b, const Pose& body_b) {
+  return nearest_axis(b, body_b.heading.to_body(body_a.position - body_b.position));
+}
+
+// The edge that faces the other's middle comes first: most others are out of question then.
+EdgeSeparation best_edge(const Outline& reference, const Outline& other, const Vec2& position,
+                         const Heading& heading) {
+  std::array<double, max_corners> of_middle{};
+  int facing = 0;
+  for (int edge = 0; edge < reference.corners; ++edge) {
+    of_middle[edge] = reference.normal[edge].dot(position) - reference.offset[edge];
+    if (of_middle[edge] > of_middle[facing]) facing = edge;
+  }
+  const auto separation_of = [&](int edge) {
+    return of_middle[edge] + nearest_corner(other, heading.to_body(reference.normal[edge]));
+  };
+  EdgeSeparation best{facing, separation_of(facing)};
+  const double reach = other.inner_radius * (1.0 - 1e-9);  // at least so far towards any edge
+  for (int edge = 0; edge < reference.corners; ++edge) {
+    if (edge == facing || of_middle[edge] - reach <= best.separation) continue;
+    const double separation = separation_of(edge);
+    if (separation > best.separation) best = {edge, separation};
+  }
+  return best;
+}
+
+Reference reference_of(const Outline& a, const Pose& body_a, const Outline& b, const Pose& body_b,
+                       double margin) {
+  const Relative b_in_a = relative(body_b, body_a);
+  const EdgeSeparation of_a = best_edge(a, b, b_in_a.position, b_in_a.heading);
+  if (of_a.separation > margin) return {true, of_a};
+  const Relative a_in_b = relative(body_a, body_b);
+  const EdgeSeparation of_b = best_edge(b, a, a_in_b.position, a_in_b.heading);
+  if (of_a.separation >= of_b.separation) return {true, of_a};
+  return {false, of_b};
+}
+
+double separation_from(const Reference& reference, const Outline& a, const Pose& body_a,
+                       const Outline& b, const Pose& body_b) {
+  const int edge = reference.best.edge;
+  const Outline& side = reference.is_a ? a : b;
+  const Relative other = reference.is_a ? relative(body_b, body_a) : relative(body_a, body_b);
+  return side.normal[edge].dot(other.position) - side.offset[edge] +
+         nearest_corner(reference.is_a ? b : a, other.heading.to_body(side.normal[edge]));
+}
+
+Separation separation(const Outline& a, const Pose& body_a, const Outline& b, const Pose& body_b) {
+  if (a.is_circle()) {
+    const Axis axis = axis_to_centre(body_a, b, body_b);
+    return {axis.separation - a.radius, body_b.heading.to_world(axis.normal), a.radius,
+            axis.offset};
+  }
+  const Reference reference = reference_of(a, body_a, b, body_b);
+  const double gap = reference.best.separation;
+  const Outline& side = reference.is_a ? a : b;
+  const Heading& heading = reference.is_a ? body_a.heading : body_b.heading;
+  const Vec2 outwards = heading.to_world(side.normal[reference.best.edge]);
+  const Vec2 normal = reference.is_a ? Vec2{-outwards} : outwards;
+  const double own_reach = side.offset[reference.best.edge];
+  const double other_reach = normal.dot(body_a.position - body_b.position) - own_reach - gap;
+  return reference.is_a ? Separation{gap, normal, own_reach, other_reach}
+                        : Separation{gap, normal, other_reach, own_reach};
+}
+
+Separation separation(const Outline& a, const Pose& body_a, const field::Wall& wall) {
+  double reach = a.radius;
+  if (!a.is_circle()) reach = -nearest_corner(a, body_a.heading.to_body(wall.normal));
+  return {wall.normal.dot(body_a.position) - wall.offset - reach, wall.normal, reach, 0.0};
+}
+
+}  // namespace mirocup::geometry

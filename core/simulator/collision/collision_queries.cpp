@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "core/simulator/collision/collision_queries.hpp"
+
+#include "core/geometry/separation.hpp"
+#include "core/simulator/collision/time_of_impact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mirocup::simulator {
+
+namespace {
+
+const Segment& obstacle_segment() {
+  static const Segment still = still_segment(BodyState{}, 0.0, never);
+  return still;
+}
+
+double of_pair(const Arena& arena, const Pair& pair, const PerPair& value) {
+  const bool ball = arena.is_ball(pair.a);
+  if (pair.with_obstacle()) return ball ? value.ball_wall : value.robot_wall;
+  return ball ? value.ball_robot : value.robot_robot;
+}
+
+const geometry::Outline& end_wall_of(const Arena& arena, int obstacle) {
+  return arena.end_wall_outlines[obstacle - plane_walls];
+}
+
+// Calls f with the two of a pair, of which the second may be a wall, and the end of both segments.
+template <class F>
+double with_movers(const Arena& arena, const Pair& pair, std::span<const Segment> segments, F f) {
+  const Segment& a = segments[pair.a];
+  const Mover mover{arena.shape(pair.a), a};
+  if (pair.with_plane()) return f(mover, arena.field->walls[pair.obstacle()], a.end);
+  const Segment& b = pair.with_obstacle() ? obstacle_segment() : segments[pair.partner];
+  return f(mover, Mover{partner_outline(arena, pair), b}, std::min(a.end, b.end));
+}
+
+}  // namespace
+
+Arena make_arena(const field::Field* field, const Parameters& parameters,
+                 const Tolerances& tolerances, int robots, bool has_ball) {
+  Arena arena;
+  arena.parameters = parameters;
+  arena.tolerances = tolerances;
+  arena.robots = robots;
+  arena.has_ball = has_ball;
+  arena.field = field;
+  arena.robot_outline = robot_outline(parameters);
+  arena.ball_outline = geometry::circle(parameters.ball_radius);
+  arena.reach_of_robots =
+      arena.robot_outline.radius + tolerances.touch + arena.robot_outline.radius;
+  arena.reach_of_ball = arena.ball_outline.radius + tolerances.touch + arena.robot_outline.radius;
+  if (field != nullptr) {
+    for (int i = 0; i < end_walls; ++i)
+      arena.end_wall_outlines[i] = geometry::end_wall(field->posts[i]);
+  }
+  arena.free_robot = free_robot_mass(parameters);
+  arena.grounded_robot = robot_mass(parameters, true);
+  arena.ball = ball_mass(parameters);
+  return arena;
+}
+
+double restitution(const Arena& arena, const Pair& pair) {
+  return of_pair(arena, pair, arena.parameters.restitution);
+}
+
+double contact_friction(const Arena& arena, const Pair& pair) {
+  return of_pair(arena, pair, arena.parameters.contact_friction);
+}
+
+const geometry::Outline& partner_outline(const Arena& arena, const Pair& pair) {
+  return pair.with_obstacle() ? end_wall_of(arena, pair.obstacle()) : arena.shape(pair.partner);
+}
+
+BodyState partner_body(const Pair& pair, std::span<const BodyState> bodies) {
+  return pair.with_obstacle() ? BodyState{} : bodies[pair.partner];
+}
+
+geometry::Separation separation(const Arena& arena, const Pair& pair, const Pose& a,
+                                const Pose& b) {
+  const geometry::Outline& shape = arena.shape(pair.a);
+  if (pair.with_plane()) return separation(shape, a, arena.field->walls[pair.obstacle()]);
+  return separation(shape, a, partner_outline(arena, pair), pair.with_obstacle() ? Pose{} : b);
+}
+
+void add_contacts(const Arena& arena, const Pair& pair, std::span<const BodyState> bodies,
+                  double margin, ContactList& list) {
+  const geometry::Outline& shape = arena.shape(pair.a);
+  const BodyState& a = bodies[pair.a];
+  if (pair.with_plane()) {
+    const field::Wall& wall = arena.field->walls[pair.obstacle()];
+    add_points(arena, pair, bodies, contact_points(shape, a, wall, margin), list);
+  } else {
+    const BodyState b = partner_body(pair, bodies);
+    const ContactPoints found = contact_points(shape, a, partner_outline(arena, pair), b, margin);
+    add_points(arena, pair, bodies, found, list);
+  }
+}
+
+void add_points(const Arena& arena, const Pair& pair, std::span<const BodyState> bodies,
+                const ContactPoints& found, ContactList& list) {
+  for (int i = 0; i < found.count && !list.full(); ++i) {
+    Contact& c = list.list[list.count++];
+    c = Contact{.pair = pair, .at = found.points[i]};
+    c.a = c.at.point_on_a ? pair.a : pair.b();
+    c.b = c.at.point_on_a ? pair.b() : pair.a;
+    set_rows(bodies, c);
+    c.restitution = restitution(arena, pair);
+    c.friction = contact_friction(arena, pair);
+  }
+}
+
+void look_again(const Arena& arena, std::span<const BodyState> bodies, const Pair& pair,
+                ContactPoint& at) {
+  const int a = at.point_on_a ? pair.a : pair.b();
+  const int b = at.point_on_a ? pair.b() : pair.a;
+  const geometry::Outline* edges = b != no_body        ? &arena.shape(b)
+                                   : pair.with_plane() ? nullptr
+                                                       : &end_wall_of(arena, pair.obstacle());
+  const BodyState side = b != no_body ? bodies[b] : BodyState{};
+  if (a != no_body && arena.is_ball(a)) {
+    const geometry::Outline& ball = arena.ball_outline;
+    at = (edges == nullptr
+              ? contact_points(ball, bodies[a], arena.field->walls[pair.obstacle()], infinity)
+              : contact_points(ball, bodies[a], *edges, side, infinity))
+             .points[0];
+    return;
+  }
+  if (a != no_body) {
+    at.point = bodies[a].position + bodies[a].heading.to_world(arena.shape(a).corner[at.corner]);
+  }
+  double offset = 0.0;
+  if (edges == nullptr) {
+    offset = arena.field->walls[pair.obstacle()].offset;
+  } else {
+    at.normal = side.heading.to_world(edges->normal[at.edge]);
+    offset = edges->offset[at.edge] + at.normal.dot(side.position);
+  }
+  at.gap = at.normal.dot(at.point) - offset;
+}
+
+double gap_beyond(const Arena& arena, std::span<const BodyState> bodies, const Contact& c,
+                  double line) {
+  ContactPoint at = c.at;
+  look_again(arena, bodies, c.pair, at);
+  if (at.gap >= -line) return at.gap;
+  return std::max(at.gap, gap(arena, c.pair, bodies));
+}
+
+double first_time_below(const Arena& arena, const Pair& pair, double level,
+                        std::span<const Segment> segments, double t) {
+  return with_movers(arena, pair, segments, [&](const Mover& a, const auto& b, double end) {
+    return first_touch(a, b, level, t, end);
+  });
+}
+
+double touch_time(const Arena& arena, const Pair& pair, std::span<const Segment> segments, double t,
+                  double sink) {
+  return with_movers(arena, pair, segments, [&](const Mover& a, const auto& b, double end) {
+    return first_touch_or_sinking(a, b, sink, t, end);
+  });
+}
+
+}  // namespace mirocup::simulator

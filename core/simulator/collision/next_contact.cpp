@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "core/simulator/collision/next_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mirocup::simulator {
+
+namespace {
+
+// How a corner of a robot presses on an edge that turns with another body, or on a wall.
+struct Pivot {
+  const geometry::Outline& shape;  // of the robot
+  Vec2 corner;                     // that presses, in the robot's frame
+  int corner_index;
+  const Segment& robot;
+  const Segment* edge;  // of the edge's body; null: a wall
+  Vec2 normal;          // of the edge, in its body's frame or the field's
+
+  double length() const {
+    return edge == nullptr ? robot.end - robot.begin : std::min(robot.end, edge->end) - robot.begin;
+  }
+};
+
+Pivot pivot_of(const Arena& arena, const Contact& c, std::span<const Segment> segments) {
+  const geometry::Outline& shape = arena.shape(c.a);
+  const bool on_wall = c.b == no_body;
+  return {.shape = shape,
+          .corner = shape.corner[c.at.corner],
+          .corner_index = c.at.corner,
+          .robot = segments[c.a],
+          .edge = on_wall ? nullptr : &segments[c.b],
+          .normal = on_wall ? c.at.normal : arena.shape(c.b).normal[c.at.edge]};
+}
+
+// By how much the robot turns against the edge, between these bounds.
+Range turn_over(const Pivot& pivot) {
+  const Series rate =
+      pivot.edge == nullptr ? pivot.robot.turn : pivot.robot.turn - pivot.edge->turn;
+  Range turned{0.0, 0.0};
+  double power = 1.0;
+  for (int k = 0; k < rate.terms; ++k) {
+    power *= pivot.length();
+    const double by = rate[k] * power / (k + 1);
+    turned.low += std::min(by, 0.0);
+    turned.high += std::max(by, 0.0);
+  }
+  return turned;
+}
+
+struct RelativeHeading {
+  Series cos, sin;
+};
+
+RelativeHeading relative_heading(const Pivot& pivot) {
+  const Segment& a = pivot.robot;
+  if (pivot.edge == nullptr) return {a.cos, a.sin};
+  const Segment& b = *pivot.edge;
+  return {b.cos * a.cos + b.sin * a.sin, b.cos * a.sin - b.sin * a.cos};
+}
+
+}  // namespace
+
+bool keeps_apart(const Arena& arena, const Contact& c) {
+  if (!c.holds || !c.is_kept) return false;
+  if (c.at.kind != Touching::corner_on_edge) return true;
+  const bool on_end_wall = c.pair.with_obstacle() && c.pair.obstacle() >= plane_walls;
+  if (c.a == no_body || on_end_wall) return false;
+  const geometry::Outline& shape = arena.shape(c.a);
+  const Vec2 n{c.row_a[0], c.row_a[1]};
+  const double line = n.dot(shape.corner[c.at.corner]) - arena.tolerances.touch;
+  return std::all_of(shape.corner.begin(), shape.corner.begin() + shape.corners,
+                     [&](const Vec2& corner) { return n.dot(corner) >= line; });
+}
+
+double next_corner_down(const Arena& arena, const Contact& contact, bool others,
+                        std::span<const Segment> segments, double sink) {
+  if (others || contact.at.kind != Touching::corner_on_edge) return never;
+  const Pivot pivot = pivot_of(arena, contact, segments);
+  const Range turned = turn_over(pivot);
+  const double most = std::max(-turned.low, turned.high);
+  const Vec2 n{contact.row_a[0], contact.row_a[1]};  // in the robot's frame, at the begin
+  std::array<Vec2, geometry::max_corners> arms;
+  int close = 0;
+  for (int i = 0; i < pivot.shape.corners; ++i) {
+    if (i == pivot.corner_index) continue;
+    const Vec2 arm = pivot.shape.corner[i] - pivot.corner;
+    // The height is up cos(turned) + across sin(turned), which is at least this.
+    const double up = n.dot(arm);
+    const double across = cross(arm, n);
+    const double least = up + std::min(across * turned.low, across * turned.high) -
+                         most * most * (0.5 * std::abs(up) + most * std::abs(across) / 6.0);
+    if (least <= arena.tolerances.touch) arms[close++] = arm;
+  }
+  if (close == 0) return never;
+
+  const RelativeHeading heading = relative_heading(pivot);
+  double first = never;
+  for (int i = 0; i < close; ++i) {
+    const Series height =
+        pivot.normal.dot(arms[i]) * heading.cos + cross(arms[i], pivot.normal) * heading.sin;
+    const double level = std::min(height[0], 0.0) - sink;
+    first = std::min(first, first_fall(height, level, 0.0, std::min(first, pivot.length())));
+  }
+  return pivot.robot.begin + first;
+}
+
+std::optional<double> next_touch_while_pressing(const Arena& arena, const Pair& pair,
+                                                std::span<const Contact> contacts,
+                                                std::span<const Segment> segments, double sink) {
+  const Contact* pressing = nullptr;
+  bool others = false;
+  for (const Contact& c : contacts) {
+    if (!(c.pair == pair) || !keeps_apart(arena, c)) continue;
+    others = pressing != nullptr;
+    pressing = &c;
+  }
+  if (pressing == nullptr) return std::nullopt;
+  return next_corner_down(arena, *pressing, others, segments, sink);
+}
+
+}  // namespace mirocup::simulator

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "core/simulator/collision/pair_list.hpp"
+
+#include "core/simulator/collision/broad_phase.hpp"
+
+namespace mirocup::simulator {
+
+std::span<Neighbour> Neighbours::find(const Arena& arena, std::span<const Box> boxes,
+                                      const BodySet& changed) {
+  int kept = 0;
+  for (int i = 0; i < count_; ++i) {
+    const Pair& pair = list_[i].pair;
+    const bool is_stale = changed[pair.a] || (!pair.with_obstacle() && changed[pair.partner]);
+    if (!is_stale) list_[kept++] = list_[i];
+  }
+  count_ = kept;
+
+  const unsigned long unchanged = bodies_below(arena.bodies()) & ~changed.to_ulong();
+  for (int i = 0; i < arena.bodies(); ++i) {
+    if (!changed[i]) continue;
+    // Of two that changed, the one with the higher index finds the pair.
+    for_near_pairs(arena, boxes, i, unchanged | bodies_below(i),
+                   [this](const Pair& pair) { add(pair); });
+  }
+  return {list_.data() + kept, static_cast<std::size_t>(count_ - kept)};
+}
+
+void Neighbours::add(const Pair& pair) {
+  if (count_ < static_cast<int>(list_.size())) list_[count_++] = {.pair = pair};
+}
+
+Neighbour* Neighbours::first_to_touch(double& t) {
+  Neighbour* first = nullptr;
+  for (Neighbour& n : list()) {
+    if (n.touch > t) continue;
+    const bool earlier = first == nullptr || n.touch < t || n.pair.a < first->pair.a ||
+                         (n.pair.a == first->pair.a && n.pair.partner < first->pair.partner);
+    if (!earlier) continue;
+    first = &n;
+    t = n.touch;
+  }
+  return first;
+}
+
+}  // namespace mirocup::simulator

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "core/simulator/collision/reference_edges.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace mirocup::simulator {
+
+namespace {
+
+// Of the pair of these contacts, if it is not theirs. All gaps are taken to change at even rates.
+std::optional<geometry::Reference> first_edge(const Arena& arena, std::span<const Contact> contacts,
+                                              std::span<const BodyState> begin,
+                                              std::span<const BodyState> end) {
+  const Pair& pair = contacts.front().pair;
+  if (arena.is_ball(pair.a) || pair.with_plane()) return {};
+  std::array<double, 2> were{};  // gaps
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    ContactPoint at = contacts[i].at;
+    look_again(arena, begin, pair, at);
+    if (at.gap >= -arena.tolerances.overlap_within_step) return {};
+    were[i] = at.gap;
+  }
+  const geometry::Outline& a = arena.shape(pair.a);
+  const geometry::Outline& b = partner_outline(arena, pair);
+  const geometry::Reference first = reference_of(a, begin[pair.a], b, partner_body(pair, begin));
+  const double was = std::max(first.best.separation, 0.0);
+  const double is = separation_from(first, a, end[pair.a], b, partner_body(pair, end));
+  if (is >= 0.0) return {};
+  const double part = was / (was - is);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    // Behind the first edge only when it was past the corner already.
+    if (were[i] + part * (contacts[i].at.gap - were[i]) > 0.0) return {};
+  }
+  return first;
+}
+
+}  // namespace
+
+void put_on_first_edges(const Arena& arena, std::span<const BodyState> begin,
+                        std::span<const BodyState> end, ContactList& list) {
+  struct Entry {
+    Pair pair;
+    geometry::Reference over;
+  };
+  std::array<Entry, max_unknowns> entries;
+  int count = 0;
+  for_each_pair(list.contacts(), [&](std::span<const Contact> contacts) {
+    const auto first = first_edge(arena, contacts, begin, end);
+    if (first) entries[count++] = {contacts.front().pair, *first};
+  });
+  for (int i = 0; i < count; ++i) {
+    const auto& [pair, over] = entries[i];
+    list.keep_if([&pair = pair](const Contact& c) { return !(c.pair == pair); });
+    add_points(arena, pair, end,
+               corners_over(over, arena.shape(pair.a), end[pair.a], partner_outline(arena, pair),
+                            partner_body(pair, end)),
+               list);
+  }
+}
+
+}  // namespace mirocup::simulator

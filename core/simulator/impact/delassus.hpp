@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+//
+// The Delassus operator J M^-1 J' of a set of contacts: its assembly into the matrix of a problem.
+#pragma once
+
+#include "core/simulator/collision/contact_constraint.hpp"
+#include "core/simulator/solver/box_qp.hpp"
+
+#include <array>
+#include <span>
+
+namespace mirocup::simulator {
+
+// The bodies of several contacts, each with its rows: only contacts that share a body are coupled.
+class SharedBodies {
+ public:
+  SharedBodies() { newest_.fill(none); }
+
+  void add(int unknown, const Contact& contact) {
+    if (contact.a != no_body) add(unknown, contact.a, contact.row_a, 1.0);
+    if (contact.b != no_body) add(unknown, contact.b, contact.row_b, -1.0);
+  }
+  // Adds J M^-1 J' to the matrix of a problem, or of equations.
+  template <class Matrix>
+  void couple(std::span<const InverseMass> mass, Matrix& matrix) const {
+    for (std::size_t body = 0; body < mass.size(); ++body) {
+      const InverseMass& m = mass[body];
+      for (int i = newest_[body]; i != none; i = rows_[i].before) {
+        const Row& p = rows_[i];
+        const JacobianRow moved{p.row[0] * m.forward, p.row[1] * m.left, p.row[2] * m.turn};
+        for (int j = i; j != none; j = rows_[j].before) {
+          const Row& q = rows_[j];
+          const double by = moved[0] * q.row[0] + moved[1] * q.row[1] + moved[2] * q.row[2];
+          matrix.add_to_a(p.unknown, q.unknown, by);
+        }
+      }
+    }
+  }
+
+ private:
+  static constexpr int none = -1;
+  struct Row {
+    JacobianRow row;
+    int unknown;
+    int before;  // the body's row before this one
+  };
+
+  void add(int unknown, int body, const JacobianRow& row, double sign) {
+    rows_[count_] = {{sign * row[0], sign * row[1], sign * row[2]}, unknown, newest_[body]};
+    newest_[body] = count_++;
+  }
+
+  std::array<int, max_bodies> newest_;
+  std::array<Row, 2 * max_unknowns> rows_;
+  int count_ = 0;
+};
+
+// Sets the matrix of a problem that was reset; contact_of(i) is the contact of unknown i < count.
+template <class ContactOf>
+void set_couplings(int count, ContactOf contact_of, std::span<const InverseMass> mass,
+                   BoxProblem& problem) {
+  SharedBodies bodies;
+  for (int i = 0; i < count; ++i) bodies.add(i, contact_of(i));
+  bodies.couple(mass, problem);
+  if (!problem.is_large()) return;
+  SoftProblem& soft = problem.to_begin_softly(mass);
+  for (int i = 0; i < count; ++i) soft.add(row_of(contact_of(i)));
+}
+
+}  // namespace mirocup::simulator

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "core/simulator/impact/friction.hpp"
+
+#include <algorithm>
+
+namespace mirocup::simulator {
+
+Contact tangent_of(const Contact& c, std::span<const BodyState> bodies) {
+  Contact tangent = c;
+  tangent.at.normal = cross(1.0, c.at.normal);
+  set_rows(bodies, tangent);
+  return tangent;
+}
+
+bool has_friction(const Parameters& p) {
+  const PerPair& f = p.contact_friction;
+  return f.ball_wall > 0.0 || f.ball_robot > 0.0 || f.robot_wall > 0.0 || f.robot_robot > 0.0;
+}
+
+void resolve_friction(std::span<Contact> contacts, std::span<const InverseMass> mass,
+                      std::span<BodyState> bodies, BoxProblem& problem) {
+  bool some_slid = false;
+  for (const Contact& c : contacts) {
+    if (c.friction == 0.0 || c.impulse <= 0.0) continue;
+    const Contact tangent = tangent_of(c, bodies);
+    const double compliance = give(tangent, mass);
+    if (compliance <= 0.0) continue;
+    const double most = c.friction * c.impulse;
+    const double impulse = std::clamp(-gap_rate(tangent, bodies) / compliance, -most, most);
+    apply_impulse(tangent, impulse, mass, bodies);
+    some_slid = some_slid || impulse != 0.0;
+  }
+  if (some_slid) stop_approaches(contacts, mass, bodies, problem);
+}
+
+}  // namespace mirocup::simulator

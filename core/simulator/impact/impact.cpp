@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "core/simulator/impact/impact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mirocup::simulator {
+
+namespace {
+
+// Slower approaches than this (m/s) are rounding.
+constexpr double no_approach = 1e-13;
+
+// Rounds of throwing back before everything that still approaches is stopped for good.
+constexpr int most_rounds = 64;
+
+double kinetic_energy(std::span<const Contact> contacts, std::span<const InverseMass> mass,
+                      std::span<const BodyState> bodies) {
+  // Only bodies with a contact change; each counts once, at its first contact.
+  double sum = 0.0;
+  std::array<bool, max_bodies> seen{};
+  const auto add = [&](int i) {
+    if (i == no_body || seen[i]) return;
+    seen[i] = true;
+    const InverseMass& m = mass[i];
+    const Twist& v = bodies[i].twist;
+    if (m.forward > 0.0) sum += v.forward * v.forward / m.forward;
+    if (m.left > 0.0) sum += v.left * v.left / m.left;
+    if (m.turn > 0.0) sum += v.turn * v.turn / m.turn;
+  };
+  for (const Contact& c : contacts) {
+    add(c.a);
+    add(c.b);
+  }
+  return 0.5 * sum;
+}
+
+// Impulses that just stop the chosen contacts: problem.x[i] belongs to contacts[chosen[i]].
+void stop(std::span<const Contact> contacts, std::span<const int> chosen,
+          std::span<const InverseMass> mass, std::span<const BodyState> bodies,
+          BoxProblem& problem) {
+  const int n = static_cast<int>(chosen.size());
+  problem.reset(n);
+  for (int i = 0; i < n; ++i) {
+    problem.b[i] = gap_rate(contacts[chosen[i]], bodies);
+  }
+  set_couplings(
+      n, [&](int i) -> const Contact& { return contacts[chosen[i]]; }, mass, problem);
+  problem.solve();
+}
+
+void apply(std::span<Contact> contacts, std::span<const int> chosen, double sign, double least_e,
+           std::span<const InverseMass> mass, std::span<BodyState> bodies,
+           const BoxProblem& problem) {
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    Contact& c = contacts[chosen[i]];
+    const double e = least_e >= 0.0 ? least_e : c.restitution;
+    const double impulse = sign * (1.0 + e) * problem.x[i];
+    apply_impulse(c, impulse, mass, bodies);
+    c.impulse += impulse;
+  }
+}
+
+// Equation (21).
+void resolve_single(Contact& c, std::span<const InverseMass> mass, std::span<BodyState> bodies) {
+  if (c.approach <= no_approach) return;
+  const double e = c.approach > c.rest_speed ? c.restitution : 0.0;
+  c.impulse = (1.0 + e) * c.approach / give(c, mass);
+  apply_impulse(c, c.impulse, mass, bodies);
+}
+
+}  // namespace
+
+void stop_approaches(std::span<Contact> contacts, std::span<const InverseMass> mass,
+                     std::span<BodyState> bodies, BoxProblem& problem) {
+  std::array<int, max_unknowns> chosen;
+  for (std::size_t i = 0; i < contacts.size(); ++i) chosen[i] = static_cast<int>(i);
+  const std::span<const int> all(chosen.data(), contacts.size());
+  stop(contacts, all, mass, bodies, problem);
+  apply(contacts, all, 1.0, 0.0, mass, bodies, problem);
+}
+
+void resolve_impacts(std::span<Contact> contacts, std::span<const InverseMass> mass,
+                     std::span<BodyState> bodies, BoxProblem& problem) {
+  for (Contact& c : contacts) {
+    c.approach = -gap_rate(c, bodies);
+    c.impulse = 0.0;
+  }
+  if (contacts.size() == 1) {
+    resolve_single(contacts[0], mass, bodies);
+    return;
+  }
+
+  std::array<int, max_unknowns> chosen;
+  for (int round = 0; round < most_rounds; ++round) {
+    std::size_t n = 0;
+    bool some_bounce = false;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      const double approach = -gap_rate(contacts[i], bodies);
+      if (approach > no_approach) chosen[n++] = static_cast<int>(i);
+      some_bounce = some_bounce || approach > contacts[i].rest_speed;
+    }
+    if (n == 0) return;
+    if (!some_bounce) break;
+
+    const std::span<const int> approaching(chosen.data(), n);
+    stop(contacts, approaching, mass, bodies, problem);
+    const double before = kinetic_energy(contacts, mass, bodies);
+    apply(contacts, approaching, 1.0, -1.0, mass, bodies, problem);
+    if (kinetic_energy(contacts, mass, bodies) > before * (1.0 + 1e-14)) {
+      double least = 1.0;
+      for (const int i : approaching) least = std::min(least, contacts[i].restitution);
+      apply(contacts, approaching, -1.0, -1.0, mass, bodies, problem);
+      apply(contacts, approaching, 1.0, least, mass, bodies, problem);
+    }
+  }
+
+  // What still approaches does so slowly, or has been thrown back often enough.
+  stop_approaches(contacts, mass, bodies, problem);
+}
+
+}  // namespace mirocup::simulator

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "core/simulator/impact/islands.hpp"
+
+#include <algorithm>
+
+namespace mirocup::simulator {
+
+BodySet cluster_of(int body, std::span<const Contact> contacts) {
+  return connected(BodySet(1UL << body), contacts, [](const Contact& c) { return c.holds; });
+}
+
+BodySet touching_with(const BodySet& bodies, std::span<const Contact> contacts) {
+  return connected(bodies, contacts, [](const Contact&) { return true; });
+}
+
+void ContactGroups::sort(ContactList& contacts) {
+  count_ = 0;
+  begin_[0] = 0;
+  for (std::size_t left = 0; left < contacts.contacts().size();) {
+    const std::span<Contact> rest = contacts.contacts().subspan(left);
+    const BodySet group = touching_with(bodies_of(rest.front().pair), rest);
+    left += gather(rest, group);
+    begin_[++count_] = left;
+  }
+}
+
+// Contacts of the group first, then the others. Returns how many of the group there are.
+std::size_t ContactGroups::gather(std::span<Contact> contacts, const BodySet& group) {
+  std::size_t count = 0;
+  std::size_t others = 0;
+  for (Contact& c : contacts) {
+    if (!group[c.pair.a]) {
+      others_.list[others++] = c;
+    } else {
+      if (others > 0) contacts[count] = c;
+      ++count;
+    }
+  }
+  std::copy_n(others_.list.begin(), others, contacts.begin() + static_cast<std::ptrdiff_t>(count));
+  return count;
+}
+
+}  // namespace mirocup::simulator

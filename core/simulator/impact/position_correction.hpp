@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+//
+// Puts positions right: what rounding and small steps leave of gaps and overlaps is taken away by
+// moving bodies as little as their masses allow. Velocities stay.
+#pragma once
+
+#include "core/simulator/collision/contact_constraint.hpp"
+#include "core/simulator/solver/regularized_qp.hpp"
+
+#include <span>
+
+namespace mirocup::simulator {
+
+// How a body is moved, in its own frame: m, m, rad.
+using Shift = Twist;
+
+// What an impulse of that amount would do to velocities, done to positions: adds to the shifts of
+// both bodies. The gap changes by give(contact, mass) times the amount, kg m.
+void add_shift(const Contact& contact, double amount, std::span<const InverseMass> mass,
+               std::span<Shift> shifts);
+
+BodyState moved_by(const BodyState& body, const Shift& by);
+
+// Moves bodies apart until next to nothing is left of negative gaps, or, where contacts contradict each
+// other, as far as all of them together leave room.
+void push_apart(std::span<const Contact> contacts, std::span<const InverseMass> free_mass,
+                std::span<BodyState> bodies, SoftProblem& problem);
+
+}  // namespace mirocup::simulator

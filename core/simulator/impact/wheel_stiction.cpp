@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "core/simulator/impact/wheel_stiction.hpp"
+
+#include "core/simulator/impact/delassus.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace mirocup::simulator {
+
+namespace {
+
+double fastest_slide(std::span<const int> robots, std::span<const BodyState> bodies) {
+  double fastest = 0.0;
+  for (const int robot : robots) fastest = std::max(fastest, std::abs(bodies[robot].twist.left));
+  return fastest;
+}
+
+}  // namespace
+
+void stop_slides(std::span<Contact> contacts, std::span<const int> robots, double most,
+                 std::span<const InverseMass> mass, std::span<BodyState> bodies,
+                 BoxProblem& problem) {
+  const double fastest = fastest_slide(robots, bodies);
+  if (fastest <= no_sliding) return;
+  std::array<BodyState, max_bodies> before;
+  std::copy(bodies.begin(), bodies.end(), before.begin());
+
+  std::array<Contact, max_robots> wheels;
+  const int first_wheels = static_cast<int>(contacts.size());
+  const int n = first_wheels + static_cast<int>(robots.size());
+  const auto row = [&](int i) -> const Contact& {
+    return i < first_wheels ? contacts[i] : wheels[i - first_wheels];
+  };
+  problem.reset(n);
+  for (int i = first_wheels; i < n; ++i) {
+    wheels[i - first_wheels] = wheels_as_contact(robots[i - first_wheels]);
+    problem.low[i] = -most;
+    problem.high[i] = most;
+  }
+  for (int i = 0; i < n; ++i) problem.b[i] = gap_rate(row(i), bodies);
+  set_couplings(n, row, mass, problem);
+  problem.solve();
+  for (int i = 0; i < n; ++i) apply_impulse(row(i), problem.x[i], mass, bodies);
+  for (const int robot : robots) {
+    double& left = bodies[robot].twist.left;
+    if (std::abs(left) <= no_sliding) left = 0.0;
+  }
+  if (fastest_slide(robots, bodies) >= fastest) {
+    std::copy_n(before.begin(), bodies.size(), bodies.begin());
+    return;
+  }
+  for (int i = 0; i < first_wheels; ++i) contacts[i].impulse += problem.x[i];
+}
+
+void stop_brief_slides(const Arena& arena, const Patience& patience, std::span<const Drive> drives,
+                       std::span<Contact> contacts, std::span<const InverseMass> mass,
+                       std::span<BodyState> bodies, BoxProblem& problem) {
+  if (contacts.empty() || arena.parameters.grip == infinite_grip) return;
+  BodySet touching;
+  BodySet hit;
+  for (const Contact& c : contacts) {
+    touching |= bodies_of(c.pair);
+    if (c.impulse != 0.0) hit |= bodies_of(c.pair);
+  }
+  std::array<int, max_robots> slow;
+  std::size_t count = 0;
+  double longest = 0.0;
+  for (int i = 0; i < arena.robots; ++i) {
+    const double brief = hit[i] ? patience.brief_slide(i) : patience.rest_slide();
+    const double left = std::abs(bodies[i].twist.left);
+    if (!touching[i] || !drives[i].wheels_on_ground || left > brief) continue;
+    slow[count++] = i;
+    longest = std::max(longest, brief);
+  }
+  // Those that stand must be able to take what stops the others.
+  const double most = arena.parameters.robot_mass * longest;
+  stop_slides(contacts, {slow.data(), count}, most, mass, bodies, problem);
+}
+
+}  // namespace mirocup::simulator

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+//
+// How exactly bodies in lasting contact are followed: every threshold of the simulator.
+#pragma once
+
+#include "core/base/names.hpp"
+
+#include <array>
+
+namespace mirocup::simulator {
+
+// How exact the simulator is asked to be. Free motion and single impacts are exact to rounding at
+// every level; what differs is how closely bodies in lasting contact are followed. A match is always
+// played with the standard ones.
+enum class Accuracy { coarse, standard, reference };
+
+struct Tolerances {
+  double touch = 1e-10;  // m: bodies with a smaller gap are in contact
+  double sink = 1e-12;   // m: bodies in contact that come closer by this hit each other anew
+  // m/s: an approach slower than this does not bounce, it rests. The first is for a body's first
+  // touch; the other, for bodies that are in company already, is more than what the motors can gain
+  // over `sink`, so that bouncing comes to an end.
+  double first_rest_speed = 1e-10;
+  double rest_speed = 2e-4;
+  // Within a tick patience wears off (patience.hpp). What counts as rest grows with each touch of a
+  // body; `sink` with each beyond the patient ones, up to `touch`. A touch is forgotten after a
+  // while, s, but where there are so many, bouncing has to end.
+  double rest_growth_per_touch = 3.0;
+  double touch_forgotten = 2e-3;
+  int touches_never_forgotten = 4;
+  double sink_growth_per_touch = 4.0;
+  int patient_touches = 8;
+  // An impact stops wheels that it makes slide no faster than this, m/s: they would grip again
+  // within v / grip g.
+  double brief_slide = 1e-6;
+  double brief_slide_growth_per_touch = 8.0;
+  double hold = 1e-8;  // s: the shortest that bodies press and wheels grip
+  // Of that and of the slowest rolling in contact, for each event; of the slowest sliding, up to
+  // `rest_slide`, m/s, from where on it grows slowly.
+  double growth_per_event = 1.3;
+  double slide_growth_per_event = 2.0;
+  double rest_slide = 1e-7;
+  // What a body's events of a tick may cost, summed: of each the square of how many bodies it involves,
+  // times the square of how many these have met in the tick. 3 of four, 7 of three or 34 of two that meet
+  // nobody else. Beyond, the body and what it touches go on in small steps; five that still touch then do
+  // so from the next tick's begin.
+  int followed_per_tick = 540;
+  double step = 3e-3;                 // s: the longest of those
+  double step_touch = 1e-10;          // m: what is left of gaps and overlaps at the end of one,
+  double step_overlap = 1e-7;         // m: where contacts nearly contradict each other,
+  double overlap_within_step = 8e-7;  // m: and between its ends
+};
+
+Tolerances tolerances_of(Accuracy accuracy);
+
+}  // namespace mirocup::simulator
+
+namespace mirocup {
+
+template <>
+inline constexpr std::array<std::string_view, 3> enum_names<simulator::Accuracy>{
+    "coarse", "standard", "reference"};
+
+}  // namespace mirocup

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+//
+// At one instant: who presses on whom, which wheels hold and which slide.
+//
+// Bodies touch and their gaps neither close nor open. Whether they go on together is one convex
+// problem in the accelerations, 0 <= force, 0 <= acceleration of the gap, one of them zero, for all
+// contacts of all bodies together with the ground's sideways force on wheels, which holds them up
+// to grip M g. A ball at rest feels no rolling resistance until it is pushed harder than that.
+#pragma once
+
+#include "core/simulator/collision/collision_queries.hpp"
+#include "core/simulator/resting_contact/contact_series.hpp"
+#include "core/simulator/solver/box_qp.hpp"
+#include "core/simulator/trajectory/differential_drive.hpp"
+#include "core/simulator/trajectory/rolling_ball.hpp"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace mirocup::simulator {
+
+// What the ground does to a body in contact.
+enum class Ground { rolls, slides, lifted, ball };
+
+struct Grounding {
+  Ground ground = Ground::rolls;
+  double slide = 0.0;   // +1: slides to the left, -1: to the right
+  double hold = 0.0;    // N to the left, of wheels of finite grip that roll
+  Vec2 push{0.0, 0.0};  // N, on a ball that starts from rest against its rolling resistance
+};
+
+// Does the ground hold the body sideways by a force of its own?
+inline bool is_held_sideways(const Arena& arena, const Grounding& grounding) {
+  return grounding.ground == Ground::rolls && arena.parameters.grip != infinite_grip;
+}
+
+class ContactForces {
+ public:
+  explicit ContactForces(const Arena& arena);
+
+  // Sets `holds` and `force` of every contact, and the grounding of every body that has one. Gaps
+  // that open faster than the contact's rest speed are left alone. Wheels that slide no faster than
+  // `rest_slide`, and a ball that rolls no faster than `rest_roll` (m/s), are made to stop that.
+  // Velocities are made to fit what was decided.
+  void decide(std::span<const Drive> drives, double rest_slide, double rest_roll,
+              std::span<BodyState> bodies, std::span<Contact> contacts);
+
+  const Grounding& grounding(int body) const { return grounding_[body]; }
+  double rest_slide() const { return rest_slide_; }
+
+  // What forces change of the body's velocities; the wheels' sideways hold counts as a force unless
+  // it is infinite.
+  const InverseMass& mass(int body, std::span<const Drive> drives) const;
+
+ private:
+  void ground_before_contact(std::span<const Drive> drives, std::span<BodyState> bodies);
+  void pose(std::span<const Drive> drives, std::span<const BodyState> bodies,
+            std::span<const Contact> contacts);
+  void start_ball(std::span<const Drive> drives, std::span<const BodyState> bodies,
+                  std::span<const Contact> contacts);
+  Vec2 push_on_ball(std::span<const Contact> contacts) const;
+  void drop_weak_forces();
+  void read(std::span<Contact> contacts);
+  void fit_velocities(std::span<const Drive> drives, std::span<BodyState> bodies,
+                      std::span<const Contact> contacts);
+
+  const Arena& arena_;
+  BoxProblem problem_;
+  double rest_slide_ = 0.0;
+  double rest_roll_ = 0.0;
+  std::array<Grounding, max_bodies> grounding_;
+  std::array<Segment, max_bodies> trial_;  // two terms of the motion without contact forces
+  std::vector<ContactRows> rows_;
+  std::vector<Contact> constraints_;  // on the velocities: contacts, and wheels that hold
+  std::array<Contact, max_robots> held_wheels_;  // of each robot
+  std::array<int, max_unknowns> candidate_;      // contacts whose gaps do not open
+  int candidate_count_ = 0;
+  std::array<int, max_bodies> member_;  // bodies with a candidate
+  std::array<int, max_bodies> wheels_;  // robots whose wheels may hold
+  int member_count_ = 0;
+  int wheel_count_ = 0;
+};
+
+}  // namespace mirocup::simulator

@@ -1,0 +1,391 @@
+// SPDX-License-Identifier: MIT
+#include "core/simulator/resting_contact/contact_motion.hpp"
+
+#include "core/simulator/impact/delassus.hpp"
+#include "core/simulator/impact/position_correction.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mirocup::simulator {
+
+namespace {
+
+// How far (m) a corner may stand out over the end of its edge before the contact is looked at
+// again.
+constexpr double over_the_end = 1e-10;
+
+// A gap this share of the sink tolerance need not be closed.
+constexpr double closed_gap = 0.01;
+
+// Contacts that hardly differ ask for more than that, m, to close gaps that do: those stay.
+constexpr double longest_shift = 1e-9;
+
+// A cluster whose speeds (m/s, rad/s) and accelerations (m/s^2, rad/s^2) are below these is at
+// rest.
+constexpr double resting_speed = 1e-10;
+constexpr double resting_acceleration = 1e-9;
+
+}  // namespace
+
+ContactMotion::ContactMotion(const Arena& arena) : arena_(arena), rows_(max_unknowns) {}
+
+void ContactMotion::move(const BodySet& cluster, const ContactForces& forces,
+                         std::span<Contact> contacts, std::span<const Drive> drives,
+                         const Wanted& wanted, std::span<BodyState> bodies,
+                         std::span<Segment> segments) {
+  drives_ = drives;
+  take_members(cluster, forces);
+  choose(contacts);
+  close_gaps(bodies);
+  do {
+    do {
+      begin(wanted, bodies, segments);
+    } while (hold_what_hardly_slides(wanted, contacts, segments));
+    say_which_are_kept(contacts);
+    if (is_at_rest(segments)) {
+      for (int m = 0; m < member_count_; ++m) {
+        segments[members_[m]] = still_segment(bodies[members_[m]], wanted.begin, wanted.horizon);
+      }
+      return;
+    }
+    extend_until_converged(wanted, segments);
+    find_end(wanted, segments);
+  } while (hold_what_hardly_slides(wanted, contacts, segments));
+}
+
+// Wheels at rest that were to slide one way, and that the cluster pulls the other or has back at
+// rest before anything else may change: what was decided about them was rounding, or the slide was
+// all but over. They would do the same again, and again.
+bool ContactMotion::hold_what_hardly_slides(const Wanted& wanted, std::span<const Contact> contacts,
+                                            std::span<const Segment> segments) {
+  const double grip = most_grip();
+  bool found = false;
+  for (int m = 0; m < member_count_; ++m) {
+    const int i = members_[m];
+    const Segment& s = segments[i];
+    Grounding& g = grounding_[i];
+    if (g.ground != Ground::slides || s.left[0] != 0.0) continue;
+    const bool turns_back = g.slide * s.left[1] < 0.0;
+    const bool is_brief =
+        s.settles == Settles::sideways && s.end - s.begin < wanted.at_least;  // once it has its end
+    if (!turns_back && !is_brief) continue;
+    g = {.ground = Ground::rolls, .hold = -g.slide * grip};
+    found = true;
+  }
+  if (found) choose(contacts);
+  return found;
+}
+
+// As fill_series() does for one body.
+void ContactMotion::extend_until_converged(const Wanted& wanted, std::span<Segment> segments) {
+  const double length = std::min(wanted.enough, wanted.horizon - wanted.begin);
+  int k = 1;
+  for (const int terms : term_counts) {
+    for (; k < terms - 1; ++k) extend(k, segments);
+    set_terms_of_all(terms, segments);
+    const bool converged =
+        std::all_of(members_.begin(), members_.begin() + member_count_,
+                    [&](int i) { return has_converged(segments[i], length, in_contact_to); });
+    if (converged) return;
+  }
+}
+
+// Term k + 1 of everything.
+void ContactMotion::extend(int k, std::span<Segment> segments) {
+  for (int m = 0; m < member_count_; ++m) integrate_pose(segments[members_[m]], k);
+  for (int i = 0; i < held_count_; ++i) extend_rows(arena_, held_[i], segments, k, rows_[i]);
+  extend_twists(k, segments);
+  solve_for_forces(k, segments);
+}
+
+void ContactMotion::set_terms_of_all(int terms, std::span<Segment> segments) {
+  for (int m = 0; m < member_count_; ++m) set_terms(segments[members_[m]], terms);
+  for (int i = 0; i < held_count_; ++i) simulator::set_terms(rows_[i], terms);
+  for (int w = 0; w < wheel_count_; ++w) hold_[w].terms = terms;
+}
+
+double ContactMotion::converged_length_of_all(std::span<const Segment> segments) const {
+  double length = segments[members_[0]].end - segments[members_[0]].begin;
+  for (int m = 0; m < member_count_; ++m) {
+    length = converged_length(segments[members_[m]], length, in_contact_to);
+  }
+  return length;
+}
+
+// Nothing moves and nothing gains speed: constant commands keep it so.
+bool ContactMotion::is_at_rest(std::span<const Segment> segments) const {
+  for (int m = 0; m < member_count_; ++m) {
+    const Segment& s = segments[members_[m]];
+    for (const Series* p : {&s.forward, &s.left, &s.turn}) {
+      if (std::abs((*p)[0]) > resting_speed || std::abs((*p)[1]) > resting_acceleration)
+        return false;
+    }
+  }
+  return true;
+}
+
+void ContactMotion::take_members(const BodySet& cluster, const ContactForces& forces) {
+  rest_slide_ = forces.rest_slide();
+  member_count_ = 0;
+  for (int i = 0; i < arena_.bodies(); ++i) {
+    if (!cluster[i]) continue;
+    members_[member_count_++] = i;
+    mass_[i] = forces.mass(i, drives_);
+    grounding_[i] = forces.grounding(i);
+  }
+}
+
+// The equations are put in order of how far their forces are from a bound: where some follow from
+// others, the last ones keep their force, and it is better that those with room to change do so.
+void ContactMotion::choose(std::span<const Contact> contacts) {
+  wheel_count_ = 0;
+  BodySet cluster;
+  for (int m = 0; m < member_count_; ++m) {
+    const int i = members_[m];
+    cluster.set(i);
+    if (is_held_sideways(arena_, grounding_[i])) wheels_[wheel_count_++] = i;
+  }
+  std::stable_sort(wheels_.begin(), wheels_.begin() + wheel_count_, [this](int a, int b) {
+    return std::abs(grounding_[a].hold) < std::abs(grounding_[b].hold);
+  });
+
+  held_count_ = 0;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const Contact& c = contacts[i];
+    if (c.holds && cluster[c.pair.a]) held_index_[held_count_++] = static_cast<int>(i);
+  }
+  std::stable_sort(held_index_.begin(), held_index_.begin() + held_count_,
+                   [contacts](int a, int b) { return contacts[a].force > contacts[b].force; });
+  for (int i = 0; i < held_count_; ++i) held_[i] = contacts[held_index_[i]];
+}
+
+// Equations that follow from others do so only at the begin: later they may be off, and the gaps of
+// the cluster with them.
+void ContactMotion::say_which_are_kept(std::span<Contact> contacts) const {
+  bool all = true;
+  for (int i = 0; i < equations(); ++i) all = all && !elimination_.depends(i);
+  for (int i = 0; i < held_count_; ++i) contacts[held_index_[i]].is_kept = all;
+}
+
+// The first two terms.
+void ContactMotion::begin(const Wanted& wanted, std::span<BodyState> bodies,
+                          std::span<Segment> segments) {
+  for (int m = 0; m < member_count_; ++m) {
+    segments[members_[m]] = moving_segment(bodies[members_[m]], wanted.begin, wanted.horizon);
+  }
+  for (int i = 0; i < held_count_; ++i) {
+    start_rows(arena_, held_[i], segments, rows_[i]);
+    held_[i].row_a = rows_[i].first_a;
+    held_[i].row_b = rows_[i].first_b;
+  }
+  for (int k = 0; k < wheel_count_; ++k) hold_[k] = {};
+
+  factorise();
+  stop_rates(bodies);
+  for (int m = 0; m < member_count_; ++m) {
+    const int i = members_[m];
+    const Twist& v = bodies[i].twist;
+    segments[i].forward[0] = v.forward;
+    segments[i].left[0] = v.left;
+    segments[i].turn[0] = v.turn;
+    if (arena_.is_ball(i)) {
+      braking_[i] = braking_along(rolling_deceleration(arena_.parameters), {v.forward, v.left},
+                                  grounding_[i].push);
+    }
+  }
+  extend(0, segments);
+}
+
+// Moves bodies by what rounding has opened or closed.
+void ContactMotion::close_gaps(std::span<BodyState> bodies) {
+  double widest = 0.0;
+  for (int i = 0; i < held_count_; ++i) widest = std::max(widest, std::abs(held_[i].at.gap));
+  if (widest <= closed_gap * arena_.tolerances.sink) return;
+  factorise();
+  for (int i = 0; i < equations(); ++i) rhs_[i] = i < held_count_ ? -held_[i].at.gap : 0.0;
+  elimination_.solve(rhs_);
+  std::array<Shift, max_bodies> shifts{};
+  for (int i = 0; i < held_count_; ++i) add_shift(held_[i], rhs_[i], mass_, shifts);
+  for (int w = held_count_; w < equations(); ++w) {
+    add_shift(wheels_as_contact(wheels_of(w)), rhs_[w], mass_, shifts);
+  }
+  const auto is_too_long = [&](int i) {
+    const Shift& by = shifts[i];
+    return std::abs(by.forward) + std::abs(by.left) + std::abs(by.turn) * arena_.shape(i).radius >
+           longest_shift;
+  };
+  const std::span<const int> members(members_.data(), static_cast<std::size_t>(member_count_));
+  if (std::any_of(members.begin(), members.end(), is_too_long)) return;
+  for (const int i : members) bodies[i] = moved_by(bodies[i], shifts[i]);
+}
+
+// The velocities fit already, but for what closing the gaps has changed.
+void ContactMotion::stop_rates(std::span<BodyState> bodies) {
+  for (int i = 0; i < equations(); ++i) {
+    rhs_[i] = i < held_count_ ? -gap_rate(held_[i], bodies) : -bodies[wheels_of(i)].twist.left;
+  }
+  elimination_.solve(rhs_);
+  for (int i = 0; i < held_count_; ++i) apply_impulse(held_[i], rhs_[i], mass_, bodies);
+  for (int k = 0; k < wheel_count_; ++k) bodies[wheels_[k]].twist.left = 0.0;
+  for (int m = 0; m < member_count_; ++m) {
+    const int i = members_[m];
+    double& left = bodies[i].twist.left;
+    slide_[i] = grounding_[i].slide;
+    if (slide_[i] == 0.0) continue;
+    if (std::abs(left) <= rest_slide_) {
+      left = 0.0;
+    } else {
+      slide_[i] = left > 0.0 ? 1.0 : -1.0;
+    }
+  }
+}
+
+void ContactMotion::factorise() {
+  SharedBodies bodies;
+  for (int i = 0; i < held_count_; ++i) bodies.add(i, held_[i]);
+  for (int w = held_count_; w < equations(); ++w) bodies.add(w, wheels_as_contact(wheels_of(w)));
+  elimination_.reset(equations());
+  bodies.couple(mass_, elimination_);
+  elimination_.factorise();
+}
+
+// Term k + 1 of the twists, but for what the forces' own term k adds.
+void ContactMotion::extend_twists(int k, std::span<Segment> segments) {
+  const Parameters& p = arena_.parameters;
+  for (int m = 0; m < member_count_; ++m) {
+    const int i = members_[m];
+    const Grounding& g = grounding_[i];
+    Segment& s = segments[i];
+    switch (g.ground) {
+      case Ground::ball:
+        extend_ball_twist(rolling_deceleration(p), k, s, braking_[i]);
+        break;
+      case Ground::lifted:
+        extend_twist_lifted(k, s);
+        break;
+      case Ground::rolls:
+      case Ground::slides:
+        extend_twist_on_ground(p, drives_[i], slide_[i], k, s);
+        break;
+    }
+  }
+  for (int w = 0; w < wheel_count_; ++w) {
+    Segment& s = segments[wheels_[w]];
+    s.left[k + 1] = -product_term(s.turn, s.forward, k) / (k + 1);
+  }
+  for (int i = 0; i < held_count_; ++i) {
+    const ForceTerm term = later_force_term(held_[i], rows_[i], k);
+    add_to_twists(held_[i], term.on_a, term.on_b, 1.0 / (k + 1), k + 1, segments);
+  }
+}
+
+// The gaps' rates keep their first term, and v_l stays zero where wheels hold: their next term,
+// with the forces' own term still missing, says what that term must be.
+void ContactMotion::solve_for_forces(int k, std::span<Segment> segments) {
+  // Forces that the equations leave open keep the value that was decided.
+  for (int i = 0; i < equations(); ++i) {
+    if (!elimination_.depends(i) || k > 0) continue;
+    if (i < held_count_) {
+      rows_[i].force[0] = held_[i].force;
+      add_force(i, 0, segments);
+    } else {
+      const int body = wheels_of(i);
+      hold_[i - held_count_][0] = grounding_[body].hold;
+      segments[body].left[1] += grounding_[body].hold * mass_[body].left;
+    }
+  }
+  for (int i = 0; i < equations(); ++i) {
+    const double rate = i < held_count_ ? gap_rate_term(held_[i], segments, k + 1, rows_[i])
+                                        : segments[wheels_of(i)].left[k + 1];
+    rhs_[i] = -(k + 1) * rate;
+  }
+  elimination_.solve(rhs_);
+  for (int i = 0; i < held_count_; ++i) {
+    if (elimination_.depends(i)) continue;
+    rows_[i].force[k] = rhs_[i];
+    add_force(i, k, segments);
+  }
+  for (int w = 0; w < wheel_count_; ++w) {
+    if (!elimination_.depends(held_count_ + w)) hold_[w][k] = rhs_[held_count_ + w];
+    segments[wheels_[w]].left[k + 1] = 0.0;
+  }
+}
+
+// What term k of the contact's own force adds to term k + 1 of the twists.
+void ContactMotion::add_force(int i, int k, std::span<Segment> segments) const {
+  add_to_twists(held_[i], held_[i].row_a, held_[i].row_b, rows_[i].force[k] / (k + 1), k + 1,
+                segments);
+}
+
+void ContactMotion::add_to_twists(const Contact& c, const JacobianRow& on_a,
+                                  const JacobianRow& on_b, double amount, int term,
+                                  std::span<Segment> segments) const {
+  const auto add = [&](int body, const JacobianRow& row, double times) {
+    if (body == no_body) return;
+    const InverseMass& mass = mass_[body];
+    Segment& s = segments[body];
+    s.forward[term] += times * row[0] * mass.forward;
+    s.left[term] += times * row[1] * mass.left;
+    s.turn[term] += times * row[2] * mass.turn;
+  };
+  add(c.a, on_a, amount);
+  add(c.b, on_b, -amount);
+}
+
+// When a contact lets go or its point leaves the edge; at most `length`.
+double ContactMotion::contacts_change(double at_least, double length) const {
+  for (int i = 0; i < held_count_; ++i) {
+    const double from = std::min(at_least, length);
+    if (!elimination_.depends(i)) {
+      length = std::min(length, first_fall(rows_[i].force, 0.0, from, length));
+    }
+    length = time_on_edge(held_[i], rows_[i], over_the_end, length);
+  }
+  return length;
+}
+
+// When the grip of wheels is used up; at most `length`.
+double ContactMotion::wheels_let_go(double at_least, double length) const {
+  const double grip = most_grip();
+  for (int w = 0; w < wheel_count_; ++w) {
+    if (elimination_.depends(held_count_ + w)) continue;
+    const double from = std::min(at_least, length);
+    length = std::min(length, first_fall(hold_[w], -grip, from, length));
+    length = std::min(length, first_fall(-1.0 * hold_[w], -grip, from, length));
+  }
+  return length;
+}
+
+void ContactMotion::find_end(const Wanted& wanted, std::span<Segment> segments) const {
+  const double begin = wanted.begin;
+  double length = converged_length_of_all(segments);
+  length = wheels_let_go(wanted.at_least, contacts_change(wanted.at_least, length));
+  int settles = no_body;
+  for (int m = 0; m < member_count_; ++m) {
+    const int i = members_[m];
+    const Grounding& g = grounding_[i];
+    Segment& s = segments[i];
+    s.end = begin + length;
+    double ends = never;
+    bool reverses = false;
+    if (g.ground == Ground::slides) {
+      ends = slide_ends(s, slide_[i]);
+    } else if (g.ground == Ground::ball) {
+      ends = braking_changes(rolling_deceleration(arena_.parameters), s, braking_[i], length);
+      reverses = ends < wanted.at_least;
+      if (reverses) ends = wanted.at_least;
+    }
+    if (ends > length) continue;
+    length = ends;
+    const bool goes_on =
+        reverses || (arena_.is_ball(i) && rolling_deceleration(arena_.parameters).is_per_axis());
+    settles = goes_on ? no_body : i;
+  }
+  for (int m = 0; m < member_count_; ++m) segments[members_[m]].end = begin + length;
+  if (settles != no_body) {
+    segments[settles].settles = arena_.is_ball(settles) ? Settles::everything : Settles::sideways;
+  }
+}
+
+}  // namespace mirocup::simulator

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+//
+// How bodies move while they press on each other: exactly, as one power series for the whole
+// cluster.
+//
+// As long as the same contacts press and the same wheels hold (see contact_forces.hpp), the gaps of
+// those contacts stay zero. That makes each term of the motion a linear system for the same term of
+// the forces, whose matrix is that of the first term. The segment ends where a force would pull, a
+// wheel's grip is used up, a slide ends, a ball stops or starts, or a corner leaves its edge.
+#pragma once
+
+#include "core/simulator/resting_contact/contact_forces.hpp"
+#include "core/simulator/solver/pivoted_cholesky.hpp"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace mirocup::simulator {
+
+// How long a curve is wanted, s.
+struct Wanted {
+  double begin;     // of the tick
+  double horizon;   // of the tick; at most until then
+  double enough;    // a curve that holds for so long needs no more terms
+  double at_least;  // so long no contact lets go and no wheels begin to slide
+};
+
+class ContactMotion {
+ public:
+  // Allocates its scratch; moving does not allocate. The arena outlives it.
+  explicit ContactMotion(const Arena& arena);
+
+  // Moves a cluster of bodies that hold each other: sets the segments of its bodies, all with the
+  // same end. What their gaps and velocities are off by rounding is put right first. Sets `is_kept`
+  // of the cluster's contacts.
+  void move(const BodySet& cluster, const ContactForces& forces, std::span<Contact> contacts,
+            std::span<const Drive> drives, const Wanted& wanted, std::span<BodyState> bodies,
+            std::span<Segment> segments);
+
+ private:
+  // The equations of a cluster: first the contacts that press, then the wheels that hold sideways.
+  int equations() const { return held_count_ + wheel_count_; }
+  int wheels_of(int equation) const { return wheels_[equation - held_count_]; }
+  // What the ground gives wheels sideways at most, N.
+  double most_grip() const {
+    return sideways_limit(arena_.parameters) * arena_.parameters.robot_mass;
+  }
+
+  void take_members(const BodySet& cluster, const ContactForces& forces);
+  void choose(std::span<const Contact> contacts);
+  bool hold_what_hardly_slides(const Wanted& wanted, std::span<const Contact> contacts,
+                               std::span<const Segment> segments);
+  void extend_until_converged(const Wanted& wanted, std::span<Segment> segments);
+  void say_which_are_kept(std::span<Contact> contacts) const;
+  void begin(const Wanted& wanted, std::span<BodyState> bodies, std::span<Segment> segments);
+  void close_gaps(std::span<BodyState> bodies);
+  void stop_rates(std::span<BodyState> bodies);
+  void factorise();
+  void extend(int k, std::span<Segment> segments);
+  void extend_twists(int k, std::span<Segment> segments);
+  void solve_for_forces(int k, std::span<Segment> segments);
+  void add_force(int i, int k, std::span<Segment> segments) const;
+  void add_to_twists(const Contact& contact, const JacobianRow& on_a, const JacobianRow& on_b,
+                     double amount, int term, std::span<Segment> segments) const;
+  bool is_at_rest(std::span<const Segment> segments) const;
+  void set_terms_of_all(int terms, std::span<Segment> segments);
+  double converged_length_of_all(std::span<const Segment> segments) const;
+  void find_end(const Wanted& wanted, std::span<Segment> segments) const;
+  double contacts_change(double at_least, double length) const;
+  double wheels_let_go(double at_least, double length) const;
+
+  const Arena& arena_;
+  double rest_slide_ = 0.0;
+  std::span<const Drive> drives_;
+
+  std::array<int, max_bodies> members_;
+  int member_count_ = 0;
+  std::array<InverseMass, max_bodies> mass_;
+  std::array<Braking, max_bodies> braking_;
+  std::array<double, max_bodies> slide_;
+  std::array<Grounding, max_bodies> grounding_;
+
+  std::array<Contact, max_unknowns> held_;
+  std::array<int, max_unknowns> held_index_;  // of held_, among all contacts
+  int held_count_ = 0;
+  std::vector<ContactRows> rows_;  // of held_
+  std::array<int, max_bodies> wheels_;
+  int wheel_count_ = 0;
+  std::array<Series, max_bodies> hold_;  // N to the left, of wheels_
+
+  Elimination elimination_;  // where equations follow from others, their forces stay as they are
+  std::array<double, max_unknowns> rhs_;
+};
+
+}  // namespace mirocup::simulator

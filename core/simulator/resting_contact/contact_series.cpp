@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+#include "core/simulator/resting_contact/contact_series.hpp"
+
+#include <algorithm>
+
+namespace mirocup::simulator {
+
+namespace {
+
+// Both series times q: the sum of p[j] q[k - j] from j = first.
+Vec2 product_term(const TwoSeries& p, const Series& q, int k, int first) {
+  double x = 0.0;
+  double y = 0.0;
+  for (int j = first; j <= k; ++j) {
+    x += p.c[j][0] * q[k - j];
+    y += p.c[j][1] * q[k - j];
+  }
+  return {x, y};
+}
+
+// The same where p is a heading that turns q, a vector.
+Vec2 turned_term(const TwoSeries& p, const TwoSeries& q, int k, int first) {
+  double x = 0.0;
+  double y = 0.0;
+  for (int j = first; j <= k; ++j) {
+    x += p.c[j][0] * q.c[k - j][0] - p.c[j][1] * q.c[k - j][1];
+    y += p.c[j][1] * q.c[k - j][0] + p.c[j][0] * q.c[k - j][1];
+  }
+  return {x, y};
+}
+
+// The outline of an obstacle that has corners, or null for a plane wall.
+const geometry::Outline* end_wall_of(const Arena& arena, const Pair& pair) {
+  return pair.obstacle() < plane_walls ? nullptr
+                                       : &arena.end_wall_outlines[pair.obstacle() - plane_walls];
+}
+
+// The outline of the side with the edge or corner that is pressed on; null: a plane wall.
+const geometry::Outline* pressed_shape(const Arena& arena, const Contact& c) {
+  return c.b != no_body ? &arena.shape(c.b) : end_wall_of(arena, c.pair);
+}
+
+Vec2 along_edge(const Vec2& normal) {
+  return {-normal.y(), normal.x()};
+}
+
+Heading first_heading(const Segment& s) {
+  return {s.cos[0], s.sin[0]};
+}
+
+void start_on_edge(const Arena& arena, const Contact& c, std::span<const Segment> segments,
+                   ContactRows& rows) {
+  const Segment* a = c.a == no_body ? nullptr : &segments[c.a];
+  const Segment* b = c.b == no_body ? nullptr : &segments[c.b];
+  const bool is_ball = c.at.kind == Touching::circle_on_edge;
+  const Heading heading_a = a == nullptr || is_ball ? Heading{} : first_heading(*a);
+  const Heading heading_b = b == nullptr ? Heading{} : first_heading(*b);
+  const geometry::Outline* shape = pressed_shape(arena, c);
+
+  rows.point = a == nullptr || is_ball ? Vec2{0.0, 0.0} : arena.shape(c.a).corner[c.at.corner];
+  rows.normal = b == nullptr ? c.at.normal : shape->normal[c.at.edge];
+  const Vec2 along = along_edge(rows.normal);
+  rows.edge_begin = shape == nullptr ? -infinity : along.dot(shape->corner[c.at.edge]);
+  rows.edge_end = shape == nullptr ? infinity : along.dot(shape->corner[shape->next(c.at.edge)]);
+
+  const Vec2 place =
+      a == nullptr ? c.at.point : Vec2{Vec2{a->x[0], a->y[0]} + heading_a.to_world(rows.point)};
+  const Vec2 touching = b == nullptr ? place : heading_b.to_body(place - Vec2{b->x[0], b->y[0]});
+  rows.distance = rows.normal.dot(touching);
+  rows.lever_b[0] = cross(touching, rows.normal);
+
+  const Heading heading = heading_a.seen_from(heading_b);
+  rows.heading.c[0] = {heading.cos, heading.sin};
+  rows.later_velocity = {0.0, 0.0};
+
+  const Vec2 seen_from_a = heading.to_body(rows.normal);
+  rows.first_a = {seen_from_a.x(), seen_from_a.y(), cross(rows.point, seen_from_a)};
+  rows.first_b = {rows.normal.x(), rows.normal.y(), rows.lever_b[0]};
+}
+
+void set_point_velocity(const Segment& a, int k, ContactRows& rows) {
+  rows.velocity.c[k] = {a.forward[k] - rows.point.y() * a.turn[k],
+                        a.left[k] + rows.point.x() * a.turn[k]};
+}
+
+// Term k of the point's velocity in the edge's frame, once that of the twists is known.
+Vec2 point_velocity(const ContactRows& rows, int k) {
+  const Heading heading{rows.heading.c[0][0], rows.heading.c[0][1]};
+  return rows.later_velocity + heading.to_world({rows.velocity.c[k][0], rows.velocity.c[k][1]});
+}
+
+void extend_on_edge(const Contact& c, std::span<const Segment> segments, int k, ContactRows& rows) {
+  Vec2 velocity{0.0, 0.0};
+  rows.turn[k] = 0.0;
+  const Vec2 along = along_edge(rows.normal);
+  double forwards = 0.0;  // along the edge
+  if (c.a != no_body) {
+    set_point_velocity(segments[c.a], k, rows);
+    velocity = point_velocity(rows, k);
+    rows.turn[k] += segments[c.a].turn[k];
+    forwards = along.dot(velocity);
+  }
+  if (c.b != no_body) {
+    const Segment& b = segments[c.b];
+    rows.turn[k] -= b.turn[k];
+    forwards -= along.x() * b.forward[k] + along.y() * b.left[k] + rows.distance * b.turn[k];
+  }
+  const double next = k + 1;
+  rows.lever_b[k + 1] = -forwards / next;
+  const Vec2 turning = product_term(rows.heading, rows.turn, k, 0);
+  rows.heading.c[k + 1] = {-turning.y() / next, turning.x() / next};
+}
+
+double gap_rate_on_edge(const Contact& c, std::span<const Segment> segments, int k,
+                        ContactRows& rows) {
+  double rate = 0.0;
+  if (c.a != no_body) {
+    set_point_velocity(segments[c.a], k, rows);
+    rows.later_velocity = turned_term(rows.heading, rows.velocity, k, 1);
+    rate = rows.normal.dot(point_velocity(rows, k));
+  }
+  if (c.b != no_body) {
+    const Segment& b = segments[c.b];
+    rate -= rows.normal.x() * b.forward[k] + rows.normal.y() * b.left[k] +
+            product_term(rows.lever_b, b.turn, k);
+  }
+  return rate;
+}
+
+// Where the ball presses on a corner, of a robot or of the outline behind a goal post.
+void set_on_corner(const Arena& arena, const Contact& c, std::span<const Segment> segments, int k,
+                   ContactRows& rows) {
+  const geometry::Outline& shape = *pressed_shape(arena, c);
+  const double radius = arena.ball_outline.radius;
+  const Segment& ball = segments[c.a];
+  const Vec2 corner = shape.corner[c.at.corner];
+  Vec2 from_corner;  // to the ball, in the field's frame, and in that of the corner's side
+  Vec2 seen;
+  if (c.b == no_body) {
+    from_corner = Vec2{ball.x[k], ball.y[k]};
+    if (k == 0) from_corner -= corner;
+    seen = from_corner;
+  } else {
+    const Segment& b = segments[c.b];
+    rows.dx[k] = ball.x[k] - b.x[k];
+    rows.dy[k] = ball.y[k] - b.y[k];
+    rows.x[k] = product_term(b.cos, rows.dx, k) + product_term(b.sin, rows.dy, k);
+    rows.y[k] = product_term(b.cos, rows.dy, k) - product_term(b.sin, rows.dx, k);
+    from_corner =
+        Vec2{rows.dx[k], rows.dy[k]} - Vec2{b.cos[k] * corner.x() - b.sin[k] * corner.y(),
+                                            b.sin[k] * corner.x() + b.cos[k] * corner.y()};
+    seen = Vec2{rows.x[k], rows.y[k]};
+    if (k == 0) seen -= corner;
+  }
+  const Vec2 normal_a = from_corner / radius;
+  const Vec2 normal_b = seen / radius;
+  rows.row_a[0][k] = normal_a.x();
+  rows.row_a[1][k] = normal_a.y();
+  rows.row_b[0][k] = normal_b.x();
+  rows.row_b[1][k] = normal_b.y();
+  rows.row_b[2][k] = cross(corner, normal_b);
+  const int before = c.at.corner == 0 ? shape.corners - 1 : c.at.corner - 1;
+  rows.inside[0][k] = cross(shape.normal[before], normal_b);
+  rows.inside[1][k] = cross(normal_b, shape.normal[c.at.corner]);
+}
+
+double gap_rate_on_corner(const Contact& c, std::span<const Segment> segments, int k,
+                          const ContactRows& rows) {
+  const Segment& ball = segments[c.a];
+  double rate =
+      product_term(rows.row_a[0], ball.forward, k) + product_term(rows.row_a[1], ball.left, k);
+  if (c.b == no_body) return rate;
+  const Segment& b = segments[c.b];
+  rate -= product_term(rows.row_b[0], b.forward, k) + product_term(rows.row_b[1], b.left, k) +
+          product_term(rows.row_b[2], b.turn, k);
+  return rate;
+}
+
+bool is_on_corner(const Contact& c) {
+  return c.at.kind == Touching::circle_on_corner;
+}
+
+}  // namespace
+
+void start_rows(const Arena& arena, const Contact& c, std::span<const Segment> segments,
+                ContactRows& rows) {
+  if (!is_on_corner(c)) return start_on_edge(arena, c, segments, rows);
+  set_on_corner(arena, c, segments, 0, rows);
+  rows.first_a = {rows.row_a[0][0], rows.row_a[1][0], 0.0};
+  rows.first_b = {rows.row_b[0][0], rows.row_b[1][0], rows.row_b[2][0]};
+}
+
+void extend_rows(const Arena& arena, const Contact& c, std::span<const Segment> segments, int k,
+                 ContactRows& rows) {
+  if (is_on_corner(c)) {
+    set_on_corner(arena, c, segments, k + 1, rows);
+  } else {
+    extend_on_edge(c, segments, k, rows);
+  }
+}
+
+double gap_rate_term(const Contact& c, std::span<const Segment> segments, int k,
+                     ContactRows& rows) {
+  return is_on_corner(c) ? gap_rate_on_corner(c, segments, k, rows)
+                         : gap_rate_on_edge(c, segments, k, rows);
+}
+
+ForceTerm later_force_term(const Contact& c, const ContactRows& rows, int k) {
+  if (is_on_corner(c)) {
+    const auto term = [&](const Series& row) { return product_term(row, rows.force, k, 1); };
+    return {{term(rows.row_a[0]), term(rows.row_a[1]), 0.0},
+            {term(rows.row_b[0]), term(rows.row_b[1]), term(rows.row_b[2])}};
+  }
+  ForceTerm force;
+  if (c.a != no_body) {
+    const Vec2 turning = product_term(rows.heading, rows.force, k, 1);
+    const Vec2 seen_from_a = Heading{turning.x(), turning.y()}.to_body(rows.normal);
+    force.on_a = {seen_from_a.x(), seen_from_a.y(), cross(rows.point, seen_from_a)};
+  }
+  if (c.b != no_body) force.on_b[2] = product_term(rows.lever_b, rows.force, k, 1);
+  return force;
+}
+
+double time_on_edge(const Contact& c, const ContactRows& rows, double margin, double length) {
+  // A little above the level: a search that ended there must not end there again at once.
+  const auto until = [&](const Series& inside, double level) {
+    if (inside[0] <= level + 10.0 * closeness) return;
+    length = std::min(length, first_fall(inside, level, 0.0, length));
+  };
+  if (is_on_corner(c)) {
+    until(rows.inside[0], -margin);
+    until(rows.inside[1], -margin);
+  } else if (rows.edge_end != infinity) {
+    until(-1.0 * rows.lever_b, rows.edge_begin - margin);
+    until(rows.lever_b, -rows.edge_end - margin);
+  }
+  return length;
+}
+
+void set_terms(ContactRows& rows, int terms) {
+  rows.force.terms = rows.lever_b.terms = terms;
+  for (Series& inside : rows.inside) inside.terms = terms;
+}
+
+}  // namespace mirocup::simulator

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "core/simulator/solver/block_cholesky.hpp"
+
+#include <algorithm>
+
+namespace mirocup::simulator {
+
+namespace {
+
+// Of a block on the diagonal, what stands left of it is never read.
+void add_square(const JacobianRow& p, double weight, std::array<JacobianRow, 3>& to) {
+  for (int i = 0; i < 3; ++i) {
+    const double by = weight * p[i];
+    for (int j = i; j < 3; ++j) to[i][j] += by * p[j];
+  }
+}
+
+void add_product(const JacobianRow& p, const JacobianRow& q, double weight,
+                 std::array<JacobianRow, 3>& to) {
+  for (int i = 0; i < 3; ++i) {
+    const double by = weight * p[i];
+    for (int j = 0; j < 3; ++j) to[i][j] += by * q[j];
+  }
+}
+
+std::array<JacobianRow, 3> transposed(const std::array<JacobianRow, 3>& block) {
+  std::array<JacobianRow, 3> t;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) t[i][j] = block[j][i];
+  }
+  return t;
+}
+
+}  // namespace
+
+BodySystem::BodySystem() : blocks_(max_bodies * max_bodies), fronts_(max_bodies) {}
+
+void BodySystem::reset(const BodySet& bodies, std::span<const InverseMass> mass) {
+  bodies_ = bodies.to_ulong();
+  for_each_body(bodies_, [&](int i) {
+    coupled_[i] = 0;
+    coupled_count_[i] = 0;
+    Block& own = block(i, i);
+    own = {};
+    // Infinite for an inverse of zero; that pivot's inverse will be zero again.
+    own[0][0] = 1.0 / mass[i].forward;
+    own[1][1] = 1.0 / mass[i].left;
+    own[2][2] = 1.0 / mass[i].turn;
+  });
+}
+
+void BodySystem::couple(int body, unsigned long others) {
+  for_each_body(others & ~coupled_[body], [&](int other) {
+    block(std::max(body, other), std::min(body, other)) = {};
+    coupled_[body] |= 1UL << other;
+    coupled_[other] |= 1UL << body;
+    ++coupled_count_[body];
+    ++coupled_count_[other];
+  });
+}
+
+void BodySystem::add(const CoupledRow& row, double weight) {
+  add_square(row.on_a, weight, block(row.a, row.a));
+  if (row.b == no_body) return;
+  add_square(row.on_b, weight, block(row.b, row.b));
+  couple(row.a, 1UL << row.b);
+  if (row.a > row.b) {
+    add_product(row.on_a, row.on_b, weight, block(row.a, row.b));
+  } else {
+    add_product(row.on_b, row.on_a, weight, block(row.b, row.a));
+  }
+}
+
+void BodySystem::factorise() {
+  count_ = 0;
+  for (unsigned long left = bodies_; left != 0;) {
+    int next = std::countr_zero(left);
+    for_each_body(left, [&](int i) {
+      if (coupled_count_[i] < coupled_count_[next]) next = i;
+    });
+    left &= ~(1UL << next);
+    order_[count_++] = next;
+    leave(next);
+    gather(next, coupled_[next]);
+    eliminate(next);
+  }
+}
+
+void BodySystem::leave(int body) {
+  for_each_body(coupled_[body], [&](int other) {
+    coupled_[other] &= ~(1UL << body);
+    --coupled_count_[other];
+  });
+}
+
+void BodySystem::gather(int body, unsigned long others) {
+  Front& f = fronts_[body];
+  f.others = others;
+  f.own = block(body, body);
+  int count = 0;
+  for_each_body(others, [&](int other) {
+    f.beside[count++] = other > body ? transposed(block(other, body)) : block(body, other);
+  });
+  for (int r = 0; r < 3; ++r) {
+    f.inverse_pivot[r] = 1.0 / f.own[r][r];
+    for (int below = r + 1; below < 3; ++below) {
+      const double by = f.own[r][below] * f.inverse_pivot[r];
+      for (int c = below; c < 3; ++c) f.own[below][c] -= by * f.own[r][c];
+      for (int k = 0; k < count; ++k) {
+        for (int c = 0; c < 3; ++c) f.beside[k][below][c] -= by * f.beside[k][r][c];
+      }
+    }
+  }
+}
+
+// The body's rows from those of all that are coupled with it, which thereby are with each other.
+void BodySystem::eliminate(int body) {
+  const Front& f = fronts_[body];
+  int at = 0;
+  for_each_body(f.others, [&](int low) {
+    couple(low, f.others & ~(1UL << low));
+    Block by = f.beside[at];
+    for (int r = 0; r < 3; ++r) {
+      for (int c = 0; c < 3; ++c) by[r][c] *= f.inverse_pivot[r];
+    }
+    int beside = at;
+    for_each_body(f.others & ~((1UL << low) - 1UL), [&](int high) {
+      const Block& rows = f.beside[beside++];
+      Block& to = block(high, low);
+      for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+          to[i][j] -= rows[0][i] * by[0][j] + rows[1][i] * by[1][j] + rows[2][i] * by[2][j];
+        }
+      }
+    });
+    ++at;
+  });
+}
+
+void BodySystem::solve(BodyVector& rhs) const {
+  for (int k = 0; k < count_; ++k) {
+    const Front& f = fronts_[order_[k]];
+    JacobianRow& own = rhs[order_[k]];
+    JacobianRow by;
+    for (int r = 0; r < 3; ++r) {
+      by[r] = own[r] * f.inverse_pivot[r];
+      for (int below = r + 1; below < 3; ++below) own[below] -= by[r] * f.own[r][below];
+    }
+    const Block* beside = f.beside.data();
+    for_each_body(f.others, [&](int other) {
+      const Block& rows = *beside++;
+      for (int c = 0; c < 3; ++c) {
+        rhs[other][c] -= by[0] * rows[0][c] + by[1] * rows[1][c] + by[2] * rows[2][c];
+      }
+    });
+  }
+  for (int k = count_ - 1; k >= 0; --k) {
+    const Front& f = fronts_[order_[k]];
+    JacobianRow& own = rhs[order_[k]];
+    const Block* beside = f.beside.data();
+    for_each_body(f.others, [&](int other) {
+      const Block& rows = *beside++;
+      const JacobianRow& v = rhs[other];
+      for (int r = 0; r < 3; ++r) {
+        own[r] -= rows[r][0] * v[0] + rows[r][1] * v[1] + rows[r][2] * v[2];
+      }
+    });
+    for (int r = 2; r >= 0; --r) {
+      for (int c = r + 1; c < 3; ++c) own[r] -= f.own[r][c] * own[c];
+      own[r] *= f.inverse_pivot[r];
+    }
+  }
+}
+
+}  // namespace mirocup::simulator

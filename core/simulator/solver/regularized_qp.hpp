@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+//
+// The impulses of many contacts at once, softly: minimise 1/2 x.Ax + b.x + 1/2 (x - c).D(x - c) with
+// low <= x <= high, where A = J M^-1 J' of the rows, D is a small part of A's diagonal and c is where
+// x began. D leaves nothing open, however redundant the contacts are. It pulls to c; for what is
+// solved anew until it fits, x begins where it ended, and the pull falls away.
+//
+// Method: Newton's, with steps that are cut off at the bounds and shortened until the function goes
+// down, so no bound is exchanged in circles. Each step is sought as the twists that it gives the
+// bodies, (M + J' D^-1 J) u = J' D^-1 r over the free rows: there are fewer of those than of contacts,
+// and only bodies that touch are coupled.
+#pragma once
+
+#include "core/simulator/solver/block_cholesky.hpp"
+
+#include <array>
+#include <span>
+
+namespace mirocup::simulator {
+
+// Kept and reused: making one allocates, solving does not.
+class SoftProblem {
+ public:
+  // Starts without unknowns. The masses of all bodies that rows will be of.
+  void reset(std::span<const InverseMass> mass);
+  // One more unknown, with x = 0, b = 0 and 0 <= x < infinity.
+  void add(const CoupledRow& row);
+
+  int size() const { return size_; }
+  Unknowns b, low, high;
+
+  // From x as it stands: the nearer that is, the closer to it the solution and the cheaper. `close` is
+  // the slope that may be left, as a share of the largest |b|. False if x is not quite the solution: it
+  // is within its bounds, and no worse than where it began.
+  bool solve(double close = 1e-10);
+  Unknowns x;
+
+ private:
+  enum class Bound : unsigned char { free, fixed };
+
+  void look_at_value();
+  void find_rates();
+  void stand_still();
+  bool hold_at_bounds(double tolerance);
+  void hold(int i, Bound bound);
+  void find_direction();
+  void set_up_system();
+  bool go_down();
+  double part_to_first_bound() const;
+  double try_part(double part);
+
+  int size_ = 0;
+  std::array<InverseMass, max_bodies> mass_;
+  BodySet bodies_;  // of any row
+  std::array<CoupledRow, max_unknowns> rows_;
+  Unknowns give_;  // of each row, the diagonal of A
+  std::array<Bound, max_unknowns> bound_;
+  Unknowns centre_, direction_;
+  Unknowns slope_;
+  double value_ = 0.0;
+  Unknowns rates_, x_of_rates_;   // A x, and of which x
+  bool rates_fit_ = false;        // the rows are as they were then
+  Unknowns begin_, begin_slope_;  // of a round
+  BodyVector moved_;
+  BodySystem system_;
+  bool system_fits_ = false;  // the rows and the free ones as they are
+};
+
+}  // namespace mirocup::simulator

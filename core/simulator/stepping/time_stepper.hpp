@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+//
+// Lasting contact by small steps: bodies that press on each other where following every event would
+// take too long, and wherever bodies rub.
+//
+// Within a step every body keeps its twist. All impulses of the step, of contacts and of the ground
+// on wheels, are one convex problem: contacts only push, wheels hold sideways up to their grip, and
+// no gap may be closed further than to zero at the step's end. Which contacts there are, and along
+// which normals, is seen where the bodies would be if they kept their twists. The problem is solved
+// again with the gaps that are found where they come instead, until every contact that pushes touches
+// and none overlaps: so overlaps do not build up and are never pushed out afterwards. How they move
+// between the ends of a step is for step_paths.hpp, and may ask for a shorter one. First order in the
+// step. What meets in a step does not bounce.
+#pragma once
+
+#include "core/simulator/collision/collision_queries.hpp"
+#include "core/simulator/impact/friction.hpp"
+#include "core/simulator/solver/regularized_qp.hpp"
+#include "core/simulator/stepping/step_trajectories.hpp"
+#include "core/simulator/trajectory/differential_drive.hpp"
+
+#include <array>
+#include <span>
+
+namespace mirocup::simulator {
+
+class ContactStepping {
+ public:
+  // Both outlive it.
+  ContactStepping(const Arena& arena, SoftProblem& problem);
+
+  // Who steps together, and for how long, s; nobody, if no contact lasts.
+  struct Step {
+    BodySet members;
+    double length = 0.0;
+  };
+
+  // Of the candidates, the first that touches another or may before the step ends, and all that are so
+  // connected with it. Sets the twists of the members to what they keep during the step, which is no
+  // longer than `longest`, s.
+  Step take(const BodySet& candidates, std::span<const Contact> touching,
+            std::span<const Drive> drives, std::span<const InverseMass> mass, double longest,
+            std::span<BodyState> bodies);
+
+  // How far a body is beside its arc in the middle of the step that it takes, m.
+  const Vec2& bend(int member) const { return paths_.bend_of(member); }
+  // A body keeps one twist for a whole step, with all that the step's forces give it. From that one,
+  // what it would be after that part of the step if they gave it bit by bit: for who is interrupted.
+  Twist twist_after(int member, const Twist& kept, double part) const;
+  // Of the last step, if it had members: a member at its end, and the contacts that press.
+  const BodyState& end(int member) const { return end_[member]; }
+  std::span<const Contact> pressing() const { return contacts_.contacts(); }
+
+  // Who was in no step of the last tick may take a long one again.
+  void begin_tick();
+  // The next step begins from nothing: bodies were moved.
+  void forget();
+
+ private:
+  // A contact that pressed in a step: the next one begins with its force, but with no more than it gave
+  // then. Of a short one that stopped something, the force says nothing about a longer one.
+  struct Pressed {
+    Pair pair;
+    ContactPoint at;
+    double force;    // N
+    double impulse;  // N s
+  };
+
+  double fastest_of(const BodySet& some, std::span<const BodyState> bodies) const;
+  double longest_step(const BodySet& some, std::span<const BodyState> bodies) const;
+  double next_step(const BodySet& some) const;
+  double reach_of_motors(const BodySet& candidates, double length,
+                         std::span<const BodyState> bodies) const;
+  bool find(const BodySet& candidates, std::span<const Contact> touching,
+            std::span<const Drive> drives, std::span<const InverseMass> mass, double length,
+            std::span<const BodyState> bodies, Step& step);
+  void look_ahead(const BodySet& candidates, std::span<const Contact> touching, double length,
+                  std::span<const BodyState> bodies);
+  bool settle(const BodySet& members, std::span<const Drive> drives,
+              std::span<const InverseMass> mass, double length, std::span<const BodyState> bodies);
+  void pose(const BodySet& members, std::span<const Drive> drives,
+            std::span<const InverseMass> mass, double length);
+  void solve(const BodySet& members, std::span<const InverseMass> mass, double length);
+  void set_bounds(int i, double bound);
+  double most_grip(double length) const;  // N s
+  void leave_overlaps(double length, std::span<const BodyState> bodies);
+  bool has_settled(double touch) const;
+  bool stays_apart(const BodySet& members, double length);
+  void recall(const BodySet& members, double length);
+  void keep_what_presses(const Step& step);
+
+  const Arena& arena_;
+  SoftProblem& problem_;
+  ContactList contacts_, tangents_;
+  std::array<double, max_unknowns> left_;  // m, of each contact's overlap at the begin, that stays
+  std::array<Contact, max_robots> wheels_;
+  std::array<Pressed, max_unknowns> pressed_;  // of each body in its last step
+  int pressed_count_ = 0;
+  BodySet stepped_;                           // in this tick
+  double next_ = 0.0;                         // s, by what the last attempt at a step was like
+  std::array<double, max_bodies> next_step_;  // s, of each body, by what its last one was like
+  std::array<Contact*, max_unknowns> row_;    // of each unknown: contacts_, tangents_, wheels_
+  std::array<BodyState, max_bodies> begin_;   // with the twists of the step
+  std::array<Twist, max_bodies> before_;      // of each body, before its last step
+  std::array<BodyState, max_bodies> end_;     // with the twists of the step
+  std::array<BodyState, max_bodies> alone_;   // twists at the end if there were no contacts
+  Unknowns alone_rate_;                       // m/s, of each unknown: its rate then
+  std::array<Box, max_bodies> boxes_;
+  StepPaths paths_;
+};
+
+}  // namespace mirocup::simulator

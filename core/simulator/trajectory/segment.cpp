@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "core/simulator/trajectory/segment.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace mirocup::simulator {
+
+Segment still_segment(const BodyState& body, double begin, double end) {
+  Segment s;
+  s.begin = begin;
+  s.end = end;
+  s.x[0] = body.position.x();
+  s.y[0] = body.position.y();
+  s.cos[0] = body.heading.cos;
+  s.sin[0] = body.heading.sin;
+  set_terms(s, fewest_terms);
+  return s;
+}
+
+Segment moving_segment(const BodyState& body, double begin, double end) {
+  Segment s = still_segment(body, begin, end);
+  s.forward[0] = body.twist.forward;
+  s.left[0] = body.twist.left;
+  s.turn[0] = body.twist.turn;
+  set_terms(s, series_terms);
+  return s;
+}
+
+Segment steady_segment(const BodyState& body, double begin, double end) {
+  Segment s = moving_segment(body, begin, end);
+  for (int k = 0; k < series_terms - 1; ++k) integrate_pose(s, k);
+  return s;
+}
+
+BodyState along_arc(const BodyState& body, double span) {
+  const Twist& v = body.twist;
+  const double angle = v.turn * span;
+  const SinCos turned = sincos(angle);
+  // sin(angle) / angle and (1 - cos(angle)) / angle, of which one series term is enough below this.
+  constexpr double small = 1e-4;
+  const double square = angle * angle;
+  const bool is_small = square < small * small;
+  const double along = is_small ? 1.0 - square / 6.0 : turned.sin / angle;
+  const double across = is_small ? 0.5 * angle : along * turned.sin / (1.0 + turned.cos);
+  BodyState end = body;
+  end.position += span * body.heading.to_world({along * v.forward - across * v.left,
+                                                across * v.forward + along * v.left});
+  end.heading = body.heading.turned(turned);
+  return end;
+}
+
+void integrate_pose(Segment& s, int k, bool drifts) {
+  // Six product_term()s in one go.
+  double cos = 0.0;
+  double sin = 0.0;
+  double x = 0.0;
+  double y = 0.0;
+  double drift_x = 0.0;
+  double drift_y = 0.0;
+  for (int j = 0; j <= k; ++j) {
+    cos += s.turn[j] * s.sin[k - j];
+    sin += s.turn[j] * s.cos[k - j];
+    x += s.forward[j] * s.cos[k - j];
+    y += s.forward[j] * s.sin[k - j];
+    if (!drifts) continue;
+    drift_x += s.left[j] * s.sin[k - j];
+    drift_y += s.left[j] * s.cos[k - j];
+  }
+  const double next = k + 1;
+  s.cos[k + 1] = -cos / next;
+  s.sin[k + 1] = sin / next;
+  s.x[k + 1] = (x - drift_x) / next;
+  s.y[k + 1] = (y + drift_y) / next;
+}
+
+void set_terms(Segment& s, int terms) {
+  for (Series* p : {&s.x, &s.y, &s.cos, &s.sin, &s.forward, &s.left, &s.turn}) p->terms = terms;
+}
+
+namespace {
+
+// Terms that grow but are smaller than this (m) are let be.
+constexpr double least_growth = 1e-13;
+
+// The sizes of the last two coefficients of position and heading.
+struct LastTerms {
+  int last;  // odd
+  std::array<double, 4> before_of, last_of;
+  double largest_before = 0.0;
+  double largest_last = 0.0;
+
+  explicit LastTerms(const Segment& s) : last(s.x.terms - 1) {
+    int i = 0;
+    for (const Series* p : {&s.x, &s.y, &s.cos, &s.sin}) {
+      last_of[i] = std::abs((*p)[last]);
+      before_of[i] = std::abs((*p)[last - 1]);
+      largest_last = std::max(largest_last, last_of[i]);
+      largest_before = std::max(largest_before, before_of[i]);
+      ++i;
+    }
+  }
+
+  bool converge_over(double length, double to) const {
+    const double square = length * length;
+    double power = square * square;
+    for (int k = 4; k < last - 1; k += 2) power *= square;
+    return power * (largest_before + length * largest_last) <= to && !grow_over(length, power);
+  }
+
+  // What is rounding at the begin, as the way sideways in a straight push, grows with each term
+  // beyond the length to which the series converges, and is no error of a tolerance's size yet.
+  bool grow_over(double length, double power) const {
+    for (int i = 0; i < 4; ++i) {
+      if (length * last_of[i] > before_of[i] && power * length * last_of[i] > least_growth)
+        return true;
+    }
+    return false;
+  }
+};
+
+}  // namespace
+
+bool has_converged(const Segment& s, double length, double to) {
+  return LastTerms(s).converge_over(length, to);
+}
+
+double converged_length(const Segment& s, double longest, double to) {
+  const LastTerms terms(s);
+  double length = longest;
+  while (!terms.converge_over(length, to)) length *= 0.85;
+  return length;
+}
+
+namespace {
+
+template <int terms>
+Pose pose_of_terms(const Segment& s, double u) {
+  return {.position = {s.x.at<terms>(u), s.y.at<terms>(u)},
+          .heading = Heading{s.cos.at<terms>(u), s.sin.at<terms>(u)}.normalised()};
+}
+
+}  // namespace
+
+Pose pose_at(const Segment& s, double t) {
+  const double u = t - s.begin;
+  return with_terms(s.x.terms, [&](auto n) { return pose_of_terms<n>(s, u); });
+}
+
+BodyState body_at(const Segment& segment, double t) {
+  const double u = t - segment.begin;
+  BodyState body = with_terms(segment.x.terms, [&](auto n) {
+    const Pose pose = pose_of_terms<n>(segment, u);
+    return BodyState{pose.position,
+                     pose.heading,
+                     {segment.forward.at<n>(u), segment.left.at<n>(u), segment.turn.at<n>(u)}};
+  });
+  if (t == segment.end && segment.settles != Settles::nothing) {
+    body.twist.left = 0.0;
+    if (segment.settles == Settles::everything) body.twist.forward = 0.0;
+  }
+  return body;
+}
+
+Track track_from(const Segment& segment, double origin) {
+  const double by = origin - segment.begin;
+  return {shifted(segment.x, by), shifted(segment.y, by), shifted(segment.cos, by),
+          shifted(segment.sin, by)};
+}
+
+Box swept_box(const Segment& segment) {
+  const double length = segment.end - segment.begin;
+  const Range x = change_over(segment.x, length);
+  const Range y = change_over(segment.y, length);
+  return {segment.x[0] + x.low, segment.x[0] + x.high, segment.y[0] + y.low, segment.y[0] + y.high};
+}
+
+}  // namespace mirocup::simulator

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "plugins/abi/convert.hpp"
+
+#include "core/match/copy_fields.hpp"
+
+namespace mirocup::plugins {
+
+// The two sides number these alike.
+static_assert(static_cast<int>(League::large) == MIROCUP_LARGE);
+static_assert(static_cast<int>(Team::yellow) == MIROCUP_YELLOW);
+static_assert(static_cast<int>(match::State::END) == MIROCUP_END);
+static_assert(static_cast<int>(referee::Phase::SECOND_HALF) == MIROCUP_SECOND_HALF);
+static_assert(static_cast<int>(referee::Phase::SHOOT_OUT) == MIROCUP_SHOOT_OUT);
+static_assert(static_cast<int>(referee::Restart::KICK_OFF) == MIROCUP_KICK_OFF);
+static_assert(static_cast<int>(referee::Restart::GOAL_KICK) == MIROCUP_GOAL_KICK);
+static_assert(static_cast<int>(referee::Restart::PENALTY_KICK) == MIROCUP_PENALTY_KICK);
+static_assert(static_cast<int>(referee::Restart::FREE_BALL) == MIROCUP_FREE_BALL);
+static_assert(static_cast<int>(referee::Restart::FREE_KICK) == MIROCUP_FREE_KICK);
+static_assert(max_robots_per_team == MIROCUP_MAX_ROBOTS);
+
+namespace {
+
+mirocup_robot to_robot(const match::ObservedRobot& robot) {
+  return {robot.position.x(), robot.position.y(), robot.heading,
+          robot.velocity.x(), robot.velocity.y(), robot.turn};
+}
+
+}  // namespace
+
+mirocup_setup to_setup(const match::Briefing& briefing) {
+  const field::Field& field = *briefing.field;
+  mirocup_setup s{};
+  s.size = sizeof s;
+  s.league = static_cast<int>(field.league);
+  s.team = index_of(briefing.team);
+  s.robots = field.robots_per_team;
+  s.seed = briefing.seed;
+  s.control_period = briefing.control_period;
+  s.half_seconds = briefing.rules->half_s;
+  s.half_length = field.half_length;
+  s.half_width = field.half_width;
+  s.corner_leg = field.corner_leg;
+  s.goal_half_width = field.goal_half_width;
+  s.goal_depth = field.goal_depth;
+  s.goal_area_depth = field.goal_area.depth;
+  s.goal_area_half_width = field.goal_area.half_width;
+  if (field.penalty_area) {
+    s.penalty_area_depth = field.penalty_area->depth;
+    s.penalty_area_half_width = field.penalty_area->half_width;
+  }
+  s.centre_circle_radius = field.centre_circle_radius;
+  match::copy_bodies(*briefing.parameters, s);
+  return s;
+}
+
+mirocup_observation to_observation(const match::Observation& from) {
+  mirocup_observation o{};
+  o.size = sizeof o;
+  o.tick = from.tick;
+  o.time = from.time;
+  o.clock = from.clock;
+  o.state = static_cast<int>(from.state);
+  o.phase = static_cast<int>(from.phase);
+  o.restart = static_cast<int>(from.restart);
+  o.own_restart = from.own_restart ? 1 : 0;
+  o.own_score = from.own_score;
+  o.opponent_score = from.opponent_score;
+  o.robots = from.robots;
+  o.placing = from.placing ? 1 : 0;
+  o.ball_x = from.ball.x();
+  o.ball_y = from.ball.y();
+  o.ball_vx = from.ball_velocity.x();
+  o.ball_vy = from.ball_velocity.y();
+  for (int i = 0; i < from.robots; ++i) {
+    o.own[i] = to_robot(from.own[i]);
+    o.opponent[i] = to_robot(from.opponent[i]);
+  }
+  match::copy_counts(from.own_counts, o.own_counts);
+  match::copy_counts(from.opponent_counts, o.opponent_counts);
+  o.stalemate_s = from.stalemate_s;
+  o.advantage_s = from.advantage_s;
+  return o;
+}
+
+match::Command to_command(const mirocup_command& from) {
+  match::Command command;
+  for (int i = 0; i < max_robots_per_team; ++i) {
+    command.wheels[i] = {from.wheels[i].left, from.wheels[i].right};
+  }
+  return command;
+}
+
+match::Poses to_poses(const mirocup_placement& from) {
+  match::Poses poses{.ball_x = from.ball_x, .ball_y = from.ball_y, .robots = {}};
+  for (int i = 0; i < max_robots_per_team; ++i) {
+    poses.robots[i] = {from.robots[i].x, from.robots[i].y, from.robots[i].heading};
+  }
+  return poses;
+}
+
+}  // namespace mirocup::plugins

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "server/dds/network_interface.hpp"
+
+#include <algorithm>
+#include <arpa/inet.h>
+#include <cstdint>
+#include <fcntl.h>
+#include <filesystem>
+#include <ifaddrs.h>
+#include <linux/filter.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+
+namespace mirocup::dds {
+
+namespace {
+
+constexpr std::size_t most_addresses = 64;  // a jump of the filter reaches so far
+constexpr std::uint32_t destination = 16;   // where an IPv4 header has it
+constexpr std::uint32_t whole_packet = ~0U;
+
+// In host order.
+std::vector<std::uint32_t> addresses_of(const std::string& interface) {
+  in_addr one{};
+  if (inet_pton(AF_INET, interface.c_str(), &one) == 1) return {ntohl(one.s_addr)};
+  std::vector<std::uint32_t> addresses;
+  ifaddrs* all = nullptr;
+  if (getifaddrs(&all) != 0) return addresses;
+  for (const ifaddrs* a = all; a != nullptr; a = a->ifa_next) {
+    if (a->ifa_addr == nullptr || a->ifa_addr->sa_family != AF_INET || interface != a->ifa_name) {
+      continue;
+    }
+    addresses.push_back(ntohl(reinterpret_cast<const sockaddr_in*>(a->ifa_addr)->sin_addr.s_addr));
+  }
+  freeifaddrs(all);
+  if (addresses.size() > most_addresses) addresses.resize(most_addresses);
+  return addresses;
+}
+
+std::vector<sock_filter> filter_for(const std::vector<std::uint32_t>& addresses) {
+  const auto offset = static_cast<std::uint32_t>(SKF_NET_OFF) + destination;
+  std::vector<sock_filter> program{BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offset)};
+  for (std::size_t i = 0; i < addresses.size(); ++i) {
+    const auto to_accept = static_cast<std::uint8_t>(addresses.size() - i);
+    program.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, addresses[i], to_accept, 0));
+  }
+  program.push_back(BPF_STMT(BPF_RET | BPF_K, 0));
+  program.push_back(BPF_STMT(BPF_RET | BPF_K, whole_packet));
+  return program;
+}
+
+bool is_datagram_socket(int descriptor) {
+  int type = 0;
+  int family = 0;
+  socklen_t size = sizeof type;
+  if (getsockopt(descriptor, SOL_SOCKET, SO_TYPE, &type, &size) != 0) return false;
+  size = sizeof family;
+  getsockopt(descriptor, SOL_SOCKET, SO_DOMAIN, &family, &size);
+  return type == SOCK_DGRAM && family == AF_INET;
+}
+
+}  // namespace
+
+std::vector<int> open_descriptors() {
+  std::vector<int> open;
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd", none)) {
+    open.push_back(std::stoi(entry.path().filename().string()));
+  }
+  // The one that the folder was read with is closed again.
+  std::erase_if(open, [](int descriptor) { return fcntl(descriptor, F_GETFD) < 0; });
+  std::sort(open.begin(), open.end());
+  return open;
+}
+
+void confine_sockets(const std::vector<int>& before, const std::string& interface) {
+  const auto addresses = addresses_of(interface);
+  if (addresses.empty()) return;
+  auto program = filter_for(addresses);
+  const sock_fprog filter{static_cast<unsigned short>(program.size()), program.data()};
+  for (const int descriptor : open_descriptors()) {
+    if (std::binary_search(before.begin(), before.end(), descriptor)) continue;
+    if (!is_datagram_socket(descriptor)) continue;
+    setsockopt(descriptor, SOL_SOCKET, SO_ATTACH_FILTER, &filter, sizeof filter);
+  }
+}
+
+}  // namespace mirocup::dds

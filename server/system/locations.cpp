@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "server/system/locations.hpp"
+
+#include <filesystem>
+
+namespace mirocup::record {
+
+namespace fs = std::filesystem;
+
+std::string program_folder() {
+  return fs::read_symlink("/proc/self/exe").parent_path().string();
+}
+
+std::string sibling_program(const std::string& name) {
+  const fs::path here = program_folder();
+  const fs::path installed = here.parent_path() / "libexec" / "mirocup" / name;
+  return fs::exists(here / name) ? (here / name).string() : installed.string();
+}
+
+TeamKit team_kit() {
+  const fs::path program = fs::read_symlink("/proc/self/exe");
+  // A build tree has its programs at the top.
+  const bool is_installed = program.parent_path().filename() == "bin";
+  const fs::path prefix =
+      is_installed ? program.parent_path().parent_path() : program.parent_path();
+  return {.program = program.string(),
+          .prefix = prefix.string(),
+          .headers = (prefix / "include" / "mirocup").string(),
+          .templates = (prefix / "share" / "mirocup" / "team").string()};
+}
+
+std::string house_team(const std::string& name) {
+  if (name.empty() || name.find('/') != std::string::npos) return "";
+  const fs::path here = program_folder();
+  for (const fs::path& folder :
+       {here / "house", here.parent_path() / "lib" / "mirocup" / "house"}) {
+    const fs::path library = folder / (name + ".so");
+    if (fs::exists(library)) return library.string();
+  }
+  return "";
+}
+
+}  // namespace mirocup::record

@@ -1,5 +1,0 @@
-/* SPDX-License-Identifier: MIT
- *
- * A team whose process is stopped at tick 30, until somebody lets it go on. */
-#define ENDING SIGSTOP
-#include "tests/dds/teams/ending.h"

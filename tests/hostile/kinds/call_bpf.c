@@ -1,8 +1,0 @@
-/* SPDX-License-Identifier: MIT */
-#include "tests/hostile/hostile.h"
-
-static void misbehave(mirocup_command* command) {
-  (void)command;
-  char attributes[64] = {0};
-  syscall(SYS_bpf, 0, attributes, sizeof attributes);
-}

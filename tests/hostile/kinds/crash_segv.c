@@ -1,7 +1,0 @@
-/* SPDX-License-Identifier: MIT */
-#include "tests/hostile/hostile.h"
-
-static void misbehave(mirocup_command* command) {
-  (void)command;
-  *(volatile int*)hostile_nowhere = 1;
-}

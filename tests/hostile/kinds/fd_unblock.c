@@ -1,8 +1,0 @@
-/* SPDX-License-Identifier: MIT */
-#include "tests/hostile/hostile.h"
-
-static void misbehave(mirocup_command* command) {
-  (void)command;
-  /* A log that blocks would wait for the server. */
-  expect_failure(fcntl(2, F_SETFL, 0), "a blocking log");
-}

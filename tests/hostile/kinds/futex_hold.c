@@ -1,9 +1,0 @@
-/* SPDX-License-Identifier: MIT */
-#include "tests/hostile/hostile.h"
-
-static void misbehave(mirocup_command* command) {
-  (void)command;
-  /* Waits where the server waits, for what never comes. */
-  static int word;
-  while (hostile_for_ever) syscall(SYS_futex, &word, 0, 0, 0, 0, 0);
-}

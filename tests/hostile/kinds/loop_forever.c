@@ -1,8 +1,0 @@
-/* SPDX-License-Identifier: MIT */
-#include "tests/hostile/hostile.h"
-
-static void misbehave(mirocup_command* command) {
-  (void)command;
-  while (hostile_for_ever) {
-  }
-}

@@ -1,9 +1,0 @@
-/* SPDX-License-Identifier: MIT */
-#include "tests/hostile/hostile.h"
-
-static void misbehave(mirocup_command* command) {
-  (void)command;
-  volatile char* block = malloc(4 << 20);
-  if (block == 0) return;
-  for (int k = 0; k < 4 << 20; k += 4096) block[k] = 1;
-}

@@ -1,8 +1,0 @@
-/* SPDX-License-Identifier: MIT */
-#include "tests/hostile/hostile.h"
-
-static void misbehave(mirocup_command* command) {
-  (void)command;
-  static char block[1 << 20];
-  expect_failure(mlock(block, sizeof block), "mlock");
-}

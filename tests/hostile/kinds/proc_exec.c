@@ -1,8 +1,0 @@
-/* SPDX-License-Identifier: MIT */
-#include "tests/hostile/hostile.h"
-
-static void misbehave(mirocup_command* command) {
-  (void)command;
-  char* const arguments[] = {"/bin/sh", "-c", "echo >" MIROCUP_TARGET "/dropped", 0};
-  execv(arguments[0], arguments);
-}

@@ -1,9 +1,0 @@
-/* SPDX-License-Identifier: MIT */
-#include "tests/hostile/hostile.h"
-
-#include <sched.h>
-
-static void misbehave(mirocup_command* command) {
-  (void)command;
-  unshare(CLONE_NEWUSER | CLONE_NEWNS);
-}

@@ -1,7 +1,0 @@
-/* SPDX-License-Identifier: MIT */
-#include "tests/hostile/hostile.h"
-
-static void misbehave(mirocup_command* command) {
-  (void)command;
-  ((mirocup_observation*)(uintptr_t)hostile_now)->own_score = 99;
-}

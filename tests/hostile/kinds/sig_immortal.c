@@ -1,9 +1,0 @@
-/* SPDX-License-Identifier: MIT */
-#include "tests/hostile/hostile.h"
-
-static void misbehave(mirocup_command* command) {
-  (void)command;
-  for (int number = 1; number < 32; ++number) signal(number, SIG_IGN);
-  while (hostile_for_ever) {
-  }
-}

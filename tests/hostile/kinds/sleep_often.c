@@ -1,9 +1,0 @@
-/* SPDX-License-Identifier: MIT */
-#include "tests/hostile/hostile.h"
-
-static void misbehave(mirocup_command* command) {
-  /* Would make a leg last for hours. */
-  const struct timespec two_seconds = {2, 200000000};
-  (void)command;
-  nanosleep(&two_seconds, 0);
-}

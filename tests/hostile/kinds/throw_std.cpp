@@ -1,8 +1,0 @@
-// SPDX-License-Identifier: MIT
-#include "tests/hostile/hostile.h"
-
-#include <stdexcept>
-
-static void misbehave(mirocup_command*) {
-  throw std::runtime_error("thrown on purpose");
-}

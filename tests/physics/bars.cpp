@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#include "tests/physics/bars.hpp"
+
+namespace mirocup::scenes {
+
+const std::vector<Kind>& kinds() {
+  static const std::vector<Kind> all{
+      {"free_ball", free_ball},
+      {"bounce_trains", bounce_trains},
+      {"robot_alone", robot_alone},
+      {"single_impacts", single_impacts},
+      {"conserved_in_impacts", conserved_in_impacts},
+      {"shots", shots},
+      {"lasting_pushes", lasting_pushes},
+      {"scrums", scrums},
+      {"snippets", snippets},
+      {"newtons_cradle", newtons_cradle},
+      {"symmetric_hits", symmetric_hits},
+      {"corner_on_corner", corner_on_corner},
+      {"wheel_spin_at_wall", wheel_spin_at_wall},
+      {"zeno_bounces", zeno_bounces},
+  };
+  return all;
+}
+
+}  // namespace mirocup::scenes

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+//
+// What the scenes share: states at random, a world to play them in, and differences of states.
+#pragma once
+
+#include "core/base/random.hpp"
+#include "core/simulator/world.hpp"
+#include "tests/support/exact_motion.hpp"
+#include "tests/support/outline.hpp"
+
+#include <vector>
+
+namespace mirocup::scenes {
+
+using simulator::BallState;
+using simulator::BodyState;
+using simulator::Parameters;
+using simulator::WheelCommand;
+using simulator::WheelSpeeds;
+using simulator::World;
+
+inline constexpr double tick = 0.033;  // s: the control period
+
+struct Start {
+  const field::Field* field = nullptr;
+  Parameters parameters;
+  std::vector<BodyState> robots;
+  std::vector<BallState> ball;  // one or none
+};
+
+// A world in that state, with standard tolerances.
+std::unique_ptr<World> world_of(const Start& start);
+
+Parameters without_rolling_friction();
+
+WheelCommand random_wheels(Random& random, double fastest);
+Heading random_heading(Random& random);
+Vec2 random_in(Random& random, double half_x, double half_y);
+
+// From `least` to `most`, as many slow ones as fast ones.
+double random_logarithmic(Random& random, double least, double most);
+
+// Do the bodies overlap each other or anything solid?
+bool overlap(const Start& start);
+
+// The deepest overlap of the world's bodies now, m; 0 if there is none.
+double deepest_overlap(const World& world, const std::vector<test_support::Outline>& solids);
+
+// Kinetic energy, J, with the ball's rotation.
+double kinetic_energy(const World& world);
+
+bool is_finite(const World& world);
+
+// The larger of the distance (m) and the turn (rad) between two states of a robot.
+double difference(const BodyState& a, const BodyState& b);
+
+// The largest of the differences of their velocities, m/s and rad/s.
+double velocity_difference(const BodyState& a, const BodyState& b);
+
+}  // namespace mirocup::scenes

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+//
+// Secure mode: who shows no certificate of the league, or another one than the seat's, has no
+// effect. Real processes, real certificates.
+#include "tests/programs/dds/network.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace mirocup {
+namespace {
+
+using namespace test_support;
+
+class Credentials : public testing::Test {
+ protected:
+  void SetUp() override {
+    const Outcome made = run({program("mirocup"), "league", "credentials", folder_ / "league",
+                              "--team", "remote", "--team", "other"});
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+  }
+
+  std::string of(const std::string& whose) const {
+    return folder_ / ("league/credentials/" + whose);
+  }
+
+  std::vector<std::string> match(const std::string& id, const std::string& limit = "60") const {
+    return match(id, limit, folder_ / "league");
+  }
+
+  std::vector<std::string> match(const std::string& id, const std::string& limit,
+                                 const std::string& league) const {
+    return {program("mirocup"), "match",
+            "--blue",           "dds:remote",
+            "--yellow",         "keeper",
+            "--match",          id,
+            "--credentials",    league + "/credentials/server",
+            "--half",           "5",
+            "--join-within",    limit,
+            "--record",         folder_ / "leg.json"};
+  }
+
+  static std::vector<std::string> join(const std::string& id, const std::string& credentials) {
+    auto arguments = test_support::join(id, "blue", "remote", "striker");
+    arguments.insert(arguments.end(), {"--patience", "60"});
+    if (!credentials.empty()) arguments.insert(arguments.end(), {"--credentials", credentials});
+    return arguments;
+  }
+
+  std::string state_hash(const std::string& record) const {
+    return read_json(folder_ / record)["state_hash"];
+  }
+
+  TemporaryFolder folder_;
+};
+
+// While strangers try what they can.
+TEST_F(Credentials, LetTheTeamPlayAndNobodyElse) {
+  const std::string id = match_id("secure");
+  Running leg(match(id));
+  // Its own library refuses who has another team's certificate, or a spectator's.
+  for (const std::string whose : {"teams/other", "spectator"}) {
+    const Outcome refused = run({program("dds/intruder"), "imitate", id, "remote", of(whose)});
+    EXPECT_EQ(refused.exit_code, 1) << whose;
+    EXPECT_NE(refused.err.find("the credentials do not allow"), std::string::npos) << refused.err;
+  }
+  // Another team, with permissions that it has signed itself: CVE-2023-24011.
+  const std::string forged = folder_ / "forged";
+  std::filesystem::copy(of("teams/other"), forged);
+  ASSERT_EQ(run({"/bin/sh", "-c",
+                 "cd '" + forged +
+                     "' && openssl smime -verify -noverify -in permissions.p7s 2>/dev/null |"
+                     " sed '1,/^\\r*$/d; s:match-\\*/other:match-*/remote:' >forged.xml &&"
+                     " openssl smime -sign -in forged.xml -text -out permissions.p7s"
+                     " -signer certificate.pem -inkey key.pem"})
+                .exit_code,
+            0);
+  const Outcome forger = run({program("dds/intruder"), "imitate", id, "remote", forged});
+  EXPECT_EQ(forger.exit_code, 1) << forger.err;
+  // Somebody without any, and the forger with an authority of its own making.
+  Running plain({program("dds/intruder"), "imitate", id, "remote"});
+  std::filesystem::copy_file(forged + "/certificate.pem", forged + "/permissions_ca.pem",
+                             std::filesystem::copy_options::overwrite_existing);
+  Running own_authority({program("dds/intruder"), "imitate", id, "remote", forged});
+
+  Running remote(join(id, of("teams/remote")));
+  ASSERT_EQ(leg.wait().exit_code, 0);
+  EXPECT_EQ(remote.wait().exit_code, 0);
+  run({program("mirocup"), "match", "--blue", "striker", "--yellow", "keeper", "--half", "5",
+       "--record", folder_ / "so.json"});
+  EXPECT_EQ(state_hash("leg.json"), state_hash("so.json"));
+  EXPECT_EQ(read_json(folder_ / "leg.json")["network"]["blue"]["foreign"], 0);
+}
+
+// Changed copies of the team's own packets come from its own address: nothing but their signatures
+// tells them from its commands.
+TEST_F(Credentials, DetectForgedPackets) {
+  const std::string id = match_id("forged");
+  Running leg(match(id));
+  Running remote(on_bad_network(join(id, of("teams/remote")), {"BAD_NETWORK_GARBAGE=1"}));
+  ASSERT_EQ(leg.wait().exit_code, 0);
+  run({program("mirocup"), "match", "--blue", "striker", "--yellow", "keeper", "--half", "5",
+       "--record", folder_ / "so.json"});
+  EXPECT_EQ(state_hash("leg.json"), state_hash("so.json"));
+}
+
+TEST_F(Credentials, CanBeRevoked) {
+  std::filesystem::copy(of("teams/remote"), folder_ / "kept");  // the team has it all the same
+  const Outcome revoked =
+      run({program("mirocup"), "league", "credentials", folder_ / "league", "--revoke", "remote"});
+  ASSERT_EQ(revoked.exit_code, 0) << revoked.err;
+  const std::string id = match_id("revoked");
+  Running remote(join(id, folder_ / "kept"));
+  run_until_said("revoked", [&](const std::string& limit) { return run(match(id, limit)); });
+  const auto fault = read_json(folder_ / "leg.json")["result"]["fault"];
+  EXPECT_EQ(fault["code"], "start_timeout");
+  EXPECT_NE(fault["text"].get<std::string>().find("revoked"), std::string::npos) << fault;
+}
+
+// The team's own library knows when it looks at the clock. If the team turns its clock back, the
+// server still knows.
+TEST_F(Credentials, Expire) {
+  constexpr int then = 100;  // hours ago
+  const std::string league = folder_ / "old";
+  for (const auto& more : {std::vector<std::string>{"--team", "other"},
+                           std::vector<std::string>{"--team", "remote", "--days", "1"}}) {
+    std::vector<std::string> make{program("mirocup"), "league", "credentials", league};
+    make.insert(make.end(), more.begin(), more.end());
+    const Outcome made = run(behind(then, make));
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+  }
+  const std::string own = league + "/credentials/teams/remote";
+  const Outcome honest = run(join("x", own));
+  EXPECT_EQ(honest.exit_code, 3);
+  EXPECT_NE(honest.err.find("expired"), std::string::npos) << honest.err;
+
+  const std::string id = match_id("expired");
+  Running turned_back(behind(then - 1, join(id, own)));
+  const Outcome played = run_until_said(
+      "expired", [&](const std::string& limit) { return run(match(id, limit, league)); });
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  const auto fault = read_json(folder_ / "leg.json")["result"]["fault"];
+  EXPECT_EQ(fault["code"], "start_timeout");
+  EXPECT_NE(fault["text"].get<std::string>().find("expired"), std::string::npos) << fault;
+}
+
+// Clocks differ: new credentials are valid at once on a computer that is behind.
+TEST_F(Credentials, CountOnAComputerWhoseClockIsBehind) {
+  const std::string id = match_id("behind");
+  Running remote(behind(1, join(id, of("teams/remote"))));
+  const Outcome played = run(match(id));
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  const auto record = read_json(folder_ / "leg.json");
+  EXPECT_EQ(record["result"]["end"], "full_time") << record["result"];
+}
+
+TEST_F(Credentials, OfSomebodyElseAreToldApart) {
+  const Outcome other = run(join("x", of("teams/other")));
+  EXPECT_EQ(other.exit_code, 3);
+  EXPECT_NE(other.err.find("somebody else's"), std::string::npos) << other.err;
+  const Outcome none = run(join("x", folder_ / "nothing"));
+  EXPECT_EQ(none.exit_code, 3);
+  EXPECT_NE(none.err.find("identity_ca.pem is not there"), std::string::npos) << none.err;
+}
+
+}  // namespace
+}  // namespace mirocup

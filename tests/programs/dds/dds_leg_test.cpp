@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+//
+// Teams over real Cyclone DDS on the loopback interface.
+#include "tests/programs/dds/network.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <csignal>
+
+namespace mirocup {
+namespace {
+
+using namespace test_support;
+
+TEST(DdsTeam, PlaysTheSameLegAsItsLibrary) {
+  const TemporaryFolder folder;
+  const std::string id = match_id("same");
+  Running remote(join(id, "blue", "remote", "striker"));
+  const Outcome over_dds =
+      run({program("mirocup"), "match", "--blue", "dds:remote", "--yellow", "chaser", "--half",
+           "30", "--match", id, "--record", folder / "dds.json"});
+  ASSERT_EQ(over_dds.exit_code, 0) << over_dds.err;
+  EXPECT_EQ(remote.wait().exit_code, 0);
+  run({program("mirocup"), "match", "--blue", "striker", "--yellow", "chaser", "--half", "30",
+       "--record", folder / "so.json"});
+
+  const auto dds = read_json(folder / "dds.json");
+  EXPECT_EQ(dds["teams"]["blue"]["kind"], "dds");
+  EXPECT_EQ(dds["teams"]["blue"]["name"], "remote");
+  EXPECT_TRUE(dds["teams"]["blue"]["sha256"].is_null());
+  EXPECT_EQ(dds["result"]["end"], "full_time");
+  EXPECT_TRUE(dds["pace"].is_null());
+  EXPECT_EQ(dds["state_hash"], read_json(folder / "so.json")["state_hash"]);
+  EXPECT_EQ(run({program("mirocup"), "verify", folder / "dds.json"}).exit_code, 0);
+}
+
+// With both teams at either end in turn. Catches poses that get lost on the network, that are asked
+// for in the wrong tick, or that are turned or rounded on their way.
+TEST(DdsTeam, StandsWhereItsLibraryWants) {
+  const TemporaryFolder folder;
+  const std::string id = match_id("places");
+  const std::string team = program("honest/places.so");
+  const auto play = [&](const std::string& one, const std::string& two, const char* record) {
+    return run({program("mirocup"), "match", "--blue", one, "--yellow", two, "--half", "3",
+                "--match", id, "--record", folder / record});
+  };
+  Running blue(join(id, "blue", "one", team));
+  Running yellow(join(id, "yellow", "two", team));
+  ASSERT_EQ(play("dds:one", "dds:two", "dds.json").exit_code, 0);
+  EXPECT_EQ(blue.wait().exit_code, 0);
+  EXPECT_EQ(yellow.wait().exit_code, 0);
+  ASSERT_EQ(play(team, team, "so.json").exit_code, 0);
+  EXPECT_EQ(read_json(folder / "dds.json")["state_hash"],
+            read_json(folder / "so.json")["state_hash"]);
+  EXPECT_EQ(run({program("mirocup"), "verify", folder / "dds.json"}).exit_code, 0);
+}
+
+TEST(DdsTeam, MayMeetAnother) {
+  const TemporaryFolder folder;
+  const std::string id = match_id("both");
+  Running blue(join(id, "blue", "one", "striker"));
+  Running yellow(join(id, "yellow", "two", "keeper"));
+  const Outcome played =
+      run({program("mirocup"), "match", "--blue", "dds:one", "--yellow", "dds:two", "--half", "5",
+           "--match", id, "--record", folder / "leg.json"});
+  EXPECT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_EQ(blue.wait().exit_code, 0);
+  EXPECT_EQ(yellow.wait().exit_code, 0);
+  EXPECT_EQ(run({program("mirocup"), "verify", folder / "leg.json"}).exit_code, 0);
+}
+
+TEST(DdsTeam, LosesWhenItDoesNotCome) {
+  const TemporaryFolder folder;
+  const Outcome played =
+      run({program("mirocup"), "match", "--blue", "dds:nobody", "--yellow", "idle", "--half", "5",
+           "--match", match_id("empty"), "--join-within", "1", "--record", folder / "leg.json"});
+  EXPECT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_EQ(read_json(folder / "leg.json")["result"]["fault"]["code"], "start_timeout");
+}
+
+// Two teams that do not come are waited for at the same time, not one after the other.
+TEST(DdsTeam, IsWaitedForTogetherWithTheOther) {
+  const TemporaryFolder folder;
+  const Outcome played =
+      run({program("mirocup"), "match", "--blue", "dds:nobody", "--yellow", "dds:noone", "--match",
+           match_id("none"), "--join-within", "1", "--record", folder / "leg.json"});
+  EXPECT_EQ(played.exit_code, 0) << played.err;
+  const auto record = read_json(folder / "leg.json");
+  EXPECT_EQ(record["result"]["end"], "double_forfeit");
+  for (const auto& fault : record["result"]["faults"]) EXPECT_EQ(fault["code"], "start_timeout");
+}
+
+TEST(DdsTeam, IsToldThatItsNameIsNotExpected) {
+  const std::string id = match_id("name");
+  Running match({program("mirocup"), "match", "--blue", "dds:expected", "--yellow", "idle",
+                 "--half", "5", "--match", id, "--join-within", "60"});
+  const std::string reason = "does not expect a team called \"stranger\"";
+  const Outcome stranger = run_until_said(reason, [&id](const std::string& patience) {
+    auto arguments = join(id, "blue", "stranger", "idle");
+    arguments.insert(arguments.end(), {"--patience", patience});
+    return run(arguments);
+  });
+  EXPECT_EQ(stranger.exit_code, 3);
+  EXPECT_NE(stranger.err.find(reason), std::string::npos) << stranger.err;
+}
+
+// Nothing that Cyclone DDS prints reaches the user but as a part of our own sentence.
+TEST(DdsTeam, SaysInOneSentenceThatThereIsNoInterface) {
+  const Outcome played = run({program("mirocup"), "match", "--blue", "dds:x", "--yellow", "idle",
+                              "--interface", "nonsense0"});
+  EXPECT_EQ(played.exit_code, 3);
+  EXPECT_EQ(std::count(played.err.begin(), played.err.end(), '\n'), 1) << played.err;
+  EXPECT_NE(played.err.find("nonsense0"), std::string::npos) << played.err;
+}
+
+// Neither side may be deaf to Ctrl-C while it waits for the other.
+TEST(DdsTeam, CanBeInterruptedWhileItIsAwaited) {
+  Running server({program("mirocup"), "match", "--blue", "dds:nobody", "--yellow", "idle",
+                  "--match", "interrupted-server"});
+  Running team({program("mirocup"), "join", "--match", "interrupted-team", "--team", "blue",
+                "--name", "lonely", program("house/idle.so")});
+  ASSERT_TRUE(is_there(server));
+  ASSERT_TRUE(is_there(team));
+  server.signal(SIGINT);
+  team.signal(SIGTERM);
+  EXPECT_EQ(server.wait().exit_code, 130);
+  EXPECT_EQ(team.wait().exit_code, 130);
+}
+
+}  // namespace
+}  // namespace mirocup

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+//
+// Packets that nobody would send who means well. A long run:
+// MIROCUP_STORM=100000 build/dds_tests --gtest_filter='*Storm*'
+#include "tests/programs/dds/network.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <sstream>
+
+namespace mirocup {
+namespace {
+
+using namespace test_support;
+
+// Peak of a running process, MB.
+[[maybe_unused]] double peak_memory(int pid) {
+  std::istringstream status(read_file("/proc/" + std::to_string(pid) + "/status"));
+  std::string line;
+  while (std::getline(status, line)) {
+    if (line.rfind("VmHWM:", 0) == 0) return std::stod(line.substr(6)) / 1024.0;
+  }
+  return 0.0;
+}
+
+// A stranger's packets of every kind, changed; as many as asked for before the match goes on.
+// Catches topics whose types are described on the network: one announcement with a changed
+// description, and nobody can be matched with WorldState any more.
+TEST(DdsHostile, PlaysTheSameLegAfterAStormOfChangedPackets) {
+  const char* asked = std::getenv("MIROCUP_STORM");
+  const std::string packets = asked != nullptr ? asked : "2000";
+  const TemporaryFolder folder;
+  const std::string id = match_id("storm");
+  Running leg({program("mirocup"), "match", "--blue", "dds:remote", "--yellow", "keeper", "--half",
+               "5", "--match", id, "--record", folder / "leg.json", "--join-within", "60"});
+  Running storm(on_bad_network({program("dds/intruder"), "imitate", id, "remote"},
+                               {"BAD_NETWORK_GARBAGE=20", "BAD_NETWORK_LIMIT=" + packets}));
+  ASSERT_TRUE(has_said(storm, packets + " changed packets were sent")) << storm.err();
+  Running remote(join(id, "blue", "remote", "striker"));
+  ASSERT_TRUE(has_said(remote, "remote plays blue")) << remote.err() << leg.err();
+#ifndef MIROCUP_SANITIZED
+  const double peak = peak_memory(leg.pid());
+  EXPECT_LT(peak, 64.0) << "MB";
+  RecordProperty("peak_mb", std::to_string(peak));
+#endif
+  const Outcome played = leg.wait();
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_LT(played.err.size(), 2000U);  // whatever is sent, the log is short
+  run({program("mirocup"), "match", "--blue", "striker", "--yellow", "keeper", "--half", "5",
+       "--record", folder / "so.json"});
+  EXPECT_EQ(read_json(folder / "leg.json")["state_hash"],
+            read_json(folder / "so.json")["state_hash"]);
+}
+
+// In open mode one forged packet can make the server deaf to a team. The team notices that nobody
+// hears it, and appears anew.
+TEST(DdsHostile, PlaysOnAfterAForgedPacketHasMadeTheServerDeaf) {
+  const TemporaryFolder folder;
+  const std::string id = match_id("jump");
+  Running leg({program("mirocup"), "match", "--blue", "dds:remote", "--yellow", "keeper", "--half",
+               "5", "--match", id, "--record", folder / "leg.json"});
+  Running remote(on_bad_network(join(id, "blue", "remote", "striker"), {"BAD_NETWORK_JUMP=100"}));
+  const Outcome played = leg.wait();
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  const auto record = read_json(folder / "leg.json");
+  EXPECT_EQ(record["result"]["end"], "full_time") << record["result"].dump() << played.err;
+  EXPECT_EQ(record["network"]["blue"]["processes"], 2);
+  EXPECT_EQ(run({program("mirocup"), "verify", folder / "leg.json"}).exit_code, 0);
+}
+
+// A team that answers nonsense: driven as zero, counted.
+TEST(DdsHostile, TakesNumbersThatAreNoneAsZero) {
+  const TemporaryFolder folder;
+  const std::string id = match_id("nan");
+  Running remote(join(id, "blue", "remote", program("teams/nonsense.so")));
+  const Outcome played =
+      run({program("mirocup"), "match", "--blue", "dds:remote", "--yellow", "keeper", "--half", "2",
+           "--match", id, "--record", folder / "leg.json"});
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  const auto record = read_json(folder / "leg.json");
+  EXPECT_EQ(record["result"]["end"], "full_time");
+  EXPECT_EQ(record["budget"]["blue"]["bad_commands"], record["ticks"]);
+  EXPECT_EQ(run({program("mirocup"), "verify", folder / "leg.json"}).exit_code, 0);
+}
+
+// What was sent to another address of the host is not heard, although Cyclone binds to all.
+TEST(DdsHostile, HearsOnlyItsInterface) {
+  Running leg({program("mirocup"), "match", "--blue", "dds:nobody", "--yellow", "idle", "--match",
+               match_id("interface")});
+  ASSERT_TRUE(is_there(leg));
+  EXPECT_TRUE(wait_until([&leg] {
+    run({"/bin/bash", "-c", "for p in {7410..7429}; do echo x >/dev/udp/127.0.0.2/$p; done"});
+    return sockets_of(leg.pid()).dropped >= 20;
+  }));
+}
+
+}  // namespace
+}  // namespace mirocup

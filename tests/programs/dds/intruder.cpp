@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+//
+// A process that has no business in a match: intruder KIND MATCH NAME. It does to the blue team,
+// called NAME, what an ordinary program on the network can do; until it is killed.
+//   imitate      writes the team's commands with the team's nonce; appears anew when it hears nothing
+//   flood        the same, ten thousand a second
+//   hellos       asks for the seat all the time, each time as another one
+//   wrong_types  writes other types under the names of the topics
+//   stuck        reads everything, and then stops
+#include "server/dds/convert.hpp"
+#include "server/dds/domain.hpp"
+#include "server/dds/nonce.hpp"
+#include "server/dds/wall_time.hpp"
+
+#include <csignal>
+#include <cstdlib>
+#include <iostream>
+#include <utility>
+
+namespace mirocup::dds {
+namespace {
+
+// Whatever cannot be had ends the test, loudly; at once, for Cyclone's threads still use what
+// std::exit() would take away.
+template <typename T>
+T need(Result<T> made) {
+  if (made) return std::move(*made);
+  std::cerr << made.error().what << '\n';
+  std::_Exit(1);
+}
+
+constexpr double longest_silence = 1.0;  // s
+
+// One appearance on the network.
+struct Stranger {
+  Stranger(const Domain& domain, const std::string& match_id, const std::string& name) {
+    participant = need(make_participant(domain));
+    all = need(make_subscriber(participant, match_partition(match_id)));
+    const std::string own = team_partition(match_id, 0, name);
+    team = need(make_subscriber(participant, own));
+    publisher = need(make_publisher(participant, own));
+    states = need(make_topic(participant, mirocup_v2_WorldState_desc, idl::world_state));
+    events = need(make_topic(participant, mirocup_v2_MatchEvent_desc, idl::match_event));
+    state_reader = need(make_reader(all, states, idl::world_state));
+    event_reader = need(make_reader(all, events, idl::match_event));
+  }
+
+  void wait_for_match() {
+    while (!take_state()) dds_sleepfor(DDS_MSECS(1));
+    std::cerr << "there\n";
+  }
+
+  bool take_state() {
+    if (!take(state_reader, state)) return false;
+    heard = Clock::now();
+    return true;
+  }
+
+  // Its own changed packets, or somebody else's, can make it deaf.
+  bool is_cut_off() const { return seconds_since(heard) > longest_silence; }
+
+  mirocup_v2_WorldState state{};
+  Clock::time_point heard = Clock::now();
+  Entity participant, all, team, publisher, states, events, state_reader, event_reader;
+};
+
+// As long as it hears the match.
+void imitate(Stranger& s, int copies) {
+  const Entity commands =
+      need(make_topic(s.participant, mirocup_v2_TeamCommand_desc, idl::team_command));
+  const Entity welcomes = need(make_topic(s.participant, mirocup_v2_Welcome_desc, idl::welcome));
+  const Entity writer = need(make_writer(s.publisher, commands, idl::team_command));
+  const Entity reader = need(make_reader(s.team, welcomes, idl::welcome));
+  mirocup_v2_TeamCommand command{};
+  for (double& wheel : command.left) wheel = 40.0;
+  for (double& wheel : command.right) wheel = -40.0;
+  bool is_there = false;
+  while (!s.is_cut_off()) {
+    mirocup_v2_Welcome welcome;
+    while (take(reader, welcome)) command.nonce = welcome.nonce;
+    if (s.take_state()) {
+      command.tick = s.state.tick;
+      if (!std::exchange(is_there, true)) std::cerr << "there\n";
+    }
+    for (int i = 0; i < copies; ++i) dds_write(writer.get(), &command);
+    dds_sleepfor(copies == 1 ? DDS_USECS(50) : DDS_MSECS(1));
+  }
+}
+
+void say_hellos(Stranger& s, const char* name) {
+  const Entity topic = need(make_topic(s.participant, mirocup_v2_Hello_desc, idl::hello));
+  const Entity writer = need(make_writer(s.publisher, topic, idl::hello));
+  s.wait_for_match();
+  mirocup_v2_Hello hello{};
+  put_text(hello.name, std::string(name) + " or not");
+  while (true) {
+    hello.nonce = draw_number();
+    dds_write(writer.get(), &hello);
+    dds_sleepfor(DDS_USECS(200));
+  }
+}
+
+void write_wrong_types(Stranger& s) {
+  idl::TopicQos row = idl::team_command;
+  const Entity commands = need(make_topic(s.participant, mirocup_v2_Hello_desc, row));
+  const Entity writer = need(make_writer(s.publisher, commands, row));
+  row = idl::hello;
+  const Entity hellos = need(make_topic(s.participant, mirocup_v2_TeamCommand_desc, row));
+  const Entity other = need(make_writer(s.publisher, hellos, row));
+  s.wait_for_match();
+  const mirocup_v2_Hello hello{};
+  const mirocup_v2_TeamCommand command{};
+  while (true) {
+    dds_write(writer.get(), &hello);
+    dds_write(other.get(), &command);
+    dds_sleepfor(DDS_USECS(200));
+  }
+}
+
+int run(const std::string& kind, const char* match_id, const char* name, const char* credentials) {
+  const Domain domain = need(open_team_domain("127.0.0.1", credentials));
+  while (kind == "imitate" || kind == "flood") {
+    Stranger stranger(domain, match_id, name);
+    imitate(stranger, kind == "flood" ? 10 : 1);
+  }
+  Stranger stranger(domain, match_id, name);
+  if (kind == "hellos") say_hellos(stranger, name);
+  if (kind == "wrong_types") write_wrong_types(stranger);
+  if (kind != "stuck") return 2;
+  stranger.wait_for_match();
+  return raise(SIGSTOP);
+}
+
+}  // namespace
+}  // namespace mirocup::dds
+
+int main(int argc, char** argv) {
+  if (argc < 4) return 2;
+  return mirocup::dds::run(argv[1], argv[2], argv[3], argc > 4 ? argv[4] : "");
+}

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+//
+// The example with a camera and a radio: a control program drives robots that no simulator knows.
+#include "tests/programs/dds/network.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace mirocup {
+namespace {
+
+using namespace test_support;
+
+// Catches states that are not what the camera saw, and commands that do not reach the radio: the
+// team would not find the ball, or not push it towards the other goal.
+TEST(PitchExample, IsDrivenByTheProgramThatPlaysAgainstTheSimulator) {
+  const std::string id = match_id("pitch");
+  const auto control_program = join(id, "blue", "remote", "chaser");
+
+  Running on_the_pitch(control_program);
+  const Outcome pitch = run({program("examples/pitch"), id, "2", "remote"});
+  EXPECT_EQ(pitch.exit_code, 0) << pitch.err;
+  EXPECT_EQ(on_the_pitch.wait().exit_code, 0);
+  std::istringstream said(pitch.out);
+  std::string the, ball, is, at;
+  double x = 0.0;
+  said >> the >> ball >> is >> at >> x;
+  EXPECT_GT(x, 0.1) << pitch.out;  // it lay in the middle
+
+  Running in_the_simulator(control_program);
+  const Outcome match = run({program("mirocup"), "match", "--blue", "dds:remote", "--yellow",
+                             "idle", "--half", "1", "--match", id});
+  EXPECT_EQ(match.exit_code, 0) << match.err;
+  EXPECT_EQ(in_the_simulator.wait().exit_code, 0);
+}
+
+}  // namespace
+}  // namespace mirocup

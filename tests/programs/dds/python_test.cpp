@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+//
+// A team in Python, through libmirocup_team and nothing but the standard library.
+#include "tests/programs/dds/network.hpp"
+
+#include <gtest/gtest.h>
+
+namespace mirocup {
+namespace {
+
+using namespace test_support;
+
+TEST(PythonTeam, PlaysAFullLeg) {
+  const TemporaryFolder folder;
+  const std::string id = match_id("python");
+#ifdef MIROCUP_SANITIZED
+  GTEST_SKIP() << "a program without sanitizers cannot load a library with them";
+#endif
+  Running team({"/usr/bin/env", "MIROCUP_TEAM_LIBRARY=" + program("libmirocup_team.so"),
+                "PYTHONDONTWRITEBYTECODE=1", "python3", "-S",
+                MIROCUP_SOURCE_FOLDER "/examples/python/chaser.py", id, "blue", "snake"});
+  const Outcome played =
+      run({program("mirocup"), "match", "--blue", "dds:snake", "--yellow", "idle", "--league",
+           "large", "--half", "20", "--match", id, "--record", folder / "leg.json"});
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  const Outcome python = team.wait();
+  EXPECT_EQ(python.exit_code, 0) << python.err;
+  const auto record = read_json(folder / "leg.json");
+  EXPECT_EQ(record["result"]["end"], "full_time") << record["result"].dump();
+  EXPECT_GT(record["result"]["score"]["blue"],
+            0);  // it sees what is there, and drives where it says
+  EXPECT_EQ(record["network"]["blue"]["in_step"], record["ticks"]);
+  EXPECT_EQ(run({program("mirocup"), "verify", folder / "leg.json"}).exit_code, 0);
+}
+
+// What it asks for arrives: the record tells of a robot that it may not have where it wants it.
+TEST(PythonTeam, SaysWhereItStands) {
+  const TemporaryFolder folder;
+  const std::string id = match_id("python-places");
+#ifdef MIROCUP_SANITIZED
+  GTEST_SKIP() << "a program without sanitizers cannot load a library with them";
+#endif
+  const std::string script =
+      "import mirocup_team\n"
+      "def place(setup, now, placement): placement.robots[2].x = 0.5\n"
+      "def decide(setup, now): return []\n"
+      "mirocup_team.play('" +
+      id + "', 'blue', 'snake', decide, place=place)\n";
+  Running team({"/usr/bin/env", "MIROCUP_TEAM_LIBRARY=" + program("libmirocup_team.so"),
+                "PYTHONDONTWRITEBYTECODE=1", "PYTHONPATH=" MIROCUP_SOURCE_FOLDER "/examples/python",
+                "python3", "-c", script});
+  const Outcome played =
+      run({program("mirocup"), "match", "--blue", "dds:snake", "--yellow", "idle", "--half", "1",
+           "--match", id, "--record", folder / "leg.json"});
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  const Outcome python = team.wait();
+  EXPECT_EQ(python.exit_code, 0) << python.err;
+  const auto record = read_json(folder / "leg.json");
+  int fixed = 0;
+  for (const auto& d : record["decisions"]) {
+    if (d["decision"] != "PLACEMENT_FIXED") continue;
+    ++fixed;
+    EXPECT_EQ(d["team"], "blue");
+    EXPECT_NE(d["reason"].get<std::string>().find("robot 2"), std::string::npos) << d;
+  }
+  EXPECT_EQ(fixed, 2) << "one for each kick-off";
+}
+
+}  // namespace
+}  // namespace mirocup

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+//
+// What a host does beside starting a league: takes entries, rules, pauses, uses other machines. Catches
+// an entry that plays without having passed, a decision that is lost or not told, a leg that is played
+// twice because somebody else had played it.
+#include "tests/programs/league/league_command.hpp"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+#include <memory>
+#include <unistd.h>
+
+namespace mirocup {
+namespace {
+
+using test_support::count_kind;
+using test_support::expect_same_site;
+using test_support::init_league;
+using test_support::journal_of;
+using test_support::league;
+using test_support::Outcome;
+using test_support::program;
+using test_support::read_file;
+using test_support::read_json;
+using test_support::run;
+using test_support::Running;
+using test_support::TemporaryFolder;
+
+std::string house(const std::string& name) {
+  return program("house/" + name + ".so");
+}
+
+TEST(Entries, AreCheckedAndKeptAndTheLastGoodOnePlays) {
+  const TemporaryFolder temporary;
+  const std::string folder = temporary / "l";
+  init_league(folder, {});
+  Outcome outcome = run(league("submit", folder, {"alpha", house("chaser")}));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "alpha: entry 1 was accepted\n");
+
+  const std::string bad = temporary / "bad.so";
+  test_support::write_file(bad, read_file(house("chaser")).substr(0, 3000));
+  outcome = run(league("submit", folder, {"alpha", bad}));
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.out.rfind("alpha: entry 2 was not accepted: complete: ", 0), 0u) << outcome.out;
+  EXPECT_NE(outcome.out.find("; entry 1 plays on\n"), std::string::npos) << outcome.out;
+  EXPECT_EQ(read_file(folder + "/entries/alpha/2/strategy.so"), read_file(bad));
+  EXPECT_EQ(read_json(folder + "/entries/alpha/2/verdict.json")["accepted"], false);
+
+  // An entry of a team that nobody knows yet counts once it is good.
+  EXPECT_EQ(run(league("submit", folder, {"beta", bad})).exit_code, 1);
+  EXPECT_EQ(read_json(folder + "/league.json")["teams"].size(), 1u);
+  std::filesystem::create_directory(temporary / "inbox");
+  std::filesystem::copy_file(house("keeper"), temporary / "inbox/beta.so");
+  EXPECT_EQ(run(league("submit", folder, {"--inbox", temporary / "inbox"})).out,
+            "beta: entry 2 was accepted\n");
+  EXPECT_EQ(run(league("submit", folder, {"--inbox", temporary / "inbox"})).out, "")
+      << "nothing is new";
+  EXPECT_EQ(run(league("submit", folder, {"../beta", bad})).exit_code, 2);
+
+  ASSERT_EQ(run(league("start", folder)).exit_code, 0);
+  for (const auto& line : journal_of(folder)) {
+    if (line["kind"] == "entry") {
+      EXPECT_EQ(line["entry"], line["team"] == "alpha" ? 1 : 2);
+    }
+  }
+  outcome = run(league("submit", folder, {"alpha", house("striker")}));
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.out.find("entries are frozen"), std::string::npos) << outcome.out;
+}
+
+TEST(Rulings, AreToldAndCount) {
+  const TemporaryFolder temporary;
+  const std::string folder = temporary / "l";
+  init_league(folder, {"a=house:chaser", "b=house:keeper", "c=house:idle"});
+  ASSERT_EQ(run(league("start", folder)).exit_code, 0);
+  const std::string record = read_file(folder + "/records/r1-f1-1-1.json");
+
+  EXPECT_EQ(run(league("award", folder, {"r1-f1", "nobody", "--reason", "x"})).exit_code, 2);
+  EXPECT_EQ(run(league("award", folder, {"r9-f9", "a", "--reason", "x"})).exit_code, 2);
+  EXPECT_EQ(run(league("award", folder, {"r1-f1", "a"})).exit_code, 2) << "a reason is needed";
+  const auto fixture = [&](const std::string& id, const std::string& side) {
+    for (const auto& line : journal_of(folder)) {
+      if (line["kind"] == "leg" && line["fixture"] == id) return line[side].get<std::string>();
+    }
+    return std::string();
+  };
+  const std::string away = fixture("r1-f1", "away");
+  EXPECT_EQ(run(league("award", folder,
+                       {"r1-f1", away, "--leg", "2", "--reason", "<b>glue</b>", "--by", "Host"}))
+                .out,
+            "r1-f1 leg 2: " + fixture("r1-f1", "home") + " 0 : 10 " + away + "\n");
+  EXPECT_EQ(run(league("rule", folder, {"r2-f1", "--leg", "1", "--score", "7:6", "--reason", "x"}))
+                .exit_code,
+            0);
+  EXPECT_EQ(run(league("rule", folder, {"r2-f1", "--score", "7", "--reason", "x"})).exit_code, 2);
+  EXPECT_EQ(
+      run(league("void", folder, {"r1-f1", "--leg", "1", "--reason", "cable fault"})).exit_code, 0);
+  EXPECT_EQ(run(league("void", folder, {"r1-f1", "--leg", "1", "--reason", "x"})).exit_code, 2)
+      << "it is void already";
+
+  EXPECT_EQ(run(league("status", folder)).exit_code, 1) << "a leg is to be played";
+  ASSERT_EQ(run(league("start", folder)).exit_code, 0);
+  EXPECT_EQ(read_file(folder + "/records/r1-f1-1-1.json"), record) << "what was void is evidence";
+  EXPECT_EQ(read_json(folder + "/records/r1-f1-1-2.json")["state_hash"],
+            nlohmann::ordered_json::parse(record)["state_hash"])
+      << "the same seed";
+  const std::string page = read_file(folder + "/site/index.html");
+  EXPECT_NE(page.find("ruling: &lt;b&gt;glue&lt;/b&gt; (Host)"), std::string::npos);
+  EXPECT_NE(page.find("what was played before is void: cable fault"), std::string::npos);
+  EXPECT_NE(page.find("7 : 6"), std::string::npos);
+
+  EXPECT_EQ(
+      run(league("withdraw", folder, {"c", "--reason", "left", "--results", "annul"})).exit_code,
+      0);
+  const auto status = nlohmann::json::parse(run(league("status", folder, {"--json"})).out);
+  EXPECT_EQ(status["legs"], 2);
+  EXPECT_EQ(status["played"], 2);
+}
+
+TEST(Faults, PauseATeamThatLosesLegAfterLegByThem) {
+  const TemporaryFolder temporary;
+  const std::string folder = temporary / "l";
+  init_league(folder, {"a=house:chaser", "bad=" + program("teams/gives_up.so"), "c=house:idle"},
+              "4");
+  Outcome outcome = run(league("start", folder, {"--jobs", "1"}));
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  EXPECT_NE(outcome.err.find("bad is paused: 3 legs in a row"), std::string::npos) << outcome.err;
+  const auto table = read_json(folder + "/site/table.json");
+  EXPECT_EQ(table["legs"].get<int>() - table["played"].get<int>(), 1) << "the others played on";
+  EXPECT_NE(read_file(folder + "/site/teams/bad.html").find("its process crashed"),
+            std::string::npos);
+  EXPECT_EQ(run(league("resume", folder, {"bad"})).exit_code, 0);
+  EXPECT_EQ(run(league("start", folder)).exit_code, 0);
+}
+
+class EveryFormat : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Kinds, EveryFormat, testing::Values("knockout", "swiss", "ladder"));
+
+TEST_P(EveryFormat, HasTheSamePagesWhoeverPlayedIt) {
+  const TemporaryFolder temporary;
+  const std::string direct = temporary / "direct/l";
+  const std::string shards_folder = temporary / "shards/l";
+  const std::vector<std::string> teams{"a=house:chaser", "b=house:keeper", "c=house:striker",
+                                       "d=house:idle", "e=house:chaser"};
+  init_league(direct, teams, "1", GetParam());
+  init_league(shards_folder, teams, "1", GetParam());
+  ASSERT_EQ(run(league("start", direct, {"--jobs", "2"})).exit_code, 0);
+  // As GNU parallel or a cluster would; there are rounds that are known only after others.
+  for (int round = 0; round < 10; ++round) {
+    std::istringstream plan(run(league("plan", shards_folder)).out);
+    std::vector<std::unique_ptr<Running>> shards;
+    for (std::string id; plan >> id;) {
+      const std::vector<std::string> command{program("mirocup-league"), "run-shard", shards_folder,
+                                             id};
+      shards.push_back(std::make_unique<Running>(command));
+    }
+    for (const auto& shard : shards) EXPECT_EQ(shard->wait().exit_code, 0);
+    if (shards.empty()) break;
+  }
+  ASSERT_EQ(run(league("start", shards_folder)).exit_code, 0);
+  expect_same_site(shards_folder, direct);
+}
+
+TEST(Shards, ArePlayedOnce) {
+  const TemporaryFolder temporary;
+  const std::string folder = temporary / "l";
+  init_league(folder, {"a=house:chaser", "b=house:keeper"});
+  EXPECT_EQ(run({program("mirocup-league"), "run-shard", folder, "r1-f1"}).exit_code, 2)
+      << "it has not started";
+  EXPECT_EQ(run(league("plan", folder)).out, "r1-f1\n");
+  EXPECT_EQ(run({program("mirocup-league"), "run-shard", folder, "r1-f1"}).exit_code, 0);
+  const std::string record = folder + "/records/r1-f1-1-1.json";
+  const auto written = std::filesystem::last_write_time(record);
+  EXPECT_EQ(run({program("mirocup-league"), "run-shard", folder, "r1-f1"}).exit_code, 0);
+  EXPECT_EQ(count_kind(folder, "leg"), 0) << "a shard only writes records";
+  ASSERT_EQ(run(league("start", folder)).exit_code, 0);
+  EXPECT_EQ(std::filesystem::last_write_time(record), written);
+  EXPECT_EQ(count_kind(folder, "leg"), 2);
+}
+
+TEST(Interrupts, LetLegsComeToTheirEndTheFirstTime) {
+  const TemporaryFolder temporary;
+  const std::string folder = temporary / "l";
+  init_league(folder, {"a=house:chaser", "b=house:keeper", "c=house:striker"}, "60");
+  Running running(league("start", folder, {"--jobs", "1"}));
+  const std::string records = folder + "/records";
+  while (std::filesystem::is_empty(records)) usleep(2'000);
+  EXPECT_EQ(run(league("start", folder)).exit_code, 3) << "one at a time";
+  EXPECT_EQ(run(league("stop", folder)).exit_code, 0);
+  EXPECT_EQ(running.wait().exit_code, 130);
+  int played = 0;
+  for (const auto& file : std::filesystem::directory_iterator(records))
+    played += file.path().extension() == ".json" ? 1 : 0;
+  EXPECT_GT(played, 0);
+  EXPECT_LT(played, 6);
+  EXPECT_EQ(count_kind(folder, "leg"), played) << "nothing that was played is lost";
+  EXPECT_EQ(run(league("stop", folder)).exit_code, 1) << "nobody plays it";
+}
+
+}  // namespace
+}  // namespace mirocup

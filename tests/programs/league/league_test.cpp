@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+//
+// Leagues as a host runs them: one command from start to table, whatever happens on the way.
+#include "tests/programs/league/league_command.hpp"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+#include <set>
+#include <sstream>
+#include <unistd.h>
+
+namespace mirocup {
+namespace {
+
+using test_support::expect_same_site;
+using test_support::league;
+using test_support::Outcome;
+using test_support::program;
+using test_support::read_file;
+using test_support::read_json;
+using test_support::run;
+using test_support::Running;
+using test_support::site_of;
+using test_support::TemporaryFolder;
+
+// Four teams, one of them over DDS, short halves: twelve legs.
+void make_league(const std::string& folder, const std::string& half = "10") {
+  test_support::write_file(folder + ".json",
+                           R"({"schema": "mirocup/league/1", "title": "Test", "seed": 5,
+    "rules": {"half_s": )" + half +
+                               R"(},
+    "teams": [{"name": "striker", "entry": "house:striker"}, {"name": "chaser", "entry": "house:chaser"},
+              {"name": "idle", "entry": "house:idle"}, {"name": "far", "entry": "house:keeper", "dds": true}]})");
+  const Outcome made = run(league("init", folder, {"--config", folder + ".json"}));
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_EQ(made.out, folder + ": 4 teams, 12 legs\n");
+}
+
+TEST(League, PlaysTheExampleOfTheReadme) {
+  const TemporaryFolder temporary;
+  const std::string folder = temporary / "class";
+  std::string config =
+      std::string(MIROCUP_SOURCE_FOLDER) + "/tournaments/examples/class/league.json";
+#ifdef MIROCUP_SANITIZED  // a build that is slow plays the same league of shorter legs
+  auto shorter = read_json(config);
+  shorter["rules"]["half_s"] = 20;
+  config = temporary / "league.json";
+  test_support::write_file(config, shorter.dump());
+#endif
+  ASSERT_EQ(run(league("init", folder, {"--config", config})).exit_code, 0);
+  const Outcome played = run(league("start", folder));
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+
+  const Outcome status = run(league("status", folder, {"--json"}));
+  const auto table = nlohmann::json::parse(status.out);
+  EXPECT_GE(table["table"].size(), 5u);
+  EXPECT_EQ(table["played"], table["legs"]);
+  bool any_dds = false;
+  int records = 0;
+  for (const auto& file : std::filesystem::directory_iterator(folder + "/records")) {
+    if (file.path().extension() != ".json") continue;
+    ++records;
+    any_dds = any_dds || read_json(file.path())["teams"]["blue"]["kind"] == "dds";
+    const Outcome verified = run({program("mirocup"), "verify", file.path()});
+    EXPECT_EQ(verified.exit_code, 0) << verified.out;
+  }
+  EXPECT_EQ(records, table["legs"]);
+  EXPECT_TRUE(any_dds);
+
+  const std::string journal = read_file(folder + "/journal.jsonl");
+  EXPECT_EQ(run(league("start", folder)).exit_code, 0);
+  EXPECT_EQ(read_file(folder + "/journal.jsonl"), journal) << "nothing is played again";
+}
+
+TEST(League, ComesToTheSameTableAfterBeingKilled) {
+  const TemporaryFolder temporary;
+  make_league(temporary / "whole");
+  ASSERT_EQ(run(league("start", temporary / "whole")).exit_code, 0);
+
+  make_league(temporary / "killed");
+  const std::string growing = temporary / "killed/journal.jsonl";
+  int kills = 0;
+  while (run(league("status", temporary / "killed")).exit_code != 0) {
+    const std::size_t before = read_file(growing).size();
+    Running running(league("start", temporary / "killed"));
+    // Somewhere in the legs that follow the next decision, however slow this build is.
+    while (read_file(growing).size() == before) usleep(2'000);
+    usleep(30'000 * (kills % 4));
+    running.signal(SIGKILL);
+    running.wait();
+    ASSERT_LT(++kills, 200);
+  }
+  EXPECT_GT(kills, 1);
+  ASSERT_EQ(run(league("start", temporary / "killed")).exit_code, 0);
+
+  expect_same_site(temporary / "killed", temporary / "whole");
+  // No leg is missing or booked twice.
+  std::set<std::string> legs;
+  int booked = 0;
+  std::istringstream journal(read_file(temporary / "killed/journal.jsonl"));
+  for (std::string line; std::getline(journal, line);) {
+    const auto json = nlohmann::json::parse(line);
+    if (json["kind"] != "leg") continue;
+    ++booked;
+    legs.insert(json["fixture"].get<std::string>() + "/" + json["leg"].dump());
+  }
+  EXPECT_EQ(booked, 12);
+  EXPECT_EQ(legs.size(), 12u);
+}
+
+TEST(League, HasTheSamePagesWithAnyNumberOfJobs) {
+  const TemporaryFolder temporary;
+  for (const char* jobs : {"1", "2", "8"}) {
+    make_league(temporary / jobs, "5");
+    ASSERT_EQ(run(league("start", temporary / jobs, {"--jobs", jobs})).exit_code, 0);
+  }
+  expect_same_site(temporary / "2", temporary / "1");
+  expect_same_site(temporary / "8", temporary / "1");
+}
+
+TEST(League, CanBeStoppedAndGoesOn) {
+  const TemporaryFolder temporary;
+  make_league(temporary / "l", "60");
+  Running running(league("start", temporary / "l"));
+  while (std::filesystem::is_empty(temporary / "l/records")) usleep(2'000);  // it plays
+  running.signal(SIGTERM);
+  const Outcome stopped = running.wait();
+  EXPECT_EQ(stopped.exit_code, 130) << stopped.err;
+  EXPECT_NE(stopped.err.find("the same command goes on"), std::string::npos);
+}
+
+TEST(League, BooksAMatchServerThatDiesAsVoidAndPlaysAgain) {
+  const TemporaryFolder temporary;
+  ASSERT_EQ(run(league("init", temporary / "l",
+                       {"--team", "a=house:striker", "--team", "b=house:chaser", "--half", "300"}))
+                .exit_code,
+            0);
+  Running running(league("start", temporary / "l", {"--jobs", "1"}));
+  // The match server is the league's only child.
+  const std::string children = "/proc/" + std::to_string(running.pid()) + "/task/" +
+                               std::to_string(running.pid()) + "/children";
+  int killed = 0;
+  for (int i = 0; i < 200 && killed == 0; ++i) {
+    usleep(5'000);
+    const std::string pid = read_file(children);
+    if (!pid.empty() && kill(std::stoi(pid), SIGKILL) == 0) killed = std::stoi(pid);
+  }
+  ASSERT_NE(killed, 0);
+  EXPECT_EQ(running.wait().exit_code, 0);
+  const std::string journal = read_file(temporary / "l/journal.jsonl");
+  EXPECT_NE(journal.find("\"kind\":\"void\""), std::string::npos);
+  EXPECT_EQ(read_json(temporary / "l/site/table.json")["played"], 2);
+}
+
+TEST(League, RefusesToGoOnWhenWhatWasDecidedHasChanged) {
+  const TemporaryFolder temporary;
+  const std::string folder = temporary / "l";
+  ASSERT_EQ(run(league("init", folder,
+                       {"--team", "a=house:idle", "--team", "b=house:idle", "--half", "1"}))
+                .exit_code,
+            0);
+  ASSERT_EQ(run(league("start", folder)).exit_code, 0);
+  const std::string config = read_file(folder + "/league.json");
+
+  std::string changed = config;
+  changed.replace(changed.find("\"seed\": 1"), 9, "\"seed\": 2");
+  test_support::write_file(folder + "/league.json", changed);
+  Outcome outcome = run(league("start", folder));
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("changed after the league started"), std::string::npos) << outcome.err;
+  test_support::write_file(folder + "/league.json", config);
+
+  test_support::write_file(folder + "/entries/a/1/strategy.so", "another library");
+  outcome = run(league("start", folder));
+  EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
+
+  std::string journal = read_file(folder + "/journal.jsonl");
+  journal[journal.size() / 2] ^= 1;
+  test_support::write_file(folder + "/journal.jsonl", journal);
+  outcome = run(league("status", folder));
+  EXPECT_EQ(outcome.exit_code, 4);
+  EXPECT_NE(outcome.err.find("line "), std::string::npos) << outcome.err;
+}
+
+TEST(League, SaysWhatIsWrong) {
+  const TemporaryFolder temporary;
+  EXPECT_EQ(run(league("start", temporary / "nothing")).exit_code, 2);
+  EXPECT_EQ(run(league("init", temporary / "x", {"--team", "a=house:nobody"})).exit_code, 2);
+  EXPECT_EQ(run(league("init", temporary / "x", {"--team", "../a=house:idle"})).exit_code, 2);
+  EXPECT_EQ(run(league("init", temporary / "x", {"--team", "a"})).exit_code, 2);
+  EXPECT_FALSE(std::filesystem::exists(temporary / "x/league.json")) << "nothing half made";
+}
+
+TEST(League, ShowsRoundsAlone) {
+  const TemporaryFolder temporary;
+  const std::string folder = temporary / "l";
+  const std::string shown = temporary / "shown";
+  test_support::init_league(folder, {"a=house:chaser", "b=house:keeper", "c=house:idle"});
+  ASSERT_EQ(run(league("start", folder)).exit_code, 0);
+  EXPECT_EQ(run(league("publish", folder, {"--through", "r1"})).exit_code, 2) << "where to?";
+  EXPECT_EQ(run(league("publish", folder, {"--through", "r4", "-o", shown})).exit_code, 2);
+  EXPECT_FALSE(std::filesystem::exists(shown));
+  const Outcome published = run(league("publish", folder, {"--through", "r1", "-o", shown}));
+  ASSERT_EQ(published.exit_code, 0) << published.err;
+  EXPECT_EQ(published.out, shown + "/site/index.html\n");
+  EXPECT_NE(read_file(shown + "/site/index.html").find("2 of 6 legs played"), std::string::npos);
+  const auto names = [&shown](const std::string& of) {
+    std::set<std::string> found;
+    for (const auto& file : std::filesystem::directory_iterator(shown + "/" + of))
+      found.insert(file.path().filename());
+    return found;
+  };
+  EXPECT_EQ(names("records"), (std::set<std::string>{"r1-f1-1-1.json", "r1-f1-1-1.replay.zst",
+                                                     "r1-f1-2-1.json", "r1-f1-2-1.replay.zst"}));
+  EXPECT_EQ(names("site/replays"), (std::set<std::string>{"r1-f1-1-1.html", "r1-f1-2-1.html"}));
+}
+
+TEST(League, MakesItsPagesAgainWithTheSameBytes) {
+  const TemporaryFolder temporary;
+  const std::string folder = temporary / "l";
+  ASSERT_EQ(run(league("init", folder,
+                       {"--team", "a=house:chaser", "--team", "b=house:idle", "--half", "5"}))
+                .exit_code,
+            0);
+  ASSERT_EQ(run(league("start", folder)).exit_code, 0);
+  const auto first = site_of(folder);
+  std::filesystem::remove_all(folder + "/site");
+  const Outcome published = run(league("publish", folder));
+  EXPECT_EQ(published.exit_code, 0);
+  EXPECT_EQ(published.out, folder + "/site/index.html\n");
+
+  // Every leg that was played has a page, and the table of legs links to it.
+  const std::string index = read_file(folder + "/site/index.html");
+  int pages = 0;
+  for (const auto& file : std::filesystem::directory_iterator(folder + "/records")) {
+    if (file.path().extension() != ".json") continue;
+    const std::string link = "replays/" + file.path().stem().string() + ".html";
+    EXPECT_NE(index.find("href=\"" + link + "\""), std::string::npos) << link;
+    EXPECT_EQ(read_file(folder + "/site/" + link).rfind("<!doctype html>", 0), 0u) << link;
+    ++pages;
+  }
+  EXPECT_GT(pages, 0);
+  EXPECT_TRUE(site_of(folder) == first);
+}
+
+}  // namespace
+}  // namespace mirocup

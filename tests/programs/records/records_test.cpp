@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+//
+// Records as files: of every ending, of earlier versions, of another game. Catches a record that its
+// schema does not describe, a reader that no longer reads what was written once, and a record that
+// is called wrong only because the game has changed since.
+#include "core/replay/verification.hpp"
+#include "server/record/match_record.hpp"
+#include "tests/build/compilers/flat_recording.hpp"
+#include "tests/programs/records/endings.hpp"
+#include "tests/support/program.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace mirocup {
+namespace {
+
+using test_support::leg_that_ends;
+using test_support::Outcome;
+using test_support::program;
+using test_support::run;
+using test_support::TemporaryFolder;
+
+const std::string source = MIROCUP_SOURCE_FOLDER;
+
+// With everything that may be in a record.
+record::MatchRecord record_of(replay::Recording recording) {
+  record::MatchRecord record;
+  record.software = record::this_software();
+  record.teams = {record::TeamInfo{"hunters", record::TeamKind::plugin, std::string(64, 'a')},
+                  record::TeamInfo{"others <b>", record::TeamKind::dds, std::nullopt}};
+  record.isolation = "network";
+  record::NetworkReport network;
+  network.absences = {{1, 2, std::nullopt, true}, {5, 6, 7U, false}};
+  network.answers.add(0.004);
+  record.network[1] = network;
+  record.pace = record::PaceReport{0.033, {}};
+  record.pace->lateness.add(0.0002);
+  record.recording = std::move(recording);
+  return record;
+}
+
+Outcome verify(const std::string& path) {
+  return run({program("mirocup"), "verify", path});
+}
+
+// Both the JSON of the schema and that of the records.
+void expect_valid(const std::vector<std::string>& records) {
+  std::vector<std::string> words{source + "/tests/programs/records/schema.py",
+                                 source + "/server/record/record.schema.json"};
+  words.insert(words.end(), records.begin(), records.end());
+  const Outcome outcome = run(words);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+}
+
+std::vector<std::string> samples() {
+  std::vector<std::string> paths;
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(source + "/tests/programs/records/samples")) {
+    if (entry.path().extension() == ".json") paths.push_back(entry.path());
+  }
+  return paths;
+}
+
+TEST(Records, OfEveryEndingFitTheSchemaAndVerify) {
+  const TemporaryFolder folder;
+  record::Disk disk;
+  std::vector<std::string> paths;
+  for (std::size_t i = 0; i < enum_names<match::EndKind>.size(); ++i) {
+    const auto end = static_cast<match::EndKind>(i);
+    paths.push_back(folder / (std::string(to_string(end)) + ".json"));
+    const record::MatchRecord record = record_of(leg_that_ends(end));
+    ASSERT_EQ(record.recording.result.end, end) << to_string(end);
+    ASSERT_TRUE(record::save(disk, paths.back(), record));
+    const Outcome verified = verify(paths.back());
+    EXPECT_EQ(verified.exit_code, 0) << paths.back() << verified.out << verified.err;
+  }
+  expect_valid(paths);
+}
+
+// As the other compilers get them.
+TEST(Records, LoseNothingWhenTheyAreMadeFlat) {
+  for (const auto end : {match::EndKind::shoot_out, match::EndKind::double_forfeit}) {
+    const std::string flat = test_support::flat(leg_that_ends(end));
+    auto recording = test_support::recording_from(flat);
+    ASSERT_TRUE(recording);
+    EXPECT_FALSE(replay::verify(*recording));
+    EXPECT_EQ(test_support::flat(*recording), flat);
+    recording->decisions.back().decision.reason += "!";
+    EXPECT_TRUE(replay::verify(*recording));
+    EXPECT_FALSE(test_support::recording_from(flat.substr(0, flat.size() - 1)));
+  }
+}
+
+TEST(Records, OfEarlierVersionsAreRead) {
+  record::Disk disk;
+  const std::string game = record::this_software().game;
+  ASSERT_FALSE(samples().empty());
+  for (const std::string& path : samples()) {
+    const auto loaded = record::load(disk, path);
+    ASSERT_TRUE(loaded) << loaded.error().what;
+    const Outcome verified = verify(path);
+    if (verified.exit_code == 0) continue;
+    EXPECT_NE(loaded->software.game, game) << verified.out << verified.err;
+    EXPECT_EQ(verified.exit_code, 4) << path;
+    EXPECT_NE(verified.err.find("another version of the game"), std::string::npos) << verified.err;
+  }
+  expect_valid(samples());
+}
+
+TEST(Records, OfAnotherGameAreNotCalledWrong) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "leg.json";
+  record::Disk disk;
+  record::MatchRecord record = record_of(leg_that_ends(match::EndKind::full_time));
+  record.recording.ticks[30].hash ^= 1;
+  ASSERT_TRUE(record::save(disk, path, record));
+  EXPECT_EQ(verify(path).exit_code, 1) << "this game's";
+
+  record.software.game = "0123456789abcdef";
+  record.software.version = "0.0.9";
+  ASSERT_TRUE(record::save(disk, path, record));
+  const Outcome verified = verify(path);
+  EXPECT_EQ(verified.exit_code, 4);
+  for (const char* part : {"leg.json", "0123456789abcdef", "mirocup 0.0.9", "from tick 30 on"}) {
+    EXPECT_NE(verified.err.find(part), std::string::npos) << verified.err;
+  }
+  const Outcome page = run({program("mirocup"), "replay", path, "-o", folder / "leg.html"});
+  EXPECT_EQ(page.exit_code, 4);
+  EXPECT_FALSE(std::filesystem::exists(folder / "leg.html"));
+
+  // What the other game plays alike is reproduced.
+  record.recording.ticks[30].hash ^= 1;
+  ASSERT_TRUE(record::save(disk, path, record));
+  EXPECT_EQ(verify(path).exit_code, 0);
+}
+
+}  // namespace
+}  // namespace mirocup

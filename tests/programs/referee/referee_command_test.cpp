@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+//
+// Situations with the verdict that is expected, one line of JSON each (tests/programs/referee/*.jsonl),
+// judged by mirocup referee as they are and turned by 180 degrees with the teams changed: the
+// verdict must turn with them. Catches a law that is missing, one that is called a sample too early
+// or too late, a threshold on the wrong side, a wrong order of two laws, and an end that is judged
+// otherwise.
+#include "tests/support/program.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace mirocup {
+namespace {
+
+using nlohmann::json;
+using test_support::Outcome;
+using test_support::program;
+using test_support::run;
+using test_support::TemporaryFolder;
+
+constexpr double default_tolerance = 0.04;  // s, of "at"
+constexpr double half_turn = 3.14159265358979323846;
+
+std::string other(const std::string& name) {
+  if (name.empty() || (name[0] != 'L' && name[0] != 'R')) return name;
+  return (name[0] == 'L' ? "R" : "L") + name.substr(1);
+}
+
+json turned_point(const json& p) {
+  json turned{-p[0].get<double>(), -p[1].get<double>()};
+  if (p.size() > 2) turned.push_back(p[2].get<double>() + half_turn);
+  return turned;
+}
+
+bool is_point(const json& value) {
+  return value.is_array() && value.size() >= 2 && value.size() <= 3 && value[0].is_number();
+}
+
+// By key, wherever it stands in a situation or a verdict.
+json turned(const json& value, const std::string& key);
+
+json turned_object(const json& object) {
+  json result = json::object();
+  for (const auto& [key, value] : object.items()) {
+    result[other(key)] = turned(value, key);
+  }
+  return result;
+}
+
+json turned(const json& value, const std::string& key) {
+  const bool is_other_list =
+      key == "clock_stops" || key.ends_with("_moved") || key.ends_with("_legal");
+  if (is_other_list) return value;
+  if (key == "score") return {value[1], value[0]};
+  if (key == "amp" || key == "keeper_touch_x") return -value.get<double>();
+  if (key == "quarter") {
+    std::string signs = value.get<std::string>();
+    for (char& sign : signs) sign = sign == '+' ? '-' : '+';
+    return signs;
+  }
+  if (value.is_string()) {
+    const bool names_somebody = key == "taker" || key == "for" || key == "winner" ||
+                                key == "team" || key == "places_first" || key == "next_taker" ||
+                                key == "last_touch" || key == "call" || key == "robots" ||
+                                key == "contacts" || key == "hand" || key == "fallen" ||
+                                key == "substitute" || key == "missing";
+    return names_somebody ? json(other(value.get<std::string>())) : value;
+  }
+  if (value.is_object()) return turned_object(value);
+  if (is_point(value)) return turned_point(value);
+  if (value.is_array()) {
+    json list = json::array();
+    for (const json& item : value) list.push_back(turned(item, key));
+    return list;
+  }
+  return value;
+}
+
+// What of the expected verdict is not so; "" if all is.
+std::string difference(const json& expected, const json& verdict);
+
+std::string difference_at(const std::string& key, const json& expected, const json& verdict) {
+  if (key.rfind("at_", 0) == 0) return difference({{"decision", expected}}, verdict);
+  if (!verdict.contains(key)) return key + " is missing";
+  const json& found = verdict[key];
+  if (expected.is_object()) return difference(expected, found);
+  bool same = expected == found;
+  if (is_point(expected)) {
+    same = is_point(found) && std::abs(expected[0].get<double>() - found[0].get<double>()) < 1e-6 &&
+           std::abs(expected[1].get<double>() - found[1].get<double>()) < 1e-6;
+  } else if (key == "wall_robots") {
+    same = found.size() == expected.size();  // which robot is which is not said
+  } else if (key == "robots") {
+    same = json(std::set<json>(expected.begin(), expected.end())) ==
+           json(std::set<json>(found.begin(), found.end()));
+  }
+  return same ? "" : key + " is " + found.dump() + ", expected " + expected.dump();
+}
+
+std::string difference(const json& expected, const json& verdict) {
+  for (const auto& [key, value] : expected.items()) {
+    if (key == "note" || key == "tol") continue;
+    if (key == "at") {
+      const double tolerance = expected.value("tol", default_tolerance);
+      if (verdict["at"].is_number() &&
+          std::abs(verdict["at"].get<double>() - value.get<double>()) <= tolerance) {
+        continue;
+      }
+      return "at is " + verdict["at"].dump() + ", expected " + value.dump();
+    }
+    const std::string text = difference_at(key, value, verdict);
+    if (!text.empty()) return text;
+  }
+  return "";
+}
+
+std::vector<json> read_lines(const std::string& text) {
+  std::vector<json> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) {
+    if (!line.empty()) lines.push_back(json::parse(line));
+  }
+  return lines;
+}
+
+void judge(const std::vector<json>& cases, const std::string& how) {
+  const TemporaryFolder folder;
+  std::string traces;
+  for (const json& one : cases) traces += one.dump() + "\n";
+  test_support::write_file(folder / "trace.jsonl", traces);
+  const Outcome outcome = run({program("mirocup"), "referee", folder / "trace.jsonl"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::vector<json> verdicts = read_lines(outcome.out);
+  ASSERT_EQ(verdicts.size(), cases.size());
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    EXPECT_EQ(verdicts[i]["id"], cases[i]["id"]);
+    EXPECT_EQ(difference(cases[i]["expect"], verdicts[i]), "")
+        << how << ": " << cases[i]["id"] << " " << cases[i].value("note", "") << "\n"
+        << verdicts[i].dump();
+  }
+}
+
+class Situations : public testing::TestWithParam<std::string> {};
+
+std::vector<std::string> files() {
+  std::vector<std::string> names;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(MIROCUP_SOURCE_FOLDER "/tests/programs/referee")) {
+    if (entry.path().extension() == ".jsonl") names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+INSTANTIATE_TEST_SUITE_P(Of, Situations, testing::ValuesIn(files()),
+                         [](const auto& file) { return file.param; });
+
+TEST_P(Situations, GetTheVerdictThatIsExpectedAtBothEnds) {
+  const std::string path = MIROCUP_SOURCE_FOLDER "/tests/programs/referee/" + GetParam() + ".jsonl";
+  const std::vector<json> cases = read_lines(test_support::read_file(path));
+  ASSERT_FALSE(cases.empty());
+  judge(cases, "as it is");
+  std::vector<json> other_way;
+  for (const json& one : cases) other_way.push_back(turned_object(one));
+  judge(other_way, "turned");
+}
+
+TEST(RefereeCommand, SaysWhatItCannotRead) {
+  const TemporaryFolder folder;
+  test_support::write_file(folder / "t.jsonl",
+                           "{\"id\": \"a\", \"league\": \"huge\"}\nnothing\n{\"id\": \"c\"}\n");
+  const Outcome outcome = run({program("mirocup"), "referee", folder / "t.jsonl"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  const std::vector<json> verdicts = read_lines(outcome.out);
+  ASSERT_EQ(verdicts.size(), 3u) << "one verdict a line, whatever the line says";
+  EXPECT_EQ(verdicts[0]["decision"], "REJECTED");
+  EXPECT_EQ(verdicts[1]["decision"], "REJECTED");
+  EXPECT_EQ(verdicts[2]["decision"], "NONE");
+  EXPECT_NE(outcome.err.find("t.jsonl:1: /league"), std::string::npos) << outcome.err;
+  EXPECT_EQ(run({program("mirocup"), "referee", folder / "no.jsonl"}).exit_code, 3);
+}
+
+}  // namespace
+}  // namespace mirocup

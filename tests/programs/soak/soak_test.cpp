@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+//
+// Many short matches in all leagues, presets and stages, between teams that play, teams that run
+// about and teams that foul. Catches a match that never ends, a result no law gives, a score that
+// is not the goals, a clock that does not add up, and robots or a ball that overlap after a
+// placement.
+//
+// MIROCUP_SOAK_MATCHES says how many; without it as many as an ordinary test run can afford.
+#include "core/referee/standing_rules.hpp"
+#include "core/referee/touches.hpp"
+#include "tests/support/offenders.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <string>
+
+namespace mirocup::match {
+namespace {
+
+constexpr int matches_of_a_test_run = 36;
+constexpr double longest = 3000.0;  // s of simulated time, stoppages included
+
+test_support::Scripted controller(std::uint64_t kind, std::uint64_t seed, const Setup& setup) {
+  const double goal_line = field::make_field(setup.league).half_length;
+  switch (kind) {
+    case 0:
+      return test_support::standing();
+    case 1:
+      return test_support::random_team(seed);
+    case 2:
+      return test_support::goal_parkers(goal_line);
+    case 3:
+      return test_support::raiders(goal_line);
+    case 4:
+      return test_support::man_hunters();
+    default:
+      return test_support::ball_hunter();
+  }
+}
+
+// The same team, which asks for places at restarts, too: some legal, some not; and sometimes when it
+// is not its turn.
+test_support::Scripted restless(test_support::Scripted team, std::uint64_t seed,
+                                const Setup& setup) {
+  const field::Field field = field::make_field(setup.league);
+  return test_support::Scripted(
+      [team, random = Random(seed), field](const Observation& o) mutable -> Answer {
+        team.post(o);
+        Answer answer = team.collect();
+        auto* command = std::get_if<Command>(&answer);
+        if (command == nullptr || (!o.placing && random.below(300) > 0)) return answer;
+        command->poses = standing(o);
+        const auto within = [&random](double size) { return random.uniform(-1.1, 1.1) * size; };
+        for (int i = 0; i < o.robots; ++i) {
+          if (random.coin()) continue;
+          command->poses->robots[i] = {within(field.half_length), within(field.half_width),
+                                       within(3.0)};
+        }
+        if (random.coin()) command->poses->ball_y += within(0.2);
+        return answer;
+      });
+}
+
+Setup setup_of(int number) {
+  Random random(mix_seed(static_cast<std::uint64_t>(number)));
+  Setup setup;
+  setup.league = static_cast<League>(number % 3);
+  const auto preset = static_cast<referee::Preset>(number / 3 % 3);
+  setup.rules = referee::make_rules(preset, setup.league);
+  setup.stage = random.coin() ? referee::Stage::knockout : referee::Stage::group;
+  setup.seed = random.next();
+  if (preset == referee::Preset::simurosot) setup.control_period = 1.0 / 60.0;
+  // Short, so that every phase is reached; patience to match.
+  setup.rules.half_s = setup.league == League::large ? 3.0 : random.uniform(5.0, 15.0);
+  setup.rules.golden_goal_s = setup.rules.golden_goal_s > 0.0 ? 4.0 : 0.0;
+  setup.rules.extra_halves_s = setup.rules.extra_halves_s > 0.0 ? 3.0 : 0.0;
+  setup.rules.attempt_s = 3.0;
+  setup.rules.shoot_out_most_rounds = 6;
+  setup.rules.stalemate_s = 3.0;
+  if (setup.rules.keeper_hold_s != referee::off) setup.rules.keeper_hold_s = 2.0;
+  setup.rules.hand_penalty = random.coin();
+  return setup;
+}
+
+void expect_legal(const Match& match) {
+  const Setup& setup = match.setup();
+  const referee::Pitch pitch{match.field(), setup.rules, setup.parameters.ball_radius,
+                             setup.parameters.robot_side};
+  const Scene scene = match.scene();
+  std::vector<Pose> placed;
+  for (const Team team : both_teams) {
+    for (int i = 0; i < match.field().robots_per_team; ++i) {
+      const simulator::BodyState& r = scene.robots[index_of(team)][i];
+      const Pose pose{r.position, r.heading};
+      EXPECT_TRUE(is_inside_walls(pitch, pose)) << to_string(team) << " " << i;
+      EXPECT_GT(ball_gap(pitch, scene.ball.position, pose), 0.0) << to_string(team) << " " << i;
+      for (const Pose& other : placed) {
+        EXPECT_GE(robot_gap(pitch, pose, other, 0.004), 0.004) << to_string(team) << " " << i;
+      }
+      placed.push_back(pose);
+    }
+  }
+}
+
+// Plays it and looks at every tick; counts the decisions by law.
+void soak(int number, std::map<std::string, int>& laws) {
+  const Setup setup = setup_of(number);
+  Random random(mix_seed(setup.seed));
+  Match match(setup);
+  auto blue = controller(random.below(7), random.next(), setup);
+  auto yellow = controller(random.below(7), random.next(), setup);
+  if (random.coin()) blue = restless(blue, random.next(), setup);
+  if (random.coin()) yellow = restless(yellow, random.next(), setup);
+  while (!match.is_over() && match.tick() * setup.control_period < longest) {
+    const Scene before = match.scene();
+    match.advance(blue, yellow);
+    const Scene after = match.scene();
+    const double passed = after.clock - before.clock;
+    if (after.phase == before.phase && after.left == before.left) {
+      const double expected = before.state == State::PLAY ? setup.control_period : 0.0;
+      ASSERT_NEAR(passed, expected, 1e-9) << "tick " << before.tick;
+    }
+    const bool was_placed = before.placing || before.state == State::PLAY;
+    if (after.state != State::END && was_placed && after.placing != before.placing) {
+      expect_legal(match);
+    }
+  }
+  ASSERT_TRUE(match.is_over()) << "it hangs in " << to_string(match.scene().phase)
+                               << ", last: " << match.decisions().back().decision.reason;
+  const Result& result = match.result();
+  ByTeam<int> goals{};
+  for (const LoggedDecision& d : match.decisions()) {
+    ++laws[std::string(to_string(d.decision.law)) + " " +
+           std::string(to_string(d.decision.verdict))];
+    if (d.decision.verdict == referee::Verdict::GOAL) ++goals[index_of(*d.team)];
+  }
+  EXPECT_EQ(goals, result.played);
+  EXPECT_EQ(match.decisions().back().decision.verdict, referee::Verdict::MATCH_END);
+  EXPECT_TRUE(result.winner || setup.stage == referee::Stage::group) << "knock-out has a winner";
+  const bool level = goals[0] == goals[1];
+  EXPECT_EQ(result.end == EndKind::shoot_out, level && setup.stage == referee::Stage::knockout);
+}
+
+TEST(Soak, EveryMatchEndsByALawAndAddsUp) {
+  const char* wanted = std::getenv("MIROCUP_SOAK_MATCHES");
+  const int matches = wanted != nullptr ? std::atoi(wanted) : matches_of_a_test_run;
+  std::map<std::string, int> laws;
+  for (int number = 0; number < matches; ++number) {
+    SCOPED_TRACE("match " + std::to_string(number));
+    soak(number, laws);
+    if (HasFatalFailure()) return;
+  }
+  int decisions = 0;
+  for (const auto& [law, count] : laws) {
+    std::printf("%-32s %6d\n", law.c_str(), count);
+    decisions += count;
+  }
+  std::printf("%d matches, %.1f decisions a match\n", matches,
+              static_cast<double>(decisions) / std::max(matches, 1));
+  // Teams that foul on purpose are called for what they do.
+  for (const char* law :
+       {"goal GOAL", "own_goal GOAL", "kick_off KICK_OFF_VIOLATION", "two_defenders PENALTY_KICK",
+        "two_attackers GOAL_KICK", "keeper_charge GOAL_KICK", "stalemate FREE_BALL",
+        "push FREE_KICK", "attacking_push FREE_BALL", "half_time HALF_END", "extra_time PHASE",
+        "shoot_out PHASE", "penalty_attempt ATTEMPT_END", "shoot_out MATCH_END",
+        "placement PLACEMENT_FIXED", "hand PENALTY_KICK"}) {
+    EXPECT_GT(laws[law], 0) << law << " was never seen";
+  }
+}
+
+}  // namespace
+}  // namespace mirocup::match

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+//
+// Do viewers make a match late? Matches without viewers and with fifty who read all take turns, at four times real time, so that
+// 99.9 % of the ticks says something. Prints by how much their ticks began late, as their records say; a judgement is the
+// reader's, since it depends on the machine. The teams play in the process of the match, so that nothing else is measured; the
+// viewers get the processor only when nobody else wants it, for others sit at other computers.
+// Usage: node tests/programs/web/viewers.js BUILD [SECONDS of a match [ROUNDS]]
+import { fork, spawn } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import http from 'node:http';
+import os from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+const FACTOR = 4;
+const AUDIENCE = 50;
+
+// In a process of its own, which reports what it has read.
+function view(url) {
+  let viewers = 0;
+  let bytes = 0;
+  for (let i = 0; i < AUDIENCE; i += 1) {
+    http.get(`${url}events`, (response) => {
+      viewers += 1;
+      response.on('data', (part) => { bytes += part.length; });
+      response.on('error', () => {});
+    }).on('error', () => {});
+  }
+  process.on('beforeExit', () => { if (process.connected) process.send({ viewers, bytes }, () => process.disconnect()); });
+}
+
+async function match(build, folder, seconds, isWatched) {
+  const record = join(folder, 'leg.json');
+  const server = spawn(join(build, 'mirocup'), ['match', '--blue', 'keeper', '--yellow', 'keeper', '--trusted', '--speed',
+    String(FACTOR), '--half', String(FACTOR * seconds / 2), '--watch', '--record', record], { stdio: ['ignore', 'ignore', 'pipe'] });
+  let seen = Promise.resolve({ viewers: 0, bytes: 0 });
+  server.stderr.on('data', (text) => {
+    const url = /http:\S+/.exec(text);
+    if (!url || !isWatched) return;
+    const audience = fork(fileURLToPath(import.meta.url), ['view', url[0]],
+      { execPath: 'chrt', execArgv: ['--idle', '0', process.execPath] });
+    seen = new Promise((resolve) => { audience.on('message', resolve); });
+  });
+  await new Promise((resolve) => { server.on('exit', resolve); });
+  const { viewers, bytes } = await seen;
+  const { pace: { lateness }, ticks } = JSON.parse(readFileSync(record, 'utf8'));
+  return { viewers, bytes, ticks, lateness };
+}
+
+const us = (time) => `${(1e6 * time).toFixed(0)} us`;
+const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
+
+function report(name, matches) {
+  const at = (share) => us(median(matches.map((one) => one.lateness[share])));
+  const sum = (what) => matches.reduce((all, one) => all + one[what], 0);
+  console.log(`${name}: ${matches.map((one) => one.viewers).join(', ')} viewers, ${(sum('bytes') / 1e6).toFixed(1)} MB, `
+    + `${sum('ticks')} ticks, medians of the rounds: 50 % late by ${at('p50')}, 99 % ${at('p99')}, 99.9 % ${at('p999')}, longest `
+    + `${at('longest')}; 99.9 % of each: ${matches.map((one) => us(one.lateness.p999)).join(', ')}`);
+}
+
+async function measure(build, seconds = '60', rounds = '3') {
+  const folder = mkdtempSync(join(os.tmpdir(), 'mirocup-viewers-'));
+  process.on('exit', () => rmSync(folder, { recursive: true }));
+  const alone = [];
+  const watched = [];
+  for (let i = 0; i < Number(rounds); i += 1) {
+    alone.push(await match(build, folder, Number(seconds), false));
+    watched.push(await match(build, folder, Number(seconds), true));
+  }
+  report('without viewers', alone);
+  report('with viewers', watched);
+}
+
+const [first, ...more] = process.argv.slice(2);
+if (first === 'view') view(...more);
+else await measure(first, ...more);

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: MIT
+//
+// What a team does wrong costs that team, whatever its colour; the other one and the server go on,
+// nothing outside is touched, nothing is left over, and the record says why.
+#include "tests/security/hostile/kinds.hpp"
+#include "tests/support/program.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <sys/prctl.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace mirocup {
+namespace {
+
+using test_support::Outcome;
+using test_support::program;
+using test_support::read_file;
+using test_support::read_json;
+using test_support::run;
+using test_support::Running;
+using test_support::TemporaryFolder;
+using test_support::write_file;
+using Json = nlohmann::ordered_json;
+
+std::string hostile(const std::string& name) {
+  return program("hostile/" + name + ".so");
+}
+
+// The folder that strategies attack: everybody may read and write there, but they must not.
+const std::string target = MIROCUP_TARGET;
+const std::string secret = "the secret of the server";
+const std::string untouched = "as it was";
+
+void prepare_target() {
+  std::filesystem::create_directories(target);
+  chmod(target.c_str(), 0777);
+  if (read_file(target + "/secret") == secret) return;
+  write_file(target + "/secret", secret);
+  write_file(target + "/record", untouched);
+  chmod((target + "/record").c_str(), 0666);
+}
+
+void expect_target_is_untouched() {
+  EXPECT_EQ(read_file(target + "/record"), untouched);
+  EXPECT_FALSE(std::filesystem::exists(target + "/dropped"));
+  EXPECT_FALSE(std::filesystem::exists(target + "/record.old"));
+}
+
+// Whether the server runs as the user who started the test, or as nobody.
+enum class User { caller, nobody };
+
+struct SetUp {
+  std::string isolation;
+  User user;
+  std::string colour;  // of the hostile team
+};
+
+// Every tier, with and without root where the test may choose; both colours.
+std::vector<SetUp> set_ups() {
+  std::vector<SetUp> all{{"T2", User::caller, "blue"}, {"T1", User::caller, "yellow"}};
+  if (geteuid() == 0) {
+    all.push_back({"T2", User::nobody, "yellow"});
+    all.push_back({"T1", User::nobody, "blue"});
+  }
+  return all;
+}
+
+std::string other_than(const std::string& colour) {
+  return colour == "blue" ? "yellow" : "blue";
+}
+
+struct Leg {
+  Outcome outcome;
+  Json record;
+  std::string log;  // of the hostile team
+};
+
+// A leg that is being played.
+class Playing {
+ public:
+  Playing(const SetUp& set_up, const std::string& library) : colour_(set_up.colour) {
+    std::vector<std::string> words;
+    if (set_up.user == User::nobody) {
+      chmod((folder_ / "").c_str(), 0777);
+      words = {"/usr/bin/setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"};
+    }
+    for (const std::string& word :
+         {program("mirocup"), std::string("match"), "--" + colour_, library,
+          "--" + other_than(colour_), std::string("chaser"), std::string("--half"),
+          std::string("2"), std::string("--isolation"), set_up.isolation, std::string("--record"),
+          folder_ / "leg.json"}) {
+      words.push_back(word);
+    }
+    program_.emplace(words);
+  }
+
+  Leg end() {
+    Leg leg;
+    leg.outcome = program_->wait();
+    EXPECT_EQ(leg.outcome.exit_code, 0) << leg.outcome.err;
+    if (leg.outcome.exit_code != 0) return leg;
+    leg.record = read_json(folder_ / "leg.json");
+    leg.log = read_file(folder_ / ("leg.json." + colour_ + ".log"));
+    EXPECT_EQ(run({program("mirocup"), "verify", folder_ / "leg.json"}).exit_code, 0);
+    return leg;
+  }
+
+ private:
+  std::string colour_;  // of the hostile team
+  TemporaryFolder folder_;
+  std::optional<Running> program_;
+};
+
+Leg play(const SetUp& set_up, const std::string& library) {
+  return Playing(set_up, library).end();
+}
+
+// "code: text", "code" or "plays"; alternatives are separated by '|'.
+bool is_outcome(const Json& result, const std::string& expected) {
+  const auto bar = expected.find('|');
+  if (bar != std::string::npos) {
+    return is_outcome(result, expected.substr(0, bar)) ||
+           is_outcome(result, expected.substr(bar + 1));
+  }
+  if (expected == "plays") return result["end"] == "full_time" && result["fault"].is_null();
+  if (result["end"] != "forfeit") return false;
+  const std::string code = expected.substr(0, expected.find(": "));
+  const std::string text = code == expected ? "" : expected.substr(code.size() + 2);
+  return result["fault"]["code"] == code &&
+         result["fault"]["text"].get<std::string>().find(text) != std::string::npos;
+}
+
+// Whatever a match leaves behind becomes a child of this process.
+void expect_nothing_is_left() {
+  EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1);
+  EXPECT_EQ(errno, ECHILD);
+}
+
+class Hostile : public testing::TestWithParam<Kind> {
+ protected:
+  void SetUp() override {
+    prepare_target();
+    setenv("MIROCUP_TEST_SECRET", secret.c_str(), 1);
+    prctl(PR_SET_CHILD_SUBREAPER, 1);
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Teams, Hostile, testing::ValuesIn(kinds),
+                         [](const auto& c) { return c.param.name; });
+
+TEST_P(Hostile, HurtsOnlyItself) {
+  const auto all = set_ups();
+  // At the same time, for some of them take long without doing anything.
+  std::vector<std::unique_ptr<Playing>> playing;
+  for (const auto& set_up : all) {
+    playing.push_back(std::make_unique<Playing>(set_up, hostile(GetParam().name)));
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto& set_up = all[i];
+    SCOPED_TRACE(set_up.isolation + (set_up.user == User::nobody ? ", nobody" : ""));
+    const Leg leg = playing[i]->end();
+    if (leg.record.is_null()) continue;
+    const bool is_in_t1 = set_up.isolation == "T1" && !GetParam().in_t1.empty();
+    const std::string expected = is_in_t1 ? GetParam().in_t1 : GetParam().outcome;
+    const Json& result = leg.record["result"];
+    EXPECT_TRUE(is_outcome(result, expected)) << "not " << expected << " but " << result.dump();
+    EXPECT_EQ(leg.record["isolation"], set_up.isolation);
+    if (!result["fault"].is_null()) {
+      EXPECT_EQ(result["fault"]["team"], set_up.colour);
+      EXPECT_EQ(result["winner"], other_than(set_up.colour));
+    }
+    EXPECT_EQ(leg.record["budget"][other_than(set_up.colour)]["bad_commands"], 0);
+    EXPECT_EQ(leg.log.find("GOT THROUGH"), std::string::npos) << leg.log;
+    EXPECT_EQ(leg.log.find(secret), std::string::npos) << leg.log;
+    expect_target_is_untouched();
+  }
+  expect_nothing_is_left();
+}
+
+// A source without a line in the table would be a strategy that nobody tries.
+TEST(HostileTable, HasEveryKind) {
+  std::size_t sources = 0;
+  for (const auto& file :
+       std::filesystem::directory_iterator(MIROCUP_SOURCE_FOLDER "/tests/security/hostile/kinds")) {
+    ++sources;
+    const std::string name = file.path().stem();
+    EXPECT_TRUE(std::any_of(kinds.begin(), kinds.end(), [&](const Kind& kind) {
+      return kind.name == name;
+    })) << name;
+  }
+  EXPECT_EQ(sources, kinds.size());
+}
+
+TEST(HostileTeam, ThatAnswersNonsenseDrivesWithZeros) {
+  const Leg leg = play({"T1", User::caller, "blue"}, hostile("out_nan"));
+  EXPECT_GT(leg.record["budget"]["blue"]["bad_commands"], 50);
+}
+
+TEST(HostileTeam, ThatPlacesNonsenseStandsWhereItMay) {
+  const Leg leg = play({"T1", User::caller, "blue"}, hostile("place_nonsense"));
+  const auto fixes = std::count_if(
+      leg.record["decisions"].begin(), leg.record["decisions"].end(), [](const Json& decision) {
+        return decision["decision"] == "PLACEMENT_FIXED" && decision["team"] == "blue";
+      });
+  EXPECT_GE(fixes, 2) << "the kick-offs of both halves";
+}
+
+TEST(HostileTeam, OfBothColoursLosesForBoth) {
+  const TemporaryFolder folder;
+  run({program("mirocup"), "match", "--blue", hostile("crash_segv"), "--yellow",
+       hostile("crash_segv"), "--half", "2", "--record", folder / "leg.json"});
+  const auto record = read_json(folder / "leg.json");
+  EXPECT_EQ(record["result"]["end"], "double_forfeit");
+  EXPECT_TRUE(record["result"]["winner"].is_null());
+}
+
+TEST(HostileTeam, ThatTalksIsHeardUpToALimit) {
+  const Leg leg = play({"T1", User::caller, "blue"}, hostile("log_flood"));
+  EXPECT_EQ(leg.log.rfind("a line that nobody asked for, 0\n", 0), 0u);
+  EXPECT_NE(leg.log.find("bytes are left out here"), std::string::npos);
+  EXPECT_LE(leg.log.size(), 65536u);
+}
+
+TEST(HostileTeam, CannotWriteToATerminal) {
+  const Leg leg = play({"T1", User::caller, "blue"}, hostile("log_escape"));
+  EXPECT_EQ(
+      leg.log.rfind("\\x1b[2J\\x1b]0;title\\x07\\xc2\\x9b1m\\xff\\xe2\\x80\\xae<script>\\x0d\n", 0),
+      0u)
+      << leg.log.substr(0, 200);
+}
+
+// At the speed of real time nobody waits for a team: it drives on, stands, and at last has lost.
+TEST(RealTime, GoesOnWithoutATeamThatIsLate) {
+  const TemporaryFolder folder;
+  const auto play_slowly = [&](const std::string& name, const std::string& half) {
+    run({program("mirocup"), "match", "--blue", hostile(name), "--yellow", "idle", "--speed", "1",
+         "--half", half, "--record", folder / "leg.json"});
+    return read_json(folder / "leg.json");
+  };
+  // 50 ms of processor time for a tick of 33 ms.
+  const Json late = play_slowly("slow_bank", "0.5");
+  EXPECT_EQ(late["result"]["end"], "full_time") << late["result"].dump();
+  EXPECT_GT(late["budget"]["blue"]["late_ticks"], 5);
+
+  const Json asleep = play_slowly("sleep_forever", "60");
+  EXPECT_EQ(asleep["result"]["fault"]["code"], "hang") << asleep["result"].dump();
+  EXPECT_EQ(asleep["result"]["fault"]["text"], "the team was late 91 times in a row");
+  EXPECT_EQ(asleep["budget"]["blue"]["late_ticks"], 90);
+}
+
+TEST(HostileTeam, InTheServersOwnProcessAtLeastMayThrow) {
+  const TemporaryFolder folder;
+  const Outcome played =
+      run({program("mirocup"), "match", "--trusted", "--blue", hostile("throw_std"), "--yellow",
+           "idle", "--half", "2", "--record", folder / "leg.json"});
+  EXPECT_EQ(played.exit_code, 0);
+  const auto record = read_json(folder / "leg.json");
+  EXPECT_EQ(record["result"]["fault"]["code"], "crash");
+  EXPECT_EQ(record["isolation"], "none");
+}
+
+}  // namespace
+}  // namespace mirocup

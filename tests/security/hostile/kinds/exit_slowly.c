@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: MIT */
+#include "tests/security/hostile/hostile.h"
+
+__attribute__((destructor)) static void at_exit(void) {
+  while (hostile_for_ever) {
+  }
+}
+
+static void misbehave(mirocup_command* command) {
+  (void)command;
+  exit(0);
+}

@@ -1,0 +1,9 @@
+/* SPDX-License-Identifier: MIT */
+#include "tests/security/hostile/hostile.h"
+
+static void misbehave(mirocup_command* command) {
+  (void)command;
+  /* Waits where the server waits, for what never comes. */
+  static int word;
+  while (hostile_for_ever) syscall(SYS_futex, &word, 0, 0, 0, 0, 0);
+}

@@ -1,0 +1,10 @@
+/* SPDX-License-Identifier: MIT */
+#include "tests/security/hostile/hostile.h"
+
+/* Linked with a library that lies where nothing may be read (CMakeLists.txt). */
+extern int evil(void);
+
+static void misbehave(mirocup_command* command) {
+  (void)command;
+  hostile_for_ever = evil();
+}

@@ -1,0 +1,8 @@
+/* SPDX-License-Identifier: MIT */
+#include "tests/security/hostile/hostile.h"
+
+static void misbehave(mirocup_command* command) {
+  (void)command;
+  while (hostile_for_ever) {
+  }
+}

@@ -1,0 +1,7 @@
+/* SPDX-License-Identifier: MIT */
+#include "tests/security/hostile/hostile.h"
+
+static void misbehave(mirocup_command* command) {
+  (void)command;
+  burn(0.003);
+}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+//
+// Catches an appeal that finds differences where nothing was changed, and one that finds none where
+// a law was.
+#include "core/replay/rejudge.hpp"
+
+#include "tests/support/offenders.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace mirocup::replay {
+namespace {
+
+Recording played() {
+  match::Match match(test_support::short_setup(4, 20.0));
+  auto blue = test_support::raiders(match.field().half_length);
+  auto yellow = test_support::standing();
+  test_support::play(match, blue, yellow);
+  return record(match);
+}
+
+TEST(Appeal, FindsNothingWithTheSameRules) {
+  const Recording recording = played();
+  ASSERT_GT(recording.decisions.size(), 5u);
+  EXPECT_TRUE(appeal(recording, recording.setup.rules).empty());
+}
+
+TEST(Appeal, FindsEveryCallOfALawThatIsOff) {
+  const Recording recording = played();
+  const auto is_foul = [](const match::LoggedDecision& d) {
+    return (d.decision.law == referee::Law::keeper_charge ||
+            d.decision.law == referee::Law::two_attackers) &&
+           d.decision.verdict == referee::Verdict::GOAL_KICK;
+  };
+  const auto calls = std::count_if(recording.decisions.begin(), recording.decisions.end(), is_foul);
+  ASSERT_GT(calls, 0);
+  referee::Rules rules = recording.setup.rules;
+  rules.att_max = 0;
+  rules.charge_s = referee::off;
+  rules.charge_speed_mps = referee::off;
+  const auto differences = appeal(recording, rules);
+  const auto missed =
+      std::count_if(differences.begin(), differences.end(),
+                    [&](const Difference& d) { return d.given && is_foul(*d.given); });
+  EXPECT_EQ(missed, calls);
+}
+
+TEST(Appeal, FindsAShorterHalfOnce) {
+  const Recording recording = played();
+  referee::Rules rules = recording.setup.rules;
+  rules.half_s = 15.0;
+  int ends = 0;
+  for (const Difference& d : appeal(recording, rules)) {
+    ends += d.would_be && d.would_be->decision.verdict == referee::Verdict::HALF_END ? 1 : 0;
+  }
+  EXPECT_EQ(ends, 1);
+}
+
+}  // namespace
+}  // namespace mirocup::replay

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+//
+// Over which edge robots come to overlap, for all four sides of a square.
+#include "core/simulator/collision/reference_edges.hpp"
+
+#include "core/base/math.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+namespace mirocup::simulator {
+namespace {
+
+// Two squares, of which one is on the other's left side as seen from `turned` (rad), and beside it by
+// these gaps, m: ahead, and to the left. Negative where the projections overlap.
+struct Gaps {
+  double ahead, left;
+};
+std::array<BodyState, 2> beside(const Arena& arena, double turned, const Gaps& gaps) {
+  const double side = arena.parameters.robot_side;
+  const Heading heading = Heading::from_angle(turned);
+  const Vec2 place{side + gaps.ahead, side + gaps.left};
+  return {BodyState{{0.0, 0.0}, heading, {}}, BodyState{heading.to_world(place), heading, {}}};
+}
+
+// The direction of the contacts after a way from these gaps to those, seen from the first square.
+Vec2 direction_after(double turned, const Gaps& from, const Gaps& to) {
+  const Arena arena = make_arena(nullptr, Parameters{}, Tolerances{}, 2, false);
+  const auto begin = beside(arena, turned, from);
+  const auto end = beside(arena, turned, to);
+  ContactList list;
+  add_contacts(arena, pair_of(0, 1), end, 1e-3, list);
+  put_on_first_edges(arena, begin, end, list);
+  EXPECT_EQ(list.count, 2) << turned;
+  const Contact& c = list.list[0];
+  EXPECT_NEAR(c.at.gap,
+              std::abs(end[0].heading.to_body(c.at.normal).x()) > 0.5 ? to.ahead : to.left, 1e-12);
+  const Vec2 normal = end[0].heading.to_body(c.at.normal);
+  return c.b == 0 ? normal : Vec2{-normal};
+}
+
+class FirstEdges : public testing::TestWithParam<double> {};
+
+// Catches the edge that is nearest at the end: it pushes past a corner that nobody passed.
+TEST_P(FirstEdges, AreThoseThatPartedThemLast) {
+  const Vec2 direction = direction_after(GetParam(), {1e-5, -5e-6}, {-3e-5, -5e-6});
+  EXPECT_NEAR(direction.x(), 1.0, 1e-9);
+}
+
+// At the end they are apart, but were not all the time. Catches one who asks only those that overlap.
+TEST_P(FirstEdges, StopWhoWouldPassThrough) {
+  const Vec2 direction = direction_after(GetParam(), {1e-5, -5e-6}, {-3e-5, 1e-5});
+  EXPECT_NEAR(direction.x(), 1.0, 1e-9);
+}
+
+// Catches one who asks the begin only.
+TEST_P(FirstEdges, LetWhoeverIsPastTheCornerGoOn) {
+  const Vec2 direction = direction_after(GetParam(), {1e-5, -5e-6}, {-3e-5, 3e-5});
+  EXPECT_NEAR(direction.y(), 1.0, 1e-9);
+}
+
+// Catches one who takes what rounding leaves of a gap for an overlap.
+TEST_P(FirstEdges, OfWhoTouchedAreThoseThatTheyTouchedWith) {
+  const Vec2 direction = direction_after(GetParam(), {-1e-11, -5e-6}, {-2e-5, -5e-6});
+  EXPECT_NEAR(direction.x(), 1.0, 1e-9);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, FirstEdges,
+                         testing::Values(0.0, 0.5 * pi, 0.3, 0.3 + pi, -0.9, -0.5 * pi));
+
+}  // namespace
+}  // namespace mirocup::simulator

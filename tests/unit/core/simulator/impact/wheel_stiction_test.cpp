@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "core/simulator/impact/wheel_stiction.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace mirocup::simulator {
+namespace {
+
+// Two robots at the origin and at x = 0.075 m, which touch in the middle between them.
+struct Side {
+  Parameters parameters;
+  std::array<BodyState, 2> bodies;
+  std::array<InverseMass, 2> mass;
+  std::array<Contact, 1> contacts;
+  BoxProblem problem;
+
+  Side() {
+    bodies[1].position = {0.075, 0.0};
+    mass.fill(free_robot_mass(parameters));
+    Contact& c = contacts[0];
+    c.pair = pair_of(0, 1);
+    c.a = 1;
+    c.b = 0;
+    c.at.point = {0.0375, 0.0};
+    c.at.normal = {1.0, 0.0};
+    c.row_a = contact_row(bodies[1], c.at);
+    c.row_b = contact_row(bodies[0], c.at);
+  }
+  void stop(int robot, double most) {
+    stop_slides(contacts, std::array{robot}, most, mass, bodies, problem);
+  }
+};
+
+TEST(StopSlides, StopsWhatTheGroundCanAndNoMore) {
+  Side side;
+  const double m = side.parameters.robot_mass;
+  side.bodies[1].twist.left = 1e-4;
+  side.stop(1, 2e-4 * m);
+  EXPECT_EQ(side.bodies[1].twist.left, 0.0);
+
+  side.bodies[1].twist.left = 1e-4;
+  side.stop(1, 0.25e-4 * m);
+  EXPECT_NEAR(side.bodies[1].twist.left, 0.75e-4, 1e-18);
+}
+
+// Wheels that are stopped must not drive a robot into another one: the contact pushes back.
+TEST(StopSlides, LetsNoContactApproach) {
+  Side side;
+  side.bodies[1].heading = Heading{0.0, 1.0};  // its left is -x, towards the first one
+  side.contacts[0].row_a = contact_row(side.bodies[1], side.contacts[0].at);
+  side.bodies[0].twist.forward = 1e-4;
+  side.bodies[1].twist.left = -1e-4;  // away from the first one, as fast as that follows
+  side.stop(1, 1e-3);
+  EXPECT_GE(gap_rate(side.contacts[0], side.bodies), -1e-15);
+  EXPECT_GE(side.contacts[0].impulse, 0.0);
+}
+
+}  // namespace
+}  // namespace mirocup::simulator

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+//
+// What a Way rules out may never happen: curves of all kinds are sampled.
+#include "core/simulator/trajectory/motion_bound.hpp"
+
+#include "core/simulator/collision/closest_approach.hpp"
+
+#include "core/base/random.hpp"
+#include "core/simulator/trajectory/closed_form.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace mirocup::simulator {
+namespace {
+
+constexpr double tick = 0.033;
+
+struct Moving {
+  BodyState body;
+  Drive drive;
+  Segment segment;
+  Way way;
+};
+
+Moving random_robot(Random& random, bool as_series) {
+  const Parameters p;
+  Moving m;
+  m.body.position = {random.uniform(-0.12, 0.12), random.uniform(-0.12, 0.12)};
+  m.body.heading = Heading::from_angle(random.uniform(-pi, pi));
+  m.body.twist = {random.uniform(-0.9, 0.9), 0.0, random.uniform(-7.0, 7.0)};
+  m.drive = drive_of(p, WheelSpeeds{random.uniform(-40.0, 40.0), random.uniform(-40.0, 40.0)});
+  m.segment = drive(p, m.body, m.drive, 0.0, tick, never);
+  if (as_series) {
+    m.way = way_along(m.segment);
+  } else {
+    const MotorDecay decay = motor_decay(p, tick);
+    m.way = quiet_way(m.body, moved(m.body, m.drive, decay), m.drive, decay, 0.0);
+  }
+  return m;
+}
+
+TEST(Way, HoldsTheCurveAndItsTurning) {
+  Random random(11);
+  for (int i = 0; i < 400; ++i) {
+    const Moving m = random_robot(random, i % 2 == 0);
+    for (int k = 0; k <= 50; ++k) {
+      const double t = m.segment.end * k / 50.0;
+      const BodyState now = body_at(m.segment, t);
+      ASSERT_LE((now.position - m.way.at(t)).norm(), m.way.bulge) << i;
+      ASSERT_LE(std::abs(now.twist.turn), m.way.turn_rate * (1.0 + 1e-12)) << i;
+    }
+  }
+}
+
+TEST(Way, RulesOutNoTouch) {
+  const Parameters p;
+  const geometry::Outline shape = robot_outline(p);
+  constexpr double margin = 1e-10;
+  Random random(12);
+  int out_of_reach = 0;
+  int never_touches = 0;
+  int touches = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const Moving a = random_robot(random, i % 2 == 0);
+    const Moving b = random_robot(random, i % 3 == 0);
+    const geometry::Separation at_first = separation(shape, a.body, shape, b.body);
+    if (at_first.gap <= margin) continue;
+    const double end = std::min(a.segment.end, b.segment.end);
+    const Encounter encounter{a.way, b.way, 2.0 * shape.radius + margin, 0.0, end};
+    const bool apart = stays_out_of_reach(encounter);
+    const double earliest = earliest_touch(encounter, at_first, shape.radius, shape.radius, margin);
+    out_of_reach += apart;
+    never_touches += earliest == never;
+    for (int k = 0; k <= 100; ++k) {
+      const double t = end * k / 100.0;
+      const BodyState body_a = body_at(a.segment, t);
+      const BodyState body_b = body_at(b.segment, t);
+      if (gap(shape, body_a, shape, body_b) > margin) continue;
+      ++touches;
+      ASSERT_FALSE(apart) << i;
+      ASSERT_LE(earliest, t) << i;
+      break;
+    }
+  }
+  // It would be easy to rule out nothing.
+  EXPECT_GT(out_of_reach, 500);
+  EXPECT_GT(never_touches, 1500);
+  EXPECT_GT(touches, 50);
+}
+
+}  // namespace
+}  // namespace mirocup::simulator

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+//
+// Catches a record that does not say what was played, one that reads back otherwise, and damage
+// that goes unseen.
+#include "server/record/match_record.hpp"
+
+#include "core/replay/verification.hpp"
+#include "server/system/digest.hpp"
+#include "tests/support/controllers.hpp"
+#include "tests/support/memory_files.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace mirocup::record {
+namespace {
+
+using test_support::MemoryFiles;
+
+MatchRecord played(std::uint64_t seed, League league = League::small) {
+  match::Match match(test_support::short_setup(seed, 8.0, league));
+  auto blue = test_support::ball_hunter();
+  auto yellow = test_support::random_team(seed);
+  replay::Trace trace;
+  while (!match.is_over()) {
+    match.advance(blue, yellow);
+    trace.add(match);
+  }
+  MatchRecord record;
+  record.software = this_software();
+  record.isolation = "none";
+  record.teams = {TeamInfo{"hunters", TeamKind::plugin, std::string(64, 'a')},
+                  TeamInfo{"\"random\" <b>", TeamKind::dds, std::nullopt}};
+  record.budget[0] = {1.25, 3.5, 2, 7};
+  record.recording = replay::record(match, trace);
+  return record;
+}
+
+class Leagues : public testing::TestWithParam<League> {};
+INSTANTIATE_TEST_SUITE_P(All, Leagues,
+                         testing::Values(League::small, League::middle, League::large));
+
+TEST_P(Leagues, ARecordReadsBackAsItWasAndVerifies) {
+  MemoryFiles files;
+  const MatchRecord record = played(3, GetParam());
+  ASSERT_TRUE(save(files, "leg.json", record));
+  const auto loaded = load(files, "leg.json");
+  ASSERT_TRUE(loaded) << loaded.error().what;
+  EXPECT_EQ(to_json(*loaded), to_json(record));
+  EXPECT_EQ(loaded->recording.trace.ticks, record.recording.trace.ticks);
+  EXPECT_EQ(loaded->recording.trace.checkpoints.size(), record.recording.trace.checkpoints.size());
+  EXPECT_FALSE(replay::verify(loaded->recording));
+}
+
+TEST(MatchRecord, HasTheKeysThatOthersRelyOn) {
+  MemoryFiles files;
+  ASSERT_TRUE(save(files, "leg.json", played(1)));
+  const Json json = Json::parse(*files.read("leg.json"));
+  EXPECT_EQ(json["schema"], "mirocup/match/1");
+  for (const char* pointer : {"/software/version",
+                              "/software/build",
+                              "/software/game",
+                              "/league",
+                              "/rules/preset",
+                              "/stage",
+                              "/seed",
+                              "/control_period",
+                              "/teams/blue/name",
+                              "/teams/blue/kind",
+                              "/teams/blue/sha256",
+                              "/teams/yellow/name",
+                              "/result/score/blue",
+                              "/result/score/yellow",
+                              "/result/winner",
+                              "/result/end",
+                              "/result/fault",
+                              "/decisions/0/tick",
+                              "/decisions/0/clock",
+                              "/decisions/0/law",
+                              "/decisions/0/decision",
+                              "/decisions/0/team",
+                              "/decisions/0/reason",
+                              "/decisions/0/ball/1",
+                              "/decisions/0/restart",
+                              "/budget/blue/cpu_seconds",
+                              "/budget/blue/slowest_tick_ms",
+                              "/budget/blue/late_ticks",
+                              "/budget/blue/bad_commands",
+                              "/isolation",
+                              "/ticks",
+                              "/state_hash",
+                              "/replay/file",
+                              "/replay/sha256",
+                              "/sha256"}) {
+    EXPECT_TRUE(json.contains(Json::json_pointer(pointer))) << pointer;
+  }
+}
+
+TEST(MatchRecord, NamesDamage) {
+  MemoryFiles files;
+  ASSERT_TRUE(save(files, "leg.json", played(1)));
+  const std::string record = *files.read("leg.json");
+  const std::string replay = *files.read("leg.replay.zst");
+
+  const auto problem = [&](const std::string& changed_record,
+                           const std::string& changed_replay) -> Error {
+    (void)files.write("leg.json", changed_record);
+    (void)files.write("leg.replay.zst", changed_replay);
+    const auto loaded = load(files, "leg.json");
+    return loaded ? Error{Errc::input, "not found"} : loaded.error();
+  };
+  EXPECT_EQ(problem(record.substr(0, record.size() / 2), replay).code, Errc::damaged) << "cut off";
+  EXPECT_EQ(problem(record, replay.substr(0, replay.size() - 1)).code, Errc::damaged);
+  std::string flipped = replay;
+  flipped[replay.size() / 2] ^= 1;
+  EXPECT_EQ(problem(record, flipped).code, Errc::damaged);
+  const std::string before_seal = record.substr(0, record.rfind(",\n"));
+  std::string newer = before_seal;
+  newer.replace(newer.find("match/1"), 7, "match/9");
+  newer += ",\n \"sha256\": \"" + sha256(newer) + "\"\n}\n";
+  const Error error = problem(newer, replay);
+  EXPECT_EQ(error.code, Errc::damaged);
+  EXPECT_NE(error.what.find("mirocup/match/9"), std::string::npos) << error.what;
+  EXPECT_EQ(problem(record, replay).what, "not found") << "the undamaged pair";
+}
+
+TEST(MatchRecord, IsWrittenAfterItsReplayOrNotAtAll) {
+  MemoryFiles files;
+  files.fail_after(1);  // the replay is written, then the disk is full
+  EXPECT_FALSE(save(files, "leg.json", played(1)));
+  EXPECT_FALSE(files.exists("leg.json"));
+}
+
+TEST(MatchRecord, StaysSmall) {
+  MemoryFiles files;
+  match::Match match(test_support::short_setup(5, 60.0, League::large));
+  auto blue = test_support::random_team(1);
+  auto yellow = test_support::random_team(2);
+  replay::Trace trace;
+  while (!match.is_over()) {
+    match.advance(blue, yellow);
+    trace.add(match);
+  }
+  MatchRecord record = played(1);
+  record.recording = replay::record(match, trace);
+  ASSERT_TRUE(save(files, "leg.json", record));
+  // Two minutes of 22 robots with commands that say nothing: a fifth of a ten-minute leg at most.
+  EXPECT_LT(files.read("leg.replay.zst")->size(), 400'000u);
+  EXPECT_LT(files.read("leg.json")->size(), 20'000u);
+}
+
+}  // namespace
+}  // namespace mirocup::record

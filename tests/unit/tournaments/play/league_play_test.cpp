@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: MIT
+//
+// Whole leagues of every format and size, with made-up results in any order. Catches a schedule that
+// depends on the order of results, a league that never ends, a tie without a winner, a ruling that
+// changes who has played already, a team that has left and still plays.
+#include "core/base/random.hpp"
+#include "tests/unit/tournaments/sizes.hpp"
+#include "tournaments/league/league_state.hpp"
+#include "tournaments/publish/site.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <set>
+
+namespace mirocup::league {
+namespace {
+
+LeagueFile file_of(FormatKind kind, int teams) {
+  LeagueFile file;
+  file.format.kind = kind;
+  file.seed = 7;
+  for (int i = 0; i < teams; ++i)
+    file.teams.push_back({"t" + std::to_string(i), "house:idle", false});
+  return file;
+}
+
+void take(LeagueState& state, Json line) {
+  const auto admitted = admit(state, line);
+  ASSERT_TRUE(admitted) << line.dump() << ": " << admitted.error().what;
+  league::apply(state, line);
+}
+
+LeagueState started(const LeagueFile& file) {
+  LeagueState state = new_league(file);
+  take(state, {{"kind", "start"}, {"config_sha256", "x"}});
+  for (const TeamEntry& team : file.teams)
+    take(state, {{"kind", "entry"}, {"team", team.name}, {"entry", 1}, {"sha256", "s"}});
+  return state;
+}
+
+struct Open {
+  int fixture;
+  int leg;
+};
+
+std::vector<Open> open_legs(const LeagueState& state) {
+  std::vector<Open> open;
+  for (int i = 0; i < static_cast<int>(state.fixtures.size()); ++i) {
+    const FixtureState& f = state.fixtures[i];
+    if (!f.fixture.has_both()) continue;
+    for (int leg = 1; leg <= f.needed(); ++leg) {
+      if (!f.legs[leg - 1].played) open.push_back({i, leg});
+    }
+  }
+  return open;
+}
+
+// The same fixture and leg have the same result, whenever they are played.
+Json leg_result(const LeagueState& state, const Open& open, const std::string& end = "full_time") {
+  const Fixture& f = state.fixtures[open.fixture].fixture;
+  Random random(fixture_seed(state.file.seed, f) + static_cast<std::uint64_t>(open.leg));
+  const int home = static_cast<int>(random.below(4));
+  const int away = static_cast<int>(random.below(4));
+  Json line{{"kind", "leg"},
+            {"fixture", f.id()},
+            {"leg", open.leg},
+            {"attempt", 1},
+            {"home", state.name(f.home)},
+            {"away", state.name(f.away)},
+            {"blue", state.name(f.home)},
+            {"score", {{"home", home}, {"away", away}}},
+            {"winner", nullptr},
+            {"end", end},
+            {"fault", nullptr},
+            {"penalties", {{"home", 0}, {"away", 0}}},
+            {"record", "records/" + f.id() + "-" + std::to_string(open.leg) + "-1.json"},
+            {"state_hash", "0"}};
+  return line;
+}
+
+void play_out(LeagueState& state, std::uint64_t seed) {
+  Random random(seed);
+  for (int guard = 0; guard < 10'000; ++guard) {
+    std::vector<Open> open = open_legs(state);
+    if (open.empty()) return;
+    // Half of them before others are looked for: what they open is played among the rest.
+    for (std::size_t left = (open.size() + 1) / 2; left > 0; --left) {
+      const auto drawn = open.begin() + static_cast<std::ptrdiff_t>(random.below(open.size()));
+      take(state, leg_result(state, *drawn));
+      open.erase(drawn);
+    }
+  }
+  FAIL() << "it does not end";
+}
+
+// Pages of more teams show nothing new and take long: strengths are fitted for them.
+constexpr int most_with_pages = 17;
+
+void expect_the_same_end_in_any_order(FormatKind kind, int teams) {
+  const LeagueFile file = file_of(kind, teams);
+  LeagueState one = started(file);
+  LeagueState other = started(file);
+  play_out(one, 1);
+  play_out(other, 2);
+  EXPECT_TRUE(one.is_over()) << to_string(kind);
+  EXPECT_EQ(one.played(), one.legs()) << to_string(kind);
+  ASSERT_EQ(one.fixtures.size(), other.fixtures.size()) << to_string(kind);
+  for (std::size_t i = 0; i < one.fixtures.size(); ++i) {
+    EXPECT_EQ(one.fixtures[i].fixture.id(), other.fixtures[i].fixture.id());
+    EXPECT_EQ(one.fixtures[i].fixture.home, other.fixtures[i].fixture.home);
+    EXPECT_EQ(one.fixtures[i].fixture.away, other.fixtures[i].fixture.away);
+  }
+  EXPECT_EQ(table_text(one), table_text(other)) << to_string(kind);
+  if (teams > most_with_pages) return;
+  const auto site = make_site(one);
+  const auto again = make_site(other);
+  ASSERT_EQ(site.size(), again.size());
+  for (std::size_t i = 0; i < site.size(); ++i)
+    EXPECT_EQ(site[i].bytes, again[i].bytes) << to_string(kind) << " " << site[i].name;
+}
+
+class EveryRoundRobin : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Sizes, EveryRoundRobin, testing::Values(2, 3, 4, 5, 6, 7, 8, 9, 12, 17));
+
+TEST_P(EveryRoundRobin, ComesToTheSameEndInWhateverOrderItIsPlayed) {
+  for (const auto kind : {FormatKind::double_round_robin, FormatKind::round_robin})
+    expect_the_same_end_in_any_order(kind, GetParam());
+}
+
+// Formats that grow while they are played.
+class EveryFormat : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Sizes, EveryFormat, all_sizes());
+
+TEST_P(EveryFormat, ComesToTheSameEndInWhateverOrderItIsPlayed) {
+  for (const auto kind :
+       {FormatKind::groups, FormatKind::knockout, FormatKind::swiss, FormatKind::ladder}) {
+    if (kind != FormatKind::groups || GetParam() >= 4)
+      expect_the_same_end_in_any_order(kind, GetParam());
+  }
+}
+
+class EveryKnockout : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Sizes, EveryKnockout, all_sizes());
+
+TEST_P(EveryKnockout, DecidesEveryTieAndPutsTheChampionFirst) {
+  const int n = GetParam();
+  LeagueState state = started(file_of(FormatKind::knockout, n));
+  play_out(state, static_cast<std::uint64_t>(n));
+  TieOutcome final;
+  for (const FixtureState& f : state.fixtures) {
+    const TieOutcome o = outcome(state, f);
+    EXPECT_GE(o.winner, 0) << f.fixture.id();
+    EXPECT_GE(o.loser, 0) << f.fixture.id();
+    if (f.fixture.home_from.from != Slot::From::loser) final = o;
+  }
+  const auto table = state.table();
+  EXPECT_EQ(table[0].team, final.winner);
+  EXPECT_EQ(table[1].team, final.loser);
+}
+
+// Teams leave in the middle of it, at most all but one.
+void play_while_teams_leave(LeagueState& state, std::uint64_t seed) {
+  const std::size_t n = state.teams.size();
+  Random random(seed);
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < 4 * n && !open_legs(state).empty(); ++i) {
+    const auto open = open_legs(state);
+    take(state, leg_result(state, open[random.below(open.size())]));
+    const int team = static_cast<int>(random.below(n));
+    const bool leaves = random.below(3) == 0 && left + 1 < n;
+    if (!leaves || state.teams[team].standing == Standing::withdrawn) continue;
+    take(state,
+         {{"kind", "withdraw"}, {"team", state.name(team)}, {"results", "keep"}, {"why", "test"}});
+    ++left;
+  }
+}
+
+TEST_P(EveryFormat, EndsWhoeverLeaves) {
+  const int n = GetParam();
+  for (const auto kind : {FormatKind::groups, FormatKind::knockout, FormatKind::swiss}) {
+    if (kind == FormatKind::groups && n < 4) continue;
+    LeagueState state = started(file_of(kind, n));
+    play_while_teams_leave(state, static_cast<std::uint64_t>(n));
+    for (const Open& open : open_legs(state)) {
+      const Fixture& f = state.fixtures[open.fixture].fixture;
+      EXPECT_EQ(state.teams[f.home].standing, Standing::playing) << f.id();
+      EXPECT_EQ(state.teams[f.away].standing, Standing::playing) << f.id();
+    }
+    play_out(state, 3);
+    EXPECT_TRUE(state.is_over()) << to_string(kind);
+    EXPECT_EQ(state.played(), state.legs()) << to_string(kind);
+    EXPECT_TRUE(state.fixtures.back().is_decided()) << to_string(kind);
+  }
+}
+
+TEST(LeagueState, PlaysOneMoreLegOfALevelTieAndNoFourth) {
+  LeagueState state = started(file_of(FormatKind::knockout, 2));
+  const auto draw = [&state](int leg) {
+    Json line = leg_result(state, {0, leg});
+    line["score"] = {{"home", 1}, {"away", 1}};
+    return line;
+  };
+  EXPECT_EQ(state.legs(), 2);
+  take(state, draw(1));
+  EXPECT_FALSE(admit(state, draw(3))) << "not before the second";
+  take(state, draw(2));
+  EXPECT_EQ(state.legs(), 3);
+  EXPECT_FALSE(state.is_over());
+  take(state, draw(3));  // a double forfeit, say: a lot decides
+  EXPECT_TRUE(state.is_over());
+  EXPECT_GE(outcome(state, state.fixtures[0]).winner, 0);
+  EXPECT_FALSE(admit(state, draw(4)));
+}
+
+TEST(LeagueState, GivesATieToWhoWonItsShootOut) {
+  for (const char* winner : {"t0", "t1"}) {
+    LeagueState state = started(file_of(FormatKind::knockout, 2));
+    for (const int leg : {1, 2, 3}) {
+      Json line = leg_result(state, {0, leg}, leg == 3 ? "shoot_out" : "full_time");
+      line["score"] = {{"home", 0}, {"away", 0}};
+      if (leg == 3) line["winner"] = winner;
+      take(state, line);
+    }
+    EXPECT_EQ(state.name(outcome(state, state.fixtures[0]).winner), winner);
+  }
+}
+
+TEST(LeagueState, LetsARulingChangeATieOnlyUntilItsWinnerPlays) {
+  LeagueState state = started(file_of(FormatKind::knockout, 4));
+  for (const int tie : {0, 1}) {
+    for (const int leg : {1, 2}) {
+      Json line = leg_result(state, {tie, leg});
+      line["score"] = {{"home", 1}, {"away", 0}};
+      take(state, line);
+    }
+  }
+  const int final = 2;
+  ASSERT_TRUE(state.fixtures[final].fixture.has_both());
+  const int loser = state.fixtures[0].fixture.away;
+  const Json ruling{{"kind", "ruling"},
+                    {"fixture", "k1-f1"},
+                    {"leg", 1},
+                    {"score", {{"home", 0}, {"away", 10}}},
+                    {"why", "pushed"}};
+  take(state, ruling);
+  EXPECT_EQ(state.fixtures[final].fixture.home, loser) << "the final has not begun";
+  take(state, leg_result(state, {final, 1}));
+  const auto late = admit(state, ruling);
+  ASSERT_FALSE(late);
+  EXPECT_NE(late.error().what.find("k2-f1 has begun"), std::string::npos) << late.error().what;
+}
+
+TEST(LeagueState, LetsWhoStaysWinAgainstWhoHasLeftOrCountsNothing) {
+  for (const bool annul : {false, true}) {
+    LeagueState state = started(file_of(FormatKind::double_round_robin, 3));
+    const auto open = open_legs(state);
+    take(state, leg_result(state, open[0]));
+    const Fixture& f = state.fixtures[0].fixture;
+    const std::string leaver = state.name(f.home);
+    const int other = f.away;
+    take(state, {{"kind", "withdraw"},
+                 {"team", leaver},
+                 {"results", annul ? "annul" : "keep"},
+                 {"why", "test"}});
+    EXPECT_EQ(state.legs(), annul ? 2 : 6);
+    EXPECT_EQ(state.played(), annul ? 0 : 4);
+    EXPECT_EQ(open_legs(state).size(), 2u) << "between those who stay";
+    const auto table = state.table();
+    const Row row = *std::find_if(table.begin(), table.end(),
+                                  [other](const Row& r) { return r.team == other; });
+    EXPECT_EQ(row.played, annul ? 0 : 2);
+    EXPECT_FALSE(
+        admit(state, {{"kind", "entry"}, {"team", leaver}, {"entry", 2}, {"sha256", "s"}}));
+  }
+}
+
+TEST(LeagueState, PlaysAVoidedLegAgainUnderANewRecord) {
+  LeagueState state = started(file_of(FormatKind::double_round_robin, 2));
+  const Json leg = leg_result(state, {0, 1});
+  const Json by_host{
+      {"kind", "void"}, {"fixture", "r1-f1"}, {"leg", 1}, {"attempt", 1}, {"why", "host"}};
+  Json by_person = by_host;
+  by_person["cause"] = "ruling";
+  EXPECT_FALSE(admit(state, by_person)) << "nothing is decided";
+  take(state, by_host);
+  EXPECT_EQ(state.fixtures[0].legs[0].version, 1);
+  EXPECT_EQ(state.fixtures[0].legs[0].host_faults, 1);
+  take(state, leg);
+  EXPECT_FALSE(admit(state, by_host)) << "it is decided";
+  take(state, by_person);
+  EXPECT_EQ(state.played(), 0);
+  EXPECT_EQ(state.fixtures[0].legs[0].version, 2) << "the first record is evidence";
+  take(state, leg);
+  EXPECT_EQ(state.played(), 1);
+}
+
+TEST(LeagueState, CountsOwnFaultsInARow) {
+  LeagueState state = started(file_of(FormatKind::round_robin, 4));
+  const auto play = [&state](const std::string& culprit) {
+    for (const Open& open : open_legs(state)) {
+      const Fixture& f = state.fixtures[open.fixture].fixture;
+      if (f.home != 0 && f.away != 0) continue;
+      Json line = leg_result(state, open, "forfeit");
+      if (!culprit.empty())
+        line["fault"] = {{"team", culprit}, {"code", "crash"}, {"text", "signal 11"}};
+      take(state, line);
+      return;
+    }
+  };
+  play("t0");
+  play("t0");
+  EXPECT_EQ(state.teams[0].strikes, 2);
+  play("");
+  EXPECT_EQ(state.teams[0].strikes, 0);
+  take(state, {{"kind", "pause"}, {"team", "t0"}, {"why", "test"}});
+  EXPECT_FALSE(admit(state, {{"kind", "pause"}, {"team", "t0"}, {"why", "test"}}));
+  take(state, {{"kind", "resume"}, {"team", "t0"}, {"why", ""}});
+}
+
+TEST(Ladder, ForgetsWhatTheEntryBeforeDid) {
+  LeagueState state = started(file_of(FormatKind::ladder, 3));
+  play_out(state, 1);
+  const auto played_by = [&state](int team) {
+    const auto table = state.table();
+    return std::find_if(table.begin(), table.end(), [team](const Row& r) { return r.team == team; })
+        ->played;
+  };
+  EXPECT_GT(played_by(0), 0);
+  const int others = played_by(1);
+  take(state, {{"kind", "entry"}, {"team", "t0"}, {"entry", 2}, {"sha256", "s"}});
+  EXPECT_EQ(played_by(0), 0);
+  EXPECT_EQ(played_by(1), others) << "the others keep what they won";
+  EXPECT_EQ(open_legs(state).size(), 4u) << "against both others";
+  play_out(state, 2);
+  EXPECT_EQ(played_by(0), 4);
+  EXPECT_TRUE(state.is_over());
+}
+
+TEST(LeagueState, RefusesLinesThatMakeNoSense) {
+  LeagueState state = started(file_of(FormatKind::double_round_robin, 3));
+  const Json good = leg_result(state, {0, 1});
+  for (const auto& [key, value] : good.items()) {
+    if (key == "attempt" || key == "blue") continue;
+    Json line = good;
+    line.erase(key);
+    EXPECT_FALSE(admit(state, line)) << "without " << key;
+    line[key] = Json::array({1});
+    EXPECT_FALSE(admit(state, line)) << "with a wrong " << key;
+  }
+  Json elsewhere = good;
+  elsewhere["home"] = good["away"];
+  EXPECT_FALSE(admit(state, elsewhere));
+  EXPECT_FALSE(admit(state, {{"kind", "gift"}}));
+  EXPECT_FALSE(admit(state, {{"kind", "start"}, {"config_sha256", "x"}}));
+  take(state, good);
+  EXPECT_FALSE(admit(state, good)) << "decided already";
+}
+
+}  // namespace
+}  // namespace mirocup::league

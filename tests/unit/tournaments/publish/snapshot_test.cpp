@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+//
+// A league that is shown round by round looks as it did when that round had been played. Catches pages
+// that give away what comes later: a score, a pairing, a place in the table.
+#include "tournaments/publish/snapshot.hpp"
+
+#include "core/base/random.hpp"
+#include "tests/support/memory_files.hpp"
+#include "tournaments/publish/site.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <map>
+
+namespace mirocup::league {
+namespace {
+
+using test_support::MemoryFiles;
+
+std::string round_of(const Fixture& f) {
+  return (f.part == Part::knockout ? "k" : "r") + std::to_string(f.round);
+}
+
+Json made_up_leg(const LeagueState& state, const Fixture& f, int leg) {
+  Random random(fixture_seed(state.file.seed, f) + static_cast<std::uint64_t>(leg));
+  const int home = static_cast<int>(random.below(4));
+  return {{"fixture", f.id()},
+          {"leg", leg},
+          {"attempt", 1},
+          {"home", state.name(f.home)},
+          {"away", state.name(f.away)},
+          {"blue", state.name(f.home)},
+          {"score", {{"home", home}, {"away", random.below(4)}}},
+          {"winner", nullptr},
+          {"end", "full_time"},
+          {"fault", nullptr},
+          {"penalties", {{"home", 0}, {"away", 0}}},
+          {"record", "records/" + f.id() + ".json"},
+          {"state_hash", "0"}};
+}
+
+// Somebody plays a league round by round and looks at the pages after each.
+struct Season {
+  MemoryFiles files;
+  Journal journal;
+  LeagueState state;
+  std::map<std::string, std::vector<SiteFile>> after;  // by round
+
+  explicit Season(const LeagueFile& file)
+      : journal(std::move(*Journal::open(files, "journal.jsonl"))), state(new_league(file)) {
+    write("start", {{"config_sha256", "x"}});
+    for (const TeamEntry& team : file.teams)
+      write("entry", {{"team", team.name}, {"entry", 1}, {"sha256", "s"}});
+    // Fixtures are added while it is played.
+    for (std::size_t i = 0; i < state.fixtures.size(); ++i) {
+      for (int leg = 1; leg <= state.fixtures[i].needed(); ++leg) {
+        if (!state.fixtures[i].legs[leg - 1].played)
+          write("leg", made_up_leg(state, state.fixtures[i].fixture, leg));
+      }
+      after[round_of(state.fixtures[i].fixture)] = make_site(state);
+    }
+  }
+
+  void write(const std::string& kind, Json fields) {
+    EXPECT_TRUE(journal.append(kind, std::move(fields)));
+    const auto admitted = admit(state, journal.lines().back());
+    EXPECT_TRUE(admitted) << admitted.error().what;
+    apply(state, journal.lines().back());
+  }
+};
+
+LeagueFile nine_teams(FormatKind kind) {
+  LeagueFile file;
+  file.format.kind = kind;
+  file.seed = 7;
+  for (int i = 0; i < 9; ++i) file.teams.push_back({"t" + std::to_string(i), "house:idle", false});
+  return file;
+}
+
+TEST(Release, ShowsALeagueAsItWasAfterARound) {
+  for (const auto kind : {FormatKind::double_round_robin, FormatKind::groups, FormatKind::knockout,
+                          FormatKind::swiss}) {
+    const Season season(nine_teams(kind));
+    EXPECT_TRUE(season.state.is_over()) << to_string(kind);
+    EXPECT_GE(season.after.size(), 4u);
+    for (const auto& [round, pages] : season.after) {
+      const auto shown = state_through(season.state, season.journal, round);
+      ASSERT_TRUE(shown) << shown.error().what;
+      const auto again = make_site(*shown);
+      ASSERT_EQ(again.size(), pages.size());
+      for (std::size_t i = 0; i < pages.size(); ++i)
+        EXPECT_EQ(again[i].bytes, pages[i].bytes)
+            << to_string(kind) << " " << round << " " << pages[i].name;
+    }
+  }
+}
+
+TEST(Release, KnowsWhichRoundsThereAre) {
+  const Season season(nine_teams(FormatKind::knockout));
+  for (const char* round : {"", "k", "k0", "k9", "r1", "k1x", "k-1", "x1"}) {
+    const auto shown = state_through(season.state, season.journal, round);
+    ASSERT_FALSE(shown) << round;
+    EXPECT_EQ(shown.error().code, Errc::input);
+  }
+}
+
+}  // namespace
+}  // namespace mirocup::league

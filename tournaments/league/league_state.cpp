@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/league/league_state.hpp"
+
+#include "core/base/random.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace mirocup::league {
+
+namespace {
+
+// How far each team came in the knockout: rounds survived, doubled so that the tie for the third
+// place fits between.
+std::vector<int> came(const LeagueState& state) {
+  if (!state.file.format.has_knockout()) return {};
+  std::vector<int> far(state.file.teams.size(), 0);
+  int last_round = 0;
+  for (const FixtureState& f : state.fixtures) {
+    if (f.fixture.part == Part::knockout) last_round = std::max(last_round, f.fixture.round);
+  }
+  for (const FixtureState& f : state.fixtures) {
+    const Fixture& tie = f.fixture;
+    if (tie.part != Part::knockout) continue;
+    for (const int team : {tie.home, tie.away}) {
+      if (team >= 0) far[team] = std::max(far[team], 4 * tie.round);
+    }
+    const TieOutcome o = outcome(state, f);
+    if (tie.round != last_round) continue;
+    const bool for_third = tie.home_from.from == Slot::From::loser;
+    if (for_third) {
+      for (const int team : {tie.home, tie.away}) {
+        if (team >= 0) far[team] = 4 * last_round - 3;
+      }
+    }
+    if (o.winner >= 0) far[o.winner] += 2;
+  }
+  return far;
+}
+
+}  // namespace
+
+int FixtureState::goals(int team) const {
+  int sum = 0;
+  for (const LegState& leg : legs) {
+    if (!leg.played) continue;
+    sum += team == fixture.home ? leg.played->result.home_goals : leg.played->result.away_goals;
+  }
+  return sum;
+}
+
+int FixtureState::needed() const {
+  if (is_annulled || fixture.home == nobody || fixture.away == nobody) return 0;
+  if (fixture.part != Part::knockout) return fixture.legs;
+  int home = 0;
+  int away = 0;
+  for (int i = 0; i < fixture.legs; ++i) {
+    if (!legs[i].played) return fixture.legs;
+    if (legs[i].played->end == "withdrawn") return fixture.legs;
+    home += legs[i].played->result.home_goals;
+    away += legs[i].played->result.away_goals;
+  }
+  return fixture.legs + (home == away ? 1 : 0);
+}
+
+int FixtureState::decided() const {
+  const int count = needed();
+  int done = 0;
+  for (int i = 0; i < count; ++i) done += legs[i].played ? 1 : 0;
+  return done;
+}
+
+bool FixtureState::is_decided() const {
+  if (fixture.home == unknown || fixture.away == unknown) return false;
+  return decided() == needed();
+}
+
+bool FixtureState::has_begun() const {
+  return std::any_of(legs.begin(), legs.end(), [](const LegState& leg) {
+    return leg.voids > 0 || (leg.played && leg.played->end != "withdrawn");
+  });
+}
+
+bool LeagueState::is_over() const {
+  return is_started && decided_ == needed_;
+}
+
+std::optional<int> LeagueState::find_fixture(const std::string& id) const {
+  const auto found = index_of_fixture_.find(id);
+  if (found == index_of_fixture_.end()) return std::nullopt;
+  return found->second;
+}
+
+std::optional<int> LeagueState::find_team(const std::string& name) const {
+  const auto found = index_of_team_.find(name);
+  if (found == index_of_team_.end()) return std::nullopt;
+  return found->second;
+}
+
+std::vector<LegResult> LeagueState::results() const {
+  std::vector<LegResult> results;
+  for (const FixtureState& f : fixtures) {
+    if (f.is_annulled) continue;
+    if (f.fixture.away == nobody && f.fixture.part == Part::table) {
+      // As many wins as it would have had legs.
+      LegResult bye;
+      bye.home = f.fixture.home;
+      bye.away = nobody;
+      results.insert(results.end(), legs_per_fixture, bye);
+    }
+    for (const LegState& leg : f.legs) {
+      if (leg.played) results.push_back(leg.played->result);
+    }
+  }
+  return results;
+}
+
+std::vector<Row> LeagueState::table() const {
+  TableRules rules = file.table_rules();
+  rules.by_points_per_leg = file.format.kind == FormatKind::ladder;
+  return make_table(all_teams(static_cast<int>(file.teams.size())), results(), rules, came(*this));
+}
+
+TieOutcome outcome(const LeagueState& state, const FixtureState& tie) {
+  const Fixture& f = tie.fixture;
+  if (!tie.is_decided()) return {};
+  const auto is_out = [&state](int team) {
+    return team == nobody || state.teams[team].standing == Standing::withdrawn;
+  };
+  // Who leaves after a tie was played has played it.
+  const bool walkover = f.home == nobody || f.away == nobody ||
+                        std::any_of(tie.legs.begin(), tie.legs.end(), [](const LegState& leg) {
+                          return leg.played && leg.played->end == "withdrawn";
+                        });
+  if (walkover) {
+    if (is_out(f.home) && is_out(f.away)) return {nobody, nobody};
+    return is_out(f.home) ? TieOutcome{f.away, f.home} : TieOutcome{f.home, f.away};
+  }
+  int difference = tie.goals(f.home) - tie.goals(f.away);
+  for (const LegState& leg : tie.legs) {
+    // Only what decides a level tie can be won in a shoot-out.
+    if (difference == 0 && leg.played && leg.played->end == "shoot_out")
+      difference = leg.played->winner == f.home ? 1 : leg.played->winner == f.away ? -1 : 0;
+  }
+  if (difference == 0) {
+    difference = Random(fixture_seed(state.file.seed, f)).coin() ? 1 : -1;
+  }
+  return difference > 0 ? TieOutcome{f.home, f.away} : TieOutcome{f.away, f.home};
+}
+
+Json leg_line(const LeagueFile& file, const Fixture& fixture, int leg, int attempt,
+              const Json& record, const std::string& record_path) {
+  const bool home_is_blue = blue_team(fixture, leg) == fixture.home;
+  const std::string home_colour = home_is_blue ? "blue" : "yellow";
+  const std::string away_colour = home_is_blue ? "yellow" : "blue";
+  const std::string& home = file.teams[fixture.home].name;
+  const std::string& away = file.teams[fixture.away].name;
+  const auto team_of = [&](const Json& colour) -> Json {
+    if (colour.is_null()) return Json();
+    return colour == home_colour ? home : away;
+  };
+  int home_penalties = 0;
+  int away_penalties = 0;
+  for (const Json& d : record.at("decisions")) {
+    if (d.at("decision") != "PENALTY_KICK" || d.at("team").is_null()) continue;
+    ++(d.at("team") == home_colour ? home_penalties : away_penalties);
+  }
+  const Json& result = record.at("result");
+  Json fault = result.at("fault");
+  if (!fault.is_null()) fault["team"] = team_of(fault["team"]);
+  return {{"fixture", fixture.id()},
+          {"leg", leg},
+          {"attempt", attempt},
+          {"home", home},
+          {"away", away},
+          {"blue", home_is_blue ? home : away},
+          {"score",
+           {{"home", result.at("score").at(home_colour)},
+            {"away", result.at("score").at(away_colour)}}},
+          {"winner", team_of(result.at("winner"))},
+          {"end", result.at("end")},
+          {"fault", fault},
+          {"penalties", {{"home", home_penalties}, {"away", away_penalties}}},
+          {"record", record_path},
+          {"state_hash", record.at("state_hash")}};
+}
+
+int blue_team(const Fixture& fixture, int leg) {
+  return leg % 2 == 1 ? fixture.home : fixture.away;
+}
+
+}  // namespace mirocup::league

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/league/schedule_growth.hpp"
+
+#include "tournaments/format/ladder.hpp"
+#include "tournaments/format/swiss.hpp"
+
+#include <algorithm>
+
+namespace mirocup::league {
+
+void Schedule::add(const std::vector<Fixture>& fixtures) {
+  for (const Fixture& fixture : fixtures) {
+    const int index = static_cast<int>(state_.fixtures.size());
+    state_.index_of_fixture_[fixture.id()] = index;
+    state_.fixtures.emplace_back().fixture = fixture;
+    give_walkover(index);
+    count(index);
+  }
+}
+
+void Schedule::count(int index) {
+  FixtureState& f = state_.fixtures[index];
+  state_.needed_ -= f.counted_needed;
+  state_.decided_ -= f.counted_decided;
+  f.counted_needed = f.needed();
+  f.counted_decided = f.decided();
+  state_.needed_ += f.counted_needed;
+  state_.decided_ += f.counted_decided;
+}
+
+void Schedule::remove_last() {
+  const FixtureState& last = state_.fixtures.back();
+  state_.needed_ -= last.counted_needed;
+  state_.decided_ -= last.counted_decided;
+  state_.index_of_fixture_.erase(last.fixture.id());
+  state_.fixtures.pop_back();
+}
+
+void Schedule::changed(int fixture) {
+  count(fixture);
+  switch (state_.file.format.kind) {
+    case FormatKind::groups:
+    case FormatKind::knockout:
+      fill_places();
+      break;
+    case FormatKind::swiss:
+      pair_swiss();
+      break;
+    default:
+      break;
+  }
+  state_.first_open_ = std::min(state_.first_open_, fixture);
+  const int size = static_cast<int>(state_.fixtures.size());
+  while (state_.first_open_ < size && state_.fixtures[state_.first_open_].is_decided()) {
+    ++state_.first_open_;
+  }
+}
+
+void Schedule::give_walkover(int index) {
+  FixtureState& f = state_.fixtures[index];
+  if (!f.fixture.has_both()) return;
+  const auto is_out = [this](int team) {
+    return state_.teams[team].standing == Standing::withdrawn;
+  };
+  const bool home_out = is_out(f.fixture.home);
+  const bool away_out = is_out(f.fixture.away);
+  if (!home_out && !away_out) return;
+  PlayedLeg leg;
+  leg.result.home = f.fixture.home;
+  leg.result.away = f.fixture.away;
+  leg.result.both_lose = home_out && away_out;
+  leg.end = "withdrawn";
+  if (!leg.result.both_lose) {
+    (home_out ? leg.result.away_goals : leg.result.home_goals) = state_.file.rules.forfeit_goals;
+  }
+  const int legs = f.needed();
+  for (int i = 0; i < legs; ++i) {
+    if (!f.legs[i].played) f.legs[i].played = std::make_shared<const PlayedLeg>(leg);
+  }
+}
+
+std::optional<int> Schedule::taken(const Slot& slot) const {
+  if (slot.from == Slot::From::team) return slot.index;
+  if (slot.from == Slot::From::place) {
+    std::vector<LegResult> results;
+    std::vector<int> teams =
+        deal_groups(static_cast<int>(state_.teams.size()), state_.file.format.groups)[slot.index];
+    for (const FixtureState& f : state_.fixtures) {
+      if (f.fixture.part != Part::group || f.fixture.group != slot.index + 1) continue;
+      if (!f.is_decided()) return std::nullopt;
+      for (const LegState& leg : f.legs) {
+        if (leg.played && !f.is_annulled) results.push_back(leg.played->result);
+      }
+    }
+    const auto table = make_table(teams, results, state_.file.table_rules());
+    return table[slot.place].team;
+  }
+  const TieOutcome o = outcome(state_, state_.fixtures[slot.index]);
+  const int team = slot.from == Slot::From::winner ? o.winner : o.loser;
+  if (team == unknown) return std::nullopt;
+  return team;
+}
+
+void Schedule::fill_places() {
+  for (int i = 0; i < static_cast<int>(state_.fixtures.size()); ++i) {
+    FixtureState& f = state_.fixtures[i];
+    if (f.fixture.part != Part::knockout || f.has_begun()) continue;
+    const int home = taken(f.fixture.home_from).value_or(unknown);
+    const int away = taken(f.fixture.away_from).value_or(unknown);
+    if (home == f.fixture.home && away == f.fixture.away) continue;
+    f.fixture.home = home;
+    f.fixture.away = away;
+    f.legs = {};
+    give_walkover(i);
+    count(i);
+    state_.first_open_ = std::min(state_.first_open_, i);
+  }
+}
+
+void Schedule::pair_swiss() {
+  // A round that has not begun is paired anew from the results as they are now.
+  std::vector<FixtureState>& fixtures = state_.fixtures;
+  const auto last_round = [&] { return fixtures.empty() ? 0 : fixtures.back().fixture.round; };
+  const auto of_round = [&](int round) {
+    return std::find_if(fixtures.begin(), fixtures.end(),
+                        [round](const FixtureState& f) { return f.fixture.round == round; });
+  };
+  const int rounds = state_.file.format.swiss_rounds(static_cast<int>(state_.teams.size()));
+  while (true) {
+    const int round = last_round();
+    const auto begin = of_round(round);
+    const bool has_begun =
+        std::any_of(begin, fixtures.end(), [](const FixtureState& f) { return f.has_begun(); });
+    if (round > 1 && !has_begun) {
+      while (last_round() == round) remove_last();
+      state_.first_open_ = std::min<int>(state_.first_open_, static_cast<int>(fixtures.size()));
+      continue;
+    }
+    if (std::any_of(fixtures.begin(), fixtures.end(),
+                    [](const FixtureState& f) { return !f.is_decided(); }) ||
+        round >= rounds) {
+      return;
+    }
+    std::vector<SwissStanding> standings;
+    for (const Row& row : state_.table()) {
+      if (state_.teams[row.team].standing != Standing::withdrawn)
+        standings.push_back({row.team, row.points});
+    }
+    std::vector<Fixture> before;
+    for (const FixtureState& f : fixtures) before.push_back(f.fixture);
+    const auto next = swiss_round(standings, before, round + 1, rounds);
+    add(next);
+    return;
+  }
+}
+
+void Schedule::team_left(int team, bool annul) {
+  for (int i = 0; i < static_cast<int>(state_.fixtures.size()); ++i) {
+    FixtureState& f = state_.fixtures[i];
+    if (f.fixture.home != team && f.fixture.away != team) continue;
+    if (annul && f.fixture.part != Part::knockout) {
+      f.is_annulled = true;
+    } else {
+      give_walkover(i);
+    }
+    count(i);
+  }
+  if (!state_.fixtures.empty()) changed(0);
+}
+
+void Schedule::entry_came(int team) {
+  if (state_.file.format.kind != FormatKind::ladder) return;
+  ++state_.entries_;
+  std::vector<int> others;
+  for (int other = 0; other < static_cast<int>(state_.teams.size()); ++other) {
+    const TeamState& s = state_.teams[other];
+    if (other != team && s.entry > 0 && s.standing == Standing::playing) others.push_back(other);
+  }
+  // What the entry before did no longer counts for its team; what it has not played it does not.
+  for (int i = 0; i < static_cast<int>(state_.fixtures.size()); ++i) {
+    FixtureState& f = state_.fixtures[i];
+    if (f.fixture.home != team && f.fixture.away != team) continue;
+    bool is_played = true;
+    for (int leg = 0; leg < f.fixture.legs; ++leg) {
+      if (!f.legs[leg].played) {
+        is_played = false;
+        continue;
+      }
+      PlayedLeg played = *f.legs[leg].played;
+      (f.fixture.home == team ? played.result.counts_for_home : played.result.counts_for_away) =
+          false;
+      f.legs[leg].played = std::make_shared<const PlayedLeg>(played);
+    }
+    f.is_annulled = f.is_annulled || !is_played;
+    count(i);
+  }
+  add(ladder_fixtures(state_.entries_, team, others, state_.file.format.sample, state_.file.seed));
+  if (!state_.fixtures.empty()) changed(0);
+}
+
+}  // namespace mirocup::league

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/play/comparison_run.hpp"
+
+#include "core/base/random.hpp"
+#include "server/system/locations.hpp"
+#include "server/system/process_set.hpp"
+#include "tournaments/format/schedule.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <map>
+#include <sstream>
+
+namespace mirocup::league {
+
+namespace {
+
+class Comparison {
+ public:
+  Comparison(record::Files& files, const ComparisonRun& run, Progress& progress)
+      : files_(files), run_(run), progress_(progress) {}
+
+  Result<ComparisonResult> play() {
+    const std::vector<int> cpus = processors();
+    const std::size_t jobs = run_.jobs > 0 ? static_cast<std::size_t>(run_.jobs) : cpus.size();
+    int next = 0;  // leg
+    while (result_.verdict == Verdict::undecided && counted_ < run_.most) {
+      if (processes_.running() < jobs && next < run_.most * legs_per_fixture) {
+        const int cpu = cpus[static_cast<std::size_t>(next) % cpus.size()];
+        if (auto started = start(next++, cpu); !started) return tl::unexpected(started.error());
+        continue;
+      }
+      const auto exit = processes_.wait();
+      if (!exit) return fail(Errc::interrupted, "interrupted; nothing can be said");
+      if (auto counted = count(*exit); !counted) return tl::unexpected(counted.error());
+    }
+    return result_;
+  }
+
+ private:
+  std::string record(int leg) const { return run_.folder + "/" + std::to_string(leg) + ".json"; }
+
+  Result<void> start(int leg, int cpu) {
+    // In the second leg of a fixture the teams swap colours and meet the same seed.
+    const bool swapped = leg % legs_per_fixture == 1;
+    const std::uint64_t seed =
+        mix_seed(run_.seed ^ mix_seed(static_cast<std::uint64_t>(leg / legs_per_fixture))) >> 11;
+    std::vector<std::string> arguments{record::sibling_program("mirocup"),
+                                       "match",
+                                       "--blue",
+                                       run_.teams[swapped ? 1 : 0],
+                                       "--yellow",
+                                       run_.teams[swapped ? 0 : 1],
+                                       "--league",
+                                       std::string(to_string(run_.league)),
+                                       "--seed",
+                                       std::to_string(seed),
+                                       "--record",
+                                       record(leg)};
+    if (run_.half_s > 0.0) {
+      std::ostringstream half;
+      half << run_.half_s;
+      arguments.insert(arguments.end(), {"--half", half.str()});
+    }
+    const auto started = processes_.start(arguments, leg, cpu, record(leg) + ".out");
+    if (!started) return tl::unexpected(started.error());
+    return {};
+  }
+
+  // How many goals the first team is ahead after a leg.
+  Result<int> difference(int leg) {
+    const auto text = files_.read(record(leg));
+    if (!text) return tl::unexpected(text.error());
+    const auto json = nlohmann::json::parse(*text, nullptr, false);
+    const auto blue = nlohmann::json::json_pointer("/result/score/blue");
+    const auto yellow = nlohmann::json::json_pointer("/result/score/yellow");
+    if (json.is_discarded() || !json.contains(blue) || !json.contains(yellow))
+      return fail(Errc::host, record(leg) + " is not the record of a leg");
+    const int ahead = json.at(blue).get<int>() - json.at(yellow).get<int>();
+    return leg % legs_per_fixture == 1 ? -ahead : ahead;
+  }
+
+  Result<void> count(const Exit& exit) {
+    if (exit.signal != 0 || exit.code != exit_yes) {
+      const auto said = files_.read(record(exit.tag) + ".out");
+      return fail(exit.code == 2 ? Errc::input : Errc::host,
+                  "a leg could not be played: " + (said ? *said : std::string()));
+    }
+    const auto ahead = difference(exit.tag);
+    if (!ahead) return tl::unexpected(ahead.error());
+    ahead_[exit.tag] = *ahead;
+    // In order, as far as both legs are there.
+    while (result_.verdict == Verdict::undecided && ahead_.count(2 * counted_) != 0 &&
+           ahead_.count(2 * counted_ + 1) != 0) {
+      const int sum = ahead_[2 * counted_] + ahead_[2 * counted_ + 1];
+      ++counted_;
+      ++(sum > 0 ? result_.first_wins : sum < 0 ? result_.second_wins : result_.level);
+      result_.verdict = verdict(result_.first_wins, result_.second_wins, run_.test);
+      progress_.say("fixture " + std::to_string(counted_) + ": " +
+                    std::to_string(result_.first_wins) + " to " +
+                    std::to_string(result_.second_wins) + ", " + std::to_string(result_.level) +
+                    " level");
+    }
+    return {};
+  }
+
+  record::Files& files_;
+  const ComparisonRun& run_;
+  Progress& progress_;
+  ProcessSet processes_;
+  ComparisonResult result_;
+  std::map<int, int> ahead_;  // by leg
+  int counted_ = 0;           // fixtures
+};
+
+}  // namespace
+
+Result<ComparisonResult> run_comparison(record::Files& files, const ComparisonRun& run,
+                                        Progress& progress) {
+  return Comparison(files, run, progress).play();
+}
+
+}  // namespace mirocup::league

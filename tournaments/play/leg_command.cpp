@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/play/leg_command.hpp"
+
+#include "core/base/random.hpp"
+#include "server/record/rules_json.hpp"
+#include "server/system/locations.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <utility>
+
+namespace mirocup::league {
+
+namespace {
+
+// The rules that differ from their preset, as options of mirocup match.
+std::vector<std::string> rule_options(const referee::Rules& rules, League league) {
+  std::vector<std::string> options{"--rules", std::string(to_string(rules.preset))};
+  const Json preset = record::to_json(referee::make_rules(rules.preset, league));
+  const Json own = record::to_json(rules);
+  for (const auto& [key, value] : own.items()) {
+    if (value == preset.at(key)) continue;
+    options.push_back("--rule");
+    options.push_back(key + "=" + value.dump());
+  }
+  return options;
+}
+
+std::string seat_of(const Folder& folder, const LeagueState& state, int team) {
+  const TeamEntry& entry = state.file.teams[team];
+  return entry.over_dds ? "dds:" + entry.name : folder.library(entry.name, state.teams[team].entry);
+}
+
+// The leg that decides a tie is not the first one over again.
+std::uint64_t leg_seed(const LeagueState& state, const LegId& id) {
+  const std::uint64_t seed = fixture_seed(state.file.seed, id.fixture);
+  return id.leg > id.fixture.legs ? mix_seed(seed) >> 11 : seed;
+}
+
+}  // namespace
+
+std::vector<int> open_legs(const LeagueState& state, const FixtureState& f) {
+  if (!f.fixture.has_both()) return {};
+  for (const int team : {f.fixture.home, f.fixture.away}) {
+    if (state.teams[team].standing != Standing::playing) return {};
+  }
+  std::vector<int> legs;
+  for (int leg = 1; leg <= f.needed(); ++leg) {
+    if (!f.legs[leg - 1].played) legs.push_back(leg);
+  }
+  return legs;
+}
+
+std::vector<std::string> leg_command(const Folder& folder, const LeagueState& state,
+                                     const LegId& id, const std::string& match_id) {
+  const Fixture& fixture = id.fixture;
+  const LeagueFile& file = state.file;
+  const int blue = blue_team(fixture, id.leg);
+  const int yellow = blue == fixture.home ? fixture.away : fixture.home;
+  std::vector<std::string> arguments{record::sibling_program("mirocup"),
+                                     "match",
+                                     "--blue",
+                                     seat_of(folder, state, blue),
+                                     "--blue-name",
+                                     file.teams[blue].name,
+                                     "--yellow",
+                                     seat_of(folder, state, yellow),
+                                     "--yellow-name",
+                                     file.teams[yellow].name,
+                                     "--league",
+                                     std::string(to_string(file.league)),
+                                     "--seed",
+                                     std::to_string(leg_seed(state, id)),
+                                     "--match",
+                                     match_id,
+                                     "--record",
+                                     folder.record(fixture, id.leg, id.version)};
+  if (id.leg > fixture.legs) {
+    // Golden goal and shoot-out: somebody wins.
+    arguments.insert(arguments.end(), {"--stage", "knockout"});
+  }
+  const std::vector<std::string> rules = rule_options(file.rules, file.league);
+  arguments.insert(arguments.end(), rules.begin(), rules.end());
+  return arguments;
+}
+
+std::string leg_output(const Folder& folder, const LegId& leg) {
+  return folder.record(leg.fixture, leg.leg, leg.version) + ".out";
+}
+
+std::optional<Json> played_record(record::Files& files, const Folder& folder,
+                                  const LeagueState& state, const LegId& id) {
+  const std::string path = folder.record(id.fixture, id.leg, id.version);
+  if (!files.exists(path)) return std::nullopt;
+  const auto text = files.read(path);
+  if (!text) return std::nullopt;
+  Json record = Json::parse(*text, nullptr, false);
+  try {
+    if (!record.is_object() || record.at("seed") != leg_seed(state, id) ||
+        record.at("result").at("end") == "void") {
+      return std::nullopt;
+    }
+    const int blue = blue_team(id.fixture, id.leg);
+    const int yellow = blue == id.fixture.home ? id.fixture.away : id.fixture.home;
+    for (const auto& [colour, team] : {std::pair{"blue", blue}, std::pair{"yellow", yellow}}) {
+      const Json& seat = record.at("teams").at(colour);
+      const bool is_entry =
+          state.file.teams[team].over_dds || seat.at("sha256") == state.teams[team].sha256;
+      if (seat.at("name") != state.name(team) || !is_entry) return std::nullopt;
+    }
+    // Throws if anything is missing that the journal needs.
+    (void)leg_line(state.file, id.fixture, id.leg, 1, record, path);
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
+  return std::make_optional(std::move(record));
+}
+
+}  // namespace mirocup::league

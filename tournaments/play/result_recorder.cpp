@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/play/result_recorder.hpp"
+
+#include "tournaments/league/start.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace mirocup::league {
+
+namespace {
+
+// What a loaded host can cause: such a loss counts when it happens again.
+bool is_by_a_clock(const std::string& fault) {
+  return fault == "budget" || fault == "hang" || fault == "start_timeout";
+}
+
+std::string record_of(const LegId& leg) {
+  return Folder::record_name(leg.fixture, leg.leg, leg.version);
+}
+
+}  // namespace
+
+Bookkeeper::Bookkeeper(record::Files& files, Book book, Progress& progress)
+    : files_(files), book_(std::move(book)), progress_(progress) {}
+
+Result<void> Bookkeeper::begin() {
+  return begin_league(files_, book_);
+}
+
+const FixtureState* Bookkeeper::find(const std::string& id) const {
+  const auto index = state().find_fixture(id);
+  return index ? &state().fixtures[*index] : nullptr;
+}
+
+std::optional<LegId> Bookkeeper::next_leg(const FixtureState& fixture) const {
+  for (const int leg : open_legs(state(), fixture)) {
+    const LegState& now = fixture.legs[leg - 1];
+    const LegId id{fixture.fixture, leg, now.version, now.voids + 1};
+    const auto spoiled = spoiled_.find(record_of(id));
+    if (spoiled == spoiled_.end() || spoiled->second < most_attempts) return id;
+  }
+  return std::nullopt;
+}
+
+Result<bool> Bookkeeper::book_if_played(const LegId& leg) {
+  const auto record = played_record(files_, folder(), state(), leg);
+  if (!record) return false;
+  if (auto booked = book_record(leg, *record); !booked) return tl::unexpected(booked.error());
+  return true;
+}
+
+Result<int> Bookkeeper::book_played(const std::string& fixture) {
+  for (int count = 0;; ++count) {
+    const FixtureState* now = find(fixture);
+    const auto leg = now != nullptr ? next_leg(*now) : std::nullopt;
+    if (!leg) return count;
+    const auto booked = book_if_played(*leg);
+    if (!booked) return tl::unexpected(booked.error());
+    if (!*booked) return count;
+  }
+}
+
+std::string Bookkeeper::last_words(const LegId& leg) const {
+  const std::string text = files_.read(leg_output(folder(), leg)).value_or("");
+  const std::size_t end = text.find_last_not_of('\n');
+  if (end == std::string::npos) return "";
+  const std::size_t before = text.rfind('\n', end);
+  const std::size_t begin = before == std::string::npos ? 0 : before + 1;
+  return text.substr(begin, end + 1 - begin);
+}
+
+Result<void> Bookkeeper::book_void(const LegId& leg, const std::string& why) {
+  ++spoiled_[record_of(leg)];
+  return write_void(leg, "host", why);
+}
+
+// A line that no longer fits, because a person decided otherwise meanwhile, is dropped.
+Result<void> Bookkeeper::written(Result<void> result) {
+  if (result || result.error().code != Errc::input) return result;
+  progress_.say("not counted: " + result.error().what);
+  return {};
+}
+
+Result<void> Bookkeeper::book_record(const LegId& leg, const Json& record) {
+  const Json line =
+      leg_line(state().file, leg.fixture, leg.leg, leg.attempt, record, record_of(leg));
+  const Json& fault = line.at("fault");
+  const FixtureState* fixture = find(leg.fixture.id());
+  const bool is_confirmed = fixture != nullptr && fixture->legs[leg.leg - 1].is_to_confirm;
+  if (!fault.is_null() && is_by_a_clock(fault.at("code").get<std::string>()) && !is_confirmed) {
+    return write_void(leg, "confirm",
+                      fault.at("team").get<std::string>() + ": " +
+                          fault.at("code").get<std::string>() + ": " +
+                          fault.at("text").get<std::string>() + "; played again to confirm it");
+  }
+  if (auto booked = written(book_.write("leg", line)); !booked) return booked;
+  progress_.say(std::to_string(state().played()) + "/" + std::to_string(state().legs()) + "  " +
+                line.at("home").get<std::string>() + " " + line.at("score").at("home").dump() +
+                " : " + line.at("score").at("away").dump() + " " +
+                line.at("away").get<std::string>() + "  (" + line.at("end").get<std::string>() +
+                (fault.is_null() ? ""
+                                 : ": " + fault.at("team").get<std::string>() + ": " +
+                                       fault.at("code").get<std::string>()) +
+                ")");
+  return pause_after_strikes(leg.fixture);
+}
+
+Result<void> Bookkeeper::write_void(const LegId& leg, const std::string& cause,
+                                    const std::string& why) {
+  const std::string fixture = leg.fixture.id();
+  progress_.say(fixture + " leg " + std::to_string(leg.leg) + ": void: " + why);
+  return written(book_.write("void", {{"fixture", fixture},
+                                      {"leg", leg.leg},
+                                      {"attempt", leg.attempt},
+                                      {"cause", cause},
+                                      {"why", why}}));
+}
+
+Result<void> Bookkeeper::pause_after_strikes(const Fixture& fixture) {
+  const int most = state().file.strikes;
+  for (const int team : {fixture.home, fixture.away}) {
+    const TeamState& now = state().teams[team];
+    if (most == 0 || now.strikes < most || now.standing != Standing::playing) continue;
+    const std::string why = std::to_string(now.strikes) + " legs in a row lost by its own faults";
+    const std::string name = state().name(team);
+    if (auto paused = written(book_.write("pause", {{"team", name}, {"why", why}})); !paused)
+      return paused;
+    progress_.say(name + " is paused: " + why + "; mirocup league resume or withdraw " +
+                  folder().path + " " + name);
+  }
+  return {};
+}
+
+Error interrupted_after(const LeagueState& state) {
+  return {Errc::interrupted, "interrupted after " + std::to_string(state.played()) + " of " +
+                                 std::to_string(state.legs()) +
+                                 " legs; the same command goes on from here"};
+}
+
+}  // namespace mirocup::league

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+//
+// What became of a leg, as lines of the journal: its result; void if the host spoiled it, or if only a
+// clock decided it for the first time; a pause for a team that loses leg after leg by its own faults.
+// The same for every engine that plays a league.
+#pragma once
+
+#include "tournaments/league/league_store.hpp"
+#include "tournaments/play/leg_command.hpp"
+#include "tournaments/play/progress.hpp"
+
+#include <map>
+#include <optional>
+
+namespace mirocup::league {
+
+// After so many attempts that the host spoiled a leg is left until the next start, when somebody may
+// have looked after the host.
+inline constexpr int most_attempts = 3;
+
+class Bookkeeper {
+ public:
+  Bookkeeper(record::Files& files, Book book, Progress& progress);
+
+  const Book& book() const { return book_; }
+  const LeagueState& state() const { return book_.state(); }
+  const Folder& folder() const { return book_.folder(); }
+
+  // Starts the league if it is not started.
+  Result<void> begin();
+
+  // Takes in what persons have decided since.
+  Result<void> refresh() { return book_.refresh(); }
+
+  // The fixture as it is now, if there still is one.
+  const FixtureState* find(const std::string& id) const;
+
+  // The leg of a fixture that is to be played next; nothing if none can be played now, or if the host
+  // has spoiled it too often while this program ran.
+  std::optional<LegId> next_leg(const FixtureState& fixture) const;
+
+  // Books the leg if its record is there; false if it is not.
+  Result<bool> book_if_played(const LegId& leg);
+
+  // Books the legs of a fixture one after the other as long as there are records; how many.
+  Result<int> book_played(const std::string& fixture);
+
+  // Has a match server been started for it? What did it say last?
+  bool has_begun(const LegId& leg) const { return files_.exists(leg_output(folder(), leg)); }
+  std::string last_words(const LegId& leg) const;
+
+  // The host spoiled it.
+  Result<void> book_void(const LegId& leg, const std::string& why);
+
+ private:
+  Result<void> book_record(const LegId& leg, const Json& record);
+  Result<void> write_void(const LegId& leg, const std::string& cause, const std::string& why);
+  Result<void> pause_after_strikes(const Fixture& fixture);
+  Result<void> written(Result<void> result);
+
+  record::Files& files_;
+  Book book_;
+  Progress& progress_;
+  std::map<std::string, int> spoiled_;  // by the host, while this program runs: records
+};
+
+// What to tell whoever interrupted the league.
+Error interrupted_after(const LeagueState& state);
+
+}  // namespace mirocup::league

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/play/runner.hpp"
+
+#include "server/system/digest.hpp"
+#include "server/system/locations.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace mirocup::league {
+
+namespace {
+
+// Joiners' exits are of no interest: the match server says what became of their team.
+constexpr int joiner_tag = -1;
+
+}  // namespace
+
+Runner::Runner(record::Files& files, Book book, Progress& progress)
+    : files_(files), books_(files, std::move(book), progress), progress_(progress) {}
+
+Result<int> Runner::run(const RunOptions& options) {
+  options_ = options;
+  if (auto begun = books_.begin(); !begun) return tl::unexpected(begun.error());
+  const std::vector<int> cpus = processors();
+  const int jobs = options.jobs > 0 ? options.jobs : static_cast<int>(cpus.size());
+  slots_.resize(jobs);
+  for (int i = 0; i < jobs; ++i) slots_[i].cpu = cpus[i % cpus.size()];
+
+  bool is_asked_to_stop = false;
+  while (true) {
+    if (auto fresh = books_.refresh(); !fresh) return tl::unexpected(fresh.error());
+    if (!is_asked_to_stop) {
+      if (auto filled = fill_slots(); !filled) return tl::unexpected(filled.error());
+    }
+    progress_.stands_at(state().played(), state().legs(), playing());
+    if (playing() == 0 && !is_asked_to_stop) return state().legs() - state().played();
+    const auto exit = playing() > 0 ? processes_.wait() : std::nullopt;
+    if (!exit && (is_asked_to_stop || playing() == 0)) {
+      return tl::unexpected(interrupted_after(state()));
+    }
+    if (!exit) {
+      is_asked_to_stop = true;
+      progress_.say("stopping: " + std::to_string(playing()) +
+                    " legs are being played to their end; interrupt again to stop at once");
+      continue;
+    }
+    if (exit->tag == joiner_tag) continue;
+    if (auto finished = finish(slots_[exit->tag], *exit); !finished)
+      return tl::unexpected(finished.error());
+  }
+}
+
+int Runner::playing() const {
+  return static_cast<int>(std::count_if(slots_.begin(), slots_.end(),
+                                        [](const Slot& s) { return s.playing.has_value(); }));
+}
+
+bool Runner::is_taken(const std::string& id) const {
+  return std::any_of(slots_.begin(), slots_.end(),
+                     [&id](const Slot& s) { return s.fixture == id; });
+}
+
+Result<bool> Runner::fill_slots() {
+  bool any = false;
+  for (Slot& slot : slots_) {
+    const auto filled = fill(slot);
+    if (!filled) return filled;
+    any = any || *filled;
+  }
+  return any;
+}
+
+const FixtureState* Runner::next_fixture(const Slot& slot) const {
+  // The legs of a fixture stay on one processor.
+  const FixtureState* own = slot.fixture.empty() ? nullptr : books_.find(slot.fixture);
+  if (own != nullptr && books_.next_leg(*own)) return own;
+  const auto& fixtures = state().fixtures;
+  for (std::size_t i = state().first_open(); i < fixtures.size(); ++i) {
+    const std::string id = fixtures[i].fixture.id();
+    if (books_.next_leg(fixtures[i]) && (id == slot.fixture || !is_taken(id))) return &fixtures[i];
+  }
+  return nullptr;
+}
+
+// Gives a free slot its next leg; false if there is none and it plays nothing.
+Result<bool> Runner::fill(Slot& slot) {
+  while (!slot.playing) {
+    const FixtureState* next = next_fixture(slot);
+    slot.fixture.clear();
+    if (next == nullptr) return false;
+    slot.fixture = next->fixture.id();
+    const LegId leg = *books_.next_leg(*next);
+    // A shard may have played it, or this program died before it could book it.
+    if (looked_at_.insert(Folder::record_name(leg.fixture, leg.leg, leg.version)).second) {
+      const auto booked = books_.book_if_played(leg);
+      if (!booked) return booked;
+      if (*booked) continue;
+    }
+    slot.playing = leg;
+    if (auto started = start_leg(slot); !started) return tl::unexpected(started.error());
+  }
+  return true;
+}
+
+// A league with credentials plays in secure mode.
+std::vector<std::string> Runner::credentials_of(const std::string& whose) const {
+  const std::string folder = books_.folder().credentials();
+  if (!files_.exists(folder + "/server")) return {};
+  return {"--credentials", folder + "/" + whose};
+}
+
+Result<void> Runner::start_leg(Slot& slot) {
+  const LegId& leg = *slot.playing;
+  const int blue = blue_team(leg.fixture, leg.leg);
+  const int yellow = blue == leg.fixture.home ? leg.fixture.away : leg.fixture.home;
+  // Other leagues may play on this host at the same time.
+  const std::string match_id =
+      record::sha256(books_.folder().path + state().config_sha256).substr(0, 12) + "-" +
+      slot.fixture + "-" + std::to_string(leg.leg);
+  const int tag = static_cast<int>(&slot - slots_.data());
+  auto command = leg_command(books_.folder(), state(), leg, match_id);
+  const std::vector<std::string> credentials = credentials_of("server");
+  command.insert(command.end(), credentials.begin(), credentials.end());
+  if (options_.watched) command.insert(command.end(), {"--watch", "127.0.0.1:0", "--speed", "max"});
+  if (auto started = processes_.start(command, tag, slot.cpu, leg_output(books_.folder(), leg));
+      !started)
+    return tl::unexpected(started.error());
+  if (auto joined = start_joiner(slot, blue, "blue", match_id); !joined) return joined;
+  return start_joiner(slot, yellow, "yellow", match_id);
+}
+
+Result<void> Runner::start_joiner(Slot& slot, int team, const std::string& colour,
+                                  const std::string& match_id) {
+  const TeamEntry& entry = state().file.teams[team];
+  if (!entry.over_dds) return {};
+  const LegId& leg = *slot.playing;
+  const std::string log =
+      books_.folder().record(leg.fixture, leg.leg, leg.version) + "." + colour + ".join";
+  std::vector<std::string> command{record::sibling_program("mirocup"),
+                                   "join",
+                                   "--match",
+                                   match_id,
+                                   "--team",
+                                   colour,
+                                   "--name",
+                                   entry.name,
+                                   books_.folder().library(entry.name, state().teams[team].entry)};
+  const std::vector<std::string> credentials = credentials_of("teams/" + entry.name);
+  command.insert(command.end(), credentials.begin(), credentials.end());
+  const auto pid = processes_.start(command, joiner_tag, slot.cpu, log);
+  if (!pid) return tl::unexpected(pid.error());
+  slot.joiner[colour == "blue" ? 0 : 1] = *pid;
+  return {};
+}
+
+Result<void> Runner::finish(Slot& slot, const Exit& exit) {
+  for (pid_t& joiner : slot.joiner) {
+    if (joiner != 0) processes_.kill(joiner);
+    joiner = 0;
+  }
+  const LegId leg = *slot.playing;
+  slot.playing.reset();
+  const std::string record = books_.folder().record(leg.fixture, leg.leg, leg.version);
+  if (exit.signal != 0) {
+    return books_.book_void(leg, "the match server died of signal " + std::to_string(exit.signal));
+  }
+  if (exit.code != exit_yes) return books_.book_void(leg, books_.last_words(leg));
+  const auto booked = books_.book_if_played(leg);
+  if (!booked) return tl::unexpected(booked.error());
+  if (*booked) return {};
+  return books_.book_void(leg, record + " is not there, or is not the record of this leg");
+}
+
+}  // namespace mirocup::league

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/play/shard.hpp"
+
+#include "server/system/process_set.hpp"
+#include "tournaments/play/leg_command.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace mirocup::league {
+
+namespace {
+
+bool is_over_dds(const LeagueState& state, const Fixture& fixture) {
+  return state.file.teams[fixture.home].over_dds || state.file.teams[fixture.away].over_dds;
+}
+
+// Legs one after the other, until somebody wants to stop.
+class Shard {
+ public:
+  Shard(record::Files& files, const Book& book) : files_(files), book_(book) {}
+
+  // False: it could not be played.
+  Result<bool> play(const LegId& leg) {
+    if (is_played(leg)) return true;
+    if (processes_.is_asked_to_stop_within(0.0)) return stopped();
+    const Folder& folder = book_.folder();
+    const auto started = processes_.start(leg_command(folder, book_.state(), leg, leg.fixture.id()),
+                                          0, -1, leg_output(folder, leg));
+    if (!started) return tl::unexpected(started.error());
+    if (!processes_.wait()) {
+      (void)processes_.wait();
+      return stopped();
+    }
+    return is_played(leg);
+  }
+
+ private:
+  static tl::unexpected<Error> stopped() {
+    return fail(Errc::interrupted, "interrupted; the same command goes on from here");
+  }
+
+  bool is_played(const LegId& leg) const {
+    return played_record(files_, book_.folder(), book_.state(), leg).has_value();
+  }
+
+  record::Files& files_;
+  const Book& book_;
+  ProcessSet processes_;
+};
+
+}  // namespace
+
+std::vector<std::string> open_shards(const LeagueState& state) {
+  std::vector<std::string> ids;
+  for (const FixtureState& f : state.fixtures) {
+    if (!open_legs(state, f).empty() && !is_over_dds(state, f.fixture))
+      ids.push_back(f.fixture.id());
+  }
+  return ids;
+}
+
+Result<int> play_shards(record::Files& files, const Book& book,
+                        const std::vector<std::string>& fixtures) {
+  const LeagueState& state = book.state();
+  if (!state.is_started) {
+    return fail(Errc::input,
+                book.folder().path + " has not started: mirocup league plan does that");
+  }
+  Shard shard(files, book);
+  int failed = 0;
+  for (const std::string& id : fixtures) {
+    const auto index = state.find_fixture(id);
+    if (!index) return fail(Errc::input, "there is no fixture " + id);
+    const FixtureState& f = state.fixtures[*index];
+    if (f.fixture.has_both() && is_over_dds(state, f.fixture))
+      return fail(Errc::input, id + " has a team over DDS: league start plays it");
+    for (const int leg : open_legs(state, f)) {
+      const auto played = shard.play({f.fixture, leg, f.legs[leg - 1].version});
+      if (!played) return tl::unexpected(played.error());
+      if (!*played) ++failed;
+    }
+  }
+  return failed;
+}
+
+}  // namespace mirocup::league

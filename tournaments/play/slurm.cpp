@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/play/slurm.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <sstream>
+
+namespace mirocup::league {
+
+namespace {
+
+constexpr const char* job_prefix = "mirocup-";
+
+std::string job_name(const std::string& league) {
+  return job_prefix + league + "-";
+}
+
+std::optional<int> number(std::string_view text) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+// Slurm replaces %a and others in names of files.
+std::string taken_as_written(const std::string& path) {
+  std::string text;
+  for (const char c : path) text.append(c == '%' ? 2 : 1, c);
+  return text;
+}
+
+}  // namespace
+
+Command sbatch_command(const SlurmArray& array) {
+  Command command{"sbatch",
+                  "--parsable",
+                  "--requeue",
+                  "--ntasks=1",
+                  "--cpus-per-task=1",
+                  "--chdir=/",
+                  "--open-mode=append",
+                  "--job-name=" + job_name(array.league) + std::to_string(array.plan),
+                  "--array=1-" + std::to_string(array.tasks) + "%" + std::to_string(array.at_once),
+                  "--output=" + taken_as_written(array.log) + "-%a.log"};
+  command.insert(command.end(), array.shard.begin(), array.shard.end());
+  return command;
+}
+
+Command squeue_command() {
+  return {"squeue",
+          "--me",
+          "--noheader",
+          "--array",
+          "--states=PENDING,CONFIGURING,RUNNING,SUSPENDED,STOPPED",
+          "--Format=Name:64,ArrayJobID:24,ArrayTaskID:24,State:24,RestartCnt:24"};
+}
+
+std::vector<SlurmTask> parse_queue(const std::string& text, const std::string& league) {
+  const std::string prefix = job_name(league);
+  std::vector<SlurmTask> tasks;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string name;
+    std::string job;
+    std::string index;
+    std::string state;
+    std::string restarts;
+    if (!(words >> name >> job >> index >> state >> restarts) || !name.starts_with(prefix))
+      continue;
+    const auto plan = number(std::string_view(name).substr(prefix.size()));
+    const auto task = number(index);
+    if (!plan || !task) continue;
+    tasks.push_back(
+        {job + "_" + index, *plan, *task, state == "RUNNING", number(restarts).value_or(0)});
+  }
+  return tasks;
+}
+
+Command scancel_command(const std::vector<std::string>& tasks, TakeBack which) {
+  Command command{"scancel"};
+  if (which == TakeBack::waiting) command.push_back("--state=PENDING");
+  // The interrupt is for the shard alone, not for the match that it plays.
+  if (which == TakeBack::after_the_leg) command.insert(command.end(), {"--batch", "--signal=INT"});
+  command.insert(command.end(), tasks.begin(), tasks.end());
+  return command;
+}
+
+Command release_command(const std::string& task) {
+  return {"scontrol", "update", "JobId=" + task, "StartTime=now"};
+}
+
+Command sinfo_command() {
+  return {"sinfo", "--noheader", "--format=%C"};
+}
+
+int parse_processors(const std::string& text) {
+  // Allocated/idle/other/total of each kind of node; "other" can play nothing now.
+  int most = 0;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream numbers(line);
+    int allocated = 0;
+    int idle = 0;
+    char slash = 0;
+    if (numbers >> allocated >> slash >> idle) most = std::max(most, allocated + idle);
+  }
+  return most;
+}
+
+}  // namespace mirocup::league

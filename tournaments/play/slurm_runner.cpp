@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/play/slurm_runner.hpp"
+
+#include "server/system/digest.hpp"
+#include "server/system/locations.hpp"
+#include "tournaments/play/shard.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+namespace mirocup::league {
+
+namespace {
+
+constexpr double seconds_between_looks = 2.0;
+
+// A lost task costs little, and one that takes long holds up little, if there are some for each
+// processor. Beyond most_tasks an array is more than Slurm takes unless it is told to.
+constexpr int tasks_a_job = 4;
+constexpr int most_tasks = 1000;
+
+// Arguments: mirocup-league, the league's folder, the plan.
+constexpr std::string_view script =
+    "#!/bin/sh\n"
+    "# Plays the fixtures in the line of the plan that is this task's.\n"
+    "exec \"$1\" run-shard \"$2\" $(sed -n \"${SLURM_ARRAY_TASK_ID}p\" \"$3\")\n";
+
+bool holds(const std::vector<SlurmTask>& tasks, const SlurmTask& task) {
+  return std::any_of(tasks.begin(), tasks.end(),
+                     [&task](const SlurmTask& t) { return t.id == task.id; });
+}
+
+std::vector<std::string> ids_of(const std::vector<SlurmTask>& tasks) {
+  std::vector<std::string> ids;
+  for (const SlurmTask& task : tasks) ids.push_back(task.id);
+  return ids;
+}
+
+std::string first_line(const std::string& text) {
+  return text.substr(0, text.find('\n'));
+}
+
+}  // namespace
+
+SlurmRunner::SlurmRunner(record::Files& files, Book book, Progress& progress)
+    : files_(files), books_(files, std::move(book), progress), progress_(progress) {}
+
+Result<int> SlurmRunner::run(int jobs) {
+  if (auto prepared = prepare(jobs); !prepared) return tl::unexpected(prepared.error());
+  int answered = 0;  // interrupts
+  while (true) {
+    const std::vector<SlurmTask> before = tasks_;
+    const bool is_known = look();
+    if (auto booked = book_after(before, is_known); !booked) return tl::unexpected(booked.error());
+    if (is_known) {
+      const auto fixtures = not_in_the_queue();
+      if (!fixtures) return tl::unexpected(fixtures.error());
+      if (interrupts_ == 0) {
+        if (auto handed_in = hand_in(*fixtures); !handed_in)
+          return tl::unexpected(handed_in.error());
+      }
+    }
+    progress_.stands_at(state().played(), state().legs(), running());
+    if (is_known && tasks_.empty()) {
+      if (interrupts_ > 0) return tl::unexpected(interrupted_after(state()));
+      return state().legs() - state().played();
+    }
+    if (processes_.is_asked_to_stop_within(seconds_between_looks)) ++interrupts_;
+    if (interrupts_ == answered) continue;
+    answered = interrupts_;
+    if (answered == 1) {
+      drain();
+      continue;
+    }
+    progress_.say("stopping at once");
+    (void)ask(scancel_command(ids_of(tasks_), TakeBack::all));
+    return tl::unexpected(interrupted_after(state()));
+  }
+}
+
+Result<void> SlurmRunner::prepare(int jobs) {
+  if (auto begun = books_.begin(); !begun) return begun;
+  const std::string path = std::filesystem::absolute(books_.folder().path).lexically_normal();
+  folder_ = path + "/cluster";
+  league_ = record::sha256(path + state().config_sha256).substr(0, 12);
+  if (auto made = files_.make_folder(folder_); !made) return made;
+  if (auto written = files_.write(folder_ + "/shard.sh", script); !written) return written;
+  while (files_.exists(plan_path(next_plan_))) ++next_plan_;
+
+  const auto queue = ask(squeue_command());
+  if (!queue) return tl::unexpected(queue.error());
+  tasks_ = parse_queue(*queue, league_);
+  if (!tasks_.empty())
+    progress_.say(std::to_string(tasks_.size()) + " tasks of this league are in the queue");
+  jobs_ = jobs;
+  if (jobs == 0) {
+    const auto nodes = ask(sinfo_command());
+    if (!nodes) return tl::unexpected(nodes.error());
+    jobs_ = std::max(1, parse_processors(*nodes));
+  }
+  return {};
+}
+
+// Runs one of Slurm's programs to its end. An interrupt is remembered.
+Result<std::string> SlurmRunner::ask(const Command& command) {
+  const std::string answer = folder_ + "/answer";
+  if (auto started = processes_.start(command, 0, -1, answer); !started)
+    return tl::unexpected(started.error());
+  auto exit = processes_.wait();
+  for (; !exit; exit = processes_.wait()) ++interrupts_;
+  const auto text = files_.read(answer);
+  if (!text) return text;
+  if (exit->signal == 0 && exit->code == exit_yes) return text;
+  if (exit->code == not_found) {
+    return fail(Errc::unavailable,
+                command[0] + " is not there: is this a host of a Slurm cluster?");
+  }
+  return fail(Errc::unavailable, command[0] + ": " + first_line(*text));
+}
+
+// What is in the queue; false if nobody says.
+bool SlurmRunner::look() {
+  const auto queue = ask(squeue_command());
+  if (!queue) {
+    if (!is_silent_) progress_.say(queue.error().what + "; asking again");
+    is_silent_ = true;
+    return false;
+  }
+  is_silent_ = false;
+  tasks_ = parse_queue(*queue, league_);
+  return true;
+}
+
+// Records that have come since the look before; and what has not come of tasks that are gone. What
+// a task has written was there before the queue said that it is gone.
+Result<void> SlurmRunner::book_after(const std::vector<SlurmTask>& before, bool is_known) {
+  if (auto fresh = books_.refresh(); !fresh) return fresh;
+  for (const SlurmTask& task : before) {
+    const bool is_gone = is_known && !holds(tasks_, task);
+    if (!is_gone && !task.is_running) continue;
+    for (const std::string& fixture : fixtures_of(task)) {
+      auto booked = is_gone ? book_lost(fixture, "task " + task.id + " has ended without it")
+                            : book_records(fixture);
+      if (!booked) return booked;
+    }
+  }
+  if (!is_known) return {};
+  for (const SlurmTask& task : tasks_) {
+    if (task.is_running || task.restarts <= restarts_[task.id]) continue;
+    restarts_[task.id] = task.restarts;
+    if (auto back = put_back(task); !back) return back;
+  }
+  return {};
+}
+
+Result<void> SlurmRunner::book_records(const std::string& fixture) {
+  const auto count = books_.book_played(fixture);
+  if (!count) return tl::unexpected(count.error());
+  if (*count > 0) barren_ = 0;
+  return {};
+}
+
+// What there is of it; and the leg that was being played is void.
+Result<void> SlurmRunner::book_lost(const std::string& fixture, const std::string& why) {
+  if (auto booked = book_records(fixture); !booked) return booked;
+  const FixtureState* now = books_.find(fixture);
+  const auto leg = now != nullptr ? books_.next_leg(*now) : std::nullopt;
+  if (!leg || !books_.has_begun(*leg)) return {};
+  const std::string said = books_.last_words(*leg);
+  return books_.book_void(*leg, why + (said.empty() ? "" : ": " + said));
+}
+
+Result<void> SlurmRunner::put_back(const SlurmTask& task) {
+  for (const std::string& fixture : fixtures_of(task)) {
+    if (auto lost = book_lost(fixture, "task " + task.id + " has lost its node"); !lost)
+      return lost;
+  }
+  // If it may not be let go it waits.
+  (void)ask(release_command(task.id));
+  return {};
+}
+
+// Fixtures that can be played now, have legs without a record, and are not in the queue.
+Result<std::vector<std::string>> SlurmRunner::not_in_the_queue() {
+  std::set<std::string> covered;
+  for (const SlurmTask& task : tasks_) {
+    for (const std::string& id : fixtures_of(task)) covered.insert(id);
+  }
+  std::vector<std::string> fixtures;
+  for (const std::string& id : open_shards(state())) {
+    if (covered.contains(id)) continue;
+    if (auto booked = book_records(id); !booked) return tl::unexpected(booked.error());
+    const FixtureState* now = books_.find(id);
+    if (now != nullptr && books_.next_leg(*now)) fixtures.push_back(id);
+  }
+  return fixtures;
+}
+
+Result<void> SlurmRunner::hand_in(const std::vector<std::string>& fixtures) {
+  if (fixtures.empty()) return {};
+  if (barren_ < most_attempts) return submit(fixtures);
+  if (!tasks_.empty()) return {};
+  return fail(Errc::host, "the cluster plays nothing: " + std::to_string(barren_) +
+                              " arrays of tasks have ended without a record; " + folder_ +
+                              " has their logs");
+}
+
+Result<void> SlurmRunner::submit(const std::vector<std::string>& fixtures) {
+  const int count = static_cast<int>(fixtures.size());
+  const int most = std::min(most_tasks, tasks_a_job * jobs_);
+  const int a_task = (count + most - 1) / most;
+  Lines lines;
+  std::string text;
+  for (int i = 0; i < count; ++i) {
+    if (i % a_task == 0) lines.emplace_back();
+    lines.back().push_back(fixtures[i]);
+    text += fixtures[i] + ((i + 1) % a_task == 0 || i + 1 == count ? "\n" : " ");
+  }
+  const int plan = next_plan_++;
+  const int tasks = static_cast<int>(lines.size());
+  if (auto written = files_.write(plan_path(plan), text); !written) return written;
+  const auto job = ask(
+      sbatch_command({.league = league_,
+                      .plan = plan,
+                      .tasks = tasks,
+                      .at_once = jobs_,
+                      .log = folder_ + "/" + std::to_string(plan),
+                      .shard = {folder_ + "/shard.sh", record::sibling_program("mirocup-league"),
+                                std::filesystem::path(folder_).parent_path(), plan_path(plan)}}));
+  if (!job) return tl::unexpected(job.error());
+  ++barren_;
+  plans_[plan] = std::move(lines);
+  const std::string id = job->substr(0, job->find_first_of(";\n"));
+  progress_.say("job " + id + ": " + std::to_string(count) + " fixtures in " +
+                std::to_string(tasks) + " tasks");
+  for (int i = 1; i <= tasks; ++i)
+    tasks_.push_back({id + "_" + std::to_string(i), plan, i, false, 0});
+  return {};
+}
+
+// Takes back what waits, and lets the legs that are being played come to their end. What cannot be
+// taken back plays on, and is booked by the next start.
+void SlurmRunner::drain() {
+  (void)ask(scancel_command(ids_of(tasks_), TakeBack::waiting));
+  look();
+  progress_.say("stopping: legs are being played to their end in " + std::to_string(running()) +
+                " tasks; interrupt again to stop at once");
+  if (running() > 0) (void)ask(scancel_command(ids_of(tasks_), TakeBack::after_the_leg));
+}
+
+std::vector<std::string> SlurmRunner::fixtures_of(const SlurmTask& task) {
+  const auto [plan, is_new] = plans_.try_emplace(task.plan);
+  if (is_new) {
+    std::istringstream text(files_.read(plan_path(task.plan)).value_or(""));
+    for (std::string line; std::getline(text, line);) {
+      std::istringstream words(line);
+      plan->second.emplace_back();
+      for (std::string id; words >> id;) plan->second.back().push_back(id);
+    }
+  }
+  const Lines& lines = plan->second;
+  if (task.line < 1 || task.line > static_cast<int>(lines.size())) return {};
+  return lines[task.line - 1];
+}
+
+std::string SlurmRunner::plan_path(int number) const {
+  return folder_ + "/" + std::to_string(number) + ".plan";
+}
+
+int SlurmRunner::running() const {
+  return static_cast<int>(std::count_if(tasks_.begin(), tasks_.end(),
+                                        [](const SlurmTask& task) { return task.is_running; }));
+}
+
+}  // namespace mirocup::league

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/publish/snapshot.hpp"
+
+#include "server/record/match_record.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+
+namespace mirocup::league {
+
+namespace {
+
+struct Round {
+  bool is_of_knockout = false;
+  int number = 0;
+
+  static Round of(const Fixture& f) { return {f.part == Part::knockout, f.round}; }
+  bool operator==(const Round&) const = default;
+
+  bool is_after(const Round& other) const {
+    return is_of_knockout != other.is_of_knockout ? is_of_knockout : number > other.number;
+  }
+};
+
+std::optional<Round> round_named(const std::string& name) {
+  Round round;
+  const char* end = name.data() + name.size();
+  if (name.empty() || (name[0] != 'r' && name[0] != 'k')) return std::nullopt;
+  const auto read = std::from_chars(name.data() + 1, end, round.number);
+  if (read.ec != std::errc() || read.ptr != end) return std::nullopt;
+  round.is_of_knockout = name[0] == 'k';
+  return round;
+}
+
+}  // namespace
+
+Result<LeagueState> state_through(const LeagueState& whole, const Journal& journal,
+                                  const std::string& round) {
+  const auto last = round_named(round);
+  const bool exists =
+      last && std::any_of(whole.fixtures.begin(), whole.fixtures.end(),
+                          [&](const FixtureState& f) { return Round::of(f.fixture) == *last; });
+  if (!exists)
+    return fail(Errc::input, "there is no round " + round + "; r3-f1 is a fixture of round r3");
+  LeagueState state = new_league(whole.file);
+  for (const Json& line : journal.lines()) {
+    if (line.contains("fixture")) {
+      // A fixture that is not known yet follows from one that is left out.
+      const auto index = state.find_fixture(line.at("fixture").get<std::string>());
+      if (!index || Round::of(state.fixtures[*index].fixture).is_after(*last)) continue;
+    }
+    if (const auto admitted = admit(state, line); !admitted)
+      return fail(Errc::input, round + " cannot be shown alone: " + admitted.error().what);
+    apply(state, line);
+  }
+  return state;
+}
+
+Result<void> copy_records(record::Files& files, const Folder& from, const LeagueState& state,
+                          const Folder& to) {
+  if (auto made = files.make_folder(to.path + "/records"); !made) return made;
+  for (const FixtureState& f : state.fixtures) {
+    for (const LegState& leg : f.legs) {
+      if (!leg.played || leg.played->record.empty()) continue;
+      const std::string& record = leg.played->record;
+      for (const std::string& name : {record, record::replay_path_of(record)}) {
+        const auto copied =
+            files.read(from.path + "/" + name).and_then([&](const std::string& bytes) {
+              return files.write(to.path + "/" + name, bytes);
+            });
+        if (!copied) return copied;
+      }
+    }
+  }
+  return {};
+}
+
+}  // namespace mirocup::league
