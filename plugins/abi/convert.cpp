@@ -3,7 +3,7 @@
 
 #include "core/match/copy_fields.hpp"
 
-namespace mirocup::plugins {
+namespace mirocup::abi {
 
 // The two sides number these alike.
 static_assert(static_cast<int>(League::large) == MIROCUP_LARGE);
@@ -98,4 +98,4 @@ match::Poses to_poses(const mirocup_placement& from) {
   return poses;
 }
 
-}  // namespace mirocup::plugins
+}  // namespace mirocup::abi

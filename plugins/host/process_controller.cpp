@@ -74,7 +74,7 @@ Result<std::unique_ptr<ProcessController>> ProcessController::start(
       fcntl(out_fd.get(), F_ADD_SEALS, no_resizing) != 0) {
     return not_available("the seals of a team's mailbox");
   }
-  in->setup = to_setup(briefing);
+  in->setup = abi::to_setup(briefing);
 
   int log_ends[2];
   int setup_ends[2];
@@ -248,7 +248,7 @@ void ProcessController::post(const match::Observation& observation) {
   if (is_placing_) ++places_;
   asked_at_ = posted_at_;
   cpu_at_post_ = cpu_;
-  in_->observation = to_observation(observation);
+  in_->observation = abi::to_observation(observation);
   in_->request.store(++request_, std::memory_order_release);
   bell_->ask(in_->request);
 }
@@ -327,10 +327,10 @@ Answer ProcessController::collect() {
   if (is_placing_) {
     mirocup_placement placement;
     std::memcpy(&placement, &out_->placement, sizeof placement);
-    poses = to_poses(placement);
+    poses = abi::to_poses(placement);
   }
   std::atomic_signal_fence(std::memory_order_seq_cst);
-  match::Command command = to_command(copy);
+  match::Command command = abi::to_command(copy);
   command.poses = poses;
   return command;
 }

@@ -10,7 +10,7 @@ namespace mirocup::plugins {
 
 tl::expected<std::unique_ptr<TrustedController>, match::Fault> TrustedController::load(
     const std::string& path, const match::Briefing& briefing) {
-  auto setup = std::make_unique<mirocup_setup>(to_setup(briefing));
+  auto setup = std::make_unique<mirocup_setup>(abi::to_setup(briefing));
   setup->log = write_line;
   auto plugin = Plugin::load(path, *setup);
   if (!plugin) return tl::unexpected(plugin.error());
@@ -22,7 +22,7 @@ TrustedController::TrustedController(std::unique_ptr<mirocup_setup> setup, Plugi
     : setup_(std::move(setup)), plugin_(std::move(plugin)) {}
 
 void TrustedController::post(const match::Observation& observation) {
-  observation_ = to_observation(observation);
+  observation_ = abi::to_observation(observation);
 }
 
 match::Answer TrustedController::collect() {
@@ -30,11 +30,11 @@ match::Answer TrustedController::collect() {
   if (observation_.placing != 0) {
     const auto placement = plugin_.place(observation_);
     if (!placement) return placement.error();
-    poses = to_poses(*placement);
+    poses = abi::to_poses(*placement);
   }
   const auto decided = plugin_.decide(observation_);
   if (!decided) return decided.error();
-  match::Command command = to_command(*decided);
+  match::Command command = abi::to_command(*decided);
   command.poses = poses;
   return command;
 }

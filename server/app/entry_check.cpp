@@ -73,7 +73,7 @@ const char* advice(match::FaultCode code) {
 // Is there a library of that name where the loader of the sandbox looks?
 bool is_on_this_system(const std::string& name) {
   if (name.find('/') != std::string::npos) return false;
-  record::Disk disk;
+  system::Disk disk;
   if (const auto cache = disk.read(plugins::loader_cache)) {
     // The cache holds paths that end with a zero.
     if (cache->find('/' + name + '\0') != std::string::npos) return true;
@@ -167,7 +167,7 @@ Result<bool> Examination::examine_file() {
     if (entry.error().code != Errc::input) return tl::unexpected(entry.error());
     return fail_with(entry.error().what);
   }
-  report_.sha256 = record::sha256(entry->bytes());
+  report_.sha256 = system::sha256(entry->bytes());
   entry_ = std::move(*entry);
   pass("a regular file of " + std::to_string(entry_->bytes().size()) + " bytes");
 
@@ -192,7 +192,7 @@ Result<bool> Examination::examine_file() {
 }
 
 Result<bool> Examination::examine_play() {
-  auto idle = plugins::Entry::open(record::house_team("idle"));
+  auto idle = plugins::Entry::open(system::house_team("idle"));
   if (!idle) return tl::unexpected(idle.error());
   idle_ = std::move(*idle);
 
@@ -234,7 +234,7 @@ Result<Examination::Leg> Examination::play(Team team, std::uint32_t most_ticks) 
   const auto bell = std::make_shared<plugins::Doorbell>();
   for (const Team seat : both_teams) {
     auto process = plugins::ProcessController::start(
-        record::sibling_program("mirocup-plugin-host"), report_.isolation,
+        system::sibling_program("mirocup-plugin-host"), report_.isolation,
         seat == team ? *entry_ : *idle_, match.briefing(seat), budget(), std::nullopt, bell);
     if (!process) return tl::unexpected(process.error());
     seats[index_of(seat)] = std::move(*process);

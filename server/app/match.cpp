@@ -79,7 +79,7 @@ class Session {
 
   const MatchOptions& options_;
   Interrupt interrupt_;
-  record::Disk disk_;
+  system::Disk disk_;
   pace::SteadyClock clock_;
   match::Match match_;
   replay::Trace trace_;

@@ -27,11 +27,11 @@ std::string replaced(std::string text, const std::string& word, const std::strin
 
 Result<int> run_new(const NewOptions& options) {
   const std::string& folder = options.folder;
-  record::Disk disk;
+  system::Disk disk;
   std::error_code none;
   if (fs::exists(folder, none) && !fs::is_empty(folder, none))
     return fail(Errc::input, folder + ": there is something in it already; name a new folder");
-  const record::TeamKit kit = record::team_kit();
+  const system::TeamKit kit = system::team_kit();
   if (!fs::is_directory(kit.templates, none))
     return fail(Errc::unavailable, kit.templates + ": the files of a new team are missing here");
   if (auto made = disk.make_folder(folder); !made) return tl::unexpected(made.error());

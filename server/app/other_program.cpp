@@ -9,7 +9,7 @@
 namespace mirocup::app {
 
 Result<int> run_program(const std::string& name, int argc, char** argv) {
-  std::string program = record::sibling_program(name);
+  std::string program = system::sibling_program(name);
   std::vector<char*> arguments{program.data()};
   for (int i = 2; i < argc; ++i) arguments.push_back(argv[i]);
   arguments.push_back(nullptr);

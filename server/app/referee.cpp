@@ -26,7 +26,7 @@ std::string id_of(const Json& json) {
 }
 
 Result<int> judge_traces(const std::string& path) {
-  record::Disk disk;
+  system::Disk disk;
   const auto text = disk.read(path);
   if (!text) return tl::unexpected(text.error());
   std::istringstream lines(*text);
@@ -37,20 +37,20 @@ Result<int> judge_traces(const std::string& path) {
     const Json json = Json::parse(line, nullptr, false);
     // A line of a league's results is no situation, and no mistake either.
     if (json.is_object() && json.contains("results")) {
-      std::cout << record::reject_trace(id_of(json), "a table of results is no situation").dump()
+      std::cout << traces::reject_trace(id_of(json), "a table of results is no situation").dump()
                 << '\n';
       continue;
     }
     const auto trace = json.is_discarded()
-                           ? Result<record::Trace>(fail(Errc::input, "this is not JSON"))
-                           : record::trace_from_json(json);
+                           ? Result<traces::Trace>(fail(Errc::input, "this is not JSON"))
+                           : traces::trace_from_json(json);
     if (!trace) {
       all_judged = false;
       std::cerr << path << ":" << number << ": " << trace.error().what << '\n';
-      std::cout << record::reject_trace(id_of(json), trace.error().what).dump() << '\n';
+      std::cout << traces::reject_trace(id_of(json), trace.error().what).dump() << '\n';
       continue;
     }
-    std::cout << record::judge_trace(*trace).dump() << '\n';
+    std::cout << traces::judge_trace(*trace).dump() << '\n';
   }
   return all_judged ? exit_yes : exit_no;
 }
@@ -70,7 +70,7 @@ std::string decision_text(const std::optional<match::LoggedDecision>& logged) {
 }
 
 Result<int> judge_record(const RefereeOptions& options) {
-  record::Disk disk;
+  system::Disk disk;
   const auto record = record::load(disk, options.record_path);
   if (!record) return tl::unexpected(record.error());
   const match::Setup& setup = record->recording.setup;

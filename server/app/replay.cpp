@@ -36,7 +36,7 @@ Result<int> run_replay(const ReplayOptions& options) {
   if (options.svg != options.at.has_value()) {
     return fail(Errc::input, "--at T and --svg belong together: a still picture of a moment");
   }
-  record::Disk disk;
+  system::Disk disk;
   const auto record = record::load(disk, options.record);
   if (!record) return tl::unexpected(record.error());
   const web::Times times = options.no_times ? web::Times::left_out : web::Times::shown;

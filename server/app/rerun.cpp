@@ -31,19 +31,19 @@ std::string entries_folder(const RerunOptions& options) {
 }
 
 // The library below the folder that has the digest, or "".
-std::string library_with(record::Files& files, const std::string& folder,
+std::string library_with(system::Files& files, const std::string& folder,
                          const std::string& sha256) {
   std::error_code none;
   for (fs::recursive_directory_iterator at(folder, none), end; !none && at != end;
        at.increment(none)) {
     if (at->path().extension() != ".so" || !at->is_regular_file(none)) continue;
     const auto bytes = files.read(at->path().string());
-    if (bytes && record::sha256(*bytes) == sha256) return at->path().string();
+    if (bytes && system::sha256(*bytes) == sha256) return at->path().string();
   }
   return "";
 }
 
-Result<TeamChoice> choose_again(record::Files& files, const record::TeamInfo& team,
+Result<TeamChoice> choose_again(system::Files& files, const record::TeamInfo& team,
                                 const std::string& entries) {
   if (team.kind == record::TeamKind::dds) {
     return fail(Errc::unavailable,
@@ -173,7 +173,7 @@ void report(const RerunOptions& options, const std::optional<Difference>& differ
 }  // namespace
 
 Result<int> run_rerun(const RerunOptions& options) {
-  record::Disk disk;
+  system::Disk disk;
   const auto record = record::load(disk, options.record);
   if (!record) return tl::unexpected(record.error());
   if (record->recording.result.end == match::EndKind::void_) {

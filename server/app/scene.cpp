@@ -15,7 +15,7 @@ namespace mirocup::app {
 namespace {}  // namespace
 
 Result<int> run_scene(const SceneOptions& options) {
-  record::Disk disk;
+  system::Disk disk;
   const auto text = disk.read(options.path);
   if (!text) return tl::unexpected(text.error());
   const auto scene = record::parse_scene(*text, options.path);

@@ -33,7 +33,7 @@ Result<TeamChoice> choose_team(const std::string& text) {
     if (choice.network_name.empty()) return fail(Errc::input, "dds: needs a name, as in dds:NAME");
     return choice;
   }
-  choice.library = record::house_team(text);
+  choice.library = system::house_team(text);
   if (!choice.library.empty()) {
     choice.info = {text, record::TeamKind::house, std::nullopt};
   } else if (std::error_code none;
@@ -46,7 +46,7 @@ Result<TeamChoice> choose_team(const std::string& text) {
   }
   auto entry = plugins::Entry::open(choice.library);
   if (entry) {
-    choice.info.sha256 = record::sha256(entry->bytes());
+    choice.info.sha256 = system::sha256(entry->bytes());
     const auto library = plugins::read_shared_library(entry->bytes());
     if (!library) choice.fault = no_load(choice.library + ": " + library.error());
     choice.entry = std::move(*entry);
@@ -64,7 +64,7 @@ Result<TeamSeat> TeamSeat::take_in_process(const TeamChoice& choice,
   TeamSeat seat(choice.info);
   seat.load_fault_ = choice.fault;
   if (choice.fault) return seat;
-  auto process = plugins::ProcessController::start(record::sibling_program("mirocup-plugin-host"),
+  auto process = plugins::ProcessController::start(system::sibling_program("mirocup-plugin-host"),
                                                    terms.isolation, *choice.entry, briefing,
                                                    terms.budget, terms.deadline, terms.bell);
   if (!process) return tl::unexpected(process.error());

@@ -14,7 +14,7 @@ namespace mirocup::app {
 namespace {}  // namespace
 
 Result<int> run_verify(const VerifyOptions& options) {
-  record::Disk disk;
+  system::Disk disk;
   const auto whole = record::load(disk, options.path);
   // A record that was changed is damaged, but what it now says wrongly is the better answer.
   const auto record = whole ? whole : record::load(disk, options.path, record::Seal::ignored);

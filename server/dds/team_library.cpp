@@ -33,12 +33,12 @@ struct Receive {
 
   std::int32_t operator()(const Silence&) const { return MIROCUP_TEAM_NOTHING; }
   std::int32_t operator()(const Seated&) const {
-    c.setup = plugins::to_setup(c.client->briefing());
+    c.setup = abi::to_setup(c.client->briefing());
     c.setup.log = write_line;
     return MIROCUP_TEAM_SEATED;
   }
   std::int32_t operator()(const match::Scene& scene) const {
-    c.observation = plugins::to_observation(match::observe(scene, c.team, c.client->robots()));
+    c.observation = abi::to_observation(match::observe(scene, c.team, c.client->robots()));
     c.poses.reset();
     return MIROCUP_TEAM_TICK;
   }
@@ -103,11 +103,11 @@ const mirocup_observation* mirocup_team_observation(const mirocup_connection* co
 
 void mirocup_team_place(mirocup_connection* connection, const mirocup_placement* placement) {
   if (connection->observation.placing == 0) return;
-  connection->poses = mirocup::plugins::to_poses(*placement);
+  connection->poses = mirocup::abi::to_poses(*placement);
 }
 
 void mirocup_team_send(mirocup_connection* connection, const mirocup_command* command) {
-  mirocup::match::Command answer = mirocup::plugins::to_command(*command);
+  mirocup::match::Command answer = mirocup::abi::to_command(*command);
   answer.poses = connection->poses;
   connection->client->send(answer, connection->observation.tick);
 }

@@ -225,7 +225,7 @@ match::Setup setup_of(const Json& json) {
 
 // The last key of a record is the digest of everything before it.
 std::string seal_of(const std::string& text) {
-  return ",\n \"sha256\": \"" + sha256(text) + "\"\n}\n";
+  return ",\n \"sha256\": \"" + system::sha256(text) + "\"\n}\n";
 }
 
 // `object` is the text of an object that is not empty.
@@ -333,7 +333,7 @@ Json to_json(const MatchRecord& record) {
           {"state_hash", to_hex(r.state_hash)}};
 }
 
-Result<void> save(Files& files, const std::string& path, const MatchRecord& record) {
+Result<void> save(system::Files& files, const std::string& path, const MatchRecord& record) {
   const int robots = field::make_field(record.recording.setup.league).robots_per_team;
   const std::string replay = pack_replay(record.recording, robots);
   const std::string replay_path = replay_path_of(path);
@@ -341,12 +341,12 @@ Result<void> save(Files& files, const std::string& path, const MatchRecord& reco
 
   Json json = to_json(record);
   json["replay"] = {{"file", std::filesystem::path(replay_path).filename().string()},
-                    {"sha256", sha256(replay)}};
+                    {"sha256", system::sha256(replay)}};
   // Names of teams may be any bytes: what is not UTF-8 is replaced.
   return files.write(path, sealed(json.dump(1, ' ', false, Json::error_handler_t::replace)));
 }
 
-Result<MatchRecord> load(Files& files, const std::string& path, Seal seal) {
+Result<MatchRecord> load(system::Files& files, const std::string& path, Seal seal) {
   const auto text = files.read(path);
   if (!text) return tl::unexpected(text.error());
   if (seal == Seal::checked && !is_sealed(*text)) {
@@ -361,7 +361,7 @@ Result<MatchRecord> load(Files& files, const std::string& path, Seal seal) {
             .string();
     const auto replay = files.read(replay_path);
     if (!replay) return tl::unexpected(replay.error());
-    if (sha256(*replay) != json.at("replay").at("sha256").get<std::string>()) {
+    if (system::sha256(*replay) != json.at("replay").at("sha256").get<std::string>()) {
       return fail(Errc::damaged,
                   replay_path + ": it is not the replay that the record was saved with");
     }

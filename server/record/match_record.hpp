@@ -102,7 +102,7 @@ Json to_json(const match::LoggedDecision& decision);
 Json to_json(const MatchRecord& record);
 
 // Writes the replay, then the record: if the record is there, both are.
-Result<void> save(Files& files, const std::string& path, const MatchRecord& record);
+Result<void> save(system::Files& files, const std::string& path, const MatchRecord& record);
 
 // A record ends with the digest of its own text, and holds the digest of its replay: a byte that was
 // changed or lost is found. Somebody who wants to forge a record can compute digests, too; verifying
@@ -110,7 +110,7 @@ Result<void> save(Files& files, const std::string& path, const MatchRecord& reco
 enum class Seal { checked, ignored };
 
 // Reads both. Errors: Errc::unavailable if a file is not there, Errc::damaged for everything else.
-Result<MatchRecord> load(Files& files, const std::string& path, Seal seal = Seal::checked);
+Result<MatchRecord> load(system::Files& files, const std::string& path, Seal seal = Seal::checked);
 
 // "leg.json" -> "leg.replay.zst"
 std::string replay_path_of(const std::string& record_path);

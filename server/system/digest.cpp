@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace mirocup::record {
+namespace mirocup::system {
 
 std::string sha256(std::string_view bytes) {
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
@@ -20,4 +20,4 @@ std::string sha256(std::string_view bytes) {
   return text;
 }
 
-}  // namespace mirocup::record
+}  // namespace mirocup::system

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-namespace mirocup::record {
+namespace mirocup::system {
 
 std::string sha256(std::string_view bytes);
 
-}  // namespace mirocup::record
+}  // namespace mirocup::system

@@ -10,7 +10,7 @@
 #include <unistd.h>
 #include <utility>
 
-namespace mirocup::record {
+namespace mirocup::system {
 
 namespace {
 
@@ -176,4 +176,4 @@ Result<void> Disk::make_folder(const std::string& path) {
   return {};
 }
 
-}  // namespace mirocup::record
+}  // namespace mirocup::system

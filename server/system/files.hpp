@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace mirocup::record {
+namespace mirocup::system {
 
 class Files {
  public:
@@ -54,4 +54,4 @@ class Disk final : public Files {
   Result<void> make_folder(const std::string& path) override;
 };
 
-}  // namespace mirocup::record
+}  // namespace mirocup::system

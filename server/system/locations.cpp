@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-namespace mirocup::record {
+namespace mirocup::system {
 
 namespace fs = std::filesystem;
 
@@ -40,4 +40,4 @@ std::string house_team(const std::string& name) {
   return "";
 }
 
-}  // namespace mirocup::record
+}  // namespace mirocup::system

@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace mirocup::record {
+namespace mirocup::system {
 
 // The folder of the running program.
 std::string program_folder();
@@ -26,4 +26,4 @@ TeamKit team_kit();
 // The library of a house team, or "" if there is no such team.
 std::string house_team(const std::string& name);
 
-}  // namespace mirocup::record
+}  // namespace mirocup::system

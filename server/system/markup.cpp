@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/system/markup.hpp"
 
-namespace mirocup::record {
+namespace mirocup::system {
 
 std::string escaped(std::string_view text) {
   std::string out;
@@ -29,4 +29,4 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-}  // namespace mirocup::record
+}  // namespace mirocup::system

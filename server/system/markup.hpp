@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
-namespace mirocup::record {
+namespace mirocup::system {
 
 // For text and for attribute values of HTML and SVG.
 std::string escaped(std::string_view text);
 
-}  // namespace mirocup::record
+}  // namespace mirocup::system

@@ -12,7 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace mirocup::league {
+namespace mirocup::system {
 
 namespace {
 
@@ -128,4 +128,4 @@ std::vector<int> processors() {
   return list;
 }
 
-}  // namespace mirocup::league
+}  // namespace mirocup::system

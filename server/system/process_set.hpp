@@ -11,7 +11,7 @@
 #include <sys/types.h>
 #include <vector>
 
-namespace mirocup::league {
+namespace mirocup::system {
 
 // How a child ended.
 struct Exit {
@@ -58,4 +58,4 @@ class ProcessSet {
 // The processors that this process may use.
 std::vector<int> processors();
 
-}  // namespace mirocup::league
+}  // namespace mirocup::system

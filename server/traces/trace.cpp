@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace mirocup::record {
+namespace mirocup::traces {
 
 namespace {
 
@@ -152,7 +152,7 @@ referee::Rules rules_of(const Json& json, League league) {
   std::string preset = json.value("preset", "mirosot");
   if (preset == "vsss_3v3" || preset == "vsss_5v5") preset = "vsss";
   rules["preset"] = preset;
-  auto read = rules_from_json(rules, Errc::input, league);
+  auto read = record::rules_from_json(rules, Errc::input, league);
   if (!read) throw Wrong{read.error().what};
   return *read;
 }
@@ -246,4 +246,4 @@ Result<Trace> trace_from_json(const Json& json) {
   }
 }
 
-}  // namespace mirocup::record
+}  // namespace mirocup::traces

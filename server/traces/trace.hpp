@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace mirocup::record {
+namespace mirocup::traces {
 
 // What one film shows from `t` on. What a frame does not give, it takes over from the one before.
 struct KeyFrame {
@@ -85,12 +85,12 @@ struct Trace {
 // An error names the key that is wrong.
 Result<Trace> trace_from_json(const nlohmann::ordered_json& json);
 
-}  // namespace mirocup::record
+}  // namespace mirocup::traces
 
 namespace mirocup {
 
 template <>
-inline constexpr std::array<std::string_view, 4> enum_names<record::TraceState>{
+inline constexpr std::array<std::string_view, 4> enum_names<traces::TraceState>{
     "PLAY", "READY", "PLACE", "HALF_TIME"};
 
 }  // namespace mirocup

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace mirocup::record {
+namespace mirocup::traces {
 
 namespace {
 
@@ -194,4 +194,4 @@ void Film::place_the_others() {
   }
 }
 
-}  // namespace mirocup::record
+}  // namespace mirocup::traces

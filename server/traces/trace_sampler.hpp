@@ -5,7 +5,7 @@
 
 #include "server/traces/trace.hpp"
 
-namespace mirocup::record {
+namespace mirocup::traces {
 
 inline constexpr double sample_period = 0.033;  // s
 
@@ -40,4 +40,4 @@ class Film {
   referee::ByRobot<Pose> far_;  // where robots stand that the trace does not list
 };
 
-}  // namespace mirocup::record
+}  // namespace mirocup::traces

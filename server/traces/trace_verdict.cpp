@@ -10,7 +10,7 @@
 #include <cmath>
 #include <utility>
 
-namespace mirocup::record {
+namespace mirocup::traces {
 
 namespace {
 
@@ -300,4 +300,4 @@ Json reject_trace(const std::string& id, const std::string& reason) {
       {"id", id}, {"decision", "REJECTED"}, {"law", nullptr}, {"reason", reason}, {"at", nullptr}};
 }
 
-}  // namespace mirocup::record
+}  // namespace mirocup::traces

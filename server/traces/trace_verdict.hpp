@@ -6,11 +6,11 @@
 
 #include "server/traces/trace.hpp"
 
-namespace mirocup::record {
+namespace mirocup::traces {
 
 nlohmann::ordered_json judge_trace(const Trace& trace);
 
 // The verdict on a line that is no situation: REJECTED, with the reason.
 nlohmann::ordered_json reject_trace(const std::string& id, const std::string& reason);
 
-}  // namespace mirocup::record
+}  // namespace mirocup::traces

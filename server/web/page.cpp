@@ -41,7 +41,7 @@ std::string script() {
 
 // The digest of a script as a content security policy names it.
 std::string policy_digest(const std::string& text) {
-  const std::string hex = record::sha256(text);
+  const std::string hex = system::sha256(text);
   std::string bytes;
   for (std::size_t i = 0; i < hex.size(); i += 2) {
     bytes += static_cast<char>(std::stoi(hex.substr(i, 2), nullptr, 16));
@@ -84,9 +84,9 @@ std::string page(const match::Match& first_moment, const match::ByTeam<std::stri
       "default-src 'none'; style-src 'unsafe-inline'; connect-src 'self'; script-src '" +
       policy_digest(code) + "'";
   return filled(asset("page.html"),
-                {{"title", record::escaped(names[0] + " – " + names[1])},
-                 {"blue", record::escaped(names[0])},
-                 {"yellow", record::escaped(names[1])},
+                {{"title", system::escaped(names[0] + " – " + names[1])},
+                 {"blue", system::escaped(names[0])},
+                 {"yellow", system::escaped(names[1])},
                  {"policy", policy},
                  {"style", std::string(asset("page.css"))},
                  {"picture", picture(first_moment.field(), first_moment.setup().parameters,

@@ -21,7 +21,7 @@ std::optional<double> play_league(const std::string& program, const std::string&
   for (int i = 0; i < league_teams; ++i) {
     const std::string house = houses[static_cast<std::size_t>(i) % houses.size()];
     init.push_back("--team");
-    init.push_back("t" + std::to_string(i) + "=" + record::house_team(house));
+    init.push_back("t" + std::to_string(i) + "=" + system::house_team(house));
   }
   if (!run(std::move(init), Cores::all)) return std::nullopt;
   const auto times =
@@ -33,7 +33,7 @@ std::optional<double> play_league(const std::string& program, const std::string&
 }  // namespace
 
 std::optional<LeagueTimes> play_leagues() {
-  const std::string program = record::sibling_program("mirocup");
+  const std::string program = system::sibling_program("mirocup");
   if (sysconf(_SC_NPROCESSORS_ONLN) < 2 || !std::filesystem::exists(program)) return std::nullopt;
   const test_support::TemporaryFolder folder;
   const auto one = play_league(program, folder / "one", 1);

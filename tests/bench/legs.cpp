@@ -40,7 +40,7 @@ std::optional<Leg> play_leg(const std::string& program, const std::string& recor
 }  // namespace
 
 std::vector<Leg> play_legs(int rounds) {
-  const std::string program = record::sibling_program("mirocup");
+  const std::string program = system::sibling_program("mirocup");
   if (!std::filesystem::exists(program)) return {};
   const test_support::TemporaryFolder folder;
   std::vector<Leg> legs;

@@ -10,7 +10,7 @@
 
 namespace mirocup::test_support {
 
-class MemoryFiles final : public record::Files {
+class MemoryFiles final : public system::Files {
  public:
   // The next `writes` writes or appends succeed, those after them fail.
   void fail_after(int writes) { writes_left_ = writes; }

@@ -21,7 +21,7 @@ namespace mirocup::league {
 
 namespace {
 
-Result<LeagueFile> file_from(record::Files& files, const LeagueOptions& options) {
+Result<LeagueFile> file_from(system::Files& files, const LeagueOptions& options) {
   if (!options.config.empty()) {
     const auto text = files.read(options.config);
     if (!text) return tl::unexpected(text.error());
@@ -52,7 +52,7 @@ Result<LeagueFile> file_from(record::Files& files, const LeagueOptions& options)
   return parse_league_file(print_league_file(file), "--team");
 }
 
-Result<void> publish_site(record::Files& files, const Folder& folder, const LeagueState& state,
+Result<void> publish_site(system::Files& files, const Folder& folder, const LeagueState& state,
                           int jobs = 0) {
   if (auto made = files.make_folder(folder.site() + "/teams"); !made) return made;
   if (auto removed = files.remove_unfinished(folder.path); !removed) return removed;
@@ -86,7 +86,7 @@ void say_what_is_left(const LeagueState& state) {
 }
 
 // Where the league stands when nothing is left that can be played.
-Result<LeagueState> play(record::Files& files, Book book, Progress& progress,
+Result<LeagueState> play(system::Files& files, Book book, Progress& progress,
                          const LeagueOptions& options) {
   const auto state_of = [](auto& runner, const Result<int>& left) -> Result<LeagueState> {
     if (!left) return tl::unexpected(left.error());
@@ -103,7 +103,7 @@ Result<LeagueState> play(record::Files& files, Book book, Progress& progress,
 }  // namespace
 
 Result<int> run_init(const LeagueOptions& options) {
-  record::Disk disk;
+  system::Disk disk;
   const auto file = file_from(disk, options);
   if (!file) return tl::unexpected(file.error());
   const Folder folder{options.folder};
@@ -114,7 +114,7 @@ Result<int> run_init(const LeagueOptions& options) {
 }
 
 Result<int> run_start(const LeagueOptions& options) {
-  record::Disk disk;
+  system::Disk disk;
   const Folder folder{options.folder};
   std::string notice;
   auto book = Book::open(disk, folder, &notice);
@@ -146,7 +146,7 @@ Result<int> run_start(const LeagueOptions& options) {
 
 // Asks the process that plays the league to stop; the kernel knows whether there is one.
 Result<int> run_stop(const LeagueOptions& options) {
-  record::Disk disk;
+  system::Disk disk;
   const Folder folder{options.folder};
   if (!FileLock::is_taken(folder.running())) {
     std::cout << folder.path << " is not being played\n";
@@ -166,7 +166,7 @@ Result<int> run_stop(const LeagueOptions& options) {
 }
 
 Result<int> run_status(const LeagueOptions& options) {
-  record::Disk disk;
+  system::Disk disk;
   const auto book = Book::open(disk, Folder{options.folder});
   if (!book) return tl::unexpected(book.error());
   const LeagueState& state = book->state();
@@ -188,7 +188,7 @@ Result<int> run_status(const LeagueOptions& options) {
 }
 
 Result<int> run_publish(const LeagueOptions& options) {
-  record::Disk disk;
+  system::Disk disk;
   const auto book = Book::open(disk, Folder{options.folder});
   if (!book) return tl::unexpected(book.error());
   // Rounds that are shown alone have a folder of their own: site/ has everything.
@@ -209,7 +209,7 @@ Result<int> run_publish(const LeagueOptions& options) {
 }
 
 Result<int> run_export(const LeagueOptions& options) {
-  record::Disk disk;
+  system::Disk disk;
   const auto book = Book::open(disk, Folder{options.folder});
   if (!book) return tl::unexpected(book.error());
   if (auto made = disk.make_folder(options.output); !made) return tl::unexpected(made.error());

@@ -19,7 +19,7 @@ namespace {
 // The teams of the league in the folder, if there is one, and those of the command line.
 Result<std::vector<std::string>> teams_of(const CredentialsOptions& options) {
   std::vector<std::string> names = options.teams;
-  record::Disk disk;
+  system::Disk disk;
   const std::string config = Folder{options.folder}.config();
   if (!disk.exists(config)) {
     if (!names.empty() || !options.revoked.empty()) return names;
@@ -52,10 +52,10 @@ Result<void> run_script(std::vector<std::string> arguments) {
 Result<int> run_credentials(const CredentialsOptions& options) {
   const auto teams = teams_of(options);
   if (!teams) return tl::unexpected(teams.error());
-  record::Disk disk;
+  system::Disk disk;
   const std::string folder = Folder{options.folder}.credentials();
   if (auto made = disk.make_folder(folder); !made) return tl::unexpected(made.error());
-  std::vector<std::string> arguments{record::sibling_program("mirocup-credentials"), folder,
+  std::vector<std::string> arguments{system::sibling_program("mirocup-credentials"), folder,
                                      std::to_string(options.days)};
   const auto is_revoked = [&options](const std::string& team) {
     return std::find(options.revoked.begin(), options.revoked.end(), team) != options.revoked.end();

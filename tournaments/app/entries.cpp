@@ -43,7 +43,7 @@ void print(const Submission& done, bool json) {
 }
 
 // TEAM.so of an inbox, unless it is the team's last entry already.
-Result<int> collect(record::Files& files, const SubmitOptions& options) {
+Result<int> collect(system::Files& files, const SubmitOptions& options) {
   std::vector<fs::path> libraries;
   std::error_code code;
   for (const auto& file : fs::directory_iterator(options.inbox, code)) {
@@ -91,7 +91,7 @@ class Scratch {
 }  // namespace
 
 Result<int> run_submit(const SubmitOptions& options) {
-  record::Disk disk;
+  system::Disk disk;
   if (!options.inbox.empty()) return collect(disk, options);
   if (options.file.empty())
     return fail(Errc::input, "TEAM and FILE.so are expected, or --inbox FOLDER");
@@ -102,7 +102,7 @@ Result<int> run_submit(const SubmitOptions& options) {
 }
 
 Result<int> run_compare(const CompareOptions& options) {
-  record::Disk disk;
+  system::Disk disk;
   const Scratch scratch;
   if (scratch.path().empty())
     return fail(Errc::unavailable, "no folder for the records can be made");

@@ -30,7 +30,7 @@ Result<std::vector<int>> legs_of(const Book& book, const RulingOptions& options)
 }
 
 Result<int> rule(const RulingOptions& options, int home_goals, int away_goals) {
-  record::Disk disk;
+  system::Disk disk;
   auto book = Book::open(disk, Folder{options.folder});
   if (!book) return tl::unexpected(book.error());
   const auto legs = legs_of(*book, options);
@@ -53,7 +53,7 @@ Result<int> rule(const RulingOptions& options, int home_goals, int away_goals) {
 }
 
 Result<int> write_team_line(const RulingOptions& options, const std::string& kind, Json fields) {
-  record::Disk disk;
+  system::Disk disk;
   auto book = Book::open(disk, Folder{options.folder});
   if (!book) return tl::unexpected(book.error());
   fields["team"] = options.team;
@@ -65,7 +65,7 @@ Result<int> write_team_line(const RulingOptions& options, const std::string& kin
 }  // namespace
 
 Result<int> run_award(const RulingOptions& options) {
-  record::Disk disk;
+  system::Disk disk;
   const auto book = Book::open(disk, Folder{options.folder});
   if (!book) return tl::unexpected(book.error());
   const LeagueState& state = book->state();
@@ -92,7 +92,7 @@ Result<int> run_rule(const RulingOptions& options) {
 }
 
 Result<int> run_void(const RulingOptions& options) {
-  record::Disk disk;
+  system::Disk disk;
   auto book = Book::open(disk, Folder{options.folder});
   if (!book) return tl::unexpected(book.error());
   const auto legs = legs_of(*book, options);

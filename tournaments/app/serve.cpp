@@ -18,10 +18,10 @@ constexpr double long_time = 3600.0;  // s
 Result<int> run_serve(const ServeOptions& options) {
   const auto address = web::parse_address(options.at, "--at");
   if (!address) return tl::unexpected(address.error());
-  record::Disk disk;
+  system::Disk disk;
   auto book = Book::open(disk, Folder{options.folder});
   if (!book) return tl::unexpected(book.error());
-  ProcessSet interrupts;  // before any thread
+  system::ProcessSet interrupts;  // before any thread
   ServedLeague league(disk, std::move(*book));
   const auto server = web::SiteServer::open(
       *address, "--at",

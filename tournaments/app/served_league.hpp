@@ -19,7 +19,7 @@ namespace mirocup::league {
 
 class ServedLeague {
  public:
-  ServedLeague(record::Files& files, Book book) : files_(files), book_(std::move(book)) {}
+  ServedLeague(system::Files& files, Book book) : files_(files), book_(std::move(book)) {}
 
   // As web::Site has them.
   std::optional<web::Page> page(const std::string& path);
@@ -41,7 +41,7 @@ class ServedLeague {
   void make_pages();
   std::optional<web::Page> replay(const std::string& stem);
 
-  record::Files& files_;
+  system::Files& files_;
   std::mutex mutex_;  // of all that follows
   Book book_;
   std::chrono::steady_clock::time_point looked_at_{};

@@ -10,7 +10,7 @@ namespace mirocup::league {
 
 // What shards have played is booked first: it may open the next round.
 Result<int> run_plan(const ShardOptions& options) {
-  record::Disk disk;
+  system::Disk disk;
   auto book = Book::open(disk, Folder{options.folder});
   if (!book) return tl::unexpected(book.error());
   const auto progress = make_progress();
@@ -29,7 +29,7 @@ Result<int> run_plan(const ShardOptions& options) {
 }
 
 Result<int> run_shards(const ShardOptions& options) {
-  record::Disk disk;
+  system::Disk disk;
   const auto book = Book::open(disk, Folder{options.folder});
   if (!book) return tl::unexpected(book.error());
   const auto failed = play_shards(disk, *book, options.fixtures);

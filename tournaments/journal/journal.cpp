@@ -17,12 +17,12 @@ constexpr std::string_view before_hash = ",\"hash\":\"";
 }  // namespace
 
 // Here, where Json is whole.
-Journal::Journal(record::Files& files, std::string path) : files_(&files), path_(std::move(path)) {}
+Journal::Journal(system::Files& files, std::string path) : files_(&files), path_(std::move(path)) {}
 Journal::Journal(Journal&&) noexcept = default;
 Journal& Journal::operator=(Journal&&) noexcept = default;
 Journal::~Journal() = default;
 
-Result<Journal> Journal::open(record::Files& files, std::string path, std::string* notice) {
+Result<Journal> Journal::open(system::Files& files, std::string path, std::string* notice) {
   Journal journal(files, std::move(path));
   if (auto read = journal.refresh(); !read) return tl::unexpected(read.error());
   if (journal.is_torn_ && notice != nullptr) {
@@ -57,14 +57,14 @@ Result<void> Journal::read_line(const std::string& line) {
   };
   if (hashed == std::string::npos ||
       line.substr(hashed) != std::string(before_hash) +
-                                 record::sha256(std::string_view(line).substr(0, hashed)) + "\"}") {
+                                 system::sha256(std::string_view(line).substr(0, hashed)) + "\"}") {
     return fail(Errc::damaged, where + " is not as it was written");
   }
   if (!json.contains("n") || !json["n"].is_number_unsigned() ||
       json["n"].get<std::size_t>() != lines_.size() + 1 || !has_text("prev", last_hash_)) {
     return fail(Errc::damaged, where + " does not follow from the line before it");
   }
-  last_hash_ = record::sha256(line);
+  last_hash_ = system::sha256(line);
   lines_.push_back(std::move(json));
   return {};
 }
@@ -79,13 +79,13 @@ Result<void> Journal::append(const std::string& kind, Json fields) {
   line["prev"] = last_hash_;
   std::string text = line.dump(-1, ' ', false, Json::error_handler_t::replace);
   text.pop_back();
-  line["hash"] = record::sha256(text);
+  line["hash"] = system::sha256(text);
   text.append(before_hash).append(line["hash"].get<std::string>()).append("\"}");
   if (auto written = files_->append(path_, text + "\n"); !written) {
     is_torn_ = true;  // perhaps
     return written;
   }
-  last_hash_ = record::sha256(text);
+  last_hash_ = system::sha256(text);
   lines_.push_back(std::move(line));
   size_ += text.size() + 1;
   return {};

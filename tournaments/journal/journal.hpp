@@ -26,7 +26,7 @@ class Journal {
  public:
   // Reads what is there; an absent file is an empty journal. `notice` is set if a torn line was left
   // out.
-  static Result<Journal> open(record::Files& files, std::string path,
+  static Result<Journal> open(system::Files& files, std::string path,
                               std::string* notice = nullptr);
   Journal(Journal&&) noexcept;
   Journal& operator=(Journal&&) noexcept;
@@ -42,11 +42,11 @@ class Journal {
   Result<void> append(const std::string& kind, Json fields);
 
  private:
-  Journal(record::Files& files, std::string path);
+  Journal(system::Files& files, std::string path);
 
   Result<void> read_line(const std::string& line);
 
-  record::Files* files_;
+  system::Files* files_;
   std::string path_;
   std::vector<Json> lines_;
   std::string last_hash_;

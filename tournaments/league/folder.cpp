@@ -14,23 +14,23 @@ constexpr std::string_view house_prefix = "house:";
 
 }  // namespace
 
-Result<std::string> library_of(record::Files& files, const TeamEntry& team) {
+Result<std::string> library_of(system::Files& files, const TeamEntry& team) {
   std::string path = team.source;
   if (path.rfind(house_prefix, 0) == 0) {
     const std::string name = path.substr(house_prefix.size());
-    path = record::house_team(name);
+    path = system::house_team(name);
     if (path.empty())
       return fail(Errc::input, team.name + ": there is no house team \"" + name + "\"");
   }
   return files.read(path);
 }
 
-Result<void> add_entry(record::Files& files, const Folder& folder, const std::string& team,
+Result<void> add_entry(system::Files& files, const Folder& folder, const std::string& team,
                        int number, const std::string& library, const std::string& verdict) {
   const Json about{{"schema", "mirocup/entry/1"},
                    {"team", team},
                    {"entry", number},
-                   {"sha256", record::sha256(library)}};
+                   {"sha256", system::sha256(library)}};
   return files.make_folder(folder.entry(team, number))
       .and_then([&] { return files.write(folder.library(team, number), library); })
       .and_then([&]() -> Result<void> {
@@ -42,13 +42,13 @@ Result<void> add_entry(record::Files& files, const Folder& folder, const std::st
       });
 }
 
-int last_entry(record::Files& files, const Folder& folder, const std::string& team) {
+int last_entry(system::Files& files, const Folder& folder, const std::string& team) {
   int number = 0;
   while (files.exists(folder.entry(team, number + 1) + "/entry.json")) ++number;
   return number;
 }
 
-int last_accepted_entry(record::Files& files, const Folder& folder, const std::string& team) {
+int last_accepted_entry(system::Files& files, const Folder& folder, const std::string& team) {
   for (int number = last_entry(files, folder, team); number > 0; --number) {
     const std::string verdict = folder.verdict(team, number);
     if (!files.exists(verdict)) return number;  // put there by the host
@@ -59,7 +59,7 @@ int last_accepted_entry(record::Files& files, const Folder& folder, const std::s
   return 0;
 }
 
-Result<void> init_folder(record::Files& files, const Folder& folder, const LeagueFile& file) {
+Result<void> init_folder(system::Files& files, const Folder& folder, const LeagueFile& file) {
   if (files.exists(folder.config())) {
     return fail(Errc::input, folder.path + " is a league already");
   }

@@ -42,18 +42,18 @@ struct Folder {
 
 // Makes the folder with league.json as given and every team's library as its first entry. Refuses a
 // folder that has a league already.
-Result<void> init_folder(record::Files& files, const Folder& folder, const LeagueFile& file);
+Result<void> init_folder(system::Files& files, const Folder& folder, const LeagueFile& file);
 
 // The library that a team names: a file, or a house team's.
-Result<std::string> library_of(record::Files& files, const TeamEntry& team);
+Result<std::string> library_of(system::Files& files, const TeamEntry& team);
 
 // Puts a library into the folder as the entry of that number, with the verdict of its check, if it
 // was checked. The entry is there once entry.json is, which comes last.
-Result<void> add_entry(record::Files& files, const Folder& folder, const std::string& team,
+Result<void> add_entry(system::Files& files, const Folder& folder, const std::string& team,
                        int number, const std::string& library, const std::string& verdict = "");
 
 // The number of the last entry that was handed in, and of the last that was not rejected; 0: none.
-int last_entry(record::Files& files, const Folder& folder, const std::string& team);
-int last_accepted_entry(record::Files& files, const Folder& folder, const std::string& team);
+int last_entry(system::Files& files, const Folder& folder, const std::string& team);
+int last_accepted_entry(system::Files& files, const Folder& folder, const std::string& team);
 
 }  // namespace mirocup::league

@@ -8,7 +8,7 @@
 
 namespace mirocup::league {
 
-Result<Book> Book::open(record::Files& files, Folder folder, std::string* notice) {
+Result<Book> Book::open(system::Files& files, Folder folder, std::string* notice) {
   if (!files.exists(folder.config())) {
     return fail(Errc::input, folder.path + " is not a league: there is no league.json in it");
   }
@@ -22,7 +22,7 @@ Result<Book> Book::open(record::Files& files, Folder folder, std::string* notice
   if (!journal->lines().empty()) {
     const Json& first = journal->lines().front();
     if (first.value("kind", "") == "start" &&
-        first.value("config_sha256", "") != record::sha256(*text)) {
+        first.value("config_sha256", "") != system::sha256(*text)) {
       return fail(Errc::input, folder.config() + " was changed after the league started");
     }
   }

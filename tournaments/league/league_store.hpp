@@ -12,7 +12,7 @@ namespace mirocup::league {
 class Book {
  public:
   // `notice` may be set to something that a person should know.
-  static Result<Book> open(record::Files& files, Folder folder, std::string* notice = nullptr);
+  static Result<Book> open(system::Files& files, Folder folder, std::string* notice = nullptr);
 
   const LeagueState& state() const { return state_; }
   const Journal& journal() const { return journal_; }

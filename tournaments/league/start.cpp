@@ -10,7 +10,7 @@ namespace mirocup::league {
 
 namespace {
 
-Result<void> start(record::Files& files, Book& book) {
+Result<void> start(system::Files& files, Book& book) {
   const LeagueState& state = book.state();
   if (state.is_started) return {};
   const std::string why = objection(state.file.format, static_cast<int>(state.file.teams.size()));
@@ -21,13 +21,13 @@ Result<void> start(record::Files& files, Book& book) {
   }
   const auto config = files.read(book.folder().config());
   if (!config) return tl::unexpected(config.error());
-  return book.write("start", {{"config_sha256", record::sha256(*config)},
+  return book.write("start", {{"config_sha256", system::sha256(*config)},
                               {"version", record::software_version()}});
 }
 
 // The libraries that play are those that the journal names: booked at the start, unchanged ever
 // since.
-Result<void> book_entries(record::Files& files, Book& book) {
+Result<void> book_entries(system::Files& files, Book& book) {
   const LeagueState& state = book.state();
   for (std::size_t i = 0; i < state.teams.size(); ++i) {
     const std::string& team = state.file.teams[i].name;
@@ -38,7 +38,7 @@ Result<void> book_entries(record::Files& files, Book& book) {
     const std::string path = book.folder().library(team, number);
     const auto library = files.read(path);
     if (!library) return tl::unexpected(library.error());
-    const std::string sha256 = record::sha256(*library);
+    const std::string sha256 = system::sha256(*library);
     if (booked.entry == 0) {
       if (auto written =
               book.write("entry", {{"team", team}, {"entry", number}, {"sha256", sha256}});
@@ -54,7 +54,7 @@ Result<void> book_entries(record::Files& files, Book& book) {
 
 }  // namespace
 
-Result<void> begin_league(record::Files& files, Book& book) {
+Result<void> begin_league(system::Files& files, Book& book) {
   if (auto started = start(files, book); !started) return started;
   return book_entries(files, book);
 }

@@ -11,10 +11,10 @@ namespace mirocup::league {
 namespace {
 
 // What `mirocup check --json` says of a library, its exit code being yes or no.
-Result<Json> check(record::Files& files, const std::string& library, League league,
+Result<Json> check(system::Files& files, const std::string& library, League league,
                    const std::string& log) {
-  ProcessSet processes;
-  const auto started = processes.start({record::sibling_program("mirocup"), "check", library,
+  system::ProcessSet processes;
+  const auto started = processes.start({system::sibling_program("mirocup"), "check", library,
                                         "--json", "--league", std::string(to_string(league))},
                                        0, -1, log);
   if (!started) return tl::unexpected(started.error());
@@ -51,7 +51,7 @@ std::string objection_to(const LeagueState& state, const std::string& team,
 }
 
 // Adds a team to the file of a league that has not started.
-Result<void> add_team(record::Files& files, const Folder& folder, LeagueFile file,
+Result<void> add_team(system::Files& files, const Folder& folder, LeagueFile file,
                       const std::string& team) {
   file.teams.push_back({team, "submitted", false});
   return files.write(folder.config(), print_league_file(file));
@@ -59,7 +59,7 @@ Result<void> add_team(record::Files& files, const Folder& folder, LeagueFile fil
 
 }  // namespace
 
-Result<Submission> submit(record::Files& files, const Folder& folder, const std::string& team,
+Result<Submission> submit(system::Files& files, const Folder& folder, const std::string& team,
                           const std::string& path, const std::string& now) {
   // One at a time: numbers are given once, and checks do not slow each other down.
   const auto alone = FileLock::wait(folder.submitting());
@@ -105,7 +105,7 @@ Result<Submission> submit(record::Files& files, const Folder& folder, const std:
   }
   if (!book->state().is_started) return done;
   if (auto written = book->write(
-          "entry", {{"team", team}, {"entry", number}, {"sha256", record::sha256(*library)}});
+          "entry", {{"team", team}, {"entry", number}, {"sha256", system::sha256(*library)}});
       !written) {
     return tl::unexpected(written.error());
   }

@@ -19,7 +19,7 @@ struct Submission {
 
 // `now` as in LeagueFile::freeze. A team that the league does not know yet joins it with its first
 // good entry, until the league starts. Errors are the host's; a bad entry is none.
-Result<Submission> submit(record::Files& files, const Folder& folder, const std::string& team,
+Result<Submission> submit(system::Files& files, const Folder& folder, const std::string& team,
                           const std::string& path, const std::string& now);
 
 }  // namespace mirocup::league

@@ -17,11 +17,11 @@ namespace {
 
 class Comparison {
  public:
-  Comparison(record::Files& files, const ComparisonRun& run, Progress& progress)
+  Comparison(system::Files& files, const ComparisonRun& run, Progress& progress)
       : files_(files), run_(run), progress_(progress) {}
 
   Result<ComparisonResult> play() {
-    const std::vector<int> cpus = processors();
+    const std::vector<int> cpus = system::processors();
     const std::size_t jobs = run_.jobs > 0 ? static_cast<std::size_t>(run_.jobs) : cpus.size();
     int next = 0;  // leg
     while (result_.verdict == Verdict::undecided && counted_ < run_.most) {
@@ -45,7 +45,7 @@ class Comparison {
     const bool swapped = leg % legs_per_fixture == 1;
     const std::uint64_t seed =
         mix_seed(run_.seed ^ mix_seed(static_cast<std::uint64_t>(leg / legs_per_fixture))) >> 11;
-    std::vector<std::string> arguments{record::sibling_program("mirocup"),
+    std::vector<std::string> arguments{system::sibling_program("mirocup"),
                                        "match",
                                        "--blue",
                                        run_.teams[swapped ? 1 : 0],
@@ -80,7 +80,7 @@ class Comparison {
     return leg % legs_per_fixture == 1 ? -ahead : ahead;
   }
 
-  Result<void> count(const Exit& exit) {
+  Result<void> count(const system::Exit& exit) {
     if (exit.signal != 0 || exit.code != exit_yes) {
       const auto said = files_.read(record(exit.tag) + ".out");
       return fail(exit.code == 2 ? Errc::input : Errc::host,
@@ -104,10 +104,10 @@ class Comparison {
     return {};
   }
 
-  record::Files& files_;
+  system::Files& files_;
   const ComparisonRun& run_;
   Progress& progress_;
-  ProcessSet processes_;
+  system::ProcessSet processes_;
   ComparisonResult result_;
   std::map<int, int> ahead_;  // by leg
   int counted_ = 0;           // fixtures
@@ -115,7 +115,7 @@ class Comparison {
 
 }  // namespace
 
-Result<ComparisonResult> run_comparison(record::Files& files, const ComparisonRun& run,
+Result<ComparisonResult> run_comparison(system::Files& files, const ComparisonRun& run,
                                         Progress& progress) {
   return Comparison(files, run, progress).play();
 }

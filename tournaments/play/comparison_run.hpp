@@ -33,7 +33,7 @@ struct ComparisonResult {
   int level = 0;
 };
 
-Result<ComparisonResult> run_comparison(record::Files& files, const ComparisonRun& run,
+Result<ComparisonResult> run_comparison(system::Files& files, const ComparisonRun& run,
                                         Progress& progress);
 
 }  // namespace mirocup::league

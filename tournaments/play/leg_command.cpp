@@ -57,7 +57,7 @@ std::vector<std::string> leg_command(const Folder& folder, const LeagueState& st
   const LeagueFile& file = state.file;
   const int blue = blue_team(fixture, id.leg);
   const int yellow = blue == fixture.home ? fixture.away : fixture.home;
-  std::vector<std::string> arguments{record::sibling_program("mirocup"),
+  std::vector<std::string> arguments{system::sibling_program("mirocup"),
                                      "match",
                                      "--blue",
                                      seat_of(folder, state, blue),
@@ -88,7 +88,7 @@ std::string leg_output(const Folder& folder, const LegId& leg) {
   return folder.record(leg.fixture, leg.leg, leg.version) + ".out";
 }
 
-std::optional<Json> played_record(record::Files& files, const Folder& folder,
+std::optional<Json> played_record(system::Files& files, const Folder& folder,
                                   const LeagueState& state, const LegId& id) {
   const std::string path = folder.record(id.fixture, id.leg, id.version);
   if (!files.exists(path)) return std::nullopt;

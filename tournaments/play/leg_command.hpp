@@ -32,7 +32,7 @@ std::string leg_output(const Folder& folder, const LegId& leg);
 
 // The text of the leg's record, if it is there, is whole, and is of these teams, entries and seed:
 // somebody has played it already.
-std::optional<Json> played_record(record::Files& files, const Folder& folder,
+std::optional<Json> played_record(system::Files& files, const Folder& folder,
                                   const LeagueState& state, const LegId& leg);
 
 }  // namespace mirocup::league

@@ -20,7 +20,7 @@ std::string record_of(const LegId& leg) {
 
 }  // namespace
 
-Bookkeeper::Bookkeeper(record::Files& files, Book book, Progress& progress)
+Bookkeeper::Bookkeeper(system::Files& files, Book book, Progress& progress)
     : files_(files), book_(std::move(book)), progress_(progress) {}
 
 Result<void> Bookkeeper::begin() {

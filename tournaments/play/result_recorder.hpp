@@ -20,7 +20,7 @@ inline constexpr int most_attempts = 3;
 
 class Bookkeeper {
  public:
-  Bookkeeper(record::Files& files, Book book, Progress& progress);
+  Bookkeeper(system::Files& files, Book book, Progress& progress);
 
   const Book& book() const { return book_; }
   const LeagueState& state() const { return book_.state(); }
@@ -58,7 +58,7 @@ class Bookkeeper {
   Result<void> pause_after_strikes(const Fixture& fixture);
   Result<void> written(Result<void> result);
 
-  record::Files& files_;
+  system::Files& files_;
   Book book_;
   Progress& progress_;
   std::map<std::string, int> spoiled_;  // by the host, while this program runs: records

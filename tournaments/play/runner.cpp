@@ -17,13 +17,13 @@ constexpr int joiner_tag = -1;
 
 }  // namespace
 
-Runner::Runner(record::Files& files, Book book, Progress& progress)
+Runner::Runner(system::Files& files, Book book, Progress& progress)
     : files_(files), books_(files, std::move(book), progress), progress_(progress) {}
 
 Result<int> Runner::run(const RunOptions& options) {
   options_ = options;
   if (auto begun = books_.begin(); !begun) return tl::unexpected(begun.error());
-  const std::vector<int> cpus = processors();
+  const std::vector<int> cpus = system::processors();
   const int jobs = options.jobs > 0 ? options.jobs : static_cast<int>(cpus.size());
   slots_.resize(jobs);
   for (int i = 0; i < jobs; ++i) slots_[i].cpu = cpus[i % cpus.size()];
@@ -117,7 +117,7 @@ Result<void> Runner::start_leg(Slot& slot) {
   const int yellow = blue == leg.fixture.home ? leg.fixture.away : leg.fixture.home;
   // Other leagues may play on this host at the same time.
   const std::string match_id =
-      record::sha256(books_.folder().path + state().config_sha256).substr(0, 12) + "-" +
+      system::sha256(books_.folder().path + state().config_sha256).substr(0, 12) + "-" +
       slot.fixture + "-" + std::to_string(leg.leg);
   const int tag = static_cast<int>(&slot - slots_.data());
   auto command = leg_command(books_.folder(), state(), leg, match_id);
@@ -138,7 +138,7 @@ Result<void> Runner::start_joiner(Slot& slot, int team, const std::string& colou
   const LegId& leg = *slot.playing;
   const std::string log =
       books_.folder().record(leg.fixture, leg.leg, leg.version) + "." + colour + ".join";
-  std::vector<std::string> command{record::sibling_program("mirocup"),
+  std::vector<std::string> command{system::sibling_program("mirocup"),
                                    "join",
                                    "--match",
                                    match_id,
@@ -155,7 +155,7 @@ Result<void> Runner::start_joiner(Slot& slot, int team, const std::string& colou
   return {};
 }
 
-Result<void> Runner::finish(Slot& slot, const Exit& exit) {
+Result<void> Runner::finish(Slot& slot, const system::Exit& exit) {
   for (pid_t& joiner : slot.joiner) {
     if (joiner != 0) processes_.kill(joiner);
     joiner = 0;

@@ -24,7 +24,7 @@ struct RunOptions {
 
 class Runner {
  public:
-  Runner(record::Files& files, Book book, Progress& progress);
+  Runner(system::Files& files, Book book, Progress& progress);
 
   // Starts the league if it is not, plays until nothing is left or somebody interrupts: the first
   // time legs that are being played come to their end, the second time nothing does
@@ -50,14 +50,14 @@ class Runner {
   std::vector<std::string> credentials_of(const std::string& whose) const;
   Result<void> start_joiner(Slot& slot, int team, const std::string& colour,
                             const std::string& match_id);
-  Result<void> finish(Slot& slot, const Exit& exit);
+  Result<void> finish(Slot& slot, const system::Exit& exit);
   int playing() const;
 
-  record::Files& files_;
+  system::Files& files_;
   RunOptions options_;
   Bookkeeper books_;
   Progress& progress_;
-  ProcessSet processes_;
+  system::ProcessSet processes_;
   std::vector<Slot> slots_;
   std::set<std::string> looked_at_;  // records: was it there already?
 };

@@ -17,7 +17,7 @@ bool is_over_dds(const LeagueState& state, const Fixture& fixture) {
 // Legs one after the other, until somebody wants to stop.
 class Shard {
  public:
-  Shard(record::Files& files, const Book& book) : files_(files), book_(book) {}
+  Shard(system::Files& files, const Book& book) : files_(files), book_(book) {}
 
   // False: it could not be played.
   Result<bool> play(const LegId& leg) {
@@ -43,9 +43,9 @@ class Shard {
     return played_record(files_, book_.folder(), book_.state(), leg).has_value();
   }
 
-  record::Files& files_;
+  system::Files& files_;
   const Book& book_;
-  ProcessSet processes_;
+  system::ProcessSet processes_;
 };
 
 }  // namespace
@@ -59,7 +59,7 @@ std::vector<std::string> open_shards(const LeagueState& state) {
   return ids;
 }
 
-Result<int> play_shards(record::Files& files, const Book& book,
+Result<int> play_shards(system::Files& files, const Book& book,
                         const std::vector<std::string>& fixtures) {
   const LeagueState& state = book.state();
   if (!state.is_started) {

@@ -43,7 +43,7 @@ std::string first_line(const std::string& text) {
 
 }  // namespace
 
-SlurmRunner::SlurmRunner(record::Files& files, Book book, Progress& progress)
+SlurmRunner::SlurmRunner(system::Files& files, Book book, Progress& progress)
     : files_(files), books_(files, std::move(book), progress), progress_(progress) {}
 
 Result<int> SlurmRunner::run(int jobs) {
@@ -83,7 +83,7 @@ Result<void> SlurmRunner::prepare(int jobs) {
   if (auto begun = books_.begin(); !begun) return begun;
   const std::string path = std::filesystem::absolute(books_.folder().path).lexically_normal();
   folder_ = path + "/cluster";
-  league_ = record::sha256(path + state().config_sha256).substr(0, 12);
+  league_ = system::sha256(path + state().config_sha256).substr(0, 12);
   if (auto made = files_.make_folder(folder_); !made) return made;
   if (auto written = files_.write(folder_ + "/shard.sh", script); !written) return written;
   while (files_.exists(plan_path(next_plan_))) ++next_plan_;
@@ -112,7 +112,7 @@ Result<std::string> SlurmRunner::ask(const Command& command) {
   const auto text = files_.read(answer);
   if (!text) return text;
   if (exit->signal == 0 && exit->code == exit_yes) return text;
-  if (exit->code == not_found) {
+  if (exit->code == system::not_found) {
     return fail(Errc::unavailable,
                 command[0] + " is not there: is this a host of a Slurm cluster?");
   }
@@ -226,7 +226,7 @@ Result<void> SlurmRunner::submit(const std::vector<std::string>& fixtures) {
                       .tasks = tasks,
                       .at_once = jobs_,
                       .log = folder_ + "/" + std::to_string(plan),
-                      .shard = {folder_ + "/shard.sh", record::sibling_program("mirocup-league"),
+                      .shard = {folder_ + "/shard.sh", system::sibling_program("mirocup-league"),
                                 std::filesystem::path(folder_).parent_path(), plan_path(plan)}}));
   if (!job) return tl::unexpected(job.error());
   ++barren_;

@@ -20,7 +20,7 @@ namespace mirocup::league {
 
 class SlurmRunner {
  public:
-  SlurmRunner(record::Files& files, Book book, Progress& progress);
+  SlurmRunner(system::Files& files, Book book, Progress& progress);
 
   // As Runner::run(): plays until nothing is left or somebody interrupts; the first time legs that are
   // being played come to their end, the second time nothing does. `jobs`: tasks at once; 0: as many
@@ -48,10 +48,10 @@ class SlurmRunner {
   std::string plan_path(int number) const;
   int running() const;
 
-  record::Files& files_;
+  system::Files& files_;
   Bookkeeper books_;
   Progress& progress_;
-  ProcessSet processes_;
+  system::ProcessSet processes_;
   std::string folder_;  // DIR/cluster, absolute
   std::string league_;  // in the names of its jobs
   int jobs_ = 1;

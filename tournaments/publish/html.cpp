@@ -5,7 +5,7 @@
 
 namespace mirocup::league {
 
-using record::escaped;
+using system::escaped;
 
 namespace {
 

@@ -13,7 +13,7 @@ namespace {
 using Arguments = std::vector<std::string>;
 
 // Records of what was played, those that were ruled void included: their pages are evidence, too.
-std::vector<std::string> records_of(record::Files& files, const Folder& folder,
+std::vector<std::string> records_of(system::Files& files, const Folder& folder,
                                     const FixtureState& f) {
   std::vector<std::string> records;
   for (int leg = 1; leg <= most_legs; ++leg) {
@@ -28,14 +28,14 @@ std::vector<std::string> records_of(record::Files& files, const Folder& folder,
 }
 
 // The commands that make the pages that are missing.
-std::vector<Arguments> missing_pages(record::Files& files, const Folder& folder,
+std::vector<Arguments> missing_pages(system::Files& files, const Folder& folder,
                                      const LeagueState& state) {
   std::vector<Arguments> commands;
   for (const FixtureState& f : state.fixtures) {
     for (const std::string& record : records_of(files, folder, f)) {
       const std::string page = folder.site() + "/" + replay_page_of(record);
       if (files.exists(page)) continue;
-      commands.push_back({record::sibling_program("mirocup"), "replay", folder.path + "/" + record,
+      commands.push_back({system::sibling_program("mirocup"), "replay", folder.path + "/" + record,
                           "--no-times", "-o", page});
     }
   }
@@ -48,15 +48,16 @@ std::string replay_page_of(const std::string& record) {
   return "replays/" + std::filesystem::path(record).stem().string() + ".html";
 }
 
-Result<int> make_replay_pages(record::Files& files, const Folder& folder, const LeagueState& state,
+Result<int> make_replay_pages(system::Files& files, const Folder& folder, const LeagueState& state,
                               int jobs) {
   const std::vector<Arguments> commands = missing_pages(files, folder, state);
   if (commands.empty()) return 0;
   if (auto made = files.make_folder(folder.site() + "/replays"); !made) {
     return tl::unexpected(made.error());
   }
-  const std::size_t at_once = jobs > 0 ? static_cast<std::size_t>(jobs) : processors().size();
-  ProcessSet processes;
+  const std::size_t at_once =
+      jobs > 0 ? static_cast<std::size_t>(jobs) : system::processors().size();
+  system::ProcessSet processes;
   int failed = 0;
   std::size_t next = 0;
   while (next < commands.size() || processes.running() > 0) {

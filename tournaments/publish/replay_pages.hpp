@@ -16,7 +16,7 @@ std::string replay_page_of(const std::string& record);
 
 // As many at once as there are jobs (0: one for each processor). Returns how many could not be made,
 // which does not keep a league from being published.
-Result<int> make_replay_pages(record::Files& files, const Folder& folder, const LeagueState& state,
+Result<int> make_replay_pages(system::Files& files, const Folder& folder, const LeagueState& state,
                               int jobs);
 
 }  // namespace mirocup::league

@@ -59,7 +59,7 @@ Result<LeagueState> state_through(const LeagueState& whole, const Journal& journ
   return state;
 }
 
-Result<void> copy_records(record::Files& files, const Folder& from, const LeagueState& state,
+Result<void> copy_records(system::Files& files, const Folder& from, const LeagueState& state,
                           const Folder& to) {
   if (auto made = files.make_folder(to.path + "/records"); !made) return made;
   for (const FixtureState& f : state.fixtures) {

@@ -16,7 +16,7 @@ Result<LeagueState> state_through(const LeagueState& whole, const Journal& journ
                                   const std::string& round);
 
 // Copies the records of what was played in `state`, with their replays, into another folder.
-Result<void> copy_records(record::Files& files, const Folder& from, const LeagueState& state,
+Result<void> copy_records(system::Files& files, const Folder& from, const LeagueState& state,
                           const Folder& to);
 
 }  // namespace mirocup::league

@@ -8,7 +8,7 @@
 
 int main(int argc, char** argv) {
   if (argc != 3) return 2;
-  mirocup::record::Disk disk;
+  mirocup::system::Disk disk;
   const auto record = mirocup::record::load(disk, argv[1]);
   if (!record) {
     std::cerr << record.error().what << '\n';

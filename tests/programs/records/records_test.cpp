@@ -65,7 +65,7 @@ std::vector<std::string> samples() {
 
 TEST(Records, OfEveryEndingFitTheSchemaAndVerify) {
   const TemporaryFolder folder;
-  record::Disk disk;
+  system::Disk disk;
   std::vector<std::string> paths;
   for (std::size_t i = 0; i < enum_names<match::EndKind>.size(); ++i) {
     const auto end = static_cast<match::EndKind>(i);
@@ -94,7 +94,7 @@ TEST(Records, LoseNothingWhenTheyAreMadeFlat) {
 }
 
 TEST(Records, OfEarlierVersionsAreRead) {
-  record::Disk disk;
+  system::Disk disk;
   const std::string game = record::this_software().game;
   ASSERT_FALSE(samples().empty());
   for (const std::string& path : samples()) {
@@ -112,7 +112,7 @@ TEST(Records, OfEarlierVersionsAreRead) {
 TEST(Records, OfAnotherGameAreNotCalledWrong) {
   const TemporaryFolder folder;
   const std::string path = folder / "leg.json";
-  record::Disk disk;
+  system::Disk disk;
   record::MatchRecord record = record_of(leg_that_ends(match::EndKind::full_time));
   record.recording.ticks[30].hash ^= 1;
   ASSERT_TRUE(record::save(disk, path, record));

@@ -117,7 +117,7 @@ TEST(MatchRecord, NamesDamage) {
   const std::string before_seal = record.substr(0, record.rfind(",\n"));
   std::string newer = before_seal;
   newer.replace(newer.find("match/1"), 7, "match/9");
-  newer += ",\n \"sha256\": \"" + sha256(newer) + "\"\n}\n";
+  newer += ",\n \"sha256\": \"" + system::sha256(newer) + "\"\n}\n";
   const Error error = problem(newer, replay);
   EXPECT_EQ(error.code, Errc::damaged);
   EXPECT_NE(error.what.find("mirocup/match/9"), std::string::npos) << error.what;

@@ -26,7 +26,7 @@ class DiskTest : public testing::Test {
   std::string at(const std::string& name) const { return folder_ + "/" + name; }
 
   std::string folder_;
-  Disk disk_;
+  system::Disk disk_;
 };
 
 TEST_F(DiskTest, ReplacesAWholeFileAndLeavesNothingElse) {
