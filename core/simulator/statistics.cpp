@@ -7,9 +7,9 @@ void add_impact(const Contact& c, double t, Trace& trace) {
   trace.impacts.push_back({.time = trace.origin + t,
                            .first = c.a,
                            .second = c.b,
-                           .point = c.at.point,
-                           .normal = c.at.normal,
-                           .impulse = c.impulse});
+                           .point = c.point.point,
+                           .normal = c.point.normal,
+                           .impulse = c.impact.impulse});
 }
 
 void add_pressing(std::span<const Contact> contacts, const BodySet& involved, Trace& trace) {
@@ -19,7 +19,7 @@ void add_pressing(std::span<const Contact> contacts, const BodySet& involved, Tr
     if (involved[i]) trace.pressing[i].reset();
   }
   for (const Contact& c : contacts) {
-    if (!c.holds || trace.pressing[c.pair.a][c.pair.partner]) continue;
+    if (!c.resting.is_active || trace.pressing[c.pair.a][c.pair.partner]) continue;
     trace.pressing[c.pair.a].set(c.pair.partner);
     if (!before[c.pair.a][c.pair.partner]) ++trace.lasting_contacts;
   }

@@ -354,7 +354,7 @@ void World::drop_contacts_of(const BodySet& bodies) {
 
 void World::separate_overlaps() {
   double deepest = 0.0;
-  for (const Contact& c : contacts_.contacts()) deepest = std::max(deepest, -c.at.gap);
+  for (const Contact& c : contacts_.contacts()) deepest = std::max(deepest, -c.point.gap);
   events_.deepest_overlap = std::max(events_.deepest_overlap, deepest);
   if (deepest > 2.0 * arena_.tolerances.touch) {
     push_apart(contacts_.contacts(), free_mass_, bodies_, *soft_problem_);
@@ -362,11 +362,11 @@ void World::separate_overlaps() {
 }
 
 void World::collide(std::span<Contact> contacts, double t) {
-  for (Contact& c : contacts) c.rest_speed = patience_.rest_speed(c.pair);
+  for (Contact& c : contacts) c.impact.restitution_threshold = patience_.rest_speed(c.pair);
   resolve_impacts(contacts, mass_, bodies_, *problem_);
   if (has_friction(arena_.parameters)) resolve_friction(contacts, mass_, bodies_, *problem_);
   for (const Contact& c : contacts) {
-    if (c.impulse == 0.0 || c.approach <= c.rest_speed) continue;
+    if (c.impact.impulse == 0.0 || c.impact.approach <= c.impact.restitution_threshold) continue;
     ++events_.impacts;
     if (trace_ != nullptr) add_impact(c, t, *trace_);
     patience_.note_bounce(c.pair, t);

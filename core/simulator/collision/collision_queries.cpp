@@ -102,12 +102,11 @@ void add_points(const Arena& arena, const Pair& pair, std::span<const BodyState>
                 const ContactPoints& found, ContactList& list) {
   for (int i = 0; i < found.count && !list.full(); ++i) {
     Contact& c = list.list[list.count++];
-    c = Contact{.pair = pair, .at = found.points[i]};
-    c.a = c.at.point_on_a ? pair.a : pair.b();
-    c.b = c.at.point_on_a ? pair.b() : pair.a;
-    set_rows(bodies, c);
-    c.restitution = restitution(arena, pair);
-    c.friction = contact_friction(arena, pair);
+    c = Contact{.pair = pair, .point = found.points[i]};
+    c.a = c.point.point_on_a ? pair.a : pair.b();
+    c.b = c.point.point_on_a ? pair.b() : pair.a;
+    set_row(bodies, c);
+    c.material = {restitution(arena, pair), contact_friction(arena, pair)};
   }
 }
 
@@ -142,7 +141,7 @@ void look_again(const Arena& arena, std::span<const BodyState> bodies, const Pai
 
 double gap_beyond(const Arena& arena, std::span<const BodyState> bodies, const Contact& c,
                   double line) {
-  ContactPoint at = c.at;
+  ContactPoint at = c.point;
   look_again(arena, bodies, c.pair, at);
   if (at.gap >= -line) return at.gap;
   return std::max(at.gap, gap(arena, c.pair, bodies));

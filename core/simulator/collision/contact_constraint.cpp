@@ -23,9 +23,11 @@ JacobianRow contact_row(const BodyState& body, const ContactPoint& contact) {
   return {n.x(), n.y(), cross(Vec2{contact.point - body.position}, contact.normal)};
 }
 
-void set_rows(std::span<const BodyState> bodies, Contact& c) {
-  if (c.a != no_body) c.row_a = contact_row(bodies[c.a], c.at);
-  if (c.b != no_body) c.row_b = contact_row(bodies[c.b], c.at);
+void set_row(std::span<const BodyState> bodies, Contact& c) {
+  const auto part = [&](int body) {
+    return body != no_body ? contact_row(bodies[body], c.point) : JacobianRow{};
+  };
+  c.row = difference_row(c.a, c.b, part(c.a), part(c.b));
 }
 
 BodySet bodies_of(std::span<const Contact> contacts) {
@@ -34,34 +36,23 @@ BodySet bodies_of(std::span<const Contact> contacts) {
   return bodies;
 }
 
-CoupledRow row_of(const Contact& c) {
-  const JacobianRow on_b{-c.row_b[0], -c.row_b[1], -c.row_b[2]};
-  if (c.a == no_body) return {.a = c.b, .b = no_body, .on_a = on_b, .on_b = {}};
-  return {.a = c.a, .b = c.b, .on_a = c.row_a, .on_b = on_b};
+ConstraintRow lateral_wheel_row(int robot) {
+  return {.a = robot, .b = no_body, .on_a = {0.0, 1.0, 0.0}, .on_b = {}};
 }
 
-Contact wheels_as_contact(int body) {
-  Contact c;
-  c.a = body;
-  c.row_a = {0.0, 1.0, 0.0};
-  return c;
-}
-
-double gap_rate(const Contact& c, std::span<const BodyState> bodies) {
-  double rate = 0.0;
-  if (c.a != no_body) rate += along(c.row_a, bodies[c.a].twist);
-  if (c.b != no_body) rate -= along(c.row_b, bodies[c.b].twist);
+double row_rate(const ConstraintRow& row, std::span<const BodyState> bodies) {
+  double rate = along(row.on_a, bodies[row.a].twist);
+  if (row.b != no_body) rate += along(row.on_b, bodies[row.b].twist);
   return rate;
 }
 
-double give(const Contact& c, std::span<const InverseMass> mass) {
-  const auto of_body = [&mass](int body, const JacobianRow& row) {
+double inverse_effective_mass(const ConstraintRow& row, std::span<const InverseMass> mass) {
+  const auto of_body = [&mass](int body, const JacobianRow& part) {
     const InverseMass& m = mass[body];
-    return row[0] * m.forward * row[0] + row[1] * m.left * row[1] + row[2] * m.turn * row[2];
+    return part[0] * m.forward * part[0] + part[1] * m.left * part[1] + part[2] * m.turn * part[2];
   };
-  double sum = 0.0;
-  if (c.a != no_body) sum += of_body(c.a, c.row_a);
-  if (c.b != no_body) sum += of_body(c.b, c.row_b);
+  double sum = of_body(row.a, row.on_a);
+  if (row.b != no_body) sum += of_body(row.b, row.on_b);
   return sum;
 }
 
@@ -71,10 +62,10 @@ void add_impulse(const JacobianRow& row, double impulse, const InverseMass& mass
   twist.turn += impulse * row[2] * mass.turn;
 }
 
-void apply_impulse(const Contact& c, double impulse, std::span<const InverseMass> mass,
+void apply_impulse(const ConstraintRow& row, double impulse, std::span<const InverseMass> mass,
                    std::span<BodyState> bodies) {
-  if (c.a != no_body) add_impulse(c.row_a, impulse, mass[c.a], bodies[c.a].twist);
-  if (c.b != no_body) add_impulse(c.row_b, -impulse, mass[c.b], bodies[c.b].twist);
+  add_impulse(row.on_a, impulse, mass[row.a], bodies[row.a].twist);
+  if (row.b != no_body) add_impulse(row.on_b, impulse, mass[row.b], bodies[row.b].twist);
 }
 
 }  // namespace mirocup::simulator

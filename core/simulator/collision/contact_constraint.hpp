@@ -18,30 +18,42 @@ InverseMass free_robot_mass(const Parameters& parameters);
 InverseMass robot_mass(const Parameters& parameters, bool wheels_on_ground);
 InverseMass ball_mass(const Parameters& parameters);
 
-// Of a body's share of a gap's rate.
+// One body's part of the row of a gap's rate.
 JacobianRow contact_row(const BodyState& body, const ContactPoint& contact);
+
+// How a pair of surfaces answers an impact.
+struct ContactMaterial {
+  double restitution = 0.0;  // e in (12)
+  double friction = 0.0;     // Coulomb's coefficient
+};
+
+// One impact at a contact. The threshold is set before the impact is resolved, the others by it.
+struct ContactImpact {
+  double restitution_threshold = 0.0;  // m/s: a slower approach does not bounce
+  double approach = 0.0;               // m/s before the impact, positive if the bodies close
+  double impulse = 0.0;                // N s along the normal
+};
+
+// The force of a contact that lasts.
+struct RestingForce {
+  bool is_active = false;      // the contact presses: its gap stays zero
+  bool is_persistent = false;  // its gap is known to stay zero on the whole curve that follows
+  double force = 0.0;          // N along the normal, while it is active
+};
 
 struct Contact {
   Pair pair;
-  int a = no_body;  // the point's side, or no_body if that is a wall's corner
-  int b = no_body;  // the edge's side, or no_body if that is a wall
-  ContactPoint at;
-  JacobianRow row_a{};  // the rate of the gap is row_a . twist of a minus row_b . twist of b
-  JacobianRow row_b{};
-  double restitution = 0.0;
-  double friction = 0.0;    // Coulomb's coefficient
-  double rest_speed = 0.0;  // m/s: a slower approach does not bounce
-  double approach = 0.0;    // m/s before the impact, positive if the bodies close
-  double impulse = 0.0;     // N s along the normal, given by the impact
-  bool holds = false;       // presses from here on: the gap stays zero
-  bool is_kept = false;     // where it holds: its gap stays zero on the whole curve, for certain
-  double force = 0.0;       // N, where it holds
+  int a = no_body;      // the point's side, or no_body if that is a wall's corner
+  int b = no_body;      // the edge's side, or no_body if that is a wall
+  ContactPoint point;   // where
+  ConstraintRow row{};  // the rate of the gap
+  ContactMaterial material{};
+  ContactImpact impact{};
+  RestingForce resting{};
 };
 
-// Sets its rows from where its bodies are.
-void set_rows(std::span<const BodyState> bodies, Contact& contact);
-
-CoupledRow row_of(const Contact& contact);
+// Sets its row from where its bodies are.
+void set_row(std::span<const BodyState> bodies, Contact& contact);
 
 BodySet bodies_of(std::span<const Contact> contacts);
 
@@ -78,20 +90,20 @@ void for_each_pair(std::span<const Contact> contacts, Visit visit) {
   }
 }
 
-// The ground holds wheels as a contact does whose row is v_l.
-Contact wheels_as_contact(int body);
+// The row of a robot's sideways velocity v_l, along which the ground's force acts on its wheels.
+ConstraintRow lateral_wheel_row(int robot);
 
-// The rate of the contact's gap, m/s.
-double gap_rate(const Contact& contact, std::span<const BodyState> bodies);
+// The rate of a row, m/s: of a contact's row that of its gap.
+double row_rate(const ConstraintRow& row, std::span<const BodyState> bodies);
 
-// J M^-1 J', 1/kg: what an impulse of 1 N s along the contact adds to the rate of its gap.
-double give(const Contact& contact, std::span<const InverseMass> mass);
+// The inverse effective mass of a row, J M^-1 J', 1/kg: what an impulse of 1 N s along the row adds to its rate.
+double inverse_effective_mass(const ConstraintRow& row, std::span<const InverseMass> mass);
 
-// What an impulse along a row of the Jacobian adds to one body's twist.
+// Adds to one body's twist what an impulse, N s, along its part of a row changes.
 void add_impulse(const JacobianRow& row, double impulse, const InverseMass& mass, Twist& twist);
 
-// Adds the impulse to the twists of both bodies.
-void apply_impulse(const Contact& contact, double impulse, std::span<const InverseMass> mass,
+// Adds an impulse, N s, along the row to the twists of its bodies.
+void apply_impulse(const ConstraintRow& row, double impulse, std::span<const InverseMass> mass,
                    std::span<BodyState> bodies);
 
 }  // namespace mirocup::simulator

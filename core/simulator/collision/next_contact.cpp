@@ -26,11 +26,11 @@ Pivot pivot_of(const Arena& arena, const Contact& c, std::span<const Segment> se
   const geometry::Outline& shape = arena.shape(c.a);
   const bool on_wall = c.b == no_body;
   return {.shape = shape,
-          .corner = shape.corner[c.at.corner],
-          .corner_index = c.at.corner,
+          .corner = shape.corner[c.point.corner],
+          .corner_index = c.point.corner,
           .robot = segments[c.a],
           .edge = on_wall ? nullptr : &segments[c.b],
-          .normal = on_wall ? c.at.normal : arena.shape(c.b).normal[c.at.edge]};
+          .normal = on_wall ? c.point.normal : arena.shape(c.b).normal[c.point.edge]};
 }
 
 // By how much the robot turns against the edge, between these bounds.
@@ -62,24 +62,24 @@ RelativeHeading relative_heading(const Pivot& pivot) {
 }  // namespace
 
 bool keeps_apart(const Arena& arena, const Contact& c) {
-  if (!c.holds || !c.is_kept) return false;
-  if (c.at.kind != Touching::corner_on_edge) return true;
+  if (!c.resting.is_active || !c.resting.is_persistent) return false;
+  if (c.point.kind != Touching::corner_on_edge) return true;
   const bool on_end_wall = c.pair.with_obstacle() && c.pair.obstacle() >= plane_walls;
   if (c.a == no_body || on_end_wall) return false;
   const geometry::Outline& shape = arena.shape(c.a);
-  const Vec2 n{c.row_a[0], c.row_a[1]};
-  const double line = n.dot(shape.corner[c.at.corner]) - arena.tolerances.touch;
+  const Vec2 n{c.row.on_a[0], c.row.on_a[1]};
+  const double line = n.dot(shape.corner[c.point.corner]) - arena.tolerances.touch;
   return std::all_of(shape.corner.begin(), shape.corner.begin() + shape.corners,
                      [&](const Vec2& corner) { return n.dot(corner) >= line; });
 }
 
 double next_corner_down(const Arena& arena, const Contact& contact, bool others,
                         std::span<const Segment> segments, double sink) {
-  if (others || contact.at.kind != Touching::corner_on_edge) return never;
+  if (others || contact.point.kind != Touching::corner_on_edge) return never;
   const Pivot pivot = pivot_of(arena, contact, segments);
   const Range turned = turn_over(pivot);
   const double most = std::max(-turned.low, turned.high);
-  const Vec2 n{contact.row_a[0], contact.row_a[1]};  // in the robot's frame, at the begin
+  const Vec2 n{contact.row.on_a[0], contact.row.on_a[1]};  // in the robot's frame, at the begin
   std::array<Vec2, geometry::max_corners> arms;
   int close = 0;
   for (int i = 0; i < pivot.shape.corners; ++i) {

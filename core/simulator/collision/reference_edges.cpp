@@ -17,7 +17,7 @@ std::optional<geometry::Reference> first_edge(const Arena& arena, std::span<cons
   if (arena.is_ball(pair.a) || pair.with_plane()) return {};
   std::array<double, 2> were{};  // gaps
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    ContactPoint at = contacts[i].at;
+    ContactPoint at = contacts[i].point;
     look_again(arena, begin, pair, at);
     if (at.gap >= -arena.tolerances.overlap_within_step) return {};
     were[i] = at.gap;
@@ -31,7 +31,7 @@ std::optional<geometry::Reference> first_edge(const Arena& arena, std::span<cons
   const double part = was / (was - is);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     // Behind the first edge only when it was past the corner already.
-    if (were[i] + part * (contacts[i].at.gap - were[i]) > 0.0) return {};
+    if (were[i] + part * (contacts[i].point.gap - were[i]) > 0.0) return {};
   }
   return first;
 }

@@ -16,9 +16,9 @@ class SharedBodies {
  public:
   SharedBodies() { newest_.fill(none); }
 
-  void add(int unknown, const Contact& contact) {
-    if (contact.a != no_body) add(unknown, contact.a, contact.row_a, 1.0);
-    if (contact.b != no_body) add(unknown, contact.b, contact.row_b, -1.0);
+  void add(int unknown, const ConstraintRow& row) {
+    add(unknown, row.a, row.on_a);
+    if (row.b != no_body) add(unknown, row.b, row.on_b);
   }
   // Adds J M^-1 J' to the matrix of a problem, or of equations.
   template <class Matrix>
@@ -45,8 +45,8 @@ class SharedBodies {
     int before;  // the body's row before this one
   };
 
-  void add(int unknown, int body, const JacobianRow& row, double sign) {
-    rows_[count_] = {{sign * row[0], sign * row[1], sign * row[2]}, unknown, newest_[body]};
+  void add(int unknown, int body, const JacobianRow& row) {
+    rows_[count_] = {row, unknown, newest_[body]};
     newest_[body] = count_++;
   }
 
@@ -55,16 +55,16 @@ class SharedBodies {
   int count_ = 0;
 };
 
-// Sets the matrix of a problem that was reset; contact_of(i) is the contact of unknown i < count.
-template <class ContactOf>
-void set_couplings(int count, ContactOf contact_of, std::span<const InverseMass> mass,
+// Sets the matrix of a problem that was reset; row_of(i) is the row of unknown i < count.
+template <class RowOf>
+void set_couplings(int count, RowOf row_of, std::span<const InverseMass> mass,
                    BoxProblem& problem) {
   SharedBodies bodies;
-  for (int i = 0; i < count; ++i) bodies.add(i, contact_of(i));
+  for (int i = 0; i < count; ++i) bodies.add(i, row_of(i));
   bodies.couple(mass, problem);
   if (!problem.is_large()) return;
   SoftProblem& soft = problem.to_begin_softly(mass);
-  for (int i = 0; i < count; ++i) soft.add(row_of(contact_of(i)));
+  for (int i = 0; i < count; ++i) soft.add(row_of(i));
 }
 
 }  // namespace mirocup::simulator

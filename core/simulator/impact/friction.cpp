@@ -5,11 +5,11 @@
 
 namespace mirocup::simulator {
 
-Contact tangent_of(const Contact& c, std::span<const BodyState> bodies) {
+ConstraintRow tangent_row(const Contact& c, std::span<const BodyState> bodies) {
   Contact tangent = c;
-  tangent.at.normal = cross(1.0, c.at.normal);
-  set_rows(bodies, tangent);
-  return tangent;
+  tangent.point.normal = cross(1.0, c.point.normal);
+  set_row(bodies, tangent);
+  return tangent.row;
 }
 
 bool has_friction(const Parameters& p) {
@@ -21,12 +21,13 @@ void resolve_friction(std::span<Contact> contacts, std::span<const InverseMass> 
                       std::span<BodyState> bodies, BoxProblem& problem) {
   bool some_slid = false;
   for (const Contact& c : contacts) {
-    if (c.friction == 0.0 || c.impulse <= 0.0) continue;
-    const Contact tangent = tangent_of(c, bodies);
-    const double compliance = give(tangent, mass);
+    const double friction = c.material.friction;
+    if (friction == 0.0 || c.impact.impulse <= 0.0) continue;
+    const ConstraintRow tangent = tangent_row(c, bodies);
+    const double compliance = inverse_effective_mass(tangent, mass);
     if (compliance <= 0.0) continue;
-    const double most = c.friction * c.impulse;
-    const double impulse = std::clamp(-gap_rate(tangent, bodies) / compliance, -most, most);
+    const double most = friction * c.impact.impulse;
+    const double impulse = std::clamp(-row_rate(tangent, bodies) / compliance, -most, most);
     apply_impulse(tangent, impulse, mass, bodies);
     some_slid = some_slid || impulse != 0.0;
   }

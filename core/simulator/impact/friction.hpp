@@ -16,8 +16,8 @@
 
 namespace mirocup::simulator {
 
-// The same place, with its rows along the tangent instead of the normal.
-Contact tangent_of(const Contact& contact, std::span<const BodyState> bodies);
+// The row of the contact's sliding velocity: along its tangent instead of its normal.
+ConstraintRow tangent_row(const Contact& contact, std::span<const BodyState> bodies);
 
 bool has_friction(const Parameters& parameters);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace mirocup::simulator {
 
@@ -42,31 +43,32 @@ void stop(std::span<const Contact> contacts, std::span<const int> chosen,
   const int n = static_cast<int>(chosen.size());
   problem.reset(n);
   for (int i = 0; i < n; ++i) {
-    problem.b[i] = gap_rate(contacts[chosen[i]], bodies);
+    problem.b[i] = row_rate(contacts[chosen[i]].row, bodies);
   }
   set_couplings(
-      n, [&](int i) -> const Contact& { return contacts[chosen[i]]; }, mass, problem);
+      n, [&](int i) -> const ConstraintRow& { return contacts[chosen[i]].row; }, mass, problem);
   problem.solve();
 }
 
-void apply(std::span<Contact> contacts, std::span<const int> chosen, double sign, double least_e,
-           std::span<const InverseMass> mass, std::span<BodyState> bodies,
-           const BoxProblem& problem) {
+void apply(std::span<Contact> contacts, std::span<const int> chosen, double sign,
+           std::optional<double> common_restitution, std::span<const InverseMass> mass,
+           std::span<BodyState> bodies, const BoxProblem& problem) {
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     Contact& c = contacts[chosen[i]];
-    const double e = least_e >= 0.0 ? least_e : c.restitution;
+    const double e = common_restitution.value_or(c.material.restitution);
     const double impulse = sign * (1.0 + e) * problem.x[i];
-    apply_impulse(c, impulse, mass, bodies);
-    c.impulse += impulse;
+    apply_impulse(c.row, impulse, mass, bodies);
+    c.impact.impulse += impulse;
   }
 }
 
 // Equation (21).
 void resolve_single(Contact& c, std::span<const InverseMass> mass, std::span<BodyState> bodies) {
-  if (c.approach <= no_approach) return;
-  const double e = c.approach > c.rest_speed ? c.restitution : 0.0;
-  c.impulse = (1.0 + e) * c.approach / give(c, mass);
-  apply_impulse(c, c.impulse, mass, bodies);
+  ContactImpact& impact = c.impact;
+  if (impact.approach <= no_approach) return;
+  const double e = impact.approach > impact.restitution_threshold ? c.material.restitution : 0.0;
+  impact.impulse = (1.0 + e) * impact.approach / inverse_effective_mass(c.row, mass);
+  apply_impulse(c.row, impact.impulse, mass, bodies);
 }
 
 }  // namespace
@@ -83,8 +85,8 @@ void stop_approaches(std::span<Contact> contacts, std::span<const InverseMass> m
 void resolve_impacts(std::span<Contact> contacts, std::span<const InverseMass> mass,
                      std::span<BodyState> bodies, BoxProblem& problem) {
   for (Contact& c : contacts) {
-    c.approach = -gap_rate(c, bodies);
-    c.impulse = 0.0;
+    c.impact.approach = -row_rate(c.row, bodies);
+    c.impact.impulse = 0.0;
   }
   if (contacts.size() == 1) {
     resolve_single(contacts[0], mass, bodies);
@@ -96,9 +98,9 @@ void resolve_impacts(std::span<Contact> contacts, std::span<const InverseMass> m
     std::size_t n = 0;
     bool some_bounce = false;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
-      const double approach = -gap_rate(contacts[i], bodies);
+      const double approach = -row_rate(contacts[i].row, bodies);
       if (approach > no_approach) chosen[n++] = static_cast<int>(i);
-      some_bounce = some_bounce || approach > contacts[i].rest_speed;
+      some_bounce = some_bounce || approach > contacts[i].impact.restitution_threshold;
     }
     if (n == 0) return;
     if (!some_bounce) break;
@@ -106,11 +108,11 @@ void resolve_impacts(std::span<Contact> contacts, std::span<const InverseMass> m
     const std::span<const int> approaching(chosen.data(), n);
     stop(contacts, approaching, mass, bodies, problem);
     const double before = kinetic_energy(contacts, mass, bodies);
-    apply(contacts, approaching, 1.0, -1.0, mass, bodies, problem);
+    apply(contacts, approaching, 1.0, std::nullopt, mass, bodies, problem);
     if (kinetic_energy(contacts, mass, bodies) > before * (1.0 + 1e-14)) {
       double least = 1.0;
-      for (const int i : approaching) least = std::min(least, contacts[i].restitution);
-      apply(contacts, approaching, -1.0, -1.0, mass, bodies, problem);
+      for (const int i : approaching) least = std::min(least, contacts[i].material.restitution);
+      apply(contacts, approaching, -1.0, std::nullopt, mass, bodies, problem);
       apply(contacts, approaching, 1.0, least, mass, bodies, problem);
     }
   }

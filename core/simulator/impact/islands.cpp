@@ -6,7 +6,8 @@
 namespace mirocup::simulator {
 
 BodySet cluster_of(int body, std::span<const Contact> contacts) {
-  return connected(BodySet(1UL << body), contacts, [](const Contact& c) { return c.holds; });
+  return connected(BodySet(1UL << body), contacts,
+                   [](const Contact& c) { return c.resting.is_active; });
 }
 
 BodySet touching_with(const BodySet& bodies, std::span<const Contact> contacts) {

@@ -5,10 +5,10 @@
 
 namespace mirocup::simulator {
 
-void add_shift(const Contact& contact, double amount, std::span<const InverseMass> mass,
+void add_shift(const ConstraintRow& row, double amount, std::span<const InverseMass> mass,
                std::span<Shift> shifts) {
-  if (contact.a != no_body) add_impulse(contact.row_a, amount, mass[contact.a], shifts[contact.a]);
-  if (contact.b != no_body) add_impulse(contact.row_b, -amount, mass[contact.b], shifts[contact.b]);
+  add_impulse(row.on_a, amount, mass[row.a], shifts[row.a]);
+  if (row.b != no_body) add_impulse(row.on_b, amount, mass[row.b], shifts[row.b]);
 }
 
 BodyState moved_by(const BodyState& body, const Shift& by) {
@@ -23,8 +23,8 @@ void push_apart(std::span<const Contact> contacts, std::span<const InverseMass> 
   const int n = static_cast<int>(contacts.size());
   problem.reset(free_mass);
   for (int i = 0; i < n; ++i) {
-    problem.add(row_of(contacts[i]));
-    problem.b[i] = contacts[i].at.gap;
+    problem.add(contacts[i].row);
+    problem.b[i] = contacts[i].point.gap;
   }
   problem.solve();
 
@@ -32,7 +32,7 @@ void push_apart(std::span<const Contact> contacts, std::span<const InverseMass> 
   BodySet moved;
   for (int i = 0; i < n; ++i) {
     if (problem.x[i] == 0.0) continue;
-    add_shift(contacts[i], problem.x[i], free_mass, shifts);
+    add_shift(contacts[i].row, problem.x[i], free_mass, shifts);
     moved |= bodies_of(contacts[i].pair);
   }
   for (std::size_t i = 0; i < bodies.size(); ++i) {

@@ -15,8 +15,8 @@ namespace mirocup::simulator {
 using Shift = Twist;
 
 // What an impulse of that amount would do to velocities, done to positions: adds to the shifts of
-// both bodies. The gap changes by give(contact, mass) times the amount, kg m.
-void add_shift(const Contact& contact, double amount, std::span<const InverseMass> mass,
+// both bodies. The row's gap changes by inverse_effective_mass(row, mass) times the amount, kg m.
+void add_shift(const ConstraintRow& row, double amount, std::span<const InverseMass> mass,
                std::span<Shift> shifts);
 
 BodyState moved_by(const BodyState& body, const Shift& by);

@@ -27,19 +27,19 @@ void stop_slides(std::span<Contact> contacts, std::span<const int> robots, doubl
   std::array<BodyState, max_bodies> before;
   std::copy(bodies.begin(), bodies.end(), before.begin());
 
-  std::array<Contact, max_robots> wheels;
+  std::array<ConstraintRow, max_robots> wheels;
   const int first_wheels = static_cast<int>(contacts.size());
   const int n = first_wheels + static_cast<int>(robots.size());
-  const auto row = [&](int i) -> const Contact& {
-    return i < first_wheels ? contacts[i] : wheels[i - first_wheels];
+  const auto row = [&](int i) -> const ConstraintRow& {
+    return i < first_wheels ? contacts[i].row : wheels[i - first_wheels];
   };
   problem.reset(n);
   for (int i = first_wheels; i < n; ++i) {
-    wheels[i - first_wheels] = wheels_as_contact(robots[i - first_wheels]);
+    wheels[i - first_wheels] = lateral_wheel_row(robots[i - first_wheels]);
     problem.low[i] = -most;
     problem.high[i] = most;
   }
-  for (int i = 0; i < n; ++i) problem.b[i] = gap_rate(row(i), bodies);
+  for (int i = 0; i < n; ++i) problem.b[i] = row_rate(row(i), bodies);
   set_couplings(n, row, mass, problem);
   problem.solve();
   for (int i = 0; i < n; ++i) apply_impulse(row(i), problem.x[i], mass, bodies);
@@ -51,7 +51,7 @@ void stop_slides(std::span<Contact> contacts, std::span<const int> robots, doubl
     std::copy_n(before.begin(), bodies.size(), bodies.begin());
     return;
   }
-  for (int i = 0; i < first_wheels; ++i) contacts[i].impulse += problem.x[i];
+  for (int i = 0; i < first_wheels; ++i) contacts[i].impact.impulse += problem.x[i];
 }
 
 void stop_brief_slides(const Arena& arena, const Patience& patience, std::span<const Drive> drives,
@@ -62,7 +62,7 @@ void stop_brief_slides(const Arena& arena, const Patience& patience, std::span<c
   BodySet hit;
   for (const Contact& c : contacts) {
     touching |= bodies_of(c.pair);
-    if (c.impulse != 0.0) hit |= bodies_of(c.pair);
+    if (c.impact.impulse != 0.0) hit |= bodies_of(c.pair);
   }
   std::array<int, max_robots> slow;
   std::size_t count = 0;

@@ -28,7 +28,7 @@ constexpr double least_closing = 1e-9;
 
 ContactForces::ContactForces(const Arena& arena) : arena_(arena), rows_(max_unknowns) {
   constraints_.reserve(max_unknowns);
-  for (int i = 0; i < arena.robots; ++i) held_wheels_[i] = wheels_as_contact(i);
+  for (int i = 0; i < arena.robots; ++i) wheel_rows_[i] = lateral_wheel_row(i);
 }
 
 const InverseMass& ContactForces::mass(int body, std::span<const Drive> drives) const {
@@ -44,8 +44,8 @@ void ContactForces::decide(std::span<const Drive> drives, double rest_slide, dou
   BodySet in_contact;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     Contact& c = contacts[i];
-    c.holds = false;
-    if (gap_rate(c, bodies) > c.rest_speed) continue;
+    c.resting.is_active = false;
+    if (row_rate(c.row, bodies) > c.impact.restitution_threshold) continue;
     candidate_[candidate_count_++] = static_cast<int>(i);
     in_contact |= bodies_of(c.pair);
   }
@@ -76,26 +76,27 @@ void ContactForces::decide(std::span<const Drive> drives, double rest_slide, dou
 // could, if one body alone had to give way to another that goes on as it likes.
 void ContactForces::fit_velocities(std::span<const Drive> drives, std::span<BodyState> bodies,
                                    std::span<const Contact> contacts) {
-  if (std::none_of(contacts.begin(), contacts.end(), [](const Contact& c) { return c.holds; })) {
+  if (std::none_of(contacts.begin(), contacts.end(),
+                   [](const Contact& c) { return c.resting.is_active; })) {
     return;
   }
   std::array<InverseMass, max_bodies> mass;
   constraints_.clear();
   for (const Contact& c : contacts) {
-    constraints_.push_back(c);
+    constraints_.push_back(c.row);
     for (const int i : {c.a, c.b}) {
       if (i != no_body) mass[i] = this->mass(i, drives);
     }
   }
   const auto held = [&](int i) {
-    return i >= static_cast<int>(contacts.size()) || constraints_[i].holds;
+    return i >= static_cast<int>(contacts.size()) || contacts[i].resting.is_active;
   };
-  for (int k = 0; k < wheel_count_; ++k) constraints_.push_back(held_wheels_[wheels_[k]]);
+  for (int k = 0; k < wheel_count_; ++k) constraints_.push_back(wheel_rows_[wheels_[k]]);
 
   problem_.reset(static_cast<int>(constraints_.size()));
   bool fits = true;
   for (int i = 0; i < problem_.size(); ++i) {
-    problem_.b[i] = gap_rate(constraints_[i], bodies);
+    problem_.b[i] = row_rate(constraints_[i], bodies);
     fits = fits && problem_.b[i] >= -least_rate && (!held(i) || problem_.b[i] <= least_rate);
   }
   if (fits) return;
@@ -103,7 +104,8 @@ void ContactForces::fit_velocities(std::span<const Drive> drives, std::span<Body
     if (held(i)) problem_.low[i] = -infinity;
   }
   set_couplings(
-      problem_.size(), [&](int i) -> const Contact& { return constraints_[i]; }, mass, problem_);
+      problem_.size(), [&](int i) -> const ConstraintRow& { return constraints_[i]; }, mass,
+      problem_);
   problem_.solve();
   for (int i = 0; i < problem_.size(); ++i) {
     apply_impulse(constraints_[i], problem_.x[i], mass, bodies);
@@ -207,9 +209,9 @@ void ContactForces::pose(std::span<const Drive> drives, std::span<const BodyStat
     extend_rows(arena_, c, trial_, 0, rows);
     problem_.b[i] = gap_rate_term(c, trial_, 1, rows);
   }
-  const auto row = [&](int i) -> const Contact& {
-    return i < candidate_count_ ? contacts[candidate_[i]]
-                                : held_wheels_[wheels_[i - candidate_count_]];
+  const auto row = [&](int i) -> const ConstraintRow& {
+    return i < candidate_count_ ? contacts[candidate_[i]].row
+                                : wheel_rows_[wheels_[i - candidate_count_]];
   };
   set_couplings(problem_.size(), row, mass, problem_);
   const double grip_force = p.grip * p.robot_mass * gravity;
@@ -225,7 +227,7 @@ Vec2 ContactForces::push_on_ball(std::span<const Contact> contacts) const {
   Vec2 push{0.0, 0.0};
   for (int i = 0; i < candidate_count_; ++i) {
     const Contact& c = contacts[candidate_[i]];
-    if (c.a == arena_.robots) push += problem_.x[i] * c.at.normal;
+    if (c.a == arena_.robots) push += problem_.x[i] * c.point.normal;
   }
   return push;
 }
@@ -233,8 +235,8 @@ Vec2 ContactForces::push_on_ball(std::span<const Contact> contacts) const {
 void ContactForces::read(std::span<Contact> contacts) {
   for (int i = 0; i < candidate_count_; ++i) {
     Contact& c = contacts[candidate_[i]];
-    c.force = problem_.x[i];
-    c.holds = c.force > least_force;
+    c.resting.force = problem_.x[i];
+    c.resting.is_active = c.resting.force > least_force;
   }
   for (int k = 0; k < wheel_count_; ++k) {
     const int row = candidate_count_ + k;

@@ -72,9 +72,9 @@ class ContactForces {
   std::array<Grounding, max_bodies> grounding_;
   std::array<Segment, max_bodies> trial_;  // two terms of the motion without contact forces
   std::vector<ContactRows> rows_;
-  std::vector<Contact> constraints_;  // on the velocities: contacts, and wheels that hold
-  std::array<Contact, max_robots> held_wheels_;  // of each robot
-  std::array<int, max_unknowns> candidate_;      // contacts whose gaps do not open
+  std::vector<ConstraintRow> constraints_;  // on the velocities: contacts, then wheels that hold
+  std::array<ConstraintRow, max_robots> wheel_rows_;  // of each robot
+  std::array<int, max_unknowns> candidate_;           // contacts whose gaps do not open
   int candidate_count_ = 0;
   std::array<int, max_bodies> member_;  // bodies with a candidate
   std::array<int, max_bodies> wheels_;  // robots whose wheels may hold

@@ -153,10 +153,11 @@ void ContactMotion::choose(std::span<const Contact> contacts) {
   held_count_ = 0;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Contact& c = contacts[i];
-    if (c.holds && cluster[c.pair.a]) held_index_[held_count_++] = static_cast<int>(i);
+    if (c.resting.is_active && cluster[c.pair.a]) held_index_[held_count_++] = static_cast<int>(i);
   }
-  std::stable_sort(held_index_.begin(), held_index_.begin() + held_count_,
-                   [contacts](int a, int b) { return contacts[a].force > contacts[b].force; });
+  std::stable_sort(
+      held_index_.begin(), held_index_.begin() + held_count_,
+      [contacts](int a, int b) { return contacts[a].resting.force > contacts[b].resting.force; });
   for (int i = 0; i < held_count_; ++i) held_[i] = contacts[held_index_[i]];
 }
 
@@ -165,7 +166,7 @@ void ContactMotion::choose(std::span<const Contact> contacts) {
 void ContactMotion::say_which_are_kept(std::span<Contact> contacts) const {
   bool all = true;
   for (int i = 0; i < equations(); ++i) all = all && !elimination_.depends(i);
-  for (int i = 0; i < held_count_; ++i) contacts[held_index_[i]].is_kept = all;
+  for (int i = 0; i < held_count_; ++i) contacts[held_index_[i]].resting.is_persistent = all;
 }
 
 // The first two terms.
@@ -176,8 +177,7 @@ void ContactMotion::begin(const Wanted& wanted, std::span<BodyState> bodies,
   }
   for (int i = 0; i < held_count_; ++i) {
     start_rows(arena_, held_[i], segments, rows_[i]);
-    held_[i].row_a = rows_[i].first_a;
-    held_[i].row_b = rows_[i].first_b;
+    held_[i].row = difference_row(held_[i].a, held_[i].b, rows_[i].first_a, rows_[i].first_b);
   }
   for (int k = 0; k < wheel_count_; ++k) hold_[k] = {};
 
@@ -200,15 +200,15 @@ void ContactMotion::begin(const Wanted& wanted, std::span<BodyState> bodies,
 // Moves bodies by what rounding has opened or closed.
 void ContactMotion::close_gaps(std::span<BodyState> bodies) {
   double widest = 0.0;
-  for (int i = 0; i < held_count_; ++i) widest = std::max(widest, std::abs(held_[i].at.gap));
+  for (int i = 0; i < held_count_; ++i) widest = std::max(widest, std::abs(held_[i].point.gap));
   if (widest <= closed_gap * arena_.tolerances.sink) return;
   factorise();
-  for (int i = 0; i < equations(); ++i) rhs_[i] = i < held_count_ ? -held_[i].at.gap : 0.0;
+  for (int i = 0; i < equations(); ++i) rhs_[i] = i < held_count_ ? -held_[i].point.gap : 0.0;
   elimination_.solve(rhs_);
   std::array<Shift, max_bodies> shifts{};
-  for (int i = 0; i < held_count_; ++i) add_shift(held_[i], rhs_[i], mass_, shifts);
+  for (int i = 0; i < held_count_; ++i) add_shift(held_[i].row, rhs_[i], mass_, shifts);
   for (int w = held_count_; w < equations(); ++w) {
-    add_shift(wheels_as_contact(wheels_of(w)), rhs_[w], mass_, shifts);
+    add_shift(lateral_wheel_row(wheels_of(w)), rhs_[w], mass_, shifts);
   }
   const auto is_too_long = [&](int i) {
     const Shift& by = shifts[i];
@@ -223,10 +223,10 @@ void ContactMotion::close_gaps(std::span<BodyState> bodies) {
 // The velocities fit already, but for what closing the gaps has changed.
 void ContactMotion::stop_rates(std::span<BodyState> bodies) {
   for (int i = 0; i < equations(); ++i) {
-    rhs_[i] = i < held_count_ ? -gap_rate(held_[i], bodies) : -bodies[wheels_of(i)].twist.left;
+    rhs_[i] = i < held_count_ ? -row_rate(held_[i].row, bodies) : -bodies[wheels_of(i)].twist.left;
   }
   elimination_.solve(rhs_);
-  for (int i = 0; i < held_count_; ++i) apply_impulse(held_[i], rhs_[i], mass_, bodies);
+  for (int i = 0; i < held_count_; ++i) apply_impulse(held_[i].row, rhs_[i], mass_, bodies);
   for (int k = 0; k < wheel_count_; ++k) bodies[wheels_[k]].twist.left = 0.0;
   for (int m = 0; m < member_count_; ++m) {
     const int i = members_[m];
@@ -243,8 +243,8 @@ void ContactMotion::stop_rates(std::span<BodyState> bodies) {
 
 void ContactMotion::factorise() {
   SharedBodies bodies;
-  for (int i = 0; i < held_count_; ++i) bodies.add(i, held_[i]);
-  for (int w = held_count_; w < equations(); ++w) bodies.add(w, wheels_as_contact(wheels_of(w)));
+  for (int i = 0; i < held_count_; ++i) bodies.add(i, held_[i].row);
+  for (int w = held_count_; w < equations(); ++w) bodies.add(w, lateral_wheel_row(wheels_of(w)));
   elimination_.reset(equations());
   bodies.couple(mass_, elimination_);
   elimination_.factorise();
@@ -275,8 +275,7 @@ void ContactMotion::extend_twists(int k, std::span<Segment> segments) {
     s.left[k + 1] = -product_term(s.turn, s.forward, k) / (k + 1);
   }
   for (int i = 0; i < held_count_; ++i) {
-    const ForceTerm term = later_force_term(held_[i], rows_[i], k);
-    add_to_twists(held_[i], term.on_a, term.on_b, 1.0 / (k + 1), k + 1, segments);
+    add_to_twists(later_force_term(held_[i], rows_[i], k), 1.0 / (k + 1), k + 1, segments);
   }
 }
 
@@ -287,7 +286,7 @@ void ContactMotion::solve_for_forces(int k, std::span<Segment> segments) {
   for (int i = 0; i < equations(); ++i) {
     if (!elimination_.depends(i) || k > 0) continue;
     if (i < held_count_) {
-      rows_[i].force[0] = held_[i].force;
+      rows_[i].force[0] = held_[i].resting.force;
       add_force(i, 0, segments);
     } else {
       const int body = wheels_of(i);
@@ -314,23 +313,20 @@ void ContactMotion::solve_for_forces(int k, std::span<Segment> segments) {
 
 // What term k of the contact's own force adds to term k + 1 of the twists.
 void ContactMotion::add_force(int i, int k, std::span<Segment> segments) const {
-  add_to_twists(held_[i], held_[i].row_a, held_[i].row_b, rows_[i].force[k] / (k + 1), k + 1,
-                segments);
+  add_to_twists(held_[i].row, rows_[i].force[k] / (k + 1), k + 1, segments);
 }
 
-void ContactMotion::add_to_twists(const Contact& c, const JacobianRow& on_a,
-                                  const JacobianRow& on_b, double amount, int term,
+void ContactMotion::add_to_twists(const ConstraintRow& row, double amount, int term,
                                   std::span<Segment> segments) const {
-  const auto add = [&](int body, const JacobianRow& row, double times) {
-    if (body == no_body) return;
+  const auto add = [&](int body, const JacobianRow& part) {
     const InverseMass& mass = mass_[body];
     Segment& s = segments[body];
-    s.forward[term] += times * row[0] * mass.forward;
-    s.left[term] += times * row[1] * mass.left;
-    s.turn[term] += times * row[2] * mass.turn;
+    s.forward[term] += amount * part[0] * mass.forward;
+    s.left[term] += amount * part[1] * mass.left;
+    s.turn[term] += amount * part[2] * mass.turn;
   };
-  add(c.a, on_a, amount);
-  add(c.b, on_b, -amount);
+  add(row.a, row.on_a);
+  if (row.b != no_body) add(row.b, row.on_b);
 }
 
 // When a contact lets go or its point leaves the edge; at most `length`.

@@ -61,8 +61,8 @@ class ContactMotion {
   void extend_twists(int k, std::span<Segment> segments);
   void solve_for_forces(int k, std::span<Segment> segments);
   void add_force(int i, int k, std::span<Segment> segments) const;
-  void add_to_twists(const Contact& contact, const JacobianRow& on_a, const JacobianRow& on_b,
-                     double amount, int term, std::span<Segment> segments) const;
+  void add_to_twists(const ConstraintRow& row, double amount, int term,
+                     std::span<Segment> segments) const;
   bool is_at_rest(std::span<const Segment> segments) const;
   void set_terms_of_all(int terms, std::span<Segment> segments);
   double converged_length_of_all(std::span<const Segment> segments) const;

@@ -52,19 +52,19 @@ void start_on_edge(const Arena& arena, const Contact& c, std::span<const Segment
                    ContactRows& rows) {
   const Segment* a = c.a == no_body ? nullptr : &segments[c.a];
   const Segment* b = c.b == no_body ? nullptr : &segments[c.b];
-  const bool is_ball = c.at.kind == Touching::circle_on_edge;
+  const bool is_ball = c.point.kind == Touching::circle_on_edge;
   const Heading heading_a = a == nullptr || is_ball ? Heading{} : first_heading(*a);
   const Heading heading_b = b == nullptr ? Heading{} : first_heading(*b);
   const geometry::Outline* shape = pressed_shape(arena, c);
 
-  rows.point = a == nullptr || is_ball ? Vec2{0.0, 0.0} : arena.shape(c.a).corner[c.at.corner];
-  rows.normal = b == nullptr ? c.at.normal : shape->normal[c.at.edge];
+  rows.point = a == nullptr || is_ball ? Vec2{0.0, 0.0} : arena.shape(c.a).corner[c.point.corner];
+  rows.normal = b == nullptr ? c.point.normal : shape->normal[c.point.edge];
   const Vec2 along = along_edge(rows.normal);
-  rows.edge_begin = shape == nullptr ? -infinity : along.dot(shape->corner[c.at.edge]);
-  rows.edge_end = shape == nullptr ? infinity : along.dot(shape->corner[shape->next(c.at.edge)]);
+  rows.edge_begin = shape == nullptr ? -infinity : along.dot(shape->corner[c.point.edge]);
+  rows.edge_end = shape == nullptr ? infinity : along.dot(shape->corner[shape->next(c.point.edge)]);
 
   const Vec2 place =
-      a == nullptr ? c.at.point : Vec2{Vec2{a->x[0], a->y[0]} + heading_a.to_world(rows.point)};
+      a == nullptr ? c.point.point : Vec2{Vec2{a->x[0], a->y[0]} + heading_a.to_world(rows.point)};
   const Vec2 touching = b == nullptr ? place : heading_b.to_body(place - Vec2{b->x[0], b->y[0]});
   rows.distance = rows.normal.dot(touching);
   rows.lever_b[0] = cross(touching, rows.normal);
@@ -133,7 +133,7 @@ void set_on_corner(const Arena& arena, const Contact& c, std::span<const Segment
   const geometry::Outline& shape = *pressed_shape(arena, c);
   const double radius = arena.ball_outline.radius;
   const Segment& ball = segments[c.a];
-  const Vec2 corner = shape.corner[c.at.corner];
+  const Vec2 corner = shape.corner[c.point.corner];
   Vec2 from_corner;  // to the ball, in the field's frame, and in that of the corner's side
   Vec2 seen;
   if (c.b == no_body) {
@@ -159,9 +159,9 @@ void set_on_corner(const Arena& arena, const Contact& c, std::span<const Segment
   rows.row_b[0][k] = normal_b.x();
   rows.row_b[1][k] = normal_b.y();
   rows.row_b[2][k] = cross(corner, normal_b);
-  const int before = c.at.corner == 0 ? shape.corners - 1 : c.at.corner - 1;
+  const int before = c.point.corner == 0 ? shape.corners - 1 : c.point.corner - 1;
   rows.inside[0][k] = cross(shape.normal[before], normal_b);
-  rows.inside[1][k] = cross(normal_b, shape.normal[c.at.corner]);
+  rows.inside[1][k] = cross(normal_b, shape.normal[c.point.corner]);
 }
 
 double gap_rate_on_corner(const Contact& c, std::span<const Segment> segments, int k,
@@ -177,7 +177,7 @@ double gap_rate_on_corner(const Contact& c, std::span<const Segment> segments, i
 }
 
 bool is_on_corner(const Contact& c) {
-  return c.at.kind == Touching::circle_on_corner;
+  return c.point.kind == Touching::circle_on_corner;
 }
 
 }  // namespace
@@ -205,20 +205,20 @@ double gap_rate_term(const Contact& c, std::span<const Segment> segments, int k,
                          : gap_rate_on_edge(c, segments, k, rows);
 }
 
-ForceTerm later_force_term(const Contact& c, const ContactRows& rows, int k) {
+ConstraintRow later_force_term(const Contact& c, const ContactRows& rows, int k) {
   if (is_on_corner(c)) {
     const auto term = [&](const Series& row) { return product_term(row, rows.force, k, 1); };
-    return {{term(rows.row_a[0]), term(rows.row_a[1]), 0.0},
-            {term(rows.row_b[0]), term(rows.row_b[1]), term(rows.row_b[2])}};
+    return difference_row(c.a, c.b, {term(rows.row_a[0]), term(rows.row_a[1]), 0.0},
+                          {term(rows.row_b[0]), term(rows.row_b[1]), term(rows.row_b[2])});
   }
-  ForceTerm force;
+  JacobianRow on_a{}, on_b{};
   if (c.a != no_body) {
     const Vec2 turning = product_term(rows.heading, rows.force, k, 1);
     const Vec2 seen_from_a = Heading{turning.x(), turning.y()}.to_body(rows.normal);
-    force.on_a = {seen_from_a.x(), seen_from_a.y(), cross(rows.point, seen_from_a)};
+    on_a = {seen_from_a.x(), seen_from_a.y(), cross(rows.point, seen_from_a)};
   }
-  if (c.b != no_body) force.on_b[2] = product_term(rows.lever_b, rows.force, k, 1);
-  return force;
+  if (c.b != no_body) on_b[2] = product_term(rows.lever_b, rows.force, k, 1);
+  return difference_row(c.a, c.b, on_a, on_b);
 }
 
 double time_on_edge(const Contact& c, const ContactRows& rows, double margin, double length) {

@@ -62,10 +62,7 @@ double gap_rate_term(const Contact& contact, std::span<const Segment> segments, 
                      ContactRows& rows);
 
 // Term k of row times force, without the product of the first term of the row.
-struct ForceTerm {
-  JacobianRow on_a{}, on_b{};
-};
-ForceTerm later_force_term(const Contact& contact, const ContactRows& rows, int k);
+ConstraintRow later_force_term(const Contact& contact, const ContactRows& rows, int k);
 
 // When the point has left the edge, or the ball the corner, by `margin`; at most `length`. Where it
 // was out there at the begin it may stay.

@@ -59,7 +59,7 @@ void BodySystem::couple(int body, unsigned long others) {
   });
 }
 
-void BodySystem::add(const CoupledRow& row, double weight) {
+void BodySystem::add(const ConstraintRow& row, double weight) {
   add_square(row.on_a, weight, block(row.a, row.a));
   if (row.b == no_body) return;
   add_square(row.on_b, weight, block(row.b, row.b));

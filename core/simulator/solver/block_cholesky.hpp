@@ -24,7 +24,7 @@ class BodySystem {
   // Starts with the matrix of these bodies' masses. Where an inverse is zero the unknown is zero.
   void reset(const BodySet& bodies, std::span<const InverseMass> mass);
   // Adds weight * row' row.
-  void add(const CoupledRow& row, double weight);
+  void add(const ConstraintRow& row, double weight);
 
   // Of the matrix, in its place; then solve() may be called for any number of right sides.
   void factorise();

@@ -24,7 +24,7 @@ constexpr double unseen = 1e-14;
 // Rounding could leave what reaches its bound a hair inside it, for ever.
 constexpr double past_rounding = 1.0 + 1e-12;
 
-double rate(const CoupledRow& row, const BodyVector& v) {
+double rate(const ConstraintRow& row, const BodyVector& v) {
   const JacobianRow& a = v[row.a];
   const double of_a = row.on_a[0] * a[0] + row.on_a[1] * a[1] + row.on_a[2] * a[2];
   if (row.b == no_body) return of_a;
@@ -32,7 +32,7 @@ double rate(const CoupledRow& row, const BodyVector& v) {
   return of_a + (row.on_b[0] * b[0] + row.on_b[1] * b[1] + row.on_b[2] * b[2]);
 }
 
-void add_to(BodyVector& v, const CoupledRow& row, double by) {
+void add_to(BodyVector& v, const ConstraintRow& row, double by) {
   JacobianRow& a = v[row.a];
   for (int c = 0; c < 3; ++c) a[c] += by * row.on_a[c];
   if (row.b == no_body) return;
@@ -53,7 +53,7 @@ void SoftProblem::reset(std::span<const InverseMass> mass) {
   system_fits_ = rates_fit_ = false;
 }
 
-void SoftProblem::add(const CoupledRow& row) {
+void SoftProblem::add(const ConstraintRow& row) {
   const int i = size_++;
   rows_[i] = row;
   give_[i] = give_of(row.on_a, mass_[row.a]);

@@ -24,7 +24,7 @@ class SoftProblem {
   // Starts without unknowns. The masses of all bodies that rows will be of.
   void reset(std::span<const InverseMass> mass);
   // One more unknown, with x = 0, b = 0 and 0 <= x < infinity.
-  void add(const CoupledRow& row);
+  void add(const ConstraintRow& row);
 
   int size() const { return size_; }
   Unknowns b, low, high;
@@ -52,7 +52,7 @@ class SoftProblem {
   int size_ = 0;
   std::array<InverseMass, max_bodies> mass_;
   BodySet bodies_;  // of any row
-  std::array<CoupledRow, max_unknowns> rows_;
+  std::array<ConstraintRow, max_unknowns> rows_;
   Unknowns give_;  // of each row, the diagonal of A
   std::array<Bound, max_unknowns> bound_;
   Unknowns centre_, direction_;

@@ -24,7 +24,7 @@ constexpr double step_growth = 2.0;
 
 bool do_press(std::span<const Contact> contacts) {
   return std::any_of(contacts.begin(), contacts.end(),
-                     [](const Contact& c) { return c.impulse != 0.0; });
+                     [](const Contact& c) { return c.impact.impulse != 0.0; });
 }
 
 // Was a corner of the pair, one that presses if any does, behind its edge when the step began, by more
@@ -32,8 +32,8 @@ bool do_press(std::span<const Contact> contacts) {
 bool came_from_behind(const StepPaths::Step& step, std::span<const Contact> contacts, bool presses,
                       double touch) {
   return std::any_of(contacts.begin(), contacts.end(), [&](const Contact& c) {
-    if (presses && c.impulse == 0.0) return false;
-    return c.at.gap < gap_rate(c, step.end) * step.length - touch;
+    if (presses && c.impact.impulse == 0.0) return false;
+    return c.point.gap < row_rate(c.row, step.end) * step.length - touch;
   });
 }
 
@@ -161,14 +161,14 @@ double StepPaths::push_middle_apart(const Step& step) {
   for (const Contact& c : step.contacts) {
     const double apart = gap_there(c);
     if (apart > most_bend) continue;
-    problem_.add(row_of(c));
+    problem_.add(c.row);
     problem_.b[near_count_] = apart;
     near_[near_count_++] = &c;
   }
   problem_.solve(bent_enough);
   std::array<Shift, max_bodies> shifts{};
   for (int i = 0; i < near_count_; ++i) {
-    if (problem_.x[i] != 0.0) add_shift(*near_[i], problem_.x[i], shifted_, shifts);
+    if (problem_.x[i] != 0.0) add_shift(near_[i]->row, problem_.x[i], shifted_, shifts);
   }
   double farthest = 0.0;
   for (int i = 0; i < arena_.bodies(); ++i) {

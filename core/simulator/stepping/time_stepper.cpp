@@ -99,7 +99,7 @@ double fastest_point(const Arena& arena, const BodySet& some, TwistOf twist_of) 
 ContactStepping::ContactStepping(const Arena& arena, SoftProblem& problem)
     : arena_(arena), problem_(problem), paths_(arena, problem) {
   forget();
-  for (int i = 0; i < arena.robots; ++i) wheels_[i] = wheels_as_contact(i);
+  for (int i = 0; i < arena.robots; ++i) wheel_rows_[i] = lateral_wheel_row(i);
 }
 
 ContactStepping::Step ContactStepping::take(const BodySet& candidates,
@@ -138,21 +138,21 @@ void ContactStepping::keep_what_presses(const Step& step) {
       pressed_.begin(), pressed_.begin() + pressed_count_,
       [&](const Pressed& known) { return (bodies_of(known.pair) & step.members).any(); });
   pressed_count_ = static_cast<int>(last - pressed_.begin());
-  contacts_.keep_if([](const Contact& c) { return c.impulse != 0.0; });
+  contacts_.keep_if([](const Contact& c) { return c.impact.impulse != 0.0; });
   for (Contact& c : contacts_.contacts()) {
-    c.holds = true;
-    c.force = c.impulse / step.length;
+    c.resting = {.is_active = true, .force = c.impact.impulse / step.length};
     if (pressed_count_ == max_unknowns) continue;
-    pressed_[pressed_count_++] = {c.pair, c.at, c.force, c.impulse};
+    pressed_[pressed_count_++] = {
+        .pair = c.pair, .point = c.point, .force = c.resting.force, .impulse = c.impact.impulse};
   }
   for (int i = 0; i < arena_.robots; ++i) {
-    if (step.members[i]) wheels_[i].force = wheels_[i].impulse / step.length;
+    if (step.members[i]) wheel_force_[i] = wheel_impulse_[i] / step.length;
   }
 }
 
 void ContactStepping::forget() {
   pressed_count_ = 0;
-  for (Contact& wheels : wheels_) wheels.force = 0.0;
+  wheel_force_.fill(0.0);
   next_step_.fill(infinity);
 }
 
@@ -167,17 +167,17 @@ void ContactStepping::begin_tick() {
 void ContactStepping::recall(const BodySet& members, double length) {
   int next = 0;
   for (Contact& c : contacts_.contacts()) {
-    c.impulse = 0.0;
+    c.impact.impulse = 0.0;
     for (int tried = 0; tried < pressed_count_; ++tried) {
       const Pressed& known = pressed_[next];
       next = next + 1 == pressed_count_ ? 0 : next + 1;
-      if (!(known.pair == c.pair) || !is_same_place(known.at, c.at)) continue;
-      c.impulse = std::min(known.force * length, known.impulse);
+      if (!(known.pair == c.pair) || !is_same_place(known.point, c.point)) continue;
+      c.impact.impulse = std::min(known.force * length, known.impulse);
       break;
     }
   }
   for (int i = 0; i < arena_.robots; ++i) {
-    if (members[i]) wheels_[i].impulse = wheels_[i].force * length * above_rounding;
+    if (members[i]) wheel_impulse_[i] = wheel_force_[i] * length * above_rounding;
   }
 }
 
@@ -279,7 +279,7 @@ bool ContactStepping::settle(const BodySet& members, std::span<const Drive> driv
       begin_[i].twist = end_[i].twist;
       end_[i] = along_arc(begin_[i], length);
     }
-    for (Contact& c : contacts_.contacts()) look_again(arena_, end_, c.pair, c.at);
+    for (Contact& c : contacts_.contacts()) look_again(arena_, end_, c.pair, c.point);
     const Tolerances& t = arena_.tolerances;
     if (has_settled(look < patient_looks ? t.step_touch : t.step_overlap)) {
       return stays_apart(members, length);
@@ -312,8 +312,8 @@ void ContactStepping::leave_overlaps(double length, std::span<const BodyState> b
 bool ContactStepping::has_settled(double touch) const {
   for (int i = 0; i < contacts_.count; ++i) {
     const Contact& c = contacts_.list[i];
-    const double gap = c.at.gap + left_[i];
-    if (gap < -touch || (c.impulse > 0.0 && gap > touch)) return false;
+    const double gap = c.point.gap + left_[i];
+    if (gap < -touch || (c.impact.impulse > 0.0 && gap > touch)) return false;
   }
   return true;
 }
@@ -323,43 +323,49 @@ void ContactStepping::pose(const BodySet& members, std::span<const Drive> drives
                            std::span<const InverseMass> mass, double length) {
   const Parameters& p = arena_.parameters;
   int count = 0;
-  for (Contact& c : contacts_.contacts()) row_[count++] = &c;
-  tangents_.count = 0;
+  const auto add = [&](const ConstraintRow& row, double& impulse) {
+    row_[count] = &row;
+    impulse_[count++] = &impulse;
+  };
+  for (Contact& c : contacts_.contacts()) add(c.row, c.impact.impulse);
+  tangent_count_ = 0;
   for (const Contact& c : contacts_.contacts()) {
-    if (c.friction == 0.0 || count == max_unknowns - max_bodies) continue;
-    tangents_.list[tangents_.count] = tangent_of(c, end_);
-    row_[count++] = &tangents_.list[tangents_.count++];
+    if (c.material.friction == 0.0 || count == max_unknowns - max_bodies) continue;
+    tangent_rows_[tangent_count_] = tangent_row(c, end_);
+    tangent_impulse_[tangent_count_] = c.impact.impulse;
+    add(tangent_rows_[tangent_count_], tangent_impulse_[tangent_count_]);
+    ++tangent_count_;
   }
   const int with_tangents = count;
   for (int i = 0; i < arena_.robots; ++i) {
     const bool holds = members[i] && drives[i].wheels_on_ground && p.grip != infinite_grip;
-    if (holds && count < max_unknowns) row_[count++] = &wheels_[i];
+    if (holds && count < max_unknowns) add(wheel_rows_[i], wheel_impulse_[i]);
   }
   problem_.reset(mass);
-  for (int i = 0; i < count; ++i) problem_.add(row_of(*row_[i]));
+  for (int i = 0; i < count; ++i) problem_.add(*row_[i]);
   for (int i = with_tangents; i < count; ++i) set_bounds(i, most_grip(length));
-  for (int i = 0; i < count; ++i) alone_rate_[i] = gap_rate(*row_[i], alone_);
+  for (int i = 0; i < count; ++i) alone_rate_[i] = row_rate(*row_[i], alone_);
 }
 
 // These impulses, from where the last look ended. Sets the twists of end_.
 void ContactStepping::solve(const BodySet& members, std::span<const InverseMass> mass,
                             double length) {
   const int normals = contacts_.count;
-  const int with_tangents = normals + tangents_.count;
+  const int with_tangents = normals + tangent_count_;
   const int count = problem_.size();
   for (int i = 0; i < count; ++i) {
-    problem_.x[i] = row_[i]->impulse;
+    problem_.x[i] = *impulse_[i];
     problem_.b[i] = alone_rate_[i];
     // The gap at the end of the step, from what it is with the twists of the last look.
     if (i >= normals) continue;
-    problem_.b[i] += (row_[i]->at.gap + left_[i]) / length - gap_rate(*row_[i], end_);
+    problem_.b[i] += (contacts_.list[i].point.gap + left_[i]) / length - row_rate(*row_[i], end_);
   }
   for (int i = normals; i < with_tangents; ++i) set_bounds(i, 0.0);
   problem_.solve(close_enough);
   for (int round = 0; round < friction_rounds && with_tangents > normals; ++round) {
     for (int i = normals, k = 0; i < with_tangents; ++i, ++k) {
-      while (contacts_.list[k].friction == 0.0) ++k;
-      set_bounds(i, contacts_.list[k].friction * problem_.x[k]);
+      while (contacts_.list[k].material.friction == 0.0) ++k;
+      set_bounds(i, contacts_.list[k].material.friction * problem_.x[k]);
     }
     problem_.solve(close_enough);
   }
@@ -368,7 +374,7 @@ void ContactStepping::solve(const BodySet& members, std::span<const InverseMass>
     if (members[i]) end_[i].twist = alone_[i].twist;
   }
   for (int i = 0; i < count; ++i) {
-    row_[i]->impulse = problem_.x[i];
+    *impulse_[i] = problem_.x[i];
     apply_impulse(*row_[i], problem_.x[i], mass, end_);
   }
   for (int i = with_tangents; i < count; ++i) {

@@ -61,7 +61,7 @@ class ContactStepping {
   // then. Of a short one that stopped something, the force says nothing about a longer one.
   struct Pressed {
     Pair pair;
-    ContactPoint at;
+    ContactPoint point;
     double force;    // N
     double impulse;  // N s
   };
@@ -91,20 +91,27 @@ class ContactStepping {
 
   const Arena& arena_;
   SoftProblem& problem_;
-  ContactList contacts_, tangents_;
+  ContactList contacts_;
+  std::array<ConstraintRow, max_unknowns> tangent_rows_;  // of contacts with friction
+  Unknowns tangent_impulse_;                              // N s, of those
+  int tangent_count_ = 0;
   std::array<double, max_unknowns> left_;  // m, of each contact's overlap at the begin, that stays
-  std::array<Contact, max_robots> wheels_;
-  std::array<Pressed, max_unknowns> pressed_;  // of each body in its last step
+  std::array<ConstraintRow, max_robots> wheel_rows_;
+  std::array<double, max_robots> wheel_force_;      // N, of each robot in its last step
+  std::array<double, max_robots> wheel_impulse_{};  // N s, of each robot in this step
+  std::array<Pressed, max_unknowns> pressed_;       // of each body in its last step
   int pressed_count_ = 0;
   BodySet stepped_;                           // in this tick
   double next_ = 0.0;                         // s, by what the last attempt at a step was like
   std::array<double, max_bodies> next_step_;  // s, of each body, by what its last one was like
-  std::array<Contact*, max_unknowns> row_;    // of each unknown: contacts_, tangents_, wheels_
-  std::array<BodyState, max_bodies> begin_;   // with the twists of the step
-  std::array<Twist, max_bodies> before_;      // of each body, before its last step
-  std::array<BodyState, max_bodies> end_;     // with the twists of the step
-  std::array<BodyState, max_bodies> alone_;   // twists at the end if there were no contacts
-  Unknowns alone_rate_;                       // m/s, of each unknown: its rate then
+  // Of each unknown, contacts first, then tangents, then wheels: its row and its impulse, N s.
+  std::array<const ConstraintRow*, max_unknowns> row_;
+  std::array<double*, max_unknowns> impulse_;
+  std::array<BodyState, max_bodies> begin_;  // with the twists of the step
+  std::array<Twist, max_bodies> before_;     // of each body, before its last step
+  std::array<BodyState, max_bodies> end_;    // with the twists of the step
+  std::array<BodyState, max_bodies> alone_;  // twists at the end if there were no contacts
+  Unknowns alone_rate_;                      // m/s, of each unknown: its rate then
   std::array<Box, max_bodies> boxes_;
   StepPaths paths_;
 };

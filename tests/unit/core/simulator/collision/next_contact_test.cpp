@@ -55,17 +55,16 @@ struct Tilted {
     contact.pair = pair_of(0, 1);
     contact.a = 1;
     contact.b = 0;
-    contact.at = {.point = touching,
-                  .normal = {1.0, 0.0},
-                  .gap = 0.0,
-                  .kind = Touching::corner_on_edge,
-                  .point_on_a = true,
-                  .corner = 2,
-                  .edge = 0};
-    contact.row_a = contact_row(body, contact.at);
-    contact.row_b = contact_row(BodyState{}, contact.at);
-    contact.holds = true;
-    contact.is_kept = true;
+    contact.point = {.point = touching,
+                     .normal = {1.0, 0.0},
+                     .gap = 0.0,
+                     .kind = Touching::corner_on_edge,
+                     .point_on_a = true,
+                     .corner = 2,
+                     .edge = 0};
+    contact.row = difference_row(contact.a, contact.b, contact_row(body, contact.point),
+                                 contact_row(BodyState{}, contact.point));
+    contact.resting = {.is_active = true, .is_persistent = true};
   }
 
   double next(bool others = false) const {
@@ -94,9 +93,9 @@ TEST(Pressing, FlushEdgesStayFlush) {
 
 TEST(Pressing, KnowsNothingOfContactsThatDoNotPress) {
   Tilted tilted(0.02, -4.0, 0.0, 0.02);
-  tilted.contact.is_kept = false;
+  tilted.contact.resting.is_persistent = false;
   EXPECT_FALSE(keeps_apart(tilted.arena, tilted.contact));
-  tilted.contact.holds = false;
+  tilted.contact.resting.is_active = false;
   EXPECT_FALSE(keeps_apart(tilted.arena, tilted.contact));
   // Tilted the other way, the corner that touches is at the end of the front: beside it the other
   // one is beyond the front's line already, and comes down on nothing.
@@ -113,8 +112,8 @@ TEST(ContactRows, FollowACornerAlongAnEdge) {
   const Tilted t(tilt, rate, slide, 0.02);
   ContactRows rows;
   start_rows(t.arena, t.contact, t.segments, rows);
-  EXPECT_NEAR(rows.first_a[2], t.contact.row_a[2], 1e-15);
-  EXPECT_NEAR(rows.first_b[2], t.contact.row_b[2], 1e-15);
+  EXPECT_NEAR(rows.first_a[2], t.contact.row.on_a[2], 1e-15);
+  EXPECT_NEAR(rows.first_b[2], -t.contact.row.on_b[2], 1e-15);
   double factor = 1.0;  // of term k of a function of the angle: its derivative times this
   for (int k = 0; k + 1 < series_terms; ++k) {
     EXPECT_NEAR(rows.heading.c[k][0], factor * std::cos(tilt + k * pi / 2.0), 1e-12) << k;

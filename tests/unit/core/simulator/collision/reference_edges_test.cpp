@@ -35,9 +35,9 @@ Vec2 direction_after(double turned, const Gaps& from, const Gaps& to) {
   put_on_first_edges(arena, begin, end, list);
   EXPECT_EQ(list.count, 2) << turned;
   const Contact& c = list.list[0];
-  EXPECT_NEAR(c.at.gap,
-              std::abs(end[0].heading.to_body(c.at.normal).x()) > 0.5 ? to.ahead : to.left, 1e-12);
-  const Vec2 normal = end[0].heading.to_body(c.at.normal);
+  EXPECT_NEAR(c.point.gap,
+              std::abs(end[0].heading.to_body(c.point.normal).x()) > 0.5 ? to.ahead : to.left, 1e-12);
+  const Vec2 normal = end[0].heading.to_body(c.point.normal);
   return c.b == 0 ? normal : Vec2{-normal};
 }
 

@@ -56,7 +56,7 @@ TEST(Cluster, OnlyContactsConnect) {
   EXPECT_EQ(touching_with(BodySet(0b11), list->contacts()), BodySet(0b1110));
   EXPECT_EQ(touching_with(BodySet(0b1), list->contacts()), BodySet());
   EXPECT_EQ(cluster_of(1, list->contacts()), BodySet());
-  list->list[1].holds = true;
+  list->list[1].resting.is_active = true;
   EXPECT_EQ(cluster_of(1, list->contacts()), BodySet());
   EXPECT_EQ(cluster_of(2, list->contacts()), BodySet(0b1100));
 }

@@ -23,10 +23,9 @@ struct Side {
     c.pair = pair_of(0, 1);
     c.a = 1;
     c.b = 0;
-    c.at.point = {0.0375, 0.0};
-    c.at.normal = {1.0, 0.0};
-    c.row_a = contact_row(bodies[1], c.at);
-    c.row_b = contact_row(bodies[0], c.at);
+    c.point.point = {0.0375, 0.0};
+    c.point.normal = {1.0, 0.0};
+    set_row(bodies, c);
   }
   void stop(int robot, double most) {
     stop_slides(contacts, std::array{robot}, most, mass, bodies, problem);
@@ -49,12 +48,12 @@ TEST(StopSlides, StopsWhatTheGroundCanAndNoMore) {
 TEST(StopSlides, LetsNoContactApproach) {
   Side side;
   side.bodies[1].heading = Heading{0.0, 1.0};  // its left is -x, towards the first one
-  side.contacts[0].row_a = contact_row(side.bodies[1], side.contacts[0].at);
+  set_row(side.bodies, side.contacts[0]);
   side.bodies[0].twist.forward = 1e-4;
   side.bodies[1].twist.left = -1e-4;  // away from the first one, as fast as that follows
   side.stop(1, 1e-3);
-  EXPECT_GE(gap_rate(side.contacts[0], side.bodies), -1e-15);
-  EXPECT_GE(side.contacts[0].impulse, 0.0);
+  EXPECT_GE(row_rate(side.contacts[0].row, side.bodies), -1e-15);
+  EXPECT_GE(side.contacts[0].impact.impulse, 0.0);
 }
 
 }  // namespace

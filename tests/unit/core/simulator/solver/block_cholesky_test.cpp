@@ -17,7 +17,7 @@ JacobianRow random_row(Random& random) {
   return {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)};
 }
 
-double rate(const CoupledRow& row, const BodyVector& v) {
+double rate(const ConstraintRow& row, const BodyVector& v) {
   double sum = 0.0;
   for (int c = 0; c < 3; ++c) {
     sum += row.on_a[c] * v[row.a][c];
@@ -40,12 +40,12 @@ TEST(BodySystem, SolvesForSeveralRightSides) {
       mass[i] = {random.uniform(0.5, 2.0), random.uniform(0.5, 2.0), random.uniform(0.5, 2.0)};
     }
     system.reset(bodies, mass);
-    std::vector<CoupledRow> rows;
+    std::vector<ConstraintRow> rows;
     for (int k = 0; k < 2 * n; ++k) {
-      CoupledRow row{.a = some[random.below(some.size())],
-                     .b = some[random.below(some.size())],
-                     .on_a = random_row(random),
-                     .on_b = random_row(random)};
+      ConstraintRow row{.a = some[random.below(some.size())],
+                        .b = some[random.below(some.size())],
+                        .on_a = random_row(random),
+                        .on_b = random_row(random)};
       if (row.a == row.b) row.b = no_body;
       rows.push_back(row);
       system.add(row, 3.0);
@@ -61,7 +61,7 @@ TEST(BodySystem, SolvesForSeveralRightSides) {
         b[i][1] -= x[i][1] / mass[i].left;
         b[i][2] -= x[i][2] / mass[i].turn;
       }
-      for (const CoupledRow& row : rows) {
+      for (const ConstraintRow& row : rows) {
         const double by = 3.0 * rate(row, x);
         for (int c = 0; c < 3; ++c) {
           b[row.a][c] -= by * row.on_a[c];

@@ -31,10 +31,10 @@ class RandomProblem {
     };
     const int size = 1 + static_cast<int>(random.below(5 * bodies));
     for (int i = 0; i < size; ++i) {
-      CoupledRow r{.a = static_cast<int>(random.below(bodies)),
-                   .b = static_cast<int>(random.below(bodies)),
-                   .on_a = row(),
-                   .on_b = row()};
+      ConstraintRow r{.a = static_cast<int>(random.below(bodies)),
+                      .b = static_cast<int>(random.below(bodies)),
+                      .on_a = row(),
+                      .on_b = row()};
       if (r.a == r.b) r.b = no_body;
       rows_.push_back(r);
       p_.add(r);
@@ -78,7 +78,7 @@ class RandomProblem {
     v[body][1] += impulse * row[1] * mass_[body].left;
     v[body][2] += impulse * row[2] * mass_[body].turn;
   }
-  static double rate(const CoupledRow& row, const BodyVector& v) {
+  static double rate(const ConstraintRow& row, const BodyVector& v) {
     double sum = 0.0;
     for (int c = 0; c < 3; ++c) {
       sum += row.on_a[c] * v[row.a][c];
@@ -89,7 +89,7 @@ class RandomProblem {
 
   SoftProblem& p_;
   std::array<InverseMass, max_bodies> mass_;
-  std::vector<CoupledRow> rows_;
+  std::vector<ConstraintRow> rows_;
 };
 
 // Soft solutions are as good as their softness, also where contacts are redundant, and better when

@@ -90,7 +90,7 @@ TEST(ContactStepping, AShortStepsForceIsNotThatOfALongOne) {
     EXPECT_EQ(steps.take(BodySet(1), {}, lifted, mass, length, bodies).members, BodySet(1));
     bodies[0] = steps.end(0);
     double sum = 0.0;
-    for (const Contact& c : steps.pressing()) sum += c.impulse;
+    for (const Contact& c : steps.pressing()) sum += c.impact.impulse;
     return sum;
   };
   const double stopped = impulse_of_step(1e-7);
@@ -161,11 +161,11 @@ TEST(Arena, LooksAgainRoundACorner) {
     ContactList list;
     add_contacts(arena, pair, bodies, 1e-3, list);
     ASSERT_EQ(list.count, 1);
-    ASSERT_EQ(list.list[0].at.kind, Touching::circle_on_corner);
+    ASSERT_EQ(list.list[0].point.kind, Touching::circle_on_corner);
     bodies[1].position = {end * (half - 0.001), end * (half + radius - 1e-6)};
-    look_again(arena, bodies, pair, list.list[0].at);
-    EXPECT_EQ(list.list[0].at.kind, Touching::circle_on_edge);
-    EXPECT_NEAR(list.list[0].at.gap, -1e-6, 1e-15);
+    look_again(arena, bodies, pair, list.list[0].point);
+    EXPECT_EQ(list.list[0].point.kind, Touching::circle_on_edge);
+    EXPECT_NEAR(list.list[0].point.gap, -1e-6, 1e-15);
   }
 }
 
