@@ -245,7 +245,7 @@ void Match::record() {
     hash_.add(robot.heading.sin);
     hash_.add(robot.twist.forward);
     hash_.add(robot.twist.left);
-    hash_.add(robot.twist.turn);
+    hash_.add(robot.twist.omega);
   }
   log_.push_back({answers_, hash_.value()});
   pending_ = answers_;
@@ -336,7 +336,7 @@ referee::Situation Match::situation() const {
       if (!plays(team, i)) continue;
       const simulator::WheelSpeeds wheels = pending_[index_of(team)].speeds(i);
       s.commanded[e][i] =
-          setup_.parameters.forward_speed(wheels.left, wheels.right) * robot.heading.forward();
+          setup_.parameters.speed_reference(wheels.left, wheels.right) * robot.heading.forward();
     }
   }
   add_touches(*events_, s);

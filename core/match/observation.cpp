@@ -10,7 +10,7 @@ ObservedRobot observed(End end, const simulator::BodyState& robot) {
   return {.position = team_frame(end, robot.position),
           .heading = team_frame(end, robot.heading).angle(),
           .velocity = team_frame(end, velocity),
-          .turn = robot.twist.turn};
+          .turn = robot.twist.omega};
 }
 
 }  // namespace

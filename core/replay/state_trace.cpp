@@ -11,7 +11,7 @@ std::uint8_t fingerprint(const simulator::BodyState& robot) {
   StateHash hash;
   for (const double part :
        {robot.position.x(), robot.position.y(), robot.heading.cos, robot.heading.sin,
-        robot.twist.forward, robot.twist.left, robot.twist.turn}) {
+        robot.twist.forward, robot.twist.left, robot.twist.omega}) {
     hash.add(part);
   }
   return static_cast<std::uint8_t>(hash.value() >> 56);
@@ -81,7 +81,7 @@ std::string body_text(const Checkpoint& checkpoint, int body, int robots_per_tea
   const simulator::BodyState& robot = checkpoint.robots[body];
   return "at " + exact(robot.position) + " m, heading " + exact(robot.heading.forward()) +
          ", with " + exact(robot.twist.forward) + " m/s forward, " + exact(robot.twist.left) +
-         " m/s to the left, " + exact(robot.twist.turn) + " rad/s";
+         " m/s to the left, " + exact(robot.twist.omega) + " rad/s";
 }
 
 }  // namespace mirocup::replay

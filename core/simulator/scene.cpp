@@ -64,7 +64,7 @@ SceneResult run_scene(const Scene& scene, const Tolerances& tolerances) {
   World world(scene.has_walls ? &field : nullptr, scene.parameters, tolerances,
               static_cast<int>(scene.robots.size()), scene.ball.has_value());
   SceneResult result;
-  world.set_trace(&result.trace);
+  world.set_statistics(&result.statistics);
   place(scene, world);
 
   std::vector<double> samples = scene.sample_at;
@@ -83,10 +83,10 @@ SceneResult run_scene(const Scene& scene, const Tolerances& tolerances) {
   double t = 0.0;
   take_sample(t);
   for (const double end : tick_ends(scene)) {
-    result.trace.origin = t;
+    result.statistics.origin = t;
     world.advance(commands_at(scene, t), end - t);
     t = end;
-    result.trace.origin = t;
+    result.statistics.origin = t;
     take_sample(t);
   }
   return result;
@@ -95,8 +95,8 @@ SceneResult run_scene(const Scene& scene, const Tolerances& tolerances) {
 std::optional<Overlap> find_overlap(const Scene& scene, double tolerance) {
   const field::Field field = field::make_field(scene.league);
   const int robots = static_cast<int>(scene.robots.size());
-  const Arena arena = make_arena(scene.has_walls ? &field : nullptr, scene.parameters, Tolerances{},
-                                 robots, scene.ball.has_value());
+  const StaticWorld world = make_static_world(scene.has_walls ? &field : nullptr, scene.parameters,
+                                              Tolerances{}, robots, scene.ball.has_value());
   std::vector<BodyState> bodies;
   for (const SceneRobot& robot : scene.robots) {
     bodies.push_back({robot.state.position, robot.state.heading, {}});
@@ -107,12 +107,12 @@ std::optional<Overlap> find_overlap(const Scene& scene, double tolerance) {
   const auto check = [&](int a, int b, double depth) {
     if (depth > (deepest ? deepest->depth : tolerance)) deepest = Overlap{a, b, depth};
   };
-  for (int i = 0; i < arena.bodies(); ++i) {
-    for (int j = 0; j < i; ++j) check(i, j, -gap(arena, {i, j}, bodies[i], bodies[j]));
+  for (int i = 0; i < world.bodies(); ++i) {
+    for (int j = 0; j < i; ++j) check(i, j, -gap(world, {i, j}, bodies[i], bodies[j]));
     if (!scene.has_walls) continue;
     check(i, no_body, -field.clearance(bodies[i].position));
     for (int k = 0; k < plane_walls + end_walls; ++k) {
-      check(i, no_body, -gap(arena, pair_with_obstacle(i, k), bodies[i], BodyState{}));
+      check(i, no_body, -gap(world, pair_with_obstacle(i, k), bodies[i], BodyState{}));
     }
   }
   return deepest;

@@ -48,7 +48,7 @@ struct Sample {
 
 struct SceneResult {
   std::vector<Sample> samples;  // at 0, at sample_at, at the end
-  Trace trace;
+  RunStatistics statistics;
 };
 
 // Something that is solid where something else is, at time 0.

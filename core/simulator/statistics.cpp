@@ -3,25 +3,26 @@
 
 namespace mirocup::simulator {
 
-void add_impact(const Contact& c, double t, Trace& trace) {
-  trace.impacts.push_back({.time = trace.origin + t,
-                           .first = c.a,
-                           .second = c.b,
-                           .point = c.point.point,
-                           .normal = c.point.normal,
-                           .impulse = c.impact.impulse});
+void add_impact(const Contact& c, double t, RunStatistics& statistics) {
+  statistics.impacts.push_back({.time = statistics.origin + t,
+                                .first = c.a,
+                                .second = c.b,
+                                .point = c.point.point,
+                                .normal = c.point.normal,
+                                .impulse = c.impact.impulse});
 }
 
-void add_pressing(std::span<const Contact> contacts, const BodySet& involved, Trace& trace) {
-  if (!contacts.empty()) ++trace.contact_solves;
-  const auto before = trace.pressing;
+void add_pressing(std::span<const Contact> contacts, const BodySet& involved,
+                  RunStatistics& statistics) {
+  if (!contacts.empty()) ++statistics.contact_solves;
+  const auto before = statistics.pressing;
   for (int i = 0; i < max_bodies; ++i) {
-    if (involved[i]) trace.pressing[i].reset();
+    if (involved[i]) statistics.pressing[i].reset();
   }
   for (const Contact& c : contacts) {
-    if (!c.resting.is_active || trace.pressing[c.pair.a][c.pair.partner]) continue;
-    trace.pressing[c.pair.a].set(c.pair.partner);
-    if (!before[c.pair.a][c.pair.partner]) ++trace.lasting_contacts;
+    if (!c.resting.is_active || statistics.pressing[c.pair.a][c.pair.partner]) continue;
+    statistics.pressing[c.pair.a].set(c.pair.partner);
+    if (!before[c.pair.a][c.pair.partner]) ++statistics.lasting_contacts;
   }
 }
 

@@ -23,7 +23,7 @@ struct Impact {
   double impulse = 0.0;   // N s along the normal
 };
 
-struct Trace {
+struct RunStatistics {
   double origin = 0.0;  // s: when the tick began that is being played
   std::vector<Impact> impacts;
   double deepest_overlap = 0.0;   // m, before it was corrected
@@ -36,9 +36,10 @@ struct Trace {
 };
 
 // An impact at t seconds of the tick.
-void add_impact(const Contact& contact, double t, Trace& trace);
+void add_impact(const Contact& contact, double t, RunStatistics& statistics);
 
 // The contacts of the involved bodies, after it was found which of them press.
-void add_pressing(std::span<const Contact> contacts, const BodySet& involved, Trace& trace);
+void add_pressing(std::span<const Contact> contacts, const BodySet& involved,
+                  RunStatistics& statistics);
 
 }  // namespace mirocup::simulator

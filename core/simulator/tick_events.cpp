@@ -3,12 +3,12 @@
 
 namespace mirocup::simulator {
 
-void add_touches(const Arena& arena, std::span<const Contact> contacts, TickEvents& events) {
+void add_touches(const StaticWorld& world, std::span<const Contact> contacts, TickEvents& events) {
   for (const Contact& c : contacts) {
     if (c.pair.with_obstacle()) continue;
     events.touched[c.pair.a].set(c.pair.partner);
     events.touched[c.pair.partner].set(c.pair.a);
-    if (arena.is_ball(c.pair.a)) events.last_to_touch_ball = c.pair.partner;
+    if (world.is_ball(c.pair.a)) events.last_to_touch_ball = c.pair.partner;
   }
 }
 

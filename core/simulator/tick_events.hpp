@@ -22,6 +22,6 @@ struct TickEvents {
 };
 
 // These were in contact.
-void add_touches(const Arena& arena, std::span<const Contact> contacts, TickEvents& events);
+void add_touches(const StaticWorld& world, std::span<const Contact> contacts, TickEvents& events);
 
 }  // namespace mirocup::simulator

@@ -43,9 +43,9 @@ class World {
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
-  int robots() const { return arena_.robots; }
-  const Parameters& parameters() const { return arena_.parameters; }
-  const Arena& arena() const { return arena_; }
+  int robots() const { return static_world_.robots; }
+  const Parameters& parameters() const { return static_world_.parameters; }
+  const StaticWorld& static_world() const { return static_world_; }
 
   BodyState robot(int i) const;
   BallState ball() const;
@@ -56,7 +56,7 @@ class World {
 
   // Where impacts and counts are added from now on; null, as at the beginning: nowhere. It outlives
   // the world or is taken back.
-  void set_trace(Trace* trace) { trace_ = trace; }
+  void set_statistics(RunStatistics* statistics) { statistics_ = statistics; }
 
   // Plays `duration` seconds under the commands, one per robot.
   const TickEvents& advance(std::span<const WheelCommand> commands, double duration);
@@ -70,24 +70,25 @@ class World {
     BodySet involved;
   };
   Event next_event(double tick_end);
-  const Neighbour* first_touch(double& t);
-  bool looks_again(Neighbour& n) const;
+  const CandidatePair* earliest_contact(double& t);
+  bool refine_estimate(CandidatePair& n) const;
   void play_event(const Event& event, double tick_end);
   bool was_forced_to_hold(const Event& event) const;
-  void run_into_each_other(double t);
-  void go_on(const BodySet& involved, const BodySet& were_stepping, double t, double tick_end);
-  BodySet bound_for_steps(const BodySet& bodies) const;
-  void step(const BodySet& candidates, double t, double tick_end);
-  void set_out(const ContactStepping::Step& taken, double t, double tick_end);
+  void resolve_collisions(double t);
+  void continue_motion(const BodySet& involved, const BodySet& were_stepping, double t,
+                       double tick_end);
+  BodySet to_be_stepped(const BodySet& bodies) const;
+  void take_steps(const BodySet& candidates, double t, double tick_end);
+  void begin_step(const TimeStepper::Step& taken, double t, double tick_end);
 
-  void spread_over_touching(double t, BodySet& involved);
-  void meet_neighbours(const BodySet& involved, double t, double tick_end);
-  void start_quietly(int body, double t, double tick_end);
-  void write_as_series(int body, double t, double tick_end);
-  double earliest_touch_of(const Pair& pair, double t) const;
-  BodyState body_now(int body, double t) const;
-  Pose pose_now(int body, double t) const;
-  void bring_to(double t, const BodySet& involved);
+  void grow_island(double t, BodySet& involved);
+  void update_pairs(const BodySet& involved, double t, double tick_end);
+  void start_closed_form(int body, double t, double tick_end);
+  void to_series(int body, double t, double tick_end);
+  double earliest_contact_of(const Pair& pair, double t) const;
+  BodyState state_at(int body, double t) const;
+  Pose pose_of(int body, double t) const;
+  void advance_to(double t, const BodySet& involved);
   void collect_contacts(const BodySet& involved, double t);
   void collect_contacts_anywhere();
   void drop_contacts_of(const BodySet& bodies);
@@ -95,31 +96,31 @@ class World {
   void collide(std::span<Contact> contacts, double t);
   void start_segments(const BodySet& involved, double t, double tick_end);
 
-  Arena arena_;
+  StaticWorld static_world_;
   std::array<BodyState, max_bodies> bodies_{};  // each at the begin of its segment
   std::array<Segment, max_bodies> segments_{};  // of quiet bodies only begin and end
-  BodySet quiet_;
-  std::array<BodyState, max_bodies> quiet_end_;  // of quiet bodies
-  MotorDecay whole_decay_, rest_decay_;          // over a whole tick, over a rest of one
+  BodySet closed_form_;
+  std::array<BodyState, max_bodies> closed_form_end_;  // of quiet bodies
+  MotorDecay whole_decay_, rest_decay_;                // over a whole tick, over a rest of one
   std::array<Box, max_bodies> boxes_{};
-  std::array<Way, max_bodies> ways_{};
-  std::array<Drive, max_robots> drives_{};
+  std::array<MotionBound, max_bodies> bounds_{};
+  std::array<DriveReference, max_robots> drives_{};
   std::array<InverseMass, max_bodies> mass_{};
   std::array<InverseMass, max_bodies> free_mass_{};
-  Patience patience_;
-  Neighbours neighbours_;
+  RestThresholds thresholds_;
+  PairList pairs_;
   TickEvents events_;
   bool bodies_were_set_ = true;
-  Companies companies_;
-  Trace* trace_ = nullptr;
+  StepIslands step_islands_;
+  RunStatistics* statistics_ = nullptr;
 
   ContactList contacts_;  // of the event being played; between ticks, of all bodies
-  ContactGroups groups_;  // of those, always
-  std::unique_ptr<BoxProblem> problem_;
-  std::unique_ptr<SoftProblem> soft_problem_;
+  Islands islands_;       // of those, always
+  std::unique_ptr<BoxQp> qp_;
+  std::unique_ptr<RegularizedQp> regularized_qp_;
   std::unique_ptr<ContactForces> forces_;
   std::unique_ptr<ContactMotion> motion_;
-  std::unique_ptr<ContactStepping> steps_;
+  std::unique_ptr<TimeStepper> steps_;
 };
 
 }  // namespace mirocup::simulator

@@ -61,8 +61,8 @@ void Table::drive(Robot& robot) const {
   const double left = std::clamp(robot.wheels.left, -limit, limit);
   const double right = std::clamp(robot.wheels.right, -limit, limit);
   const double gain = 1.0 - std::exp(-period_ / parameters_.motor_time_constant);
-  robot.forward += gain * (parameters_.forward_speed(left, right) - robot.forward);
-  robot.turn += gain * (parameters_.turn_rate(left, right) - robot.turn);
+  robot.forward += gain * (parameters_.speed_reference(left, right) - robot.forward);
+  robot.turn += gain * (parameters_.omega_reference(left, right) - robot.turn);
   Place& p = robot.place;
   p.heading = std::remainder(p.heading + robot.turn * period_, 2.0 * M_PI);
   p.x += robot.forward * std::cos(p.heading) * period_;

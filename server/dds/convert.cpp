@@ -11,7 +11,7 @@ namespace {
 
 mirocup_v2_RobotState to_sample(const simulator::BodyState& r) {
   return {r.position.x(),  r.position.y(), r.heading.cos, r.heading.sin,
-          r.twist.forward, r.twist.left,   r.twist.turn};
+          r.twist.forward, r.twist.left,   r.twist.omega};
 }
 
 simulator::BodyState to_robot(const mirocup_v2_RobotState& r) {

@@ -56,7 +56,7 @@ void for_each_number(C& checkpoint, std::size_t robots, Visit visit) {
     visit(robot.heading.sin);
     visit(robot.twist.forward);
     visit(robot.twist.left);
-    visit(robot.twist.turn);
+    visit(robot.twist.omega);
   }
   visit(checkpoint.ball.position.x());
   visit(checkpoint.ball.position.y());

@@ -220,7 +220,7 @@ Json to_json(const Scene& scene, const Sample& sample) {
     const BodyState& r = sample.robots[i];
     json["robots"].push_back({{"name", scene.robots[i].name},
                               {"pose", {r.position.x(), r.position.y(), r.heading.angle()}},
-                              {"twist", {r.twist.forward, r.twist.left, r.twist.turn}}});
+                              {"twist", {r.twist.forward, r.twist.left, r.twist.omega}}});
   }
   return json;
 }
@@ -250,10 +250,10 @@ Json to_json(const Scene& scene, const SceneResult& result, double cpu_seconds) 
   json["samples"] = Json::array();
   for (const Sample& sample : result.samples) json["samples"].push_back(to_json(scene, sample));
   json["impacts"] = Json::array();
-  for (const Impact& impact : result.trace.impacts) {
+  for (const Impact& impact : result.statistics.impacts) {
     json["impacts"].push_back(to_json(scene, impact));
   }
-  const Trace& trace = result.trace;
+  const RunStatistics& trace = result.statistics;
   json["statistics"] = {{"max_penetration", trace.deepest_overlap},
                         {"impacts", trace.impacts.size()},
                         {"lasting_contacts", trace.lasting_contacts},

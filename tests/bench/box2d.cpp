@@ -110,7 +110,7 @@ class Box2d {
         add_body(r.position, r.heading.angle(), box, Kind::robot, bullets == Bullets::all));
     set_mass(robots_.back(), p.robot_mass, p.robot_inertia());
     set_robot_motion(static_cast<int>(robots_.size()) - 1,
-                     {r.heading.to_world({r.twist.forward, r.twist.left}), r.twist.turn, {}});
+                     {r.heading.to_world({r.twist.forward, r.twist.left}), r.twist.omega, {}});
   }
 
   void set_mass(b2Body* body, double mass, double inertia) {

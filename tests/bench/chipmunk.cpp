@@ -43,7 +43,7 @@ class Chipmunk {
                 is_robot, ~wall_for_ball);
       robots_.push_back(body);
       set_robot_motion(static_cast<int>(robots_.size()) - 1,
-                       {r.heading.to_world({r.twist.forward, r.twist.left}), r.twist.turn, {}});
+                       {r.heading.to_world({r.twist.forward, r.twist.left}), r.twist.omega, {}});
     }
     ball_ = add_body(p.effective_ball_mass(), INFINITY, start.ball.position);
     add_shape(cpCircleShapeNew(ball_, p.ball_radius, cpvzero), ball_elasticity_, is_ball,

@@ -31,7 +31,7 @@ Vec2 random_in(Random& random, double half_x, double half_y) {
 BodyState random_robot(Random& random, const Vec2& at) {
   BodyState r{at, Heading::from_angle(random.uniform(-pi, pi)), {}};
   r.twist.forward = random.uniform(-1.0, 1.0);
-  r.twist.turn = random.uniform(-7.0, 7.0);
+  r.twist.omega = random.uniform(-7.0, 7.0);
   return r;
 }
 

@@ -75,7 +75,8 @@ class Stepped final : public Engine {
       const double limit = parameters_.wheel_speed_limit;
       const double left = std::clamp(commands[i]->left, -limit, limit);
       const double right = std::clamp(commands[i]->right, -limit, limit);
-      aims_[i] = {parameters_.forward_speed(left, right), parameters_.turn_rate(left, right)};
+      aims_[i] = {parameters_.speed_reference(left, right),
+                  parameters_.omega_reference(left, right)};
     }
     kick(first_, commands);
     for (int step = 1; step <= steps_; ++step) {

@@ -49,7 +49,7 @@ class MuJoCo {
       at[0] = r.position.x();
       at[1] = r.position.y();
       at[2] = r.heading.angle();
-      set_robot_motion(i, {r.heading.to_world({r.twist.forward, r.twist.left}), r.twist.turn, {}});
+      set_robot_motion(i, {r.heading.to_world({r.twist.forward, r.twist.left}), r.twist.omega, {}});
     }
     data_->qpos[3 * robots_] = start.ball.position.x();
     data_->qpos[3 * robots_ + 1] = start.ball.position.y();

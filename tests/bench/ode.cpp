@@ -57,7 +57,7 @@ class Ode {
       dRFromAxisAndAngle(turned, 0.0, 0.0, 1.0, r.heading.angle());
       dBodySetRotation(robots_[i], turned);
       set_robot_motion(static_cast<int>(i),
-                       {r.heading.to_world({r.twist.forward, r.twist.left}), r.twist.turn, {}});
+                       {r.heading.to_world({r.twist.forward, r.twist.left}), r.twist.omega, {}});
     }
     ball_ = add_body(p.effective_ball_mass(), 1.0, start.ball.position,
                      dCreateSphere(space_, p.ball_radius));

@@ -14,7 +14,7 @@ using test_support::TouchPoint;
 namespace {
 
 // Velocity of the touching point along the normal.
-double normal_speed(const Mover& m, const TouchPoint& touch) {
+double normal_speed(const MovingOutline& m, const TouchPoint& touch) {
   const Vec2& n = touch.normal;
   if (m.is_solid()) return 0.0;
   if (m.ball) {
@@ -28,13 +28,13 @@ double normal_speed(const Mover& m, const TouchPoint& touch) {
          static_cast<double>(m.robot->turn) * turning;
 }
 
-bool holds_sideways(const Parameters& p, const Mover& m) {
+bool holds_sideways(const Parameters& p, const MovingOutline& m) {
   return m.robot && m.command && p.grip == simulator::infinite_grip;
 }
 
 }  // namespace
 
-Outline Mover::outline(const Parameters& p) const {
+Outline MovingOutline::outline(const Parameters& p) const {
   const auto d = [](Real x) { return static_cast<double>(x); };
   if (robot)
     return test_support::square_at({d(robot->x), d(robot->y)}, d(robot->angle), p.robot_side);
@@ -42,12 +42,12 @@ Outline Mover::outline(const Parameters& p) const {
   return solid;
 }
 
-void Mover::move(const Parameters& p, Real duration) {
+void MovingOutline::move(const Parameters& p, Real duration) {
   if (robot) robot = drive_exactly(p, *robot, command, duration);
   if (ball) ball = roll_exactly(p, *ball, duration);
 }
 
-double Mover::speed_bound(const Parameters& p) const {
+double MovingOutline::speed_bound(const Parameters& p) const {
   if (ball) return static_cast<double>(std::hypot(ball->vx, ball->vy));
   if (!robot) return 0.0;
   const double fastest = p.wheel_radius * p.wheel_speed_limit;
@@ -58,16 +58,16 @@ double Mover::speed_bound(const Parameters& p) const {
          std::max(turn, command ? quickest : 0.0) * p.robot_side;
 }
 
-double Mover::mass(const Parameters& p) const {
+double MovingOutline::mass(const Parameters& p) const {
   return robot ? p.robot_mass : 1.4 * p.ball_mass;
 }
 
-Vec2 Mover::position() const {
+Vec2 MovingOutline::position() const {
   const auto d = [](Real x) { return static_cast<double>(x); };
   return robot ? Vec2{d(robot->x), d(robot->y)} : Vec2{d(ball->x), d(ball->y)};
 }
 
-Vec2 Mover::forward() const {
+Vec2 MovingOutline::forward() const {
   return {static_cast<double>(std::cos(robot->angle)), static_cast<double>(std::sin(robot->angle))};
 }
 
@@ -75,7 +75,7 @@ double inertia(const Parameters& p) {
   return p.robot_mass * p.robot_side * p.robot_side / 6.0;
 }
 
-double inverse_mass(const Parameters& p, const Mover& m, const TouchPoint& touch) {
+double inverse_mass(const Parameters& p, const MovingOutline& m, const TouchPoint& touch) {
   if (m.is_solid()) return 0.0;
   if (m.ball) return 1.0 / m.mass(p);
   const double lever = cross(Vec2{touch.point - m.position()}, touch.normal);
@@ -83,7 +83,7 @@ double inverse_mass(const Parameters& p, const Mover& m, const TouchPoint& touch
   return along * along / p.robot_mass + lever * lever / inertia(p);
 }
 
-void push(const Parameters& p, Mover& m, const TouchPoint& touch, double impulse) {
+void push(const Parameters& p, MovingOutline& m, const TouchPoint& touch, double impulse) {
   if (m.is_solid()) return;
   const Vec2 change = impulse / m.mass(p) * touch.normal;
   if (m.ball) {
@@ -97,7 +97,8 @@ void push(const Parameters& p, Mover& m, const TouchPoint& touch, double impulse
   m.robot->turn += impulse * cross(Vec2{touch.point - m.position()}, touch.normal) / inertia(p);
 }
 
-std::optional<Encounter> first_touch(const Parameters& p, Mover& a, Mover& b, Real limit) {
+std::optional<Encounter> first_touch(const Parameters& p, MovingOutline& a, MovingOutline& b,
+                                     Real limit) {
   constexpr double near = 1e-7;
   constexpr double too_slow = 0.05;
   Encounter e;
@@ -114,8 +115,8 @@ std::optional<Encounter> first_touch(const Parameters& p, Mover& a, Mover& b, Re
     if (e.time > limit) return {};
     gap = distance(a.outline(p), b.outline(p));
   }
-  const Mover near_a = a;
-  const Mover near_b = b;
+  const MovingOutline near_a = a;
+  const MovingOutline near_b = b;
   Real after = 0;
   constexpr int newton_steps = 6;
   for (int i = 0; i < newton_steps; ++i) {

@@ -13,7 +13,7 @@ namespace mirocup::scenes {
 using test_support::Real;
 
 // A body of the exact motion; what is neither robot nor ball is solid.
-struct Mover {
+struct MovingOutline {
   std::optional<test_support::ExactRobot> robot;
   std::optional<test_support::ExactBall> ball;
   WheelCommand command;
@@ -32,9 +32,11 @@ struct Mover {
 double inertia(const Parameters& p);
 
 // What one unit of impulse changes along the normal: a bracket of (21).
-double inverse_mass(const Parameters& p, const Mover& m, const test_support::TouchPoint& touch);
+double inverse_mass(const Parameters& p, const MovingOutline& m,
+                    const test_support::TouchPoint& touch);
 
-void push(const Parameters& p, Mover& m, const test_support::TouchPoint& touch, double impulse);
+void push(const Parameters& p, MovingOutline& m, const test_support::TouchPoint& touch,
+          double impulse);
 
 struct Encounter {
   Real time = 0;
@@ -44,6 +46,7 @@ struct Encounter {
 
 // Moves both to their first touch within `limit` seconds: steps that are too short to reach it,
 // then Newton's method. Nothing if there is none, or one so slow that its time is ill-defined.
-std::optional<Encounter> first_touch(const Parameters& p, Mover& a, Mover& b, Real limit);
+std::optional<Encounter> first_touch(const Parameters& p, MovingOutline& a, MovingOutline& b,
+                                     Real limit);
 
 }  // namespace mirocup::scenes

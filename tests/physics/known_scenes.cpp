@@ -50,7 +50,7 @@ Bars newtons_cradle(Size size) {
       for (int i = 0; i < count; ++i) {
         const Vec2 expected{i + 1 == count ? 1.0 : 0.0, 0.0};
         worst = std::max({worst, (velocity_of(*world, i) - expected).norm(),
-                          std::abs(world->robot(i).twist.turn)});
+                          std::abs(world->robot(i).twist.omega)});
         if (i > 0 && i + 1 < count) {
           moved = std::max(moved, (world->robot(i).position - s.robots[i].position).norm());
         }
@@ -75,7 +75,7 @@ Bars symmetric_hits(Size size) {
     const double y = random.uniform(0.06, 0.075);
     const simulator::Twist twist{random.uniform(-0.3, 0.3), 0.0, random.uniform(-3.0, 3.0)};
     s.robots = {{{0.0, y}, Heading::from_angle(angle), twist},
-                {{0.0, -y}, Heading::from_angle(-angle), {twist.forward, 0.0, -twist.turn}}};
+                {{0.0, -y}, Heading::from_angle(-angle), {twist.forward, 0.0, -twist.omega}}};
     // The mirror image to the bit.
     s.robots[1].heading = {s.robots[0].heading.cos, -s.robots[0].heading.sin};
     s.ball.push_back({{-0.2, 0.0}, {random.uniform(1.0, 5.0), 0.0}});

@@ -64,7 +64,7 @@ Measured play(const Push& push, double duration) {
     for (int k = 0; k < world->robots(); ++k) {
       BodyState now = world->robot(k);
       const Vec2 v = now.heading.to_world({now.twist.forward, now.twist.left});
-      m.speed = std::max({m.speed, (v - push.moving).norm(), std::abs(now.twist.turn)});
+      m.speed = std::max({m.speed, (v - push.moving).norm(), std::abs(now.twist.omega)});
       now.position -= moved;
       m.drift = std::max(m.drift, difference(now, robots[k]));
     }

@@ -79,7 +79,7 @@ std::vector<BodyState> robots_of(const World& world) {
 }
 
 std::vector<BallState> ball_of(const World& world) {
-  if (!world.arena().has_ball) return {};
+  if (!world.static_world().has_ball) return {};
   return {world.ball()};
 }
 
@@ -102,7 +102,7 @@ double kinetic_energy(const World& world) {
   for (const BodyState& r : robots_of(world)) {
     const simulator::Twist& v = r.twist;
     sum += 0.5 * p.robot_mass * (v.forward * v.forward + v.left * v.left);
-    sum += 0.5 * p.robot_mass * p.robot_side * p.robot_side / 6.0 * v.turn * v.turn;
+    sum += 0.5 * p.robot_mass * p.robot_side * p.robot_side / 6.0 * v.omega * v.omega;
   }
   for (const BallState& b : ball_of(world)) {
     sum += 0.5 * 1.4 * p.ball_mass * b.velocity.squaredNorm();
@@ -114,7 +114,7 @@ bool is_finite(const World& world) {
   bool finite = true;
   for (const BodyState& r : robots_of(world)) {
     finite = finite && std::isfinite(r.position.sum() + r.heading.cos + r.heading.sin +
-                                     r.twist.forward + r.twist.left + r.twist.turn);
+                                     r.twist.forward + r.twist.left + r.twist.omega);
   }
   for (const BallState& b : ball_of(world)) {
     finite = finite && std::isfinite(b.position.sum() + b.velocity.sum());
@@ -130,7 +130,7 @@ double difference(const BodyState& a, const BodyState& b) {
 double velocity_difference(const BodyState& a, const BodyState& b) {
   const Vec2 u = a.heading.to_world({a.twist.forward, a.twist.left});
   const Vec2 v = b.heading.to_world({b.twist.forward, b.twist.left});
-  return std::max((u - v).norm(), std::abs(a.twist.turn - b.twist.turn));
+  return std::max((u - v).norm(), std::abs(a.twist.omega - b.twist.omega));
 }
 
 }  // namespace mirocup::scenes

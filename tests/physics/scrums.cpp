@@ -109,7 +109,7 @@ double power(const World& world, const std::vector<WheelCommand>& commands) {
     const simulator::Twist v = world.robot(i).twist;
     const Aims aims = aims_of(p, commands[i]);
     sum += (p.robot_mass * (aims.forward - v.forward) * v.forward +
-            inertia(p) * (aims.turn - v.turn) * v.turn) /
+            inertia(p) * (aims.turn - v.omega) * v.omega) /
            p.motor_time_constant;
   }
   return sum;

@@ -23,7 +23,7 @@ enum class Target { wall, post, robot };
 struct Scene {
   Start start;
   std::vector<WheelCommand> commands;
-  Mover a, b;
+  MovingOutline a, b;
 };
 
 Outline solid_of(const field::Field& field, Target target) {
@@ -107,8 +107,8 @@ bool is_intercepted(const Scene& s, const field::Field& field, Real time) {
   if (s.start.field == nullptr) return false;
   const auto solids = test_support::solids_around(field);
   return std::any_of(solids.begin(), solids.end(), [&](const Outline& solid) {
-    Mover body = s.a;
-    Mover other{.robot = {}, .ball = {}, .command = {}, .solid = solid};
+    MovingOutline body = s.a;
+    MovingOutline other{.robot = {}, .ball = {}, .command = {}, .solid = solid};
     const auto e = first_touch(s.start.parameters, body, other, time);
     return e && e->time < time - 1e-6L;
   });
@@ -148,7 +148,7 @@ std::optional<double> velocity_error(Scene s, Real time) {
   if (!last || world->advance(s.commands, 2.0 * clear).impacts != 1) return {};
   bounce_and_move(p, *last, static_cast<double>(2.0L * clear - last->time), s);
   double worst = 0.0;
-  const auto compare = [&](const Mover& m, int index) {
+  const auto compare = [&](const MovingOutline& m, int index) {
     if (m.robot) {
       worst = std::max(worst, velocity_difference(world->robot(index), rounded(*m.robot)));
     } else if (m.ball) {
@@ -187,8 +187,8 @@ void add_bars(const PairKind& kind, int wanted, Bars& bars) {
     const Parameters p = random_parameters(random);
     const Scene s = random_scene(random, kind.ball, kind.target, field, p);
     if (overlap(s.start)) continue;
-    Mover a = s.a;
-    Mover b = s.b;
+    MovingOutline a = s.a;
+    MovingOutline b = s.b;
     const std::optional<Encounter> e = first_touch(p, a, b, 0.1L);
     if (!e || !can_be_reached(s, field, *e)) continue;
     if (!impact_is_at(s, e->time, windows[0])) {
@@ -237,9 +237,9 @@ Momentum momentum_of(const World& world) {
   for (int i = 0; i < world.robots(); ++i) {
     const BodyState r = world.robot(i);
     sum.add(p.robot_mass, r.position, r.heading.to_world({r.twist.forward, r.twist.left}),
-            inertia(p) * r.twist.turn);
+            inertia(p) * r.twist.omega);
   }
-  if (world.arena().has_ball) {
+  if (world.static_world().has_ball) {
     sum.add(1.4 * p.ball_mass, world.ball().position, world.ball().velocity, 0.0);
   }
   return sum;

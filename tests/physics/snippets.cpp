@@ -32,7 +32,7 @@ Snippet random_snippet(Random& random, const field::Field& field) {
     for (int i = 0; i < robots; ++i) {
       BodyState r{centre + random_in(random, half_crowd, half_crowd), random_heading(random), {}};
       r.twist.forward = random.uniform(-1.0, 1.0);
-      r.twist.turn = random.uniform(-7.0, 7.0);
+      r.twist.omega = random.uniform(-7.0, 7.0);
       s.start.robots.push_back(r);
     }
     const Vec2 at = centre + random_in(random, half_crowd, half_crowd);

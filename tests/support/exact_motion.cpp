@@ -12,7 +12,7 @@ namespace {
 constexpr Real g = 9.81L;
 
 struct Model {
-  Real speed_reference = 0, turn_reference = 0, time_constant = 1, sideways_limit = 0;
+  Real speed_reference = 0, turn_reference = 0, time_constant = 1, lateral_acceleration_limit = 0;
   bool wheels_on_ground = true;
   int slide = 0;  // sign of the sideways speed, 0: the wheels hold
 };
@@ -29,7 +29,7 @@ ExactRobot derivative(const Model& m, const ExactRobot& s) {
   }
   d.turn = (m.turn_reference - s.turn) / m.time_constant;
   d.forward = (m.speed_reference - s.forward) / m.time_constant + s.turn * s.left;
-  d.left = m.slide == 0 ? 0 : -m.slide * m.sideways_limit - s.turn * s.forward;
+  d.left = m.slide == 0 ? 0 : -m.slide * m.lateral_acceleration_limit - s.turn * s.forward;
   return d;
 }
 
@@ -92,7 +92,7 @@ Model model_of(const simulator::Parameters& p, const simulator::WheelCommand& co
   m.speed_reference = p.wheel_radius * (left + right) / 2;
   m.turn_reference = p.wheel_radius * (right - left) / p.wheel_distance;
   m.time_constant = p.motor_time_constant;
-  m.sideways_limit = p.grip * g;
+  m.lateral_acceleration_limit = p.grip * g;
   return m;
 }
 
@@ -104,7 +104,7 @@ ExactRobot exactly(const simulator::BodyState& r) {
           std::atan2(static_cast<Real>(r.heading.sin), static_cast<Real>(r.heading.cos)),
           r.twist.forward,
           r.twist.left,
-          r.twist.turn};
+          r.twist.omega};
 }
 
 ExactBall exactly(const simulator::BallState& b) {
@@ -128,7 +128,7 @@ ExactRobot drive_exactly(const simulator::Parameters& p, ExactRobot s,
   while (duration > 0) {
     const Real step = std::min(duration, longest);
     const auto too_hard = [&](const ExactRobot& r) {
-      return can_slide && std::abs(r.turn * r.forward) > m.sideways_limit;
+      return can_slide && std::abs(r.turn * r.forward) > m.lateral_acceleration_limit;
     };
     if (can_slide && m.slide == 0 && too_hard(s)) m.slide = s.turn * s.forward > 0 ? -1 : 1;
     const auto has_changed = [&](const ExactRobot& r) {
@@ -162,7 +162,7 @@ Deceleration deceleration(const simulator::Parameters& p) {
   return {p.rolling_resistance * p.ball_mass * g / mass, p.viscous_friction / mass};
 }
 
-// Way and speed after t seconds, before the ball stops.
+// MotionBound and speed after t seconds, before the ball stops.
 Real way(const Deceleration& d, Real speed, Real t) {
   if (d.linear == 0) return speed * t - d.constant * t * t / 2;
   const Real gone = -std::expm1(-d.linear * t) / d.linear;

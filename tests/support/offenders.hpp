@@ -7,7 +7,7 @@
 
 namespace mirocup::test_support {
 
-// Wheels that turn towards a point and drive at it, front or back first.
+// WheelState that turn towards a point and drive at it, front or back first.
 inline simulator::WheelSpeeds towards(const match::ObservedRobot& robot, const Vec2& point,
                                       double speed) {
   const Vec2 seen = Heading::from_angle(robot.heading).to_body(point - robot.position);

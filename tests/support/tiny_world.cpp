@@ -52,7 +52,7 @@ void TinyWorld::set_robot(int i, const simulator::BodyState& s) {
   const Vec2 velocity = s.heading.to_world({s.twist.forward, s.twist.left});
   bodies_[i] = {s.position,
                 std::atan2(s.heading.sin, s.heading.cos),
-                {velocity.x(), velocity.y(), s.twist.turn}};
+                {velocity.x(), velocity.y(), s.twist.omega}};
 }
 
 void TinyWorld::set_ball(const simulator::BallState& s) {
@@ -102,7 +102,7 @@ Eigen::Vector3d TinyWorld::force(const Body& middle, int index) const {
     return {-p_.viscous_friction * middle.velocity[0], -p_.viscous_friction * middle.velocity[1],
             0.0};
   }
-  const Drive& drive = drives_[index];
+  const DriveReference& drive = drives_[index];
   if (!drive.wheels_on_ground) return Eigen::Vector3d::Zero();
   const Vec2 forward = forward_of(middle.angle);
   const double speed = forward.dot(middle.velocity.head<2>());

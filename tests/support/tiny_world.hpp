@@ -54,7 +54,7 @@ class TinyWorld {
     double angle = 0.0;
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  // and turn rate
   };
-  struct Drive {
+  struct DriveReference {
     bool wheels_on_ground = true;
     double forward = 0.0, turn = 0.0;
   };
@@ -100,7 +100,7 @@ class TinyWorld {
   Vec2 inner_{0.0, 0.0};  // no solid reaches a body whose centre is inside this half-rectangle
   std::vector<Outline> solids_;
   Bodies bodies_;
-  std::vector<Drive> drives_;
+  std::vector<DriveReference> drives_;
   Eigen::VectorXd impulses_;  // of the last step: where the next one's search begins
   int impacts_ = 0;
 };

@@ -47,15 +47,15 @@ inline unsigned long bodies_below(int i) {
 // Calls add(pair) for each pair of body i that can touch: with the others, one bit each, in
 // increasing order, then with obstacles.
 template <class Add>
-void for_near_pairs(const Arena& arena, std::span<const Box> boxes, int i, unsigned long others,
-                    Add add) {
+void for_near_pairs(const StaticWorld& world, std::span<const Box> boxes, int i,
+                    unsigned long others, Add add) {
   const Box& box = boxes[i];
   for_each_body(others, [&](int j) {
-    if (!are_apart(box, boxes[j], arena.reach(i, j))) add(pair_of(i, j));
+    if (!are_apart(box, boxes[j], world.reach(i, j))) add(pair_of(i, j));
   });
-  if (arena.field == nullptr) return;
-  const field::Field& field = *arena.field;
-  const double reach = arena.shape(i).radius + arena.tolerances.touch;
+  if (world.field == nullptr) return;
+  const field::Field& field = *world.field;
+  const double reach = world.shape(i).radius + world.tolerances.contact_gap;
   const auto add_near = [&](const auto& obstacle, int k) {
     if (!are_apart(box, obstacle, reach)) add(pair_with_obstacle(i, k));
   };
@@ -71,16 +71,16 @@ void for_near_pairs(const Arena& arena, std::span<const Box> boxes, int i, unsig
 
 // The contacts with a gap of at most `margin`, m, of these bodies with each other and with obstacles,
 // appended. Uses the boxes of all bodies.
-inline void add_contacts_among(const Arena& arena, const BodySet& some,
+inline void add_contacts_among(const StaticWorld& world, const BodySet& some,
                                std::span<const BodyState> bodies, double margin,
                                std::span<Box> boxes, ContactList& list) {
-  for (int i = 0; i < arena.bodies(); ++i) {
+  for (int i = 0; i < world.bodies(); ++i) {
     const Vec2& p = bodies[i].position;
     boxes[i] = {p.x() - margin, p.x() + margin, p.y() - margin, p.y() + margin};
   }
-  const auto add = [&](const Pair& pair) { add_contacts(arena, pair, bodies, margin, list); };
-  for (int i = 0; i < arena.bodies(); ++i) {
-    if (some[i]) for_near_pairs(arena, boxes, i, some.to_ulong() & bodies_below(i), add);
+  const auto add = [&](const Pair& pair) { add_contacts(world, pair, bodies, margin, list); };
+  for (int i = 0; i < world.bodies(); ++i) {
+    if (some[i]) for_near_pairs(world, boxes, i, some.to_ulong() & bodies_below(i), add);
   }
 }
 

@@ -9,18 +9,18 @@
 namespace mirocup::simulator {
 
 // Two bodies and their ways, over the times at which both hold. A wall has the default way.
-struct Encounter {
-  Way a, b;
+struct ApproachQuery {
+  MotionBound a, b;
   double reach;       // m: farther apart than this, the reference points' bodies cannot touch
   double begin, end;  // s of the tick
 };
 
 // Do the reference points stay out of reach?
-bool stays_out_of_reach(const Encounter& encounter);
+bool stays_out_of_reach(const ApproachQuery& encounter);
 
 // Not before this (s of the tick), or never, can a gap have fallen to `margin`; the separation is
 // that at the begin. radius_a and radius_b: of the circles that hold the outlines.
-double earliest_touch(const Encounter& encounter, const geometry::Separation& separation,
-                      double radius_a, double radius_b, double margin);
+double earliest_contact_time(const ApproachQuery& encounter, const geometry::Separation& separation,
+                             double radius_a, double radius_b, double margin);
 
 }  // namespace mirocup::simulator

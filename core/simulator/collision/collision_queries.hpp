@@ -17,7 +17,7 @@
 
 namespace mirocup::simulator {
 
-struct Arena {
+struct StaticWorld {
   Parameters parameters;
   Tolerances tolerances;
   int robots = 0;
@@ -41,53 +41,54 @@ struct Arena {
   }
 };
 
-Arena make_arena(const field::Field* field, const Parameters& parameters,
-                 const Tolerances& tolerances, int robots, bool has_ball);
+StaticWorld make_static_world(const field::Field* field, const Parameters& parameters,
+                              const Tolerances& tolerances, int robots, bool has_ball);
 
 // What the parameters say of this kind of pair.
-double restitution(const Arena& arena, const Pair& pair);
-double contact_friction(const Arena& arena, const Pair& pair);
+double restitution(const StaticWorld& world, const Pair& pair);
+double contact_friction(const StaticWorld& world, const Pair& pair);
 
 // The pair's second outline, of a body or an end wall, and where it is.
-const geometry::Outline& partner_outline(const Arena& arena, const Pair& pair);
+const geometry::Outline& partner_outline(const StaticWorld& world, const Pair& pair);
 BodyState partner_body(const Pair& pair, std::span<const BodyState> bodies);
 
-geometry::Separation separation(const Arena& arena, const Pair& pair, const Pose& a, const Pose& b);
-inline double gap(const Arena& arena, const Pair& pair, const Pose& a, const Pose& b) {
-  return separation(arena, pair, a, b).gap;
+geometry::Separation separation(const StaticWorld& world, const Pair& pair, const Pose& a,
+                                const Pose& b);
+inline double gap(const StaticWorld& world, const Pair& pair, const Pose& a, const Pose& b) {
+  return separation(world, pair, a, b).gap;
 }
 
 // Where these bodies are.
-inline double gap(const Arena& arena, const Pair& pair, std::span<const BodyState> bodies) {
-  return gap(arena, pair, bodies[pair.a], bodies[pair.with_obstacle() ? pair.a : pair.partner]);
+inline double gap(const StaticWorld& world, const Pair& pair, std::span<const BodyState> bodies) {
+  return gap(world, pair, bodies[pair.a], bodies[pair.with_obstacle() ? pair.a : pair.partner]);
 }
 
 // The pair's contacts with a gap of at most `margin`, appended with their Jacobian rows. For an
 // obstacle `bodies` needs only a.
-void add_contacts(const Arena& arena, const Pair& pair, std::span<const BodyState> bodies,
+void add_contacts(const StaticWorld& world, const Pair& pair, std::span<const BodyState> bodies,
                   double margin, ContactList& list);
 // The same of points that were found for it.
-void add_points(const Arena& arena, const Pair& pair, std::span<const BodyState> bodies,
+void add_points(const StaticWorld& world, const Pair& pair, std::span<const BodyState> bodies,
                 const ContactPoints& found, ContactList& list);
 
 // A contact of the pair where the bodies are now: the same corner and edge once more, or what of the
 // other side the ball is nearest to.
-void look_again(const Arena& arena, std::span<const BodyState> bodies, const Pair& pair,
-                ContactPoint& contact);
+void refresh_contact(const StaticWorld& world, std::span<const BodyState> bodies, const Pair& pair,
+                     ContactPoint& contact);
 
 // The gap of a contact where its bodies are now, m. The corner is behind its edge's line, too, while it
 // is still beside the edge; so what is deeper than `line`, m, is at most as deep as the pair overlaps.
-double gap_beyond(const Arena& arena, std::span<const BodyState> bodies, const Contact& contact,
-                  double line);
+double clamped_gap(const StaticWorld& world, std::span<const BodyState> bodies,
+                   const Contact& contact, double line);
 
 // The first time from t on at which the pair's gap is `level` or less, m, or never; t and the segments
-// as in touch_time().
-double first_time_below(const Arena& arena, const Pair& pair, double level,
+// as in contact_time().
+double first_time_below(const StaticWorld& world, const Pair& pair, double level,
                         std::span<const Segment> segments, double t);
 
 // When the pair first touches in [t, end of both segments], or never. A pair that touches at t
 // already is looked at until it has come closer by `sink`, m.
-double touch_time(const Arena& arena, const Pair& pair, std::span<const Segment> segments, double t,
-                  double sink);
+double contact_time(const StaticWorld& world, const Pair& pair, std::span<const Segment> segments,
+                    double t, double sink);
 
 }  // namespace mirocup::simulator

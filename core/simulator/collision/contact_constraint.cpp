@@ -49,7 +49,7 @@ double row_rate(const ConstraintRow& row, std::span<const BodyState> bodies) {
 double inverse_effective_mass(const ConstraintRow& row, std::span<const InverseMass> mass) {
   const auto of_body = [&mass](int body, const JacobianRow& part) {
     const InverseMass& m = mass[body];
-    return part[0] * m.forward * part[0] + part[1] * m.left * part[1] + part[2] * m.turn * part[2];
+    return part[0] * m.forward * part[0] + part[1] * m.left * part[1] + part[2] * m.omega * part[2];
   };
   double sum = of_body(row.a, row.on_a);
   if (row.b != no_body) sum += of_body(row.b, row.on_b);
@@ -59,7 +59,7 @@ double inverse_effective_mass(const ConstraintRow& row, std::span<const InverseM
 void add_impulse(const JacobianRow& row, double impulse, const InverseMass& mass, Twist& twist) {
   twist.forward += impulse * row[0] * mass.forward;
   twist.left += impulse * row[1] * mass.left;
-  twist.turn += impulse * row[2] * mass.turn;
+  twist.omega += impulse * row[2] * mass.omega;
 }
 
 void apply_impulse(const ConstraintRow& row, double impulse, std::span<const InverseMass> mass,

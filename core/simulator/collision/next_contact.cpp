@@ -22,21 +22,21 @@ struct Pivot {
   }
 };
 
-Pivot pivot_of(const Arena& arena, const Contact& c, std::span<const Segment> segments) {
-  const geometry::Outline& shape = arena.shape(c.a);
+Pivot pivot_of(const StaticWorld& world, const Contact& c, std::span<const Segment> segments) {
+  const geometry::Outline& shape = world.shape(c.a);
   const bool on_wall = c.b == no_body;
   return {.shape = shape,
           .corner = shape.corner[c.point.corner],
           .corner_index = c.point.corner,
           .robot = segments[c.a],
           .edge = on_wall ? nullptr : &segments[c.b],
-          .normal = on_wall ? c.point.normal : arena.shape(c.b).normal[c.point.edge]};
+          .normal = on_wall ? c.point.normal : world.shape(c.b).normal[c.point.edge]};
 }
 
 // By how much the robot turns against the edge, between these bounds.
 Range turn_over(const Pivot& pivot) {
   const Series rate =
-      pivot.edge == nullptr ? pivot.robot.turn : pivot.robot.turn - pivot.edge->turn;
+      pivot.edge == nullptr ? pivot.robot.omega : pivot.robot.omega - pivot.edge->omega;
   Range turned{0.0, 0.0};
   double power = 1.0;
   for (int k = 0; k < rate.terms; ++k) {
@@ -61,22 +61,22 @@ RelativeHeading relative_heading(const Pivot& pivot) {
 
 }  // namespace
 
-bool keeps_apart(const Arena& arena, const Contact& c) {
+bool is_separating_edge(const StaticWorld& world, const Contact& c) {
   if (!c.resting.is_active || !c.resting.is_persistent) return false;
   if (c.point.kind != Touching::corner_on_edge) return true;
   const bool on_end_wall = c.pair.with_obstacle() && c.pair.obstacle() >= plane_walls;
   if (c.a == no_body || on_end_wall) return false;
-  const geometry::Outline& shape = arena.shape(c.a);
+  const geometry::Outline& shape = world.shape(c.a);
   const Vec2 n{c.row.on_a[0], c.row.on_a[1]};
-  const double line = n.dot(shape.corner[c.point.corner]) - arena.tolerances.touch;
+  const double line = n.dot(shape.corner[c.point.corner]) - world.tolerances.contact_gap;
   return std::all_of(shape.corner.begin(), shape.corner.begin() + shape.corners,
                      [&](const Vec2& corner) { return n.dot(corner) >= line; });
 }
 
-double next_corner_down(const Arena& arena, const Contact& contact, bool others,
-                        std::span<const Segment> segments, double sink) {
+double next_corner_contact(const StaticWorld& world, const Contact& contact, bool others,
+                           std::span<const Segment> segments, double sink) {
   if (others || contact.point.kind != Touching::corner_on_edge) return never;
-  const Pivot pivot = pivot_of(arena, contact, segments);
+  const Pivot pivot = pivot_of(world, contact, segments);
   const Range turned = turn_over(pivot);
   const double most = std::max(-turned.low, turned.high);
   const Vec2 n{contact.row.on_a[0], contact.row.on_a[1]};  // in the robot's frame, at the begin
@@ -90,7 +90,7 @@ double next_corner_down(const Arena& arena, const Contact& contact, bool others,
     const double across = cross(arm, n);
     const double least = up + std::min(across * turned.low, across * turned.high) -
                          most * most * (0.5 * std::abs(up) + most * std::abs(across) / 6.0);
-    if (least <= arena.tolerances.touch) arms[close++] = arm;
+    if (least <= world.tolerances.contact_gap) arms[close++] = arm;
   }
   if (close == 0) return never;
 
@@ -100,23 +100,23 @@ double next_corner_down(const Arena& arena, const Contact& contact, bool others,
     const Series height =
         pivot.normal.dot(arms[i]) * heading.cos + cross(arms[i], pivot.normal) * heading.sin;
     const double level = std::min(height[0], 0.0) - sink;
-    first = std::min(first, first_fall(height, level, 0.0, std::min(first, pivot.length())));
+    first = std::min(first, first_crossing(height, level, 0.0, std::min(first, pivot.length())));
   }
   return pivot.robot.begin + first;
 }
 
-std::optional<double> next_touch_while_pressing(const Arena& arena, const Pair& pair,
-                                                std::span<const Contact> contacts,
-                                                std::span<const Segment> segments, double sink) {
+std::optional<double> next_contact_time(const StaticWorld& world, const Pair& pair,
+                                        std::span<const Contact> contacts,
+                                        std::span<const Segment> segments, double sink) {
   const Contact* pressing = nullptr;
   bool others = false;
   for (const Contact& c : contacts) {
-    if (!(c.pair == pair) || !keeps_apart(arena, c)) continue;
+    if (!(c.pair == pair) || !is_separating_edge(world, c)) continue;
     others = pressing != nullptr;
     pressing = &c;
   }
   if (pressing == nullptr) return std::nullopt;
-  return next_corner_down(arena, *pressing, others, segments, sink);
+  return next_corner_contact(world, *pressing, others, segments, sink);
 }
 
 }  // namespace mirocup::simulator

@@ -5,8 +5,8 @@
 
 namespace mirocup::simulator {
 
-std::span<Neighbour> Neighbours::find(const Arena& arena, std::span<const Box> boxes,
-                                      const BodySet& changed) {
+std::span<CandidatePair> PairList::find(const StaticWorld& world, std::span<const Box> boxes,
+                                        const BodySet& changed) {
   int kept = 0;
   for (int i = 0; i < count_; ++i) {
     const Pair& pair = list_[i].pair;
@@ -15,29 +15,29 @@ std::span<Neighbour> Neighbours::find(const Arena& arena, std::span<const Box> b
   }
   count_ = kept;
 
-  const unsigned long unchanged = bodies_below(arena.bodies()) & ~changed.to_ulong();
-  for (int i = 0; i < arena.bodies(); ++i) {
+  const unsigned long unchanged = bodies_below(world.bodies()) & ~changed.to_ulong();
+  for (int i = 0; i < world.bodies(); ++i) {
     if (!changed[i]) continue;
     // Of two that changed, the one with the higher index finds the pair.
-    for_near_pairs(arena, boxes, i, unchanged | bodies_below(i),
+    for_near_pairs(world, boxes, i, unchanged | bodies_below(i),
                    [this](const Pair& pair) { add(pair); });
   }
   return {list_.data() + kept, static_cast<std::size_t>(count_ - kept)};
 }
 
-void Neighbours::add(const Pair& pair) {
+void PairList::add(const Pair& pair) {
   if (count_ < static_cast<int>(list_.size())) list_[count_++] = {.pair = pair};
 }
 
-Neighbour* Neighbours::first_to_touch(double& t) {
-  Neighbour* first = nullptr;
-  for (Neighbour& n : list()) {
-    if (n.touch > t) continue;
-    const bool earlier = first == nullptr || n.touch < t || n.pair.a < first->pair.a ||
+CandidatePair* PairList::earliest(double& t) {
+  CandidatePair* first = nullptr;
+  for (CandidatePair& n : list()) {
+    if (n.contact_time > t) continue;
+    const bool earlier = first == nullptr || n.contact_time < t || n.pair.a < first->pair.a ||
                          (n.pair.a == first->pair.a && n.pair.partner < first->pair.partner);
     if (!earlier) continue;
     first = &n;
-    t = n.touch;
+    t = n.contact_time;
   }
   return first;
 }

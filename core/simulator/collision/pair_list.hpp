@@ -11,40 +11,41 @@
 
 namespace mirocup::simulator {
 
-struct Neighbour {
+struct CandidatePair {
   Pair pair;
-  double touch = never;    // s of the tick; not before this while it is only estimated
-  double estimated = 0.0;  // when the estimate was made: from here on the touch is to be found
-  double apart_at = -1.0;  // s: when they were last seen not to touch
+  double contact_time = never;  // s of the tick; not before this while it is only estimated
+  double estimated = 0.0;       // when the estimate was made: from here on the touch is to be found
+  double apart_at = -1.0;       // s: when they were last seen not to touch
   bool is_estimate = false;
-  int looks = 0;  // how often it was estimated anew
+  int estimates = 0;  // how often it was estimated anew
 
   // Is it known, without looking, that they do not touch at time t?
-  bool is_apart_at(double t) const { return apart_at == t || (is_estimate && touch > t); }
+  bool is_apart_at(double t) const { return apart_at == t || (is_estimate && contact_time > t); }
 };
 
-class Neighbours {
+class PairList {
  public:
-  std::span<const Neighbour> list() const {
+  std::span<const CandidatePair> list() const {
     return {list_.data(), static_cast<std::size_t>(count_)};
   }
 
-  std::span<Neighbour> list() { return {list_.data(), static_cast<std::size_t>(count_)}; }
+  std::span<CandidatePair> list() { return {list_.data(), static_cast<std::size_t>(count_)}; }
 
   void clear() { count_ = 0; }
 
   // Not later than t, which becomes their time, as it is known; of several at once those of the lowest
   // bodies. Null if there are none.
-  Neighbour* first_to_touch(double& t);
+  CandidatePair* earliest(double& t);
 
   // Finds the pairs of the changed bodies anew: those whose boxes meet. When they touch is for the
   // caller to say.
-  std::span<Neighbour> find(const Arena& arena, std::span<const Box> boxes, const BodySet& changed);
+  std::span<CandidatePair> find(const StaticWorld& world, std::span<const Box> boxes,
+                                const BodySet& changed);
 
  private:
   void add(const Pair& pair);
 
-  std::array<Neighbour, 512> list_;
+  std::array<CandidatePair, 512> list_;
   int count_ = 0;
 };
 

@@ -10,20 +10,21 @@ namespace mirocup::simulator {
 namespace {
 
 // Of the pair of these contacts, if it is not theirs. All gaps are taken to change at even rates.
-std::optional<geometry::Reference> first_edge(const Arena& arena, std::span<const Contact> contacts,
-                                              std::span<const BodyState> begin,
-                                              std::span<const BodyState> end) {
+std::optional<geometry::Reference> edge_of_entry(const StaticWorld& world,
+                                                 std::span<const Contact> contacts,
+                                                 std::span<const BodyState> begin,
+                                                 std::span<const BodyState> end) {
   const Pair& pair = contacts.front().pair;
-  if (arena.is_ball(pair.a) || pair.with_plane()) return {};
+  if (world.is_ball(pair.a) || pair.with_plane()) return {};
   std::array<double, 2> were{};  // gaps
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     ContactPoint at = contacts[i].point;
-    look_again(arena, begin, pair, at);
-    if (at.gap >= -arena.tolerances.overlap_within_step) return {};
+    refresh_contact(world, begin, pair, at);
+    if (at.gap >= -world.tolerances.intermediate_penetration) return {};
     were[i] = at.gap;
   }
-  const geometry::Outline& a = arena.shape(pair.a);
-  const geometry::Outline& b = partner_outline(arena, pair);
+  const geometry::Outline& a = world.shape(pair.a);
+  const geometry::Outline& b = partner_outline(world, pair);
   const geometry::Reference first = reference_of(a, begin[pair.a], b, partner_body(pair, begin));
   const double was = std::max(first.best.separation, 0.0);
   const double is = separation_from(first, a, end[pair.a], b, partner_body(pair, end));
@@ -38,8 +39,8 @@ std::optional<geometry::Reference> first_edge(const Arena& arena, std::span<cons
 
 }  // namespace
 
-void put_on_first_edges(const Arena& arena, std::span<const BodyState> begin,
-                        std::span<const BodyState> end, ContactList& list) {
+void use_reference_edges(const StaticWorld& world, std::span<const BodyState> begin,
+                         std::span<const BodyState> end, ContactList& list) {
   struct Entry {
     Pair pair;
     geometry::Reference over;
@@ -47,14 +48,14 @@ void put_on_first_edges(const Arena& arena, std::span<const BodyState> begin,
   std::array<Entry, max_unknowns> entries;
   int count = 0;
   for_each_pair(list.contacts(), [&](std::span<const Contact> contacts) {
-    const auto first = first_edge(arena, contacts, begin, end);
+    const auto first = edge_of_entry(world, contacts, begin, end);
     if (first) entries[count++] = {contacts.front().pair, *first};
   });
   for (int i = 0; i < count; ++i) {
     const auto& [pair, over] = entries[i];
     list.keep_if([&pair = pair](const Contact& c) { return !(c.pair == pair); });
-    add_points(arena, pair, end,
-               corners_over(over, arena.shape(pair.a), end[pair.a], partner_outline(arena, pair),
+    add_points(world, pair, end,
+               corners_over(over, world.shape(pair.a), end[pair.a], partner_outline(world, pair),
                             partner_body(pair, end)),
                list);
   }

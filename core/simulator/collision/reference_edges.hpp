@@ -17,7 +17,7 @@ namespace mirocup::simulator {
 // The contacts in the list are of bodies that are at `end`, and were at `begin` without overlapping. Of
 // pairs that came in over another edge than their contacts have, the contacts are replaced: by both
 // corners that face that edge. All contacts of a pair still follow each other.
-void put_on_first_edges(const Arena& arena, std::span<const BodyState> begin,
-                        std::span<const BodyState> end, ContactList& list);
+void use_reference_edges(const StaticWorld& world, std::span<const BodyState> begin,
+                         std::span<const BodyState> end, ContactList& list);
 
 }  // namespace mirocup::simulator

@@ -13,7 +13,7 @@ namespace {
 
 // Separating lines are tried at most this often; two or three are usual. Beyond, the time reached
 // is returned as if it were a touch: the caller finds none there and looks again from it.
-constexpr int most_lines = 64;
+constexpr int max_axes = 64;
 
 struct SeriesPoint {
   Series x, y;
@@ -92,28 +92,28 @@ class RelativeTrack {
  private:
   Series position_along(const Vec2& n) {
     if (n.x() != 0.0 && !forward_) forward_ = forward_in(frame_, apart_);
-    if (n.y() != 0.0 && !left_) left_ = left_in(frame_, apart_);
-    if (n.x() == 0.0) return n.y() * *left_;
+    if (n.y() != 0.0 && !allowed_overlap_) allowed_overlap_ = left_in(frame_, apart_);
+    if (n.x() == 0.0) return n.y() * *allowed_overlap_;
     if (n.y() == 0.0) return n.x() * *forward_;
-    return n.x() * *forward_ + n.y() * *left_;
+    return n.x() * *forward_ + n.y() * *allowed_overlap_;
   }
 
   const Track& frame_;
   SeriesPoint apart_;
   Series cos_, sin_;
-  std::optional<Series> forward_, left_;
+  std::optional<Series> forward_, allowed_overlap_;
 };
 
 // From `begin` on, when the first corner of the shape comes down to `level`.
-double first_corner_down(const DistanceAlong& distance, const geometry::Outline& shape,
-                         double level, double begin, double end) {
+double first_corner_contact(const DistanceAlong& distance, const geometry::Outline& shape,
+                            double level, double begin, double end) {
   double first = never;
   for (int from = 0; from < shape.corners; from += DistanceAlong::at_once) {
     const auto lowest = distance.lowest(shape, from, end);
     for (int i = 0; i < DistanceAlong::at_once && from + i < shape.corners; ++i) {
       if (lowest[i] > level) continue;
       const Series d = distance(shape.corner[from + i]);
-      first = std::min(first, first_fall(d, level, begin, std::min(first, end)));
+      first = std::min(first, first_crossing(d, level, begin, std::min(first, end)));
     }
   }
   return first;
@@ -124,7 +124,7 @@ double first_corner_over(const geometry::Outline& reference, int edge,
                          const geometry::Outline& other, RelativeTrack& motion, double level,
                          double begin, double end) {
   const DistanceAlong distance = motion.distance_along(reference.normal[edge]);
-  return first_corner_down(distance, other, reference.offset[edge] + level, begin, end);
+  return first_corner_contact(distance, other, reference.offset[edge] + level, begin, end);
 }
 
 // From t on, the first time at which the centre comes within `reach` of a corner or leaves the
@@ -138,53 +138,54 @@ double first_change_at_corner(const geometry::Outline& polygon, int corner,
   const Series gap = (0.5 / reach) * (away.x * away.x + away.y * away.y);
   const Vec2& before = polygon.normal[corner == 0 ? polygon.corners - 1 : corner - 1];
   const Vec2& after = polygon.normal[corner];
-  const double first = first_fall(gap, 0.5 * reach, t, end);
+  const double first = first_crossing(gap, 0.5 * reach, t, end);
   const double over_before =
-      first_fall(before.x() * away.y - before.y() * away.x, -4.0 * closeness, t, end);
+      first_crossing(before.x() * away.y - before.y() * away.x, -4.0 * root_tolerance, t, end);
   const double over_after =
-      first_fall(after.y() * away.x - after.x() * away.y, -4.0 * closeness, t, end);
+      first_crossing(after.y() * away.x - after.x() * away.y, -4.0 * root_tolerance, t, end);
   return std::min({first, over_before, over_after});
 }
 
-double first_touch_of_circle(const Mover& a, const Mover& b, double level, double begin,
-                             double end) {
+double time_of_impact_of_circle(const MovingOutline& a, const MovingOutline& b, double level,
+                                double begin, double end) {
   const Track track_b = track_from(b.segment, begin);
   const SeriesPoint apart = difference(track_from(a.segment, begin), track_b);
   const SeriesPoint centre{forward_in(track_b, apart), left_in(track_b, apart)};
   const double length = end - begin;
   const double reach = a.shape.radius + level;
   double t = 0.0;
-  for (int line = 0; line < most_lines; ++line) {
+  for (int line = 0; line < max_axes; ++line) {
     const geometry::Axis axis = nearest_axis(b.shape, centre.at(t));
-    if (axis.separation <= reach + closeness) break;
+    if (axis.separation <= reach + root_tolerance) break;
     if (axis.corner >= 0) {
       t = first_change_at_corner(b.shape, axis.corner, centre, reach, t, length);
     } else {
       const Series d = axis.normal.x() * centre.x + axis.normal.y() * centre.y;
-      t = first_fall(d, axis.offset + reach, t, length);
+      t = first_crossing(d, axis.offset + reach, t, length);
     }
     if (t == never) return never;
   }
   return begin + t;
 }
 
-geometry::Reference reference_at(const Mover& a, const Mover& b, double t) {
+geometry::Reference reference_at(const MovingOutline& a, const MovingOutline& b, double t) {
   return reference_of(a.shape, pose_at(a.segment, t), b.shape, pose_at(b.segment, t));
 }
 
 // The reference is that at the begin.
-double first_touch_of_polygons(const Mover& a, const Mover& b, geometry::Reference reference,
-                               double level, double begin, double end) {
-  if (reference.best.separation <= level + closeness) return begin;
+double time_of_impact_of_polygons(const MovingOutline& a, const MovingOutline& b,
+                                  geometry::Reference reference, double level, double begin,
+                                  double end) {
+  if (reference.best.separation <= level + root_tolerance) return begin;
   const Track track_a = track_from(a.segment, begin);
   const Track track_b = track_from(b.segment, begin);
   // Made when an edge of that side is needed.
   std::optional<RelativeTrack> a_in_b, b_in_a;
   const double length = end - begin;
   double t = 0.0;
-  for (int line = 0; line < most_lines; ++line) {
+  for (int line = 0; line < max_axes; ++line) {
     if (line > 0) reference = reference_at(a, b, begin + t);
-    if (reference.best.separation <= level + closeness) break;
+    if (reference.best.separation <= level + root_tolerance) break;
     if (reference.is_a) {
       if (!b_in_a) b_in_a.emplace(track_b, track_a);
       t = first_corner_over(a.shape, reference.best.edge, b.shape, *b_in_a, level, t, length);
@@ -199,53 +200,54 @@ double first_touch_of_polygons(const Mover& a, const Mover& b, geometry::Referen
 
 // From the gap at the begin and what says when it has fallen to a level.
 template <class FirstTouch>
-double touch_or_sinking(double now, double sink, double begin, FirstTouch first_touch) {
-  if (now > std::max(closeness, sink)) {
-    const double touch = first_touch(0.0);
+double impact_or_penetration(double now, double sink, double begin, FirstTouch impact_at) {
+  if (now > std::max(root_tolerance, sink)) {
+    const double touch = impact_at(0.0);
     if (touch > begin) return touch;
   }
-  return first_touch(std::min(now, 0.0) - sink);
+  return impact_at(std::min(now, 0.0) - sink);
 }
 
 }  // namespace
 
-double first_touch(const Mover& a, const Mover& b, double level, double begin, double end) {
-  if (a.shape.is_circle()) return first_touch_of_circle(a, b, level, begin, end);
-  return first_touch_of_polygons(a, b, reference_at(a, b, begin), level, begin, end);
+double time_of_impact(const MovingOutline& a, const MovingOutline& b, double level, double begin,
+                      double end) {
+  if (a.shape.is_circle()) return time_of_impact_of_circle(a, b, level, begin, end);
+  return time_of_impact_of_polygons(a, b, reference_at(a, b, begin), level, begin, end);
 }
 
-double first_touch(const Mover& a, const field::Wall& wall, double level, double begin,
-                   double end) {
+double time_of_impact(const MovingOutline& a, const field::Wall& wall, double level, double begin,
+                      double end) {
   const Track track = track_from(a.segment, begin);
   const Series of_centre = wall.normal.x() * track.x + wall.normal.y() * track.y;
   const double target = wall.offset + level;
   const double length = end - begin;
   if (a.shape.is_circle()) {
-    return begin + first_fall(of_centre, target + a.shape.radius, 0.0, length);
+    return begin + first_crossing(of_centre, target + a.shape.radius, 0.0, length);
   }
   const DistanceAlong distance(wall.normal, of_centre, track.cos, track.sin);
-  return begin + first_corner_down(distance, a.shape, target, 0.0, length);
+  return begin + first_corner_contact(distance, a.shape, target, 0.0, length);
 }
 
-double first_touch_or_sinking(const Mover& a, const Mover& b, double sink, double begin,
-                              double end) {
+double time_of_impact_or_penetration(const MovingOutline& a, const MovingOutline& b, double sink,
+                                     double begin, double end) {
   if (a.shape.is_circle()) {
     const double now = gap(a.shape, pose_at(a.segment, begin), b.shape, pose_at(b.segment, begin));
-    return touch_or_sinking(now, sink, begin, [&](double level) {
-      return first_touch_of_circle(a, b, level, begin, end);
+    return impact_or_penetration(now, sink, begin, [&](double level) {
+      return time_of_impact_of_circle(a, b, level, begin, end);
     });
   }
   const geometry::Reference now = reference_at(a, b, begin);
-  return touch_or_sinking(now.best.separation, sink, begin, [&](double level) {
-    return first_touch_of_polygons(a, b, now, level, begin, end);
+  return impact_or_penetration(now.best.separation, sink, begin, [&](double level) {
+    return time_of_impact_of_polygons(a, b, now, level, begin, end);
   });
 }
 
-double first_touch_or_sinking(const Mover& a, const field::Wall& wall, double sink, double begin,
-                              double end) {
+double time_of_impact_or_penetration(const MovingOutline& a, const field::Wall& wall, double sink,
+                                     double begin, double end) {
   const double now = gap(a.shape, pose_at(a.segment, begin), wall);
-  return touch_or_sinking(now, sink, begin,
-                          [&](double level) { return first_touch(a, wall, level, begin, end); });
+  return impact_or_penetration(
+      now, sink, begin, [&](double level) { return time_of_impact(a, wall, level, begin, end); });
 }
 
 }  // namespace mirocup::simulator

@@ -16,21 +16,23 @@
 namespace mirocup::simulator {
 
 // A body on its way: its outline and its segment.
-struct Mover {
+struct MovingOutline {
   const geometry::Outline& shape;
   const Segment& segment;
 };
 
 // The first t in [begin, end] at which the gap has fallen to `level` (0, or negative for two that
 // touch already), or never. Both segments hold over [begin, end]; a circle comes first.
-double first_touch(const Mover& a, const Mover& b, double level, double begin, double end);
-double first_touch(const Mover& a, const field::Wall& wall, double level, double begin, double end);
+double time_of_impact(const MovingOutline& a, const MovingOutline& b, double level, double begin,
+                      double end);
+double time_of_impact(const MovingOutline& a, const field::Wall& wall, double level, double begin,
+                      double end);
 
 // The same to level 0; where they touch at the begin already, or are about to, until they have come
 // closer than then by `sink`, m.
-double first_touch_or_sinking(const Mover& a, const Mover& b, double sink, double begin,
-                              double end);
-double first_touch_or_sinking(const Mover& a, const field::Wall& wall, double sink, double begin,
-                              double end);
+double time_of_impact_or_penetration(const MovingOutline& a, const MovingOutline& b, double sink,
+                                     double begin, double end);
+double time_of_impact_or_penetration(const MovingOutline& a, const field::Wall& wall, double sink,
+                                     double begin, double end);
 
 }  // namespace mirocup::simulator

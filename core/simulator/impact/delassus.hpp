@@ -12,9 +12,9 @@
 namespace mirocup::simulator {
 
 // The bodies of several contacts, each with its rows: only contacts that share a body are coupled.
-class SharedBodies {
+class DelassusOperator {
  public:
-  SharedBodies() { newest_.fill(none); }
+  DelassusOperator() { newest_.fill(none); }
 
   void add(int unknown, const ConstraintRow& row) {
     add(unknown, row.a, row.on_a);
@@ -27,7 +27,7 @@ class SharedBodies {
       const InverseMass& m = mass[body];
       for (int i = newest_[body]; i != none; i = rows_[i].before) {
         const Row& p = rows_[i];
-        const JacobianRow moved{p.row[0] * m.forward, p.row[1] * m.left, p.row[2] * m.turn};
+        const JacobianRow moved{p.row[0] * m.forward, p.row[1] * m.left, p.row[2] * m.omega};
         for (int j = i; j != none; j = rows_[j].before) {
           const Row& q = rows_[j];
           const double by = moved[0] * q.row[0] + moved[1] * q.row[1] + moved[2] * q.row[2];
@@ -57,13 +57,12 @@ class SharedBodies {
 
 // Sets the matrix of a problem that was reset; row_of(i) is the row of unknown i < count.
 template <class RowOf>
-void set_couplings(int count, RowOf row_of, std::span<const InverseMass> mass,
-                   BoxProblem& problem) {
-  SharedBodies bodies;
+void assemble_delassus(int count, RowOf row_of, std::span<const InverseMass> mass, BoxQp& problem) {
+  DelassusOperator bodies;
   for (int i = 0; i < count; ++i) bodies.add(i, row_of(i));
   bodies.couple(mass, problem);
   if (!problem.is_large()) return;
-  SoftProblem& soft = problem.to_begin_softly(mass);
+  RegularizedQp& soft = problem.warm_start(mass);
   for (int i = 0; i < count; ++i) soft.add(row_of(i));
 }
 

@@ -18,7 +18,7 @@ bool has_friction(const Parameters& p) {
 }
 
 void resolve_friction(std::span<Contact> contacts, std::span<const InverseMass> mass,
-                      std::span<BodyState> bodies, BoxProblem& problem) {
+                      std::span<BodyState> bodies, BoxQp& problem) {
   bool some_slid = false;
   for (const Contact& c : contacts) {
     const double friction = c.material.friction;

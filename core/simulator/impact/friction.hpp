@@ -23,6 +23,6 @@ bool has_friction(const Parameters& parameters);
 
 // After resolve_impacts(), which has set the impulses.
 void resolve_friction(std::span<Contact> contacts, std::span<const InverseMass> mass,
-                      std::span<BodyState> bodies, BoxProblem& problem);
+                      std::span<BodyState> bodies, BoxQp& problem);
 
 }  // namespace mirocup::simulator

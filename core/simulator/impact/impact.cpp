@@ -13,7 +13,7 @@ namespace {
 constexpr double no_approach = 1e-13;
 
 // Rounds of throwing back before everything that still approaches is stopped for good.
-constexpr int most_rounds = 64;
+constexpr int max_rounds = 64;
 
 double kinetic_energy(std::span<const Contact> contacts, std::span<const InverseMass> mass,
                       std::span<const BodyState> bodies) {
@@ -27,7 +27,7 @@ double kinetic_energy(std::span<const Contact> contacts, std::span<const Inverse
     const Twist& v = bodies[i].twist;
     if (m.forward > 0.0) sum += v.forward * v.forward / m.forward;
     if (m.left > 0.0) sum += v.left * v.left / m.left;
-    if (m.turn > 0.0) sum += v.turn * v.turn / m.turn;
+    if (m.omega > 0.0) sum += v.omega * v.omega / m.omega;
   };
   for (const Contact& c : contacts) {
     add(c.a);
@@ -38,21 +38,20 @@ double kinetic_energy(std::span<const Contact> contacts, std::span<const Inverse
 
 // Impulses that just stop the chosen contacts: problem.x[i] belongs to contacts[chosen[i]].
 void stop(std::span<const Contact> contacts, std::span<const int> chosen,
-          std::span<const InverseMass> mass, std::span<const BodyState> bodies,
-          BoxProblem& problem) {
+          std::span<const InverseMass> mass, std::span<const BodyState> bodies, BoxQp& problem) {
   const int n = static_cast<int>(chosen.size());
   problem.reset(n);
   for (int i = 0; i < n; ++i) {
     problem.b[i] = row_rate(contacts[chosen[i]].row, bodies);
   }
-  set_couplings(
+  assemble_delassus(
       n, [&](int i) -> const ConstraintRow& { return contacts[chosen[i]].row; }, mass, problem);
   problem.solve();
 }
 
 void apply(std::span<Contact> contacts, std::span<const int> chosen, double sign,
            std::optional<double> common_restitution, std::span<const InverseMass> mass,
-           std::span<BodyState> bodies, const BoxProblem& problem) {
+           std::span<BodyState> bodies, const BoxQp& problem) {
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     Contact& c = contacts[chosen[i]];
     const double e = common_restitution.value_or(c.material.restitution);
@@ -74,7 +73,7 @@ void resolve_single(Contact& c, std::span<const InverseMass> mass, std::span<Bod
 }  // namespace
 
 void stop_approaches(std::span<Contact> contacts, std::span<const InverseMass> mass,
-                     std::span<BodyState> bodies, BoxProblem& problem) {
+                     std::span<BodyState> bodies, BoxQp& problem) {
   std::array<int, max_unknowns> chosen;
   for (std::size_t i = 0; i < contacts.size(); ++i) chosen[i] = static_cast<int>(i);
   const std::span<const int> all(chosen.data(), contacts.size());
@@ -83,7 +82,7 @@ void stop_approaches(std::span<Contact> contacts, std::span<const InverseMass> m
 }
 
 void resolve_impacts(std::span<Contact> contacts, std::span<const InverseMass> mass,
-                     std::span<BodyState> bodies, BoxProblem& problem) {
+                     std::span<BodyState> bodies, BoxQp& problem) {
   for (Contact& c : contacts) {
     c.impact.approach = -row_rate(c.row, bodies);
     c.impact.impulse = 0.0;
@@ -94,7 +93,7 @@ void resolve_impacts(std::span<Contact> contacts, std::span<const InverseMass> m
   }
 
   std::array<int, max_unknowns> chosen;
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < max_rounds; ++round) {
     std::size_t n = 0;
     bool some_bounce = false;
     for (std::size_t i = 0; i < contacts.size(); ++i) {

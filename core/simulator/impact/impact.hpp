@@ -18,10 +18,10 @@ namespace mirocup::simulator {
 
 // Changes the twists of the bodies, and sets approach and impulse of the contacts.
 void resolve_impacts(std::span<Contact> contacts, std::span<const InverseMass> mass,
-                     std::span<BodyState> bodies, BoxProblem& problem);
+                     std::span<BodyState> bodies, BoxQp& problem);
 
 // Stops all contacts that approach, together and without throwing them back; adds to the impulses.
 void stop_approaches(std::span<Contact> contacts, std::span<const InverseMass> mass,
-                     std::span<BodyState> bodies, BoxProblem& problem);
+                     std::span<BodyState> bodies, BoxQp& problem);
 
 }  // namespace mirocup::simulator

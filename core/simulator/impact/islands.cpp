@@ -10,23 +10,23 @@ BodySet cluster_of(int body, std::span<const Contact> contacts) {
                    [](const Contact& c) { return c.resting.is_active; });
 }
 
-BodySet touching_with(const BodySet& bodies, std::span<const Contact> contacts) {
+BodySet islands_of(const BodySet& bodies, std::span<const Contact> contacts) {
   return connected(bodies, contacts, [](const Contact&) { return true; });
 }
 
-void ContactGroups::sort(ContactList& contacts) {
+void Islands::sort(ContactList& contacts) {
   count_ = 0;
   begin_[0] = 0;
   for (std::size_t left = 0; left < contacts.contacts().size();) {
     const std::span<Contact> rest = contacts.contacts().subspan(left);
-    const BodySet group = touching_with(bodies_of(rest.front().pair), rest);
-    left += gather(rest, group);
+    const BodySet group = islands_of(bodies_of(rest.front().pair), rest);
+    left += move_to_front(rest, group);
     begin_[++count_] = left;
   }
 }
 
 // Contacts of the group first, then the others. Returns how many of the group there are.
-std::size_t ContactGroups::gather(std::span<Contact> contacts, const BodySet& group) {
+std::size_t Islands::move_to_front(std::span<Contact> contacts, const BodySet& group) {
   std::size_t count = 0;
   std::size_t others = 0;
   for (Contact& c : contacts) {

@@ -16,16 +16,16 @@ namespace mirocup::simulator {
 template <class Counts>
 BodySet connected(const BodySet& with, std::span<const Contact> contacts, Counts counts) {
   if (contacts.empty()) return {};
-  std::array<unsigned long, max_bodies> beside{};  // one bit for each body, itself included
+  std::array<unsigned long, max_bodies> off_diagonal{};  // one bit for each body, itself included
   for (const Contact& c : contacts) {
     if (!counts(c)) continue;
     const BodySet two = bodies_of(c.pair);
-    for_each_body(two, [&](int i) { beside[i] |= two.to_ulong(); });
+    for_each_body(two, [&](int i) { off_diagonal[i] |= two.to_ulong(); });
   }
   unsigned long found = 0;
   for (BodySet next = with; next.any();) {
     unsigned long reached = 0;
-    for_each_body(next, [&](int i) { reached |= beside[i]; });
+    for_each_body(next, [&](int i) { reached |= off_diagonal[i]; });
     next = BodySet(reached & ~(found | next.to_ulong()));
     found |= reached;
   }
@@ -36,9 +36,9 @@ BodySet connected(const BodySet& with, std::span<const Contact> contacts, Counts
 BodySet cluster_of(int body, std::span<const Contact> contacts);
 
 // Those that touch one of these, directly or through others; empty if nothing touches them.
-BodySet touching_with(const BodySet& bodies, std::span<const Contact> contacts);
+BodySet islands_of(const BodySet& bodies, std::span<const Contact> contacts);
 
-class ContactGroups {
+class Islands {
  public:
   // Puts the contacts of each group next to each other, without changing their order; groups are in the
   // order of their first contacts. Until the list changes, visits are of it.
@@ -53,7 +53,7 @@ class ContactGroups {
   }
 
  private:
-  std::size_t gather(std::span<Contact> contacts, const BodySet& group);
+  std::size_t move_to_front(std::span<Contact> contacts, const BodySet& group);
 
   ContactList others_;
   std::array<std::size_t, max_bodies + 1> begin_{};  // of each group

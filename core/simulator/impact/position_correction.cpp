@@ -5,21 +5,21 @@
 
 namespace mirocup::simulator {
 
-void add_shift(const ConstraintRow& row, double amount, std::span<const InverseMass> mass,
-               std::span<Shift> shifts) {
-  add_impulse(row.on_a, amount, mass[row.a], shifts[row.a]);
-  if (row.b != no_body) add_impulse(row.on_b, amount, mass[row.b], shifts[row.b]);
+void add_displacement(const ConstraintRow& row, double amount, std::span<const InverseMass> mass,
+                      std::span<Displacement> displacements) {
+  add_impulse(row.on_a, amount, mass[row.a], displacements[row.a]);
+  if (row.b != no_body) add_impulse(row.on_b, amount, mass[row.b], displacements[row.b]);
 }
 
-BodyState moved_by(const BodyState& body, const Shift& by) {
+BodyState displaced(const BodyState& body, const Displacement& by) {
   BodyState moved = body;
   moved.position += body.heading.to_world({by.forward, by.left});
-  moved.heading = body.heading.turned(sincos(by.turn));
+  moved.heading = body.heading.turned(sincos(by.omega));
   return moved;
 }
 
-void push_apart(std::span<const Contact> contacts, std::span<const InverseMass> free_mass,
-                std::span<BodyState> bodies, SoftProblem& problem) {
+void project_positions(std::span<const Contact> contacts, std::span<const InverseMass> free_mass,
+                       std::span<BodyState> bodies, RegularizedQp& problem) {
   const int n = static_cast<int>(contacts.size());
   problem.reset(free_mass);
   for (int i = 0; i < n; ++i) {
@@ -28,15 +28,15 @@ void push_apart(std::span<const Contact> contacts, std::span<const InverseMass> 
   }
   problem.solve();
 
-  std::array<Shift, max_bodies> shifts{};
+  std::array<Displacement, max_bodies> displacements{};
   BodySet moved;
   for (int i = 0; i < n; ++i) {
     if (problem.x[i] == 0.0) continue;
-    add_shift(contacts[i].row, problem.x[i], free_mass, shifts);
+    add_displacement(contacts[i].row, problem.x[i], free_mass, displacements);
     moved |= bodies_of(contacts[i].pair);
   }
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (moved[i]) bodies[i] = moved_by(bodies[i], shifts[i]);
+    if (moved[i]) bodies[i] = displaced(bodies[i], displacements[i]);
   }
 }
 

@@ -12,18 +12,18 @@
 namespace mirocup::simulator {
 
 // How a body is moved, in its own frame: m, m, rad.
-using Shift = Twist;
+using Displacement = Twist;
 
 // What an impulse of that amount would do to velocities, done to positions: adds to the shifts of
 // both bodies. The row's gap changes by inverse_effective_mass(row, mass) times the amount, kg m.
-void add_shift(const ConstraintRow& row, double amount, std::span<const InverseMass> mass,
-               std::span<Shift> shifts);
+void add_displacement(const ConstraintRow& row, double amount, std::span<const InverseMass> mass,
+                      std::span<Displacement> displacements);
 
-BodyState moved_by(const BodyState& body, const Shift& by);
+BodyState displaced(const BodyState& body, const Displacement& by);
 
 // Moves bodies apart until next to nothing is left of negative gaps, or, where contacts contradict each
 // other, as far as all of them together leave room.
-void push_apart(std::span<const Contact> contacts, std::span<const InverseMass> free_mass,
-                std::span<BodyState> bodies, SoftProblem& problem);
+void project_positions(std::span<const Contact> contacts, std::span<const InverseMass> free_mass,
+                       std::span<BodyState> bodies, RegularizedQp& problem);
 
 }  // namespace mirocup::simulator

@@ -17,9 +17,9 @@
 
 namespace mirocup::simulator {
 
-class Patience {
+class RestThresholds {
  public:
-  explicit Patience(const Tolerances& tolerances);
+  explicit RestThresholds(const Tolerances& tolerances);
 
   // `touching`: the bodies with a contact now.
   void begin_tick(const BodySet& touching);
@@ -33,51 +33,52 @@ class Patience {
   void note_event(const BodySet& involved, bool was_forced);
   // The tick begins with these in one group of bodies that touch. If a single event of all of them costs
   // what is followed in a tick, and it was too much in the last one, none is.
-  void note_group(const BodySet& group);
+  void note_island(const BodySet& group);
   // Who has had all that is followed in a tick.
-  const BodySet& exhausted() const { return exhausted_; }
+  const BodySet& over_budget() const { return over_budget_; }
 
   // A slower approach of the pair does not bounce, m/s.
-  double rest_speed(const Pair& pair) const;
+  double restitution_threshold(const Pair& pair) const;
   // A pair in contact that comes closer by this hits anew, m.
-  double sink(const Pair& pair) const;
-  // Wheels that an impact makes slide no faster than this are stopped by it, m/s.
-  double brief_slide(int robot) const;
-  // Wheels that slide, and a ball that rolls, no faster than this hold, m/s.
-  double rest_slide() const { return slide_; }
-  double rest_roll() const { return roll_; }
+  double penetration(const Pair& pair) const;
+  // WheelState that an impact makes slide no faster than this are stopped by it, m/s.
+  double min_slip_speed(int robot) const;
+  // WheelState that slide, and a ball that rolls, no faster than this hold, m/s.
+  double slip_threshold() const { return slip_threshold_; }
+  double roll_threshold() const { return roll_threshold_; }
   // For so long no contact lets go and no wheels begin to slide, s.
-  double hold() const { return hold_; }
+  double min_duration() const { return min_duration_; }
   // A curve that holds for so long, s, is long enough at time t of the tick.
-  double long_enough(double t) const;
+  double preferred_duration(double t) const;
 
  private:
-  static constexpr int most_counted = 40;
-  using Growing = std::array<double, most_counted + 1>;  // after so many of something
-  static Growing growing(double first, double growth, double most, int patient = 0);
+  static constexpr int max_counted = 40;
+  using GrowthTable = std::array<double, max_counted + 1>;  // after so many of something
+  static GrowthTable growing(double first, double growth, double most, int patient = 0);
 
-  static int cost_of_event(const BodySet& involved, const BodySet& company);
+  static int cost_of_event(const BodySet& involved, const BodySet& encountered);
   int touches_of(const Pair& pair) const;
   void count(int body, double t);
   // Has the body been in company since before the tick, and not been touched anew?
-  bool lasts(int body) const { return accustomed_[body] && touches_[body] == 0; }
+  bool is_lasting(int body) const { return in_contact_before_[body] && touches_[body] == 0; }
 
   Tolerances tolerances_;
-  Growing rest_after_touches_, sink_after_touches_, slide_after_touches_;
+  GrowthTable restitution_after_touches_, penetration_after_touches_, slip_after_touches_;
 
-  BodySet touching_;                        // when this tick began
-  BodySet touched_;                         // since it began
-  BodySet accustomed_;                      // touched, or were touched, in the tick before
-  std::array<BodySet, max_bodies> met_{};   // of each body: itself, and whom it touched in it
-  std::array<int, max_bodies> touches_{};   // of each body in this tick, up to most_counted
-  std::array<int, max_bodies> followed_{};  // of each in this tick, what it cost
-  BodySet exhausted_, were_exhausted_;      // by it; in the tick before
+  BodySet touching_;           // when this tick began
+  BodySet touched_;            // since it began
+  BodySet in_contact_before_;  // touched, or were touched, in the tick before
+  std::array<BodySet, max_bodies>
+      encountered_{};                         // of each body: itself, and whom it touched in it
+  std::array<int, max_bodies> touches_{};     // of each body in this tick, up to max_counted
+  std::array<int, max_bodies> event_cost_{};  // of each in this tick, what it cost
+  BodySet over_budget_, were_over_budget_;    // by it; in the tick before
   std::array<double, max_bodies> last_touch_of_{};  // s of the tick
   int all_touches_ = 0;
   double last_touch_ = 0.0;  // s of the tick
-  double slide_ = 0.0;
-  double roll_ = 0.0;
-  double hold_ = 0.0;
+  double slip_threshold_ = 0.0;
+  double roll_threshold_ = 0.0;
+  double min_duration_ = 0.0;
 };
 
 }  // namespace mirocup::simulator

@@ -11,7 +11,7 @@ namespace mirocup::simulator {
 
 namespace {
 
-double fastest_slide(std::span<const int> robots, std::span<const BodyState> bodies) {
+double max_slip(std::span<const int> robots, std::span<const BodyState> bodies) {
   double fastest = 0.0;
   for (const int robot : robots) fastest = std::max(fastest, std::abs(bodies[robot].twist.left));
   return fastest;
@@ -19,11 +19,10 @@ double fastest_slide(std::span<const int> robots, std::span<const BodyState> bod
 
 }  // namespace
 
-void stop_slides(std::span<Contact> contacts, std::span<const int> robots, double most,
-                 std::span<const InverseMass> mass, std::span<BodyState> bodies,
-                 BoxProblem& problem) {
-  const double fastest = fastest_slide(robots, bodies);
-  if (fastest <= no_sliding) return;
+void arrest_slip(std::span<Contact> contacts, std::span<const int> robots, double most,
+                 std::span<const InverseMass> mass, std::span<BodyState> bodies, BoxQp& problem) {
+  const double fastest = max_slip(robots, bodies);
+  if (fastest <= slip_round_off) return;
   std::array<BodyState, max_bodies> before;
   std::copy(bodies.begin(), bodies.end(), before.begin());
 
@@ -40,24 +39,25 @@ void stop_slides(std::span<Contact> contacts, std::span<const int> robots, doubl
     problem.high[i] = most;
   }
   for (int i = 0; i < n; ++i) problem.b[i] = row_rate(row(i), bodies);
-  set_couplings(n, row, mass, problem);
+  assemble_delassus(n, row, mass, problem);
   problem.solve();
   for (int i = 0; i < n; ++i) apply_impulse(row(i), problem.x[i], mass, bodies);
   for (const int robot : robots) {
     double& left = bodies[robot].twist.left;
-    if (std::abs(left) <= no_sliding) left = 0.0;
+    if (std::abs(left) <= slip_round_off) left = 0.0;
   }
-  if (fastest_slide(robots, bodies) >= fastest) {
+  if (max_slip(robots, bodies) >= fastest) {
     std::copy_n(before.begin(), bodies.size(), bodies.begin());
     return;
   }
   for (int i = 0; i < first_wheels; ++i) contacts[i].impact.impulse += problem.x[i];
 }
 
-void stop_brief_slides(const Arena& arena, const Patience& patience, std::span<const Drive> drives,
-                       std::span<Contact> contacts, std::span<const InverseMass> mass,
-                       std::span<BodyState> bodies, BoxProblem& problem) {
-  if (contacts.empty() || arena.parameters.grip == infinite_grip) return;
+void arrest_slow_slip(const StaticWorld& world, const RestThresholds& thresholds,
+                      std::span<const DriveReference> drives, std::span<Contact> contacts,
+                      std::span<const InverseMass> mass, std::span<BodyState> bodies,
+                      BoxQp& problem) {
+  if (contacts.empty() || world.parameters.grip == infinite_grip) return;
   BodySet touching;
   BodySet hit;
   for (const Contact& c : contacts) {
@@ -67,16 +67,16 @@ void stop_brief_slides(const Arena& arena, const Patience& patience, std::span<c
   std::array<int, max_robots> slow;
   std::size_t count = 0;
   double longest = 0.0;
-  for (int i = 0; i < arena.robots; ++i) {
-    const double brief = hit[i] ? patience.brief_slide(i) : patience.rest_slide();
+  for (int i = 0; i < world.robots; ++i) {
+    const double brief = hit[i] ? thresholds.min_slip_speed(i) : thresholds.slip_threshold();
     const double left = std::abs(bodies[i].twist.left);
     if (!touching[i] || !drives[i].wheels_on_ground || left > brief) continue;
     slow[count++] = i;
     longest = std::max(longest, brief);
   }
   // Those that stand must be able to take what stops the others.
-  const double most = arena.parameters.robot_mass * longest;
-  stop_slides(contacts, {slow.data(), count}, most, mass, bodies, problem);
+  const double most = world.parameters.robot_mass * longest;
+  arrest_slip(contacts, {slow.data(), count}, most, mass, bodies, problem);
 }
 
 }  // namespace mirocup::simulator

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Wheels of bodies in contact that slide so slowly that they would grip again at once, or slide, stop
+// WheelState of bodies in contact that slide so slowly that they would grip again at once, or slide, stop
 // and slide on: the ground's impulse that stops them.
 #pragma once
 
@@ -16,15 +16,15 @@ namespace mirocup::simulator {
 // The wheels of these robots, which slide or stand: stops them together, by at most `most` N s of the
 // ground for each, so that no contact approaches; adds to the contacts' impulses. What stops one may
 // push others that stood: where the fastest would be no slower than before, nothing changes.
-void stop_slides(std::span<Contact> contacts, std::span<const int> robots, double most,
-                 std::span<const InverseMass> mass, std::span<BodyState> bodies,
-                 BoxProblem& problem);
+void arrest_slip(std::span<Contact> contacts, std::span<const int> robots, double most,
+                 std::span<const InverseMass> mass, std::span<BodyState> bodies, BoxQp& problem);
 
 // What little an impact makes wheels slide would end too soon to be worth an event; so would the slides
 // that come and go where bodies are wedged: stops those, of all robots with a contact. How little that
 // is says patience. The contacts are those of an impact that was resolved.
-void stop_brief_slides(const Arena& arena, const Patience& patience, std::span<const Drive> drives,
-                       std::span<Contact> contacts, std::span<const InverseMass> mass,
-                       std::span<BodyState> bodies, BoxProblem& problem);
+void arrest_slow_slip(const StaticWorld& world, const RestThresholds& thresholds,
+                      std::span<const DriveReference> drives, std::span<Contact> contacts,
+                      std::span<const InverseMass> mass, std::span<BodyState> bodies,
+                      BoxQp& problem);
 
 }  // namespace mirocup::simulator

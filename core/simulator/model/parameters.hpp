@@ -55,10 +55,10 @@ struct Parameters {
   double effective_ball_mass() const { return 1.4 * ball_mass; }
 
   // Speeds that wheel speeds in rad/s ask for, (1) with the wheel radius put back.
-  double forward_speed(double left, double right) const {
+  double speed_reference(double left, double right) const {
     return wheel_radius * (right + left) / 2.0;
   }
-  double turn_rate(double left, double right) const {
+  double omega_reference(double left, double right) const {
     return wheel_radius * (right - left) / wheel_distance;
   }
 };

@@ -23,7 +23,7 @@ using BodySet = std::bitset<max_bodies>;
 struct Twist {
   double forward = 0.0;  // v_f
   double left = 0.0;     // v_l, not zero only while the wheels slide sideways
-  double turn = 0.0;     // omega
+  double omega = 0.0;    // omega
 };
 
 // Where a robot or the ball is and how it moves. The ball's frame does not turn (heading +x), so its

@@ -15,40 +15,40 @@ namespace mirocup::simulator {
 enum class Accuracy { coarse, standard, reference };
 
 struct Tolerances {
-  double touch = 1e-10;  // m: bodies with a smaller gap are in contact
-  double sink = 1e-12;   // m: bodies in contact that come closer by this hit each other anew
+  double contact_gap = 1e-10;  // m: bodies with a smaller gap are in contact
+  double penetration = 1e-12;  // m: bodies in contact that come closer by this hit each other anew
   // m/s: an approach slower than this does not bounce, it rests. The first is for a body's first
   // touch; the other, for bodies that are in company already, is more than what the motors can gain
   // over `sink`, so that bouncing comes to an end.
-  double first_rest_speed = 1e-10;
-  double rest_speed = 2e-4;
+  double first_restitution_threshold = 1e-10;
+  double restitution_threshold = 2e-4;
   // Within a tick patience wears off (patience.hpp). What counts as rest grows with each touch of a
   // body; `sink` with each beyond the patient ones, up to `touch`. A touch is forgotten after a
   // while, s, but where there are so many, bouncing has to end.
-  double rest_growth_per_touch = 3.0;
-  double touch_forgotten = 2e-3;
-  int touches_never_forgotten = 4;
-  double sink_growth_per_touch = 4.0;
-  int patient_touches = 8;
+  double restitution_growth_per_touch = 3.0;
+  double impact_memory = 2e-3;
+  int remembered_touches = 4;
+  double penetration_growth_per_touch = 4.0;
+  int free_touches = 8;
   // An impact stops wheels that it makes slide no faster than this, m/s: they would grip again
   // within v / grip g.
-  double brief_slide = 1e-6;
-  double brief_slide_growth_per_touch = 8.0;
-  double hold = 1e-8;  // s: the shortest that bodies press and wheels grip
+  double min_slip_speed = 1e-6;
+  double min_slip_growth_per_touch = 8.0;
+  double min_contact_duration = 1e-8;  // s: the shortest that bodies press and wheels grip
   // Of that and of the slowest rolling in contact, for each event; of the slowest sliding, up to
-  // `rest_slide`, m/s, from where on it grows slowly.
+  // `slip_threshold`, m/s, from where on it grows slowly.
   double growth_per_event = 1.3;
-  double slide_growth_per_event = 2.0;
-  double rest_slide = 1e-7;
+  double slip_growth_per_event = 2.0;
+  double slow_slip = 1e-7;
   // What a body's events of a tick may cost, summed: of each the square of how many bodies it involves,
   // times the square of how many these have met in the tick. 3 of four, 7 of three or 34 of two that meet
   // nobody else. Beyond, the body and what it touches go on in small steps; five that still touch then do
   // so from the next tick's begin.
-  int followed_per_tick = 540;
-  double step = 3e-3;                 // s: the longest of those
-  double step_touch = 1e-10;          // m: what is left of gaps and overlaps at the end of one,
-  double step_overlap = 1e-7;         // m: where contacts nearly contradict each other,
-  double overlap_within_step = 8e-7;  // m: and between its ends
+  int event_budget = 540;
+  double max_step = 3e-3;              // s: the longest of those
+  double step_gap = 1e-10;             // m: what is left of gaps and overlaps at the end of one,
+  double step_gap_in_conflict = 1e-7;  // m: where contacts nearly contradict each other,
+  double intermediate_penetration = 8e-7;  // m: and between its ends
 };
 
 Tolerances tolerances_of(Accuracy accuracy);

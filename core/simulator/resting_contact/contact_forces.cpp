@@ -12,34 +12,35 @@ namespace mirocup::simulator {
 namespace {
 
 // Forces below this (N) and accelerations below this (m/s^2) are rounding.
-constexpr double least_force = 1e-9;
-constexpr double least_slide = 1e-10;
+constexpr double min_force = 1e-9;
+constexpr double min_slip_acceleration = 1e-10;
 
 // A gap that should not change does not if its rate (m/s) is below this.
-constexpr double least_rate = 1e-12;
+constexpr double min_rate = 1e-12;
 
 // A force below this share of the largest is weak.
 constexpr double weak_share = 1e-3;
 
 // A contact may do without its force if its gap then closes no faster than this, m/s^2.
-constexpr double least_closing = 1e-9;
+constexpr double min_closing = 1e-9;
 
 }  // namespace
 
-ContactForces::ContactForces(const Arena& arena) : arena_(arena), rows_(max_unknowns) {
+ContactForces::ContactForces(const StaticWorld& world) : world_(world), rows_(max_unknowns) {
   constraints_.reserve(max_unknowns);
-  for (int i = 0; i < arena.robots; ++i) wheel_rows_[i] = lateral_wheel_row(i);
+  for (int i = 0; i < world.robots; ++i) wheel_rows_[i] = lateral_wheel_row(i);
 }
 
-const InverseMass& ContactForces::mass(int body, std::span<const Drive> drives) const {
-  if (arena_.is_ball(body)) return arena_.ball;
-  return drives[body].wheels_on_ground ? arena_.grounded_robot : arena_.free_robot;
+const InverseMass& ContactForces::mass(int body, std::span<const DriveReference> drives) const {
+  if (world_.is_ball(body)) return world_.ball;
+  return drives[body].wheels_on_ground ? world_.grounded_robot : world_.free_robot;
 }
 
-void ContactForces::decide(std::span<const Drive> drives, double rest_slide, double rest_roll,
-                           std::span<BodyState> bodies, std::span<Contact> contacts) {
-  rest_slide_ = rest_slide;
-  rest_roll_ = rest_roll;
+void ContactForces::decide(std::span<const DriveReference> drives, double slip_threshold,
+                           double roll_threshold, std::span<BodyState> bodies,
+                           std::span<Contact> contacts) {
+  slip_threshold_ = slip_threshold;
+  roll_threshold_ = roll_threshold;
   candidate_count_ = 0;
   BodySet in_contact;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -51,21 +52,21 @@ void ContactForces::decide(std::span<const Drive> drives, double rest_slide, dou
   }
   if (candidate_count_ == 0) return;
   member_count_ = 0;
-  for (int i = 0; i < arena_.bodies(); ++i) {
+  for (int i = 0; i < world_.bodies(); ++i) {
     if (in_contact[i]) member_[member_count_++] = i;
   }
 
-  ground_before_contact(drives, bodies);
-  pose(drives, bodies, contacts);
-  problem_.solve();
+  classify_ground(drives, bodies);
+  build_problem(drives, bodies, contacts);
+  qp_.solve();
 
-  const int ball = arena_.robots;
-  const bool rests = arena_.has_ball && in_contact[ball] && bodies[ball].twist.forward == 0.0 &&
+  const int ball = world_.robots;
+  const bool rests = world_.has_ball && in_contact[ball] && bodies[ball].twist.forward == 0.0 &&
                      bodies[ball].twist.left == 0.0;
   if (rests) start_ball(drives, bodies, contacts);
   drop_weak_forces();
-  read(contacts);
-  fit_velocities(drives, bodies, contacts);
+  read_solution(contacts);
+  project_velocities(drives, bodies, contacts);
   // What that gives a ball at rest on which nothing presses is rounding: it would stop at once, again
   // and again.
   if (rests && cluster_of(ball, contacts).none()) bodies[ball].twist = {};
@@ -74,8 +75,9 @@ void ContactForces::decide(std::span<const Drive> drives, double rest_slide, dou
 // Gaps that are held do not change, no other closes, wheels that roll do not slide yet. Of all such
 // velocities, those nearest to what they were, for all bodies together: that never adds energy. It
 // could, if one body alone had to give way to another that goes on as it likes.
-void ContactForces::fit_velocities(std::span<const Drive> drives, std::span<BodyState> bodies,
-                                   std::span<const Contact> contacts) {
+void ContactForces::project_velocities(std::span<const DriveReference> drives,
+                                       std::span<BodyState> bodies,
+                                       std::span<const Contact> contacts) {
   if (std::none_of(contacts.begin(), contacts.end(),
                    [](const Contact& c) { return c.resting.is_active; })) {
     return;
@@ -93,22 +95,21 @@ void ContactForces::fit_velocities(std::span<const Drive> drives, std::span<Body
   };
   for (int k = 0; k < wheel_count_; ++k) constraints_.push_back(wheel_rows_[wheels_[k]]);
 
-  problem_.reset(static_cast<int>(constraints_.size()));
+  qp_.reset(static_cast<int>(constraints_.size()));
   bool fits = true;
-  for (int i = 0; i < problem_.size(); ++i) {
-    problem_.b[i] = row_rate(constraints_[i], bodies);
-    fits = fits && problem_.b[i] >= -least_rate && (!held(i) || problem_.b[i] <= least_rate);
+  for (int i = 0; i < qp_.size(); ++i) {
+    qp_.b[i] = row_rate(constraints_[i], bodies);
+    fits = fits && qp_.b[i] >= -min_rate && (!held(i) || qp_.b[i] <= min_rate);
   }
   if (fits) return;
-  for (int i = 0; i < problem_.size(); ++i) {
-    if (held(i)) problem_.low[i] = -infinity;
+  for (int i = 0; i < qp_.size(); ++i) {
+    if (held(i)) qp_.low[i] = -infinity;
   }
-  set_couplings(
-      problem_.size(), [&](int i) -> const ConstraintRow& { return constraints_[i]; }, mass,
-      problem_);
-  problem_.solve();
-  for (int i = 0; i < problem_.size(); ++i) {
-    apply_impulse(constraints_[i], problem_.x[i], mass, bodies);
+  assemble_delassus(
+      qp_.size(), [&](int i) -> const ConstraintRow& { return constraints_[i]; }, mass, qp_);
+  qp_.solve();
+  for (int i = 0; i < qp_.size(); ++i) {
+    apply_impulse(constraints_[i], qp_.x[i], mass, bodies);
   }
 }
 
@@ -116,21 +117,21 @@ void ContactForces::fit_velocities(std::span<const Drive> drives, std::span<Body
 // a force in it may be next to nothing: it would fall to zero at once, only to come back as little
 // at the next look. Such contacts are left to the others, if these can do without.
 void ContactForces::drop_weak_forces() {
-  const auto& x = problem_.x;
+  const auto& x = qp_.x;
   const double largest = *std::max_element(x.begin(), x.begin() + candidate_count_);
   const auto is_weak = [&](double force) {
-    return force > least_force && force < weak_share * largest;
+    return force > min_force && force < weak_share * largest;
   };
   if (std::none_of(x.begin(), x.begin() + candidate_count_, is_weak)) return;
   const auto with_all = x;
   const double limit = weak_share * largest;
   for (int i = 0; i < candidate_count_; ++i) {
-    if (x[i] < limit) problem_.high[i] = 0.0;
+    if (x[i] < limit) qp_.high[i] = 0.0;
   }
-  problem_.solve();
+  qp_.solve();
   for (int i = 0; i < candidate_count_; ++i) {
-    if (problem_.high[i] == 0.0 && problem_.gradient(i) < -least_closing) {
-      problem_.x = with_all;
+    if (qp_.high[i] == 0.0 && qp_.gradient(i) < -min_closing) {
+      qp_.x = with_all;
       return;
     }
   }
@@ -139,47 +140,49 @@ void ContactForces::drop_weak_forces() {
 // The resistance against a ball that starts is along its push, which depends on the resistance only
 // if there are several contacts: one correction settles it. A ball that is held between its
 // contacts does not start.
-void ContactForces::start_ball(std::span<const Drive> drives, std::span<const BodyState> bodies,
+void ContactForces::start_ball(std::span<const DriveReference> drives,
+                               std::span<const BodyState> bodies,
                                std::span<const Contact> contacts) {
-  const Parameters& p = arena_.parameters;
+  const Parameters& p = world_.parameters;
   if (p.rolling_friction == RollingFriction::per_axis) return;  // no resistance at rest
   const double resistance = p.rolling_resistance * p.ball_mass * gravity;
   const Vec2 push = push_on_ball(contacts);
   if (std::sqrt(push.squaredNorm()) <= resistance) return;
-  grounding_[arena_.robots].push = push;
-  pose(drives, bodies, contacts);
-  problem_.solve();
+  grounding_[world_.robots].push = push;
+  build_problem(drives, bodies, contacts);
+  qp_.solve();
   const double force = std::sqrt(push.squaredNorm());
-  if (push_on_ball(contacts).dot(push) / force - resistance > least_force) return;
-  grounding_[arena_.robots].push = {0.0, 0.0};
-  pose(drives, bodies, contacts);
-  problem_.solve();
+  if (push_on_ball(contacts).dot(push) / force - resistance > min_force) return;
+  grounding_[world_.robots].push = {0.0, 0.0};
+  build_problem(drives, bodies, contacts);
+  qp_.solve();
 }
 
-void ContactForces::ground_before_contact(std::span<const Drive> drives,
-                                          std::span<BodyState> bodies) {
+void ContactForces::classify_ground(std::span<const DriveReference> drives,
+                                    std::span<BodyState> bodies) {
   wheel_count_ = 0;
   for (int k = 0; k < member_count_; ++k) {
     const int i = member_[k];
     Twist& v = bodies[i].twist;
-    if (arena_.is_ball(i)) {
+    if (world_.is_ball(i)) {
       grounding_[i] = {.ground = Ground::ball};
-      if (std::abs(v.forward) + std::abs(v.left) <= rest_roll_) v = {};
+      if (std::abs(v.forward) + std::abs(v.left) <= roll_threshold_) v = {};
     } else if (!drives[i].wheels_on_ground) {
       grounding_[i] = {.ground = Ground::lifted};
-    } else if (std::abs(v.left) > rest_slide_) {
-      grounding_[i] = {.ground = Ground::slides, .slide = v.left > 0.0 ? 1.0 : -1.0};
+    } else if (std::abs(v.left) > slip_threshold_) {
+      grounding_[i] = {.ground = Ground::slides, .slip_sign = v.left > 0.0 ? 1.0 : -1.0};
     } else {
       v.left = 0.0;
       grounding_[i] = {.ground = Ground::rolls};
-      if (is_held_sideways(arena_, grounding_[i])) wheels_[wheel_count_++] = i;
+      if (is_held_sideways(world_, grounding_[i])) wheels_[wheel_count_++] = i;
     }
   }
 }
 
-void ContactForces::pose(std::span<const Drive> drives, std::span<const BodyState> bodies,
-                         std::span<const Contact> contacts) {
-  const Parameters& p = arena_.parameters;
+void ContactForces::build_problem(std::span<const DriveReference> drives,
+                                  std::span<const BodyState> bodies,
+                                  std::span<const Contact> contacts) {
+  const Parameters& p = world_.parameters;
   std::array<InverseMass, max_bodies> mass;
   for (int k = 0; k < member_count_; ++k) {
     const int i = member_[k];
@@ -192,34 +195,34 @@ void ContactForces::pose(std::span<const Drive> drives, std::span<const BodyStat
     } else if (g.ground == Ground::lifted) {
       extend_twist_lifted(0, s);
     } else {
-      extend_twist_on_ground(p, drives[i], g.slide, 0, s);
+      extend_twist_on_ground(p, drives[i], g.slip_sign, 0, s);
       // The wheels' sideways force is an unknown: without it a turning robot would drift off its
       // circle.
-      if (is_held_sideways(arena_, grounding_[i])) s.left[1] = -s.turn[0] * s.forward[0];
+      if (is_held_sideways(world_, grounding_[i])) s.left[1] = -s.omega[0] * s.forward[0];
     }
     integrate_pose(s, 0);
     mass[i] = this->mass(i, drives);
   }
 
-  problem_.reset(candidate_count_ + wheel_count_);
+  qp_.reset(candidate_count_ + wheel_count_);
   for (int i = 0; i < candidate_count_; ++i) {
     const Contact& c = contacts[candidate_[i]];
-    ContactRows& rows = rows_[i];
-    start_rows(arena_, c, trial_, rows);
-    extend_rows(arena_, c, trial_, 0, rows);
-    problem_.b[i] = gap_rate_term(c, trial_, 1, rows);
+    ContactSeries& rows = rows_[i];
+    start_rows(world_, c, trial_, rows);
+    extend_rows(world_, c, trial_, 0, rows);
+    qp_.b[i] = gap_rate_term(c, trial_, 1, rows);
   }
   const auto row = [&](int i) -> const ConstraintRow& {
     return i < candidate_count_ ? contacts[candidate_[i]].row
                                 : wheel_rows_[wheels_[i - candidate_count_]];
   };
-  set_couplings(problem_.size(), row, mass, problem_);
+  assemble_delassus(qp_.size(), row, mass, qp_);
   const double grip_force = p.grip * p.robot_mass * gravity;
   for (int k = 0; k < wheel_count_; ++k) {
     const int unknown = candidate_count_ + k;
-    problem_.b[unknown] = trial_[wheels_[k]].left[1];
-    problem_.low[unknown] = -grip_force;
-    problem_.high[unknown] = grip_force;
+    qp_.b[unknown] = trial_[wheels_[k]].left[1];
+    qp_.low[unknown] = -grip_force;
+    qp_.high[unknown] = grip_force;
   }
 }
 
@@ -227,26 +230,26 @@ Vec2 ContactForces::push_on_ball(std::span<const Contact> contacts) const {
   Vec2 push{0.0, 0.0};
   for (int i = 0; i < candidate_count_; ++i) {
     const Contact& c = contacts[candidate_[i]];
-    if (c.a == arena_.robots) push += problem_.x[i] * c.point.normal;
+    if (c.a == world_.robots) push += qp_.x[i] * c.point.normal;
   }
   return push;
 }
 
-void ContactForces::read(std::span<Contact> contacts) {
+void ContactForces::read_solution(std::span<Contact> contacts) {
   for (int i = 0; i < candidate_count_; ++i) {
     Contact& c = contacts[candidate_[i]];
-    c.resting.force = problem_.x[i];
-    c.resting.is_active = c.resting.force > least_force;
+    c.resting.force = qp_.x[i];
+    c.resting.is_active = c.resting.force > min_force;
   }
   for (int k = 0; k < wheel_count_; ++k) {
     const int row = candidate_count_ + k;
-    const double acceleration = problem_.gradient(row);
+    const double acceleration = qp_.gradient(row);
     Grounding& g = grounding_[wheels_[k]];
-    g.hold = problem_.x[row];
+    g.lateral_force = qp_.x[row];
     // Inside its bounds the force holds, whatever rounding leaves of the acceleration.
-    const bool gives_all = g.hold == problem_.low[row] || g.hold == problem_.high[row];
-    if (!gives_all || std::abs(acceleration) <= least_slide) continue;
-    g = {.ground = Ground::slides, .slide = acceleration > 0.0 ? 1.0 : -1.0};
+    const bool gives_all = g.lateral_force == qp_.low[row] || g.lateral_force == qp_.high[row];
+    if (!gives_all || std::abs(acceleration) <= min_slip_acceleration) continue;
+    g = {.ground = Ground::slides, .slip_sign = acceleration > 0.0 ? 1.0 : -1.0};
   }
 }
 

@@ -25,53 +25,53 @@ enum class Ground { rolls, slides, lifted, ball };
 
 struct Grounding {
   Ground ground = Ground::rolls;
-  double slide = 0.0;   // +1: slides to the left, -1: to the right
-  double hold = 0.0;    // N to the left, of wheels of finite grip that roll
-  Vec2 push{0.0, 0.0};  // N, on a ball that starts from rest against its rolling resistance
+  double slip_sign = 0.0;      // +1: slides to the left, -1: to the right
+  double lateral_force = 0.0;  // N to the left, of wheels of finite grip that roll
+  Vec2 push{0.0, 0.0};         // N, on a ball that starts from rest against its rolling resistance
 };
 
 // Does the ground hold the body sideways by a force of its own?
-inline bool is_held_sideways(const Arena& arena, const Grounding& grounding) {
-  return grounding.ground == Ground::rolls && arena.parameters.grip != infinite_grip;
+inline bool is_held_sideways(const StaticWorld& world, const Grounding& grounding) {
+  return grounding.ground == Ground::rolls && world.parameters.grip != infinite_grip;
 }
 
 class ContactForces {
  public:
-  explicit ContactForces(const Arena& arena);
+  explicit ContactForces(const StaticWorld& world);
 
   // Sets `holds` and `force` of every contact, and the grounding of every body that has one. Gaps
-  // that open faster than the contact's rest speed are left alone. Wheels that slide no faster than
-  // `rest_slide`, and a ball that rolls no faster than `rest_roll` (m/s), are made to stop that.
+  // that open faster than the contact's rest speed are left alone. WheelState that slide no faster than
+  // `slip_threshold`, and a ball that rolls no faster than `roll_threshold` (m/s), are made to stop that.
   // Velocities are made to fit what was decided.
-  void decide(std::span<const Drive> drives, double rest_slide, double rest_roll,
+  void decide(std::span<const DriveReference> drives, double slip_threshold, double roll_threshold,
               std::span<BodyState> bodies, std::span<Contact> contacts);
 
   const Grounding& grounding(int body) const { return grounding_[body]; }
-  double rest_slide() const { return rest_slide_; }
+  double slip_threshold() const { return slip_threshold_; }
 
   // What forces change of the body's velocities; the wheels' sideways hold counts as a force unless
   // it is infinite.
-  const InverseMass& mass(int body, std::span<const Drive> drives) const;
+  const InverseMass& mass(int body, std::span<const DriveReference> drives) const;
 
  private:
-  void ground_before_contact(std::span<const Drive> drives, std::span<BodyState> bodies);
-  void pose(std::span<const Drive> drives, std::span<const BodyState> bodies,
-            std::span<const Contact> contacts);
-  void start_ball(std::span<const Drive> drives, std::span<const BodyState> bodies,
+  void classify_ground(std::span<const DriveReference> drives, std::span<BodyState> bodies);
+  void build_problem(std::span<const DriveReference> drives, std::span<const BodyState> bodies,
+                     std::span<const Contact> contacts);
+  void start_ball(std::span<const DriveReference> drives, std::span<const BodyState> bodies,
                   std::span<const Contact> contacts);
   Vec2 push_on_ball(std::span<const Contact> contacts) const;
   void drop_weak_forces();
-  void read(std::span<Contact> contacts);
-  void fit_velocities(std::span<const Drive> drives, std::span<BodyState> bodies,
-                      std::span<const Contact> contacts);
+  void read_solution(std::span<Contact> contacts);
+  void project_velocities(std::span<const DriveReference> drives, std::span<BodyState> bodies,
+                          std::span<const Contact> contacts);
 
-  const Arena& arena_;
-  BoxProblem problem_;
-  double rest_slide_ = 0.0;
-  double rest_roll_ = 0.0;
+  const StaticWorld& world_;
+  BoxQp qp_;
+  double slip_threshold_ = 0.0;
+  double roll_threshold_ = 0.0;
   std::array<Grounding, max_bodies> grounding_;
   std::array<Segment, max_bodies> trial_;  // two terms of the motion without contact forces
-  std::vector<ContactRows> rows_;
+  std::vector<ContactSeries> rows_;
   std::vector<ConstraintRow> constraints_;  // on the velocities: contacts, then wheels that hold
   std::array<ConstraintRow, max_robots> wheel_rows_;  // of each robot
   std::array<int, max_unknowns> candidate_;           // contacts whose gaps do not open

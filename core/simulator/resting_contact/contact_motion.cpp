@@ -13,13 +13,13 @@ namespace {
 
 // How far (m) a corner may stand out over the end of its edge before the contact is looked at
 // again.
-constexpr double over_the_end = 1e-10;
+constexpr double edge_overhang = 1e-10;
 
 // A gap this share of the sink tolerance need not be closed.
-constexpr double closed_gap = 0.01;
+constexpr double closed_gap_share = 0.01;
 
 // Contacts that hardly differ ask for more than that, m, to close gaps that do: those stay.
-constexpr double longest_shift = 1e-9;
+constexpr double max_displacement = 1e-9;
 
 // A cluster whose speeds (m/s, rad/s) and accelerations (m/s^2, rad/s^2) are below these is at
 // rest.
@@ -28,65 +28,67 @@ constexpr double resting_acceleration = 1e-9;
 
 }  // namespace
 
-ContactMotion::ContactMotion(const Arena& arena) : arena_(arena), rows_(max_unknowns) {}
+ContactMotion::ContactMotion(const StaticWorld& world) : world_(world), rows_(max_unknowns) {}
 
 void ContactMotion::move(const BodySet& cluster, const ContactForces& forces,
-                         std::span<Contact> contacts, std::span<const Drive> drives,
-                         const Wanted& wanted, std::span<BodyState> bodies,
+                         std::span<Contact> contacts, std::span<const DriveReference> drives,
+                         const SegmentRequest& request, std::span<BodyState> bodies,
                          std::span<Segment> segments) {
   drives_ = drives;
-  take_members(cluster, forces);
-  choose(contacts);
+  set_members(cluster, forces);
+  select_active(contacts);
   close_gaps(bodies);
   do {
     do {
-      begin(wanted, bodies, segments);
-    } while (hold_what_hardly_slides(wanted, contacts, segments));
-    say_which_are_kept(contacts);
+      start_series(request, bodies, segments);
+    } while (arrest_marginal_slip(request, contacts, segments));
+    mark_persistent(contacts);
     if (is_at_rest(segments)) {
       for (int m = 0; m < member_count_; ++m) {
-        segments[members_[m]] = still_segment(bodies[members_[m]], wanted.begin, wanted.horizon);
+        segments[members_[m]] = still_segment(bodies[members_[m]], request.begin, request.horizon);
       }
       return;
     }
-    extend_until_converged(wanted, segments);
-    find_end(wanted, segments);
-  } while (hold_what_hardly_slides(wanted, contacts, segments));
+    extend_until_converged(request, segments);
+    find_end(request, segments);
+  } while (arrest_marginal_slip(request, contacts, segments));
 }
 
-// Wheels at rest that were to slide one way, and that the cluster pulls the other or has back at
+// WheelState at rest that were to slide one way, and that the cluster pulls the other or has back at
 // rest before anything else may change: what was decided about them was rounding, or the slide was
 // all but over. They would do the same again, and again.
-bool ContactMotion::hold_what_hardly_slides(const Wanted& wanted, std::span<const Contact> contacts,
-                                            std::span<const Segment> segments) {
-  const double grip = most_grip();
+bool ContactMotion::arrest_marginal_slip(const SegmentRequest& request,
+                                         std::span<const Contact> contacts,
+                                         std::span<const Segment> segments) {
+  const double grip = max_grip();
   bool found = false;
   for (int m = 0; m < member_count_; ++m) {
     const int i = members_[m];
     const Segment& s = segments[i];
     Grounding& g = grounding_[i];
     if (g.ground != Ground::slides || s.left[0] != 0.0) continue;
-    const bool turns_back = g.slide * s.left[1] < 0.0;
-    const bool is_brief =
-        s.settles == Settles::sideways && s.end - s.begin < wanted.at_least;  // once it has its end
+    const bool turns_back = g.slip_sign * s.left[1] < 0.0;
+    const bool is_brief = s.settles == TerminalState::sideways &&
+                          s.end - s.begin < request.min_duration;  // once it has its end
     if (!turns_back && !is_brief) continue;
-    g = {.ground = Ground::rolls, .hold = -g.slide * grip};
+    g = {.ground = Ground::rolls, .lateral_force = -g.slip_sign * grip};
     found = true;
   }
-  if (found) choose(contacts);
+  if (found) select_active(contacts);
   return found;
 }
 
 // As fill_series() does for one body.
-void ContactMotion::extend_until_converged(const Wanted& wanted, std::span<Segment> segments) {
-  const double length = std::min(wanted.enough, wanted.horizon - wanted.begin);
+void ContactMotion::extend_until_converged(const SegmentRequest& request,
+                                           std::span<Segment> segments) {
+  const double length = std::min(request.preferred_duration, request.horizon - request.begin);
   int k = 1;
   for (const int terms : term_counts) {
     for (; k < terms - 1; ++k) extend(k, segments);
     set_terms_of_all(terms, segments);
     const bool converged =
         std::all_of(members_.begin(), members_.begin() + member_count_,
-                    [&](int i) { return has_converged(segments[i], length, in_contact_to); });
+                    [&](int i) { return has_converged(segments[i], length, contact_truncation); });
     if (converged) return;
   }
 }
@@ -94,7 +96,7 @@ void ContactMotion::extend_until_converged(const Wanted& wanted, std::span<Segme
 // Term k + 1 of everything.
 void ContactMotion::extend(int k, std::span<Segment> segments) {
   for (int m = 0; m < member_count_; ++m) integrate_pose(segments[members_[m]], k);
-  for (int i = 0; i < held_count_; ++i) extend_rows(arena_, held_[i], segments, k, rows_[i]);
+  for (int i = 0; i < held_count_; ++i) extend_rows(world_, held_[i], segments, k, rows_[i]);
   extend_twists(k, segments);
   solve_for_forces(k, segments);
 }
@@ -102,13 +104,13 @@ void ContactMotion::extend(int k, std::span<Segment> segments) {
 void ContactMotion::set_terms_of_all(int terms, std::span<Segment> segments) {
   for (int m = 0; m < member_count_; ++m) set_terms(segments[members_[m]], terms);
   for (int i = 0; i < held_count_; ++i) simulator::set_terms(rows_[i], terms);
-  for (int w = 0; w < wheel_count_; ++w) hold_[w].terms = terms;
+  for (int w = 0; w < wheel_count_; ++w) lateral_force_[w].terms = terms;
 }
 
 double ContactMotion::converged_length_of_all(std::span<const Segment> segments) const {
   double length = segments[members_[0]].end - segments[members_[0]].begin;
   for (int m = 0; m < member_count_; ++m) {
-    length = converged_length(segments[members_[m]], length, in_contact_to);
+    length = converged_length(segments[members_[m]], length, contact_truncation);
   }
   return length;
 }
@@ -117,7 +119,7 @@ double ContactMotion::converged_length_of_all(std::span<const Segment> segments)
 bool ContactMotion::is_at_rest(std::span<const Segment> segments) const {
   for (int m = 0; m < member_count_; ++m) {
     const Segment& s = segments[members_[m]];
-    for (const Series* p : {&s.forward, &s.left, &s.turn}) {
+    for (const Series* p : {&s.forward, &s.left, &s.omega}) {
       if (std::abs((*p)[0]) > resting_speed || std::abs((*p)[1]) > resting_acceleration)
         return false;
     }
@@ -125,10 +127,10 @@ bool ContactMotion::is_at_rest(std::span<const Segment> segments) const {
   return true;
 }
 
-void ContactMotion::take_members(const BodySet& cluster, const ContactForces& forces) {
-  rest_slide_ = forces.rest_slide();
+void ContactMotion::set_members(const BodySet& cluster, const ContactForces& forces) {
+  slip_threshold_ = forces.slip_threshold();
   member_count_ = 0;
-  for (int i = 0; i < arena_.bodies(); ++i) {
+  for (int i = 0; i < world_.bodies(); ++i) {
     if (!cluster[i]) continue;
     members_[member_count_++] = i;
     mass_[i] = forces.mass(i, drives_);
@@ -138,16 +140,16 @@ void ContactMotion::take_members(const BodySet& cluster, const ContactForces& fo
 
 // The equations are put in order of how far their forces are from a bound: where some follow from
 // others, the last ones keep their force, and it is better that those with room to change do so.
-void ContactMotion::choose(std::span<const Contact> contacts) {
+void ContactMotion::select_active(std::span<const Contact> contacts) {
   wheel_count_ = 0;
   BodySet cluster;
   for (int m = 0; m < member_count_; ++m) {
     const int i = members_[m];
     cluster.set(i);
-    if (is_held_sideways(arena_, grounding_[i])) wheels_[wheel_count_++] = i;
+    if (is_held_sideways(world_, grounding_[i])) wheels_[wheel_count_++] = i;
   }
   std::stable_sort(wheels_.begin(), wheels_.begin() + wheel_count_, [this](int a, int b) {
-    return std::abs(grounding_[a].hold) < std::abs(grounding_[b].hold);
+    return std::abs(grounding_[a].lateral_force) < std::abs(grounding_[b].lateral_force);
   });
 
   held_count_ = 0;
@@ -163,34 +165,34 @@ void ContactMotion::choose(std::span<const Contact> contacts) {
 
 // Equations that follow from others do so only at the begin: later they may be off, and the gaps of
 // the cluster with them.
-void ContactMotion::say_which_are_kept(std::span<Contact> contacts) const {
+void ContactMotion::mark_persistent(std::span<Contact> contacts) const {
   bool all = true;
-  for (int i = 0; i < equations(); ++i) all = all && !elimination_.depends(i);
+  for (int i = 0; i < equations(); ++i) all = all && !cholesky_.is_redundant(i);
   for (int i = 0; i < held_count_; ++i) contacts[held_index_[i]].resting.is_persistent = all;
 }
 
 // The first two terms.
-void ContactMotion::begin(const Wanted& wanted, std::span<BodyState> bodies,
-                          std::span<Segment> segments) {
+void ContactMotion::start_series(const SegmentRequest& request, std::span<BodyState> bodies,
+                                 std::span<Segment> segments) {
   for (int m = 0; m < member_count_; ++m) {
-    segments[members_[m]] = moving_segment(bodies[members_[m]], wanted.begin, wanted.horizon);
+    segments[members_[m]] = moving_segment(bodies[members_[m]], request.begin, request.horizon);
   }
   for (int i = 0; i < held_count_; ++i) {
-    start_rows(arena_, held_[i], segments, rows_[i]);
+    start_rows(world_, held_[i], segments, rows_[i]);
     held_[i].row = difference_row(held_[i].a, held_[i].b, rows_[i].first_a, rows_[i].first_b);
   }
-  for (int k = 0; k < wheel_count_; ++k) hold_[k] = {};
+  for (int k = 0; k < wheel_count_; ++k) lateral_force_[k] = {};
 
   factorise();
-  stop_rates(bodies);
+  project_velocities(bodies);
   for (int m = 0; m < member_count_; ++m) {
     const int i = members_[m];
     const Twist& v = bodies[i].twist;
     segments[i].forward[0] = v.forward;
     segments[i].left[0] = v.left;
-    segments[i].turn[0] = v.turn;
-    if (arena_.is_ball(i)) {
-      braking_[i] = braking_along(rolling_deceleration(arena_.parameters), {v.forward, v.left},
+    segments[i].omega[0] = v.omega;
+    if (world_.is_ball(i)) {
+      braking_[i] = braking_along(rolling_deceleration(world_.parameters), {v.forward, v.left},
                                   grounding_[i].push);
     }
   }
@@ -201,58 +203,60 @@ void ContactMotion::begin(const Wanted& wanted, std::span<BodyState> bodies,
 void ContactMotion::close_gaps(std::span<BodyState> bodies) {
   double widest = 0.0;
   for (int i = 0; i < held_count_; ++i) widest = std::max(widest, std::abs(held_[i].point.gap));
-  if (widest <= closed_gap * arena_.tolerances.sink) return;
+  if (widest <= closed_gap_share * world_.tolerances.penetration) return;
   factorise();
   for (int i = 0; i < equations(); ++i) rhs_[i] = i < held_count_ ? -held_[i].point.gap : 0.0;
-  elimination_.solve(rhs_);
-  std::array<Shift, max_bodies> shifts{};
-  for (int i = 0; i < held_count_; ++i) add_shift(held_[i].row, rhs_[i], mass_, shifts);
+  cholesky_.solve(rhs_);
+  std::array<Displacement, max_bodies> displacements{};
+  for (int i = 0; i < held_count_; ++i)
+    add_displacement(held_[i].row, rhs_[i], mass_, displacements);
   for (int w = held_count_; w < equations(); ++w) {
-    add_shift(lateral_wheel_row(wheels_of(w)), rhs_[w], mass_, shifts);
+    add_displacement(lateral_wheel_row(wheel_state(w)), rhs_[w], mass_, displacements);
   }
   const auto is_too_long = [&](int i) {
-    const Shift& by = shifts[i];
-    return std::abs(by.forward) + std::abs(by.left) + std::abs(by.turn) * arena_.shape(i).radius >
-           longest_shift;
+    const Displacement& by = displacements[i];
+    return std::abs(by.forward) + std::abs(by.left) + std::abs(by.omega) * world_.shape(i).radius >
+           max_displacement;
   };
   const std::span<const int> members(members_.data(), static_cast<std::size_t>(member_count_));
   if (std::any_of(members.begin(), members.end(), is_too_long)) return;
-  for (const int i : members) bodies[i] = moved_by(bodies[i], shifts[i]);
+  for (const int i : members) bodies[i] = displaced(bodies[i], displacements[i]);
 }
 
 // The velocities fit already, but for what closing the gaps has changed.
-void ContactMotion::stop_rates(std::span<BodyState> bodies) {
+void ContactMotion::project_velocities(std::span<BodyState> bodies) {
   for (int i = 0; i < equations(); ++i) {
-    rhs_[i] = i < held_count_ ? -row_rate(held_[i].row, bodies) : -bodies[wheels_of(i)].twist.left;
+    rhs_[i] =
+        i < held_count_ ? -row_rate(held_[i].row, bodies) : -bodies[wheel_state(i)].twist.left;
   }
-  elimination_.solve(rhs_);
+  cholesky_.solve(rhs_);
   for (int i = 0; i < held_count_; ++i) apply_impulse(held_[i].row, rhs_[i], mass_, bodies);
   for (int k = 0; k < wheel_count_; ++k) bodies[wheels_[k]].twist.left = 0.0;
   for (int m = 0; m < member_count_; ++m) {
     const int i = members_[m];
     double& left = bodies[i].twist.left;
-    slide_[i] = grounding_[i].slide;
-    if (slide_[i] == 0.0) continue;
-    if (std::abs(left) <= rest_slide_) {
+    slip_sign_[i] = grounding_[i].slip_sign;
+    if (slip_sign_[i] == 0.0) continue;
+    if (std::abs(left) <= slip_threshold_) {
       left = 0.0;
     } else {
-      slide_[i] = left > 0.0 ? 1.0 : -1.0;
+      slip_sign_[i] = left > 0.0 ? 1.0 : -1.0;
     }
   }
 }
 
 void ContactMotion::factorise() {
-  SharedBodies bodies;
+  DelassusOperator bodies;
   for (int i = 0; i < held_count_; ++i) bodies.add(i, held_[i].row);
-  for (int w = held_count_; w < equations(); ++w) bodies.add(w, lateral_wheel_row(wheels_of(w)));
-  elimination_.reset(equations());
-  bodies.couple(mass_, elimination_);
-  elimination_.factorise();
+  for (int w = held_count_; w < equations(); ++w) bodies.add(w, lateral_wheel_row(wheel_state(w)));
+  cholesky_.reset(equations());
+  bodies.couple(mass_, cholesky_);
+  cholesky_.factorise();
 }
 
 // Term k + 1 of the twists, but for what the forces' own term k adds.
 void ContactMotion::extend_twists(int k, std::span<Segment> segments) {
-  const Parameters& p = arena_.parameters;
+  const Parameters& p = world_.parameters;
   for (int m = 0; m < member_count_; ++m) {
     const int i = members_[m];
     const Grounding& g = grounding_[i];
@@ -266,13 +270,13 @@ void ContactMotion::extend_twists(int k, std::span<Segment> segments) {
         break;
       case Ground::rolls:
       case Ground::slides:
-        extend_twist_on_ground(p, drives_[i], slide_[i], k, s);
+        extend_twist_on_ground(p, drives_[i], slip_sign_[i], k, s);
         break;
     }
   }
   for (int w = 0; w < wheel_count_; ++w) {
     Segment& s = segments[wheels_[w]];
-    s.left[k + 1] = -product_term(s.turn, s.forward, k) / (k + 1);
+    s.left[k + 1] = -product_term(s.omega, s.forward, k) / (k + 1);
   }
   for (int i = 0; i < held_count_; ++i) {
     add_to_twists(later_force_term(held_[i], rows_[i], k), 1.0 / (k + 1), k + 1, segments);
@@ -284,29 +288,29 @@ void ContactMotion::extend_twists(int k, std::span<Segment> segments) {
 void ContactMotion::solve_for_forces(int k, std::span<Segment> segments) {
   // Forces that the equations leave open keep the value that was decided.
   for (int i = 0; i < equations(); ++i) {
-    if (!elimination_.depends(i) || k > 0) continue;
+    if (!cholesky_.is_redundant(i) || k > 0) continue;
     if (i < held_count_) {
       rows_[i].force[0] = held_[i].resting.force;
       add_force(i, 0, segments);
     } else {
-      const int body = wheels_of(i);
-      hold_[i - held_count_][0] = grounding_[body].hold;
-      segments[body].left[1] += grounding_[body].hold * mass_[body].left;
+      const int body = wheel_state(i);
+      lateral_force_[i - held_count_][0] = grounding_[body].lateral_force;
+      segments[body].left[1] += grounding_[body].lateral_force * mass_[body].left;
     }
   }
   for (int i = 0; i < equations(); ++i) {
     const double rate = i < held_count_ ? gap_rate_term(held_[i], segments, k + 1, rows_[i])
-                                        : segments[wheels_of(i)].left[k + 1];
+                                        : segments[wheel_state(i)].left[k + 1];
     rhs_[i] = -(k + 1) * rate;
   }
-  elimination_.solve(rhs_);
+  cholesky_.solve(rhs_);
   for (int i = 0; i < held_count_; ++i) {
-    if (elimination_.depends(i)) continue;
+    if (cholesky_.is_redundant(i)) continue;
     rows_[i].force[k] = rhs_[i];
     add_force(i, k, segments);
   }
   for (int w = 0; w < wheel_count_; ++w) {
-    if (!elimination_.depends(held_count_ + w)) hold_[w][k] = rhs_[held_count_ + w];
+    if (!cholesky_.is_redundant(held_count_ + w)) lateral_force_[w][k] = rhs_[held_count_ + w];
     segments[wheels_[w]].left[k + 1] = 0.0;
   }
 }
@@ -323,40 +327,40 @@ void ContactMotion::add_to_twists(const ConstraintRow& row, double amount, int t
     Segment& s = segments[body];
     s.forward[term] += amount * part[0] * mass.forward;
     s.left[term] += amount * part[1] * mass.left;
-    s.turn[term] += amount * part[2] * mass.turn;
+    s.omega[term] += amount * part[2] * mass.omega;
   };
   add(row.a, row.on_a);
   if (row.b != no_body) add(row.b, row.on_b);
 }
 
 // When a contact lets go or its point leaves the edge; at most `length`.
-double ContactMotion::contacts_change(double at_least, double length) const {
+double ContactMotion::time_of_release(double min_duration, double length) const {
   for (int i = 0; i < held_count_; ++i) {
-    const double from = std::min(at_least, length);
-    if (!elimination_.depends(i)) {
-      length = std::min(length, first_fall(rows_[i].force, 0.0, from, length));
+    const double from = std::min(min_duration, length);
+    if (!cholesky_.is_redundant(i)) {
+      length = std::min(length, first_crossing(rows_[i].force, 0.0, from, length));
     }
-    length = time_on_edge(held_[i], rows_[i], over_the_end, length);
+    length = time_on_edge(held_[i], rows_[i], edge_overhang, length);
   }
   return length;
 }
 
 // When the grip of wheels is used up; at most `length`.
-double ContactMotion::wheels_let_go(double at_least, double length) const {
-  const double grip = most_grip();
+double ContactMotion::time_of_slip(double min_duration, double length) const {
+  const double grip = max_grip();
   for (int w = 0; w < wheel_count_; ++w) {
-    if (elimination_.depends(held_count_ + w)) continue;
-    const double from = std::min(at_least, length);
-    length = std::min(length, first_fall(hold_[w], -grip, from, length));
-    length = std::min(length, first_fall(-1.0 * hold_[w], -grip, from, length));
+    if (cholesky_.is_redundant(held_count_ + w)) continue;
+    const double from = std::min(min_duration, length);
+    length = std::min(length, first_crossing(lateral_force_[w], -grip, from, length));
+    length = std::min(length, first_crossing(-1.0 * lateral_force_[w], -grip, from, length));
   }
   return length;
 }
 
-void ContactMotion::find_end(const Wanted& wanted, std::span<Segment> segments) const {
-  const double begin = wanted.begin;
+void ContactMotion::find_end(const SegmentRequest& request, std::span<Segment> segments) const {
+  const double begin = request.begin;
   double length = converged_length_of_all(segments);
-  length = wheels_let_go(wanted.at_least, contacts_change(wanted.at_least, length));
+  length = time_of_slip(request.min_duration, time_of_release(request.min_duration, length));
   int settles = no_body;
   for (int m = 0; m < member_count_; ++m) {
     const int i = members_[m];
@@ -366,21 +370,23 @@ void ContactMotion::find_end(const Wanted& wanted, std::span<Segment> segments) 
     double ends = never;
     bool reverses = false;
     if (g.ground == Ground::slides) {
-      ends = slide_ends(s, slide_[i]);
+      ends = time_of_grip(s, slip_sign_[i]);
     } else if (g.ground == Ground::ball) {
-      ends = braking_changes(rolling_deceleration(arena_.parameters), s, braking_[i], length);
-      reverses = ends < wanted.at_least;
-      if (reverses) ends = wanted.at_least;
+      ends =
+          time_of_braking_change(rolling_deceleration(world_.parameters), s, braking_[i], length);
+      reverses = ends < request.min_duration;
+      if (reverses) ends = request.min_duration;
     }
     if (ends > length) continue;
     length = ends;
     const bool goes_on =
-        reverses || (arena_.is_ball(i) && rolling_deceleration(arena_.parameters).is_per_axis());
+        reverses || (world_.is_ball(i) && rolling_deceleration(world_.parameters).is_per_axis());
     settles = goes_on ? no_body : i;
   }
   for (int m = 0; m < member_count_; ++m) segments[members_[m]].end = begin + length;
   if (settles != no_body) {
-    segments[settles].settles = arena_.is_ball(settles) ? Settles::everything : Settles::sideways;
+    segments[settles].settles =
+        world_.is_ball(settles) ? TerminalState::everything : TerminalState::sideways;
   }
 }
 

@@ -19,43 +19,44 @@
 namespace mirocup::simulator {
 
 // How long a curve is wanted, s.
-struct Wanted {
-  double begin;     // of the tick
-  double horizon;   // of the tick; at most until then
-  double enough;    // a curve that holds for so long needs no more terms
-  double at_least;  // so long no contact lets go and no wheels begin to slide
+struct SegmentRequest {
+  double begin;               // of the tick
+  double horizon;             // of the tick; at most until then
+  double preferred_duration;  // a curve that holds for so long needs no more terms
+  double min_duration;        // so long no contact lets go and no wheels begin to slide
 };
 
 class ContactMotion {
  public:
   // Allocates its scratch; moving does not allocate. The arena outlives it.
-  explicit ContactMotion(const Arena& arena);
+  explicit ContactMotion(const StaticWorld& world);
 
   // Moves a cluster of bodies that hold each other: sets the segments of its bodies, all with the
   // same end. What their gaps and velocities are off by rounding is put right first. Sets `is_kept`
   // of the cluster's contacts.
   void move(const BodySet& cluster, const ContactForces& forces, std::span<Contact> contacts,
-            std::span<const Drive> drives, const Wanted& wanted, std::span<BodyState> bodies,
-            std::span<Segment> segments);
+            std::span<const DriveReference> drives, const SegmentRequest& request,
+            std::span<BodyState> bodies, std::span<Segment> segments);
 
  private:
   // The equations of a cluster: first the contacts that press, then the wheels that hold sideways.
   int equations() const { return held_count_ + wheel_count_; }
-  int wheels_of(int equation) const { return wheels_[equation - held_count_]; }
+  int wheel_state(int equation) const { return wheels_[equation - held_count_]; }
   // What the ground gives wheels sideways at most, N.
-  double most_grip() const {
-    return sideways_limit(arena_.parameters) * arena_.parameters.robot_mass;
+  double max_grip() const {
+    return lateral_acceleration_limit(world_.parameters) * world_.parameters.robot_mass;
   }
 
-  void take_members(const BodySet& cluster, const ContactForces& forces);
-  void choose(std::span<const Contact> contacts);
-  bool hold_what_hardly_slides(const Wanted& wanted, std::span<const Contact> contacts,
-                               std::span<const Segment> segments);
-  void extend_until_converged(const Wanted& wanted, std::span<Segment> segments);
-  void say_which_are_kept(std::span<Contact> contacts) const;
-  void begin(const Wanted& wanted, std::span<BodyState> bodies, std::span<Segment> segments);
+  void set_members(const BodySet& cluster, const ContactForces& forces);
+  void select_active(std::span<const Contact> contacts);
+  bool arrest_marginal_slip(const SegmentRequest& request, std::span<const Contact> contacts,
+                            std::span<const Segment> segments);
+  void extend_until_converged(const SegmentRequest& request, std::span<Segment> segments);
+  void mark_persistent(std::span<Contact> contacts) const;
+  void start_series(const SegmentRequest& request, std::span<BodyState> bodies,
+                    std::span<Segment> segments);
   void close_gaps(std::span<BodyState> bodies);
-  void stop_rates(std::span<BodyState> bodies);
+  void project_velocities(std::span<BodyState> bodies);
   void factorise();
   void extend(int k, std::span<Segment> segments);
   void extend_twists(int k, std::span<Segment> segments);
@@ -66,30 +67,30 @@ class ContactMotion {
   bool is_at_rest(std::span<const Segment> segments) const;
   void set_terms_of_all(int terms, std::span<Segment> segments);
   double converged_length_of_all(std::span<const Segment> segments) const;
-  void find_end(const Wanted& wanted, std::span<Segment> segments) const;
-  double contacts_change(double at_least, double length) const;
-  double wheels_let_go(double at_least, double length) const;
+  void find_end(const SegmentRequest& request, std::span<Segment> segments) const;
+  double time_of_release(double min_duration, double length) const;
+  double time_of_slip(double min_duration, double length) const;
 
-  const Arena& arena_;
-  double rest_slide_ = 0.0;
-  std::span<const Drive> drives_;
+  const StaticWorld& world_;
+  double slip_threshold_ = 0.0;
+  std::span<const DriveReference> drives_;
 
   std::array<int, max_bodies> members_;
   int member_count_ = 0;
   std::array<InverseMass, max_bodies> mass_;
   std::array<Braking, max_bodies> braking_;
-  std::array<double, max_bodies> slide_;
+  std::array<double, max_bodies> slip_sign_;
   std::array<Grounding, max_bodies> grounding_;
 
   std::array<Contact, max_unknowns> held_;
   std::array<int, max_unknowns> held_index_;  // of held_, among all contacts
   int held_count_ = 0;
-  std::vector<ContactRows> rows_;  // of held_
+  std::vector<ContactSeries> rows_;  // of held_
   std::array<int, max_bodies> wheels_;
   int wheel_count_ = 0;
-  std::array<Series, max_bodies> hold_;  // N to the left, of wheels_
+  std::array<Series, max_bodies> lateral_force_;  // N to the left, of wheels_
 
-  Elimination elimination_;  // where equations follow from others, their forces stay as they are
+  PivotedCholesky cholesky_;  // where equations follow from others, their forces stay as they are
   std::array<double, max_unknowns> rhs_;
 };
 

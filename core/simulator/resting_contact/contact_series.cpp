@@ -30,14 +30,14 @@ Vec2 turned_term(const TwoSeries& p, const TwoSeries& q, int k, int first) {
 }
 
 // The outline of an obstacle that has corners, or null for a plane wall.
-const geometry::Outline* end_wall_of(const Arena& arena, const Pair& pair) {
+const geometry::Outline* end_wall_of(const StaticWorld& world, const Pair& pair) {
   return pair.obstacle() < plane_walls ? nullptr
-                                       : &arena.end_wall_outlines[pair.obstacle() - plane_walls];
+                                       : &world.end_wall_outlines[pair.obstacle() - plane_walls];
 }
 
 // The outline of the side with the edge or corner that is pressed on; null: a plane wall.
-const geometry::Outline* pressed_shape(const Arena& arena, const Contact& c) {
-  return c.b != no_body ? &arena.shape(c.b) : end_wall_of(arena, c.pair);
+const geometry::Outline* pressed_shape(const StaticWorld& world, const Contact& c) {
+  return c.b != no_body ? &world.shape(c.b) : end_wall_of(world, c.pair);
 }
 
 Vec2 along_edge(const Vec2& normal) {
@@ -48,16 +48,16 @@ Heading first_heading(const Segment& s) {
   return {s.cos[0], s.sin[0]};
 }
 
-void start_on_edge(const Arena& arena, const Contact& c, std::span<const Segment> segments,
-                   ContactRows& rows) {
+void start_on_edge(const StaticWorld& world, const Contact& c, std::span<const Segment> segments,
+                   ContactSeries& rows) {
   const Segment* a = c.a == no_body ? nullptr : &segments[c.a];
   const Segment* b = c.b == no_body ? nullptr : &segments[c.b];
   const bool is_ball = c.point.kind == Touching::circle_on_edge;
   const Heading heading_a = a == nullptr || is_ball ? Heading{} : first_heading(*a);
   const Heading heading_b = b == nullptr ? Heading{} : first_heading(*b);
-  const geometry::Outline* shape = pressed_shape(arena, c);
+  const geometry::Outline* shape = pressed_shape(world, c);
 
-  rows.point = a == nullptr || is_ball ? Vec2{0.0, 0.0} : arena.shape(c.a).corner[c.point.corner];
+  rows.point = a == nullptr || is_ball ? Vec2{0.0, 0.0} : world.shape(c.a).corner[c.point.corner];
   rows.normal = b == nullptr ? c.point.normal : shape->normal[c.point.edge];
   const Vec2 along = along_edge(rows.normal);
   rows.edge_begin = shape == nullptr ? -infinity : along.dot(shape->corner[c.point.edge]);
@@ -78,41 +78,42 @@ void start_on_edge(const Arena& arena, const Contact& c, std::span<const Segment
   rows.first_b = {rows.normal.x(), rows.normal.y(), rows.lever_b[0]};
 }
 
-void set_point_velocity(const Segment& a, int k, ContactRows& rows) {
-  rows.velocity.c[k] = {a.forward[k] - rows.point.y() * a.turn[k],
-                        a.left[k] + rows.point.x() * a.turn[k]};
+void set_point_velocity(const Segment& a, int k, ContactSeries& rows) {
+  rows.velocity.c[k] = {a.forward[k] - rows.point.y() * a.omega[k],
+                        a.left[k] + rows.point.x() * a.omega[k]};
 }
 
 // Term k of the point's velocity in the edge's frame, once that of the twists is known.
-Vec2 point_velocity(const ContactRows& rows, int k) {
+Vec2 point_velocity(const ContactSeries& rows, int k) {
   const Heading heading{rows.heading.c[0][0], rows.heading.c[0][1]};
   return rows.later_velocity + heading.to_world({rows.velocity.c[k][0], rows.velocity.c[k][1]});
 }
 
-void extend_on_edge(const Contact& c, std::span<const Segment> segments, int k, ContactRows& rows) {
+void extend_on_edge(const Contact& c, std::span<const Segment> segments, int k,
+                    ContactSeries& rows) {
   Vec2 velocity{0.0, 0.0};
-  rows.turn[k] = 0.0;
+  rows.omega[k] = 0.0;
   const Vec2 along = along_edge(rows.normal);
   double forwards = 0.0;  // along the edge
   if (c.a != no_body) {
     set_point_velocity(segments[c.a], k, rows);
     velocity = point_velocity(rows, k);
-    rows.turn[k] += segments[c.a].turn[k];
+    rows.omega[k] += segments[c.a].omega[k];
     forwards = along.dot(velocity);
   }
   if (c.b != no_body) {
     const Segment& b = segments[c.b];
-    rows.turn[k] -= b.turn[k];
-    forwards -= along.x() * b.forward[k] + along.y() * b.left[k] + rows.distance * b.turn[k];
+    rows.omega[k] -= b.omega[k];
+    forwards -= along.x() * b.forward[k] + along.y() * b.left[k] + rows.distance * b.omega[k];
   }
   const double next = k + 1;
   rows.lever_b[k + 1] = -forwards / next;
-  const Vec2 turning = product_term(rows.heading, rows.turn, k, 0);
+  const Vec2 turning = product_term(rows.heading, rows.omega, k, 0);
   rows.heading.c[k + 1] = {-turning.y() / next, turning.x() / next};
 }
 
 double gap_rate_on_edge(const Contact& c, std::span<const Segment> segments, int k,
-                        ContactRows& rows) {
+                        ContactSeries& rows) {
   double rate = 0.0;
   if (c.a != no_body) {
     set_point_velocity(segments[c.a], k, rows);
@@ -122,16 +123,16 @@ double gap_rate_on_edge(const Contact& c, std::span<const Segment> segments, int
   if (c.b != no_body) {
     const Segment& b = segments[c.b];
     rate -= rows.normal.x() * b.forward[k] + rows.normal.y() * b.left[k] +
-            product_term(rows.lever_b, b.turn, k);
+            product_term(rows.lever_b, b.omega, k);
   }
   return rate;
 }
 
 // Where the ball presses on a corner, of a robot or of the outline behind a goal post.
-void set_on_corner(const Arena& arena, const Contact& c, std::span<const Segment> segments, int k,
-                   ContactRows& rows) {
-  const geometry::Outline& shape = *pressed_shape(arena, c);
-  const double radius = arena.ball_outline.radius;
+void set_on_corner(const StaticWorld& world, const Contact& c, std::span<const Segment> segments,
+                   int k, ContactSeries& rows) {
+  const geometry::Outline& shape = *pressed_shape(world, c);
+  const double radius = world.ball_outline.radius;
   const Segment& ball = segments[c.a];
   const Vec2 corner = shape.corner[c.point.corner];
   Vec2 from_corner;  // to the ball, in the field's frame, and in that of the corner's side
@@ -165,14 +166,14 @@ void set_on_corner(const Arena& arena, const Contact& c, std::span<const Segment
 }
 
 double gap_rate_on_corner(const Contact& c, std::span<const Segment> segments, int k,
-                          const ContactRows& rows) {
+                          const ContactSeries& rows) {
   const Segment& ball = segments[c.a];
   double rate =
       product_term(rows.row_a[0], ball.forward, k) + product_term(rows.row_a[1], ball.left, k);
   if (c.b == no_body) return rate;
   const Segment& b = segments[c.b];
   rate -= product_term(rows.row_b[0], b.forward, k) + product_term(rows.row_b[1], b.left, k) +
-          product_term(rows.row_b[2], b.turn, k);
+          product_term(rows.row_b[2], b.omega, k);
   return rate;
 }
 
@@ -182,30 +183,30 @@ bool is_on_corner(const Contact& c) {
 
 }  // namespace
 
-void start_rows(const Arena& arena, const Contact& c, std::span<const Segment> segments,
-                ContactRows& rows) {
-  if (!is_on_corner(c)) return start_on_edge(arena, c, segments, rows);
-  set_on_corner(arena, c, segments, 0, rows);
+void start_rows(const StaticWorld& world, const Contact& c, std::span<const Segment> segments,
+                ContactSeries& rows) {
+  if (!is_on_corner(c)) return start_on_edge(world, c, segments, rows);
+  set_on_corner(world, c, segments, 0, rows);
   rows.first_a = {rows.row_a[0][0], rows.row_a[1][0], 0.0};
   rows.first_b = {rows.row_b[0][0], rows.row_b[1][0], rows.row_b[2][0]};
 }
 
-void extend_rows(const Arena& arena, const Contact& c, std::span<const Segment> segments, int k,
-                 ContactRows& rows) {
+void extend_rows(const StaticWorld& world, const Contact& c, std::span<const Segment> segments,
+                 int k, ContactSeries& rows) {
   if (is_on_corner(c)) {
-    set_on_corner(arena, c, segments, k + 1, rows);
+    set_on_corner(world, c, segments, k + 1, rows);
   } else {
     extend_on_edge(c, segments, k, rows);
   }
 }
 
 double gap_rate_term(const Contact& c, std::span<const Segment> segments, int k,
-                     ContactRows& rows) {
+                     ContactSeries& rows) {
   return is_on_corner(c) ? gap_rate_on_corner(c, segments, k, rows)
                          : gap_rate_on_edge(c, segments, k, rows);
 }
 
-ConstraintRow later_force_term(const Contact& c, const ContactRows& rows, int k) {
+ConstraintRow later_force_term(const Contact& c, const ContactSeries& rows, int k) {
   if (is_on_corner(c)) {
     const auto term = [&](const Series& row) { return product_term(row, rows.force, k, 1); };
     return difference_row(c.a, c.b, {term(rows.row_a[0]), term(rows.row_a[1]), 0.0},
@@ -221,11 +222,11 @@ ConstraintRow later_force_term(const Contact& c, const ContactRows& rows, int k)
   return difference_row(c.a, c.b, on_a, on_b);
 }
 
-double time_on_edge(const Contact& c, const ContactRows& rows, double margin, double length) {
+double time_on_edge(const Contact& c, const ContactSeries& rows, double margin, double length) {
   // A little above the level: a search that ended there must not end there again at once.
   const auto until = [&](const Series& inside, double level) {
-    if (inside[0] <= level + 10.0 * closeness) return;
-    length = std::min(length, first_fall(inside, level, 0.0, length));
+    if (inside[0] <= level + 10.0 * root_tolerance) return;
+    length = std::min(length, first_crossing(inside, level, 0.0, length));
   };
   if (is_on_corner(c)) {
     until(rows.inside[0], -margin);
@@ -237,7 +238,7 @@ double time_on_edge(const Contact& c, const ContactRows& rows, double margin, do
   return length;
 }
 
-void set_terms(ContactRows& rows, int terms) {
+void set_terms(ContactSeries& rows, int terms) {
   rows.force.terms = rows.lever_b.terms = terms;
   for (Series& inside : rows.inside) inside.terms = terms;
 }

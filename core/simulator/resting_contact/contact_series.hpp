@@ -22,10 +22,10 @@ namespace mirocup::simulator {
 
 // Two series that are multiplied by the same others.
 struct TwoSeries {
-  std::array<std::array<double, 2>, series_terms> c;
+  std::array<std::array<double, 2>, max_terms> c;
 };
 
-struct ContactRows {
+struct ContactSeries {
   // Terms 0 of the rows: rate of the gap = row_a . twist of a - row_b . twist of b.
   JacobianRow first_a{}, first_b{};
   Series force;  // N, along the normal
@@ -35,7 +35,7 @@ struct ContactRows {
   Vec2 normal;         // in the frame of the edge's side
   double distance;     // m, of the touching point from the edge's side's reference point along it
   TwoSeries heading;   // cos and sin: of the point's side seen from the edge's
-  Series turn;         // rad/s, of the same
+  Series omega;        // rad/s, of the same
   TwoSeries velocity;  // m/s, of the touching point in its own frame
   Vec2
       later_velocity;  // m/s, the newest term of it in the edge's frame, without what heading[0] gives
@@ -49,26 +49,27 @@ struct ContactRows {
   Series dx, dy;                 // the same position in the field's frame
 };
 
-void start_rows(const Arena& arena, const Contact& contact, std::span<const Segment> segments,
-                ContactRows& rows);
+void start_rows(const StaticWorld& world, const Contact& contact, std::span<const Segment> segments,
+                ContactSeries& rows);
 
 // Terms k + 1 of the geometry, from terms up to k of the twists and, for a corner, k + 1 of the
 // poses.
-void extend_rows(const Arena& arena, const Contact& contact, std::span<const Segment> segments,
-                 int k, ContactRows& rows);
+void extend_rows(const StaticWorld& world, const Contact& contact,
+                 std::span<const Segment> segments, int k, ContactSeries& rows);
 
 // Term k of the rate of the contact's gap.
 double gap_rate_term(const Contact& contact, std::span<const Segment> segments, int k,
-                     ContactRows& rows);
+                     ContactSeries& rows);
 
 // Term k of row times force, without the product of the first term of the row.
-ConstraintRow later_force_term(const Contact& contact, const ContactRows& rows, int k);
+ConstraintRow later_force_term(const Contact& contact, const ContactSeries& rows, int k);
 
 // When the point has left the edge, or the ball the corner, by `margin`; at most `length`. Where it
 // was out there at the begin it may stay.
-double time_on_edge(const Contact& contact, const ContactRows& rows, double margin, double length);
+double time_on_edge(const Contact& contact, const ContactSeries& rows, double margin,
+                    double length);
 
 // Says how many terms the series have.
-void set_terms(ContactRows& rows, int terms);
+void set_terms(ContactSeries& rows, int terms);
 
 }  // namespace mirocup::simulator

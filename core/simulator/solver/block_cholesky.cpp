@@ -8,23 +8,22 @@ namespace mirocup::simulator {
 namespace {
 
 // Of a block on the diagonal, what stands left of it is never read.
-void add_square(const JacobianRow& p, double weight, std::array<JacobianRow, 3>& to) {
+void add_square(const Vec3& p, double weight, std::array<Vec3, 3>& to) {
   for (int i = 0; i < 3; ++i) {
     const double by = weight * p[i];
     for (int j = i; j < 3; ++j) to[i][j] += by * p[j];
   }
 }
 
-void add_product(const JacobianRow& p, const JacobianRow& q, double weight,
-                 std::array<JacobianRow, 3>& to) {
+void add_product(const Vec3& p, const Vec3& q, double weight, std::array<Vec3, 3>& to) {
   for (int i = 0; i < 3; ++i) {
     const double by = weight * p[i];
     for (int j = 0; j < 3; ++j) to[i][j] += by * q[j];
   }
 }
 
-std::array<JacobianRow, 3> transposed(const std::array<JacobianRow, 3>& block) {
-  std::array<JacobianRow, 3> t;
+std::array<Vec3, 3> transposed(const std::array<Vec3, 3>& block) {
+  std::array<Vec3, 3> t;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) t[i][j] = block[j][i];
   }
@@ -33,9 +32,9 @@ std::array<JacobianRow, 3> transposed(const std::array<JacobianRow, 3>& block) {
 
 }  // namespace
 
-BodySystem::BodySystem() : blocks_(max_bodies * max_bodies), fronts_(max_bodies) {}
+BlockCholesky::BlockCholesky() : blocks_(max_bodies * max_bodies), fronts_(max_bodies) {}
 
-void BodySystem::reset(const BodySet& bodies, std::span<const InverseMass> mass) {
+void BlockCholesky::reset(const BodySet& bodies, std::span<const InverseMass> mass) {
   bodies_ = bodies.to_ulong();
   for_each_body(bodies_, [&](int i) {
     coupled_[i] = 0;
@@ -45,11 +44,11 @@ void BodySystem::reset(const BodySet& bodies, std::span<const InverseMass> mass)
     // Infinite for an inverse of zero; that pivot's inverse will be zero again.
     own[0][0] = 1.0 / mass[i].forward;
     own[1][1] = 1.0 / mass[i].left;
-    own[2][2] = 1.0 / mass[i].turn;
+    own[2][2] = 1.0 / mass[i].omega;
   });
 }
 
-void BodySystem::couple(int body, unsigned long others) {
+void BlockCholesky::couple(int body, unsigned long others) {
   for_each_body(others & ~coupled_[body], [&](int other) {
     block(std::max(body, other), std::min(body, other)) = {};
     coupled_[body] |= 1UL << other;
@@ -59,7 +58,7 @@ void BodySystem::couple(int body, unsigned long others) {
   });
 }
 
-void BodySystem::add(const ConstraintRow& row, double weight) {
+void BlockCholesky::add(const ConstraintRow& row, double weight) {
   add_square(row.on_a, weight, block(row.a, row.a));
   if (row.b == no_body) return;
   add_square(row.on_b, weight, block(row.b, row.b));
@@ -71,7 +70,7 @@ void BodySystem::add(const ConstraintRow& row, double weight) {
   }
 }
 
-void BodySystem::factorise() {
+void BlockCholesky::factorise() {
   count_ = 0;
   for (unsigned long left = bodies_; left != 0;) {
     int next = std::countr_zero(left);
@@ -80,26 +79,26 @@ void BodySystem::factorise() {
     });
     left &= ~(1UL << next);
     order_[count_++] = next;
-    leave(next);
-    gather(next, coupled_[next]);
+    detach(next);
+    assemble_front(next, coupled_[next]);
     eliminate(next);
   }
 }
 
-void BodySystem::leave(int body) {
+void BlockCholesky::detach(int body) {
   for_each_body(coupled_[body], [&](int other) {
     coupled_[other] &= ~(1UL << body);
     --coupled_count_[other];
   });
 }
 
-void BodySystem::gather(int body, unsigned long others) {
+void BlockCholesky::assemble_front(int body, unsigned long others) {
   Front& f = fronts_[body];
   f.others = others;
   f.own = block(body, body);
   int count = 0;
   for_each_body(others, [&](int other) {
-    f.beside[count++] = other > body ? transposed(block(other, body)) : block(body, other);
+    f.off_diagonal[count++] = other > body ? transposed(block(other, body)) : block(body, other);
   });
   for (int r = 0; r < 3; ++r) {
     f.inverse_pivot[r] = 1.0 / f.own[r][r];
@@ -107,25 +106,25 @@ void BodySystem::gather(int body, unsigned long others) {
       const double by = f.own[r][below] * f.inverse_pivot[r];
       for (int c = below; c < 3; ++c) f.own[below][c] -= by * f.own[r][c];
       for (int k = 0; k < count; ++k) {
-        for (int c = 0; c < 3; ++c) f.beside[k][below][c] -= by * f.beside[k][r][c];
+        for (int c = 0; c < 3; ++c) f.off_diagonal[k][below][c] -= by * f.off_diagonal[k][r][c];
       }
     }
   }
 }
 
 // The body's rows from those of all that are coupled with it, which thereby are with each other.
-void BodySystem::eliminate(int body) {
+void BlockCholesky::eliminate(int body) {
   const Front& f = fronts_[body];
   int at = 0;
   for_each_body(f.others, [&](int low) {
     couple(low, f.others & ~(1UL << low));
-    Block by = f.beside[at];
+    Block by = f.off_diagonal[at];
     for (int r = 0; r < 3; ++r) {
       for (int c = 0; c < 3; ++c) by[r][c] *= f.inverse_pivot[r];
     }
-    int beside = at;
+    int off_diagonal = at;
     for_each_body(f.others & ~((1UL << low) - 1UL), [&](int high) {
-      const Block& rows = f.beside[beside++];
+      const Block& rows = f.off_diagonal[off_diagonal++];
       Block& to = block(high, low);
       for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) {
@@ -137,18 +136,18 @@ void BodySystem::eliminate(int body) {
   });
 }
 
-void BodySystem::solve(BodyVector& rhs) const {
+void BlockCholesky::solve(BodyVector& rhs) const {
   for (int k = 0; k < count_; ++k) {
     const Front& f = fronts_[order_[k]];
-    JacobianRow& own = rhs[order_[k]];
-    JacobianRow by;
+    Vec3& own = rhs[order_[k]];
+    Vec3 by;
     for (int r = 0; r < 3; ++r) {
       by[r] = own[r] * f.inverse_pivot[r];
       for (int below = r + 1; below < 3; ++below) own[below] -= by[r] * f.own[r][below];
     }
-    const Block* beside = f.beside.data();
+    const Block* off_diagonal = f.off_diagonal.data();
     for_each_body(f.others, [&](int other) {
-      const Block& rows = *beside++;
+      const Block& rows = *off_diagonal++;
       for (int c = 0; c < 3; ++c) {
         rhs[other][c] -= by[0] * rows[0][c] + by[1] * rows[1][c] + by[2] * rows[2][c];
       }
@@ -156,11 +155,11 @@ void BodySystem::solve(BodyVector& rhs) const {
   }
   for (int k = count_ - 1; k >= 0; --k) {
     const Front& f = fronts_[order_[k]];
-    JacobianRow& own = rhs[order_[k]];
-    const Block* beside = f.beside.data();
+    Vec3& own = rhs[order_[k]];
+    const Block* off_diagonal = f.off_diagonal.data();
     for_each_body(f.others, [&](int other) {
-      const Block& rows = *beside++;
-      const JacobianRow& v = rhs[other];
+      const Block& rows = *off_diagonal++;
+      const Vec3& v = rhs[other];
       for (int r = 0; r < 3; ++r) {
         own[r] -= rows[r][0] * v[0] + rows[r][1] * v[1] + rows[r][2] * v[2];
       }

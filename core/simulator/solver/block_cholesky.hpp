@@ -14,12 +14,12 @@
 
 namespace mirocup::simulator {
 
-using BodyVector = std::array<JacobianRow, max_bodies>;  // of the bodies that there are
+using BodyVector = std::array<Vec3, max_bodies>;  // of the bodies that there are
 
-class BodySystem {
+class BlockCholesky {
  public:
   // Allocates; nothing else does.
-  BodySystem();
+  BlockCholesky();
 
   // Starts with the matrix of these bodies' masses. Where an inverse is zero the unknown is zero.
   void reset(const BodySet& bodies, std::span<const InverseMass> mass);
@@ -32,19 +32,19 @@ class BodySystem {
   void solve(BodyVector& rhs) const;
 
  private:
-  using Block = std::array<JacobianRow, 3>;  // rows, then columns
+  using Block = std::array<Vec3, 3>;  // rows, then columns
   // The rows of a body when it is eliminated: the columns of its own, then of each of the `others`.
   struct Front {
     Block own;
-    JacobianRow inverse_pivot;
+    Vec3 inverse_pivot;
     unsigned long others;
-    std::array<Block, max_bodies> beside;
+    std::array<Block, max_bodies> off_diagonal;
   };
 
   Block& block(int high, int low) { return blocks_[high * max_bodies + low]; }
   void couple(int body, unsigned long others);
-  void leave(int body);
-  void gather(int body, unsigned long others);
+  void detach(int body);
+  void assemble_front(int body, unsigned long others);
   void eliminate(int body);
 
   std::vector<Block> blocks_;  // rows of the higher body, columns of the lower

@@ -12,42 +12,42 @@ namespace {
 // A pivot smaller than this against its diagonal says that the unknown depends on the others: two
 // contacts that push the same thing the same way. It is given this much give of its own: where the
 // others leave it open, it hardly moves; where they contradict it, it goes to its bound.
-constexpr double least_pivot = 1e-10;
+constexpr double min_pivot = 1e-10;
 
 // What counts as nothing, as a share of the largest |b|. Where rows nearly contradict each other,
 // rounding can release bounds in circles: after so many, more counts as nothing with each.
-constexpr double next_to_nothing = 1e-14;
+constexpr double gradient_tolerance = 1e-14;
 constexpr int patient_releases = 8;
 constexpr double tolerance_growth = 4.0;
-constexpr double most_tolerance = 1e-6;
-constexpr int most_releases = 64;
+constexpr double max_tolerance = 1e-6;
+constexpr int max_releases = 64;
 
 // A problem of so many unknowns, six robots around the ball have fewer, is large.
-constexpr int large = 32;
+constexpr int warm_start_size = 32;
 
 }  // namespace
 
-BoxProblem::BoxProblem()
+BoxQp::BoxQp()
     : a_(std::make_unique_for_overwrite<double[]>(max_unknowns * max_unknowns)),
       factor_(std::make_unique_for_overwrite<double[]>(max_unknowns * max_unknowns)) {}
 
-void BoxProblem::reset(int size) {
+void BoxQp::reset(int size) {
   size_ = size;
-  soft_.reset({});
+  warm_start_qp_.reset({});
   std::fill_n(a_.get(), size * size, 0.0);
   std::fill_n(b.begin(), size, 0.0);
   std::fill_n(low.begin(), size, 0.0);
   std::fill_n(high.begin(), size, infinity);
 }
 
-double BoxProblem::gradient(int i) const {
+double BoxQp::gradient(int i) const {
   double w = b[i];
   for (int j = 0; j < size_; ++j) w += a(i, j) * x[j];
   return w;
 }
 
 // Already the solution, without any step?
-bool BoxProblem::is_solved(double tolerance) const {
+bool BoxQp::is_solved(double tolerance) const {
   for (int i = 0; i < size_; ++i) {
     const double w = gradient(i);
     if (w < -tolerance && x[i] < high[i]) return false;
@@ -56,7 +56,7 @@ bool BoxProblem::is_solved(double tolerance) const {
   return true;
 }
 
-void BoxProblem::order_all_free() {
+void BoxQp::order_all_free() {
   order_count_ = 0;
   factorised_ = 0;
   for (int i = 0; i < size_; ++i) {
@@ -65,7 +65,7 @@ void BoxProblem::order_all_free() {
 }
 
 // What comes before the first of them in the factorisation is as it was.
-void BoxProblem::drop_fixed() {
+void BoxQp::drop_fixed() {
   int left = 0;
   for (int k = 0; k < order_count_; ++k) {
     const int i = order_[k];
@@ -81,7 +81,7 @@ void BoxProblem::drop_fixed() {
 // Each time the unknown with the largest pivot left comes next, so that those that nearly depend on
 // others come last. Otherwise what rounding leaves of a small pivot would be taken for one, and
 // divided by, again and again.
-void BoxProblem::factorise() {
+void BoxQp::factorise() {
   for (int k = factorised_; k < order_count_; ++k) {
     const int i = order_[k];
     pivot_[i] = a(i, i);
@@ -96,7 +96,7 @@ void BoxProblem::factorise() {
     std::swap(order_[n], order_[next]);
     const int i = order_[n];
     double* row = &factor_[i * size_];
-    row[n] = std::sqrt(std::max(pivot_[i], least_pivot * a(i, i)));
+    row[n] = std::sqrt(std::max(pivot_[i], min_pivot * a(i, i)));
     for (int k = n + 1; k < order_count_; ++k) {
       const int j = order_[k];
       double* other = &factor_[j * size_];
@@ -109,7 +109,7 @@ void BoxProblem::factorise() {
   factorised_ = order_count_;
 }
 
-void BoxProblem::solve_free() {
+void BoxQp::solve_free() {
   for (int i = 0; i < size_; ++i) target_[i] = x[i];
   factorise();
   const int n = order_count_;
@@ -127,7 +127,7 @@ void BoxProblem::solve_free() {
   }
 }
 
-bool BoxProblem::step_to_target() {
+bool BoxQp::step_to_target() {
   double fraction = 1.0;
   for (int i = 0; i < size_; ++i) {
     if (bound_[i] != Bound::free) continue;
@@ -152,7 +152,7 @@ bool BoxProblem::step_to_target() {
   return reached;
 }
 
-int BoxProblem::most_violating(double tolerance) const {
+int BoxQp::most_violating(double tolerance) const {
   int worst = -1;
   double most = tolerance;
   for (int i = 0; i < size_; ++i) {
@@ -169,53 +169,53 @@ int BoxProblem::most_violating(double tolerance) const {
 
 // All are tried together first; those that would go the wrong way stop where they are. Most contacts
 // of a heap press, so this takes fewer rounds than to begin with none.
-void BoxProblem::begin_from_nothing() {
+void BoxQp::cold_start() {
   for (int i = 0; i < size_; ++i) {
     x[i] = std::clamp(0.0, low[i], high[i]);
     bound_[i] = low[i] < high[i] ? Bound::free : Bound::fixed;
   }
 }
 
-bool BoxProblem::is_large() const {
-  return size_ >= large;
+bool BoxQp::is_large() const {
+  return size_ >= warm_start_size;
 }
 
-SoftProblem& BoxProblem::to_begin_softly(std::span<const InverseMass> mass) {
-  soft_.reset(mass);
-  return soft_;
+RegularizedQp& BoxQp::warm_start(std::span<const InverseMass> mass) {
+  warm_start_qp_.reset(mass);
+  return warm_start_qp_;
 }
 
-void BoxProblem::begin_softly() {
-  if (soft_.size() != size_) return;
-  soft_.b = b;
-  soft_.low = low;
-  soft_.high = high;
-  std::fill_n(soft_.x.begin(), size_, 0.0);
-  if (!soft_.solve()) return;
+void BoxQp::apply_warm_start() {
+  if (warm_start_qp_.size() != size_) return;
+  warm_start_qp_.b = b;
+  warm_start_qp_.low = low;
+  warm_start_qp_.high = high;
+  std::fill_n(warm_start_qp_.x.begin(), size_, 0.0);
+  if (!warm_start_qp_.solve()) return;
   for (int i = 0; i < size_; ++i) {
-    x[i] = soft_.x[i];
+    x[i] = warm_start_qp_.x[i];
     bound_[i] = low[i] < x[i] && x[i] < high[i] ? Bound::free : Bound::fixed;
   }
 }
 
-void BoxProblem::solve() {
-  begin_from_nothing();
+void BoxQp::solve() {
+  cold_start();
   std::fill_n(banned_.begin(), size_, false);
   double scale = 0.0;
   for (int i = 0; i < size_; ++i) scale = std::max(scale, std::abs(b[i]));
-  double tolerance = next_to_nothing * scale;
+  double tolerance = gradient_tolerance * scale;
   if (is_solved(tolerance)) return;
-  begin_softly();
+  apply_warm_start();
   order_all_free();
 
   // Each round releases one bound.
-  for (int round = 0; round < most_releases; ++round) {
+  for (int round = 0; round < max_releases; ++round) {
     do {
       solve_free();
     } while (!step_to_target());
 
     if (round >= patient_releases) {
-      tolerance = std::min(tolerance * tolerance_growth, most_tolerance * scale);
+      tolerance = std::min(tolerance * tolerance_growth, max_tolerance * scale);
     }
     const int released = most_violating(tolerance);
     if (released < 0) return;

@@ -22,9 +22,9 @@
 namespace mirocup::simulator {
 
 // Kept and reused: making one allocates, solving does not.
-class BoxProblem {
+class BoxQp {
  public:
-  BoxProblem();
+  BoxQp();
 
   // Starts a problem of that size with A = 0, b = 0, 0 <= x < infinity.
   void reset(int size);
@@ -42,7 +42,7 @@ class BoxProblem {
   // Each bound costs a round. So a large problem whose rows are known, all of them, is begun where it
   // is nearly solved, after reset().
   bool is_large() const;
-  SoftProblem& to_begin_softly(std::span<const InverseMass> mass);
+  RegularizedQp& warm_start(std::span<const InverseMass> mass);
 
   // The solution is in x; where A leaves it open, one of the solutions.
   void solve();
@@ -54,7 +54,7 @@ class BoxProblem {
  private:
   enum class Bound : unsigned char { free, fixed };
 
-  void begin_from_nothing();
+  void cold_start();
   bool is_solved(double tolerance) const;
   void order_all_free();  // order_ from bound_, nothing of it factorised
   void drop_fixed();      // from order_
@@ -62,7 +62,7 @@ class BoxProblem {
   void solve_free();      // target_ from the free unknowns, the others held
   bool step_to_target();  // true if no bound was in the way
   int most_violating(double tolerance) const;
-  void begin_softly();
+  void apply_warm_start();
 
   int size_ = 0;
   // Not cleared: most of it is never touched.
@@ -75,7 +75,7 @@ class BoxProblem {
   int order_count_ = 0;
   int factorised_ = 0;  // so many of them, the first ones, have been
 
-  SoftProblem soft_;  // if it has the unknowns
+  RegularizedQp warm_start_qp_;  // if it has the unknowns
 };
 
 }  // namespace mirocup::simulator

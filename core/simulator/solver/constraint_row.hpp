@@ -19,7 +19,7 @@ using Unknowns = std::array<double, max_unknowns>;
 struct InverseMass {
   double forward = 0.0;
   double left = 0.0;
-  double turn = 0.0;
+  double omega = 0.0;
 };
 
 // Three numbers of one body, one for each component of its twist.
@@ -29,7 +29,7 @@ using Vec3 = std::array<double, 3>;
 using JacobianRow = Vec3;
 
 inline double along(const JacobianRow& row, const Twist& v) {
-  return row[0] * v.forward + row[1] * v.left + row[2] * v.turn;
+  return row[0] * v.forward + row[1] * v.left + row[2] * v.omega;
 }
 
 // A whole row: its rate is on_a . twist of a + on_b . twist of b.

@@ -9,26 +9,26 @@ namespace mirocup::simulator {
 namespace {
 
 // As in complementarity.cpp.
-constexpr double dependent_pivot = 1e-11;
+constexpr double redundant_pivot = 1e-11;
 
 // Equations with a pivot above this share of their diagonal are clear of the others.
 constexpr double independent_pivot = 1e-3;
 
 }  // namespace
 
-Elimination::Elimination()
+PivotedCholesky::PivotedCholesky()
     : a_(std::make_unique_for_overwrite<double[]>(max_unknowns * max_unknowns)),
       factor_(std::make_unique_for_overwrite<double[]>(max_unknowns * max_unknowns)),
       packed_(std::make_unique_for_overwrite<double[]>(max_unknowns * (max_unknowns + 1) / 2)) {}
 
-void Elimination::reset(int n) {
+void PivotedCholesky::reset(int n) {
   size_ = n;
   std::fill_n(a_.get(), n * n, 0.0);
 }
 
 // What nearly depends on others comes behind all that are clear, the largest pivot first: dividing
 // by what rounding leaves of a small one would spoil the others.
-void Elimination::factorise() {
+void PivotedCholesky::factorise() {
   const int n = size_;
   for (int i = 0; i < n; ++i) {
     pivot_[i] = a(i, i);
@@ -37,20 +37,20 @@ void Elimination::factorise() {
   int taken = 0;
   for (int place = 0; place < n; ++place) {
     const int i = order_[place];
-    if (pivot_[i] > independent_pivot * a(i, i)) take(place, taken++);
+    if (pivot_[i] > independent_pivot * a(i, i)) eliminate(place, taken++);
   }
   while (taken < n) {
     int largest = taken;
     for (int place = taken + 1; place < n; ++place) {
       if (pivot_[order_[place]] > pivot_[order_[largest]]) largest = place;
     }
-    take(largest, taken++);
+    eliminate(largest, taken++);
   }
   pack();
 }
 
 // The rows one after the other, as solve() reads them: it is called for every term of a motion.
-void Elimination::pack() {
+void PivotedCholesky::pack() {
   double* to = packed_.get();
   for (int k = 0; k < size_; ++k) {
     const double* row = &factor_[order_[k] * size_];
@@ -58,18 +58,18 @@ void Elimination::pack() {
   }
 }
 
-void Elimination::take(int place, int taken) {
+void PivotedCholesky::eliminate(int place, int taken) {
   // Those passed over keep their order.
   std::rotate(order_.begin() + taken, order_.begin() + place, order_.begin() + place + 1);
   const int i = order_[taken];
   double* row = &factor_[i * size_];
-  depends_[i] = pivot_[i] <= dependent_pivot * a(i, i);
-  row[taken] = depends_[i] ? 1.0 : std::sqrt(pivot_[i]);
+  redundant_[i] = pivot_[i] <= redundant_pivot * a(i, i);
+  row[taken] = redundant_[i] ? 1.0 : std::sqrt(pivot_[i]);
   for (int k = taken + 1; k < size_; ++k) {
     const int j = order_[k];
     double* other = &factor_[j * size_];
     other[taken] = 0.0;
-    if (depends_[i]) continue;
+    if (redundant_[i]) continue;
     double sum = a(std::max(i, j), std::min(i, j));
     for (int l = 0; l < taken; ++l) sum -= other[l] * row[l];
     other[taken] = sum / row[taken];
@@ -77,20 +77,20 @@ void Elimination::take(int place, int taken) {
   }
 }
 
-void Elimination::solve(std::array<double, max_unknowns>& rhs) const {
+void PivotedCholesky::solve(std::array<double, max_unknowns>& rhs) const {
   std::array<double, max_unknowns> y;
   const double* row = packed_.get();
   for (int k = 0; k < size_; ++k) {
     const int i = order_[k];
     double sum = rhs[i];
     for (int l = 0; l < k; ++l) sum -= row[l] * y[l];
-    y[k] = depends_[i] ? 0.0 : sum / row[k];
+    y[k] = redundant_[i] ? 0.0 : sum / row[k];
     row += k + 1;
   }
   for (int k = size_ - 1; k >= 0; --k) {
     row -= k + 1;
     const int i = order_[k];
-    if (!depends_[i]) y[k] /= row[k];
+    if (!redundant_[i]) y[k] /= row[k];
     for (int l = 0; l < k; ++l) y[l] -= row[l] * y[k];
     rhs[i] = y[k];
   }

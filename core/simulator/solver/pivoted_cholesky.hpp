@@ -11,9 +11,9 @@
 
 namespace mirocup::simulator {
 
-class Elimination {
+class PivotedCholesky {
  public:
-  Elimination();  // allocates; nothing else does
+  PivotedCholesky();  // allocates; nothing else does
 
   // Starts with n equations and a matrix of zeros.
   void reset(int n);
@@ -28,10 +28,10 @@ class Elimination {
   // rhs becomes the solution. Unknowns of equations that follow from others are zero.
   void solve(std::array<double, max_unknowns>& rhs) const;
 
-  bool depends(int i) const { return depends_[i]; }
+  bool is_redundant(int i) const { return redundant_[i]; }
 
  private:
-  void take(int place, int taken);
+  void eliminate(int place, int taken);
   void pack();
 
   int size_ = 0;
@@ -41,7 +41,7 @@ class Elimination {
   std::unique_ptr<double[]> packed_;     // the same in their order, without gaps
   std::array<int, max_unknowns> order_;  // of the equations in it
   std::array<double, max_unknowns> pivot_;
-  std::array<bool, max_unknowns> depends_;
+  std::array<bool, max_unknowns> redundant_;
 };
 
 }  // namespace mirocup::simulator

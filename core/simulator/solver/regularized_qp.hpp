@@ -19,7 +19,7 @@
 namespace mirocup::simulator {
 
 // Kept and reused: making one allocates, solving does not.
-class SoftProblem {
+class RegularizedQp {
  public:
   // Starts without unknowns. The masses of all bodies that rows will be of.
   void reset(std::span<const InverseMass> mass);
@@ -38,32 +38,32 @@ class SoftProblem {
  private:
   enum class Bound : unsigned char { free, fixed };
 
-  void look_at_value();
-  void find_rates();
-  void stand_still();
-  bool hold_at_bounds(double tolerance);
-  void hold(int i, Bound bound);
-  void find_direction();
-  void set_up_system();
-  bool go_down();
-  double part_to_first_bound() const;
-  double try_part(double part);
+  void evaluate();
+  void evaluate_rates();
+  void clear_velocities();
+  bool update_active_set(double tolerance);
+  void set_bound(int i, Bound bound);
+  void find_newton_direction();
+  void assemble_system();
+  bool line_search();
+  double fraction_to_first_bound() const;
+  double try_fraction(double part);
 
   int size_ = 0;
   std::array<InverseMass, max_bodies> mass_;
   BodySet bodies_;  // of any row
   std::array<ConstraintRow, max_unknowns> rows_;
-  Unknowns give_;  // of each row, the diagonal of A
+  Unknowns inverse_effective_mass_;  // of each row, the diagonal of A
   std::array<Bound, max_unknowns> bound_;
-  Unknowns centre_, direction_;
+  Unknowns prox_centre_, direction_;
   Unknowns slope_;
   double value_ = 0.0;
-  Unknowns rates_, x_of_rates_;   // A x, and of which x
-  bool rates_fit_ = false;        // the rows are as they were then
+  Unknowns rates_, x_at_rates_;   // A x, and of which x
+  bool rates_current_ = false;    // the rows are as they were then
   Unknowns begin_, begin_slope_;  // of a round
-  BodyVector moved_;
-  BodySystem system_;
-  bool system_fits_ = false;  // the rows and the free ones as they are
+  BodyVector velocities_;
+  BlockCholesky system_;
+  bool system_current_ = false;  // the rows and the free ones as they are
 };
 
 }  // namespace mirocup::simulator

@@ -10,18 +10,18 @@
 
 namespace mirocup::simulator {
 
-class Companies {
+class StepIslands {
  public:
   // `begin`: s of the tick.
-  void set_out(const BodySet& members, double begin) {
+  void begin_step(const BodySet& members, double start) {
     stepping_ |= members;
     for_each_body(members, [&](int i) {
-      company_[i] = members;
-      begin_[i] = begin;
+      island_[i] = members;
+      start_[i] = start;
     });
   }
   // Of these bodies, those that were in a step: they no longer are.
-  BodySet leave(const BodySet& bodies) {
+  BodySet end_step(const BodySet& bodies) {
     const BodySet left = stepping_ & bodies;
     stepping_ &= ~bodies;
     return left;
@@ -30,20 +30,20 @@ class Companies {
   const BodySet& stepping() const { return stepping_; }
   bool is_stepping(int body) const { return stepping_[body]; }
   // When the step began that the body is in, s of the tick.
-  double begin_of(int body) const { return begin_[body]; }
+  double start_of(int body) const { return start_[body]; }
   // Nobody, if the body is not in a step.
-  BodySet company_of(int body) const { return stepping_[body] ? company_[body] : BodySet{}; }
+  BodySet island_of(int body) const { return stepping_[body] ? island_[body] : BodySet{}; }
 
   // Does the pair keep out of each other's way by one step?
-  bool are_in_step(const Pair& pair) const {
+  bool share_step(const Pair& pair) const {
     if (!stepping_[pair.a]) return false;
-    return pair.with_obstacle() || (stepping_[pair.partner] && company_[pair.a][pair.partner]);
+    return pair.with_obstacle() || (stepping_[pair.partner] && island_[pair.a][pair.partner]);
   }
 
  private:
   BodySet stepping_;
-  std::array<BodySet, max_bodies> company_;  // of those: who takes the same step
-  std::array<double, max_bodies> begin_{};   // of that
+  std::array<BodySet, max_bodies> island_;  // of those: who takes the same step
+  std::array<double, max_bodies> start_{};  // of that
 };
 
 }  // namespace mirocup::simulator

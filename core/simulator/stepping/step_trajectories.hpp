@@ -19,20 +19,21 @@ namespace mirocup::simulator {
 
 // A step of `length` seconds along an arc, in the middle of which the body is `bend` (m, in the field's
 // frame) beside it: where it is `span` seconds after the begin.
-BodyState along_bent_arc(const BodyState& begin, const Vec2& bend, double length, double span);
+BodyState along_corrected_arc(const BodyState& begin, const Vec2& correction, double length,
+                              double span);
 
 // The way that such a step of `length` seconds takes from its begin, at time t, to where it ends.
-Way way_along_bent_arc(const BodyState& begin, const Vec2& end, const Vec2& bend, double t,
-                       double length);
+MotionBound bound_of_corrected_arc(const BodyState& begin, const Vec2& end, const Vec2& correction,
+                                   double t, double length);
 
 // The rest of such a step, which began at `step_begin`, s of the tick, from where the body is now.
-Segment bent_segment(const BodyState& now, const Vec2& bend, double step_begin, double begin,
-                     double end);
+Segment corrected_segment(const BodyState& now, const Vec2& correction, double step_begin,
+                          double begin, double end);
 
-class StepPaths {
+class StepTrajectories {
  public:
   // Both outlive it. Looking at a step resets the problem.
-  StepPaths(const Arena& arena, SoftProblem& problem);
+  StepTrajectories(const StaticWorld& world, RegularizedQp& problem);
 
   // What a step is judged by: its members, each at the begin with the twist of the step, its contacts
   // at the end with their impulses.
@@ -48,33 +49,35 @@ class StepPaths {
   // who nearly touches at the begin, or presses: that is for bend(), which comes next.
   bool is_clear(const Step& step);
   // None of them is beside an arc, until bend() says so: for the begin of each attempt at a step.
-  void straighten(const BodySet& members);
+  void clear_corrections(const BodySet& members);
   // Bends the arcs of the members where those who press or touched would overlap. Returns how deep two
   // of them still do, m.
-  double bend(const Step& step);
+  double correct_middle(const Step& step);
   // How deep two of them did when the step began, m.
   double overlap_at_begin(const Step& step) { return overlap_at(step, 0.0); }
   // How long the next such step may be, s, to overlap by a little less than is allowed.
   double next_length(const Step& step, double overlap) const;
 
   // Of a body's last step; stays until the next attempt at one with that body.
-  const Vec2& bend_of(int member) const { return bend_[member]; }
+  const Vec2& correction_of(int member) const { return correction_[member]; }
 
  private:
-  bool passes_through(const Step& step, const Pair& pair);
+  bool tunnels(const Step& step, const Pair& pair);
   double overlap_at(const Step& step, double part);
-  double gap_there(const Contact& contact) const;
-  double push_middle_apart(const Step& step);
+  double sampled_gap(const Contact& contact) const;
+  double project_middle(const Step& step);
 
-  const Arena& arena_;
-  SoftProblem& problem_;
-  std::array<InverseMass, max_bodies> shifted_;  // bodies that do not turn
-  bool is_bent_ = false;
-  double farthest_ = 0.0;  // m: how far the last bend() wanted to take somebody beside an arc
-  std::array<Vec2, max_bodies> bend_;              // m, of each member
-  std::array<BodyState, max_bodies> there_;        // at the part of the step that is looked at
-  std::array<const Contact*, max_unknowns> near_;  // contacts of pairs that may overlap there
-  int near_count_ = 0;
+  const StaticWorld& world_;
+  RegularizedQp& qp_;
+  std::array<InverseMass, max_bodies> translation_mass_;  // bodies that do not turn
+  bool is_corrected_ = false;
+  double largest_correction_ =
+      0.0;  // m: how far the last bend() wanted to take somebody beside an arc
+  std::array<Vec2, max_bodies> correction_;    // m, of each member
+  std::array<BodyState, max_bodies> sampled_;  // at the part of the step that is looked at
+  std::array<const Contact*, max_unknowns>
+      near_contacts_;  // contacts of pairs that may overlap there
+  int near_contact_count_ = 0;
   std::vector<Segment> arcs_;  // of two that may pass through each other
 };
 

@@ -24,10 +24,10 @@
 
 namespace mirocup::simulator {
 
-class ContactStepping {
+class TimeStepper {
  public:
   // Both outlive it.
-  ContactStepping(const Arena& arena, SoftProblem& problem);
+  TimeStepper(const StaticWorld& world, RegularizedQp& problem);
 
   // Who steps together, and for how long, s; nobody, if no contact lasts.
   struct Step {
@@ -38,12 +38,12 @@ class ContactStepping {
   // Of the candidates, the first that touches another or may before the step ends, and all that are so
   // connected with it. Sets the twists of the members to what they keep during the step, which is no
   // longer than `longest`, s.
-  Step take(const BodySet& candidates, std::span<const Contact> touching,
-            std::span<const Drive> drives, std::span<const InverseMass> mass, double longest,
-            std::span<BodyState> bodies);
+  Step take_step(const BodySet& candidates, std::span<const Contact> touching,
+                 std::span<const DriveReference> drives, std::span<const InverseMass> mass,
+                 double longest, std::span<BodyState> bodies);
 
   // How far a body is beside its arc in the middle of the step that it takes, m.
-  const Vec2& bend(int member) const { return paths_.bend_of(member); }
+  const Vec2& correction(int member) const { return trajectories_.correction_of(member); }
   // A body keeps one twist for a whole step, with all that the step's forces give it. From that one,
   // what it would be after that part of the step if they gave it bit by bit: for who is interrupted.
   Twist twist_after(int member, const Twist& kept, double part) const;
@@ -54,66 +54,69 @@ class ContactStepping {
   // Who was in no step of the last tick may take a long one again.
   void begin_tick();
   // The next step begins from nothing: bodies were moved.
-  void forget();
+  void forget_forces();
 
  private:
   // A contact that pressed in a step: the next one begins with its force, but with no more than it gave
   // then. Of a short one that stopped something, the force says nothing about a longer one.
-  struct Pressed {
+  struct RememberedForce {
     Pair pair;
     ContactPoint point;
     double force;    // N
     double impulse;  // N s
   };
 
-  double fastest_of(const BodySet& some, std::span<const BodyState> bodies) const;
-  double longest_step(const BodySet& some, std::span<const BodyState> bodies) const;
-  double next_step(const BodySet& some) const;
-  double reach_of_motors(const BodySet& candidates, double length,
-                         std::span<const BodyState> bodies) const;
-  bool find(const BodySet& candidates, std::span<const Contact> touching,
-            std::span<const Drive> drives, std::span<const InverseMass> mass, double length,
-            std::span<const BodyState> bodies, Step& step);
-  void look_ahead(const BodySet& candidates, std::span<const Contact> touching, double length,
-                  std::span<const BodyState> bodies);
-  bool settle(const BodySet& members, std::span<const Drive> drives,
-              std::span<const InverseMass> mass, double length, std::span<const BodyState> bodies);
-  void pose(const BodySet& members, std::span<const Drive> drives,
-            std::span<const InverseMass> mass, double length);
-  void solve(const BodySet& members, std::span<const InverseMass> mass, double length);
+  double max_point_speed(const BodySet& some, std::span<const BodyState> bodies) const;
+  double max_step_length(const BodySet& some, std::span<const BodyState> bodies) const;
+  double proposed_length(const BodySet& some) const;
+  double motor_reach(const BodySet& candidates, double length,
+                     std::span<const BodyState> bodies) const;
+  bool attempt(const BodySet& candidates, std::span<const Contact> touching,
+               std::span<const DriveReference> drives, std::span<const InverseMass> mass,
+               double length, std::span<const BodyState> bodies, Step& step);
+  void predict_contacts(const BodySet& candidates, std::span<const Contact> touching, double length,
+                        std::span<const BodyState> bodies);
+  bool solve_until_settled(const BodySet& members, std::span<const DriveReference> drives,
+                           std::span<const InverseMass> mass, double length,
+                           std::span<const BodyState> bodies);
+  void build_problem(const BodySet& members, std::span<const DriveReference> drives,
+                     std::span<const InverseMass> mass, double length);
+  void solve_impulses(const BodySet& members, std::span<const InverseMass> mass, double length);
   void set_bounds(int i, double bound);
-  double most_grip(double length) const;  // N s
-  void leave_overlaps(double length, std::span<const BodyState> bodies);
+  double max_grip(double length) const;  // N s
+  void allow_initial_overlaps(double length, std::span<const BodyState> bodies);
   bool has_settled(double touch) const;
-  bool stays_apart(const BodySet& members, double length);
-  void recall(const BodySet& members, double length);
-  void keep_what_presses(const Step& step);
+  bool check_trajectories(const BodySet& members, double length);
+  void warm_start(const BodySet& members, double length);
+  void remember_forces(const Step& step);
 
-  const Arena& arena_;
-  SoftProblem& problem_;
+  const StaticWorld& world_;
+  RegularizedQp& qp_;
   ContactList contacts_;
   std::array<ConstraintRow, max_unknowns> tangent_rows_;  // of contacts with friction
   Unknowns tangent_impulse_;                              // N s, of those
   int tangent_count_ = 0;
-  std::array<double, max_unknowns> left_;  // m, of each contact's overlap at the begin, that stays
+  std::array<double, max_unknowns>
+      allowed_overlap_;  // m, of each contact's overlap at the begin, that stays
   std::array<ConstraintRow, max_robots> wheel_rows_;
-  std::array<double, max_robots> wheel_force_;      // N, of each robot in its last step
-  std::array<double, max_robots> wheel_impulse_{};  // N s, of each robot in this step
-  std::array<Pressed, max_unknowns> pressed_;       // of each body in its last step
-  int pressed_count_ = 0;
-  BodySet stepped_;                           // in this tick
-  double next_ = 0.0;                         // s, by what the last attempt at a step was like
-  std::array<double, max_bodies> next_step_;  // s, of each body, by what its last one was like
+  std::array<double, max_robots> wheel_force_;            // N, of each robot in its last step
+  std::array<double, max_robots> wheel_impulse_{};        // N s, of each robot in this step
+  std::array<RememberedForce, max_unknowns> remembered_;  // of each body in its last step
+  int remembered_count_ = 0;
+  BodySet stepped_;           // in this tick
+  double next_length_ = 0.0;  // s, by what the last attempt at a step was like
+  std::array<double, max_bodies>
+      proposed_length_of_;  // s, of each body, by what its last one was like
   // Of each unknown, contacts first, then tangents, then wheels: its row and its impulse, N s.
   std::array<const ConstraintRow*, max_unknowns> row_;
   std::array<double*, max_unknowns> impulse_;
-  std::array<BodyState, max_bodies> begin_;  // with the twists of the step
-  std::array<Twist, max_bodies> before_;     // of each body, before its last step
-  std::array<BodyState, max_bodies> end_;    // with the twists of the step
-  std::array<BodyState, max_bodies> alone_;  // twists at the end if there were no contacts
-  Unknowns alone_rate_;                      // m/s, of each unknown: its rate then
+  std::array<BodyState, max_bodies> start_;          // with the twists of the step
+  std::array<Twist, max_bodies> twist_before_;       // of each body, before its last step
+  std::array<BodyState, max_bodies> end_;            // with the twists of the step
+  std::array<BodyState, max_bodies> unconstrained_;  // twists at the end if there were no contacts
+  Unknowns unconstrained_rate_;                      // m/s, of each unknown: its rate then
   std::array<Box, max_bodies> boxes_;
-  StepPaths paths_;
+  StepTrajectories trajectories_;
 };
 
 }  // namespace mirocup::simulator

@@ -46,20 +46,22 @@ MotorDecay motor_decay(const Parameters& p, double span) {
   return decay;
 }
 
-bool is_quiet(const Parameters& p, const BodyState& robot, const Drive& drive, double span) {
-  if (!drive.wheels_on_ground || std::abs(robot.twist.left) > no_sliding) return false;
-  const double turn = fastest(robot.twist.turn, drive.turn);
+bool has_closed_form(const Parameters& p, const BodyState& robot, const DriveReference& drive,
+                     double span) {
+  if (!drive.wheels_on_ground || std::abs(robot.twist.left) > slip_round_off) return false;
+  const double turn = fastest(robot.twist.omega, drive.omega);
   if (span * (turn + 1.0 / p.motor_time_constant) > farthest) return false;
   return fastest(robot.twist.forward, drive.forward) * turn < p.grip * gravity;
 }
 
-BodyState moved(const BodyState& robot, const Drive& drive, const MotorDecay& decay) {
+BodyState closed_form_state(const BodyState& robot, const DriveReference& drive,
+                            const MotorDecay& decay) {
   const double speed_to_lose = robot.twist.forward - drive.forward;
-  const double turn_to_lose = robot.twist.turn - drive.turn;
+  const double turn_to_lose = robot.twist.omega - drive.omega;
   const double turned_by_motor = turn_to_lose * decay.time_constant;
   std::array<double, gauss_nodes> angle;
   for (int i = 0; i < gauss_nodes; ++i) {
-    angle[i] = drive.turn * (decay.span * node[i]) + turned_by_motor * (1.0 - decay.at_node[i]);
+    angle[i] = drive.omega * (decay.span * node[i]) + turned_by_motor * (1.0 - decay.at_node[i]);
   }
   const SinCosOfSome heading = headings(angle);
   double along = 0.0;
@@ -69,11 +71,11 @@ BodyState moved(const BodyState& robot, const Drive& drive, const MotorDecay& de
     along += way * heading.cos[i];
     aside += way * heading.sin[i];
   }
-  const double turned = drive.turn * decay.span + turned_by_motor * (1.0 - decay.at_end);
+  const double turned = drive.omega * decay.span + turned_by_motor * (1.0 - decay.at_end);
   return {robot.position + robot.heading.to_world({along * decay.span, aside * decay.span}),
           robot.heading.turned(sincos(turned)),
           {drive.forward + speed_to_lose * decay.at_end, 0.0,
-           drive.turn + turn_to_lose * decay.at_end}};
+           drive.omega + turn_to_lose * decay.at_end}};
 }
 
 }  // namespace mirocup::simulator

@@ -32,11 +32,12 @@ MotorDecay motor_decay(const Parameters& parameters, double span);
 
 // Can the robot's motion over `span` seconds be had this way? The wheels roll and will roll, and it
 // does not turn too far for the rule.
-bool is_quiet(const Parameters& parameters, const BodyState& robot, const Drive& drive,
-              double span);
+bool has_closed_form(const Parameters& parameters, const BodyState& robot,
+                     const DriveReference& drive, double span);
 
 // The robot after decay.span seconds.
-BodyState moved(const BodyState& robot, const Drive& drive, const MotorDecay& decay);
+BodyState closed_form_state(const BodyState& robot, const DriveReference& drive,
+                            const MotorDecay& decay);
 
 // The faster of a speed now and what the motors aim at.
 inline double fastest(double now, double aim) {
@@ -48,8 +49,8 @@ inline double fastest(double now, double aim) {
 
 // A box that holds its centre on the way from `robot` to `end`, as moved() gave it: a way of length l
 // lies within l/2 of the middle between its ends.
-inline Box box_around_way(const BodyState& robot, const BodyState& end, const Drive& drive,
-                          const MotorDecay& decay) {
+inline Box closed_form_box(const BodyState& robot, const BodyState& end,
+                           const DriveReference& drive, const MotorDecay& decay) {
   const double now = robot.twist.forward;
   const double aim = drive.forward;
   const bool turns_back = now * aim < 0.0;
@@ -63,13 +64,14 @@ inline Box box_around_way(const BodyState& robot, const BodyState& end, const Dr
 }
 
 // The same as a way that begins at `begin`, s of the tick.
-inline Way quiet_way(const BodyState& robot, const BodyState& end, const Drive& drive,
-                     const MotorDecay& decay, double begin) {
-  const double turn = fastest(robot.twist.turn, drive.turn);
+inline MotionBound closed_form_bound(const BodyState& robot, const BodyState& end,
+                                     const DriveReference& drive, const MotorDecay& decay,
+                                     double begin) {
+  const double turn = fastest(robot.twist.omega, drive.omega);
   const double along = (drive.forward - robot.twist.forward) / decay.time_constant;
   const double across = fastest(robot.twist.forward, drive.forward) * turn;
   const double acceleration = std::sqrt(along * along + across * across);
-  return way_between(robot.position, end.position, begin, decay.span, acceleration, turn);
+  return bound_between(robot.position, end.position, begin, decay.span, acceleration, turn);
 }
 
 }  // namespace mirocup::simulator

@@ -12,96 +12,98 @@ namespace {
 Series divided_by_time(const Series& p) {
   Series q;
   q.terms = p.terms;
-  for (int k = 1; k < series_terms; ++k) q[k - 1] = p[k];
+  for (int k = 1; k < max_terms; ++k) q[k - 1] = p[k];
   return q;
 }
 
 // When rolling wheels lose their grip: |omega v_f| rises above the limit.
-double slide_begins(const Parameters& p, const Segment& s, const Drive& drive) {
+double slide_begins(const Parameters& p, const Segment& s, const DriveReference& drive) {
   if (p.grip == infinite_grip) return never;
-  const double limit = sideways_limit(p);
+  const double limit = lateral_acceleration_limit(p);
   // Both speeds go monotonically from where they are to where the motors aim.
   const double fastest = std::max(std::abs(s.forward[0]), std::abs(drive.forward));
-  const double quickest = std::max(std::abs(s.turn[0]), std::abs(drive.turn));
+  const double quickest = std::max(std::abs(s.omega[0]), std::abs(drive.omega));
   if (fastest * quickest <= limit) return never;
-  const Series sideways = s.turn * s.forward;
+  const Series sideways = s.omega * s.forward;
   const double length = s.end - s.begin;
-  return std::min(first_fall(sideways, -limit, 0.0, length),
-                  first_fall(-1.0 * sideways, -limit, 0.0, length));
+  return std::min(first_crossing(sideways, -limit, 0.0, length),
+                  first_crossing(-1.0 * sideways, -limit, 0.0, length));
 }
 
 }  // namespace
 
-Drive drive_of(const Parameters& p, const WheelCommand& command) {
+DriveReference drive_reference(const Parameters& p, const WheelCommand& command) {
   if (!command) return {.wheels_on_ground = false};
   const double limit = p.wheel_speed_limit;
   const double left = std::clamp(command->left, -limit, limit);
   const double right = std::clamp(command->right, -limit, limit);
-  return {.forward = p.forward_speed(left, right), .turn = p.turn_rate(left, right)};
+  return {.forward = p.speed_reference(left, right), .omega = p.omega_reference(left, right)};
 }
 
-Wheels wheels_of(const Parameters& p, const BodyState& robot, const Drive& drive) {
-  if (!drive.wheels_on_ground) return Wheels::lifted;
-  if (p.grip == infinite_grip) return Wheels::rolling;
+WheelState wheel_state(const Parameters& p, const BodyState& robot, const DriveReference& drive) {
+  if (!drive.wheels_on_ground) return WheelState::lifted;
+  if (p.grip == infinite_grip) return WheelState::rolling;
   const Twist& v = robot.twist;
-  // Half the margin of sideways_limit(): a slide that began at the limit is seen to have begun.
+  // Half the margin of lateral_acceleration_limit(): a slide that began at the limit is seen to have begun.
   const bool turns_too_hard =
-      std::abs(v.turn * v.forward) > p.grip * gravity * (1.0 + 0.5 * grip_margin);
-  return std::abs(v.left) > no_sliding || turns_too_hard ? Wheels::sliding : Wheels::rolling;
+      std::abs(v.omega * v.forward) > p.grip * gravity * (1.0 + 0.5 * grip_margin);
+  return std::abs(v.left) > slip_round_off || turns_too_hard ? WheelState::sliding
+                                                             : WheelState::rolling;
 }
 
-void extend_twist_on_ground(const Parameters& p, const Drive& drive, double slide, int k,
+void extend_twist_on_ground(const Parameters& p, const DriveReference& drive, double slide, int k,
                             Segment& s) {
   const double rate = 1.0 / p.motor_time_constant;
   const double next = k + 1;
   const double aim = k == 0 ? 1.0 : 0.0;
-  s.turn[k + 1] = rate * (aim * drive.turn - s.turn[k]) / next;
+  s.omega[k + 1] = rate * (aim * drive.omega - s.omega[k]) / next;
   s.forward[k + 1] = rate * (aim * drive.forward - s.forward[k]) / next;
   if (slide == 0.0) return;
-  s.forward[k + 1] += product_term(s.turn, s.left, k) / next;
-  s.left[k + 1] = (-aim * slide * p.grip * gravity - product_term(s.turn, s.forward, k)) / next;
+  s.forward[k + 1] += product_term(s.omega, s.left, k) / next;
+  s.left[k + 1] = (-aim * slide * p.grip * gravity - product_term(s.omega, s.forward, k)) / next;
 }
 
 void extend_twist_lifted(int k, Segment& s) {
-  s.forward[k + 1] = product_term(s.turn, s.left, k) / (k + 1);
-  s.left[k + 1] = -product_term(s.turn, s.forward, k) / (k + 1);
-  s.turn[k + 1] = 0.0;
+  s.forward[k + 1] = product_term(s.omega, s.left, k) / (k + 1);
+  s.left[k + 1] = -product_term(s.omega, s.forward, k) / (k + 1);
+  s.omega[k + 1] = 0.0;
 }
 
-double slide_ends(const Segment& s, double slide) {
+double time_of_grip(const Segment& s, double slide) {
   const Series sideways = slide * (s.left[0] == 0.0 ? divided_by_time(s.left) : s.left);
-  return first_fall(sideways, 0.0, 0.0, s.end - s.begin);
+  return first_crossing(sideways, 0.0, 0.0, s.end - s.begin);
 }
 
-Segment drive(const Parameters& p, const BodyState& robot, const Drive& drive, double begin,
-              double horizon, double enough) {
-  const Wheels wheels = wheels_of(p, robot, drive);
-  const double quickest = std::max(std::abs(robot.twist.turn), std::abs(drive.turn));
-  const double rate = wheels == Wheels::lifted ? quickest : quickest + 1.0 / p.motor_time_constant;
+Segment drive(const Parameters& p, const BodyState& robot, const DriveReference& drive,
+              double begin, double horizon, double preferred_duration) {
+  const WheelState wheels = wheel_state(p, robot, drive);
+  const double quickest = std::max(std::abs(robot.twist.omega), std::abs(drive.omega));
+  const double rate =
+      wheels == WheelState::lifted ? quickest : quickest + 1.0 / p.motor_time_constant;
   double slide = 0.0;
-  if (wheels == Wheels::sliding) {
-    const bool starts = std::abs(robot.twist.left) <= no_sliding;
-    const double towards = starts ? -robot.twist.turn * robot.twist.forward : robot.twist.left;
+  if (wheels == WheelState::sliding) {
+    const bool starts = std::abs(robot.twist.left) <= slip_round_off;
+    const double towards = starts ? -robot.twist.omega * robot.twist.forward : robot.twist.left;
     slide = towards > 0.0 ? 1.0 : -1.0;
   }
 
   Segment s = moving_segment(robot, begin, std::min(horizon, begin + segment_length(rate)));
-  if (wheels != Wheels::lifted && std::abs(s.left[0]) <= no_sliding) s.left[0] = 0.0;
-  fill_series(s, enough, [&](int k) {
-    if (wheels == Wheels::lifted) {
+  if (wheels != WheelState::lifted && std::abs(s.left[0]) <= slip_round_off) s.left[0] = 0.0;
+  fill_series(s, preferred_duration, [&](int k) {
+    if (wheels == WheelState::lifted) {
       extend_twist_lifted(k, s);
     } else {
       extend_twist_on_ground(p, drive, slide, k, s);
     }
-    integrate_pose(s, k, wheels != Wheels::rolling);
+    integrate_pose(s, k, wheels != WheelState::rolling);
   });
 
-  if (wheels == Wheels::rolling) s.end = std::min(s.end, begin + slide_begins(p, s, drive));
-  if (wheels == Wheels::sliding) {
-    const double ends = begin + slide_ends(s, slide);
+  if (wheels == WheelState::rolling) s.end = std::min(s.end, begin + slide_begins(p, s, drive));
+  if (wheels == WheelState::sliding) {
+    const double ends = begin + time_of_grip(s, slide);
     if (ends <= s.end) {
       s.end = ends;
-      s.settles = Settles::sideways;
+      s.settles = TerminalState::sideways;
     }
   }
   return s;

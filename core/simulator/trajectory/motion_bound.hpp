@@ -8,34 +8,34 @@
 
 namespace mirocup::simulator {
 
-struct Way {
-  double begin = 0.0;       // s of the tick
-  Vec2 from{0.0, 0.0};      // m
-  Vec2 velocity{0.0, 0.0};  // m/s, from the curve's begin straight to its end
-  double bulge = 0.0;       // m: the reference point is never farther from where that leads
-  double turn_rate = 0.0;   // rad/s, at most
+struct MotionBound {
+  double begin = 0.0;          // s of the tick
+  Vec2 from{0.0, 0.0};         // m
+  Vec2 velocity{0.0, 0.0};     // m/s, from the curve's begin straight to its end
+  double max_deviation = 0.0;  // m: the reference point is never farther from where that leads
+  double max_omega = 0.0;      // rad/s, at most
 
   Vec2 at(double t) const { return from + (t - begin) * velocity; }
 };
 
 // What rounding adds to a bulge, m.
-inline constexpr double rounding_of_ways = 1e-12;
+inline constexpr double position_round_off = 1e-12;
 
 // Along a segment that has its end.
-Way way_along(const Segment& segment);
+MotionBound bound_of_segment(const Segment& segment);
 
 // Of a point that goes from one place to another within `span` seconds and never gains more than
 // `acceleration`, m/s^2.
-inline Way way_between(const Vec2& from, const Vec2& to, double begin, double span,
-                       double acceleration, double turn_rate) {
+inline MotionBound bound_between(const Vec2& from, const Vec2& to, double begin, double span,
+                                 double acceleration, double max_omega) {
   return {.begin = begin,
           .from = from,
           .velocity = span > 0.0 ? Vec2{(to - from) / span} : Vec2{0.0, 0.0},
-          .bulge = acceleration * span * span / 8.0 + rounding_of_ways,
-          .turn_rate = turn_rate};
+          .max_deviation = acceleration * span * span / 8.0 + position_round_off,
+          .max_omega = max_omega};
 }
 
 // A box that holds the reference point for `span` seconds from the way's begin.
-Box box_around(const Way& way, double span);
+Box box_around(const MotionBound& way, double span);
 
 }  // namespace mirocup::simulator

@@ -18,7 +18,7 @@ bool is_slow(const RollingDeceleration& d, double component) {
 Segment roll_per_axis(const RollingDeceleration& d, const BodyState& ball, double begin,
                       double horizon) {
   const Vec2 velocity{ball.twist.forward, ball.twist.left};
-  if (velocity.squaredNorm() <= no_rolling * no_rolling) {
+  if (velocity.squaredNorm() <= roll_round_off * roll_round_off) {
     return still_segment(ball, begin, horizon);
   }
   Braking braking = braking_along(d, velocity, Vec2{0.0, 0.0});
@@ -70,8 +70,8 @@ Braking braking_along(const RollingDeceleration& d, const Vec2& velocity, const 
     return braking;
   }
   double speed = std::sqrt(velocity.squaredNorm());
-  if (speed <= no_rolling) speed = 0.0;
-  braking.is_fixed = speed < slowest_own_direction;
+  if (speed <= roll_round_off) speed = 0.0;
+  braking.is_fixed = speed < min_speed_with_direction;
   const double force = std::sqrt(push.squaredNorm());
   Vec2 direction{0.0, 0.0};
   if (speed > 0.0) {
@@ -105,20 +105,21 @@ void extend_ball_twist(const RollingDeceleration& d, int k, Segment& ball, Braki
   const double rate_y = braking.y_is_slow ? d.slow_rate() : d.linear;
   ball.forward[k + 1] = -(rate_x * ball.forward[k] + d.constant * braking.x[k]) / (k + 1);
   ball.left[k + 1] = -(rate_y * ball.left[k] + d.constant * braking.y[k]) / (k + 1);
-  ball.turn[k + 1] = 0.0;
+  ball.omega[k + 1] = 0.0;
 }
 
-double braking_changes(const RollingDeceleration& d, const Segment& ball, const Braking& braking,
-                       double length) {
+double time_of_braking_change(const RollingDeceleration& d, const Segment& ball,
+                              const Braking& braking, double length) {
   if (!d.is_per_axis()) {
     if (braking.speed[0] <= 0.0) return never;
     const Series along = braking.x[0] * ball.forward + braking.y[0] * ball.left;
-    return first_fall(along, 0.0, 0.0, length);
+    return first_crossing(along, 0.0, 0.0, length);
   }
   const auto passes = [&](const Series& v, bool slow, double sign) {
-    if (!slow) return first_fall(sign * v, d.per_axis_below, 0.0, length);
+    if (!slow) return first_crossing(sign * v, d.per_axis_below, 0.0, length);
     const double above = d.per_axis_below * (1.0 + 2.0 * k_margin);
-    return std::min(first_fall(v, -above, 0.0, length), first_fall(-1.0 * v, -above, 0.0, length));
+    return std::min(first_crossing(v, -above, 0.0, length),
+                    first_crossing(-1.0 * v, -above, 0.0, length));
   };
   return std::min(passes(ball.forward, braking.x_is_slow, braking.x[0]),
                   passes(ball.left, braking.y_is_slow, braking.y[0]));
@@ -128,7 +129,7 @@ Segment roll(const RollingDeceleration& d, const BodyState& ball, double begin, 
   if (d.is_per_axis()) return roll_per_axis(d, ball, begin, horizon);
   const Vec2 velocity{ball.twist.forward, ball.twist.left};
   const double speed = std::sqrt(velocity.squaredNorm());
-  if (speed <= no_rolling) return still_segment(ball, begin, horizon);
+  if (speed <= roll_round_off) return still_segment(ball, begin, horizon);
 
   Segment s = still_segment(ball, begin, horizon);
   const double stops = begin + stopping_time(d, speed);
@@ -147,7 +148,7 @@ Segment roll(const RollingDeceleration& d, const BodyState& ball, double begin, 
     s.forward[k + 1] = ux * along;
     s.left[k + 1] = uy * along;
   });
-  if (s.end == stops) s.settles = Settles::everything;
+  if (s.end == stops) s.settles = TerminalState::everything;
   return s;
 }
 

@@ -33,11 +33,11 @@ RollingDeceleration rolling_deceleration(const Parameters& parameters);
 double stopping_time(const RollingDeceleration& d, double speed);
 
 // A ball in contact that is slower than this (m/s) lies still.
-inline constexpr double no_rolling = 1e-10;
+inline constexpr double roll_round_off = 1e-10;
 
 // The direction in which a ball brakes while something pushes it, as series. Below
-// `slowest_own_direction` it is kept fixed: it is not smooth where the speed is zero.
-inline constexpr double slowest_own_direction = 1e-3;  // m/s
+// `min_speed_with_direction` it is kept fixed: it is not smooth where the speed is zero.
+inline constexpr double min_speed_with_direction = 1e-3;  // m/s
 struct Braking {
   bool is_fixed = false;
   Series x,
@@ -51,8 +51,8 @@ Braking braking_along(const RollingDeceleration& d, const Vec2& velocity, const 
 
 // When a ball in contact has to be looked at again, in seconds from the begin of its segment and at
 // most `length`, or never: it stops, or, per axis, passes k.
-double braking_changes(const RollingDeceleration& d, const Segment& ball, const Braking& braking,
-                       double length);
+double time_of_braking_change(const RollingDeceleration& d, const Segment& ball,
+                              const Braking& braking, double length);
 
 // One more term of the ball's twist from the terms up to k, without contacts.
 void extend_ball_twist(const RollingDeceleration& d, int k, Segment& ball, Braking& braking);

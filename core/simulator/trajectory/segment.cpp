@@ -15,7 +15,7 @@ Segment still_segment(const BodyState& body, double begin, double end) {
   s.y[0] = body.position.y();
   s.cos[0] = body.heading.cos;
   s.sin[0] = body.heading.sin;
-  set_terms(s, fewest_terms);
+  set_terms(s, min_terms);
   return s;
 }
 
@@ -23,20 +23,20 @@ Segment moving_segment(const BodyState& body, double begin, double end) {
   Segment s = still_segment(body, begin, end);
   s.forward[0] = body.twist.forward;
   s.left[0] = body.twist.left;
-  s.turn[0] = body.twist.turn;
-  set_terms(s, series_terms);
+  s.omega[0] = body.twist.omega;
+  set_terms(s, max_terms);
   return s;
 }
 
 Segment steady_segment(const BodyState& body, double begin, double end) {
   Segment s = moving_segment(body, begin, end);
-  for (int k = 0; k < series_terms - 1; ++k) integrate_pose(s, k);
+  for (int k = 0; k < max_terms - 1; ++k) integrate_pose(s, k);
   return s;
 }
 
 BodyState along_arc(const BodyState& body, double span) {
   const Twist& v = body.twist;
-  const double angle = v.turn * span;
+  const double angle = v.omega * span;
   const SinCos turned = sincos(angle);
   // sin(angle) / angle and (1 - cos(angle)) / angle, of which one series term is enough below this.
   constexpr double small = 1e-4;
@@ -60,8 +60,8 @@ void integrate_pose(Segment& s, int k, bool drifts) {
   double drift_x = 0.0;
   double drift_y = 0.0;
   for (int j = 0; j <= k; ++j) {
-    cos += s.turn[j] * s.sin[k - j];
-    sin += s.turn[j] * s.cos[k - j];
+    cos += s.omega[j] * s.sin[k - j];
+    sin += s.omega[j] * s.cos[k - j];
     x += s.forward[j] * s.cos[k - j];
     y += s.forward[j] * s.sin[k - j];
     if (!drifts) continue;
@@ -76,13 +76,13 @@ void integrate_pose(Segment& s, int k, bool drifts) {
 }
 
 void set_terms(Segment& s, int terms) {
-  for (Series* p : {&s.x, &s.y, &s.cos, &s.sin, &s.forward, &s.left, &s.turn}) p->terms = terms;
+  for (Series* p : {&s.x, &s.y, &s.cos, &s.sin, &s.forward, &s.left, &s.omega}) p->terms = terms;
 }
 
 namespace {
 
 // Terms that grow but are smaller than this (m) are let be.
-constexpr double least_growth = 1e-13;
+constexpr double min_growth = 1e-13;
 
 // The sizes of the last two coefficients of position and heading.
 struct LastTerms {
@@ -113,7 +113,7 @@ struct LastTerms {
   // beyond the length to which the series converges, and is no error of a tolerance's size yet.
   bool grow_over(double length, double power) const {
     for (int i = 0; i < 4; ++i) {
-      if (length * last_of[i] > before_of[i] && power * length * last_of[i] > least_growth)
+      if (length * last_of[i] > before_of[i] && power * length * last_of[i] > min_growth)
         return true;
     }
     return false;
@@ -154,11 +154,11 @@ BodyState body_at(const Segment& segment, double t) {
     const Pose pose = pose_of_terms<n>(segment, u);
     return BodyState{pose.position,
                      pose.heading,
-                     {segment.forward.at<n>(u), segment.left.at<n>(u), segment.turn.at<n>(u)}};
+                     {segment.forward.at<n>(u), segment.left.at<n>(u), segment.omega.at<n>(u)}};
   });
-  if (t == segment.end && segment.settles != Settles::nothing) {
+  if (t == segment.end && segment.settles != TerminalState::nothing) {
     body.twist.left = 0.0;
-    if (segment.settles == Settles::everything) body.twist.forward = 0.0;
+    if (segment.settles == TerminalState::everything) body.twist.forward = 0.0;
   }
   return body;
 }

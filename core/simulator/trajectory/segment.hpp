@@ -11,18 +11,19 @@
 namespace mirocup::simulator {
 
 // What is exactly zero at the end of a segment although its series leave a rounding error there.
-enum class Settles { nothing, sideways, everything };
+enum class TerminalState { nothing, sideways, everything };
 
 // Valid for begin <= t <= end, seconds since the begin of the tick. The series count from `begin`.
 struct Segment {
   double begin = 0.0;
   double end = 0.0;
 
-  Series x, y;                 // m
-  Series cos, sin;             // heading
-  Series forward, left, turn;  // twist
+  Series x, y;                  // m
+  Series cos, sin;              // heading
+  Series forward, left, omega;  // twist
 
-  Settles settles = Settles::nothing;  // sliding wheels that grip again, a ball that stops
+  TerminalState settles =
+      TerminalState::nothing;  // sliding wheels that grip again, a ball that stops
 };
 
 // A body that keeps its place: pose, and a twist of zero.
@@ -47,8 +48,8 @@ void set_terms(Segment& segment, int terms);
 // What the last two terms of a pose's series may come to together, m or of 1; what they leave out
 // is a hundredth of that or less. Bodies that press on each other can do with less than one alone:
 // where they press, their gaps are zero whatever is left out.
-inline constexpr double alone_to = 1e-10;
-inline constexpr double in_contact_to = 4e-10;
+inline constexpr double free_truncation = 1e-10;
+inline constexpr double contact_truncation = 4e-10;
 
 // Have the pose's series converged to that over that length? All terms must be there.
 bool has_converged(const Segment& segment, double length, double to);
@@ -60,15 +61,15 @@ double converged_length(const Segment& segment, double longest, double to);
 // As few terms as hold for `enough` seconds or the whole segment; the length is cut to what the
 // terms hold for.
 template <class Extend>
-void fill_series(Segment& segment, double enough, Extend extend) {
+void fill_series(Segment& segment, double preferred_duration, Extend extend) {
   const double wanted = segment.end - segment.begin;
   int k = 0;
   for (const int terms : term_counts) {
     for (; k < terms - 1; ++k) extend(k);
     set_terms(segment, terms);
-    if (has_converged(segment, std::min(wanted, enough), alone_to)) break;
+    if (has_converged(segment, std::min(wanted, preferred_duration), free_truncation)) break;
   }
-  const double length = converged_length(segment, wanted, alone_to);
+  const double length = converged_length(segment, wanted, free_truncation);
   if (length < wanted) segment.end = segment.begin + length;
 }
 

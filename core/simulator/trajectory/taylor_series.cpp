@@ -167,7 +167,7 @@ double safe_step(double value, double slope, double curvature) {
 
 }  // namespace
 
-double first_fall(const Series& p, double level, double begin, double end) {
+double first_crossing(const Series& p, double level, double begin, double end) {
   if (p[0] + least_change(p, end) > level) return never;
 
   // Looks at one window after the other; a window is made smaller where the bounds over it are too
@@ -189,7 +189,7 @@ double first_fall(const Series& p, double level, double begin, double end) {
       for (int step = 0; step < steps_per_window && t < window; ++step) {
         const Value here = evaluate(local, t);
         const double height = here.p - level;
-        if (height <= closeness) return origin + t;
+        if (height <= root_tolerance) return origin + t;
         const double ahead = safe_step(height, here.slope, curvature);
         if (origin + (t + ahead) <= origin + t)
           return origin + t;  // closer than the clock can tell

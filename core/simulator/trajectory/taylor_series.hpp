@@ -17,16 +17,16 @@ namespace mirocup::simulator {
 
 // How many coefficients, t^0 .. t^(n-1), a series may have: few of a short curve.
 inline constexpr std::array<int, 4> term_counts{6, 8, 10, 14};
-inline constexpr int fewest_terms = term_counts.front();
-inline constexpr int series_terms = term_counts.back();
+inline constexpr int min_terms = term_counts.front();
+inline constexpr int max_terms = term_counts.back();
 
 // "Never", where a time is asked for.
 inline constexpr double never = std::numeric_limits<double>::infinity();
 
 // Values in any unit, t in seconds from the begin of the segment that the series belongs to.
 struct Series {
-  std::array<double, series_terms> c{};
-  int terms = series_terms;  // one of term_counts: all coefficients from there on are zero
+  std::array<double, max_terms> c{};
+  int terms = max_terms;  // one of term_counts: all coefficients from there on are zero
 
   double operator[](int k) const { return c[k]; }
   double& operator[](int k) { return c[k]; }
@@ -44,7 +44,7 @@ struct Series {
   static Series constant(double value) {
     Series s;
     s.c[0] = value;
-    s.terms = fewest_terms;
+    s.terms = min_terms;
     return s;
   }
 };
@@ -95,8 +95,8 @@ Range change_over(const Series& p, double length);
 // It cannot skip a root: every step stays left of the first root of a parabola that lies below p,
 // and the parabola's curvature bounds that of p from below over the whole interval. Near a simple
 // root it converges quadratically; p at the result is at most `level` + `closeness`.
-inline constexpr double closeness = 1e-14;
-double first_fall(const Series& p, double level, double begin, double end);
+inline constexpr double root_tolerance = 1e-14;
+double first_crossing(const Series& p, double level, double begin, double end);
 
 // The longest segment worth trying for a motion with rates up to `rate` (1/s: turn rates and
 // reciprocal time constants added). One exponential, or a steady turn, is exact to 1e-13 of itself

@@ -123,7 +123,7 @@ TEST(Match, IsTheSameFromBothEnds) {
           ASSERT_EQ(sa.robots[t][i].position, -sb.robots[t][i].position) << "tick " << sa.tick;
           ASSERT_EQ(sa.robots[t][i].heading.cos, -sb.robots[t][i].heading.cos);
           ASSERT_EQ(sa.robots[t][i].heading.sin, -sb.robots[t][i].heading.sin);
-          ASSERT_EQ(sa.robots[t][i].twist.turn, sb.robots[t][i].twist.turn);
+          ASSERT_EQ(sa.robots[t][i].twist.omega, sb.robots[t][i].twist.omega);
         }
       }
       ASSERT_EQ(sa.score, sb.score);

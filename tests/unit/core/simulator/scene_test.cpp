@@ -57,7 +57,7 @@ TEST(Scene, PushesABallThroughTheSlowSpeedOfOneAxis) {
   scene.robots = {robot_at(0.0, 0.0, 0.0, 20.0)};
   const SceneResult result = run_scene(scene, standard);
   EXPECT_NEAR(result.samples.back().ball->velocity.x(), 0.45, 0.01);
-  EXPECT_LT(result.trace.position_evaluations, 1000);
+  EXPECT_LT(result.statistics.position_evaluations, 1000);
 }
 
 // A ball at 45 degrees against the side: the normal part turns by restitution, the other loses the
@@ -112,7 +112,7 @@ TEST(Scene, PlaysWithOtherConvexShapes) {
   EXPECT_NEAR(end.robots[0].position.x(), -apothem, 1e-9);
   EXPECT_NEAR(end.robots[1].position.x(), apothem, 1e-9);
   EXPECT_LT(std::abs(end.robots[0].twist.forward), 1e-9);
-  EXPECT_LT(result.trace.deepest_overlap, 1e-9);
+  EXPECT_LT(result.statistics.deepest_overlap, 1e-9);
 }
 
 TEST(Scene, ShowsTheStateAfterAnImpactAtTheTimeOfASample) {
@@ -122,11 +122,12 @@ TEST(Scene, ShowsTheStateAfterAnImpactAtTheTimeOfASample) {
   scene.sample_at = {0.25};
   const SceneResult result = run_scene(scene, standard);
   EXPECT_NEAR(result.samples[1].ball->velocity.x(), -0.8, 1e-14);
-  ASSERT_EQ(result.trace.impacts.size(), 1u);
-  EXPECT_NEAR(result.trace.impacts[0].time, 0.25, 1e-9);
-  EXPECT_EQ(result.trace.impacts[0].second, no_body);
-  EXPECT_EQ(result.trace.impacts[0].normal.x(), -1.0);
-  EXPECT_NEAR(result.trace.impacts[0].impulse, 1.8 * scene.parameters.effective_ball_mass(), 1e-14);
+  ASSERT_EQ(result.statistics.impacts.size(), 1u);
+  EXPECT_NEAR(result.statistics.impacts[0].time, 0.25, 1e-9);
+  EXPECT_EQ(result.statistics.impacts[0].second, no_body);
+  EXPECT_EQ(result.statistics.impacts[0].normal.x(), -1.0);
+  EXPECT_NEAR(result.statistics.impacts[0].impulse, 1.8 * scene.parameters.effective_ball_mass(),
+              1e-14);
 }
 
 // Looking more often changes nothing but rounding: ticks of any length play the same scene.
@@ -168,7 +169,7 @@ TEST(Scene, KeepsOverlapSmallAtEveryAccuracy) {
                                     angle + std::acos(-1.0) + 0.05 * i, 40.0 + 2.0 * i));
   }
   const auto overlap = [&](Accuracy a) {
-    return run_scene(scene, tolerances_of(a)).trace.deepest_overlap;
+    return run_scene(scene, tolerances_of(a)).statistics.deepest_overlap;
   };
   EXPECT_LT(overlap(Accuracy::coarse), 1e-6);
   EXPECT_LT(overlap(Accuracy::standard), 1e-9);

@@ -15,7 +15,7 @@ namespace {
 // Everything goes in small steps.
 Tolerances hasty() {
   Tolerances tolerances;
-  tolerances.followed_per_tick = 0;
+  tolerances.event_budget = 0;
   return tolerances;
 }
 
@@ -55,7 +55,7 @@ TEST(World, SmallStepsLeaveNoOverlaps) {
     stepped += world.advance(whirl(tick), 0.033).stepped;
     for (int i = 0; i < 6; ++i) {
       for (int j = 0; j < i; ++j) {
-        const geometry::Outline& shape = world.arena().robot_outline;
+        const geometry::Outline& shape = world.static_world().robot_outline;
         EXPECT_GT(gap(shape, body_of(world, i), shape, body_of(world, j)), -1e-9) << tick;
       }
     }
@@ -83,7 +83,7 @@ TEST(World, SmallStepsSeeAllContacts) {
     for (int i = 0; i < max_robots; ++i) {
       for (int j = 0; j < i; ++j) {
         const BodyState body = body_of(world, i);
-        EXPECT_GT(gap(world.arena(), pair_of(i, j), body, body_of(world, j)), -1e-6) << tick;
+        EXPECT_GT(gap(world.static_world(), pair_of(i, j), body, body_of(world, j)), -1e-6) << tick;
       }
     }
   }
@@ -98,7 +98,7 @@ TEST(World, NoStepIsTakenInNoTime) {
     const BodyState before = body_of(world, 0);
     EXPECT_FALSE(world.advance(whirl(tick), 0.0).stepped);
     EXPECT_NEAR((body_of(world, 0).position - before.position).norm(), 0.0, 1e-9);
-    EXPECT_TRUE(std::isfinite(body_of(world, 0).twist.turn));
+    EXPECT_TRUE(std::isfinite(body_of(world, 0).twist.omega));
   }
 }
 
@@ -129,7 +129,7 @@ TEST(World, ForgetsWhatWasBeforeBodiesWereSet) {
 TEST(World, StepsEndWithTheCompany) {
   const field::Field field = field::make_field(League::small);
   Tolerances tolerances;
-  tolerances.followed_per_tick = 6;
+  tolerances.event_budget = 6;
   World world(&field, Parameters{}, tolerances, 3, true);
   for (int i = 0; i < 3; ++i) {
     const Heading heading = Heading::from_angle(0.4 * (i - 1));
@@ -146,7 +146,8 @@ TEST(World, StepsEndWithTheCompany) {
     for (int i = 0; i < 3; ++i) {
       const BodyState body = body_of(world, i);
       for (int k = 0; k < plane_walls + end_walls; ++k) {
-        EXPECT_GT(gap(world.arena(), pair_with_obstacle(i, k), body, BodyState{}), -1e-9) << tick;
+        EXPECT_GT(gap(world.static_world(), pair_with_obstacle(i, k), body, BodyState{}), -1e-9)
+            << tick;
       }
     }
   }
@@ -157,7 +158,7 @@ TEST(World, StepsEndWithTheCompany) {
 // A share that is taken as linear is up to 4 % off.
 TEST(World, InterruptedStepsGiveNoMoreThanTheirShare) {
   Tolerances tolerances = hasty();
-  tolerances.step = 0.04;
+  tolerances.max_step = 0.04;
   const Parameters p;
   const double radii = 0.5 * p.robot_side + p.ball_radius;
   const std::array<WheelCommand, 2> commands{WheelSpeeds{40.0, 40.0}, WheelSpeeds{40.0, 40.0}};
@@ -169,7 +170,7 @@ TEST(World, InterruptedStepsGiveNoMoreThanTheirShare) {
     EXPECT_EQ(world.advance(commands, 0.033).impacts, ball_speed > 0.0 ? 1 : 0);
     return world.robot(0).twist.forward;
   };
-  const double asked = p.forward_speed(40.0, 40.0);
+  const double asked = p.speed_reference(40.0, 40.0);
   EXPECT_NEAR(speed(0.0), -expm1(-0.033 / p.motor_time_constant) * asked, 1e-12);
   for (const double ball_speed : {1.0, 2.0, 5.0}) {
     EXPECT_NEAR(speed(ball_speed), speed(0.0), 0.04 * asked) << ball_speed;
@@ -199,7 +200,7 @@ TEST(World, WhoIsHitInterruptsNobodyFarAway) {
   const auto disturbed = far_pair(2.0);
   for (int i = 0; i < 2; ++i) {
     EXPECT_EQ(disturbed[i].position, undisturbed[i].position);
-    EXPECT_EQ(disturbed[i].twist.turn, undisturbed[i].twist.turn);
+    EXPECT_EQ(disturbed[i].twist.omega, undisturbed[i].twist.omega);
   }
 }
 

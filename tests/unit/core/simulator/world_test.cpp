@@ -16,7 +16,7 @@ namespace {
 // Everything is followed, however long it takes.
 Tolerances patient() {
   Tolerances tolerances;
-  tolerances.followed_per_tick = 1'000'000;
+  tolerances.event_budget = 1'000'000;
   return tolerances;
 }
 
@@ -39,7 +39,7 @@ TEST(World, RobotsAreExactWhenTheirTurnIsReversed) {
   }
 }
 
-// Wheels of infinite grip hold nothing while they are off the ground; put down, they hold at once.
+// WheelState of infinite grip hold nothing while they are off the ground; put down, they hold at once.
 TEST(World, LiftedRobotsSlideWhateverTheGrip) {
   Parameters parameters;
   parameters.grip = infinite_grip;
@@ -105,16 +105,16 @@ TEST(World, PostsPushRobotsOutAndNothingElse) {
   const double reach = parameters.robot_side / 2.0 - overlap;
   const BodyState start{post + reach * outwards, {diagonal, diagonal}, {}};
   world.set_robot(0, start);
-  const InverseMass before = world.arena().grounded_robot;
+  const InverseMass before = world.static_world().grounded_robot;
   const WheelCommand standing = WheelSpeeds{};
   world.advance({&standing, 1}, 0.033);
   EXPECT_NEAR(outwards.dot(world.robot(0).position - start.position), overlap, 1e-9);
-  EXPECT_EQ(world.arena().grounded_robot.forward, before.forward);
-  EXPECT_EQ(world.arena().grounded_robot.left, before.left);
-  EXPECT_EQ(world.arena().grounded_robot.turn, before.turn);
+  EXPECT_EQ(world.static_world().grounded_robot.forward, before.forward);
+  EXPECT_EQ(world.static_world().grounded_robot.left, before.left);
+  EXPECT_EQ(world.static_world().grounded_robot.omega, before.omega);
 }
 
-// Wheels that are stopped push others that stand, these slide, stop and push back, ever less.
+// WheelState that are stopped push others that stand, these slide, stop and push back, ever less.
 TEST(World, SlidesOfACrowdAreStoppedTogether) {
   const field::Field field = field::make_field(League::large);
   World world(&field, Parameters{}, Tolerances{}, 9, false);

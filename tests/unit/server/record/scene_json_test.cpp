@@ -33,7 +33,7 @@ TEST(SceneJson, ReadsEverything) {
   EXPECT_EQ(scene->parameters.contact_friction.robot_robot, 0.3);
   EXPECT_EQ(scene->parameters.robot_corners.corners, 4);
   EXPECT_EQ(scene->robots[0].wheels[1].speeds.right, 4.0);
-  EXPECT_EQ(scene->robots[0].state.twist.turn, 2.0);
+  EXPECT_EQ(scene->robots[0].state.twist.omega, 2.0);
   EXPECT_EQ(scene->robots[1].name, "robot2");
   EXPECT_FALSE(scene->robots[1].wheels_on_ground);
   EXPECT_EQ(scene->sample_at, (std::vector<double>{0.1, 0.3}));

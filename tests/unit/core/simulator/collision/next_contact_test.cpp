@@ -18,15 +18,15 @@ namespace {
 // tilted against that front by `tilt` and turns at `rate` around the corner, which slides along the
 // front at `slide`, m/s.
 struct Tilted {
-  Arena arena = make_arena(nullptr, Parameters{}, Tolerances{}, 2, false);
+  StaticWorld world = make_static_world(nullptr, Parameters{}, Tolerances{}, 2, false);
   std::array<Segment, 2> segments;
   Contact contact;
 
   Tilted(double tilt, double rate, double slide, double length) {
-    const double half = arena.parameters.robot_side / 2.0;
+    const double half = world.parameters.robot_side / 2.0;
     segments[0] = still_segment(BodyState{}, 0.0, length);
     // Corner 2 of a square is its left end behind, where its edge at the back begins.
-    const geometry::Outline& shape = arena.robot_outline;
+    const geometry::Outline& shape = world.robot_outline;
     const Vec2 corner = shape.corner[2];
     const Heading heading = Heading::from_angle(tilt);
     const Vec2 touching{half, -0.01};
@@ -34,12 +34,12 @@ struct Tilted {
     body.heading = heading;
     body.position = touching - heading.to_world(corner);
     Segment s = moving_segment(body, 0.0, length);
-    s.turn[0] = rate;
+    s.omega[0] = rate;
     // The centre's speed in its own frame: the corner's, minus what turning gives the corner.
     double cos = std::cos(tilt);
     double sin = std::sin(tilt);
     double factor = 1.0;
-    for (int k = 0; k < series_terms; ++k) {
+    for (int k = 0; k < max_terms; ++k) {
       s.forward[k] = factor * slide * sin;
       s.left[k] = factor * slide * cos;
       const double turned_cos = -sin;  // derivatives of cos(tilt + rate t), sin(tilt + rate t)
@@ -49,7 +49,7 @@ struct Tilted {
     }
     s.forward[0] += rate * corner.y();
     s.left[0] -= rate * corner.x();
-    for (int k = 0; k + 1 < series_terms; ++k) integrate_pose(s, k);
+    for (int k = 0; k + 1 < max_terms; ++k) integrate_pose(s, k);
     segments[1] = s;
 
     contact.pair = pair_of(0, 1);
@@ -68,14 +68,14 @@ struct Tilted {
   }
 
   double next(bool others = false) const {
-    return next_corner_down(arena, contact, others, segments, 1e-12);
+    return next_corner_contact(world, contact, others, segments, 1e-12);
   }
 };
 
 TEST(Pressing, FindsTheOtherCornerComingDown) {
   for (const double rate : {0.5, 4.0, 20.0}) {
     const Tilted down(0.02, -rate, 0.0, 0.05);
-    ASSERT_TRUE(keeps_apart(down.arena, down.contact));
+    ASSERT_TRUE(is_separating_edge(down.world, down.contact));
     EXPECT_NEAR(down.next(), 0.02 / rate < 0.05 ? 0.02 / rate : never, 1e-9) << rate;
     EXPECT_EQ(Tilted(0.02, rate, 0.0, 0.01).next(), never) << rate;
   }
@@ -94,39 +94,39 @@ TEST(Pressing, FlushEdgesStayFlush) {
 TEST(Pressing, KnowsNothingOfContactsThatDoNotPress) {
   Tilted tilted(0.02, -4.0, 0.0, 0.02);
   tilted.contact.resting.is_persistent = false;
-  EXPECT_FALSE(keeps_apart(tilted.arena, tilted.contact));
+  EXPECT_FALSE(is_separating_edge(tilted.world, tilted.contact));
   tilted.contact.resting.is_active = false;
-  EXPECT_FALSE(keeps_apart(tilted.arena, tilted.contact));
+  EXPECT_FALSE(is_separating_edge(tilted.world, tilted.contact));
   // Tilted the other way, the corner that touches is at the end of the front: beside it the other
   // one is beyond the front's line already, and comes down on nothing.
-  const Tilted beside(-0.02, -4.0, 0.0, 0.02);
-  EXPECT_FALSE(keeps_apart(beside.arena, beside.contact));
+  const Tilted off_diagonal(-0.02, -4.0, 0.0, 0.02);
+  EXPECT_FALSE(is_separating_edge(off_diagonal.world, off_diagonal.contact));
 }
 
 // The rows of such a contact: the gap stays, the lever on the edge's side grows as the corner
 // slides, the edge's normal turns in the robot's frame.
-TEST(ContactRows, FollowACornerAlongAnEdge) {
+TEST(ContactSeries, FollowACornerAlongAnEdge) {
   constexpr double tilt = 0.02;
   constexpr double rate = -4.0;
   constexpr double slide = 0.3;
   const Tilted t(tilt, rate, slide, 0.02);
-  ContactRows rows;
-  start_rows(t.arena, t.contact, t.segments, rows);
+  ContactSeries rows;
+  start_rows(t.world, t.contact, t.segments, rows);
   EXPECT_NEAR(rows.first_a[2], t.contact.row.on_a[2], 1e-15);
   EXPECT_NEAR(rows.first_b[2], -t.contact.row.on_b[2], 1e-15);
   double factor = 1.0;  // of term k of a function of the angle: its derivative times this
-  for (int k = 0; k + 1 < series_terms; ++k) {
+  for (int k = 0; k + 1 < max_terms; ++k) {
     EXPECT_NEAR(rows.heading.c[k][0], factor * std::cos(tilt + k * pi / 2.0), 1e-12) << k;
     EXPECT_NEAR(rows.heading.c[k][1], factor * std::sin(tilt + k * pi / 2.0), 1e-12) << k;
-    extend_rows(t.arena, t.contact, t.segments, k, rows);
+    extend_rows(t.world, t.contact, t.segments, k, rows);
     EXPECT_NEAR(rows.lever_b[k + 1], k == 0 ? -slide : 0.0, 1e-12) << k;
     EXPECT_NEAR(gap_rate_term(t.contact, t.segments, k + 1, rows), 0.0, 1e-12) << k;
     factor *= rate / (k + 1);
   }
-  set_terms(rows, series_terms);
+  set_terms(rows, max_terms);
   // From y = -0.01 at 0.3 m/s to the end of the edge.
   EXPECT_EQ(time_on_edge(t.contact, rows, 0.0, 0.02), 0.02);
-  const double way = 0.01 + t.arena.parameters.robot_side / 2.0;
+  const double way = 0.01 + t.world.parameters.robot_side / 2.0;
   EXPECT_NEAR(time_on_edge(t.contact, rows, 0.0, 1.0), way / slide, 1e-12);
 }
 

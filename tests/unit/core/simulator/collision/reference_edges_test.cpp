@@ -18,8 +18,8 @@ namespace {
 struct Gaps {
   double ahead, left;
 };
-std::array<BodyState, 2> beside(const Arena& arena, double turned, const Gaps& gaps) {
-  const double side = arena.parameters.robot_side;
+std::array<BodyState, 2> off_diagonal(const StaticWorld& world, double turned, const Gaps& gaps) {
+  const double side = world.parameters.robot_side;
   const Heading heading = Heading::from_angle(turned);
   const Vec2 place{side + gaps.ahead, side + gaps.left};
   return {BodyState{{0.0, 0.0}, heading, {}}, BodyState{heading.to_world(place), heading, {}}};
@@ -27,16 +27,17 @@ std::array<BodyState, 2> beside(const Arena& arena, double turned, const Gaps& g
 
 // The direction of the contacts after a way from these gaps to those, seen from the first square.
 Vec2 direction_after(double turned, const Gaps& from, const Gaps& to) {
-  const Arena arena = make_arena(nullptr, Parameters{}, Tolerances{}, 2, false);
-  const auto begin = beside(arena, turned, from);
-  const auto end = beside(arena, turned, to);
+  const StaticWorld world = make_static_world(nullptr, Parameters{}, Tolerances{}, 2, false);
+  const auto begin = off_diagonal(world, turned, from);
+  const auto end = off_diagonal(world, turned, to);
   ContactList list;
-  add_contacts(arena, pair_of(0, 1), end, 1e-3, list);
-  put_on_first_edges(arena, begin, end, list);
+  add_contacts(world, pair_of(0, 1), end, 1e-3, list);
+  use_reference_edges(world, begin, end, list);
   EXPECT_EQ(list.count, 2) << turned;
   const Contact& c = list.list[0];
   EXPECT_NEAR(c.point.gap,
-              std::abs(end[0].heading.to_body(c.point.normal).x()) > 0.5 ? to.ahead : to.left, 1e-12);
+              std::abs(end[0].heading.to_body(c.point.normal).x()) > 0.5 ? to.ahead : to.left,
+              1e-12);
   const Vec2 normal = end[0].heading.to_body(c.point.normal);
   return c.b == 0 ? normal : Vec2{-normal};
 }

@@ -33,10 +33,12 @@ TEST(FirstTouch, IsThatOfWhicheverCornerLeads) {
       const Heading heading = Heading::from_angle(pi - 2.0 * pi * leading / corners);
       const BodyState body{{0.1, 0.01}, heading, {-heading.cos, heading.sin, 0.0}};
       const Segment segment = steady_segment(body, 0.0, whole_tick);
-      const Mover mover{shape, segment};
-      EXPECT_NEAR(first_touch(mover, {cube, still}, 0.0, 0.0, whole_tick), 0.01, 1e-12) << leading;
-      EXPECT_NEAR(first_touch({cube, still}, mover, 0.0, 0.0, whole_tick), 0.01, 1e-12) << leading;
-      EXPECT_NEAR(first_touch_or_sinking(mover, {cube, still}, 1e-12, 0.0, whole_tick), 0.01,
+      const MovingOutline mover{shape, segment};
+      EXPECT_NEAR(time_of_impact(mover, {cube, still}, 0.0, 0.0, whole_tick), 0.01, 1e-12)
+          << leading;
+      EXPECT_NEAR(time_of_impact({cube, still}, mover, 0.0, 0.0, whole_tick), 0.01, 1e-12)
+          << leading;
+      EXPECT_NEAR(time_of_impact_or_penetration(mover, {cube, still}, 1e-12, 0.0, whole_tick), 0.01,
                   1e-12);
     }
   }
@@ -50,8 +52,9 @@ TEST(FirstTouch, OfTwoThatTouchIsWhenTheyHaveSunkIn) {
     const BodyState body{{0.08 + gap, 0.0}, Heading{}, {-1.0, 0.0, 0.0}};
     const Segment segment = steady_segment(body, 0.0, whole_tick);
     const double from = std::max(gap, 0.0);
-    EXPECT_NEAR(first_touch_or_sinking({cube, segment}, {cube, still}, sink, 0.0, whole_tick),
-                from + sink, 1e-12)
+    EXPECT_NEAR(
+        time_of_impact_or_penetration({cube, segment}, {cube, still}, sink, 0.0, whole_tick),
+        from + sink, 1e-12)
         << gap;
   }
 }

@@ -17,28 +17,29 @@ namespace {
 constexpr double overlap = 1e-6;
 
 struct Row {
-  Arena arena;
+  StaticWorld world;
   std::array<BodyState, 4> bodies{};
   std::array<InverseMass, 4> mass{};
   ContactList list;
 
   // Robots beside each other, `by` too close.
-  Row(int robots, double by, double side) : arena(make_arena(nullptr, {}, {}, robots, false)) {
+  Row(int robots, double by, double side)
+      : world(make_static_world(nullptr, {}, {}, robots, false)) {
     for (int i = 0; i < robots; ++i) {
-      bodies[i].position = {side * i * (arena.parameters.robot_side - by), 0.0};
-      mass[i] = arena.free_robot;
-      if (i > 0) add_contacts(arena, pair_of(i, i - 1), bodies, 1e-9, list);
+      bodies[i].position = {side * i * (world.parameters.robot_side - by), 0.0};
+      mass[i] = world.free_robot;
+      if (i > 0) add_contacts(world, pair_of(i, i - 1), bodies, 1e-9, list);
     }
   }
 };
 
 TEST(PushApart, TakesOverlapsAway) {
-  const auto problem = std::make_unique<SoftProblem>();
+  const auto problem = std::make_unique<RegularizedQp>();
   for (const double side : {1.0, -1.0}) {
     Row row(4, overlap, side);
-    push_apart(row.list.contacts(), row.mass, row.bodies, *problem);
+    project_positions(row.list.contacts(), row.mass, row.bodies, *problem);
     for (int i = 1; i < 4; ++i) {
-      const double left = gap(row.arena, pair_of(i, i - 1), row.bodies[i], row.bodies[i - 1]);
+      const double left = gap(row.world, pair_of(i, i - 1), row.bodies[i], row.bodies[i - 1]);
       EXPECT_NEAR(left, 0.0, 1e-10);
     }
     EXPECT_NEAR(row.bodies[0].position.x(), -side * 1.5 * overlap, 1e-10);
@@ -49,13 +50,13 @@ TEST(PushApart, TakesOverlapsAway) {
 // A robot between two that cannot be moved, with less room than it needs. Catches shifts that grow
 // until something gives in: bodies were thrown about by a hundred times what they overlapped.
 TEST(PushApart, DoesNotMoveFarWhereThereIsNoRoom) {
-  const auto problem = std::make_unique<SoftProblem>();
+  const auto problem = std::make_unique<RegularizedQp>();
   for (const double side : {1.0, -1.0}) {
     Row row(3, overlap, side);
     row.mass[0] = row.mass[2] = {};
-    push_apart(row.list.contacts(), row.mass, row.bodies, *problem);
+    project_positions(row.list.contacts(), row.mass, row.bodies, *problem);
     for (int i = 0; i < 3; ++i) {
-      const double begin = side * i * (row.arena.parameters.robot_side - overlap);
+      const double begin = side * i * (row.world.parameters.robot_side - overlap);
       EXPECT_LT(std::abs(row.bodies[i].position.x() - begin), 2.0 * overlap);
       EXPECT_LT(std::abs(row.bodies[i].position.y()), 2.0 * overlap);
       EXPECT_LT(std::abs(row.bodies[i].heading.sin), 1e-4);

@@ -14,7 +14,7 @@ struct Side {
   std::array<BodyState, 2> bodies;
   std::array<InverseMass, 2> mass;
   std::array<Contact, 1> contacts;
-  BoxProblem problem;
+  BoxQp problem;
 
   Side() {
     bodies[1].position = {0.075, 0.0};
@@ -28,7 +28,7 @@ struct Side {
     set_row(bodies, c);
   }
   void stop(int robot, double most) {
-    stop_slides(contacts, std::array{robot}, most, mass, bodies, problem);
+    arrest_slip(contacts, std::array{robot}, most, mass, bodies, problem);
   }
 };
 
@@ -44,7 +44,7 @@ TEST(StopSlides, StopsWhatTheGroundCanAndNoMore) {
   EXPECT_NEAR(side.bodies[1].twist.left, 0.75e-4, 1e-18);
 }
 
-// Wheels that are stopped must not drive a robot into another one: the contact pushes back.
+// WheelState that are stopped must not drive a robot into another one: the contact pushes back.
 TEST(StopSlides, LetsNoContactApproach) {
   Side side;
   side.bodies[1].heading = Heading{0.0, 1.0};  // its left is -x, towards the first one

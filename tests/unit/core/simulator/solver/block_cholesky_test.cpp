@@ -26,9 +26,9 @@ double rate(const ConstraintRow& row, const BodyVector& v) {
   return sum;
 }
 
-TEST(BodySystem, SolvesForSeveralRightSides) {
+TEST(BlockCholesky, SolvesForSeveralRightSides) {
   Random random(1);
-  BodySystem system;
+  BlockCholesky system;
   std::array<InverseMass, max_bodies> mass;
   for (int run = 0; run < 300; ++run) {
     BodySet bodies;
@@ -59,7 +59,7 @@ TEST(BodySystem, SolvesForSeveralRightSides) {
       for (const int i : some) {
         b[i][0] -= x[i][0] / mass[i].forward;
         b[i][1] -= x[i][1] / mass[i].left;
-        b[i][2] -= x[i][2] / mass[i].turn;
+        b[i][2] -= x[i][2] / mass[i].omega;
       }
       for (const ConstraintRow& row : rows) {
         const double by = 3.0 * rate(row, x);
@@ -77,8 +77,8 @@ TEST(BodySystem, SolvesForSeveralRightSides) {
 
 // A robot on wheels of infinite grip does not go sideways, a ball does not turn; both may be pushed
 // there. Catches an infinite mass that becomes a NaN.
-TEST(BodySystem, HoldsWhatHasNoInverseMass) {
-  BodySystem system;
+TEST(BlockCholesky, HoldsWhatHasNoInverseMass) {
+  BlockCholesky system;
   std::array<InverseMass, max_bodies> mass;
   mass[0] = {1.0, 0.0, 2.0};
   mass[1] = {1.0, 1.0, 0.0};

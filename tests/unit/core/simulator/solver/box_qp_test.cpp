@@ -16,7 +16,7 @@
 namespace mirocup::simulator {
 namespace {
 
-double worst_violation(const BoxProblem& p) {
+double worst_violation(const BoxQp& p) {
   double worst = 0.0;
   for (int i = 0; i < p.size(); ++i) {
     double w = p.b[i];
@@ -29,7 +29,7 @@ double worst_violation(const BoxProblem& p) {
 }
 
 // A = G G' with G of the given rank; every third unknown is boxed.
-void make_random(BoxProblem& p, int size, int rank, Random& random) {
+void make_random(BoxQp& p, int size, int rank, Random& random) {
   p.reset(size);
   std::vector<double> g(size * rank);
   for (double& x : g) x = random.uniform(-1.0, 1.0);
@@ -50,9 +50,9 @@ void make_random(BoxProblem& p, int size, int rank, Random& random) {
 
 // Rows that contradict each other have no solution. Catches bounds that are released in circles, with
 // ever larger unknowns: it ends, within the bounds and not above where it began.
-TEST(BoxProblem, EndsWhereRowsContradict) {
+TEST(BoxQp, EndsWhereRowsContradict) {
   Random random(5);
-  BoxProblem p;
+  BoxQp p;
   for (int i = 0; i < 100; ++i) {
     const int size = 40 + static_cast<int>(random.below(60));
     make_random(p, size, size / 3, random);
@@ -72,9 +72,9 @@ TEST(BoxProblem, EndsWhereRowsContradict) {
 }
 
 // Large problems are solved as exactly as small ones, also from nothing.
-TEST(BoxProblem, SolvesLargeProblems) {
+TEST(BoxQp, SolvesLargeProblems) {
   Random random(3);
-  BoxProblem p;
+  BoxQp p;
   for (int i = 0; i < 100; ++i) {
     const int size = 32 + static_cast<int>(random.below(60));
     make_random(p, size, size / 2, random);
@@ -83,9 +83,9 @@ TEST(BoxProblem, SolvesLargeProblems) {
   }
 }
 
-TEST(BoxProblem, SolvesRandomProblems) {
+TEST(BoxQp, SolvesRandomProblems) {
   Random random(1);
-  BoxProblem p;
+  BoxQp p;
   for (int i = 0; i < 3000; ++i) {
     const int size = 1 + static_cast<int>(random.below(24));
     make_random(p, size, size + 2, random);
@@ -94,9 +94,9 @@ TEST(BoxProblem, SolvesRandomProblems) {
   }
 }
 
-TEST(BoxProblem, SolvesRedundantContacts) {
+TEST(BoxQp, SolvesRedundantContacts) {
   Random random(2);
-  BoxProblem p;
+  BoxQp p;
   for (int i = 0; i < 3000; ++i) {
     const int size = 2 + static_cast<int>(random.below(24));
     make_random(p, size, 1 + static_cast<int>(random.below(size - 1)), random);
@@ -107,9 +107,9 @@ TEST(BoxProblem, SolvesRedundantContacts) {
 
 // Contacts close beside each other in a heap: catches a factorisation that divides by what rounding
 // leaves of a small pivot until it overflows.
-TEST(BoxProblem, SolvesNearlyRedundantContacts) {
+TEST(BoxQp, SolvesNearlyRedundantContacts) {
   Random random(3);
-  BoxProblem p;
+  BoxQp p;
   for (int i = 0; i < 300; ++i) {
     constexpr int rank = 12;
     constexpr int size = 48;
@@ -136,8 +136,8 @@ TEST(BoxProblem, SolvesNearlyRedundantContacts) {
   }
 }
 
-TEST(BoxProblem, OneContactIsADivision) {
-  BoxProblem p;
+TEST(BoxQp, OneContactIsADivision) {
+  BoxQp p;
   p.reset(1);
   p.a(0, 0) = 4.0;
   p.b[0] = -2.0;
@@ -148,9 +148,9 @@ TEST(BoxProblem, OneContactIsADivision) {
   EXPECT_EQ(p.x[0], 0.0);
 }
 
-TEST(BoxProblem, ContradictionGoesToTheBound) {
+TEST(BoxQp, ContradictionGoesToTheBound) {
   // Two equal rows that ask for different things: one of the two contacts lets go.
-  BoxProblem p;
+  BoxQp p;
   p.reset(2);
   for (int i = 0; i < 2; ++i) {
     for (int j = 0; j < 2; ++j) p.a(i, j) = 1.0;

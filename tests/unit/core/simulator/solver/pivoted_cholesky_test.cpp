@@ -11,7 +11,7 @@ namespace {
 
 // The Gram matrix of `rows`.
 template <std::size_t n>
-void set_gram(const std::array<std::array<double, 3>, n>& rows, Elimination& e) {
+void set_gram(const std::array<std::array<double, 3>, n>& rows, PivotedCholesky& e) {
   e.reset(n);
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j <= i; ++j) {
@@ -22,14 +22,14 @@ void set_gram(const std::array<std::array<double, 3>, n>& rows, Elimination& e) 
   }
 }
 
-TEST(Elimination, SolvesWhatIsIndependent) {
-  Elimination e;
+TEST(PivotedCholesky, SolvesWhatIsIndependent) {
+  PivotedCholesky e;
   set_gram<3>({{{2.0, 0.0, 0.0}, {1.0, 3.0, 0.0}, {0.5, -1.0, 1.0}}}, e);
   e.factorise();
   const std::array<double, 3> x{1.0, -2.0, 3.0};
   std::array<double, max_unknowns> rhs{};
   for (int i = 0; i < 3; ++i) {
-    EXPECT_FALSE(e.depends(i));
+    EXPECT_FALSE(e.is_redundant(i));
     for (int j = 0; j < 3; ++j) rhs[i] += e.a(std::max(i, j), std::min(i, j)) * x[j];
   }
   e.solve(rhs);
@@ -38,22 +38,22 @@ TEST(Elimination, SolvesWhatIsIndependent) {
 
 // Two contacts that push the same: the first in order takes it, the other is named and left at zero.
 // Dividing by what rounding leaves of the second one's pivot would give forces of any size.
-TEST(Elimination, NamesAnEquationThatFollowsFromOthers) {
-  Elimination e;
+TEST(PivotedCholesky, NamesAnEquationThatFollowsFromOthers) {
+  PivotedCholesky e;
   const double third = 1.0 / 3.0;
   set_gram<4>(
       {{{1.0, third, 0.0}, {third, 1.0, 0.0}, {1.0 + third, 1.0 + third, 0.0}, {0.0, 0.0, 1.0}}},
       e);
   e.factorise();
   int dependent = 0;
-  for (int i = 0; i < 4; ++i) dependent += e.depends(i);
+  for (int i = 0; i < 4; ++i) dependent += e.is_redundant(i);
   EXPECT_EQ(dependent, 1);
-  EXPECT_FALSE(e.depends(3));
+  EXPECT_FALSE(e.is_redundant(3));
   std::array<double, max_unknowns> rhs{};
   for (int i = 0; i < 4; ++i) rhs[i] = e.a(i, 0);  // for any i: a(0, i) of x = (1, 0, 0, 0)
   e.solve(rhs);
   for (int i = 0; i < 4; ++i) {
-    if (e.depends(i)) {
+    if (e.is_redundant(i)) {
       EXPECT_EQ(rhs[i], 0.0);
     }
     double sum = 0.0;

@@ -18,7 +18,7 @@ namespace {
 // others push only. There is a solution: twists that no gap minds.
 class RandomProblem {
  public:
-  RandomProblem(SoftProblem& problem, Random& random) : p_(problem) {
+  RandomProblem(RegularizedQp& problem, Random& random) : p_(problem) {
     const int bodies = 2 + static_cast<int>(random.below(max_bodies - 1));
     for (InverseMass& m : mass_) {
       m = {random.uniform(0.5, 2.0), random.uniform(0.5, 2.0), random.uniform(0.5, 2.0)};
@@ -76,7 +76,7 @@ class RandomProblem {
   void add(int body, const JacobianRow& row, double impulse, BodyVector& v) const {
     v[body][0] += impulse * row[0] * mass_[body].forward;
     v[body][1] += impulse * row[1] * mass_[body].left;
-    v[body][2] += impulse * row[2] * mass_[body].turn;
+    v[body][2] += impulse * row[2] * mass_[body].omega;
   }
   static double rate(const ConstraintRow& row, const BodyVector& v) {
     double sum = 0.0;
@@ -87,16 +87,16 @@ class RandomProblem {
     return sum;
   }
 
-  SoftProblem& p_;
+  RegularizedQp& p_;
   std::array<InverseMass, max_bodies> mass_;
   std::vector<ConstraintRow> rows_;
 };
 
 // Soft solutions are as good as their softness, also where contacts are redundant, and better when
 // asked for again.
-TEST(SoftProblem, Solves) {
+TEST(RegularizedQp, Solves) {
   Random random(2);
-  SoftProblem p;
+  RegularizedQp p;
   for (int i = 0; i < 300; ++i) {
     const RandomProblem problem(p, random);
     ASSERT_TRUE(p.solve()) << "case " << i;
@@ -107,9 +107,9 @@ TEST(SoftProblem, Solves) {
 }
 
 // What is solved for another b begins where the last one ended.
-TEST(SoftProblem, SolvesForAnotherB) {
+TEST(RegularizedQp, SolvesForAnotherB) {
   Random random(4);
-  SoftProblem p;
+  RegularizedQp p;
   for (int i = 0; i < 300; ++i) {
     RandomProblem problem(p, random);
     p.solve();
@@ -123,8 +123,8 @@ TEST(SoftProblem, SolvesForAnotherB) {
 
 // What is remembered of the last look changes no bit. Catches rates that are taken for those of another x,
 // or of other rows.
-TEST(SoftProblem, RemembersWhatWouldBeFoundAnew) {
-  SoftProblem p;
+TEST(RegularizedQp, RemembersWhatWouldBeFoundAnew) {
+  RegularizedQp p;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     Random random(seed);
     RandomProblem problem(p, random);
@@ -134,7 +134,7 @@ TEST(SoftProblem, RemembersWhatWouldBeFoundAnew) {
     p.solve();
 
     Random same(seed);
-    SoftProblem fresh;
+    RegularizedQp fresh;
     RandomProblem again(fresh, same);
     fresh.x = before;
     again.move_on(same);
@@ -145,8 +145,8 @@ TEST(SoftProblem, RemembersWhatWouldBeFoundAnew) {
 
 // A row of a body that cannot be moved, and one whose bounds leave nothing: catches a division by what
 // such a row gives.
-TEST(SoftProblem, LeavesGivenUnknowns) {
-  SoftProblem p;
+TEST(RegularizedQp, LeavesGivenUnknowns) {
+  RegularizedQp p;
   const std::array<InverseMass, 1> mass{InverseMass{1.0, 0.0, 1.0}};
   p.reset(mass);
   p.add({.a = 0, .b = no_body, .on_a = {0.0, 1.0, 0.0}, .on_b = {}});

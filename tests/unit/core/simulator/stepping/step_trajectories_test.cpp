@@ -9,23 +9,23 @@ namespace mirocup::simulator {
 namespace {
 
 // Catches a rest of a step that is bent as if it were all of it, or the other way.
-TEST(StepPaths, TheRestOfAStepGoesOnAsItBegan) {
+TEST(StepTrajectories, TheRestOfAStepGoesOnAsItBegan) {
   constexpr double step_begin = 0.011;
   constexpr double length = 0.003;
   for (const double side : {1.0, -1.0}) {
     const BodyState begin{{0.3, -0.2}, Heading::from_angle(0.7), {0.8 * side, -0.1 * side, 12.0}};
-    const Vec2 bend{2e-3 * side, -1e-3 * side};
+    const Vec2 correction{2e-3 * side, -1e-3 * side};
     for (const double part : {0.0, 0.3, 0.8}) {
       const double t = step_begin + part * length;
-      const BodyState now = along_bent_arc(begin, bend, length, part * length);
-      const Segment rest = bent_segment(now, bend, step_begin, t, step_begin + length);
+      const BodyState now = along_corrected_arc(begin, correction, length, part * length);
+      const Segment rest = corrected_segment(now, correction, step_begin, t, step_begin + length);
       for (const double later : {part, 0.5 * (part + 1.0), 1.0}) {
         const BodyState there = body_at(rest, step_begin + later * length);
-        const BodyState expected = along_bent_arc(begin, bend, length, later * length);
+        const BodyState expected = along_corrected_arc(begin, correction, length, later * length);
         EXPECT_LT((there.position - expected.position).norm(), 1e-12) << part << ", " << later;
       }
     }
-    const BodyState end = along_bent_arc(begin, bend, length, length);
+    const BodyState end = along_corrected_arc(begin, correction, length, length);
     EXPECT_EQ(end.position, along_arc(begin, length).position);
   }
 }

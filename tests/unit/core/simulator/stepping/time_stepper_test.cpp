@@ -18,55 +18,56 @@ namespace {
 // so that the corners would pass 0.05 mm deep through each other. Their gap is looked at on the way.
 void expect_apart_past_a_corner(double side, double before) {
   const Parameters p;
-  const Arena arena = make_arena(nullptr, p, Tolerances{}, 2, false);
-  SoftProblem problem;
-  ContactStepping steps(arena, problem);
-  const double reach = arena.robot_outline.radius;
+  const StaticWorld world = make_static_world(nullptr, p, Tolerances{}, 2, false);
+  RegularizedQp problem;
+  TimeStepper steps(world, problem);
+  const double reach = world.robot_outline.radius;
   std::array<BodyState, 2> bodies{BodyState{{0.0, 0.0}, Heading::from_angle(pi / 4.0), {}},
                                   BodyState{{side * (2.0 * reach - 5e-5), -side * before},
                                             Heading::from_angle(pi / 4.0),
                                             {side * std::sqrt(0.5), side * std::sqrt(0.5), 0.0}}};
-  const std::array<Drive, 2> lifted{drive_of(p, std::nullopt), drive_of(p, std::nullopt)};
-  const std::array<InverseMass, 2> mass{arena.free_robot, arena.free_robot};
+  const std::array<DriveReference, 2> lifted{drive_reference(p, std::nullopt),
+                                             drive_reference(p, std::nullopt)};
+  const std::array<InverseMass, 2> mass{world.free_robot, world.free_robot};
   const auto [members, length] =
-      steps.take(BodySet(3), {}, lifted, mass, arena.tolerances.step, bodies);
+      steps.take_step(BodySet(3), {}, lifted, mass, world.tolerances.max_step, bodies);
   ASSERT_EQ(members, BodySet(3));
-  EXPECT_EQ(length, arena.tolerances.step);
+  EXPECT_EQ(length, world.tolerances.max_step);
   for (int part = 0; part <= 1000; ++part) {
     const double t = length * part / 1000.0;
-    const BodyState a = along_bent_arc(bodies[0], steps.bend(0), length, t);
-    const BodyState b = along_bent_arc(bodies[1], steps.bend(1), length, t);
-    ASSERT_GT(gap(arena, pair_of(0, 1), b, a), -1e-6) << "after " << t << " s";
+    const BodyState a = along_corrected_arc(bodies[0], steps.correction(0), length, t);
+    const BodyState b = along_corrected_arc(bodies[1], steps.correction(1), length, t);
+    ASSERT_GT(gap(world, pair_of(0, 1), b, a), -1e-6) << "after " << t << " s";
   }
 }
 
 // Catches a step that only looks at its ends, where they are apart.
-TEST(ContactStepping, CornersDoNotPassThroughEachOther) {
-  const double step = Tolerances{}.step;
+TEST(TimeStepper, CornersDoNotPassThroughEachOther) {
+  const double step = Tolerances{}.max_step;
   for (const double side : {1.0, -1.0}) expect_apart_past_a_corner(side, 0.55 * step);
 }
 
 // At the step's end a corner is just past the other, a hair inside: by the edge that is nearest there it
 // would be pushed on. Catches a step that asks who does not press only.
-TEST(ContactStepping, CornersAreNotPushedOutOnTheOtherSide) {
-  const double step = Tolerances{}.step;
+TEST(TimeStepper, CornersAreNotPushedOutOnTheOtherSide) {
+  const double step = Tolerances{}.max_step;
   for (const double side : {1.0, -1.0}) expect_apart_past_a_corner(side, step - 2e-5);
 }
 
 // Two robots in touch turn as they roll, and a mirror image that rounding lets slide at 1e-17 m/s does the
 // same. Catches one whose frame turns away from its velocity: a ten thousandth slower after a step.
-TEST(ContactStepping, RoundingIsNoSliding) {
+TEST(TimeStepper, RoundingIsNoSliding) {
   const Parameters p;
-  const Arena arena = make_arena(nullptr, p, Tolerances{}, 2, false);
-  SoftProblem problem;
-  const std::array<Drive, 2> drives{drive_of(p, WheelSpeeds{10.0, 14.0}),
-                                    drive_of(p, WheelSpeeds{10.0, 14.0})};
-  const std::array<InverseMass, 2> mass{arena.grounded_robot, arena.grounded_robot};
+  const StaticWorld world = make_static_world(nullptr, p, Tolerances{}, 2, false);
+  RegularizedQp problem;
+  const std::array<DriveReference, 2> drives{drive_reference(p, WheelSpeeds{10.0, 14.0}),
+                                             drive_reference(p, WheelSpeeds{10.0, 14.0})};
+  const std::array<InverseMass, 2> mass{world.grounded_robot, world.grounded_robot};
   const auto speed = [&](double left) {
-    ContactStepping steps(arena, problem);
+    TimeStepper steps(world, problem);
     std::array<BodyState, 2> bodies{BodyState{{0.0, 0.0}, Heading{}, {0.3, left, 5.0}},
                                     BodyState{{p.robot_side, 0.01}, Heading{}, {0.3, 0.0, 5.0}}};
-    EXPECT_EQ(steps.take(BodySet(3), {}, drives, mass, 2e-3, bodies).members, BodySet(3));
+    EXPECT_EQ(steps.take_step(BodySet(3), {}, drives, mass, 2e-3, bodies).members, BodySet(3));
     return bodies[0].twist.forward;
   };
   EXPECT_NEAR(speed(1e-17), speed(0.0), 1e-12);
@@ -75,19 +76,19 @@ TEST(ContactStepping, RoundingIsNoSliding) {
 // A robot between two walls that stop it from turning within next to no time, and nothing to press it
 // afterwards. Catches a step that begins with the force of the one before, however long it is itself:
 // forces of which bodies feel nothing stay, and would drive them apart where they can move.
-TEST(ContactStepping, AShortStepsForceIsNotThatOfALongOne) {
+TEST(TimeStepper, AShortStepsForceIsNotThatOfALongOne) {
   const field::Field field = field::make_field(League::small);
   Parameters p;
   p.robot_side = 2.0 * field.half_width;
   p.robot_corners = {};
-  const Arena arena = make_arena(&field, p, Tolerances{}, 1, false);
-  SoftProblem problem;
-  ContactStepping steps(arena, problem);
+  const StaticWorld world = make_static_world(&field, p, Tolerances{}, 1, false);
+  RegularizedQp problem;
+  TimeStepper steps(world, problem);
   std::array<BodyState, 1> bodies{BodyState{{0.0, 0.0}, Heading{}, {0.0, 0.0, 0.01}}};
-  const std::array<Drive, 1> lifted{drive_of(p, std::nullopt)};
-  const std::array<InverseMass, 1> mass{arena.free_robot};
+  const std::array<DriveReference, 1> lifted{drive_reference(p, std::nullopt)};
+  const std::array<InverseMass, 1> mass{world.free_robot};
   const auto impulse_of_step = [&](double length) {
-    EXPECT_EQ(steps.take(BodySet(1), {}, lifted, mass, length, bodies).members, BodySet(1));
+    EXPECT_EQ(steps.take_step(BodySet(1), {}, lifted, mass, length, bodies).members, BodySet(1));
     bodies[0] = steps.end(0);
     double sum = 0.0;
     for (const Contact& c : steps.pressing()) sum += c.impact.impulse;
@@ -96,52 +97,54 @@ TEST(ContactStepping, AShortStepsForceIsNotThatOfALongOne) {
   const double stopped = impulse_of_step(1e-7);
   EXPECT_GT(stopped, 1e-5);
   EXPECT_LT(impulse_of_step(1e-3), 1.01 * stopped);
-  EXPECT_LT(std::abs(bodies[0].twist.turn), 1e-6);
+  EXPECT_LT(std::abs(bodies[0].twist.omega), 1e-6);
 }
 
 // A robot spins with a corner on another's side: it touches at both ends of a step and would be 10 µm
 // inside between, where somebody may run into it. Catches arcs that are not bent, or the wrong way, and
 // steps that are short instead.
-TEST(ContactStepping, TurningRobotsStayTogetherWithinAStep) {
+TEST(TimeStepper, TurningRobotsStayTogetherWithinAStep) {
   const Parameters p;
-  const Arena arena = make_arena(nullptr, p, Tolerances{}, 2, false);
-  SoftProblem problem;
-  ContactStepping steps(arena, problem);
+  const StaticWorld world = make_static_world(nullptr, p, Tolerances{}, 2, false);
+  RegularizedQp problem;
+  TimeStepper steps(world, problem);
   std::array<BodyState, 2> bodies;
   for (const double side : {1.0, -1.0}) {
-    const double reach = 0.5 * p.robot_side + arena.robot_outline.radius;
+    const double reach = 0.5 * p.robot_side + world.robot_outline.radius;
     const double out = side > 0.0 ? 0.0 : pi;
     bodies[0] = {{0.0, 0.0}, Heading::from_angle(out), {}};
     bodies[1] = {{side * reach, 0.0}, Heading::from_angle(out + pi / 4.0), {-0.2, 0.2, 20.0}};
-    const std::array<Drive, 2> lifted{drive_of(p, std::nullopt), drive_of(p, std::nullopt)};
-    const std::array<InverseMass, 2> mass{arena.free_robot, arena.free_robot};
-    const auto [members, length] = steps.take(BodySet(3), {}, lifted, mass, 2e-3, bodies);
+    const std::array<DriveReference, 2> lifted{drive_reference(p, std::nullopt),
+                                               drive_reference(p, std::nullopt)};
+    const std::array<InverseMass, 2> mass{world.free_robot, world.free_robot};
+    const auto [members, length] = steps.take_step(BodySet(3), {}, lifted, mass, 2e-3, bodies);
     ASSERT_EQ(members, BodySet(3));
     EXPECT_EQ(length, 2e-3);
-    EXPECT_GT(steps.bend(1).norm(), 1e-6);
+    EXPECT_GT(steps.correction(1).norm(), 1e-6);
     for (int part = 0; part <= 20; ++part) {
       const double t = length * part / 20.0;
-      const BodyState a = along_bent_arc(bodies[0], steps.bend(0), length, t);
-      const BodyState b = along_bent_arc(bodies[1], steps.bend(1), length, t);
-      EXPECT_GT(gap(arena, pair_of(0, 1), b, a), -1e-6) << t << " s";
+      const BodyState a = along_corrected_arc(bodies[0], steps.correction(0), length, t);
+      const BodyState b = along_corrected_arc(bodies[1], steps.correction(1), length, t);
+      EXPECT_GT(gap(world, pair_of(0, 1), b, a), -1e-6) << t << " s";
     }
   }
 }
 
 // What is left of a tick may be next to nothing, and two robots that overlap by a hair must not be
 // thrown apart within it. Catches a step that undoes all overlap at once: 0.3 m/s here.
-TEST(ContactStepping, ShortStepsDoNotThrowApart) {
+TEST(TimeStepper, ShortStepsDoNotThrowApart) {
   const Parameters p;
-  const Arena arena = make_arena(nullptr, p, Tolerances{}, 2, false);
-  SoftProblem problem;
-  ContactStepping steps(arena, problem);
+  const StaticWorld world = make_static_world(nullptr, p, Tolerances{}, 2, false);
+  RegularizedQp problem;
+  TimeStepper steps(world, problem);
   for (const double overlap : {1e-12, -1e-12, 5e-7, -5e-7}) {
     const double side = overlap > 0.0 ? 1.0 : -1.0;
     std::array<BodyState, 2> bodies{
         BodyState{}, BodyState{{side * p.robot_side - overlap, 0.01}, Heading{}, {}}};
-    const std::array<Drive, 2> drives{drive_of(p, WheelSpeeds{}), drive_of(p, WheelSpeeds{})};
-    const std::array<InverseMass, 2> mass{arena.grounded_robot, arena.grounded_robot};
-    const auto [members, length] = steps.take(BodySet(3), {}, drives, mass, 3e-12, bodies);
+    const std::array<DriveReference, 2> drives{drive_reference(p, WheelSpeeds{}),
+                                               drive_reference(p, WheelSpeeds{})};
+    const std::array<InverseMass, 2> mass{world.grounded_robot, world.grounded_robot};
+    const auto [members, length] = steps.take_step(BodySet(3), {}, drives, mass, 3e-12, bodies);
     ASSERT_EQ(members, BodySet(3));
     EXPECT_EQ(length, 3e-12);
     for (const BodyState& body : bodies) EXPECT_LT(std::abs(body.twist.forward), 1e-3);
@@ -150,20 +153,20 @@ TEST(ContactStepping, ShortStepsDoNotThrowApart) {
 
 // The ball rolls round a robot's corner: the contact is looked at again on the other side. Catches a
 // ball that is still held off the corner when the edge is nearer.
-TEST(Arena, LooksAgainRoundACorner) {
-  const Arena arena = make_arena(nullptr, Parameters{}, Tolerances{}, 1, true);
-  const double half = 0.5 * arena.parameters.robot_side;
-  const double radius = arena.parameters.ball_radius;
+TEST(StaticWorld, LooksAgainRoundACorner) {
+  const StaticWorld world = make_static_world(nullptr, Parameters{}, Tolerances{}, 1, true);
+  const double half = 0.5 * world.parameters.robot_side;
+  const double radius = world.parameters.ball_radius;
   std::array<BodyState, 2> bodies{BodyState{{0.0, 0.0}, Heading{}, {}}, BodyState{}};
   const Pair pair = pair_of(1, 0);
   for (const double end : {1.0, -1.0}) {
     bodies[1].position = {end * (half + 0.6 * radius), end * (half + 0.8 * radius)};
     ContactList list;
-    add_contacts(arena, pair, bodies, 1e-3, list);
+    add_contacts(world, pair, bodies, 1e-3, list);
     ASSERT_EQ(list.count, 1);
     ASSERT_EQ(list.list[0].point.kind, Touching::circle_on_corner);
     bodies[1].position = {end * (half - 0.001), end * (half + radius - 1e-6)};
-    look_again(arena, bodies, pair, list.list[0].point);
+    refresh_contact(world, bodies, pair, list.list[0].point);
     EXPECT_EQ(list.list[0].point.kind, Touching::circle_on_edge);
     EXPECT_NEAR(list.list[0].point.gap, -1e-6, 1e-15);
   }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// What a Way rules out may never happen: curves of all kinds are sampled.
+// What a MotionBound rules out may never happen: curves of all kinds are sampled.
 #include "core/simulator/trajectory/motion_bound.hpp"
 
-#include "core/simulator/collision/closest_approach.hpp"
-
 #include "core/base/random.hpp"
+#include "core/simulator/collision/closest_approach.hpp"
 #include "core/simulator/trajectory/closed_form.hpp"
 
 #include <gtest/gtest.h>
@@ -19,9 +18,9 @@ constexpr double tick = 0.033;
 
 struct Moving {
   BodyState body;
-  Drive drive;
+  DriveReference drive;
   Segment segment;
-  Way way;
+  MotionBound way;
 };
 
 Moving random_robot(Random& random, bool as_series) {
@@ -30,31 +29,33 @@ Moving random_robot(Random& random, bool as_series) {
   m.body.position = {random.uniform(-0.12, 0.12), random.uniform(-0.12, 0.12)};
   m.body.heading = Heading::from_angle(random.uniform(-pi, pi));
   m.body.twist = {random.uniform(-0.9, 0.9), 0.0, random.uniform(-7.0, 7.0)};
-  m.drive = drive_of(p, WheelSpeeds{random.uniform(-40.0, 40.0), random.uniform(-40.0, 40.0)});
+  m.drive =
+      drive_reference(p, WheelSpeeds{random.uniform(-40.0, 40.0), random.uniform(-40.0, 40.0)});
   m.segment = drive(p, m.body, m.drive, 0.0, tick, never);
   if (as_series) {
-    m.way = way_along(m.segment);
+    m.way = bound_of_segment(m.segment);
   } else {
     const MotorDecay decay = motor_decay(p, tick);
-    m.way = quiet_way(m.body, moved(m.body, m.drive, decay), m.drive, decay, 0.0);
+    m.way =
+        closed_form_bound(m.body, closed_form_state(m.body, m.drive, decay), m.drive, decay, 0.0);
   }
   return m;
 }
 
-TEST(Way, HoldsTheCurveAndItsTurning) {
+TEST(MotionBound, HoldsTheCurveAndItsTurning) {
   Random random(11);
   for (int i = 0; i < 400; ++i) {
     const Moving m = random_robot(random, i % 2 == 0);
     for (int k = 0; k <= 50; ++k) {
       const double t = m.segment.end * k / 50.0;
       const BodyState now = body_at(m.segment, t);
-      ASSERT_LE((now.position - m.way.at(t)).norm(), m.way.bulge) << i;
-      ASSERT_LE(std::abs(now.twist.turn), m.way.turn_rate * (1.0 + 1e-12)) << i;
+      ASSERT_LE((now.position - m.way.at(t)).norm(), m.way.max_deviation) << i;
+      ASSERT_LE(std::abs(now.twist.omega), m.way.max_omega * (1.0 + 1e-12)) << i;
     }
   }
 }
 
-TEST(Way, RulesOutNoTouch) {
+TEST(MotionBound, RulesOutNoTouch) {
   const Parameters p;
   const geometry::Outline shape = robot_outline(p);
   constexpr double margin = 1e-10;
@@ -68,9 +69,10 @@ TEST(Way, RulesOutNoTouch) {
     const geometry::Separation at_first = separation(shape, a.body, shape, b.body);
     if (at_first.gap <= margin) continue;
     const double end = std::min(a.segment.end, b.segment.end);
-    const Encounter encounter{a.way, b.way, 2.0 * shape.radius + margin, 0.0, end};
+    const ApproachQuery encounter{a.way, b.way, 2.0 * shape.radius + margin, 0.0, end};
     const bool apart = stays_out_of_reach(encounter);
-    const double earliest = earliest_touch(encounter, at_first, shape.radius, shape.radius, margin);
+    const double earliest =
+        earliest_contact_time(encounter, at_first, shape.radius, shape.radius, margin);
     out_of_reach += apart;
     never_touches += earliest == never;
     for (int k = 0; k <= 100; ++k) {

@@ -17,7 +17,7 @@ Series with_roots(std::initializer_list<double> roots, double factor) {
   Series p = Series::constant(factor);
   for (const double root : roots) {
     Series next;
-    for (int k = 0; k < series_terms; ++k) next[k] = (k > 0 ? p[k - 1] : 0.0) - root * p[k];
+    for (int k = 0; k < max_terms; ++k) next[k] = (k > 0 ? p[k - 1] : 0.0) - root * p[k];
     p = next;
   }
   return p;
@@ -43,7 +43,7 @@ TEST(Series, SumsOfProductsAreWhatTheyAreByThemselves) {
   for (const int terms : term_counts) {
     std::array<Series, 4> p;
     for (Series& series : p) {
-      series.terms = &series == &p[1] ? fewest_terms : terms;
+      series.terms = &series == &p[1] ? min_terms : terms;
       for (int k = 0; k < series.terms; ++k) series[k] = random.uniform(-1.0, 1.0);
     }
     EXPECT_EQ(sum_of_products(p[0], p[1], p[2], p[3]).c, (p[0] * p[1] + p[2] * p[3]).c);
@@ -55,18 +55,18 @@ TEST(Series, SumsOfProductsAreWhatTheyAreByThemselves) {
 TEST(FirstFall, FindsTheFirstOfSeveralRoots) {
   const Series p = with_roots({0.011, 0.017, 0.029}, -1e5);
   EXPECT_GT(p[0], 0.0);
-  EXPECT_NEAR(first_fall(p, 0.0, 0.0, 0.033), 0.011, 1e-12);
-  EXPECT_NEAR(first_fall(p, 0.0, 0.018, 0.033), 0.029, 1e-12);
-  EXPECT_EQ(first_fall(p, 0.0, 0.018, 0.028), never);
+  EXPECT_NEAR(first_crossing(p, 0.0, 0.0, 0.033), 0.011, 1e-12);
+  EXPECT_NEAR(first_crossing(p, 0.0, 0.018, 0.033), 0.029, 1e-12);
+  EXPECT_EQ(first_crossing(p, 0.0, 0.018, 0.028), never);
 }
 
 TEST(FirstFall, SeesAGrazeAndPassesANearMiss) {
   // Touches zero at 0.01 and rises again; then the same lifted by a nanometre.
   const Series graze = with_roots({0.01, 0.01}, 1.0);
-  EXPECT_NEAR(first_fall(graze, 0.0, 0.0, 0.033), 0.01, 2e-7);
+  EXPECT_NEAR(first_crossing(graze, 0.0, 0.0, 0.033), 0.01, 2e-7);
   Series miss = graze;
   miss[0] += 1e-9;
-  EXPECT_EQ(first_fall(miss, 0.0, 0.0, 0.033), never);
+  EXPECT_EQ(first_crossing(miss, 0.0, 0.0, 0.033), never);
 }
 
 TEST(FirstFall, AgreesWithAFineScanOnRandomPolynomials) {
@@ -80,7 +80,7 @@ TEST(FirstFall, AgreesWithAFineScanOnRandomPolynomials) {
       scale *= 2.0;
     }
     p[0] = random.uniform(0.01, 0.5);
-    const double found = first_fall(p, 0.0, 0.0, 1.0);
+    const double found = first_crossing(p, 0.0, 0.0, 1.0);
     const int cells = 4000;
     double scanned = never;
     for (int k = 1; k <= cells && scanned == never; ++k) {
