@@ -163,7 +163,7 @@ TEST(TimeStepper, ShortStepsDoNotThrowApart) {
 // ball that is still held off the corner when the edge is nearer.
 TEST(StaticWorld, LooksAgainRoundACorner) {
   const collision::StaticWorld world =
-      make_static_world(nullptr, Parameters{}, Tolerances{}, 1, true);
+      collision::make_static_world(nullptr, Parameters{}, Tolerances{}, 1, true);
   const double half = 0.5 * world.parameters.robot_side;
   const double radius = world.parameters.ball_radius;
   std::array<BodyState, 2> bodies{BodyState{{0.0, 0.0}, Heading{}, {}}, BodyState{}};
