@@ -18,11 +18,28 @@ struct TopicQos {
 };
 
 // The state of a tick is overtaken by the next one before a repair could arrive.
-inline constexpr TopicQos world_state{"WorldState", false, false, 1, 1};
+inline constexpr TopicQos world_state{.name = "WorldState",
+                                      .reliable = false,
+                                      .kept_for_late = false,
+                                      .written_depth = 1,
+                                      .read_depth = 1};
 // Room for what a stranger can push in between before the server looks.
-inline constexpr TopicQos team_command{"TeamCommand", false, false, 1, 256};
-inline constexpr TopicQos hello{"Hello", true, true, 1, 16};
-inline constexpr TopicQos welcome{"Welcome", true, true, 16, 16};
-inline constexpr TopicQos match_event{"MatchEvent", true, true, 1000, 1000};
+inline constexpr TopicQos team_command{.name = "TeamCommand",
+                                       .reliable = false,
+                                       .kept_for_late = false,
+                                       .written_depth = 1,
+                                       .read_depth = 256};
+inline constexpr TopicQos hello{
+    .name = "Hello", .reliable = true, .kept_for_late = true, .written_depth = 1, .read_depth = 16};
+inline constexpr TopicQos welcome{.name = "Welcome",
+                                  .reliable = true,
+                                  .kept_for_late = true,
+                                  .written_depth = 16,
+                                  .read_depth = 16};
+inline constexpr TopicQos match_event{.name = "MatchEvent",
+                                      .reliable = true,
+                                      .kept_for_late = true,
+                                      .written_depth = 1000,
+                                      .read_depth = 1000};
 
 }  // namespace mirocup::idl

@@ -11,7 +11,7 @@
 namespace mirocup::plugins {
 
 // How a process ended by itself.
-struct Ending {
+struct ExitStatus {
   int exit_code = 0;
   int signal = 0;  // 0: it exited
 };
@@ -28,7 +28,7 @@ class Child {
   ~Child();  // kills and reaps
 
   // How it ended, or nothing while it runs.
-  std::optional<Ending> ending();
+  std::optional<ExitStatus> exit_status();
 
   // Ends it, and in a process namespace all that it started; returns when it is gone.
   void kill();
@@ -47,7 +47,7 @@ class Child {
   pid_t pid_;
   clockid_t cpu_clock_ = 0;
   double cpu_ = 0.0;
-  std::optional<Ending> ending_;
+  std::optional<ExitStatus> exit_status_;
 };
 
 }  // namespace mirocup::plugins

@@ -11,9 +11,9 @@ namespace mirocup::plugins {
 namespace {
 
 constexpr std::string_view entry_name = "mirocup_entry";
-constexpr std::size_t most_segments = 256;
-constexpr std::size_t most_dynamic = 4096;
-constexpr std::size_t most_in_chain = 1u << 20;
+constexpr std::size_t max_segments = 256;
+constexpr std::size_t max_dynamic_entries = 4096;
+constexpr std::size_t max_chain_length = 1u << 20;
 
 #if defined(__x86_64__)
 constexpr Elf64_Half this_machine = EM_X86_64;
@@ -96,7 +96,7 @@ tl::expected<Elf64_Ehdr, std::string> read_header(const Image& image) {
   if (header->e_type == ET_REL) return bad("it is an object file: link it with -shared");
   if (header->e_type != ET_DYN) return bad("it is a program, not a library: link it with -shared");
   if (header->e_phentsize != sizeof(Elf64_Phdr) || header->e_phnum == 0 ||
-      header->e_phnum > most_segments) {
+      header->e_phnum > max_segments) {
     return bad("its program headers are damaged: build it again");
   }
   return *header;
@@ -120,7 +120,7 @@ tl::expected<Elf64_Phdr, std::string> read_segments(Image& image, const Elf64_Eh
 
 tl::expected<Dynamic, std::string> read_dynamic(const Image& image, const Elf64_Phdr& segment) {
   Dynamic dynamic;
-  for (std::size_t i = 0; i < most_dynamic; ++i) {
+  for (std::size_t i = 0; i < max_dynamic_entries; ++i) {
     const auto item = image.at_address<Elf64_Dyn>(segment.p_vaddr + i * sizeof(Elf64_Dyn));
     if (!item) break;
     const std::uint64_t value = item->d_un.d_val;
@@ -178,7 +178,7 @@ bool is_in_gnu_hash(const Image& image, const Dynamic& dynamic) {
   const std::uint64_t chains = table + std::uint64_t{4} * *buckets;
   const auto begin = image.at_address<std::uint32_t>(table + 4 * (hash % *buckets));
   if (!begin || *begin < *first) return false;
-  for (std::uint64_t i = *begin; i - *begin < most_in_chain; ++i) {
+  for (std::uint64_t i = *begin; i - *begin < max_chain_length; ++i) {
     const auto link = image.at_address<std::uint32_t>(chains + 4 * (i - *first));
     if (!link) return false;
     if ((*link | 1) == (hash | 1) && is_entry(image, dynamic, i)) return true;
@@ -191,7 +191,7 @@ bool is_in_any_hash(const Image& image, const Dynamic& dynamic) {
   if (dynamic.gnu_hash != 0) return is_in_gnu_hash(image, dynamic);
   const auto symbols = image.at_address<std::uint32_t>(dynamic.hash + 4);
   if (dynamic.hash == 0 || !symbols) return false;
-  for (std::uint64_t i = 0; i < *symbols && i < most_in_chain; ++i) {
+  for (std::uint64_t i = 0; i < *symbols && i < max_chain_length; ++i) {
     if (is_entry(image, dynamic, i)) return true;
   }
   return false;

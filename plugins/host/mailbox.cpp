@@ -9,14 +9,14 @@
 namespace mirocup::plugins {
 
 void wait_while_equal(const std::atomic<std::uint32_t>& word, std::uint32_t seen,
-                      std::optional<std::chrono::nanoseconds> at_most) {
-  timespec timeout{};
-  if (at_most) {
-    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(*at_most);
-    timeout = {.tv_sec = seconds.count(), .tv_nsec = (*at_most - seconds).count()};
+                      std::optional<std::chrono::nanoseconds> timeout) {
+  timespec limit{};
+  if (timeout) {
+    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(*timeout);
+    limit = {.tv_sec = seconds.count(), .tv_nsec = (*timeout - seconds).count()};
   }
   // Not the private form: the other side is another process.
-  syscall(SYS_futex, &word, FUTEX_WAIT, seen, at_most ? &timeout : nullptr, nullptr, 0);
+  syscall(SYS_futex, &word, FUTEX_WAIT, seen, timeout ? &limit : nullptr, nullptr, 0);
 }
 
 void wake(const std::atomic<std::uint32_t>& word) {

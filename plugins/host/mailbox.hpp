@@ -49,7 +49,7 @@ struct CommandPage {
 // Sleeps until the word is no longer `seen`, it is woken, or the time is over. May return early.
 // Without a time it sets no timer.
 void wait_while_equal(const std::atomic<std::uint32_t>& word, std::uint32_t seen,
-                      std::optional<std::chrono::nanoseconds> at_most = std::nullopt);
+                      std::optional<std::chrono::nanoseconds> timeout = std::nullopt);
 void wake(const std::atomic<std::uint32_t>& word);
 // Both, before either runs on this core. The other word must be writable here, and not 0.
 void wake(const std::atomic<std::uint32_t>& one, const std::atomic<std::uint32_t>& other);

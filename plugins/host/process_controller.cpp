@@ -33,7 +33,7 @@ constexpr std::chrono::milliseconds slice{20};
 constexpr std::uint32_t ticks_between_readings = 32;
 
 // How long the sandbox itself may take, s. Only a machine in great trouble needs so long.
-constexpr double longest_setup = 60.0;
+constexpr double max_setup_time = 60.0;
 
 // A sealed piece of memory of that size, mapped here for writing.
 template <class Page>
@@ -48,8 +48,8 @@ tl::unexpected<Error> not_available(const char* what) {
   return fail(Errc::unavailable, std::string(what) + ": " + std::strerror(errno));
 }
 
-double seconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 std::string seconds_text(double seconds) {
@@ -59,7 +59,7 @@ std::string seconds_text(double seconds) {
 }  // namespace
 
 Result<std::unique_ptr<ProcessController>> ProcessController::start(
-    const std::string& host_program, Isolation isolation, const Entry& entry,
+    const std::string& host_program, Isolation isolation, const SealedEntry& entry,
     const match::Briefing& briefing, const Budget& budget, std::optional<Deadline> deadline,
     std::shared_ptr<Doorbell> bell) {
   const Descriptor in_fd(memfd_create("observation", MFD_CLOEXEC | MFD_ALLOW_SEALING));
@@ -110,7 +110,7 @@ ProcessController::ProcessController(Child child, ObservationPage* in, CommandPa
       budget_(budget),
       deadline_(deadline),
       bell_(std::move(bell)),
-      posted_at_(Clock::now()),
+      posted_at_(WallClock::now()),
       asked_at_(posted_at_) {
   bell_->join();
 }
@@ -128,7 +128,7 @@ std::optional<HostFailure> ProcessController::wait_for_sandbox() {
   pollfd readable{setup_.get(), POLLIN, 0};
   char text[128];
   ssize_t length = 0;
-  if (poll(&readable, 1, static_cast<int>(1e3 * longest_setup)) > 0)
+  if (poll(&readable, 1, static_cast<int>(1e3 * max_setup_time)) > 0)
     length = read(setup_.get(), text, sizeof text);
   if (length == 1 && text[0] == sandbox_stands) {
     setup_.reset();
@@ -146,10 +146,10 @@ std::optional<HostFailure> ProcessController::wait_for_sandbox() {
 }
 
 // What the process itself said of its end.
-std::optional<Fault> ProcessController::label(const Ending& ending) const {
-  if (ending.signal == SIGSYS)
+std::optional<Fault> ProcessController::reported_fault(const ExitStatus& status) const {
+  if (status.signal == SIGSYS)
     return Fault{FaultCode::illegal_call, "the team made a system call that is not allowed"};
-  if (ending.signal == 0 && ending.exit_code == exit_faulted) {
+  if (status.signal == 0 && status.exit_code == exit_faulted) {
     const int signal = out_->fault_signal.load(std::memory_order_acquire);
     if (signal == SIGSYS) {
       return Fault{FaultCode::illegal_call,
@@ -159,11 +159,11 @@ std::optional<Fault> ProcessController::label(const Ending& ending) const {
     if (signal > 0 && signal < NSIG)
       return Fault{FaultCode::crash, "the team's process died of " + signal_text(signal)};
   }
-  if (ending.signal == 0 && ending.exit_code == exit_refused) {
+  if (status.signal == 0 && status.exit_code == exit_refused) {
     char copy[sizeof out_->text];
     std::memcpy(copy, out_->text, sizeof copy);
     copy[sizeof copy - 1] = '\0';
-    const std::string text = escaped(copy);
+    const std::string text = escape_unprintable(copy);
     switch (out_->load_state.load(std::memory_order_acquire)) {
       case LoadState::no_load:
         return Fault{FaultCode::no_load, text};
@@ -178,45 +178,45 @@ std::optional<Fault> ProcessController::label(const Ending& ending) const {
   return std::nullopt;
 }
 
-Answer ProcessController::death(const Ending& ending) {
+Answer ProcessController::answer_to_exit(const ExitStatus& status) {
   // The filter keeps a team from killing itself in this way.
-  if (ending.signal == SIGKILL) {
+  if (status.signal == SIGKILL) {
     return HostFailure{
         "a team's process was killed from outside: out of memory, or a cancelled job"};
   }
-  Fault fault = label(ending).value_or(Fault{
+  Fault fault = reported_fault(status).value_or(Fault{
       FaultCode::crash,
-      ending.signal != 0
-          ? "the team's process died of " + signal_text(ending.signal)
-          : "the team's process ended itself with exit code " + std::to_string(ending.exit_code)});
+      status.signal != 0
+          ? "the team's process died of " + signal_text(status.signal)
+          : "the team's process ended itself with exit code " + std::to_string(status.exit_code)});
   if (!is_ready_ && fault.code != FaultCode::no_load && fault.code != FaultCode::bad_abi)
     fault.text += ", while its library was loaded";
   return fault;
 }
 
 template <class Done>
-std::optional<Answer> ProcessController::wait(Done done, const Patience& patience,
-                                              std::optional<Clock::time_point> until) {
+std::optional<Answer> ProcessController::wait(Done done, const WaitLimit& limit,
+                                              std::optional<WallClock::time_point> until) {
   while (true) {
     if (done()) break;
     in_->is_awaited.store(1, std::memory_order_seq_cst);
     const std::uint32_t seen = out_->answer.load(std::memory_order_seq_cst);
     if (done()) break;
     std::chrono::nanoseconds pause = slice;
-    if (until) pause = std::clamp<std::chrono::nanoseconds>(*until - Clock::now(), {}, slice);
+    if (until) pause = std::clamp<std::chrono::nanoseconds>(*until - WallClock::now(), {}, slice);
     wait_while_equal(out_->answer, seen, pause);
     if (done()) break;
-    if (const auto ending = child_.ending()) return death(*ending);
+    if (const auto status = child_.exit_status()) return answer_to_exit(*status);
     cpu_ = child_.cpu_seconds();
-    const bool is_busy = cpu_ - cpu_at_post_ > patience.cpu;
-    if (is_busy || seconds_since(asked_at_) > patience.wall) {
+    const bool is_busy = cpu_ - cpu_at_post_ > limit.cpu;
+    if (is_busy || seconds_since(asked_at_) > limit.wall) {
       child_.kill();
-      return Fault{patience.late, "the team used more than " +
-                                      (is_busy ? seconds_text(patience.cpu) + " of processor time "
-                                               : seconds_text(patience.wall) + " ") +
-                                      patience.doing};
+      return Fault{limit.late, "the team used more than " +
+                                   (is_busy ? seconds_text(limit.cpu) + " of processor time "
+                                            : seconds_text(limit.wall) + " ") +
+                                   limit.doing};
     }
-    if (until && Clock::now() >= *until) {
+    if (until && WallClock::now() >= *until) {
       in_->is_awaited.store(0, std::memory_order_relaxed);
       return match::Late{};
     }
@@ -228,9 +228,11 @@ std::optional<Answer> ProcessController::wait(Done done, const Patience& patienc
 tl::expected<void, Answer> ProcessController::wait_until_ready() {
   if (auto failure = wait_for_sandbox()) return tl::unexpected<Answer>(*failure);
   const auto is_ready = [this] { return out_->load_state.load() == LoadState::ready; };
-  const Patience patience{budget_.start_cpu, budget_.start_wall, FaultCode::start_timeout,
-                          "to load its library and create its team"};
-  if (auto problem = wait(is_ready, patience, std::nullopt)) return tl::unexpected(*problem);
+  const WaitLimit limit{.cpu = budget_.start_cpu,
+                        .wall = budget_.start_wall,
+                        .late = FaultCode::start_timeout,
+                        .doing = "to load its library and create its team"};
+  if (auto problem = wait(is_ready, limit, std::nullopt)) return tl::unexpected(*problem);
   is_ready_ = true;
   cpu_at_ready_ = cpu_ = child_.cpu_seconds();
   start_wall_ = seconds_since(posted_at_);
@@ -238,7 +240,7 @@ tl::expected<void, Answer> ProcessController::wait_until_ready() {
 }
 
 void ProcessController::post(const match::Observation& observation) {
-  posted_at_ = Clock::now();
+  posted_at_ = WallClock::now();
   ++ticks_;
   // A team that still thinks about an older one gets the newest when it comes back. Without a
   // deadline that never happens.
@@ -253,20 +255,20 @@ void ProcessController::post(const match::Observation& observation) {
   bell_->ask(in_->request);
 }
 
-Answer ProcessController::late() {
+Answer ProcessController::count_late_tick() {
   ++late_;
   ++late_in_a_row_;
-  if (late_in_a_row_ <= deadline_->most_late_in_a_row && late_ <= deadline_->most_late)
+  if (late_in_a_row_ <= deadline_->max_late_in_a_row && late_ <= deadline_->max_late)
     return match::Late{};
   child_.kill();
   return Fault{FaultCode::hang,
-               "the team was late " + (late_ > deadline_->most_late
+               "the team was late " + (late_ > deadline_->max_late
                                            ? std::to_string(late_) + " times in this leg"
                                            : std::to_string(late_in_a_row_) + " times in a row")};
 }
 
 // What a team owes at the end of a tick.
-std::optional<Fault> ProcessController::overdraft() {
+std::optional<Fault> ProcessController::find_overrun() {
   if (playing_seconds() > bank_seconds()) {
     return Fault{FaultCode::budget,
                  "the team used up its processor time: more than " + seconds_text(budget_.bank) +
@@ -283,8 +285,8 @@ std::optional<Fault> ProcessController::overdraft() {
 // What the server waited for, less what both had to wait for a processor: a busy machine is not the
 // team's fault.
 bool ProcessController::has_slept_too_long() {
-  if (waited_ < budget_.sleep || waited_ < next_look_) return false;
-  next_look_ = waited_ + 1.0;
+  if (waited_ < budget_.sleep || waited_ < next_sleep_check_) return false;
+  next_sleep_check_ = waited_ + 1.0;
   const auto own_delay = Child::processor_delay(getpid());
   const auto delay = child_.processor_delay();
   if (!own_delay || !delay) return false;
@@ -296,26 +298,27 @@ Answer ProcessController::collect() {
   const auto is_answered = [this] {
     return out_->answer.load(std::memory_order_acquire) == request_;
   };
-  const Patience patience{
-      budget_.tick_cpu + (is_placing_ ? budget_.place_cpu : 0.0), budget_.tick_wall,
-      FaultCode::hang,
-      is_placing_ ? "on one tick and place() and was stopped" : "on one tick and was stopped"};
-  std::optional<Clock::time_point> until;
+  const WaitLimit limit{.cpu = budget_.tick_cpu + (is_placing_ ? budget_.place_cpu : 0.0),
+                        .wall = budget_.tick_wall,
+                        .late = FaultCode::hang,
+                        .doing = is_placing_ ? "on one tick and place() and was stopped"
+                                             : "on one tick and was stopped"};
+  std::optional<WallClock::time_point> until;
   if (deadline_) {
-    until = posted_at_ + std::chrono::duration_cast<Clock::duration>(
+    until = posted_at_ + std::chrono::duration_cast<WallClock::duration>(
                              std::chrono::duration<double>(deadline_->tick));
   }
   if (!is_answered()) {
-    const auto begin = Clock::now();
-    if (auto problem = wait(is_answered, patience, until))
-      return std::holds_alternative<match::Late>(*problem) ? late() : *problem;
-    waited_ += seconds_since(begin);
+    const auto start = WallClock::now();
+    if (auto problem = wait(is_answered, limit, until))
+      return std::holds_alternative<match::Late>(*problem) ? count_late_tick() : *problem;
+    waited_ += seconds_since(start);
   }
   cpu_ = child_.cpu_seconds();
   is_awaited_ = false;
   late_in_a_row_ = 0;
   slowest_tick_ = std::max(slowest_tick_, cpu_ - cpu_at_post_);
-  if (auto fault = overdraft()) {
+  if (auto fault = find_overrun()) {
     child_.kill();
     return *fault;
   }

@@ -12,10 +12,10 @@
 #include "plugins/host/child.hpp"
 #include "plugins/host/descriptor.hpp"
 #include "plugins/host/doorbell.hpp"
-#include "plugins/host/entry.hpp"
-#include "plugins/host/log.hpp"
 #include "plugins/host/mailbox.hpp"
 #include "plugins/host/sandbox/isolation.hpp"
+#include "plugins/host/sealed_entry.hpp"
+#include "plugins/host/team_log.hpp"
 
 #include <chrono>
 #include <memory>
@@ -45,9 +45,9 @@ struct Budget {
 
 // Where simulated time passes with the clock on the wall: who is not there in time is late.
 struct Deadline {
-  double tick = 0.0;            // s after the observation
-  int most_late_in_a_row = 90;  // 3 s at 33 ms
-  int most_late = 600;
+  double tick = 0.0;           // s after the observation
+  int max_late_in_a_row = 90;  // 3 s at 33 ms
+  int max_late = 600;
 };
 
 class ProcessController final : public match::Controller {
@@ -55,12 +55,10 @@ class ProcessController final : public match::Controller {
   // Starts mirocup-plugin-host at `host_program` with the entry. An error is the host's; what the
   // library does comes out of wait_until_ready(). Without a deadline a tick lasts until the answer.
   // The bell is that of the match: two teams that share it are woken together.
-  static Result<std::unique_ptr<ProcessController>> start(const std::string& host_program,
-                                                          Isolation isolation, const Entry& entry,
-                                                          const match::Briefing& briefing,
-                                                          const Budget& budget,
-                                                          std::optional<Deadline> deadline,
-                                                          std::shared_ptr<Doorbell> bell);
+  static Result<std::unique_ptr<ProcessController>> start(
+      const std::string& host_program, Isolation isolation, const SealedEntry& entry,
+      const match::Briefing& briefing, const Budget& budget, std::optional<Deadline> deadline,
+      std::shared_ptr<Doorbell> bell);
   ~ProcessController() override;
 
   // Returns when the library is loaded, or why it never will be.
@@ -86,10 +84,10 @@ class ProcessController final : public match::Controller {
   std::string output();
 
  private:
-  using Clock = std::chrono::steady_clock;
+  using WallClock = std::chrono::steady_clock;
 
   // How long to wait, and what it is called not to be there then.
-  struct Patience {
+  struct WaitLimit {
     double cpu = 0.0;
     double wall = 0.0;
     match::FaultCode late = match::FaultCode::hang;
@@ -103,12 +101,12 @@ class ProcessController final : public match::Controller {
   std::optional<match::HostFailure> wait_for_sandbox();
   // Waits until done() holds, or `until`; else why the team has lost or the leg is void.
   template <class Done>
-  std::optional<match::Answer> wait(Done done, const Patience& patience,
-                                    std::optional<Clock::time_point> until);
-  match::Answer death(const Ending& ending);
-  std::optional<match::Fault> label(const Ending& ending) const;
-  match::Answer late();
-  std::optional<match::Fault> overdraft();
+  std::optional<match::Answer> wait(Done done, const WaitLimit& limit,
+                                    std::optional<WallClock::time_point> until);
+  match::Answer answer_to_exit(const ExitStatus& status);
+  std::optional<match::Fault> reported_fault(const ExitStatus& status) const;
+  match::Answer count_late_tick();
+  std::optional<match::Fault> find_overrun();
   bool has_slept_too_long();
   void read_log();
 
@@ -117,7 +115,7 @@ class ProcessController final : public match::Controller {
   CommandPage* out_;
   Descriptor setup_;
   Descriptor log_pipe_;
-  Log log_;
+  TeamLog log_;
   Budget budget_;
   std::optional<Deadline> deadline_;
   std::shared_ptr<Doorbell> bell_;
@@ -128,15 +126,15 @@ class ProcessController final : public match::Controller {
   std::uint32_t request_ = 0;  // the last that was handed over
   bool is_awaited_ = false;    // it has not been answered
   bool is_placing_ = false;    // it asks for poses, too
-  Clock::time_point posted_at_;
-  Clock::time_point asked_at_;  // of the oldest observation without an answer
+  WallClock::time_point posted_at_;
+  WallClock::time_point asked_at_;  // of the oldest observation without an answer
   double cpu_at_post_ = 0.0;
   double cpu_ = 0.0;
   double cpu_at_ready_ = 0.0;
   double slowest_tick_ = 0.0;
   double start_wall_ = 0.0;
-  double waited_ = 0.0;     // wall time that the server waited for answers
-  double next_look_ = 0.0;  // at how much of it to ask next what the team did meanwhile
+  double waited_ = 0.0;            // wall time that the server waited for answers
+  double next_sleep_check_ = 0.0;  // at how much of it to ask next what the team did meanwhile
   int late_in_a_row_ = 0;
   int late_ = 0;
 };

@@ -100,7 +100,7 @@ mirocup_v2_Welcome to_sample(const match::Briefing& briefing, std::uint64_t leg,
   return w;
 }
 
-bool from_sample(const mirocup_v2_Welcome& w, Told& told) {
+bool from_sample(const mirocup_v2_Welcome& w, OwnedBriefing& told) {
   if (w.league >= enum_names<League>.size() || w.team >= enum_names<Team>.size()) return false;
   told.field = field::make_field(static_cast<League>(w.league));
   match::copy_bodies(w, told.parameters);
@@ -121,9 +121,9 @@ mirocup_v2_MatchEvent to_sample(const match::LoggedDecision& d, std::uint64_t le
   e.number = number;
   e.tick = d.tick;
   e.clock = d.decision.clock;
-  put_text(e.decision, to_string(d.decision.verdict));
-  put_text(e.law, to_string(d.decision.law));
-  put_text(e.reason, d.decision.reason);
+  copy_text(e.decision, to_string(d.decision.verdict));
+  copy_text(e.law, to_string(d.decision.law));
+  copy_text(e.reason, d.decision.reason);
   e.score[0] = score[0];
   e.score[1] = score[1];
   return e;

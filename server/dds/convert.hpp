@@ -22,13 +22,13 @@ mirocup_v2_Welcome to_sample(const match::Briefing& briefing, std::uint64_t leg,
 
 // What the briefing's numbers stand for again; points into the structures given. False if a number
 // cannot be.
-struct Told {
+struct OwnedBriefing {
   field::Field field;
   simulator::Parameters parameters;
   referee::Rules rules;
   match::Briefing briefing;
 };
-bool from_sample(const mirocup_v2_Welcome& sample, Told& told);
+bool from_sample(const mirocup_v2_Welcome& sample, OwnedBriefing& told);
 
 mirocup_v2_MatchEvent to_sample(const match::LoggedDecision& decision, std::uint64_t leg,
                                 std::uint32_t number, const match::ByTeam<int>& score);
@@ -39,7 +39,7 @@ match::Command to_command(const mirocup_v2_TeamCommand& sample);
 
 // Into a bounded string of a sample; what is too long is cut.
 template <std::size_t size>
-void put_text(char (&to)[size], std::string_view text) {
+void copy_text(char (&to)[size], std::string_view text) {
   const std::size_t length = text.copy(to, size - 1);
   to[length] = '\0';
 }

@@ -41,12 +41,12 @@ std::string configuration(const std::string& interface, const std::string& index
 
 Result<Domain> open_domain(const std::string& interface, const std::string& xml,
                            const std::string& credentials) {
-  Domain opened{std::make_unique<Log>(), {}, credentials};
+  Domain opened{.log = std::make_unique<CycloneLog>(), .domain = {}, .credentials = credentials};
   const auto before = open_descriptors();
   auto made =
       keep(opened.domain, created(dds_create_domain(domain_id, xml.c_str()), "the connection"));
-  if (!made) return fail(made.error().code, made.error().what + opened.log->as_end_of_sentence());
-  if (!interface.empty()) confine_sockets(before, interface);
+  if (!made) return fail(made.error().code, made.error().what + opened.log->last_error_suffix());
+  if (!interface.empty()) bind_to_interface(before, interface);
   return opened;
 }
 
@@ -99,7 +99,7 @@ Result<Entity> make_participant(const Domain& domain) {
     }
   }
   auto made = created(dds_create_participant(domain_id, qos.get(), nullptr), "the participant");
-  if (!made) return fail(made.error().code, made.error().what + domain.log->as_end_of_sentence());
+  if (!made) return fail(made.error().code, made.error().what + domain.log->last_error_suffix());
   return made;
 }
 

@@ -5,8 +5,8 @@
 // other.
 #pragma once
 
+#include "server/dds/cyclone_log.hpp"
 #include "server/dds/entity.hpp"
-#include "server/dds/log.hpp"
 
 #include <memory>
 #include <string_view>
@@ -18,7 +18,7 @@ inline constexpr int server_ports = 10;
 
 // This process on the network. Deleting it leaves the network in order; there can be one at a time.
 struct Domain {
-  std::unique_ptr<Log> log;
+  std::unique_ptr<CycloneLog> log;
   Entity domain;
   std::string credentials;  // the folder with what this process is known by, "": open mode
 };

@@ -7,22 +7,17 @@
 // the network, is away until it answers again. The time that it is away is added up over the leg.
 #pragma once
 
+#include "server/pace/absence.hpp"
+
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 namespace mirocup::dds {
 
-struct Absence {
-  std::uint32_t tick = 0;             // the first one without an answer
-  std::uint32_t noticed = 0;          // the one in which it was noticed
-  std::optional<std::uint32_t> back;  // answered in step again; nothing: never
-  bool has_left = false;              // its process had gone; else it was silent
-};
-
-class Attendance {
+class Liveliness {
  public:
-  explicit Attendance(double notice) : notice_(notice) {}
+  explicit Liveliness(double notice) : notice_(notice) {}
 
   // A tick waits for its answer from now on.
   void asked(double now) {
@@ -41,7 +36,7 @@ class Attendance {
   double away(double now) const { return away_ + (away_since_ ? now - *away_since_ : 0.0); }
 
   // The first ones; the list is bounded.
-  const std::vector<Absence>& absences() const { return absences_; }
+  const std::vector<pace::Absence>& absences() const { return absences_; }
 
  private:
   double notice_;
@@ -50,7 +45,7 @@ class Attendance {
   std::optional<double> away_since_;
   double away_ = 0.0;  // in absences that are over
   bool is_listed_ = false;
-  std::vector<Absence> absences_;
+  std::vector<pace::Absence> absences_;
 };
 
 }  // namespace mirocup::dds

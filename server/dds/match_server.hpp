@@ -22,7 +22,7 @@ class MatchServer {
 
   // For the team that calls itself `name`. The seat lives as long as the server.
   Result<Seat*> add_seat(const match::Briefing& briefing, const std::string& name,
-                         const Patience& patience);
+                         const JoinTerms& terms);
 
   // Publishes the begin of a tick, and the decisions since the last call.
   void publish(const match::Match& match);
@@ -37,7 +37,7 @@ class MatchServer {
   std::uint64_t leg() const { return leg_; }
 
   // What DDS complained about last, as the end of a sentence; "" if it did not.
-  std::string last_words() const;
+  std::string last_error() const;
 
  private:
   MatchServer(std::string match_id, Domain domain);
@@ -52,7 +52,7 @@ class MatchServer {
   Entity publisher_, state_topic_, event_topic_, state_writer_, event_writer_, waitset_;
   std::vector<std::unique_ptr<Seat>> seats_;
   mirocup_v2_WorldState state_{};
-  Clock::time_point sent_;  // the state, last
+  WallClock::time_point sent_;  // the state, last
   std::size_t events_ = 0;
 };
 

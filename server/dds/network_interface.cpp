@@ -15,8 +15,8 @@ namespace mirocup::dds {
 
 namespace {
 
-constexpr std::size_t most_addresses = 64;  // a jump of the filter reaches so far
-constexpr std::uint32_t destination = 16;   // where an IPv4 header has it
+constexpr std::size_t max_addresses = 64;  // a jump of the filter reaches so far
+constexpr std::uint32_t destination = 16;  // where an IPv4 header has it
 constexpr std::uint32_t whole_packet = ~0U;
 
 // In host order.
@@ -33,7 +33,7 @@ std::vector<std::uint32_t> addresses_of(const std::string& interface) {
     addresses.push_back(ntohl(reinterpret_cast<const sockaddr_in*>(a->ifa_addr)->sin_addr.s_addr));
   }
   freeifaddrs(all);
-  if (addresses.size() > most_addresses) addresses.resize(most_addresses);
+  if (addresses.size() > max_addresses) addresses.resize(max_addresses);
   return addresses;
 }
 
@@ -73,7 +73,7 @@ std::vector<int> open_descriptors() {
   return open;
 }
 
-void confine_sockets(const std::vector<int>& before, const std::string& interface) {
+void bind_to_interface(const std::vector<int>& before, const std::string& interface) {
   const auto addresses = addresses_of(interface);
   if (addresses.empty()) return;
   auto program = filter_for(addresses);

@@ -15,6 +15,6 @@ std::vector<int> open_descriptors();
 // Every IPv4 datagram socket that is open now and was not `before` drops what was sent to other
 // addresses than those of `interface` (a name or an IPv4 address). Without such an address nothing
 // changes.
-void confine_sockets(const std::vector<int>& before, const std::string& interface);
+void bind_to_interface(const std::vector<int>& before, const std::string& interface);
 
 }  // namespace mirocup::dds

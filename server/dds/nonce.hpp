@@ -8,6 +8,6 @@
 namespace mirocup::dds {
 
 // Drawn by the system; never 0.
-std::uint64_t draw_number();
+std::uint64_t random_nonce();
 
 }  // namespace mirocup::dds

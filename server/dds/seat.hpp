@@ -21,10 +21,8 @@
 
 namespace mirocup::dds {
 
-class MatchServer;
-
 // What a team on the network is held to; seconds of wall time.
-struct Patience {
+struct JoinTerms {
   double to_join = 60.0;  // until its first answer, from the moment when there is a seat
   // Real time: the answer to a tick must come within so long. Nothing: the match waits for it.
   std::optional<double> tick;
@@ -34,8 +32,23 @@ struct Patience {
   std::function<void(const std::string&)> tell = [](auto&) {};  // a sentence for the host
 };
 
+// What a seat uses of the match server that it belongs to.
+struct SeatLink {
+  std::uint64_t leg = 0;                       // the number of the server's leg
+  std::function<void(double seconds)> listen;  // receives for all seats, waits at most so long
+  std::function<std::string()> last_error;     // what DDS reported, as the end of a sentence
+};
+
 class Seat final : public match::Controller {
  public:
+  Seat(SeatLink link, const match::Briefing& briefing, std::string name, const JoinTerms& terms);
+
+  // Makes the seat's topics, readers and writers; `waitset` wakes for its readers.
+  Result<void> open(const Entity& participant, const std::string& match_id, const Entity& waitset);
+
+  // Takes the samples that have arrived for this seat.
+  void receive();
+
   // Waits until the team, or one that calls itself so, has answered the state that is on the
   // network now.
   tl::expected<void, match::Answer> wait_until_ready();
@@ -46,17 +59,11 @@ class Seat final : public match::Controller {
   Team team() const { return briefing_.team; }
   std::uint64_t heard() const { return inbox_.heard(); }
   const CommandCounts& commands() const { return inbox_.counts(); }
-  const std::vector<Absence>& absences() const { return attendance_.absences(); }
+  const std::vector<pace::Absence>& absences() const { return liveliness_.absences(); }
   int processes() const { return processes_; }                 // that have had the seat
   const pace::Durations& answers() const { return answers_; }  // from question to answer, s
 
  private:
-  friend class MatchServer;
-  Seat(MatchServer& server, const match::Briefing& briefing, std::string name,
-       const Patience& patience);
-
-  Result<void> open(const Entity& participant, const std::string& match_id, const Entity& waitset);
-  void take_in();
   void take_hellos();
   void take_commands();
   mirocup_v2_Welcome answer_to(const mirocup_v2_Hello& hello, dds_instance_handle_t writer);
@@ -66,11 +73,11 @@ class Seat final : public match::Controller {
   double now() const { return seconds_since(begin_); }
   void tell(const std::string& what) const;
 
-  MatchServer& server_;
+  SeatLink link_;
   match::Briefing briefing_;
   std::string name_;
-  Patience patience_;
-  Clock::time_point begin_ = Clock::now();
+  JoinTerms terms_;
+  WallClock::time_point begin_ = WallClock::now();
   Entity publisher_, subscriber_, hello_topic_, welcome_topic_, command_topic_;
   Entity hello_reader_, welcome_writer_, command_reader_;
 
@@ -82,7 +89,7 @@ class Seat final : public match::Controller {
   int processes_ = 0;
 
   Inbox inbox_;
-  Attendance attendance_;
+  Liveliness liveliness_;
   bool is_ready_ = false;
   std::uint32_t tick_ = 0;
   double posted_at_ = 0.0;

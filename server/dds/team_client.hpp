@@ -19,7 +19,7 @@
 namespace mirocup::dds {
 
 // Whom a team calls, and what it calls itself.
-struct Call {
+struct JoinRequest {
   std::string server = "127.0.0.1";
   std::string match_id;
   Team team = Team::blue;
@@ -42,21 +42,21 @@ using News = std::variant<Silence, Seated, match::Scene, MatchOver, Refused>;
 class TeamClient {
  public:
   // Only prepares: the first thing that wait() brings is Seated, once there is a match.
-  static Result<std::unique_ptr<TeamClient>> open(const Call& call);
+  static Result<std::unique_ptr<TeamClient>> open(const JoinRequest& request);
 
   // The next news, or Silence after `patience` seconds. Ticks come in order, each once; a server
   // that missed the answer to one gets it again by itself.
   News wait(double patience);
 
   // Once seated.
-  const match::Briefing& briefing() const { return told_.briefing; }
-  int robots() const { return told_.field.robots_per_team; }
+  const match::Briefing& briefing() const { return briefing_.briefing; }
+  int robots() const { return briefing_.field.robots_per_team; }
 
   // Answers the state of `tick`.
   void send(const match::Command& command, std::uint32_t tick);
 
   // Why there is no seat yet, as far as it can be known.
-  std::string trouble() const;
+  std::string last_error() const;
 
  private:
   // Everything that belongs to one appearance on the network.
@@ -71,30 +71,31 @@ class TeamClient {
     bool is_seated = false;
   };
 
-  TeamClient(Call call, Domain domain) : call_(std::move(call)), domain_(std::move(domain)) {}
+  TeamClient(JoinRequest request, Domain domain)
+      : request_(std::move(request)), domain_(std::move(domain)) {}
   Result<void> connect();
   Result<void> open_readers_and_writers(Link& link) const;
-  std::optional<News> look();
+  std::optional<News> poll();
   std::optional<News> take_welcome();
   std::optional<News> take_event();
   std::optional<News> take_state();
   bool is_cut_off() const;
   void look_after_connection();
-  void say_hello();
+  void send_hello();
 
-  Call call_;
+  JoinRequest request_;
   Domain domain_;
   Link link_;
-  Clock::time_point connected_;
-  Clock::time_point said_hello_;
-  Clock::time_point heard_;  // of the match, last
+  WallClock::time_point connected_at_;
+  WallClock::time_point hello_sent_at_;
+  WallClock::time_point last_heard_at_;  // of the match, last
   std::uint64_t seated_leg_ = 0;
-  Told told_;
+  OwnedBriefing briefing_;
   std::optional<mirocup_v2_TeamCommand> answer_;  // the last one
-  std::uint64_t heard_commands_ = 0;              // as the server counts them
-  Clock::time_point heard_us_;                    // the count has changed, last
-  int unheard_ = 0;                               // commands that were sent since then
-  std::string not_now_;                           // what the server said
+  std::uint64_t acknowledged_commands_ = 0;       // as the server counts them
+  WallClock::time_point acknowledged_at_;         // the count has changed, last
+  int unacknowledged_ = 0;                        // commands that were sent since then
+  std::string wait_reason_;                       // what the server said
 };
 
 }  // namespace mirocup::dds

@@ -72,7 +72,7 @@ mirocup_connection* mirocup_team_open(const mirocup_team_call* call, char* why, 
                  "the call names no match, no team or no colour, or is of another version");
     return nullptr;
   }
-  dds::Call c;
+  dds::JoinRequest c;
   if (call->server != nullptr) c.server = call->server;
   c.match_id = call->match;
   c.team = static_cast<mirocup::Team>(call->team);
@@ -113,7 +113,7 @@ void mirocup_team_send(mirocup_connection* connection, const mirocup_command* co
 }
 
 const char* mirocup_team_text(mirocup_connection* connection) {
-  if (!connection->is_finished) connection->text = connection->client->trouble();
+  if (!connection->is_finished) connection->text = connection->client->last_error();
   return connection->text.c_str();
 }
 

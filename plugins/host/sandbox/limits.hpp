@@ -7,7 +7,7 @@
 
 namespace mirocup::plugins {
 
-inline constexpr std::size_t most_memory = std::size_t{1} << 30;  // bytes of addresses
+inline constexpr std::size_t max_memory = std::size_t{1} << 30;  // bytes of addresses
 
 // Sets the resource limits of this process; no new privileges from here on; nobody may look into
 // it; it dies with its parent. False: errno says why.

@@ -15,17 +15,17 @@
 namespace mirocup::plugins {
 
 // Larger files are no strategies.
-inline constexpr std::size_t largest_entry = 32u << 20;  // bytes
+inline constexpr std::size_t max_entry_size = 32u << 20;  // bytes
 
-class Entry {
+class SealedEntry {
  public:
   // Errors: Errc::unavailable if the file cannot be read; Errc::input if it can be no entry: a
   // link, a folder, a device, empty or too large.
-  static Result<Entry> open(const std::string& path);
+  static Result<SealedEntry> open(const std::string& path);
 
-  Entry(Entry&& other) noexcept;
-  Entry& operator=(Entry&& other) noexcept;
-  ~Entry();
+  SealedEntry(SealedEntry&& other) noexcept;
+  SealedEntry& operator=(SealedEntry&& other) noexcept;
+  ~SealedEntry();
 
   // Valid as long as the entry.
   std::string_view bytes() const { return bytes_; }
@@ -34,7 +34,7 @@ class Entry {
   int descriptor() const { return descriptor_.get(); }
 
  private:
-  Entry(Descriptor descriptor, std::string_view bytes)
+  SealedEntry(Descriptor descriptor, std::string_view bytes)
       : descriptor_(std::move(descriptor)), bytes_(bytes) {}
 
   Descriptor descriptor_;

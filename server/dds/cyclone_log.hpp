@@ -14,19 +14,19 @@
 namespace mirocup::dds {
 
 // One at a time: the library has one log for the whole process.
-class Log {
+class CycloneLog {
  public:
-  Log();
-  Log(const Log&) = delete;
-  Log& operator=(const Log&) = delete;
-  ~Log();
+  CycloneLog();
+  CycloneLog(const CycloneLog&) = delete;
+  CycloneLog& operator=(const CycloneLog&) = delete;
+  ~CycloneLog();
 
   // The last different warnings and errors, oldest first, printable and short, with "; " between
   // them; of malformed packets only if there is nothing else; "" if there was none.
-  std::string said() const;
+  std::string last_error() const;
 
   // The same as the end of a sentence, " (DDS: ...)"; "" if there was none.
-  std::string as_end_of_sentence() const;
+  std::string last_error_suffix() const;
 
  private:
   void keep(std::string text);
