@@ -7,6 +7,33 @@ namespace mirocup::dds {
 
 static_assert(max_robots_per_team == mirocup_v2_MAX_ROBOTS);
 
+// The numbers that idl/mirocup.idl gives to enumerators are on the network: to reorder an enum of
+// the core, or to add a member in its middle, would change the topics without a word.
+template <class E>
+constexpr bool is_wire_value(E value, int number) {
+  return static_cast<int>(value) == number;
+}
+static_assert(enum_names<League>.size() == 3 && is_wire_value(League::small, 0) &&
+              is_wire_value(League::middle, 1) && is_wire_value(League::large, 2));
+static_assert(enum_names<Team>.size() == 2 && is_wire_value(Team::blue, 0) &&
+              is_wire_value(Team::yellow, 1));
+static_assert(enum_names<match::State>.size() == 3 && is_wire_value(match::State::READY, 0) &&
+              is_wire_value(match::State::PLAY, 1) && is_wire_value(match::State::END, 2));
+static_assert(enum_names<referee::Phase>.size() == 4 &&
+              is_wire_value(referee::Phase::FIRST_HALF, 0) &&
+              is_wire_value(referee::Phase::SECOND_HALF, 1) &&
+              is_wire_value(referee::Phase::EXTRA, 2) &&
+              is_wire_value(referee::Phase::SHOOT_OUT, 3));
+static_assert(enum_names<referee::Restart>.size() == 6 &&
+              is_wire_value(referee::Restart::none, 0) &&
+              is_wire_value(referee::Restart::KICK_OFF, 1) &&
+              is_wire_value(referee::Restart::GOAL_KICK, 2) &&
+              is_wire_value(referee::Restart::PENALTY_KICK, 3) &&
+              is_wire_value(referee::Restart::FREE_BALL, 4) &&
+              is_wire_value(referee::Restart::FREE_KICK, 5));
+static_assert(is_wire_value(Admission::accepted, 0) && is_wire_value(Admission::not_now, 1) &&
+              is_wire_value(Admission::refused, 2));
+
 namespace {
 
 mirocup_v2_RobotState to_sample(const simulator::BodyState& r) {
