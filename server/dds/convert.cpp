@@ -127,17 +127,17 @@ mirocup_v2_Welcome to_sample(const match::Briefing& briefing, std::uint64_t leg,
   return w;
 }
 
-bool from_sample(const mirocup_v2_Welcome& w, OwnedBriefing& told) {
+bool from_sample(const mirocup_v2_Welcome& w, OwnedBriefing& owned) {
   if (w.league >= enum_names<League>.size() || w.team >= enum_names<Team>.size()) return false;
-  told.field = field::make_field(static_cast<League>(w.league));
-  match::copy_bodies(w, told.parameters);
-  told.rules.half_s = w.half_seconds;
-  told.briefing = {.field = &told.field,
-                   .parameters = &told.parameters,
-                   .rules = &told.rules,
-                   .control_period = w.control_period,
-                   .team = static_cast<Team>(w.team),
-                   .seed = w.seed};
+  owned.field = field::make_field(static_cast<League>(w.league));
+  match::copy_bodies(w, owned.parameters);
+  owned.rules.half_s = w.half_seconds;
+  owned.briefing = {.field = &owned.field,
+                    .parameters = &owned.parameters,
+                    .rules = &owned.rules,
+                    .control_period = w.control_period,
+                    .team = static_cast<Team>(w.team),
+                    .seed = w.seed};
   return true;
 }
 

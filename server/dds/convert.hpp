@@ -20,15 +20,22 @@ enum class Admission : std::uint8_t { accepted, not_now, refused };
 mirocup_v2_Welcome to_sample(const match::Briefing& briefing, std::uint64_t leg,
                              std::uint64_t nonce);
 
-// What the briefing's numbers stand for again; points into the structures given. False if a number
-// cannot be.
+// A briefing together with the structures that it points to. It cannot be copied or moved: the
+// pointers of a copy would lead into the original.
 struct OwnedBriefing {
+  OwnedBriefing() = default;
+  OwnedBriefing(const OwnedBriefing&) = delete;
+  OwnedBriefing& operator=(const OwnedBriefing&) = delete;
+
   field::Field field;
   simulator::Parameters parameters;
   referee::Rules rules;
   match::Briefing briefing;
 };
-bool from_sample(const mirocup_v2_Welcome& sample, OwnedBriefing& told);
+
+// Fills `owned` with what the numbers of a Welcome stand for. Returns false, and leaves `owned`
+// alone, if its league or its colour does not exist.
+bool from_sample(const mirocup_v2_Welcome& sample, OwnedBriefing& owned);
 
 mirocup_v2_MatchEvent to_sample(const match::LoggedDecision& decision, std::uint64_t leg,
                                 std::uint32_t number, const match::ByTeam<int>& score);
