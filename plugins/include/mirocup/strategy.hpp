@@ -80,11 +80,10 @@ inline Point position(const Robot& robot) {
   return {robot.x, robot.y};
 }
 
-// The same angle in (-pi, pi].
+// Returns the same angle in (-pi, pi], rad; NaN for an angle that is infinite or NaN.
 inline double wrapped(double angle) {
-  while (angle > pi) angle -= 2.0 * pi;
-  while (angle <= -pi) angle += 2.0 * pi;
-  return angle;
+  const double rest = std::remainder(angle, 2.0 * pi);  // exact, in [-pi, pi]
+  return rest <= -pi ? pi : rest;
 }
 
 // Wheel speeds for a forward speed (m/s) and a turn rate (rad/s). If a wheel would be too fast both
