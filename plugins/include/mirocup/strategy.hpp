@@ -31,8 +31,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdarg>
 #include <cstdint>
 #include <cstdio>
+
+// Lets the compiler check the arguments of a function against its format, as it does for printf().
+#if defined(__GNUC__)
+#define MIROCUP_PRINTF(form, first) __attribute__((format(printf, form, first)))
+#else
+#define MIROCUP_PRINTF(form, first)
+#endif
 
 namespace mirocup::strategy {
 
@@ -336,12 +344,19 @@ class Team {
   const Setup& setup() const { return setup_; }
   Random& random() { return random_; }
 
-  // A line in the log of the leg, in the form of printf(): log("ball at %.2f", now.ball_x).
+  // Writes a line to the log of the leg. With values, the first argument is a format as that of
+  // printf(), log("ball at %.2f", now.ball_x), which the compiler checks, and the line is cut after
+  // 255 bytes. Without values the text is written as it is, percent signs included.
   void log(const char* text) const { setup_.log(text); }
-  template <class... Values>
-  void log(const char* form, Values... values) const {
+  // A template only so that a call without values means the other one.
+  template <int = 0>
+  MIROCUP_PRINTF(2, 3)
+  void log(const char* format, ...) const {
     char line[256];
-    std::snprintf(line, sizeof line, form, values...);
+    std::va_list values;
+    va_start(values, format);
+    std::vsnprintf(line, sizeof line, format, values);
+    va_end(values);
     setup_.log(line);
   }
 

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace mirocup::strategy {
 namespace {
@@ -37,6 +38,31 @@ TEST(WrappedAngle, EndsForHugeAndInfiniteAngles) {
   EXPECT_TRUE(std::isnan(wrapped(infinity)));
   EXPECT_TRUE(std::isnan(wrapped(-infinity)));
   EXPECT_TRUE(std::isnan(wrapped(std::nan(""))));
+}
+
+std::string last_line;
+
+class Talker : public Team {
+ public:
+  using Team::Team;
+  void decide(const Observation& now, Command&) override {
+    log("50% of what is said, %d and %s");
+    EXPECT_EQ(last_line, "50% of what is said, %d and %s");
+    log("tick %u, ball at %.2f, %s", now.tick, now.ball_x, "so far");
+    EXPECT_EQ(last_line, "tick 7, ball at 0.25, so far");
+    log("%s", std::string(1000, 'x').c_str());
+    EXPECT_EQ(last_line, std::string(255, 'x'));
+  }
+};
+
+TEST(TeamInCpp, FormatsItsLogOnlyIfThereAreValues) {
+  mirocup_setup setup{};
+  setup.log = [](const char* text) { last_line = text; };
+  Observation now{};
+  now.tick = 7;
+  now.ball_x = 0.25;
+  Command command{};
+  Talker(setup).decide(now, command);
 }
 
 }  // namespace
