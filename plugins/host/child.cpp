@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "plugins/host/child.hpp"
 
+#include <cassert>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -24,6 +25,7 @@ std::string signal_text(int signal) {
 }
 
 Child::Child(pid_t pid) : pid_(pid) {
+  assert(pid > 0);
   clock_getcpuclockid(pid, &cpu_clock_);
 }
 

@@ -16,14 +16,14 @@ namespace {
 using match::Fault;
 using match::FaultCode;
 
-// Libraries may be older than the members that were added at the end.
+// An older library may lack the members that were added at the end.
 constexpr std::size_t min_strategy_size = offsetof(mirocup_strategy, place);
 
 tl::unexpected<Fault> fault(FaultCode code, std::string text) {
   return tl::unexpected<Fault>(Fault{code, std::move(text)});
 }
 
-// Runs foreign code; whatever it throws becomes a sentence.
+// Runs foreign code and turns any exception into a fault with a sentence.
 template <class Call>
 tl::expected<void, Fault> guarded(const char* function, Call call) {
   try {
@@ -87,7 +87,7 @@ Plugin::~Plugin() {
   if (library_ == nullptr) return;
   const FloatingPointGuard guard;
   if (team_ != nullptr && strategy_->destroy != nullptr) {
-    // A team that throws while it ends has ended all the same.
+    // The team has ended, whether its destroy() throws or not.
     (void)guarded("destroy", [this] { strategy_->destroy(team_); });
   }
   dlclose(library_);

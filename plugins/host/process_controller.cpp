@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -24,18 +25,18 @@ using match::Fault;
 using match::FaultCode;
 using match::HostFailure;
 
-// The death of a process wakes nobody, so every wait is cut into slices. They are longer than the
-// kernel's own clock tick: a timer that is due before that has to be programmed into the hardware
-// and out again, in every wait, which costs more than handing over.
+// The end of a process wakes no waiter, so every wait is cut into slices. A slice is longer than
+// the kernel's clock tick: a shorter timer would have to be programmed into the hardware and
+// removed again in every wait, which costs more than handing over.
 constexpr std::chrono::milliseconds slice{20};
 
-// A full pipe refuses what a team prints, so it is emptied now and then.
+// The team's output pipe is emptied every 32 ticks, because a full pipe refuses further output.
 constexpr std::uint32_t ticks_between_readings = 32;
 
-// How long the sandbox itself may take, s. Only a machine in great trouble needs so long.
+// The time limit for building the sandbox, s; generous, because it fails only on a broken machine.
 constexpr double max_setup_time = 60.0;
 
-// A sealed piece of memory of that size, mapped here for writing.
+// Sizes the memory file and maps it here for writing.
 template <class Page>
 Page* make_page(int fd) {
   if (ftruncate(fd, sizeof(Page)) != 0) return nullptr;
@@ -67,7 +68,7 @@ Result<std::unique_ptr<ProcessController>> ProcessController::start(
   ObservationPage* in = make_page<ObservationPage>(in_fd.get());
   CommandPage* out = make_page<CommandPage>(out_fd.get());
   if (in == nullptr || out == nullptr) return not_available("the mailbox of a team");
-  // From now on nobody can map the observations for writing, or shrink either page under the
+  // From now on no process can map the observations for writing, or shrink either page under the
   // server.
   const int no_resizing = F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL;
   if (fcntl(in_fd.get(), F_ADD_SEALS, no_resizing | F_SEAL_FUTURE_WRITE) != 0 ||
@@ -122,8 +123,8 @@ ProcessController::~ProcessController() {
   munmap(out_, sizeof *out_);
 }
 
-// Until the process says that its sandbox stands, all that goes wrong is the host's. It says so
-// through a pipe that it closes before it touches the library.
+// Until the process tells that its sandbox stands, every error is a failure of the host. The
+// process tells it through a pipe that it closes before it touches the library.
 std::optional<HostFailure> ProcessController::wait_for_sandbox() {
   pollfd readable{setup_.get(), POLLIN, 0};
   char text[128];
@@ -137,7 +138,7 @@ std::optional<HostFailure> ProcessController::wait_for_sandbox() {
   std::string why = "it ended without a word";
   if (length > 0) {
     why.assign(text, static_cast<std::size_t>(length));
-    // A message may come in pieces.
+    // The text may come in pieces.
     while ((length = read(setup_.get(), text, sizeof text)) > 0)
       why.append(text, static_cast<std::size_t>(length));
   }
@@ -145,7 +146,7 @@ std::optional<HostFailure> ProcessController::wait_for_sandbox() {
   return HostFailure{"the sandbox of a team could not be built: " + why};
 }
 
-// What the process itself said of its end.
+// Returns the fault that the process reported itself before it ended, if any.
 std::optional<Fault> ProcessController::reported_fault(const ExitStatus& status) const {
   if (status.signal == SIGSYS)
     return Fault{FaultCode::illegal_call, "the team made a system call that is not allowed"};
@@ -179,7 +180,7 @@ std::optional<Fault> ProcessController::reported_fault(const ExitStatus& status)
 }
 
 Answer ProcessController::answer_to_exit(const ExitStatus& status) {
-  // The filter keeps a team from killing itself in this way.
+  // The team cannot have done it: the filter forbids sending itself SIGKILL.
   if (status.signal == SIGKILL) {
     return HostFailure{
         "a team's process was killed from outside: out of memory, or a cancelled job"};
@@ -240,10 +241,11 @@ tl::expected<void, Answer> ProcessController::wait_until_ready() {
 }
 
 void ProcessController::post(const match::Observation& observation) {
+  assert(is_ready_);
   posted_at_ = WallClock::now();
   ++ticks_;
-  // A team that still thinks about an older one gets the newest when it comes back. Without a
-  // deadline that never happens.
+  // A team that still computes gets the newest observation after its answer. Without a deadline
+  // this cannot happen.
   if (is_awaited_) return;
   is_awaited_ = true;
   is_placing_ = observation.placing;
@@ -256,6 +258,7 @@ void ProcessController::post(const match::Observation& observation) {
 }
 
 Answer ProcessController::count_late_tick() {
+  assert(deadline_.has_value());
   ++late_;
   ++late_in_a_row_;
   if (late_in_a_row_ <= deadline_->max_late_in_a_row && late_ <= deadline_->max_late)
@@ -267,7 +270,7 @@ Answer ProcessController::count_late_tick() {
                                            : std::to_string(late_in_a_row_) + " times in a row")};
 }
 
-// What a team owes at the end of a tick.
+// Returns the fault of a team that has used up its bank or slept too long by the end of a tick.
 std::optional<Fault> ProcessController::find_overrun() {
   if (playing_seconds() > bank_seconds()) {
     return Fault{FaultCode::budget,
@@ -282,8 +285,8 @@ std::optional<Fault> ProcessController::find_overrun() {
   return std::nullopt;
 }
 
-// What the server waited for, less what both had to wait for a processor: a busy machine is not the
-// team's fault.
+// The time slept is the time that the server waited, less the processor time of the team, less the
+// time that both had to wait for a processor: a busy machine is not the team's fault.
 bool ProcessController::has_slept_too_long() {
   if (waited_ < budget_.sleep || waited_ < next_sleep_check_) return false;
   next_sleep_check_ = waited_ + 1.0;
@@ -323,7 +326,8 @@ Answer ProcessController::collect() {
     return *fault;
   }
   if (ticks_ % ticks_between_readings == 0) read_log();
-  // Copied once, so that what is checked is what is driven, whatever the team writes meanwhile.
+  // Copied once, so that the command that is checked is the one that is driven, even if the team
+  // goes on writing.
   mirocup_command copy;
   std::memcpy(&copy, &out_->command, sizeof copy);
   std::optional<match::Poses> poses;
@@ -340,7 +344,7 @@ Answer ProcessController::collect() {
 
 void ProcessController::read_log() {
   std::array<char, 1 << 14> buffer;
-  // As much as the pipe holds: who writes while this reads cannot keep it here.
+  // At most as much as a pipe holds, so that a team that keeps writing cannot keep the server here.
   for (int i = 0; i < 4; ++i) {
     const ssize_t n = read(log_pipe_.get(), buffer.data(), buffer.size());
     if (n <= 0) return;

@@ -21,7 +21,8 @@ tl::unexpected<Error> system_error(const std::string& path) {
   return fail(Errc::unavailable, path + ": " + std::strerror(errno));
 }
 
-// Copies at most `max_entry_size` bytes and one more; the number of bytes, or -1.
+// Copies until the end of the file or until more than max_entry_size bytes are copied. Returns the
+// number of bytes, or -1.
 ssize_t copy(int from, int to) {
   std::array<char, 1 << 16> buffer;
   std::size_t total = 0;
@@ -43,7 +44,7 @@ ssize_t copy(int from, int to) {
 }  // namespace
 
 Result<SealedEntry> SealedEntry::open(const std::string& path) {
-  // O_NONBLOCK: opening a pipe must not wait for its other end.
+  // O_NONBLOCK, because opening a pipe would wait for its other end.
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   if (file.get() < 0 && errno == ELOOP)
     return no_entry(path, "it is a symbolic link; name the library itself");

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// A team's library as it was handed in: copied once into sealed memory.
+// A team's library as it was handed in, copied once into sealed memory.
 //
-// The copy is what is hashed, looked into and played, so a file that changes meanwhile changes
-// nothing. The server never loads it: only a sandboxed process does.
+// The copy is hashed, inspected and played, so a file that changes later has no effect. The server
+// never loads the library; only a sandboxed process does.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -14,23 +14,23 @@
 
 namespace mirocup::plugins {
 
-// Larger files are no strategies.
+// The size of the largest file that is accepted as a strategy.
 inline constexpr std::size_t max_entry_size = 32u << 20;  // bytes
 
 class SealedEntry {
  public:
-  // Errors: Errc::unavailable if the file cannot be read; Errc::input if it can be no entry: a
-  // link, a folder, a device, empty or too large.
+  // Copies the file. Errors: Errc::unavailable if the file cannot be read; Errc::input if it is a
+  // symbolic link, a folder, a device, empty or too large.
   static Result<SealedEntry> open(const std::string& path);
 
   SealedEntry(SealedEntry&& other) noexcept;
   SealedEntry& operator=(SealedEntry&& other) noexcept;
   ~SealedEntry();
 
-  // Valid as long as the entry.
+  // Returns the contents, which are valid as long as this object.
   std::string_view bytes() const { return bytes_; }
 
-  // Of the sealed copy, open for reading.
+  // Returns the descriptor of the sealed copy, open for reading; this object keeps owning it.
   int descriptor() const { return descriptor_.get(); }
 
  private:

@@ -33,7 +33,7 @@ Character first_of(std::string_view text) {
 bool is_harmless(std::uint32_t code) {
   if (code == '\n' || code == '\t') return true;
   if (code < 0x20 || (code >= 0x7f && code < 0xa0)) return false;
-  // Marks that turn the direction of writing, or end a line in some programs only.
+  // Characters that change the direction of writing, or end a line only in some programs.
   const bool turns = code == 0x61c || (code >= 0x200e && code <= 0x200f) ||
                      (code >= 0x2028 && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
   return !turns && code != 0xfeff;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a team printed in a leg: capped, and made harmless to show.
+// The output of a team in a leg: bounded, and made harmless to show.
 #pragma once
 
 #include <cstddef>
@@ -9,12 +9,12 @@
 
 namespace mirocup::plugins {
 
-// The text with every byte written out as \xNN that a terminal, a page or a person could mistake
-// for something else: control characters but line ends and tabs, what is not UTF-8, and the
-// characters that turn the direction of writing.
+// Returns the text with every byte as \xNN that a terminal, a page or a reader could mistake for
+// something else: control characters except line ends and tabs, bytes that are not UTF-8, and the
+// characters that change the direction of writing.
 std::string escape_unprintable(std::string_view text);
 
-// Keeps the beginning and the end; what is between is counted.
+// Keeps the beginning and the end of the output, and counts the bytes between them.
 class TeamLog {
  public:
   static constexpr std::size_t max_beginning = 40u << 10;  // bytes, escaped
@@ -22,7 +22,7 @@ class TeamLog {
 
   void append(std::string_view bytes);
 
-  // At most 64 KiB.
+  // Returns the log, escaped, at most 64 KiB.
   std::string text() const;
 
  private:

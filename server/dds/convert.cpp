@@ -3,6 +3,8 @@
 
 #include "core/match/copy_fields.hpp"
 
+#include <cassert>
+
 namespace mirocup::dds {
 
 static_assert(max_robots_per_team == mirocup_v2_MAX_ROBOTS);
@@ -50,9 +52,9 @@ std::uint8_t octet(E value) {
   return static_cast<std::uint8_t>(value);
 }
 
-constexpr std::uint8_t nobody = 2;  // as a colour
+constexpr std::uint8_t no_team = 2;  // WorldState.placing while no team places
 
-// Numbers from the network: what is out of range counts as 0.
+// Numbers from the network that are out of range become the first enumerator.
 template <class E>
 E enumerator(std::uint8_t value) {
   return value < enum_names<E>.size() ? static_cast<E>(value) : E{};
@@ -61,6 +63,7 @@ E enumerator(std::uint8_t value) {
 }  // namespace
 
 mirocup_v2_WorldState to_sample(const match::Scene& scene, int robots, std::uint64_t leg) {
+  assert(robots >= 0 && robots <= max_robots_per_team);
   mirocup_v2_WorldState s{};
   s.leg = leg;
   s.tick = scene.tick;
@@ -71,7 +74,7 @@ mirocup_v2_WorldState to_sample(const match::Scene& scene, int robots, std::uint
   s.restart = octet(scene.restart);
   s.taker = octet(scene.taker);
   s.left = octet(scene.left);
-  s.placing = scene.placing ? octet(*scene.placing) : nobody;
+  s.placing = scene.placing ? octet(*scene.placing) : no_team;
   s.robots = static_cast<std::uint8_t>(robots);
   s.score[0] = scene.score[0];
   s.score[1] = scene.score[1];
@@ -99,7 +102,7 @@ match::Scene to_scene(const mirocup_v2_WorldState& s) {
   scene.restart = enumerator<referee::Restart>(s.restart);
   scene.taker = enumerator<Team>(s.taker);
   scene.left = enumerator<Team>(s.left);
-  if (s.placing < nobody) scene.placing = enumerator<Team>(s.placing);
+  if (s.placing < no_team) scene.placing = enumerator<Team>(s.placing);
   scene.score = {s.score[0], s.score[1]};
   scene.ball = {{s.ball_x, s.ball_y}, {s.ball_vx, s.ball_vy}};
   for (int i = 0; i < max_robots_per_team; ++i) {

@@ -13,8 +13,8 @@ namespace {
 constexpr std::size_t max_message_length = 300;
 constexpr std::size_t max_messages = 4;
 
-// What strangers make it say, each time in other words: whoever can send packets; in secure mode
-// processes without credentials, and those of another league.
+// Parts of the messages that strangers cause, each time with other numbers and names: hosts that
+// send packets and, in secure mode, processes without credentials or with those of another league.
 constexpr std::string_view malformed = "malformed packet";
 constexpr std::string_view by_strangers[] = {malformed, "not allowed",
                                              "certificate signature failure"};
@@ -23,7 +23,8 @@ bool has(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
 }
 
-// Two messages of one kind say nothing more than one.
+// Returns the part that identifies a stranger's kind of message, or the whole text. Of each kind
+// one message is kept, because a second one tells nothing more.
 std::string_view kind_of(std::string_view text) {
   for (const std::string_view part : by_strangers) {
     if (has(text, part)) return part;
@@ -48,7 +49,7 @@ CycloneLog::CycloneLog() {
 }
 
 CycloneLog::~CycloneLog() {
-  // Not the standard error, which is the default: its last words are for nobody.
+  // The default sink is the standard error, where the user should not see messages of the shutdown.
   dds_set_log_sink([](void*, const dds_log_data_t*) {}, nullptr);
 }
 

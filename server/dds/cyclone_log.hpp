@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// What Cyclone DDS has to say, kept for our own sentences instead of the user's terminal. Whoever
-// can send packets can make it talk without end, so only the last few messages are kept, each once.
-// It also talks of strangers: of packets that make no sense, of processes without credentials, of
-// the servers and teams of another league on this host. Of each kind the last message is kept, and
-// it gives way to whatever may be the team's own trouble.
+// The warnings and errors of Cyclone DDS, kept for our own error messages instead of printed on the
+// user's terminal.
+//
+// Any host that can send packets can make Cyclone log without end, so only the last few messages
+// are kept, each once. Some messages are about strangers: malformed packets, processes without
+// credentials, the servers and teams of another league on this host. The log keeps the last message
+// of each of these kinds, and drops it first, because any other message may be the reason why this
+// team cannot play.
 #pragma once
 
 #include <mutex>
@@ -13,7 +16,8 @@
 
 namespace mirocup::dds {
 
-// One at a time: the library has one log for the whole process.
+// At most one exists at a time, because Cyclone has one log for the whole process. Safe to use from
+// several threads.
 class CycloneLog {
  public:
   CycloneLog();
@@ -21,11 +25,11 @@ class CycloneLog {
   CycloneLog& operator=(const CycloneLog&) = delete;
   ~CycloneLog();
 
-  // The last different warnings and errors, oldest first, printable and short, with "; " between
-  // them; of malformed packets only if there is nothing else; "" if there was none.
+  // Returns the last different messages, oldest first, separated by "; ", in printable ASCII; "" if
+  // there was none. Malformed packets are mentioned only if there is nothing else.
   std::string last_error() const;
 
-  // The same as the end of a sentence, " (DDS: ...)"; "" if there was none.
+  // Returns last_error() as the end of a sentence, " (DDS: ...)"; "" if there was no message.
   std::string last_error_suffix() const;
 
  private:

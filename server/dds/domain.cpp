@@ -11,7 +11,8 @@ namespace mirocup::dds {
 namespace {
 
 constexpr dds_domainid_t domain_id = 0;
-constexpr int first_port = 7410;  // of participant 0 in domain 0; each next one is two higher
+constexpr int first_port =
+    7410;  // of participant 0 in domain 0; each following participant's is two higher
 
 bool is_address(const std::string& interface) {
   return interface.find_first_not_of("0123456789.:") == std::string::npos;
@@ -23,7 +24,7 @@ std::string interface_xml(const std::string& interface) {
          "\"/></Interfaces>";
 }
 
-// `index`: of the participant, "none" for any free port.
+// `index` is the participant index; "none" takes any free port.
 std::string configuration(const std::string& interface, const std::string& index,
                           const std::string& peers) {
   return "<CycloneDDS><Domain Id=\"any\"><General>" +
@@ -34,7 +35,7 @@ std::string configuration(const std::string& interface, const std::string& index
          "</ParticipantIndex><SPDPInterval>500ms</SPDPInterval><LeaseDuration>3s</LeaseDuration>" +
          peers +
          "</Discovery>"
-         // A giant sample would otherwise be gathered before it is thrown away.
+         // Otherwise Cyclone would assemble a giant sample before it throws it away.
          "<Internal><MaxSampleSize>64 kB</MaxSampleSize></Internal>"
          "<Tracing><Verbosity>none</Verbosity></Tracing></Domain></CycloneDDS>";
 }

@@ -10,7 +10,7 @@ namespace mirocup::dds {
 
 namespace {
 
-// Until a state that was not answered is sent again, s.
+// Seconds until an unanswered state is sent again.
 constexpr double resend_interval = 0.01;
 constexpr dds_duration_t farewell_timeout = DDS_MSECS(1000);
 

@@ -13,7 +13,7 @@ using match::Answer;
 using match::Fault;
 using match::FaultCode;
 
-// Between two looks at whether the team is still there, s.
+// Seconds between two checks whether the team is still there.
 constexpr double poll_interval = 0.02;
 
 std::string seconds_text(double seconds) {
@@ -99,7 +99,8 @@ mirocup_v2_Welcome Seat::answer_to(const mirocup_v2_Hello& hello, dds_instance_h
   return welcome;
 }
 
-// While its process loads the team, silence means nothing: only when it has gone the seat is free.
+// A process that still loads its team is silent, so before the first tick the seat becomes free
+// only when its process has left the network.
 bool Seat::may_be_taken() const {
   return nonce_ == 0 || has_left() || (is_ready_ && liveliness_.is_away());
 }
@@ -152,7 +153,7 @@ void Seat::post(const match::Observation& observation) {
   posted_at_ = now();
   liveliness_.asked(posted_at_);
   is_ready_ = true;
-  // The first state was answered before play began.
+  // The first state was answered already, before wait_until_ready() returned.
   if (observation.tick != tick_) answer_.reset();
   tick_ = observation.tick;
   inbox_.expect(tick_);

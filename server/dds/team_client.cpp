@@ -13,11 +13,12 @@ namespace {
 constexpr double hello_interval = 0.25;  // s
 constexpr double max_poll_interval = 0.05;
 
-// A server sends states many times a second. After so many seconds without any, something is wrong
-// with the connection.
+// A server sends states many times a second. After this many seconds without a state the connection
+// is broken.
 constexpr double max_silence = 3.0;
 
-// The same if so many commands have been sent for so long (s), and the server has heard none.
+// The connection is also broken if the server has received none of the last commands, more than
+// this many, for this long (s).
 constexpr int max_unacknowledged = 30;
 constexpr double max_unacknowledged_time = 1.5;
 
@@ -32,7 +33,7 @@ Result<std::unique_ptr<TeamClient>> TeamClient::open(const JoinRequest& request)
 }
 
 Result<void> TeamClient::connect() {
-  link_ = {};  // first leave, then come again
+  link_ = {};  // leaves the network before it joins it again
   Link link;
   link.nonce = random_nonce();
   connected_at_ = last_heard_at_ = acknowledged_at_ = WallClock::now();
@@ -84,12 +85,12 @@ Result<void> TeamClient::open_readers_and_writers(Link& l) const {
       .and_then([&] { return attach(l.waitset, l.welcome_reader); });
 }
 
-News TeamClient::wait(double patience) {
-  const auto begin = WallClock::now();
+News TeamClient::wait(double timeout) {
+  const auto start = WallClock::now();
   while (true) {
     look_after_connection();
     if (auto news = poll()) return std::move(*news);
-    const double left = patience - seconds_since(begin);
+    const double left = timeout - seconds_since(start);
     if (left <= 0.0) return Silence{};
     const auto pause = static_cast<dds_duration_t>(1e9 * std::min(left, max_poll_interval)) + 1;
     if (dds_waitset_wait(link_.waitset.get(), nullptr, 0, pause) < 0) dds_sleepfor(pause);
@@ -114,12 +115,13 @@ std::optional<News> TeamClient::take_welcome() {
     if (welcome.answer != static_cast<std::uint8_t>(Admission::accepted)) {
       return Refused{welcome.reason};
     }
-    // A server that was started again hears the old Hello by itself: its Welcome may come first.
+    // A server that was started again receives the old Hello from its history, so its Welcome may
+    // come before its first state.
     if (link_.is_seated && welcome.leg == seated_leg_) continue;
     if (!from_sample(welcome, briefing_)) return Refused{"the server's welcome makes no sense"};
     link_.is_seated = true;
     last_heard_at_ = WallClock::now();
-    answer_.reset();  // it has the nonce of another appearance
+    answer_.reset();  // it has the nonce of the former participant
     if (std::exchange(seated_leg_, welcome.leg) != welcome.leg) return Seated{};
   }
   return std::nullopt;
@@ -157,7 +159,7 @@ std::optional<News> TeamClient::take_state() {
   return std::nullopt;
 }
 
-// Hostile packets can make either side deaf to the other.
+// Hostile packets can make either side deaf to the other, in one direction or in both.
 bool TeamClient::is_cut_off() const {
   if (unacknowledged_ > max_unacknowledged &&
       seconds_since(acknowledged_at_) > max_unacknowledged_time)
@@ -167,7 +169,7 @@ bool TeamClient::is_cut_off() const {
 
 void TeamClient::look_after_connection() {
   if (is_cut_off()) {
-    if (!connect()) return;  // tried again after the next silence
+    if (!connect()) return;  // the next silence tries again
   }
   if (!link_.is_seated && seconds_since(hello_sent_at_) > hello_interval) send_hello();
 }

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
 //
-// team.h on top of the team's side of the network.
+// Implements mirocup/team.h with dds::TeamClient.
 #include "mirocup/team.h"
 #include "plugins/abi/convert.hpp"
 #include "server/dds/team_client.hpp"
 
 #include <cstdio>
 
-// What a caller of the C interface holds.
+// The connection that a caller of the C interface holds.
 struct mirocup_connection {
   std::unique_ptr<mirocup::dds::TeamClient> client;
   mirocup::Team team = mirocup::Team::blue;
   mirocup_setup setup{};
   mirocup_observation observation{};
-  std::optional<mirocup::match::Poses> poses;  // for the answer to this tick
+  std::optional<mirocup::match::Poses> poses;  // for the answer to the present tick
   mirocup::match::ByTeam<std::int32_t> score{};
   std::string text;
-  bool is_finished = false;  // the text says how
+  bool is_finished = false;  // `text` says how the match ended
 };
 
 namespace mirocup::dds {
@@ -27,7 +27,7 @@ void write_line(const char* text) {
   std::fprintf(stderr, "%s\n", text);
 }
 
-// What one kind of news means for the caller.
+// Stores one kind of news in the connection and returns its number in team.h.
 struct Receive {
   mirocup_connection& c;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Wall time, for what waits for the network.
+// Wall time, for code that waits for the network.
 #pragma once
 
 #include <chrono>
