@@ -5,7 +5,7 @@
 
 namespace mirocup::abi {
 
-// The two sides number these alike.
+// The core and strategy.h give these the same numbers.
 static_assert(static_cast<int>(League::large) == MIROCUP_LARGE);
 static_assert(static_cast<int>(Team::yellow) == MIROCUP_YELLOW);
 static_assert(static_cast<int>(match::State::END) == MIROCUP_END);

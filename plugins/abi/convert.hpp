@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Between the match's structures and those of strategy.h. The only place that knows both.
+// Conversions between the match's structures and those of strategy.h: the only file that knows
+// both. Frames and units are the same on both sides.
 #pragma once
 
 #include "core/match/controller.hpp"

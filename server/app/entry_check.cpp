@@ -3,9 +3,10 @@
 
 #include "core/match/match.hpp"
 #include "plugins/host/elf.hpp"
-#include "plugins/host/entry.hpp"
 #include "plugins/host/process_controller.hpp"
 #include "plugins/host/sandbox/private_root.hpp"
+#include "plugins/host/sandbox/probe.hpp"
+#include "plugins/host/sealed_entry.hpp"
 #include "server/pace/clock.hpp"
 #include "server/system/digest.hpp"
 #include "server/system/files.hpp"
@@ -118,8 +119,8 @@ class Examination {
   match::Setup setup_;
   pace::SteadyClock clock_;
   double delay_ = 0.0;  // s, that processes of earlier legs waited for a processor
-  std::optional<plugins::Entry> entry_;
-  std::optional<plugins::Entry> idle_;
+  std::optional<plugins::SealedEntry> entry_;
+  std::optional<plugins::SealedEntry> idle_;
   EntryReport report_;
 };
 
@@ -162,7 +163,7 @@ Result<EntryReport> Examination::run() {
 }
 
 Result<bool> Examination::examine_file() {
-  auto entry = plugins::Entry::open(path_);
+  auto entry = plugins::SealedEntry::open(path_);
   if (!entry) {
     if (entry.error().code != Errc::input) return tl::unexpected(entry.error());
     return fail_with(entry.error().what);
@@ -183,16 +184,16 @@ Result<bool> Examination::examine_file() {
   std::string names;
   for (const std::string& name : library->needed) {
     if (!is_on_this_system(name)) {
-      return fail_with("it needs " + plugins::escaped(name) +
+      return fail_with("it needs " + plugins::escape_unprintable(name) +
                        ", which this system does not have: link it statically");
     }
-    names += (names.empty() ? "" : ", ") + plugins::escaped(name);
+    names += (names.empty() ? "" : ", ") + plugins::escape_unprintable(name);
   }
   return pass(names.empty() ? "needs no other library" : "needs " + names);
 }
 
 Result<bool> Examination::examine_play() {
-  auto idle = plugins::Entry::open(system::house_team("idle"));
+  auto idle = plugins::SealedEntry::open(system::house_team("idle"));
   if (!idle) return tl::unexpected(idle.error());
   idle_ = std::move(*idle);
 

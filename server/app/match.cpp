@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // mirocup match: plays one leg and writes its record.
+#include "plugins/host/sandbox/probe.hpp"
 #include "server/app/commands.hpp"
 #include "server/app/interrupt.hpp"
 #include "server/app/seats.hpp"
@@ -73,7 +74,7 @@ class Session {
 
  private:
   Result<TeamSeat> take_seat(const TeamChoice& choice, Team team);
-  dds::Patience patience();
+  dds::JoinTerms patience();
   Result<ProcessTerms> process_terms() const;
   record::MatchRecord record() const;
 
@@ -154,8 +155,8 @@ Result<ProcessTerms> Session::process_terms() const {
   return terms;
 }
 
-dds::Patience Session::patience() {
-  dds::Patience patience;
+dds::JoinTerms Session::patience() {
+  dds::JoinTerms patience;
   patience.to_join = options_.join_within;
   patience.away = options_.away_limit;
   patience.interrupted = [this] { return interrupt_.is_asked_for(); };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // mirocup rerun RECORD: do the teams, asked again, give the commands that the record says?
+#include "plugins/host/sandbox/probe.hpp"
 #include "server/app/commands.hpp"
 #include "server/app/interrupt.hpp"
 #include "server/app/seats.hpp"

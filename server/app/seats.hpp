@@ -19,10 +19,10 @@ namespace mirocup::app {
 // What the command line says of a team: "dds:NAME", the path of a library, or a house team's name.
 struct TeamChoice {
   record::TeamInfo info;
-  std::string library;                  // for a DDS team ""
-  std::string network_name;             // of a DDS team: what it calls itself
-  std::optional<plugins::Entry> entry;  // what the library was when it was chosen
-  std::optional<match::Fault> fault;    // of a library that cannot be one
+  std::string library;                        // for a DDS team ""
+  std::string network_name;                   // of a DDS team: what it calls itself
+  std::optional<plugins::SealedEntry> entry;  // what the library was when it was chosen
+  std::optional<match::Fault> fault;          // of a library that cannot be one
 };
 
 Result<TeamChoice> choose_team(const std::string& text);
@@ -44,7 +44,7 @@ class TeamSeat {
                                           const ProcessTerms& terms);
   static Result<TeamSeat> take_trusted(const TeamChoice& choice, const match::Briefing& briefing);
   static Result<TeamSeat> take_on_network(const TeamChoice& choice, const match::Briefing& briefing,
-                                          dds::MatchServer& server, const dds::Patience& patience);
+                                          dds::MatchServer& server, const dds::JoinTerms& patience);
 
   // Returns when the team can play, or why it never will: a fault of its own, or the host's.
   tl::expected<void, match::Answer> wait_until_ready();

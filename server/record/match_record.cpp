@@ -109,7 +109,7 @@ Json pace_json(const std::optional<PaceReport>& report) {
 Json network_json(const std::optional<NetworkReport>& report) {
   if (!report) return {};
   Json absences = Json::array();
-  for (const NetworkReport::Absence& a : report->absences) {
+  for (const pace::Absence& a : report->absences) {
     absences.push_back({{"tick", a.tick},
                         {"noticed", a.noticed},
                         {"back", a.back ? Json(*a.back) : Json()},

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "core/replay/recording.hpp"
+#include "server/pace/absence.hpp"
 #include "server/pace/durations.hpp"
 #include "server/system/files.hpp"
 
@@ -48,13 +49,7 @@ struct NetworkReport {
   std::uint64_t ahead = 0;      // to a tick that there had not been
   std::uint64_t foreign = 0;    // from another process than the team's
   int processes = 0;            // that played for the team, one after the other
-  struct Absence {
-    std::uint32_t tick = 0;             // the first without an answer
-    std::uint32_t noticed = 0;          // in which the server noticed
-    std::optional<std::uint32_t> back;  // in which the team answered again
-    bool has_left = false;              // its process had gone; else it was silent
-  };
-  std::vector<Absence> absences;
+  std::vector<pace::Absence> absences;
   pace::Durations answers;  // from a tick's state to the answer in step, wall time
 };
 

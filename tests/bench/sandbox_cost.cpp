@@ -8,6 +8,7 @@
 // to a team that is ready (median).
 #include "core/match/match.hpp"
 #include "plugins/host/process_controller.hpp"
+#include "plugins/host/sandbox/probe.hpp"
 #include "plugins/host/trusted_controller.hpp"
 
 #include <algorithm>
@@ -58,7 +59,7 @@ class Bench {
   Bench(std::string host_program, std::string library)
       : host_program_(std::move(host_program)),
         library_(std::move(library)),
-        entry_(Entry::open(library_)) {
+        entry_(SealedEntry::open(library_)) {
     if (!entry_) give_up(entry_.error().what);
   }
 
@@ -97,7 +98,7 @@ class Bench {
 
   std::string host_program_;
   std::string library_;
-  Result<Entry> entry_;
+  Result<SealedEntry> entry_;
 };
 
 }  // namespace

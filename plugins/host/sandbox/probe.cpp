@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "plugins/host/sandbox/isolation.hpp"
+#include "plugins/host/sandbox/probe.hpp"
 
 #include "plugins/host/sandbox/file_access.hpp"
 #include "plugins/host/sandbox/fork.hpp"

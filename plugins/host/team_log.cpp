@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "plugins/host/log.hpp"
+#include "plugins/host/team_log.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -33,7 +33,7 @@ Character first_of(std::string_view text) {
 bool is_harmless(std::uint32_t code) {
   if (code == '\n' || code == '\t') return true;
   if (code < 0x20 || (code >= 0x7f && code < 0xa0)) return false;
-  // Marks that turn the direction of writing, or end a line in some programs only.
+  // Characters that change the direction of writing, or end a line only in some programs.
   const bool turns = code == 0x61c || (code >= 0x200e && code <= 0x200f) ||
                      (code >= 0x2028 && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
   return !turns && code != 0xfeff;
@@ -41,7 +41,7 @@ bool is_harmless(std::uint32_t code) {
 
 }  // namespace
 
-std::string escaped(std::string_view text) {
+std::string escape_unprintable(std::string_view text) {
   constexpr char digits[] = "0123456789abcdef";
   std::string out;
   out.reserve(text.size());
@@ -61,31 +61,31 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-void Log::append(std::string_view bytes) {
-  const std::size_t room = most_of_beginning - beginning_.size();
+void TeamLog::append(std::string_view bytes) {
+  const std::size_t room = max_beginning - beginning_.size();
   const std::size_t first = std::min(room, bytes.size());
   beginning_ += bytes.substr(0, first);
   end_ += bytes.substr(first);
-  if (end_.size() <= 2 * most_of_end) return;
-  const std::size_t too_old = end_.size() - most_of_end;
+  if (end_.size() <= 2 * max_end) return;
+  const std::size_t too_old = end_.size() - max_end;
   end_.erase(0, too_old);
   left_out_ += too_old;
 }
 
-std::string Log::text() const {
-  std::string beginning = escaped(beginning_);
-  std::string end = escaped(end_);
-  if (left_out_ == 0 && beginning.size() + end.size() <= most_of_beginning + most_of_end) {
+std::string TeamLog::text() const {
+  std::string beginning = escape_unprintable(beginning_);
+  std::string end = escape_unprintable(end_);
+  if (left_out_ == 0 && beginning.size() + end.size() <= max_beginning + max_end) {
     return beginning + end;
   }
   std::size_t left_out = left_out_;
-  if (beginning.size() > most_of_beginning) {
-    left_out += beginning.size() - most_of_beginning;
-    beginning.resize(most_of_beginning);
+  if (beginning.size() > max_beginning) {
+    left_out += beginning.size() - max_beginning;
+    beginning.resize(max_beginning);
   }
-  if (end.size() > most_of_end) {
-    left_out += end.size() - most_of_end;
-    end.erase(0, end.size() - most_of_end);
+  if (end.size() > max_end) {
+    left_out += end.size() - max_end;
+    end.erase(0, end.size() - max_end);
   }
   return beginning + "\n[about " + std::to_string(left_out) + " bytes are left out here]\n" + end;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "plugins/host/entry.hpp"
+#include "plugins/host/sealed_entry.hpp"
 
 #include <array>
 #include <cerrno>
@@ -21,11 +21,12 @@ tl::unexpected<Error> system_error(const std::string& path) {
   return fail(Errc::unavailable, path + ": " + std::strerror(errno));
 }
 
-// Copies at most `largest_entry` bytes and one more; the number of bytes, or -1.
+// Copies until the end of the file or until more than max_entry_size bytes are copied. Returns the
+// number of bytes, or -1.
 ssize_t copy(int from, int to) {
   std::array<char, 1 << 16> buffer;
   std::size_t total = 0;
-  while (total <= largest_entry) {
+  while (total <= max_entry_size) {
     const ssize_t n = read(from, buffer.data(), buffer.size());
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) return -1;
@@ -42,8 +43,8 @@ ssize_t copy(int from, int to) {
 
 }  // namespace
 
-Result<Entry> Entry::open(const std::string& path) {
-  // O_NONBLOCK: opening a pipe must not wait for its other end.
+Result<SealedEntry> SealedEntry::open(const std::string& path) {
+  // O_NONBLOCK, because opening a pipe would wait for its other end.
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   if (file.get() < 0 && errno == ELOOP)
     return no_entry(path, "it is a symbolic link; name the library itself");
@@ -57,8 +58,8 @@ Result<Entry> Entry::open(const std::string& path) {
   const ssize_t size = copy(file.get(), sealed.get());
   if (size < 0) return system_error(path);
   if (size == 0) return no_entry(path, "it is empty");
-  if (static_cast<std::size_t>(size) > largest_entry) {
-    return no_entry(path, "it is larger than " + std::to_string(largest_entry >> 20) +
+  if (static_cast<std::size_t>(size) > max_entry_size) {
+    return no_entry(path, "it is larger than " + std::to_string(max_entry_size >> 20) +
                               " MiB; build it without debugging symbols and large tables");
   }
   const int seals = F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_WRITE | F_SEAL_SEAL;
@@ -66,20 +67,20 @@ Result<Entry> Entry::open(const std::string& path) {
   void* bytes =
       mmap(nullptr, static_cast<std::size_t>(size), PROT_READ, MAP_SHARED, sealed.get(), 0);
   if (bytes == MAP_FAILED) return system_error(path);
-  return Entry(std::move(sealed),
-               {static_cast<const char*>(bytes), static_cast<std::size_t>(size)});
+  return SealedEntry(std::move(sealed),
+                     {static_cast<const char*>(bytes), static_cast<std::size_t>(size)});
 }
 
-Entry::Entry(Entry&& other) noexcept
+SealedEntry::SealedEntry(SealedEntry&& other) noexcept
     : descriptor_(std::move(other.descriptor_)), bytes_(std::exchange(other.bytes_, {})) {}
 
-Entry& Entry::operator=(Entry&& other) noexcept {
+SealedEntry& SealedEntry::operator=(SealedEntry&& other) noexcept {
   std::swap(descriptor_, other.descriptor_);
   std::swap(bytes_, other.bytes_);
   return *this;
 }
 
-Entry::~Entry() {
+SealedEntry::~SealedEntry() {
   if (!bytes_.empty()) munmap(const_cast<char*>(bytes_.data()), bytes_.size());
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/dds/log.hpp"
+#include "server/dds/cyclone_log.hpp"
 
 #include <dds/ddsrt/log.h>
 
@@ -10,11 +10,11 @@ namespace mirocup::dds {
 
 namespace {
 
-constexpr std::size_t longest = 300;
-constexpr std::size_t most = 4;
+constexpr std::size_t max_message_length = 300;
+constexpr std::size_t max_messages = 4;
 
-// What strangers make it say, each time in other words: whoever can send packets; in secure mode
-// processes without credentials, and those of another league.
+// Parts of the messages that strangers cause, each time with other numbers and names: hosts that
+// send packets and, in secure mode, processes without credentials or with those of another league.
 constexpr std::string_view malformed = "malformed packet";
 constexpr std::string_view by_strangers[] = {malformed, "not allowed",
                                              "certificate signature failure"};
@@ -23,7 +23,8 @@ bool has(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
 }
 
-// Two messages of one kind say nothing more than one.
+// Returns the part that identifies a stranger's kind of message, or the whole text. Of each kind
+// one message is kept, because a second one tells nothing more.
 std::string_view kind_of(std::string_view text) {
   for (const std::string_view part : by_strangers) {
     if (has(text, part)) return part;
@@ -37,34 +38,35 @@ bool is_by_stranger(std::string_view text) {
 
 }  // namespace
 
-Log::Log() {
+CycloneLog::CycloneLog() {
   dds_set_log_sink(
       [](void* log, const dds_log_data_t* data) {
         if ((data->priority & (DDS_LC_WARNING | DDS_LC_ERROR | DDS_LC_FATAL)) == 0) return;
-        static_cast<Log*>(log)->keep({data->message, std::min(data->size, longest)});
+        static_cast<CycloneLog*>(log)->keep(
+            {data->message, std::min(data->size, max_message_length)});
       },
       this);
 }
 
-Log::~Log() {
-  // Not the standard error, which is the default: its last words are for nobody.
+CycloneLog::~CycloneLog() {
+  // The default sink is the standard error, where the user should not see messages of the shutdown.
   dds_set_log_sink([](void*, const dds_log_data_t*) {}, nullptr);
 }
 
-void Log::keep(std::string text) {
+void CycloneLog::keep(std::string text) {
   while (!text.empty() && (text.back() == '\n' || text.back() == '\0')) text.pop_back();
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
   const std::lock_guard lock(mutex_);
   std::erase_if(last_, [&](const std::string& kept) { return kind_of(kept) == kind_of(text); });
-  if (last_.size() == most) {
+  if (last_.size() == max_messages) {
     const auto stranger = std::ranges::find_if(last_, is_by_stranger);
     last_.erase(stranger != last_.end() ? stranger : last_.begin());
   }
   last_.push_back(std::move(text));
 }
 
-std::string Log::said() const {
+std::string CycloneLog::last_error() const {
   const std::lock_guard lock(mutex_);
   std::string all;
   for (const std::string& text : last_) {
@@ -74,8 +76,8 @@ std::string Log::said() const {
   return all;
 }
 
-std::string Log::as_end_of_sentence() const {
-  const std::string all = said();
+std::string CycloneLog::last_error_suffix() const {
+  const std::string all = last_error();
   return all.empty() ? all : " (DDS: " + all + ")";
 }
 
