@@ -51,7 +51,7 @@ struct JoinOptions {
   std::string library;
   std::string server = "127.0.0.1";
   std::string credentials;
-  double patience = 60.0;
+  double join_within = 60.0;  // s to wait for the match
 };
 Result<int> run_join(const JoinOptions& options);
 

@@ -17,9 +17,9 @@ namespace {
 constexpr std::string_view schema = "mirocup/match/1";
 
 // What a program that plays matches can be asked for, s.
-constexpr double shortest_period = 1e-3;
-constexpr double longest_period = 1.0;
-constexpr double longest_half = 36000.0;
+constexpr double min_period = 1e-3;
+constexpr double max_period = 1.0;
+constexpr double max_half = 36000.0;
 
 Json score_json(const match::ByTeam<int>& score) {
   return {{"blue", score[0]}, {"yellow", score[1]}};
@@ -81,7 +81,7 @@ Json team_json(const TeamInfo& team) {
           {"sha256", team.sha256 ? Json(*team.sha256) : Json()}};
 }
 
-Json budget_json(const Budget& b) {
+Json budget_json(const BudgetReport& b) {
   return {{"cpu_seconds", b.cpu_seconds},
           {"slowest_tick_ms", b.slowest_tick_ms},
           {"bank_seconds", b.bank_seconds},
@@ -97,7 +97,7 @@ Json durations_json(const pace::Durations& durations) {
   return {{"p50", durations.quantile(0.5)},
           {"p99", durations.quantile(0.99)},
           {"p999", durations.quantile(0.999)},
-          {"longest", durations.longest()},
+          {"longest", durations.max()},
           {"histogram", histogram}};
 }
 
@@ -195,7 +195,7 @@ TeamInfo team_of(const Json& json) {
   return team;
 }
 
-Budget budget_of(const Json& json) {
+BudgetReport budget_of(const Json& json) {
   return {.cpu_seconds = json.at("cpu_seconds").get<double>(),
           .slowest_tick_ms = json.at("slowest_tick_ms").get<double>(),
           .bank_seconds = json.value("bank_seconds", 0.0),
@@ -215,29 +215,29 @@ match::Setup setup_of(const Json& json) {
   setup.stage = named<referee::Stage>(json.at("stage"));
   setup.seed = json.at("seed").get<std::uint64_t>();
   setup.control_period = json.at("control_period").get<double>();
-  if (!(setup.control_period >= shortest_period && setup.control_period <= longest_period)) {
+  if (!(setup.control_period >= min_period && setup.control_period <= max_period)) {
     throw Damage{"/control_period: no match has such ticks"};
   }
-  if (!(setup.rules.half_s <= longest_half)) throw Damage{"/rules/half_s: no half is so long"};
-  if (!(setup.rules.ready_s <= longest_half)) throw Damage{"/rules/ready_s: no wait is so long"};
+  if (!(setup.rules.half_s <= max_half)) throw Damage{"/rules/half_s: no half is so long"};
+  if (!(setup.rules.ready_s <= max_half)) throw Damage{"/rules/ready_s: no wait is so long"};
   return setup;
 }
 
 // The last key of a record is the digest of everything before it.
-std::string seal_of(const std::string& text) {
+std::string checksum_line(const std::string& text) {
   return ",\n \"sha256\": \"" + system::sha256(text) + "\"\n}\n";
 }
 
 // `object` is the text of an object that is not empty.
-std::string sealed(std::string object) {
+std::string with_checksum(std::string object) {
   object.resize(object.rfind("\n}"));
-  const std::string seal = seal_of(object);
-  return object + seal;
+  const std::string line = checksum_line(object);
+  return object + line;
 }
 
-bool is_sealed(const std::string& text) {
+bool has_valid_checksum(const std::string& text) {
   const std::size_t begin = text.rfind(",\n");
-  return begin != std::string::npos && text.substr(begin) == seal_of(text.substr(0, begin));
+  return begin != std::string::npos && text.substr(begin) == checksum_line(text.substr(0, begin));
 }
 
 MatchRecord record_of(const Json& json) {
@@ -249,7 +249,7 @@ MatchRecord record_of(const Json& json) {
   const Json& software = json.at("software");
   record.software = {.version = software.at("version").get<std::string>(),
                      .build = software.at("build").get<std::string>(),
-                     .game = software.value("game", "")};
+                     .behaviour_hash = software.value("game", "")};
   for (const Team team : both_teams) {
     const std::string colour(to_string(team));
     record.teams[index_of(team)] = team_of(json.at("teams").at(colour));
@@ -287,18 +287,21 @@ std::string software_build() {
 }  // namespace
 
 Software this_software() {
-  return {.version = software_version(), .build = software_build(), .game = MIROCUP_GAME};
+  return {.version = software_version(),
+          .build = software_build(),
+          .behaviour_hash = MIROCUP_BEHAVIOUR_HASH};
 }
 
-bool is_of_another_game(const MatchRecord& record) {
-  return record.software.game != MIROCUP_GAME;
+bool has_other_behaviour(const MatchRecord& record) {
+  return record.software.behaviour_hash != MIROCUP_BEHAVIOUR_HASH;
 }
 
-Error another_game(const std::string& path, const MatchRecord& record, std::uint32_t tick) {
-  const std::string game = record.software.game.empty() ? "unknown" : record.software.game;
-  return {Errc::damaged, path + ": it was played by another version of the game (" + game +
+Error behaviour_mismatch(const std::string& path, const MatchRecord& record, std::uint32_t tick) {
+  const std::string played_by =
+      record.software.behaviour_hash.empty() ? "unknown" : record.software.behaviour_hash;
+  return {Errc::damaged, path + ": it was played by another version of the game (" + played_by +
                              ", mirocup " + record.software.version + "; this program plays " +
-                             MIROCUP_GAME + ") and goes another way here from tick " +
+                             MIROCUP_BEHAVIOUR_HASH + ") and goes another way here from tick " +
                              std::to_string(tick) +
                              " on, which says nothing against it: use the program that played it"};
 }
@@ -315,7 +318,7 @@ Json to_json(const MatchRecord& record) {
           {"software",
            {{"version", record.software.version},
             {"build", record.software.build},
-            {"game", record.software.game}}},
+            {"game", record.software.behaviour_hash}}},
           {"league", to_string(r.setup.league)},
           {"rules", to_json(r.setup.rules)},
           {"stage", to_string(r.setup.stage)},
@@ -343,13 +346,13 @@ Result<void> save(system::Files& files, const std::string& path, const MatchReco
   json["replay"] = {{"file", std::filesystem::path(replay_path).filename().string()},
                     {"sha256", system::sha256(replay)}};
   // Names of teams may be any bytes: what is not UTF-8 is replaced.
-  return files.write(path, sealed(json.dump(1, ' ', false, Json::error_handler_t::replace)));
+  return files.write(path, with_checksum(json.dump(1, ' ', false, Json::error_handler_t::replace)));
 }
 
-Result<MatchRecord> load(system::Files& files, const std::string& path, Seal seal) {
+Result<MatchRecord> load(system::Files& files, const std::string& path, ChecksumPolicy policy) {
   const auto text = files.read(path);
   if (!text) return tl::unexpected(text.error());
-  if (seal == Seal::checked && !is_sealed(*text)) {
+  if (policy == ChecksumPolicy::checked && !has_valid_checksum(*text)) {
     return fail(Errc::damaged, path + ": its text is not what was written (sha256)");
   }
   try {

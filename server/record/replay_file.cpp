@@ -13,7 +13,7 @@ constexpr std::string_view magic = "mirocup/replay/2\n";
 // Most of a replay is hashes, which nothing compresses: the highest levels save 1 % and take 20 times
 // as long, a tenth of a whole leg.
 constexpr int compression_level = 1;
-constexpr std::size_t most_ticks = 10'000'000;
+constexpr std::size_t max_ticks = 10'000'000;
 constexpr std::size_t head_size = 16;
 
 // How many of everything a replay has.
@@ -143,8 +143,8 @@ std::string decompressed(std::string_view bytes, const Counts& largest) {
     return "";
   }
   // More than data can grow to is not worth the memory.
-  constexpr unsigned long long most_growth = 4096;
-  if (size / most_growth > bytes.size()) return "";
+  constexpr unsigned long long max_growth = 4096;
+  if (size / max_growth > bytes.size()) return "";
   std::string plain(size, '\0');
   if (ZSTD_decompress(plain.data(), plain.size(), bytes.data(), bytes.size()) != size) return "";
   return plain;
@@ -188,7 +188,7 @@ Result<Replay> unpack_replay(std::string_view bytes, int robots, const std::stri
   const auto damaged = [&path](const char* why) { return fail(Errc::damaged, path + ": " + why); };
   if (bytes.substr(0, magic.size()) != magic) return damaged("this is not a replay of version 2");
   bytes.remove_prefix(magic.size());
-  Counts counts{most_ticks, static_cast<std::size_t>(robots), most_ticks, most_ticks};
+  Counts counts{max_ticks, static_cast<std::size_t>(robots), max_ticks, max_ticks};
   const std::string plain = decompressed(bytes, counts);
   if (plain.empty()) return damaged("the compressed data is damaged");
   std::size_t at = 0;

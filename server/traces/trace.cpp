@@ -173,18 +173,18 @@ referee::Decision restart_of(const Json& json, const Trace& trace, const field::
   return d;
 }
 
-void read_asked(const Json& json, const field::Field& field, Trace& trace) {
+void read_requested_placement(const Json& json, const field::Field& field, Trace& trace) {
   if (trace.state != TraceState::PLACE) return;
-  trace.asked = default_placement({field, trace.rules}, trace.restart.restart, trace.restart.taker,
-                                  trace.restart.spot);
+  trace.requested_placement = default_placement({field, trace.rules}, trace.restart.restart,
+                                                trace.restart.taker, trace.restart.spot);
   const Json place = json.value("place", Json::object());
-  if (place.contains("ball")) trace.asked->ball = point_of(place["ball"]);
+  if (place.contains("ball")) trace.requested_placement->ball = point_of(place["ball"]);
   referee::ByEnd<std::vector<Pose>> robots;
   read_robots(place, field.robots_per_team, robots);
   for (const End end : both_ends) {
     const int e = index_of(end);
-    trace.asked_robots[e] = static_cast<int>(robots[e].size());
-    std::copy(robots[e].begin(), robots[e].end(), trace.asked->robots[e].begin());
+    trace.requested_robots[e] = static_cast<int>(robots[e].size());
+    std::copy(robots[e].begin(), robots[e].end(), trace.requested_placement->robots[e].begin());
   }
 }
 
@@ -192,11 +192,11 @@ void read_events(const Json& json, int robots, Trace& trace) {
   for (const Json& event : json.value("events", Json::array())) {
     const double t = event.value("t", 0.0);
     if (event.contains("call")) {
-      trace.calls.push_back({t, end_of(event["call"].get<std::string>(), "events/call"), {}});
+      trace.requests.push_back({t, end_of(event["call"].get<std::string>(), "events/call"), {}});
     }
     if (event.contains("substitute")) {
       const RobotId robot = robot_of(event["substitute"].get<std::string>(), robots);
-      trace.calls.push_back({t, robot.end, robot});
+      trace.requests.push_back({t, robot.end, robot});
     }
     if (event.contains("hand")) {
       trace.hands.push_back({t, end_of(event["hand"].get<std::string>(), "events/hand")});
@@ -229,7 +229,7 @@ Trace trace_of(const Json& json) {
     trace.clock_stops.emplace_back(stop.at(0).get<double>(), stop.at(1).get<double>());
   }
   read_events(json, field.robots_per_team, trace);
-  read_asked(json, field, trace);
+  read_requested_placement(json, field, trace);
   return trace;
 }
 

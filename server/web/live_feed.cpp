@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint64_t statistics_every = 30;  // states
 
-Json calls_json(const std::vector<match::LoggedDecision>& decisions, std::size_t from) {
+Json decisions_json(const std::vector<match::LoggedDecision>& decisions, std::size_t from) {
   Json calls = Json::array();
   for (std::size_t i = from; i < decisions.size(); ++i) {
     calls.push_back(record::to_json(decisions[i]));
@@ -66,9 +66,9 @@ std::string LiveFeed::news(Viewer& viewer) const {
 
   std::string text;
   if (!viewer.has_started) {
-    text += event_text("start", {{"decisions", calls_json(decisions, 0)}});
+    text += event_text("start", {{"decisions", decisions_json(decisions, 0)}});
   } else {
-    for (const Json& call : calls_json(decisions, 0)) text += event_text("call", call);
+    for (const Json& call : decisions_json(decisions, 0)) text += event_text("call", call);
   }
   viewer.has_started = true;
   viewer.decisions += decisions.size();

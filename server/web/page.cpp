@@ -84,9 +84,9 @@ std::string page(const match::Match& first_moment, const match::ByTeam<std::stri
       "default-src 'none'; style-src 'unsafe-inline'; connect-src 'self'; script-src '" +
       policy_digest(code) + "'";
   return filled(asset("page.html"),
-                {{"title", system::escaped(names[0] + " – " + names[1])},
-                 {"blue", system::escaped(names[0])},
-                 {"yellow", system::escaped(names[1])},
+                {{"title", system::html_escaped(names[0] + " – " + names[1])},
+                 {"blue", system::html_escaped(names[0])},
+                 {"yellow", system::html_escaped(names[1])},
                  {"policy", policy},
                  {"style", std::string(asset("page.css"))},
                  {"picture", picture(first_moment.field(), first_moment.setup().parameters,
@@ -100,9 +100,9 @@ Json teams_json(const match::ByTeam<std::string>& names) {
 }
 
 // A leg as a page holds it: the track, what changed when, and the numbers.
-class Film {
+class LegTimeline {
  public:
-  explicit Film(const match::Match& match)
+  explicit LegTimeline(const match::Match& match)
       : track_(match.field().robots_per_team), statistics_(match.field()) {
     add(match);
   }
@@ -123,7 +123,7 @@ class Film {
   const Statistics& statistics() const { return statistics_; }
 
  private:
-  Track track_;
+  TrackEncoder track_;
   Statistics statistics_;
   Json moments_ = Json::array();
   Json last_moment_;
@@ -143,12 +143,12 @@ tl::expected<std::string, replay::Divergence> replay_page(const record::MatchRec
                                                           Times times) {
   replay::Playback playback(record.recording);
   const match::Match begin(record.recording.setup);
-  Film film(playback.match());
-  while (playback.advance()) film.add(playback.match());
+  LegTimeline timeline(playback.match());
+  while (playback.advance()) timeline.add(playback.match());
   if (playback.divergence()) return tl::unexpected(*playback.divergence());
 
   const Json whole = record::to_json(record);
-  Json statistics = statistics_json(film.statistics(), record.recording.decisions);
+  Json statistics = statistics_json(timeline.statistics(), record.recording.decisions);
   for (const char* team : {"blue", "yellow"}) {
     Json budget = whole["budget"][team];
     if (times == Times::left_out) {
@@ -163,9 +163,9 @@ tl::expected<std::string, replay::Divergence> replay_page(const record::MatchRec
                   {"about", about(record)},
                   {"result", whole["result"]},
                   {"decisions", whole["decisions"]},
-                  {"moments", film.moments()},
+                  {"moments", timeline.moments()},
                   {"statistics", statistics},
-                  {"track", film.track_json()}};
+                  {"track", timeline.track_json()}};
   return page(begin, {record.teams[0].name, record.teams[1].name}, data);
 }
 

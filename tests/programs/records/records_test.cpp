@@ -95,14 +95,14 @@ TEST(Records, LoseNothingWhenTheyAreMadeFlat) {
 
 TEST(Records, OfEarlierVersionsAreRead) {
   system::Disk disk;
-  const std::string game = record::this_software().game;
+  const std::string behaviour_hash = record::this_software().behaviour_hash;
   ASSERT_FALSE(samples().empty());
   for (const std::string& path : samples()) {
     const auto loaded = record::load(disk, path);
     ASSERT_TRUE(loaded) << loaded.error().what;
     const Outcome verified = verify(path);
     if (verified.exit_code == 0) continue;
-    EXPECT_NE(loaded->software.game, game) << verified.out << verified.err;
+    EXPECT_NE(loaded->software.behaviour_hash, behaviour_hash) << verified.out << verified.err;
     EXPECT_EQ(verified.exit_code, 4) << path;
     EXPECT_NE(verified.err.find("another version of the game"), std::string::npos) << verified.err;
   }
@@ -118,7 +118,7 @@ TEST(Records, OfAnotherGameAreNotCalledWrong) {
   ASSERT_TRUE(record::save(disk, path, record));
   EXPECT_EQ(verify(path).exit_code, 1) << "this game's";
 
-  record.software.game = "0123456789abcdef";
+  record.software.behaviour_hash = "0123456789abcdef";
   record.software.version = "0.0.9";
   ASSERT_TRUE(record::save(disk, path, record));
   const Outcome verified = verify(path);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/web/track.hpp"
+#include "server/web/track_encoder.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -47,7 +47,7 @@ Frame frame_of(const match::Scene& scene, int robots, const Frame& before) {
   return frame;
 }
 
-void Track::add(const match::Scene& scene) {
+void TrackEncoder::add(const match::Scene& scene) {
   const Frame frame = frame_of(scene, robots_, last_);
   if (frames_ == 0) {
     last_.assign(frame.size(), 0);
@@ -63,7 +63,7 @@ void Track::add(const match::Scene& scene) {
   ++frames_;
 }
 
-std::string Track::packed() const {
+std::string TrackEncoder::packed() const {
   std::string bytes;
   for (const std::string& column : columns_) bytes += column;
   return base64(bytes);

@@ -27,9 +27,9 @@ using Frame = std::vector<std::int32_t>;
 // turn.
 Frame frame_of(const match::Scene& scene, int robots, const Frame& before);
 
-class Track {
+class TrackEncoder {
  public:
-  explicit Track(int robots) : robots_(robots) {}
+  explicit TrackEncoder(int robots) : robots_(robots) {}
 
   void add(const match::Scene& scene);
 
