@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "server/record/match_record.hpp"
 
+#include "server/record/json_reader.hpp"
 #include "server/record/replay_file.hpp"
 #include "server/record/rules_json.hpp"
 #include "server/system/digest.hpp"
 
 #include <nlohmann/json.hpp>
 
+#include <charconv>
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 namespace mirocup::record {
@@ -125,102 +128,141 @@ Json network_json(const match::ByTeam<std::optional<NetworkReport>>& reports) {
   return {{"blue", network_json(reports[0])}, {"yellow", network_json(reports[1])}};
 }
 
-// What a record says that cannot be; caught in load().
-struct Damage {
-  std::string where;
-};
-
-template <class E>
-E named(const Json& json) {
-  const auto value = from_string<E>(json.get<std::string>());
-  if (!value)
-    throw Damage{"\"" + json.get<std::string>() + "\" is not one of " + list_of_names<E>()};
-  return *value;
+match::ByTeam<int> read_score(const JsonReader& json) {
+  return {json.at("blue").as<int>(), json.at("yellow").as<int>()};
 }
 
-match::ByTeam<int> score_of(const Json& json) {
-  return {json.at("blue").get<int>(), json.at("yellow").get<int>()};
-}
-
-std::optional<Team> optional_team(const Json& json) {
+std::optional<Team> read_optional_team(const JsonReader& json) {
   if (json.is_null()) return std::nullopt;
-  return named<Team>(json);
+  return json.name<Team>();
 }
 
-match::Result result_of(const Json& json) {
+match::TeamFault read_fault(const JsonReader& json) {
+  return {
+      .team = json.at("team").name<Team>(),
+      .fault = {.code = json.at("code").name<match::FaultCode>(), .text = json.at("text").text()}};
+}
+
+match::Result read_result(const JsonReader& json) {
   match::Result result;
-  result.score = score_of(json.at("score"));
-  result.played = score_of(json.at("played"));
-  if (json.contains("shoot_out") && !json.at("shoot_out").is_null())
-    result.shoot_out = score_of(json.at("shoot_out"));
-  result.winner = optional_team(json.at("winner"));
-  result.end = named<match::EndKind>(json.at("end"));
-  for (const Json& f : json.at("faults")) {
-    result.faults.push_back(
-        {named<Team>(f.at("team")),
-         {named<match::FaultCode>(f.at("code")), f.at("text").get<std::string>()}});
+  result.score = read_score(json.at("score"));
+  result.played = read_score(json.at("played"));
+  if (const auto score = json.find("shoot_out")) result.shoot_out = read_score(*score);
+  result.winner = read_optional_team(json.at("winner"));
+  result.end = json.at("end").name<match::EndKind>();
+  for (const JsonReader& fault : json.at("faults").elements()) {
+    result.faults.push_back(read_fault(fault));
   }
-  if (!json.at("why_void").is_null()) result.why_void = json.at("why_void").get<std::string>();
+  if (const JsonReader why = json.at("why_void"); !why.is_null()) result.why_void = why.text();
   return result;
 }
 
-match::LoggedDecision decision_of(const Json& json) {
+match::LoggedDecision read_decision(const JsonReader& json) {
   match::LoggedDecision d;
-  d.tick = json.at("tick").get<std::uint32_t>();
-  d.decision.clock = json.at("clock").get<double>();
-  d.decision.law = named<referee::Law>(json.at("law"));
-  d.decision.verdict = named<referee::Verdict>(json.at("decision"));
-  d.team = optional_team(json.at("team"));
+  d.tick = json.at("tick").as<std::uint32_t>();
+  d.decision.clock = json.at("clock").number();
+  d.decision.law = json.at("law").name<referee::Law>();
+  d.decision.verdict = json.at("decision").name<referee::Verdict>();
+  d.team = read_optional_team(json.at("team"));
   for (const Team team : both_teams) {
-    for (const Json& robot : json.at("robots").at(std::string(to_string(team)))) {
-      const int i = robot.get<int>();
-      if (i < 0 || i >= max_robots_per_team) throw Damage{"there is no robot " + robot.dump()};
-      d.robots[index_of(team)].set(i);
+    for (const JsonReader& robot : json.at("robots").at(std::string(to_string(team))).elements()) {
+      d.robots[index_of(team)].set(
+          static_cast<std::size_t>(robot.integer<int>(0, max_robots_per_team - 1)));
     }
   }
-  d.decision.reason = json.at("reason").get<std::string>();
-  d.decision.ball = {json.at("ball").at(0).get<double>(), json.at("ball").at(1).get<double>()};
-  if (!json.at("restart").is_null()) {
-    d.decision.restart = named<referee::Restart>(json.at("restart"));
-    d.taker = named<Team>(json.at("taker"));
+  d.decision.reason = json.at("reason").text();
+  d.decision.ball = {json.at("ball").at(0).number(), json.at("ball").at(1).number()};
+  if (const JsonReader restart = json.at("restart"); !restart.is_null()) {
+    d.decision.restart = restart.name<referee::Restart>();
+    d.taker = json.at("taker").name<Team>();
   }
   return d;
 }
 
-TeamInfo team_of(const Json& json) {
+TeamInfo read_team(const JsonReader& json) {
   TeamInfo team;
-  team.name = json.at("name").get<std::string>();
-  team.kind = named<TeamKind>(json.at("kind"));
-  if (!json.at("sha256").is_null()) team.sha256 = json.at("sha256").get<std::string>();
+  team.name = json.at("name").text();
+  team.kind = json.at("kind").name<TeamKind>();
+  if (const JsonReader sha256 = json.at("sha256"); !sha256.is_null()) team.sha256 = sha256.text();
   return team;
 }
 
-BudgetReport budget_of(const Json& json) {
-  return {.cpu_seconds = json.at("cpu_seconds").get<double>(),
-          .slowest_tick_ms = json.at("slowest_tick_ms").get<double>(),
-          .bank_seconds = json.value("bank_seconds", 0.0),
-          .late_ticks = json.at("late_ticks").get<int>(),
-          .bad_commands = json.at("bad_commands").get<int>()};
+BudgetReport read_budget(const JsonReader& json) {
+  BudgetReport budget;
+  budget.cpu_seconds = json.at("cpu_seconds").number();
+  budget.slowest_tick_ms = json.at("slowest_tick_ms").number();
+  json.read_if_present("bank_seconds", budget.bank_seconds);  // missing in older records
+  budget.late_ticks = json.at("late_ticks").as<int>();
+  budget.bad_commands = json.at("bad_commands").as<int>();
+  return budget;
 }
 
-match::Setup setup_of(const Json& json) {
+match::Setup read_setup(const JsonReader& json) {
   match::Setup setup;
-  setup.league = named<League>(json.at("league"));
-  Json parameters = json.at("rules");
-  // Records from before there was this one were played without it, whatever their preset.
-  if (parameters.is_object()) parameters.emplace("kickoff_behind", false);
-  auto rules = rules_from_json(parameters, Errc::damaged, setup.league);
-  if (!rules) throw Damage{rules.error().what};
-  setup.rules = *rules;
-  setup.stage = named<referee::Stage>(json.at("stage"));
-  setup.seed = json.at("seed").get<std::uint64_t>();
-  setup.control_period = json.at("control_period").get<double>();
-  if (!(setup.control_period >= min_period && setup.control_period <= max_period)) {
-    throw Damage{"/control_period: no match has such ticks"};
+  setup.league = json.at("league").name<League>();
+  const JsonReader rules = json.at("rules");
+  setup.rules = read_rules(rules, setup.league);
+  // Records without this key were played without it, whatever their preset.
+  if (!rules.has("kickoff_behind")) setup.rules.kickoff_behind = false;
+  for (const auto& [key, seconds] :
+       {std::pair{"half_s", setup.rules.half_s}, std::pair{"ready_s", setup.rules.ready_s}}) {
+    if (!(seconds <= max_half)) rules.at(key).complain("no half is that long");
   }
-  if (!(setup.rules.half_s <= max_half)) throw Damage{"/rules/half_s: no half is so long"};
-  if (!(setup.rules.ready_s <= max_half)) throw Damage{"/rules/ready_s: no wait is so long"};
+  setup.stage = json.at("stage").name<referee::Stage>();
+  setup.seed = json.at("seed").as<std::uint64_t>();
+  setup.control_period = json.at("control_period").number(min_period, max_period);
   return setup;
+}
+
+std::uint64_t read_hash(const JsonReader& json) {
+  const std::string digits = json.text();
+  std::uint64_t hash = 0;
+  const char* const last = digits.data() + digits.size();
+  const auto parsed = std::from_chars(digits.data(), last, hash, 16);
+  if (parsed.ec != std::errc() || parsed.ptr != last || digits.size() != 16) {
+    json.complain("16 hexadecimal digits are expected, not " + json.quoted());
+  }
+  return hash;
+}
+
+// The file of that name in the folder of `path`; a name with a folder of its own loses it.
+std::string beside(const std::string& path, const std::string& name) {
+  namespace fs = std::filesystem;
+  return (fs::path(path).parent_path() / fs::path(name).filename()).string();
+}
+
+// The file of a record, without the replay that it names.
+struct RecordFile {
+  MatchRecord record;
+  std::string replay_name;
+  std::string replay_sha256;
+  std::size_t ticks = 0;
+};
+
+RecordFile read_record_file(const JsonReader& json) {
+  RecordFile file;
+  json.expect_schema(schema);
+  MatchRecord& record = file.record;
+  const JsonReader software = json.at("software");
+  record.software.version = software.at("version").text();
+  record.software.build = software.at("build").text();
+  software.read_if_present("game", record.software.behaviour_hash);
+  for (const Team team : both_teams) {
+    const std::string colour(to_string(team));
+    record.teams[index_of(team)] = read_team(json.at("teams").at(colour));
+    record.budget[index_of(team)] = read_budget(json.at("budget").at(colour));
+  }
+  record.isolation = json.at("isolation").text();
+  record.recording.setup = read_setup(json);
+  record.recording.result = read_result(json.at("result"));
+  for (const JsonReader& decision : json.at("decisions").elements()) {
+    record.recording.decisions.push_back(read_decision(decision));
+  }
+  record.recording.state_hash = read_hash(json.at("state_hash"));
+  file.ticks = json.at("ticks").as<std::size_t>();
+  file.replay_name = json.at("replay").at("file").text();
+  file.replay_sha256 = json.at("replay").at("sha256").text();
+  return file;
 }
 
 // The last key of a record is the digest of everything before it.
@@ -238,29 +280,6 @@ std::string with_checksum(std::string object) {
 bool has_valid_checksum(const std::string& text) {
   const std::size_t begin = text.rfind(",\n");
   return begin != std::string::npos && text.substr(begin) == checksum_line(text.substr(0, begin));
-}
-
-MatchRecord record_of(const Json& json) {
-  if (json.at("schema") != schema) {
-    throw Damage{"its schema is " + json.at("schema").dump() + ", this program reads " +
-                 std::string(schema)};
-  }
-  MatchRecord record;
-  const Json& software = json.at("software");
-  record.software = {.version = software.at("version").get<std::string>(),
-                     .build = software.at("build").get<std::string>(),
-                     .behaviour_hash = software.value("game", "")};
-  for (const Team team : both_teams) {
-    const std::string colour(to_string(team));
-    record.teams[index_of(team)] = team_of(json.at("teams").at(colour));
-    record.budget[index_of(team)] = budget_of(json.at("budget").at(colour));
-  }
-  record.isolation = json.at("isolation").get<std::string>();
-  record.recording.setup = setup_of(json);
-  record.recording.result = result_of(json.at("result"));
-  for (const Json& d : json.at("decisions")) record.recording.decisions.push_back(decision_of(d));
-  record.recording.state_hash = std::stoull(json.at("state_hash").get<std::string>(), nullptr, 16);
-  return record;
 }
 
 }  // namespace
@@ -355,35 +374,27 @@ Result<MatchRecord> load(system::Files& files, const std::string& path, Checksum
   if (policy == ChecksumPolicy::checked && !has_valid_checksum(*text)) {
     return fail(Errc::damaged, path + ": its text is not what was written (sha256)");
   }
-  try {
-    const Json json = Json::parse(*text);
-    MatchRecord record = record_of(json);
-    const std::string name = json.at("replay").at("file").get<std::string>();
-    const std::string replay_path =
-        (std::filesystem::path(path).parent_path() / std::filesystem::path(name).filename())
-            .string();
-    const auto replay = files.read(replay_path);
-    if (!replay) return tl::unexpected(replay.error());
-    if (system::sha256(*replay) != json.at("replay").at("sha256").get<std::string>()) {
-      return fail(Errc::damaged,
-                  replay_path + ": it is not the replay that the record was saved with");
-    }
-    const int robots = field::make_field(record.recording.setup.league).robots_per_team;
-    auto unpacked = unpack_replay(*replay, robots, replay_path);
-    if (!unpacked) return tl::unexpected(unpacked.error());
-    if (unpacked->ticks.size() != json.at("ticks").get<std::size_t>()) {
-      return fail(Errc::damaged,
-                  replay_path + ": it has another number of ticks than the record says");
-    }
-    record.recording.ticks = std::move(unpacked->ticks);
-    record.recording.trace = std::move(unpacked->trace);
-    record.recording.asked = std::move(unpacked->asked);
-    return record;
-  } catch (const Damage& damage) {
-    return fail(Errc::damaged, path + ": " + damage.where);
-  } catch (const std::exception& e) {
-    return fail(Errc::damaged, path + ": " + e.what());
+  auto file = read_json<RecordFile>(*text, path, Errc::damaged, read_record_file);
+  if (!file) return tl::unexpected(file.error());
+  const std::string replay_path = beside(path, file->replay_name);
+  const auto replay = files.read(replay_path);
+  if (!replay) return tl::unexpected(replay.error());
+  if (system::sha256(*replay) != file->replay_sha256) {
+    return fail(Errc::damaged,
+                replay_path + ": it is not the replay that the record was saved with");
   }
+  MatchRecord record = std::move(file->record);
+  const int robots = field::make_field(record.recording.setup.league).robots_per_team;
+  auto unpacked = unpack_replay(*replay, robots, replay_path);
+  if (!unpacked) return tl::unexpected(unpacked.error());
+  if (unpacked->ticks.size() != file->ticks) {
+    return fail(Errc::damaged,
+                replay_path + ": it has another number of ticks than the record says");
+  }
+  record.recording.ticks = std::move(unpacked->ticks);
+  record.recording.trace = std::move(unpacked->trace);
+  record.recording.asked = std::move(unpacked->asked);
+  return record;
 }
 
 }  // namespace mirocup::record

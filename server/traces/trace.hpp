@@ -82,8 +82,9 @@ struct Trace {
   std::optional<Attempt> attempt;
 };
 
-// An error names the key that is wrong.
-Result<Trace> trace_from_json(const nlohmann::ordered_json& json);
+// Reads one situation. An error, Errc::input, begins with the JSON pointer of the key that is wrong.
+// Unknown keys are ignored.
+Result<Trace> trace_from_json(nlohmann::ordered_json json);
 
 }  // namespace mirocup::traces
 
