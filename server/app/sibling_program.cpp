@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "server/app/commands.hpp"
+#include "server/system/child_process.hpp"
 #include "server/system/locations.hpp"
-
-#include <cerrno>
-#include <cstring>
-#include <unistd.h>
 
 namespace mirocup::app {
 
-Result<int> run_program(const std::string& name, int argc, char** argv) {
-  std::string program = system::sibling_program(name);
-  std::vector<char*> arguments{program.data()};
-  for (int i = 2; i < argc; ++i) arguments.push_back(argv[i]);
-  arguments.push_back(nullptr);
-  execv(program.c_str(), arguments.data());
-  return fail(Errc::unavailable, program + " cannot be run: " + std::strerror(errno));
+Result<int> become_sibling_program(const std::string& name, int argc, char** argv) {
+  std::vector<std::string> arguments{system::sibling_program(name)};
+  arguments.insert(arguments.end(), argv + 2, argv + argc);
+  return tl::unexpected(system::become_program(std::move(arguments)));
 }
 
 }  // namespace mirocup::app

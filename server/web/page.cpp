@@ -39,16 +39,6 @@ std::string script() {
   return all;
 }
 
-// The digest of a script as a content security policy names it.
-std::string policy_digest(const std::string& text) {
-  const std::string hex = system::sha256(text);
-  std::string bytes;
-  for (std::size_t i = 0; i < hex.size(); i += 2) {
-    bytes += static_cast<char>(std::stoi(hex.substr(i, 2), nullptr, 16));
-  }
-  return "sha256-" + base64(bytes);
-}
-
 // JSON inside a <script>: nothing in it can end the element.
 std::string embedded(const Json& json) {
   std::string text;
@@ -81,8 +71,8 @@ std::string page(const match::Match& first_moment, const match::ByTeam<std::stri
   const std::string code = script();
   // No source but this page, no code but this script: what is no script stays none.
   const std::string policy =
-      "default-src 'none'; style-src 'unsafe-inline'; connect-src 'self'; script-src '" +
-      policy_digest(code) + "'";
+      "default-src 'none'; style-src 'unsafe-inline'; connect-src 'self'; script-src 'sha256-" +
+      system::sha256_base64(code) + "'";
   return filled(asset("page.html"),
                 {{"title", system::html_escaped(names[0] + " – " + names[1])},
                  {"blue", system::html_escaped(names[0])},

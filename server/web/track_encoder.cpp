@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "server/web/track_encoder.hpp"
 
+#include "server/system/digest.hpp"
+
 #include <cmath>
 #include <numbers>
 
@@ -66,24 +68,7 @@ void TrackEncoder::add(const match::Scene& scene) {
 std::string TrackEncoder::packed() const {
   std::string bytes;
   for (const std::string& column : columns_) bytes += column;
-  return base64(bytes);
-}
-
-std::string base64(std::string_view bytes) {
-  constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t j = i; j < i + 3; ++j) {
-      group = group << 8 | (j < bytes.size() ? static_cast<unsigned char>(bytes[j]) : 0u);
-    }
-    for (std::size_t j = 0; j < 4; ++j) {
-      const bool is_padding = i + j > bytes.size();
-      text += is_padding ? '=' : digits[group >> (18 - 6 * j) & 63];
-    }
-  }
-  return text;
+  return system::base64(bytes);
 }
 
 }  // namespace mirocup::web

@@ -11,7 +11,6 @@
 
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace mirocup::web {
@@ -45,7 +44,5 @@ class TrackEncoder {
   Frame last_change_;
   std::vector<std::string> columns_;
 };
-
-std::string base64(std::string_view bytes);
 
 }  // namespace mirocup::web

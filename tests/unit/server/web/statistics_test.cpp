@@ -55,13 +55,5 @@ TEST(TrackEncoder, LetsAHeadingGoOnWhereItPassesAHalfTurn) {
   EXPECT_LT(std::abs(after[5] - before[5]), 40) << "a turn is 2048";
 }
 
-TEST(TrackEncoder, WritesBase64) {
-  EXPECT_EQ(base64(""), "");
-  EXPECT_EQ(base64("a"), "YQ==");
-  EXPECT_EQ(base64("ab"), "YWI=");
-  EXPECT_EQ(base64("abc"), "YWJj");
-  EXPECT_EQ(base64("\xff\xfe\xfd"), "//79");
-}
-
 }  // namespace
 }  // namespace mirocup::web
