@@ -127,16 +127,17 @@ void stay_on_this_core() {
 std::optional<record::NetworkReport> TeamSeat::network_report() const {
   if (network_ == nullptr) return std::nullopt;
   const dds::CommandCounts& commands = network_->commands();
-  record::NetworkReport report{commands.in_step,
-                               commands.late,
-                               commands.duplicate,
-                               commands.ahead,
-                               commands.foreign,
-                               network_->processes(),
-                               {},
-                               network_->answers()};
+  record::NetworkReport report{.in_step = commands.in_step,
+                               .late = commands.late,
+                               .duplicate = commands.duplicate,
+                               .ahead = commands.ahead,
+                               .foreign = commands.foreign,
+                               .processes = network_->processes(),
+                               .absences = {},
+                               .answers = network_->answers()};
   for (const dds::Absence& a : network_->absences()) {
-    report.absences.push_back({a.tick, a.noticed, a.back, a.has_left});
+    report.absences.push_back(
+        {.tick = a.tick, .noticed = a.noticed, .back = a.back, .has_left = a.has_left});
   }
   return report;
 }

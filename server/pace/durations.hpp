@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -26,6 +27,7 @@ class Durations {
 
   // A duration that at least this share of them did not exceed; 0 if there are none.
   double quantile(double share) const {
+    assert(share >= 0.0 && share <= 1.0);
     std::uint64_t until = 0;
     for (int i = 0; i < ranges; ++i) {
       until += counts_[i];

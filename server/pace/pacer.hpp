@@ -7,6 +7,7 @@
 #include "server/pace/wall_clock.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cstdint>
 #include <optional>
 
@@ -17,7 +18,9 @@ class Pacer {
   // `factor`: simulated seconds per second; nothing: as fast as it goes. The clock outlives the
   // pacer.
   Pacer(WallClock& clock, double control_period, std::optional<double> factor)
-      : clock_(clock), period_(factor ? control_period / *factor : 0.0) {}
+      : clock_(clock), period_(factor ? control_period / *factor : 0.0) {
+    assert(control_period > 0.0 && (!factor || *factor > 0.0));
+  }
 
   // Returns when the tick is due. Ticks are counted from the first call, so a late one delays none
   // after it.

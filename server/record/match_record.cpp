@@ -19,6 +19,21 @@ namespace {
 
 constexpr std::string_view schema = "mirocup/match/1";
 
+// Enumerators are written by name. Every one has a name, and the last has its own: an enumerator that
+// is added or moved without its name would change the meaning of records.
+template <class E>
+constexpr bool has_names_up_to(E last, std::string_view name) {
+  return enum_names<E>.size() == static_cast<std::size_t>(last) + 1 && to_string(last) == name;
+}
+static_assert(has_names_up_to(Team::yellow, "yellow"));
+static_assert(has_names_up_to(League::large, "large"));
+static_assert(has_names_up_to(TeamKind::dds, "dds"));
+static_assert(has_names_up_to(referee::Stage::knockout, "knockout"));
+static_assert(has_names_up_to(referee::Verdict::MATCH_END, "MATCH_END"));
+static_assert(has_names_up_to(referee::Law::forfeit, "forfeit"));
+static_assert(has_names_up_to(referee::Restart::FREE_KICK, "FREE_KICK"));
+static_assert(has_names_up_to(match::FaultCode::disconnected, "disconnected"));
+
 // What a program that plays matches can be asked for, s.
 constexpr double min_period = 1e-3;
 constexpr double max_period = 1.0;

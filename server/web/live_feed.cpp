@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cassert>
+
 namespace mirocup::web {
 
 namespace {
@@ -46,6 +48,7 @@ void LiveFeed::publish(const match::Match& match) {
 void LiveFeed::close(const match::Match& match) {
   const std::lock_guard lock(mutex_);
   copy(match);
+  assert(match.is_over());
   result_ = match.result();
 }
 

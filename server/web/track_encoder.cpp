@@ -3,12 +3,22 @@
 
 #include "server/system/digest.hpp"
 
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
 namespace mirocup::web {
 
 namespace {
+
+// page/track.js reads these units and this order; "blue robots first" is the order of both_teams.
+static_assert(length_unit == 0.0005 && clock_unit == 0.001 && heading_units_a_turn == 2048);
+static_assert(both_teams[0] == Team::blue);
+
+// Clock, ball x and y; x, y and heading of each robot of both teams.
+constexpr std::size_t frame_size(int robots) {
+  return 3 + 2 * 3 * static_cast<std::size_t>(robots);
+}
 
 std::int32_t rounded(double value, double unit) {
   return static_cast<std::int32_t>(std::lround(value / unit));
@@ -31,6 +41,8 @@ void put(std::string& column, std::int32_t value) {
 }  // namespace
 
 Frame frame_of(const match::Scene& scene, int robots, const Frame& before) {
+  assert(robots >= 0 && robots <= max_robots_per_team);
+  assert(before.empty() || before.size() == frame_size(robots));
   Frame frame;
   const auto add_point = [&frame](const Vec2& point) {
     frame.push_back(rounded(point.x(), length_unit));

@@ -32,7 +32,8 @@ record::MatchRecord record_of(replay::Recording recording) {
                   record::TeamInfo{"others <b>", record::TeamKind::dds, std::nullopt}};
   record.isolation = "network";
   record::NetworkReport network;
-  network.absences = {{1, 2, std::nullopt, true}, {5, 6, 7U, false}};
+  network.absences = {{.tick = 1, .noticed = 2, .back = std::nullopt, .has_left = true},
+                      {.tick = 5, .noticed = 6, .back = 7U, .has_left = false}};
   network.answers.add(0.004);
   record.network[1] = network;
   record.pace = record::PaceReport{0.033, {}};
@@ -77,6 +78,22 @@ TEST(Records, OfEveryEndingFitTheSchemaAndVerify) {
     EXPECT_EQ(verified.exit_code, 0) << paths.back() << verified.out << verified.err;
   }
   expect_valid(paths);
+}
+
+// Catches a key that schema.md or record.schema.json does not describe, one that they describe but no
+// record has, and an example in schema.md that no record looks like.
+TEST(Records, HaveTheKeysThatTheirDocumentationDescribes) {
+  const TemporaryFolder folder;
+  system::Disk disk;
+  std::vector<std::string> words{source + "/tests/programs/records/documented.py",
+                                 source + "/server/record/record.schema.json",
+                                 source + "/server/record/schema.md", source + "/docs/laws.md"};
+  for (const auto end : {match::EndKind::shoot_out, match::EndKind::forfeit}) {
+    words.push_back(folder / (std::string(to_string(end)) + ".json"));
+    ASSERT_TRUE(record::save(disk, words.back(), record_of(leg_that_ends(end))));
+  }
+  const Outcome outcome = run(words);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
 }
 
 // As the other compilers get them.
