@@ -25,7 +25,7 @@ constexpr double time_to_answer = 0.9;
 
 // A team that has not answered for so many ticks is away; not sooner than after so many seconds.
 constexpr double ticks_to_notice = 9.0;
-constexpr double shortest_notice = 0.1;
+constexpr double min_notice = 0.1;
 
 Result<match::Setup> setup_of(const MatchOptions& options) {
   match::Setup setup;
@@ -53,8 +53,8 @@ Result<std::optional<double>> factor_of(const MatchOptions& options) {
   return std::optional<double>(factor);
 }
 
-// As fast as it goes, a match looks this often whether it is to stop: a look is a system call.
-constexpr std::uint32_t ticks_between_looks = 16;
+// At full speed a match polls for an interrupt only this often, because polling is a system call.
+constexpr std::uint32_t ticks_between_polls = 16;
 
 // One leg with everything that it needs around it.
 class Session {
@@ -81,7 +81,7 @@ class Session {
   const MatchOptions& options_;
   Interrupt interrupt_;
   system::Disk disk_;
-  pace::SteadyClock clock_;
+  pace::SteadyWallClock clock_;
   match::Match match_;
   replay::Trace trace_;
   pace::Pacer pacer_;
@@ -163,7 +163,7 @@ dds::JoinTerms Session::patience() {
   patience.tell = [](const std::string& text) { std::cerr << "mirocup: " << text << '\n'; };
   if (pacer_.period() > 0.0) {
     patience.tick = time_to_answer * pacer_.period();
-    patience.notice = std::max(shortest_notice, ticks_to_notice * pacer_.period());
+    patience.notice = std::max(min_notice, ticks_to_notice * pacer_.period());
   }
   return patience;
 }
@@ -186,8 +186,8 @@ Result<void> Session::open_live_page() {
 
 Result<void> Session::play() {
   while (!match_.is_over()) {
-    const bool looks = pacer_.period() > 0.0 || match_.tick() % ticks_between_looks == 0;
-    if (looks && interrupt_.is_asked_for())
+    const bool polls_now = pacer_.period() > 0.0 || match_.tick() % ticks_between_polls == 0;
+    if (polls_now && interrupt_.is_asked_for())
       return fail(Errc::interrupted, "interrupted; nothing was decided");
     pacer_.wait_for(match_.tick());
     if (network_) network_->publish(match_);
@@ -209,7 +209,7 @@ record::MatchRecord Session::record() const {
   for (const Team team : both_teams) {
     const int i = index_of(team);
     record.teams[i] = seats_[i].info();
-    record.budget[i] = seats_[i].budget();
+    record.budget[i] = seats_[i].budget_report();
     record.budget[i].late_ticks = match_.late_ticks()[i];
     record.budget[i].bad_commands = match_.bad_values()[i];
     record.network[i] = seats_[i].network_report();

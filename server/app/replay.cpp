@@ -42,8 +42,8 @@ Result<int> run_replay(const ReplayOptions& options) {
   const web::Times times = options.no_times ? web::Times::left_out : web::Times::shown;
   const auto made =
       options.svg ? picture_at(record->recording, *options.at) : web::replay_page(*record, times);
-  if (!made && record::is_of_another_game(*record)) {
-    return tl::unexpected(record::another_game(options.record, *record, made.error().tick));
+  if (!made && record::has_other_behaviour(*record)) {
+    return tl::unexpected(record::behaviour_mismatch(options.record, *record, made.error().tick));
   }
   if (!made) {
     std::cerr << "mirocup: " << options.record << ": cannot be shown, it differs from tick "

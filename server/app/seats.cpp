@@ -107,14 +107,14 @@ tl::expected<void, match::Answer> TeamSeat::wait_until_ready() {
   return {};
 }
 
-record::Budget TeamSeat::budget() const {
-  record::Budget budget;
+record::BudgetReport TeamSeat::budget_report() const {
+  record::BudgetReport report;
   if (process_ != nullptr) {
-    budget.cpu_seconds = process_->cpu_seconds();
-    budget.slowest_tick_ms = process_->slowest_tick_ms();
-    budget.bank_seconds = process_->bank_seconds();
+    report.cpu_seconds = process_->cpu_seconds();
+    report.slowest_tick_ms = process_->slowest_tick_ms();
+    report.bank_seconds = process_->bank_seconds();
   }
-  return budget;
+  return report;
 }
 
 void stay_on_this_core() {

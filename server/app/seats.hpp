@@ -51,7 +51,7 @@ class TeamSeat {
 
   match::Controller& controller() { return *controller_; }
   const record::TeamInfo& info() const { return info_; }
-  record::Budget budget() const;
+  record::BudgetReport budget_report() const;
   // What happened between the server and the team, if it plays over the network.
   std::optional<record::NetworkReport> network_report() const;
   // The process that the team plays in, or null.

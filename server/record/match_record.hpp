@@ -32,7 +32,7 @@ struct TeamInfo {
 };
 
 // What a team used of its time. A count of bad commands counts commands, not values.
-struct Budget {
+struct BudgetReport {
   double cpu_seconds = 0.0;
   double slowest_tick_ms = 0.0;
   double bank_seconds = 0.0;  // what it had; 0: nobody counted
@@ -64,7 +64,7 @@ struct PaceReport {
 struct Software {
   std::string version;
   std::string build;
-  std::string game;  // "": a record from before it was written down
+  std::string behaviour_hash;  // JSON key "game"; "": a record from before it was written down
 
   bool operator==(const Software&) const = default;
 };
@@ -72,7 +72,7 @@ struct Software {
 struct MatchRecord {
   Software software;  // that played it
   match::ByTeam<TeamInfo> teams;
-  match::ByTeam<Budget> budget;
+  match::ByTeam<BudgetReport> budget;
   match::ByTeam<std::optional<NetworkReport>> network;  // written, not read
   std::optional<PaceReport> pace;                       // the same; of a match in real time
   std::string isolation;                                // "T2", "T1", "none" (--trusted), "network"
@@ -85,10 +85,10 @@ Software this_software();
 
 // A record that this program should not reproduce, for it was played by another game: what differs
 // then says nothing about the record or its teams.
-bool is_of_another_game(const MatchRecord& record);
+bool has_other_behaviour(const MatchRecord& record);
 
 // What to say if it indeed differs from that tick on. Errc::damaged: "of another version".
-Error another_game(const std::string& path, const MatchRecord& record, std::uint32_t tick);
+Error behaviour_mismatch(const std::string& path, const MatchRecord& record, std::uint32_t tick);
 
 Json to_json(const match::Result& result);
 Json to_json(const match::LoggedDecision& decision);
@@ -102,10 +102,11 @@ Result<void> save(system::Files& files, const std::string& path, const MatchReco
 // A record ends with the digest of its own text, and holds the digest of its replay: a byte that was
 // changed or lost is found. Somebody who wants to forge a record can compute digests, too; verifying
 // it finds that.
-enum class Seal { checked, ignored };
+enum class ChecksumPolicy { checked, ignored };
 
 // Reads both. Errors: Errc::unavailable if a file is not there, Errc::damaged for everything else.
-Result<MatchRecord> load(system::Files& files, const std::string& path, Seal seal = Seal::checked);
+Result<MatchRecord> load(system::Files& files, const std::string& path,
+                         ChecksumPolicy policy = ChecksumPolicy::checked);
 
 // "leg.json" -> "leg.replay.zst"
 std::string replay_path_of(const std::string& record_path);

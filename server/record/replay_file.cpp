@@ -13,8 +13,12 @@ constexpr std::string_view magic = "mirocup/replay/2\n";
 // Most of a replay is hashes, which nothing compresses: the highest levels save 1 % and take 20 times
 // as long, a tenth of a whole leg.
 constexpr int compression_level = 1;
-constexpr std::size_t most_ticks = 10'000'000;
+constexpr std::size_t max_ticks = 10'000'000;
 constexpr std::size_t head_size = 16;
+
+// The file has 0 for blue and 1 for yellow, and a team's commands at that index.
+static_assert(index_of(Team::blue) == 0 && index_of(Team::yellow) == 1);
+static_assert(both_teams == std::array{Team::blue, Team::yellow});
 
 // How many of everything a replay has.
 struct Counts {
@@ -143,8 +147,8 @@ std::string decompressed(std::string_view bytes, const Counts& largest) {
     return "";
   }
   // More than data can grow to is not worth the memory.
-  constexpr unsigned long long most_growth = 4096;
-  if (size / most_growth > bytes.size()) return "";
+  constexpr unsigned long long max_growth = 4096;
+  if (size / max_growth > bytes.size()) return "";
   std::string plain(size, '\0');
   if (ZSTD_decompress(plain.data(), plain.size(), bytes.data(), bytes.size()) != size) return "";
   return plain;
@@ -155,8 +159,10 @@ std::string decompressed(std::string_view bytes, const Counts& largest) {
 std::string pack_replay(const replay::Recording& recording, int robots) {
   const std::vector<match::TickLog>& ticks = recording.ticks;
   const replay::Trace& trace = recording.trace;
-  const Counts counts{ticks.size(), static_cast<std::size_t>(robots), trace.ticks.size(),
-                      trace.checkpoints.size()};
+  const Counts counts{.ticks = ticks.size(),
+                      .robots = static_cast<std::size_t>(robots),
+                      .fingerprints = trace.ticks.size(),
+                      .checkpoints = trace.checkpoints.size()};
   std::string plain;
   plain.reserve(counts.plain_size());
   for (const std::size_t count :
@@ -188,7 +194,10 @@ Result<Replay> unpack_replay(std::string_view bytes, int robots, const std::stri
   const auto damaged = [&path](const char* why) { return fail(Errc::damaged, path + ": " + why); };
   if (bytes.substr(0, magic.size()) != magic) return damaged("this is not a replay of version 2");
   bytes.remove_prefix(magic.size());
-  Counts counts{most_ticks, static_cast<std::size_t>(robots), most_ticks, most_ticks};
+  Counts counts{.ticks = max_ticks,
+                .robots = static_cast<std::size_t>(robots),
+                .fingerprints = max_ticks,
+                .checkpoints = max_ticks};
   const std::string plain = decompressed(bytes, counts);
   if (plain.empty()) return damaged("the compressed data is damaged");
   std::size_t at = 0;

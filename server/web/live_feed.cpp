@@ -6,13 +6,15 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cassert>
+
 namespace mirocup::web {
 
 namespace {
 
 constexpr std::uint64_t statistics_every = 30;  // states
 
-Json calls_json(const std::vector<match::LoggedDecision>& decisions, std::size_t from) {
+Json decisions_json(const std::vector<match::LoggedDecision>& decisions, std::size_t from) {
   Json calls = Json::array();
   for (std::size_t i = from; i < decisions.size(); ++i) {
     calls.push_back(record::to_json(decisions[i]));
@@ -46,6 +48,7 @@ void LiveFeed::publish(const match::Match& match) {
 void LiveFeed::close(const match::Match& match) {
   const std::lock_guard lock(mutex_);
   copy(match);
+  assert(match.is_over());
   result_ = match.result();
 }
 
@@ -66,9 +69,9 @@ std::string LiveFeed::news(Viewer& viewer) const {
 
   std::string text;
   if (!viewer.has_started) {
-    text += event_text("start", {{"decisions", calls_json(decisions, 0)}});
+    text += event_text("start", {{"decisions", decisions_json(decisions, 0)}});
   } else {
-    for (const Json& call : calls_json(decisions, 0)) text += event_text("call", call);
+    for (const Json& call : decisions_json(decisions, 0)) text += event_text("call", call);
   }
   viewer.has_started = true;
   viewer.decisions += decisions.size();

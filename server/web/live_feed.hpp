@@ -7,7 +7,7 @@
 #pragma once
 
 #include "server/web/statistics.hpp"
-#include "server/web/track.hpp"
+#include "server/web/track_encoder.hpp"
 
 #include <mutex>
 #include <optional>

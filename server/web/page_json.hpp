@@ -5,7 +5,7 @@
 
 #include "server/record/match_record.hpp"
 #include "server/web/statistics.hpp"
-#include "server/web/track.hpp"
+#include "server/web/track_encoder.hpp"
 
 namespace mirocup::web {
 

@@ -10,7 +10,7 @@
 
 namespace mirocup::web {
 
-struct TeamNumbers {
+struct TeamStatistics {
   double possession = 0.0;  // s of play in which this team was the last to touch the ball
   int shots = 0;
   std::array<double, max_robots_per_team> distance{};  // m, of each robot, in play
@@ -23,7 +23,7 @@ class Statistics {
   // After every tick, in order; the first call may be before the first tick.
   void add(const match::Match& match);
 
-  const TeamNumbers& of(Team team) const { return teams_[index_of(team)]; }
+  const TeamStatistics& of(Team team) const { return teams_[index_of(team)]; }
 
   // Ticks of play that the ball spent in each cell of the field, turned so that blue attacks to the
   // right; rows from the top, `columns()` cells each.
@@ -39,7 +39,7 @@ class Statistics {
   field::Field field_;
   int columns_;
   int rows_;
-  match::ByTeam<TeamNumbers> teams_;
+  match::ByTeam<TeamStatistics> teams_;
   std::vector<int> heat_;
   std::optional<match::Scene> before_;
   std::optional<Team> holder_;

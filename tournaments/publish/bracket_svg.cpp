@@ -104,7 +104,7 @@ class Picture {
 
   void text(const char* style, Point at, const std::string& words) {
     boxes_ += std::string("<text class=\"") + style + "\" x=\"" + std::to_string(at.x) + "\" y=\"" +
-              std::to_string(at.y) + "\">" + system::escaped(words) + "</text>\n";
+              std::to_string(at.y) + "\">" + system::html_escaped(words) + "</text>\n";
   }
 
   const LeagueState& state_;

@@ -8,14 +8,14 @@
 
 namespace mirocup::pace {
 
-class Clock {
+class WallClock {
  public:
-  virtual ~Clock() = default;
+  virtual ~WallClock() = default;
   virtual double now() = 0;  // s, never goes back
   virtual void sleep_until(double time) = 0;
 };
 
-class SteadyClock final : public Clock {
+class SteadyWallClock final : public WallClock {
  public:
   double now() override {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/web/http.hpp"
+#include "server/web/http_server.hpp"
 
 #include <charconv>
 #include <chrono>
@@ -13,10 +13,10 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int most_viewers = 128;
-constexpr int threads_for_pages = 8;
-constexpr auto look_again = 33ms;
-constexpr int patience_s = 5;  // with a viewer that takes nothing
+constexpr int max_viewers = 128;
+constexpr int page_threads = 8;
+constexpr auto poll_interval = 33ms;
+constexpr int timeout_s = 5;  // with a viewer that takes nothing
 constexpr int lower_priority = 10;
 
 }  // namespace
@@ -40,22 +40,22 @@ Result<Address> parse_address(const std::string& text, const std::string& option
   return address;
 }
 
-Http::Http() {
-  server_.new_task_queue = [] { return new httplib::ThreadPool(most_viewers + threads_for_pages); };
-  server_.set_write_timeout(patience_s);
-  server_.set_read_timeout(patience_s);
+HttpServer::HttpServer() {
+  server_.new_task_queue = [] { return new httplib::ThreadPool(max_viewers + page_threads); };
+  server_.set_write_timeout(timeout_s);
+  server_.set_read_timeout(timeout_s);
   server_.set_keep_alive_max_count(1);
   server_.set_default_headers(
       {{"Cache-Control", "no-store"}, {"X-Content-Type-Options", "nosniff"}});
 }
 
-Http::~Http() {
+HttpServer::~HttpServer() {
   is_closed_ = true;
   server_.stop();
   if (thread_.joinable()) thread_.join();
 }
 
-Result<void> Http::listen(const Address& address, const std::string& option) {
+Result<void> HttpServer::listen(const Address& address, const std::string& option) {
   address_ = address;
   if (address.port == 0) {
     address_.port = server_.bind_to_any_port(address.host);
@@ -76,14 +76,14 @@ Result<void> Http::listen(const Address& address, const std::string& option) {
   return {};
 }
 
-std::string Http::url() const {
+std::string HttpServer::url() const {
   const bool is_v6 = address_.host.find(':') != std::string::npos;
   return "http://" + (is_v6 ? "[" + address_.host + "]" : address_.host) + ":" +
          std::to_string(address_.port) + "/";
 }
 
-void Http::send_events(httplib::Response& response, std::function<News()> next) {
-  if (viewers_.fetch_add(1) >= most_viewers) {
+void HttpServer::send_events(httplib::Response& response, std::function<EventBatch()> next) {
+  if (viewers_.fetch_add(1) >= max_viewers) {
     --viewers_;
     response.status = 503;
     return;
@@ -91,12 +91,12 @@ void Http::send_events(httplib::Response& response, std::function<News()> next) 
   response.set_chunked_content_provider(
       "text/event-stream",
       [this, next = std::move(next)](std::size_t, httplib::DataSink& sink) {
-        const News news = next();
-        if (!news.text.empty() && !sink.write(news.text.data(), news.text.size())) return false;
-        if (news.is_last || is_closed_) {
+        const EventBatch batch = next();
+        if (!batch.text.empty() && !sink.write(batch.text.data(), batch.text.size())) return false;
+        if (batch.is_last || is_closed_) {
           sink.done();
         } else {
-          std::this_thread::sleep_for(look_again);
+          std::this_thread::sleep_for(poll_interval);
         }
         return true;
       },

@@ -1,12 +1,24 @@
 // SPDX-License-Identifier: MIT
-#include "server/web/track.hpp"
+#include "server/web/track_encoder.hpp"
 
+#include "server/system/digest.hpp"
+
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
 namespace mirocup::web {
 
 namespace {
+
+// page/track.js reads these units and this order; "blue robots first" is the order of both_teams.
+static_assert(length_unit == 0.0005 && clock_unit == 0.001 && heading_units_a_turn == 2048);
+static_assert(both_teams[0] == Team::blue);
+
+// Clock, ball x and y; x, y and heading of each robot of both teams.
+constexpr std::size_t frame_size(int robots) {
+  return 3 + 2 * 3 * static_cast<std::size_t>(robots);
+}
 
 std::int32_t rounded(double value, double unit) {
   return static_cast<std::int32_t>(std::lround(value / unit));
@@ -29,6 +41,8 @@ void put(std::string& column, std::int32_t value) {
 }  // namespace
 
 Frame frame_of(const match::Scene& scene, int robots, const Frame& before) {
+  assert(robots >= 0 && robots <= max_robots_per_team);
+  assert(before.empty() || before.size() == frame_size(robots));
   Frame frame;
   const auto add_point = [&frame](const Vec2& point) {
     frame.push_back(rounded(point.x(), length_unit));
@@ -47,7 +61,7 @@ Frame frame_of(const match::Scene& scene, int robots, const Frame& before) {
   return frame;
 }
 
-void Track::add(const match::Scene& scene) {
+void TrackEncoder::add(const match::Scene& scene) {
   const Frame frame = frame_of(scene, robots_, last_);
   if (frames_ == 0) {
     last_.assign(frame.size(), 0);
@@ -63,27 +77,10 @@ void Track::add(const match::Scene& scene) {
   ++frames_;
 }
 
-std::string Track::packed() const {
+std::string TrackEncoder::packed() const {
   std::string bytes;
   for (const std::string& column : columns_) bytes += column;
-  return base64(bytes);
-}
-
-std::string base64(std::string_view bytes) {
-  constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t j = i; j < i + 3; ++j) {
-      group = group << 8 | (j < bytes.size() ? static_cast<unsigned char>(bytes[j]) : 0u);
-    }
-    for (std::size_t j = 0; j < 4; ++j) {
-      const bool is_padding = i + j > bytes.size();
-      text += is_padding ? '=' : digits[group >> (18 - 6 * j) & 63];
-    }
-  }
-  return text;
+  return system::base64(bytes);
 }
 
 }  // namespace mirocup::web

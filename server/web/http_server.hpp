@@ -16,12 +16,12 @@
 
 namespace mirocup::web {
 
-class Http {
+class HttpServer {
  public:
-  Http();
-  ~Http();  // answers nobody any more
-  Http(const Http&) = delete;
-  Http& operator=(const Http&) = delete;
+  HttpServer();
+  ~HttpServer();  // answers nobody any more
+  HttpServer(const HttpServer&) = delete;
+  HttpServer& operator=(const HttpServer&) = delete;
 
   // The routes, to be set before it listens.
   httplib::Server& server() { return server_; }
@@ -34,11 +34,11 @@ class Http {
 
   // Events for one viewer until the last has been sent. `next` is asked again and again; it gives
   // whole events or "".
-  struct News {
+  struct EventBatch {
     std::string text;
     bool is_last = false;
   };
-  void send_events(httplib::Response& response, std::function<News()> next);
+  void send_events(httplib::Response& response, std::function<EventBatch()> next);
 
   // So many are being sent events.
   int viewers() const { return viewers_; }

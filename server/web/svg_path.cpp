@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/web/path.hpp"
+#include "server/web/svg_path.hpp"
 
 #include <cmath>
 
@@ -13,26 +13,26 @@ std::string millimetres(double metres) {
   return text;
 }
 
-Path& Path::add(char command, const Vec2& point) {
+SvgPath& SvgPath::add(char command, const Vec2& point) {
   text_ += command;
   text_ += millimetres(point.x()) + " " + millimetres(-point.y());
   return *this;
 }
 
-Path& Path::arc_to(double radius, const Vec2& point, bool counter_clockwise) {
+SvgPath& SvgPath::arc_to(double radius, const Vec2& point, bool counter_clockwise) {
   const std::string r = millimetres(radius);
   text_ += "A" + r + " " + r + " 0 0 " + (counter_clockwise ? "0 " : "1 ") +
            millimetres(point.x()) + " " + millimetres(-point.y());
   return *this;
 }
 
-Path& Path::circle(const Vec2& centre, double radius) {
+SvgPath& SvgPath::circle(const Vec2& centre, double radius) {
   const Vec2 right = centre + Vec2{radius, 0.0};
   const Vec2 left = centre - Vec2{radius, 0.0};
   return move_to(right).arc_to(radius, left, true).arc_to(radius, right, true);
 }
 
-Path& Path::polygon(const std::vector<Vec2>& corners) {
+SvgPath& SvgPath::polygon(const std::vector<Vec2>& corners) {
   for (const Vec2& corner : corners) add(&corner == corners.data() ? 'M' : 'L', corner);
   text_ += "Z";
   return *this;

@@ -11,7 +11,6 @@
 
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace mirocup::web {
@@ -27,9 +26,9 @@ using Frame = std::vector<std::int32_t>;
 // turn.
 Frame frame_of(const match::Scene& scene, int robots, const Frame& before);
 
-class Track {
+class TrackEncoder {
  public:
-  explicit Track(int robots) : robots_(robots) {}
+  explicit TrackEncoder(int robots) : robots_(robots) {}
 
   void add(const match::Scene& scene);
 
@@ -45,7 +44,5 @@ class Track {
   Frame last_change_;
   std::vector<std::string> columns_;
 };
-
-std::string base64(std::string_view bytes);
 
 }  // namespace mirocup::web

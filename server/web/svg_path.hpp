@@ -14,21 +14,21 @@ namespace mirocup::web {
 // Metres as millimetres, rounded to a tenth, the same text everywhere.
 std::string millimetres(double metres);
 
-class Path {
+class SvgPath {
  public:
-  Path& move_to(const Vec2& point) { return add('M', point); }
-  Path& line_to(const Vec2& point) { return add('L', point); }
+  SvgPath& move_to(const Vec2& point) { return add('M', point); }
+  SvgPath& line_to(const Vec2& point) { return add('L', point); }
 
   // Along the shorter arc of that radius, seen by who looks at the field from above.
-  Path& arc_to(double radius, const Vec2& point, bool counter_clockwise);
+  SvgPath& arc_to(double radius, const Vec2& point, bool counter_clockwise);
 
-  Path& circle(const Vec2& centre, double radius);
-  Path& polygon(const std::vector<Vec2>& corners);
+  SvgPath& circle(const Vec2& centre, double radius);
+  SvgPath& polygon(const std::vector<Vec2>& corners);
 
   const std::string& text() const { return text_; }
 
  private:
-  Path& add(char command, const Vec2& point);
+  SvgPath& add(char command, const Vec2& point);
 
   std::string text_;
 };
