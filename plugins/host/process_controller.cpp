@@ -323,7 +323,7 @@ Answer ProcessController::collect() {
   // Copied once, so that what is checked is what is driven, whatever the team writes meanwhile.
   mirocup_command copy;
   std::memcpy(&copy, &out_->command, sizeof copy);
-  std::optional<match::Poses> poses;
+  std::optional<match::PlacementRequest> poses;
   if (is_placing_) {
     mirocup_placement placement;
     std::memcpy(&placement, &out_->placement, sizeof placement);
@@ -331,7 +331,7 @@ Answer ProcessController::collect() {
   }
   std::atomic_signal_fence(std::memory_order_seq_cst);
   match::Command command = abi::to_command(copy);
-  command.poses = poses;
+  command.placement = poses;
   return command;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/app/entry_check.hpp"
 
-#include "core/match/match.hpp"
+#include "core/match/leg.hpp"
 #include "plugins/host/elf.hpp"
 #include "plugins/host/entry.hpp"
 #include "plugins/host/process_controller.hpp"
@@ -229,7 +229,7 @@ Result<bool> Examination::examine_play() {
 }
 
 Result<Examination::Leg> Examination::play(Team team, std::uint32_t most_ticks) {
-  match::Match match(setup_);
+  match::Leg match(setup_);
   Seats seats;
   const auto bell = std::make_shared<plugins::Doorbell>();
   for (const Team seat : both_teams) {
@@ -254,9 +254,9 @@ Result<Examination::Leg> Examination::play(Team team, std::uint32_t most_ticks) 
   }
   delay_ += delay_of(seats);
   if (match.is_over()) {
-    if (match.result().end == match::EndKind::void_)
-      return fail(Errc::host, match.result().why_void);
-    if (!match.result().faults.empty()) leg.fault = match.result().faults.front().fault;
+    if (match.outcome().kind == match::OutcomeKind::void_)
+      return fail(Errc::host, match.outcome().why_void);
+    if (!match.outcome().faults.empty()) leg.fault = match.outcome().faults.front().fault;
   }
   measure(own, match.tick());
   leg.ticks = match.log();

@@ -69,7 +69,7 @@ class Session {
     if (live_) live_->close(match_);
   }
   void report() const;
-  bool is_void() const { return match_.result().end == match::EndKind::void_; }
+  bool is_void() const { return match_.outcome().kind == match::OutcomeKind::void_; }
 
  private:
   Result<TeamSeat> take_seat(const TeamChoice& choice, Team team);
@@ -81,8 +81,8 @@ class Session {
   Interrupt interrupt_;
   system::Disk disk_;
   pace::SteadyClock clock_;
-  match::Match match_;
-  replay::Trace trace_;
+  match::Leg match_;
+  replay::StateTrace trace_;
   pace::Pacer pacer_;
   std::unique_ptr<dds::MatchServer> network_;  // if a team plays over it
   std::unique_ptr<web::LiveServer> live_;      // if it is watched
@@ -237,9 +237,9 @@ void Session::report() const {
               << '\n';
     return;
   }
-  const match::Result& r = match_.result();
+  const match::Outcome& r = match_.outcome();
   std::cout << seats_[0].info().name << " (blue) " << r.score[0] << " : " << r.score[1] << " "
-            << seats_[1].info().name << " (yellow), " << to_string(r.end) << " after "
+            << seats_[1].info().name << " (yellow), " << to_string(r.kind) << " after "
             << match_.tick() << " ticks, state hash " << to_hex(match_.state_hash()) << '\n';
   for (const match::TeamFault& f : r.faults) {
     std::cout << to_string(f.team) << ": " << to_string(f.fault.code) << ": " << f.fault.text

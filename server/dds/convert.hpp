@@ -3,15 +3,15 @@
 // Between the match's structures and the topics of idl/mirocup.idl.
 #pragma once
 
-#include "core/match/match.hpp"
+#include "core/match/leg.hpp"
 
 #include <mirocup.h>
 #include <string_view>
 
 namespace mirocup::dds {
 
-mirocup_v2_WorldState to_sample(const match::Scene& scene, int robots, std::uint64_t leg);
-match::Scene to_scene(const mirocup_v2_WorldState& sample);
+mirocup_v2_WorldState to_sample(const match::Snapshot& scene, int robots, std::uint64_t leg);
+match::Snapshot to_scene(const mirocup_v2_WorldState& sample);
 
 // How a Welcome answers a Hello.
 enum class Admission : std::uint8_t { accepted, not_now, refused };

@@ -63,8 +63,8 @@ Result<Seat*> MatchServer::add_seat(const match::Briefing& briefing, const std::
   return seats_.back().get();
 }
 
-void MatchServer::publish(const match::Match& match) {
-  state_ = to_sample(match.scene(), match.field().robots_per_team, leg_);
+void MatchServer::publish(const match::Leg& match) {
+  state_ = to_sample(match.snapshot(), match.field().robots_per_team, leg_);
   send_state();
   publish_decisions(match);
 }
@@ -85,7 +85,7 @@ void MatchServer::listen(double seconds) {
   if (seconds > 0.0 && seconds_since(sent_) >= send_again) send_state();
 }
 
-void MatchServer::publish_decisions(const match::Match& match) {
+void MatchServer::publish_decisions(const match::Leg& match) {
   const match::ByTeam<int> score{state_.score[0], state_.score[1]};
   for (; events_ < match.decisions().size(); ++events_) {
     const auto event =
@@ -94,7 +94,7 @@ void MatchServer::publish_decisions(const match::Match& match) {
   }
 }
 
-void MatchServer::close(const match::Match& match) {
+void MatchServer::close(const match::Leg& match) {
   publish(match);
   mirocup_v2_MatchEvent last{};
   last.leg = leg_;
@@ -102,9 +102,9 @@ void MatchServer::close(const match::Match& match) {
   last.tick = match.tick();
   last.ends_match = true;
   put_text(last.decision, "MATCH_END");
-  put_text(last.reason, to_string(match.result().end));
-  last.score[0] = match.result().score[0];
-  last.score[1] = match.result().score[1];
+  put_text(last.reason, to_string(match.outcome().kind));
+  last.score[0] = match.outcome().score[0];
+  last.score[1] = match.outcome().score[1];
   dds_write(event_writer_.get(), &last);
   dds_wait_for_acks(event_writer_.get(), farewell);
 }

@@ -25,14 +25,14 @@ class MatchServer {
                          const Patience& patience);
 
   // Publishes the begin of a tick, and the decisions since the last call.
-  void publish(const match::Match& match);
+  void publish(const match::Leg& match);
 
   // Takes in what has arrived for all seats, after at most `seconds` if there is nothing yet. Sends
   // the state again from time to time: a team may have missed it.
   void listen(double seconds);
 
   // Tells everybody that the match is over, and waits a moment for the news to arrive.
-  void close(const match::Match& match);
+  void close(const match::Leg& match);
 
   std::uint64_t leg() const { return leg_; }
 
@@ -43,7 +43,7 @@ class MatchServer {
   MatchServer(std::string match_id, Domain domain);
   Result<void> open_topics();
   void send_state();
-  void publish_decisions(const match::Match& match);
+  void publish_decisions(const match::Leg& match);
 
   std::string match_id_;
   Domain domain_;

@@ -37,7 +37,7 @@ struct MatchOver {
 struct Refused {
   std::string why;
 };
-using News = std::variant<Silence, Seated, match::Scene, MatchOver, Refused>;
+using News = std::variant<Silence, Seated, match::Snapshot, MatchOver, Refused>;
 
 class TeamClient {
  public:

@@ -46,14 +46,14 @@ Json robots_json(const match::ByTeam<referee::RobotSet>& robots) {
 
 }  // namespace
 
-Json to_json(const match::Result& result) {
+Json to_json(const match::Outcome& result) {
   Json faults = Json::array();
   for (const match::TeamFault& f : result.faults) faults.push_back(fault_json(f));
   return {{"score", score_json(result.score)},
           {"played", score_json(result.played)},
           {"shoot_out", result.shoot_out ? score_json(*result.shoot_out) : Json()},
           {"winner", optional_name(result.winner)},
-          {"end", to_string(result.end)},
+          {"end", to_string(result.kind)},
           {"fault", faults.empty() ? Json() : faults.front()},
           {"faults", faults},
           {"why_void", result.why_void.empty() ? Json() : Json(result.why_void)}};
@@ -147,14 +147,14 @@ std::optional<Team> optional_team(const Json& json) {
   return named<Team>(json);
 }
 
-match::Result result_of(const Json& json) {
-  match::Result result;
+match::Outcome result_of(const Json& json) {
+  match::Outcome result;
   result.score = score_of(json.at("score"));
   result.played = score_of(json.at("played"));
   if (json.contains("shoot_out") && !json.at("shoot_out").is_null())
     result.shoot_out = score_of(json.at("shoot_out"));
   result.winner = optional_team(json.at("winner"));
-  result.end = named<match::EndKind>(json.at("end"));
+  result.kind = named<match::OutcomeKind>(json.at("end"));
   for (const Json& f : json.at("faults")) {
     result.faults.push_back(
         {named<Team>(f.at("team")),
@@ -257,7 +257,7 @@ MatchRecord record_of(const Json& json) {
   }
   record.isolation = json.at("isolation").get<std::string>();
   record.recording.setup = setup_of(json);
-  record.recording.result = result_of(json.at("result"));
+  record.recording.outcome = result_of(json.at("result"));
   for (const Json& d : json.at("decisions")) record.recording.decisions.push_back(decision_of(d));
   record.recording.state_hash = std::stoull(json.at("state_hash").get<std::string>(), nullptr, 16);
   return record;
@@ -322,7 +322,7 @@ Json to_json(const MatchRecord& record) {
           {"seed", r.setup.seed},
           {"control_period", r.setup.control_period},
           {"teams", {{"blue", team_json(record.teams[0])}, {"yellow", team_json(record.teams[1])}}},
-          {"result", to_json(r.result)},
+          {"result", to_json(r.outcome)},
           {"decisions", decisions},
           {"budget",
            {{"blue", budget_json(record.budget[0])}, {"yellow", budget_json(record.budget[1])}}},
@@ -374,7 +374,7 @@ Result<MatchRecord> load(system::Files& files, const std::string& path, Seal sea
     }
     record.recording.ticks = std::move(unpacked->ticks);
     record.recording.trace = std::move(unpacked->trace);
-    record.recording.asked = std::move(unpacked->asked);
+    record.recording.placement_requests = std::move(unpacked->asked);
     return record;
   } catch (const Damage& damage) {
     return fail(Errc::damaged, path + ": " + damage.where);

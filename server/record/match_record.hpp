@@ -95,7 +95,7 @@ bool is_of_another_game(const MatchRecord& record);
 // What to say if it indeed differs from that tick on. Errc::damaged: "of another version".
 Error another_game(const std::string& path, const MatchRecord& record, std::uint32_t tick);
 
-Json to_json(const match::Result& result);
+Json to_json(const match::Outcome& result);
 Json to_json(const match::LoggedDecision& decision);
 
 // Everything but the replay's name and digest and the record's own, which save() adds.

@@ -76,7 +76,7 @@ std::string filled(std::string_view page, const Values& values) {
   }
 }
 
-std::string page(const match::Match& first_moment, const match::ByTeam<std::string>& names,
+std::string page(const match::Leg& first_moment, const match::ByTeam<std::string>& names,
                  const Json& data) {
   const std::string code = script();
   // No source but this page, no code but this script: what is no script stays none.
@@ -90,7 +90,7 @@ std::string page(const match::Match& first_moment, const match::ByTeam<std::stri
                  {"policy", policy},
                  {"style", std::string(asset("page.css"))},
                  {"picture", picture(first_moment.field(), first_moment.setup().parameters,
-                                     {first_moment.scene(), {}})},
+                                     {first_moment.snapshot(), {}})},
                  {"data", embedded(data)},
                  {"script", code}});
 }
@@ -102,13 +102,13 @@ Json teams_json(const match::ByTeam<std::string>& names) {
 // A leg as a page holds it: the track, what changed when, and the numbers.
 class Film {
  public:
-  explicit Film(const match::Match& match)
+  explicit Film(const match::Leg& match)
       : track_(match.field().robots_per_team), statistics_(match.field()) {
     add(match);
   }
 
-  void add(const match::Match& match) {
-    const match::Scene scene = match.scene();
+  void add(const match::Leg& match) {
+    const match::Snapshot scene = match.snapshot();
     track_.add(scene);
     statistics_.add(match);
     Json moment = moment_json(scene);
@@ -142,9 +142,9 @@ std::string about(const record::MatchRecord& record) {
 tl::expected<std::string, replay::Divergence> replay_page(const record::MatchRecord& record,
                                                           Times times) {
   replay::Playback playback(record.recording);
-  const match::Match begin(record.recording.setup);
-  Film film(playback.match());
-  while (playback.advance()) film.add(playback.match());
+  const match::Leg begin(record.recording.setup);
+  Film film(playback.leg());
+  while (playback.advance()) film.add(playback.leg());
   if (playback.divergence()) return tl::unexpected(*playback.divergence());
 
   const Json whole = record::to_json(record);
@@ -169,7 +169,7 @@ tl::expected<std::string, replay::Divergence> replay_page(const record::MatchRec
   return page(begin, {record.teams[0].name, record.teams[1].name}, data);
 }
 
-std::string live_page(const match::Match& match, const LiveMatch& live) {
+std::string live_page(const match::Leg& match, const LiveMatch& live) {
   const Json data{{"schema", "mirocup/page/1"},
                   {"teams", teams_json(live.names)},
                   {"period", match.setup().control_period},

@@ -28,7 +28,7 @@ void put(std::string& column, std::int32_t value) {
 
 }  // namespace
 
-Frame frame_of(const match::Scene& scene, int robots, const Frame& before) {
+Frame frame_of(const match::Snapshot& scene, int robots, const Frame& before) {
   Frame frame;
   const auto add_point = [&frame](const Vec2& point) {
     frame.push_back(rounded(point.x(), length_unit));
@@ -47,7 +47,7 @@ Frame frame_of(const match::Scene& scene, int robots, const Frame& before) {
   return frame;
 }
 
-void Track::add(const match::Scene& scene) {
+void Track::add(const match::Snapshot& scene) {
   const Frame frame = frame_of(scene, robots_, last_);
   if (frames_ == 0) {
     last_.assign(frame.size(), 0);
