@@ -38,8 +38,8 @@ simulator::BodyState robot_state(const Place& now, const Place& before) {
            std::remainder(now.heading - before.heading, 2.0 * M_PI) / period}};
 }
 
-match::Scene scene_of(const Picture& now, const Picture& before) {
-  match::Scene scene;
+match::Snapshot scene_of(const Picture& now, const Picture& before) {
+  match::Snapshot scene;
   scene.ball.position = {now.ball.x, now.ball.y};
   scene.ball.velocity = {(now.ball.x - before.ball.x) / period,
                          (now.ball.y - before.ball.y) / period};
@@ -147,7 +147,7 @@ bool Pitch::is_complete() const {
 
 void Pitch::show(const Picture& now, const Picture& before, std::uint32_t tick,
                  match::State state) {
-  match::Scene scene = scene_of(now, before);
+  match::Snapshot scene = scene_of(now, before);
   scene.tick = tick;
   scene.time = scene.clock = tick * period;
   scene.state = state;

@@ -12,6 +12,6 @@ namespace mirocup::abi {
 mirocup_setup to_setup(const match::Briefing& briefing);
 mirocup_observation to_observation(const match::Observation& observation);
 match::Command to_command(const mirocup_command& command);
-match::Poses to_poses(const mirocup_placement& placement);
+match::PlacementRequest to_poses(const mirocup_placement& placement);
 
 }  // namespace mirocup::abi

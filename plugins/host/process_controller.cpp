@@ -330,7 +330,7 @@ Answer ProcessController::collect() {
   // goes on writing.
   mirocup_command copy;
   std::memcpy(&copy, &out_->command, sizeof copy);
-  std::optional<match::Poses> poses;
+  std::optional<match::PlacementRequest> poses;
   if (is_placing_) {
     mirocup_placement placement;
     std::memcpy(&placement, &out_->placement, sizeof placement);
@@ -338,7 +338,7 @@ Answer ProcessController::collect() {
   }
   std::atomic_signal_fence(std::memory_order_seq_cst);
   match::Command command = abi::to_command(copy);
-  command.poses = poses;
+  command.placement = poses;
   return command;
 }
 

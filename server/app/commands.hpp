@@ -5,7 +5,7 @@
 #pragma once
 
 #include "core/base/error.hpp"
-#include "core/match/match.hpp"
+#include "core/match/leg.hpp"
 
 #include <cstdint>
 #include <optional>

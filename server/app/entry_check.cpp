@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/app/entry_check.hpp"
 
-#include "core/match/match.hpp"
+#include "core/match/leg.hpp"
 #include "plugins/host/elf.hpp"
 #include "plugins/host/process_controller.hpp"
 #include "plugins/host/sandbox/private_root.hpp"
@@ -256,9 +256,9 @@ Result<Examination::TrialLeg> Examination::play(Team team, std::uint32_t max_tic
   }
   delay_ += delay_of(seats);
   if (match.is_over()) {
-    if (match.result().end == match::EndKind::void_)
-      return fail(Errc::host, match.result().why_void);
-    if (!match.result().faults.empty()) leg.fault = match.result().faults.front().fault;
+    if (match.outcome().kind == match::OutcomeKind::void_)
+      return fail(Errc::host, match.outcome().why_void);
+    if (!match.outcome().faults.empty()) leg.fault = match.outcome().faults.front().fault;
   }
   measure(own, match.tick());
   leg.ticks = match.log();

@@ -70,7 +70,7 @@ class Session {
     if (live_) live_->close(match_);
   }
   void report() const;
-  bool is_void() const { return match_.result().end == match::EndKind::void_; }
+  bool is_void() const { return match_.outcome().kind == match::OutcomeKind::void_; }
 
  private:
   Result<TeamSeat> take_seat(const TeamChoice& choice, Team team);
@@ -238,9 +238,9 @@ void Session::report() const {
               << '\n';
     return;
   }
-  const match::Result& r = match_.result();
+  const match::Outcome& r = match_.outcome();
   std::cout << seats_[0].info().name << " (blue) " << r.score[0] << " : " << r.score[1] << " "
-            << seats_[1].info().name << " (yellow), " << to_string(r.end) << " after "
+            << seats_[1].info().name << " (yellow), " << to_string(r.kind) << " after "
             << match_.tick() << " ticks, state hash " << to_hex(match_.state_hash()) << '\n';
   for (const match::TeamFault& f : r.faults) {
     std::cout << to_string(f.team) << ": " << to_string(f.fault.code) << ": " << f.fault.text

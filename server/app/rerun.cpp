@@ -89,10 +89,11 @@ std::optional<CommandDifference> compare_commands(const replay::Recording& recor
   }
   for (const Team team : both_teams) {
     const int robots = again.field().robots_per_team;
-    const auto recorded = asked_in(recording, tick, team);
-    const auto now = !again.asked().empty() && again.asked().back().tick == tick &&
-                             again.asked().back().team == team
-                         ? std::optional(again.asked().back().poses)
+    const auto recorded = requested_in(recording, tick, team);
+    const auto now = !again.placement_requests().empty() &&
+                             again.placement_requests().back().tick == tick &&
+                             again.placement_requests().back().team == team
+                         ? std::optional(again.placement_requests().back().request)
                          : std::nullopt;
     if (!recorded && !now) continue;
     if (recorded && now && is_same(*recorded, *now, robots)) continue;
@@ -101,8 +102,8 @@ std::optional<CommandDifference> compare_commands(const replay::Recording& recor
   return std::nullopt;
 }
 
-std::string end_text(const match::Result& result) {
-  std::string text(to_string(result.end));
+std::string end_text(const match::Outcome& result) {
+  std::string text(to_string(result.kind));
   for (const match::TeamFault& f : result.faults) {
     text += ", " + std::string(to_string(f.team)) + " " + std::string(to_string(f.fault.code));
   }
@@ -119,7 +120,7 @@ std::optional<CommandDifference> compare_ends(const replay::Recording& recording
                                    std::to_string(recording.ticks.size()) + " ticks, now it ends " +
                                    now};
   const auto& faults =
-      again.result().faults.empty() ? recording.result.faults : again.result().faults;
+      again.outcome().faults.empty() ? recording.outcome.faults : again.outcome().faults;
   if (!faults.empty()) difference.team = faults.front().team;
   return difference;
 }
@@ -129,7 +130,7 @@ Result<std::optional<CommandDifference>> play_again(const replay::Recording& rec
                                                     const std::vector<TeamChoice>& choices) {
   Interrupt interrupt;
   stay_on_this_core();
-  match::Match match(recording.setup);
+  match::Leg match(recording.setup);
   std::vector<TeamSeat> seats;
   const auto isolation = plugins::strongest_isolation();
   if (!isolation) return tl::unexpected(isolation.error());
@@ -148,8 +149,8 @@ Result<std::optional<CommandDifference>> play_again(const replay::Recording& rec
     if (match.log().size() == before) break;  // a fault
     if (auto difference = compare_commands(recording, match)) return difference;
   }
-  if (match.result().end == match::EndKind::void_) {
-    return fail(Errc::host, match.result().why_void);
+  if (match.outcome().kind == match::OutcomeKind::void_) {
+    return fail(Errc::host, match.outcome().why_void);
   }
   return compare_ends(recording, match);
 }
@@ -178,7 +179,7 @@ Result<int> run_rerun(const RerunOptions& options) {
   system::Disk disk;
   const auto record = record::load(disk, options.record);
   if (!record) return tl::unexpected(record.error());
-  if (record->recording.result.end == match::EndKind::void_) {
+  if (record->recording.outcome.kind == match::OutcomeKind::void_) {
     return fail(Errc::input, options.record + ": the leg is void, there is nothing to run again");
   }
   std::vector<TeamChoice> choices;

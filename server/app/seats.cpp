@@ -137,7 +137,7 @@ std::optional<record::NetworkReport> TeamSeat::network_report() const {
                                .answers = network_->answers()};
 }
 
-void wait_until_ready(std::span<TeamSeat> seats, match::Match& match, Interrupt& interrupt) {
+void wait_until_ready(std::span<TeamSeat> seats, match::Leg& match, Interrupt& interrupt) {
   std::vector<match::TeamFault> faults;
   for (const Team team : both_teams) {
     const auto ready = seats[index_of(team)].wait_until_ready();

@@ -75,6 +75,6 @@ void stay_on_this_core();
 
 // Until both teams, blue first, can play; a match whose teams cannot is void or forfeited. Returns
 // early if it is interrupted.
-void wait_until_ready(std::span<TeamSeat> seats, match::Match& match, Interrupt& interrupt);
+void wait_until_ready(std::span<TeamSeat> seats, match::Leg& match, Interrupt& interrupt);
 
 }  // namespace mirocup::app

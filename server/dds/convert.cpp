@@ -92,8 +92,8 @@ mirocup_v2_WorldState to_sample(const match::Scene& scene, int robots, std::uint
   return s;
 }
 
-match::Scene to_scene(const mirocup_v2_WorldState& s) {
-  match::Scene scene;
+match::Snapshot to_scene(const mirocup_v2_WorldState& s) {
+  match::Snapshot scene;
   scene.tick = s.tick;
   scene.time = s.time;
   scene.clock = s.clock;
@@ -169,12 +169,12 @@ mirocup_v2_TeamCommand to_sample(const match::Command& command, Team team, std::
     s.left[i] = command.wheels[i].left;
     s.right[i] = command.wheels[i].right;
   }
-  if (!command.poses) return s;
+  if (!command.placement) return s;
   s.places = 1;
-  s.place_ball_x = command.poses->ball_x;
-  s.place_ball_y = command.poses->ball_y;
+  s.place_ball_x = command.placement->ball_x;
+  s.place_ball_y = command.placement->ball_y;
   for (int i = 0; i < max_robots_per_team; ++i) {
-    const match::AskedPose& pose = command.poses->robots[i];
+    const match::RequestedPose& pose = command.placement->robots[i];
     s.place[i] = {pose.x, pose.y, pose.heading};
   }
   return s;
@@ -184,7 +184,7 @@ match::Command to_command(const mirocup_v2_TeamCommand& s) {
   match::Command command;
   for (int i = 0; i < max_robots_per_team; ++i) command.wheels[i] = {s.left[i], s.right[i]};
   if (s.places == 0) return command;
-  match::Poses& poses = command.poses.emplace();
+  match::PlacementRequest& poses = command.placement.emplace();
   poses.ball_x = s.place_ball_x;
   poses.ball_y = s.place_ball_y;
   for (int i = 0; i < max_robots_per_team; ++i) {

@@ -4,7 +4,7 @@
 // number as it is: frame and units are those of the field on both sides.
 #pragma once
 
-#include "core/match/match.hpp"
+#include "core/match/leg.hpp"
 
 #include <mirocup.h>
 #include <string_view>

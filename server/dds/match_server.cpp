@@ -66,8 +66,8 @@ Result<Seat*> MatchServer::add_seat(const match::Briefing& briefing, const std::
   return seats_.back().get();
 }
 
-void MatchServer::publish(const match::Match& match) {
-  state_ = to_sample(match.scene(), match.field().robots_per_team, leg_);
+void MatchServer::publish(const match::Leg& match) {
+  state_ = to_sample(match.snapshot(), match.field().robots_per_team, leg_);
   send_state();
   publish_decisions(match);
 }
@@ -88,7 +88,7 @@ void MatchServer::listen(double seconds) {
   if (seconds > 0.0 && seconds_since(sent_) >= resend_interval) send_state();
 }
 
-void MatchServer::publish_decisions(const match::Match& match) {
+void MatchServer::publish_decisions(const match::Leg& match) {
   const match::ByTeam<int> score{state_.score[0], state_.score[1]};
   for (; events_ < match.decisions().size(); ++events_) {
     const auto event =
@@ -97,7 +97,7 @@ void MatchServer::publish_decisions(const match::Match& match) {
   }
 }
 
-void MatchServer::close(const match::Match& match) {
+void MatchServer::close(const match::Leg& match) {
   publish(match);
   mirocup_v2_MatchEvent last{};
   last.leg = leg_;

@@ -43,7 +43,7 @@ class MatchServer {
   MatchServer(std::string match_id, Domain domain);
   Result<void> open_topics();
   void send_state();
-  void publish_decisions(const match::Match& match);
+  void publish_decisions(const match::Leg& match);
 
   std::string match_id_;
   Domain domain_;

@@ -39,7 +39,7 @@ struct MatchOver {
 struct Refused {
   std::string why;  // a sentence
 };
-using News = std::variant<Silence, Seated, match::Scene, MatchOver, Refused>;
+using News = std::variant<Silence, Seated, match::Snapshot, MatchOver, Refused>;
 
 class TeamClient {
  public:

@@ -37,7 +37,7 @@ struct Receive {
     c.setup.log = write_line;
     return MIROCUP_TEAM_SEATED;
   }
-  std::int32_t operator()(const match::Scene& scene) const {
+  std::int32_t operator()(const match::Snapshot& scene) const {
     c.observation = abi::to_observation(match::observe(scene, c.team, c.client->robots()));
     c.poses.reset();
     return MIROCUP_TEAM_TICK;
@@ -108,7 +108,7 @@ void mirocup_team_place(mirocup_connection* connection, const mirocup_placement*
 
 void mirocup_team_send(mirocup_connection* connection, const mirocup_command* command) {
   mirocup::match::Command answer = mirocup::abi::to_command(*command);
-  answer.poses = connection->poses;
+  answer.placement = connection->poses;
   connection->client->send(answer, connection->observation.tick);
 }
 

@@ -64,14 +64,14 @@ Json robots_json(const match::ByTeam<referee::RobotSet>& robots) {
 
 }  // namespace
 
-Json to_json(const match::Result& result) {
+Json to_json(const match::Outcome& result) {
   Json faults = Json::array();
   for (const match::TeamFault& f : result.faults) faults.push_back(fault_json(f));
   return {{"score", score_json(result.score)},
           {"played", score_json(result.played)},
           {"shoot_out", result.shoot_out ? score_json(*result.shoot_out) : Json()},
           {"winner", optional_name(result.winner)},
-          {"end", to_string(result.end)},
+          {"end", to_string(result.kind)},
           {"fault", faults.empty() ? Json() : faults.front()},
           {"faults", faults},
           {"why_void", result.why_void.empty() ? Json() : Json(result.why_void)}};
@@ -359,7 +359,7 @@ Json to_json(const MatchRecord& record) {
           {"seed", r.setup.seed},
           {"control_period", r.setup.control_period},
           {"teams", {{"blue", team_json(record.teams[0])}, {"yellow", team_json(record.teams[1])}}},
-          {"result", to_json(r.result)},
+          {"result", to_json(r.outcome)},
           {"decisions", decisions},
           {"budget",
            {{"blue", budget_json(record.budget[0])}, {"yellow", budget_json(record.budget[1])}}},

@@ -90,7 +90,7 @@ bool has_other_behaviour(const MatchRecord& record);
 // What to say if it indeed differs from that tick on. Errc::damaged: "of another version".
 Error behaviour_mismatch(const std::string& path, const MatchRecord& record, std::uint32_t tick);
 
-Json to_json(const match::Result& result);
+Json to_json(const match::Outcome& result);
 Json to_json(const match::LoggedDecision& decision);
 
 // Everything but the replay's name and digest and the record's own, which save() adds.

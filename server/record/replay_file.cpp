@@ -80,32 +80,32 @@ void for_each_asked_number(P& poses, std::size_t robots, Visit visit) {
   }
 }
 
-void put_asked(std::string& plain, const std::vector<match::LoggedPoses>& asked,
+void put_asked(std::string& plain, const std::vector<match::LoggedPlacementRequest>& asked,
                std::size_t robots) {
-  for (const match::LoggedPoses& logged : asked) {
+  for (const match::LoggedPlacementRequest& logged : asked) {
     put(plain, logged.tick, 4);
     put(plain, static_cast<std::uint64_t>(index_of(logged.team)), 1);
-    for_each_asked_number(logged.poses, robots, [&plain](double number) {
+    for_each_asked_number(logged.request, robots, [&plain](double number) {
       put(plain, std::bit_cast<std::uint64_t>(number), 8);
     });
   }
 }
 
 // All that is left; false if it is not in the order of the ticks.
-bool get_asked(const std::string& plain, std::size_t& at, std::vector<match::LoggedPoses>& asked,
-               std::size_t robots) {
-  for (match::LoggedPoses& logged : asked) {
+bool get_asked(const std::string& plain, std::size_t& at,
+               std::vector<match::LoggedPlacementRequest>& asked, std::size_t robots) {
+  for (match::LoggedPlacementRequest& logged : asked) {
     logged.tick = static_cast<std::uint32_t>(get(plain, at, 4));
     const std::uint64_t team = get(plain, at, 1);
     if (team >= both_teams.size()) return false;
     logged.team = both_teams[team];
-    for_each_asked_number(logged.poses, robots, [&](double& number) {
+    for_each_asked_number(logged.request, robots, [&](double& number) {
       number = std::bit_cast<double>(get(plain, at, 8));
     });
   }
-  return std::is_sorted(
-      asked.begin(), asked.end(),
-      [](const match::LoggedPoses& a, const match::LoggedPoses& b) { return a.tick < b.tick; });
+  return std::is_sorted(asked.begin(), asked.end(),
+                        [](const match::LoggedPlacementRequest& a,
+                           const match::LoggedPlacementRequest& b) { return a.tick < b.tick; });
 }
 
 // Column by column, each as differences: commands change little from tick to tick.
@@ -180,7 +180,7 @@ std::string pack_replay(const replay::Recording& recording, int robots) {
     });
   }
 
-  put_asked(plain, recording.asked, counts.robots);
+  put_asked(plain, recording.placement_requests, counts.robots);
 
   std::string packed(magic);
   packed.resize(magic.size() + ZSTD_compressBound(plain.size()));

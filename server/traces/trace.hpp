@@ -67,7 +67,7 @@ struct Trace {
   League league = League::small;
   referee::Rules rules;
   TraceState state = TraceState::PLAY;
-  referee::Progress progress;
+  referee::LegProgress progress;
   referee::Decision restart;     // in progress, or none
   std::vector<KeyFrame> frames;  // at least one, in order
   bool is_interpolated = false;

@@ -24,14 +24,14 @@ Json decisions_json(const std::vector<match::LoggedDecision>& decisions, std::si
 
 }  // namespace
 
-LiveFeed::LiveFeed(const match::Match& match)
+LiveFeed::LiveFeed(const match::Leg& match)
     : robots_(match.field().robots_per_team), counted_(match.field()), statistics_(match.field()) {
   publish(match);
 }
 
-void LiveFeed::copy(const match::Match& match) {
+void LiveFeed::copy(const match::Leg& match) {
   ++version_;
-  scene_ = match.scene();
+  scene_ = match.snapshot();
   const auto& decisions = match.decisions();
   decisions_.insert(decisions_.end(),
                     decisions.begin() + static_cast<std::ptrdiff_t>(decisions_.size()),
@@ -39,13 +39,13 @@ void LiveFeed::copy(const match::Match& match) {
   statistics_ = counted_;
 }
 
-void LiveFeed::publish(const match::Match& match) {
+void LiveFeed::publish(const match::Leg& match) {
   counted_.add(match);
   const std::unique_lock lock(mutex_, std::try_to_lock);
   if (lock.owns_lock()) copy(match);
 }
 
-void LiveFeed::close(const match::Match& match) {
+void LiveFeed::close(const match::Leg& match) {
   const std::lock_guard lock(mutex_);
   copy(match);
   assert(match.is_over());
@@ -55,10 +55,10 @@ void LiveFeed::close(const match::Match& match) {
 std::string LiveFeed::news(Viewer& viewer) const {
   std::unique_lock lock(mutex_);
   if (viewer.version == version_ || viewer.has_ended) return "";
-  const match::Scene scene = scene_;
+  const match::Snapshot scene = scene_;
   const std::vector<match::LoggedDecision> decisions(
       decisions_.begin() + static_cast<std::ptrdiff_t>(viewer.decisions), decisions_.end());
-  const std::optional<match::Result> result = result_;
+  const std::optional<match::Outcome> result = result_;
   std::optional<Json> numbers;
   if (!viewer.has_started || result || version_ - viewer.statistics >= statistics_every) {
     numbers = statistics_json(statistics_, decisions_);

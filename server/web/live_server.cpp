@@ -18,7 +18,7 @@ constexpr auto poll_interval = 33ms;    // whether they have
 }  // namespace
 
 struct LiveServer::Impl {
-  Impl(const match::Match& match, std::string text) : feed(match), page(std::move(text)) {}
+  Impl(const match::Leg& match, std::string text) : feed(match), page(std::move(text)) {}
 
   LiveFeed feed;
   std::string page;
@@ -28,7 +28,7 @@ struct LiveServer::Impl {
 LiveServer::LiveServer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
 Result<std::unique_ptr<LiveServer>> LiveServer::open(const Address& address,
-                                                     const match::Match& match,
+                                                     const match::Leg& match,
                                                      const match::ByTeam<std::string>& names,
                                                      const std::string& about) {
   auto owned = std::make_unique<Impl>(match, live_page(match, {names, about, "events"}));
@@ -53,11 +53,11 @@ std::string LiveServer::url() const {
   return impl_->http.url();
 }
 
-void LiveServer::publish(const match::Match& match) {
+void LiveServer::publish(const match::Leg& match) {
   impl_->feed.publish(match);
 }
 
-void LiveServer::close(const match::Match& match) {
+void LiveServer::close(const match::Leg& match) {
   impl_->feed.close(match);
   const auto end = std::chrono::steady_clock::now() + close_timeout;
   while (impl_->http.viewers() > 0 && std::chrono::steady_clock::now() < end) {

@@ -66,7 +66,7 @@ std::string filled(std::string_view page, const Values& values) {
   }
 }
 
-std::string page(const match::Match& first_moment, const match::ByTeam<std::string>& names,
+std::string page(const match::Leg& first_moment, const match::ByTeam<std::string>& names,
                  const Json& data) {
   const std::string code = script();
   // No source but this page, no code but this script: what is no script stays none.
@@ -80,7 +80,7 @@ std::string page(const match::Match& first_moment, const match::ByTeam<std::stri
                  {"policy", policy},
                  {"style", std::string(asset("page.css"))},
                  {"picture", picture(first_moment.field(), first_moment.setup().parameters,
-                                     {first_moment.scene(), {}})},
+                                     {first_moment.snapshot(), {}})},
                  {"data", embedded(data)},
                  {"script", code}});
 }
@@ -97,8 +97,8 @@ class LegTimeline {
     add(match);
   }
 
-  void add(const match::Match& match) {
-    const match::Scene scene = match.scene();
+  void add(const match::Leg& match) {
+    const match::Snapshot scene = match.snapshot();
     track_.add(scene);
     statistics_.add(match);
     Json moment = moment_json(scene);
@@ -159,7 +159,7 @@ tl::expected<std::string, replay::Divergence> replay_page(const record::MatchRec
   return page(begin, {record.teams[0].name, record.teams[1].name}, data);
 }
 
-std::string live_page(const match::Match& match, const LiveMatch& live) {
+std::string live_page(const match::Leg& match, const LiveMatch& live) {
   const Json data{{"schema", "mirocup/page/1"},
                   {"teams", teams_json(live.names)},
                   {"period", match.setup().control_period},

@@ -8,7 +8,7 @@
 
 namespace mirocup::web {
 
-Json moment_json(const match::Scene& scene) {
+Json moment_json(const match::Snapshot& scene) {
   return {{"state", to_string(scene.state)},
           {"phase", to_string(scene.phase)},
           {"left", to_string(scene.left)},

@@ -3,7 +3,7 @@
 // What spectators ask about a leg in numbers: who had the ball, how far they drove, what they tried.
 #pragma once
 
-#include "core/match/match.hpp"
+#include "core/match/leg.hpp"
 
 #include <array>
 #include <vector>
@@ -21,7 +21,7 @@ class Statistics {
   explicit Statistics(const field::Field& field);
 
   // After every tick, in order; the first call may be before the first tick.
-  void add(const match::Match& match);
+  void add(const match::Leg& match);
 
   const TeamStatistics& of(Team team) const { return teams_[index_of(team)]; }
 
@@ -31,17 +31,17 @@ class Statistics {
   int columns() const { return columns_; }
 
  private:
-  void count_distance(const match::Scene& scene);
-  void count_possession(const match::Match& match, double period);
-  void count_shots(const match::Scene& scene);
-  void count_heat(const match::Scene& scene);
+  void count_distance(const match::Snapshot& scene);
+  void count_possession(const match::Leg& match, double period);
+  void count_shots(const match::Snapshot& scene);
+  void count_heat(const match::Snapshot& scene);
 
   field::Field field_;
   int columns_;
   int rows_;
   match::ByTeam<TeamStatistics> teams_;
   std::vector<int> heat_;
-  std::optional<match::Scene> before_;
+  std::optional<match::Snapshot> before_;
   std::optional<Team> holder_;
   bool is_shot_counted_ = false;
 };

@@ -24,13 +24,13 @@ using Frame = std::vector<std::int32_t>;
 
 // `robots` of a team. Headings go on from those of `before` (may be empty), so that none jumps by a
 // turn.
-Frame frame_of(const match::Scene& scene, int robots, const Frame& before);
+Frame frame_of(const match::Snapshot& scene, int robots, const Frame& before);
 
 class TrackEncoder {
  public:
   explicit TrackEncoder(int robots) : robots_(robots) {}
 
-  void add(const match::Scene& scene);
+  void add(const match::Snapshot& scene);
 
   std::size_t frames() const { return frames_; }
 

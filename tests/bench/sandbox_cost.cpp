@@ -6,7 +6,7 @@
 // round counts, so that other work on the machine disturbs little. Printed are microseconds of a
 // tick (simulation and two teams), the same less the tick in process, and milliseconds from nothing
 // to a team that is ready (median).
-#include "core/match/match.hpp"
+#include "core/match/leg.hpp"
 #include "plugins/host/process_controller.hpp"
 #include "plugins/host/sandbox/probe.hpp"
 #include "plugins/host/trusted_controller.hpp"
@@ -66,7 +66,7 @@ class Bench {
   void play(Isolation isolation, Measured& measured) {
     match::Setup setup;
     setup.rules.half_s = 3600.0;
-    match::Match match(setup);
+    match::Leg match(setup);
     const auto bell = std::make_shared<Doorbell>();
     const auto blue = seat(isolation, match.briefing(Team::blue), bell, measured);
     const auto yellow = seat(isolation, match.briefing(Team::yellow), bell, measured);

@@ -68,11 +68,11 @@ TEST(Records, OfEveryEndingFitTheSchemaAndVerify) {
   const TemporaryFolder folder;
   system::Disk disk;
   std::vector<std::string> paths;
-  for (std::size_t i = 0; i < enum_names<match::EndKind>.size(); ++i) {
-    const auto end = static_cast<match::EndKind>(i);
+  for (std::size_t i = 0; i < enum_names<match::OutcomeKind>.size(); ++i) {
+    const auto end = static_cast<match::OutcomeKind>(i);
     paths.push_back(folder / (std::string(to_string(end)) + ".json"));
     const record::MatchRecord record = record_of(leg_that_ends(end));
-    ASSERT_EQ(record.recording.result.end, end) << to_string(end);
+    ASSERT_EQ(record.recording.outcome.kind, end) << to_string(end);
     ASSERT_TRUE(record::save(disk, paths.back(), record));
     const Outcome verified = verify(paths.back());
     EXPECT_EQ(verified.exit_code, 0) << paths.back() << verified.out << verified.err;
@@ -98,7 +98,7 @@ TEST(Records, HaveTheKeysThatTheirDocumentationDescribes) {
 
 // As the other compilers get them.
 TEST(Records, LoseNothingWhenTheyAreMadeFlat) {
-  for (const auto end : {match::EndKind::shoot_out, match::EndKind::double_forfeit}) {
+  for (const auto end : {match::OutcomeKind::shoot_out, match::OutcomeKind::double_forfeit}) {
     const std::string flat = test_support::flat(leg_that_ends(end));
     auto recording = test_support::recording_from(flat);
     ASSERT_TRUE(recording);
@@ -130,7 +130,7 @@ TEST(Records, OfAnotherGameAreNotCalledWrong) {
   const TemporaryFolder folder;
   const std::string path = folder / "leg.json";
   system::Disk disk;
-  record::MatchRecord record = record_of(leg_that_ends(match::EndKind::full_time));
+  record::MatchRecord record = record_of(leg_that_ends(match::OutcomeKind::full_time));
   record.recording.ticks[30].hash ^= 1;
   ASSERT_TRUE(record::save(disk, path, record));
   EXPECT_EQ(verify(path).exit_code, 1) << "this game's";

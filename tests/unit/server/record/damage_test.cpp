@@ -23,10 +23,10 @@ constexpr int few = 300;
 class Damage : public testing::Test {
  protected:
   void SetUp() override {
-    match::Match match(test_support::short_setup(7, 4.0));
+    match::Leg match(test_support::short_setup(7, 4.0));
     auto blue = test_support::ball_hunter();
     auto yellow = test_support::random_team(7);
-    replay::Trace trace;
+    replay::StateTrace trace;
     while (!match.is_over()) {
       match.advance(blue, yellow);
       trace.add(match);

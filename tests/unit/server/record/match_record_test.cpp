@@ -18,10 +18,10 @@ namespace {
 using test_support::MemoryFiles;
 
 MatchRecord played(std::uint64_t seed, League league = League::small) {
-  match::Match match(test_support::short_setup(seed, 8.0, league));
+  match::Leg match(test_support::short_setup(seed, 8.0, league));
   auto blue = test_support::ball_hunter();
   auto yellow = test_support::random_team(seed);
-  replay::Trace trace;
+  replay::StateTrace trace;
   while (!match.is_over()) {
     match.advance(blue, yellow);
     trace.add(match);
@@ -182,10 +182,10 @@ TEST(MatchRecord, IsWrittenAfterItsReplayOrNotAtAll) {
 
 TEST(MatchRecord, StaysSmall) {
   MemoryFiles files;
-  match::Match match(test_support::short_setup(5, 60.0, League::large));
+  match::Leg match(test_support::short_setup(5, 60.0, League::large));
   auto blue = test_support::random_team(1);
   auto yellow = test_support::random_team(2);
-  replay::Trace trace;
+  replay::StateTrace trace;
   while (!match.is_over()) {
     match.advance(blue, yellow);
     trace.add(match);

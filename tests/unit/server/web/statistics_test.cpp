@@ -14,7 +14,7 @@
 namespace mirocup::web {
 namespace {
 
-Statistics of(match::Match& match, match::Controller& blue, match::Controller& yellow) {
+Statistics of(match::Leg& match, match::Controller& blue, match::Controller& yellow) {
   Statistics statistics(match.field());
   statistics.add(match);
   while (!match.is_over()) {
@@ -28,9 +28,9 @@ Statistics of(match::Match& match, match::Controller& blue, match::Controller& y
 TEST(Statistics, AreThoseOfTheTeamThatPlays) {
   match::Setup setup = test_support::short_setup(1, 20.0);
   setup.rules.mercy_goal_diff = 0;
-  match::Match match(setup);
+  match::Leg match(setup);
   auto blue = test_support::ball_hunter();
-  auto yellow = test_support::standing();
+  auto yellow = test_support::idle_team();
   const Statistics s = of(match, blue, yellow);
   const TeamStatistics& hunter = s.of(Team::blue);
   const TeamStatistics& idler = s.of(Team::yellow);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/match/match.hpp"
+#include "core/match/leg.hpp"
 
 #include "core/referee/placement_check.hpp"
 #include "core/referee/touches.hpp"
@@ -13,10 +13,10 @@ namespace mirocup::match {
 namespace {
 
 // A team that answers late goes on with its last command for so many ticks, then stands.
-constexpr int ticks_a_command_lasts = 3;
+constexpr int max_repeated_ticks = 3;
 
 // Both teams have a tick to place in before the whistle.
-constexpr int fewest_ready_ticks = 2;
+constexpr int min_ready_ticks = 2;
 
 void add(StateHash& hash, const Vec2& v) {
   hash.add(v.x());
@@ -25,16 +25,16 @@ void add(StateHash& hash, const Vec2& v) {
 
 }  // namespace
 
-Match::Match(const Setup& setup)
+Leg::Leg(const Setup& setup)
     : setup_(setup),
       field_(field::make_field(setup.league)),
       pitch_{field_, setup_.rules, setup.parameters.ball_radius, setup.parameters.robot_side},
-      coins_(mix_seed(setup.seed)) {
+      rng_(mix_seed(setup.seed)) {
   // The toss: who defends the left end, and who kicks off (MiroSot law 6.1).
-  left_ = coins_.coin() ? Team::blue : Team::yellow;
-  const Team kick_off = coins_.coin() ? Team::blue : Team::yellow;
+  left_ = rng_.coin() ? Team::blue : Team::yellow;
+  const Team kick_off = rng_.coin() ? Team::blue : Team::yellow;
   referee_ = std::make_unique<referee::Referee>(
-      pitch_, referee::Progress{.stage = setup.stage, .first = end_of(kick_off)});
+      pitch_, referee::LegProgress{.stage = setup.stage, .first = end_of(kick_off)});
   world_ = std::make_unique<simulator::World>(&field_, setup_.parameters, setup_.tolerances,
                                               2 * field_.robots_per_team, true);
   log_.reserve(static_cast<std::size_t>(2.2 * setup_.rules.half_s / setup_.control_period));
@@ -42,7 +42,7 @@ Match::Match(const Setup& setup)
   place();
 }
 
-Briefing Match::briefing(Team team) const {
+Briefing Leg::briefing(Team team) const {
   return {.field = &field_,
           .parameters = &setup_.parameters,
           .rules = &setup_.rules,
@@ -51,15 +51,15 @@ Briefing Match::briefing(Team team) const {
           .seed = mix_seed(setup_.seed + 1 + static_cast<std::uint64_t>(index_of(team)))};
 }
 
-void Match::advance(Controller& blue, Controller& yellow) {
-  const Scene now = scene();
+void Leg::advance(Controller& blue, Controller& yellow) {
+  const Snapshot now = snapshot();
   blue.post(observe(now, Team::blue, field_.robots_per_team));
   yellow.post(observe(now, Team::yellow, field_.robots_per_team));
   advance({blue.collect(), yellow.collect()});
 }
 
-void Match::advance(const ByTeam<Answer>& answers) {
-  if (!take(answers)) return;
+void Leg::advance(const ByTeam<Answer>& answers) {
+  if (!accept_answers(answers)) return;
   simulate();
   judge();
   place();
@@ -67,7 +67,7 @@ void Match::advance(const ByTeam<Answer>& answers) {
 }
 
 // False if one of the answers ends the match.
-bool Match::take(const ByTeam<Answer>& given) {
+bool Leg::accept_answers(const ByTeam<Answer>& given) {
   std::vector<TeamFault> faults;
   hands_ = {};
   for (const Team team : both_teams) {
@@ -82,12 +82,12 @@ bool Match::take(const ByTeam<Answer>& given) {
       const CheckedCommand checked =
           check(*command, field_.robots_per_team, setup_.parameters.wheel_speed_limit);
       answers_[i] = checked.command;
-      if (command->poses) hear(team, *command->poses);
+      if (command->placement) on_placement_request(team, *command->placement);
       bad_values_[i] += checked.bad_values > 0 ? 1 : 0;
       late_in_a_row_[i] = 0;
     } else {
       ++late_ticks_[i];
-      if (++late_in_a_row_[i] > ticks_a_command_lasts) answers_[i] = {};
+      if (++late_in_a_row_[i] > max_repeated_ticks) answers_[i] = {};
     }
   }
   if (faults.empty()) return true;
@@ -96,28 +96,29 @@ bool Match::take(const ByTeam<Answer>& given) {
 }
 
 // What the team asks for is granted at the end of the tick. Out of its turn it may be an offence.
-void Match::hear(Team team, const Poses& poses) {
+void Leg::on_placement_request(Team team, const PlacementRequest& poses) {
   if (placing_ != team) {
     const bool counts = setup_.rules.hand_penalty && state_ == State::PLAY &&
                         referee_->phase() != referee::Phase::SHOOT_OUT;
     hands_[index_of(end_of(team))] = counts;
-    if (counts) asked_.push_back({tick_, team, poses});
+    if (counts) placement_requests_.push_back({tick_, team, poses});
     return;
   }
   const int robots = field_.robots_per_team;
-  const Scene now = scene();
-  const Poses shown = standing(observe(now, team, robots));
-  if (is_same(poses, shown, robots)) return;
-  wanted_ = poses;
-  wanted_placement_ = asked_placement(now, team, shown, poses, robots);
+  const Snapshot now = snapshot();
+  const PlacementRequest shown = unchanged_request(observe(now, team, robots));
+  if (bit_equal(poses, shown, robots)) return;
+  requested_ = poses;
+  requested_placement_ = requested_placement(now, team, shown, poses, robots);
 }
 
-void Match::simulate() {
+void Leg::simulate() {
   std::array<simulator::WheelCommand, simulator::max_robots> wheels;
   for (const Team team : both_teams) {
     for (int i = 0; i < field_.robots_per_team; ++i) {
       const int body = body_of(team, i);
-      wheels[body] = plays(team, i) ? pending_[index_of(team)].speeds(i) : simulator::WheelSpeeds{};
+      wheels[body] =
+          is_active(team, i) ? pending_[index_of(team)].speeds(i) : simulator::WheelSpeeds{};
       const simulator::BodyState robot = world_->robot(body);
       velocity_before_[index_of(team)][i] =
           robot.heading.to_world({robot.twist.forward, robot.twist.left});
@@ -130,13 +131,13 @@ void Match::simulate() {
 
 // Do the robot's commands count? In a shoot-out the kicker and the keeper are alone; the others
 // stand in the kicker's half, where an attempt ends.
-bool Match::plays(Team team, int robot) const {
+bool Leg::is_active(Team team, int robot) const {
   if (state_ != State::PLAY) return false;
   if (referee_->phase() != referee::Phase::SHOOT_OUT) return true;
   return robot == (team_at(restart_.taker) == team ? referee::kicker : referee::keeper);
 }
 
-void Match::judge() {
+void Leg::judge() {
   judged_.reset();
   if (state_ != State::PLAY) {
     if (--ready_ticks_left_ <= 0) state_ = State::PLAY;
@@ -147,7 +148,7 @@ void Match::judge() {
   if (judgement.decision) apply(*judgement.decision);
 }
 
-void Match::apply(const referee::Decision& decision) {
+void Leg::apply(const referee::Decision& decision) {
   log_decision(decision);
   if (decision.verdict == referee::Verdict::MATCH_END) {
     end(decision);
@@ -164,7 +165,7 @@ void Match::apply(const referee::Decision& decision) {
 }
 
 // Ends change between halves; extra time and the shoot-out begin with a toss of their own.
-void Match::start_phase(referee::Phase phase) {
+void Leg::start_phase(referee::Phase phase) {
   const bool next_half = phase == referee::Phase::SECOND_HALF ||
                          (phase == referee::Phase::EXTRA && referee_->phase() == phase);
   if (next_half) {
@@ -172,34 +173,35 @@ void Match::start_phase(referee::Phase phase) {
     referee_->start_half(phase);
     return;
   }
-  const Team first = coins_.coin() ? Team::blue : Team::yellow;
+  const Team first = rng_.coin() ? Team::blue : Team::yellow;
   if (phase == referee::Phase::EXTRA) {
     referee_->start_extra_time(end_of(first));
   } else {
-    const Team lots = coins_.coin() ? Team::blue : Team::yellow;
+    const Team lots = rng_.coin() ? Team::blue : Team::yellow;
     referee_->start_shoot_out(end_of(first), end_of(lots));
   }
 }
 
-void Match::place() {
+void Leg::place() {
   using referee::first_placer;
   const Team first = team_at(first_placer(restart_.restart, restart_.taker));
   if (std::exchange(placement_is_due_, false)) {
-    put(referee::default_placement(pitch_, restart_.restart, restart_.taker, restart_.spot));
+    place_bodies(
+        referee::default_placement(pitch_, restart_.restart, restart_.taker, restart_.spot));
     placing_ = first;
     state_ = State::READY;
     ready_ticks_left_ =
-        std::max(fewest_ready_ticks,
+        std::max(min_ready_ticks,
                  static_cast<int>(std::nearbyint(setup_.rules.ready_s / setup_.control_period)));
   } else if (placing_) {
-    if (wanted_) grant();
+    if (requested_) grant_placement();
     placing_ = placing_ == first ? std::optional(opponent_of(first)) : std::nullopt;
   }
 }
 
-void Match::grant() {
-  asked_.push_back({tick_, *placing_, *std::exchange(wanted_, std::nullopt)});
-  const referee::Placement& wanted = wanted_placement_;
+void Leg::grant_placement() {
+  placement_requests_.push_back({tick_, *placing_, *std::exchange(requested_, std::nullopt)});
+  const referee::Placement& wanted = requested_placement_;
   const End end = end_of(*placing_);
   const auto roles =
       referee_->phase() == referee::Phase::SHOOT_OUT ? referee::Roles::fixed : referee::Roles::any;
@@ -215,10 +217,10 @@ void Match::grant() {
     fixed.ball = granted.placement.ball;
     log_decision(fixed);
   }
-  put(granted.placement);
+  place_bodies(granted.placement);
 }
 
-void Match::put(const referee::Placement& placement) {
+void Leg::place_bodies(const referee::Placement& placement) {
   for (const Team team : both_teams) {
     for (int i = 0; i < field_.robots_per_team; ++i) {
       const Pose& pose = placement.robots[index_of(end_of(team))][i];
@@ -230,7 +232,7 @@ void Match::put(const referee::Placement& placement) {
   referee_->resume(restart_);
 }
 
-void Match::record() {
+void Leg::record() {
   hash_.add(static_cast<std::uint64_t>(tick_));
   hash_.add(static_cast<std::uint64_t>(state_));
   hash_.add(referee_->clock());
@@ -252,64 +254,64 @@ void Match::record() {
   ++tick_;
 }
 
-void Match::end(EndKind kind) {
+void Leg::end(OutcomeKind kind) {
   state_ = State::END;
-  Result result;
-  result.end = kind;
+  Outcome outcome;
+  outcome.kind = kind;
   for (const Team team : both_teams) {
-    result.played[index_of(team)] = referee_->score()[index_of(end_of(team))];
+    outcome.played[index_of(team)] = referee_->score()[index_of(end_of(team))];
   }
-  result.score = result.played;
-  if (result.score[0] != result.score[1]) {
-    result.winner = result.score[0] > result.score[1] ? Team::blue : Team::yellow;
+  outcome.score = outcome.played;
+  if (outcome.score[0] != outcome.score[1]) {
+    outcome.winner = outcome.score[0] > outcome.score[1] ? Team::blue : Team::yellow;
   }
-  result_ = std::move(result);
+  outcome_ = std::move(outcome);
 }
 
-void Match::end(const referee::Decision& decision) {
+void Leg::end(const referee::Decision& decision) {
   using referee::Law;
   switch (decision.law) {
     case Law::mercy:
-      end(EndKind::mercy);
+      end(OutcomeKind::mercy);
       break;
     case Law::golden_goal:
-      end(EndKind::golden_goal);
+      end(OutcomeKind::golden_goal);
       break;
     case Law::shoot_out:
     case Law::lots:
-      end(EndKind::shoot_out);
-      result_->winner = team_at(*decision.team);
-      result_->shoot_out.emplace();
+      end(OutcomeKind::shoot_out);
+      outcome_->winner = team_at(*decision.team);
+      outcome_->shoot_out.emplace();
       for (const Team team : both_teams) {
-        (*result_->shoot_out)[index_of(team)] =
+        (*outcome_->shoot_out)[index_of(team)] =
             referee_->shoot_out().scored[index_of(end_of(team))];
       }
       break;
     default:
-      end(EndKind::full_time);
+      end(OutcomeKind::full_time);
   }
 }
 
-void Match::forfeit(std::vector<TeamFault> faults) {
+void Leg::forfeit(std::vector<TeamFault> faults) {
   const bool both = faults.size() > 1;
-  end(both ? EndKind::double_forfeit : EndKind::forfeit);
-  result_->score = {0, 0};
-  result_->winner.reset();
+  end(both ? OutcomeKind::double_forfeit : OutcomeKind::forfeit);
+  outcome_->score = {0, 0};
+  outcome_->winner.reset();
   if (!both) {
     const Team winner = opponent_of(faults.front().team);
-    result_->winner = winner;
-    result_->score[index_of(winner)] = setup_.rules.forfeit_goals;
+    outcome_->winner = winner;
+    outcome_->score[index_of(winner)] = setup_.rules.forfeit_goals;
   }
-  result_->faults = std::move(faults);
+  outcome_->faults = std::move(faults);
 }
 
-void Match::declare_void(std::string why) {
-  end(EndKind::void_);
-  result_->winner.reset();
-  result_->why_void = std::move(why);
+void Leg::declare_void(std::string why) {
+  end(OutcomeKind::void_);
+  outcome_->winner.reset();
+  outcome_->why_void = std::move(why);
 }
 
-void Match::log_decision(const referee::Decision& decision) {
+void Leg::log_decision(const referee::Decision& decision) {
   LoggedDecision logged;
   logged.tick = tick_;
   logged.decision = decision;
@@ -321,7 +323,7 @@ void Match::log_decision(const referee::Decision& decision) {
   decisions_.push_back(std::move(logged));
 }
 
-referee::Situation Match::situation() const {
+referee::Situation Leg::situation() const {
   referee::Situation s;
   s.duration = setup_.control_period;
   s.ball_before = ball_before_;
@@ -333,7 +335,7 @@ referee::Situation Match::situation() const {
       const simulator::BodyState robot = world_->robot(body_of(team, i));
       s.robots[e][i] = {robot.position, robot.heading};
       s.velocity[e][i] = velocity_before_[index_of(team)][i];
-      if (!plays(team, i)) continue;
+      if (!is_active(team, i)) continue;
       const simulator::WheelSpeeds wheels = pending_[index_of(team)].speeds(i);
       s.commanded[e][i] =
           setup_.parameters.speed_reference(wheels.left, wheels.right) * robot.heading.forward();
@@ -344,14 +346,14 @@ referee::Situation Match::situation() const {
   return s;
 }
 
-std::optional<Touch> Match::last_touch() const {
+std::optional<Touch> Leg::last_touch() const {
   if (events_ == nullptr || events_->last_to_touch_ball == simulator::no_body) return std::nullopt;
   const int body = events_->last_to_touch_ball;
   const int robots = field_.robots_per_team;
   return Touch{body < robots ? Team::blue : Team::yellow, body % robots};
 }
 
-void Match::add_touches(const simulator::TickEvents& events, referee::Situation& s) const {
+void Leg::add_touches(const simulator::TickEvents& events, referee::Situation& s) const {
   const int ball = world_->robots();
   const auto robot_of = [&](int body) {
     const Team team = body < field_.robots_per_team ? Team::blue : Team::yellow;
@@ -371,8 +373,8 @@ void Match::add_touches(const simulator::TickEvents& events, referee::Situation&
   }
 }
 
-Scene Match::scene() const {
-  Scene s;
+Snapshot Leg::snapshot() const {
+  Snapshot s;
   s.tick = tick_;
   s.time = tick_ * setup_.control_period;
   s.clock = referee_->clock();
@@ -383,11 +385,11 @@ Scene Match::scene() const {
   s.left = left_;
   s.placing = placing_;
   s.ball = world_->ball();
-  const referee::Belief belief = referee_->belief();
-  s.stalemate_s = belief.stalemate_s;
-  s.advantage_s = belief.advantage_s;
+  const referee::PendingCounts pending = referee_->pending_counts();
+  s.stalemate_s = pending.stalemate_s;
+  s.advantage_s = pending.advantage_s;
   for (const Team team : both_teams) {
-    s.counts[index_of(team)] = belief.teams[index_of(end_of(team))];
+    s.counts[index_of(team)] = pending.teams[index_of(end_of(team))];
     s.score[index_of(team)] = referee_->score()[index_of(end_of(team))];
     for (int i = 0; i < field_.robots_per_team; ++i) {
       s.robots[index_of(team)][i] = world_->robot(body_of(team, i));

@@ -16,7 +16,7 @@ enum class Roles {
 };
 
 // The restart that is placed. Positions in it are in the field's frame.
-struct Standing {
+struct PlacementRules {
   const Pitch& pitch;
   Restart restart = Restart::none;
   End taker = End::left;
@@ -29,13 +29,13 @@ struct Standing {
 bool is_inside_walls(const Pitch& pitch, const Pose& robot);
 
 // May any robot of that team stand so?
-bool may_stand(const Standing& standing, End team, const Pose& robot);
+bool may_stand(const PlacementRules& standing, End team, const Pose& robot);
 
 // Does the robot stand where one robot of its team may, or must, stand alone: the kicker behind the
 // ball, the keeper on its line (in a shoot-out anywhere in its goal area), a contender at its place?
-bool has_special_place(const Standing& standing, End team, const Pose& robot);
+bool has_special_place(const PlacementRules& standing, End team, const Pose& robot);
 
 // The robot that takes the special place if nobody stands there of its own will; -1: nobody has to.
-int holder_of_special_place(const Standing& standing, End team);
+int holder_of_special_place(const PlacementRules& standing, End team);
 
 }  // namespace mirocup::referee

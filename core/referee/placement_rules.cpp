@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/referee/standing_rules.hpp"
+#include "core/referee/placement_rules.hpp"
 
 #include "core/field/coverage.hpp"
 
@@ -82,12 +82,12 @@ bool on_goal_line(const Pitch& pitch, End team, const Pose& robot) {
   return std::abs(gap) <= line_tolerance && std::abs(p.y()) <= pitch.field.goal_half_width;
 }
 
-bool behind_ball(const Standing& s, End team, const Pose& robot) {
+bool behind_ball(const PlacementRules& s, End team, const Pose& robot) {
   return seen(team, robot).x() + reach_of(s.pitch, robot) <= team_frame(team, s.ball).x();
 }
 
 // One of the default places of the team's wall at a free kick, whoever holds it.
-bool on_wall_mark(const Standing& s, End team, const Pose& robot) {
+bool on_wall_mark(const PlacementRules& s, End team, const Pose& robot) {
   for (int i = 0; i < s.pitch.field.robots_per_team; ++i) {
     if (i != keeper && near(robot, s.defaults.robots[index_of(team)][i])) return true;
   }
@@ -106,7 +106,7 @@ bool is_inside_walls(const Pitch& pitch, const Pose& robot) {
   });
 }
 
-bool may_stand(const Standing& s, End team, const Pose& robot) {
+bool may_stand(const PlacementRules& s, End team, const Pose& robot) {
   const bool takes = team == s.taker;
   switch (s.restart) {
     case Restart::none:
@@ -126,7 +126,7 @@ bool may_stand(const Standing& s, End team, const Pose& robot) {
   return false;
 }
 
-bool has_special_place(const Standing& s, End team, const Pose& robot) {
+bool has_special_place(const PlacementRules& s, End team, const Pose& robot) {
   const bool takes = team == s.taker;
   switch (s.restart) {
     case Restart::none:
@@ -147,7 +147,7 @@ bool has_special_place(const Standing& s, End team, const Pose& robot) {
   return false;
 }
 
-int holder_of_special_place(const Standing& s, End team) {
+int holder_of_special_place(const PlacementRules& s, End team) {
   const bool takes = team == s.taker;
   switch (s.restart) {
     case Restart::none:

@@ -36,19 +36,19 @@ struct Setup {
   simulator::Tolerances tolerances;
 };
 
-enum class EndKind { full_time, golden_goal, shoot_out, forfeit, double_forfeit, mercy, void_ };
+enum class OutcomeKind { full_time, golden_goal, shoot_out, forfeit, double_forfeit, mercy, void_ };
 
 struct TeamFault {
   Team team = Team::blue;
   Fault fault;
 };
 
-struct Result {
+struct Outcome {
   ByTeam<int> score{};   // the official one: a forfeit is 0 to forfeit_goals
   ByTeam<int> played{};  // goals until the end, those of extra time with them
   std::optional<Team> winner;
   std::optional<ByTeam<int>> shoot_out;  // attempts scored, if there was one; not goals
-  EndKind end = EndKind::full_time;
+  OutcomeKind kind = OutcomeKind::full_time;
   std::vector<TeamFault> faults;
   std::string why_void;
 };
@@ -76,26 +76,26 @@ struct TickLog {
 
 // Where a team asked to stand, other than where it stood, in the tick that was its turn; or out of
 // its turn, where that is an offence.
-struct LoggedPoses {
+struct LoggedPlacementRequest {
   std::uint32_t tick = 0;
   Team team = Team::blue;
-  Poses poses;
+  PlacementRequest request;
 };
 
-class Match {
+class Leg {
  public:
   // Makes the toss and places the first kick-off.
-  explicit Match(const Setup& setup);
-  Match(const Match&) = delete;
-  Match& operator=(const Match&) = delete;
+  explicit Leg(const Setup& setup);
+  Leg(const Leg&) = delete;
+  Leg& operator=(const Leg&) = delete;
 
   const Setup& setup() const { return setup_; }
   const field::Field& field() const { return field_; }
   Briefing briefing(Team team) const;
 
   std::uint32_t tick() const { return tick_; }
-  bool is_over() const { return result_.has_value(); }
-  const Result& result() const { return *result_; }  // once over
+  bool is_over() const { return outcome_.has_value(); }
+  const Outcome& outcome() const { return *outcome_; }  // once over
 
   // Plays one tick. The controllers steer blue and yellow; not to be called once over.
   void advance(Controller& blue, Controller& yellow);
@@ -109,7 +109,7 @@ class Match {
   // Ends the leg because of what teams did before the first tick.
   void forfeit(std::vector<TeamFault> faults);
 
-  Scene scene() const;
+  Snapshot snapshot() const;
   // What it holds of one body: cheaper than the scene where nothing else is asked for.
   simulator::BodyState robot(Team team, int i) const { return world_->robot(body_of(team, i)); }
   simulator::BallState ball() const { return world_->ball(); }
@@ -119,7 +119,9 @@ class Match {
   const std::optional<referee::Situation>& judged() const { return judged_; }
   const std::vector<LoggedDecision>& decisions() const { return decisions_; }
   const std::vector<TickLog>& log() const { return log_; }
-  const std::vector<LoggedPoses>& asked() const { return asked_; }
+  const std::vector<LoggedPlacementRequest>& placement_requests() const {
+    return placement_requests_;
+  }
   std::uint64_t state_hash() const { return hash_.value(); }
   // Who touched the ball last in the tick that was played, if anybody did.
   std::optional<Touch> last_touch() const;
@@ -127,18 +129,18 @@ class Match {
   const ByTeam<int>& late_ticks() const { return late_ticks_; }
 
  private:
-  bool take(const ByTeam<Answer>& given);
+  bool accept_answers(const ByTeam<Answer>& given);
   void simulate();
   void judge();
   void apply(const referee::Decision& decision);
   void start_phase(referee::Phase phase);
-  bool plays(Team team, int robot) const;
-  void hear(Team team, const Poses& poses);
+  bool is_active(Team team, int robot) const;
+  void on_placement_request(Team team, const PlacementRequest& poses);
   void place();
-  void grant();
-  void put(const referee::Placement& placement);
+  void grant_placement();
+  void place_bodies(const referee::Placement& placement);
   void record();
-  void end(EndKind kind);
+  void end(OutcomeKind kind);
   void end(const referee::Decision& decision);
   void log_decision(const referee::Decision& decision);
 
@@ -153,7 +155,7 @@ class Match {
   Setup setup_;
   field::Field field_;
   referee::Pitch pitch_;
-  Random coins_;  // of every toss and lot
+  Random rng_;  // of every toss and lot
   Team left_ = Team::blue;
   std::unique_ptr<simulator::World> world_;
   std::unique_ptr<referee::Referee> referee_;
@@ -164,11 +166,11 @@ class Match {
   referee::Decision restart_;  // the last one
   bool placement_is_due_ = false;
   std::optional<Team> placing_;  // whose turn it is
-  std::optional<Poses>
-      wanted_;  // what it asked for in this tick, and the same in the field's frame
-  referee::Placement wanted_placement_;
+  std::optional<PlacementRequest>
+      requested_;  // what it asked for in this tick, and the same in the field's frame
+  referee::Placement requested_placement_;
   referee::ByEnd<bool> hands_{};  // who asked out of its turn in this tick
-  std::vector<LoggedPoses> asked_;
+  std::vector<LoggedPlacementRequest> placement_requests_;
   Vec2 ball_before_{0.0, 0.0};
   ByTeam<std::array<Vec2, max_robots_per_team>> velocity_before_;  // in the field's frame
   const simulator::TickEvents* events_ = nullptr;
@@ -183,7 +185,7 @@ class Match {
   StateHash hash_;
   std::vector<TickLog> log_;
   std::vector<LoggedDecision> decisions_;
-  std::optional<Result> result_;
+  std::optional<Outcome> outcome_;
 };
 
 }  // namespace mirocup::match
@@ -191,7 +193,7 @@ class Match {
 namespace mirocup {
 
 template <>
-inline constexpr std::array<std::string_view, 7> enum_names<match::EndKind>{
+inline constexpr std::array<std::string_view, 7> enum_names<match::OutcomeKind>{
     "full_time", "golden_goal", "shoot_out", "forfeit", "double_forfeit", "mercy", "void"};
 
 }  // namespace mirocup
