@@ -20,23 +20,23 @@ Json signed_fields(const RulingOptions& options, Json fields) {
 }
 
 // The legs that are meant: one, or all of the fixture.
-Result<std::vector<int>> legs_of(const Book& book, const RulingOptions& options) {
-  const auto index = book.state().find_fixture(options.fixture);
+Result<std::vector<int>> legs_of(const LeagueStore& store, const RulingOptions& options) {
+  const auto index = store.state().find_fixture(options.fixture);
   if (!index) return fail(Errc::input, "there is no fixture " + options.fixture);
   if (options.leg > 0) return std::vector<int>{options.leg};
   std::vector<int> legs;
-  for (int leg = 1; leg <= book.state().fixtures[*index].needed(); ++leg) legs.push_back(leg);
+  for (int leg = 1; leg <= store.state().fixtures[*index].needed(); ++leg) legs.push_back(leg);
   return legs;
 }
 
 Result<int> rule(const RulingOptions& options, int home_goals, int away_goals) {
   system::Disk disk;
-  auto book = Book::open(disk, Folder{options.folder});
-  if (!book) return tl::unexpected(book.error());
-  const auto legs = legs_of(*book, options);
+  auto store = LeagueStore::open(disk, Folder{options.folder});
+  if (!store) return tl::unexpected(store.error());
+  const auto legs = legs_of(*store, options);
   if (!legs) return tl::unexpected(legs.error());
   for (const int leg : *legs) {
-    if (auto written = book->write(
+    if (auto written = store->write(
             "ruling",
             signed_fields(options, {{"fixture", options.fixture},
                                     {"leg", leg},
@@ -44,7 +44,7 @@ Result<int> rule(const RulingOptions& options, int home_goals, int away_goals) {
         !written) {
       return tl::unexpected(written.error());
     }
-    const LeagueState& state = book->state();
+    const LeagueState& state = store->state();
     const Fixture& fixture = state.fixtures[*state.find_fixture(options.fixture)].fixture;
     std::cout << options.fixture << " leg " << leg << ": " << state.name(fixture.home) << ' '
               << home_goals << " : " << away_goals << ' ' << state.name(fixture.away) << '\n';
@@ -54,10 +54,10 @@ Result<int> rule(const RulingOptions& options, int home_goals, int away_goals) {
 
 Result<int> write_team_line(const RulingOptions& options, const std::string& kind, Json fields) {
   system::Disk disk;
-  auto book = Book::open(disk, Folder{options.folder});
-  if (!book) return tl::unexpected(book.error());
+  auto store = LeagueStore::open(disk, Folder{options.folder});
+  if (!store) return tl::unexpected(store.error());
   fields["team"] = options.team;
-  if (auto written = book->write(kind, signed_fields(options, std::move(fields))); !written)
+  if (auto written = store->write(kind, signed_fields(options, std::move(fields))); !written)
     return tl::unexpected(written.error());
   return exit_yes;
 }
@@ -66,9 +66,9 @@ Result<int> write_team_line(const RulingOptions& options, const std::string& kin
 
 Result<int> run_award(const RulingOptions& options) {
   system::Disk disk;
-  const auto book = Book::open(disk, Folder{options.folder});
-  if (!book) return tl::unexpected(book.error());
-  const LeagueState& state = book->state();
+  const auto store = LeagueStore::open(disk, Folder{options.folder});
+  if (!store) return tl::unexpected(store.error());
+  const LeagueState& state = store->state();
   const auto index = state.find_fixture(options.fixture);
   if (!index) return fail(Errc::input, "there is no fixture " + options.fixture);
   const Fixture& fixture = state.fixtures[*index].fixture;
@@ -93,18 +93,18 @@ Result<int> run_rule(const RulingOptions& options) {
 
 Result<int> run_void(const RulingOptions& options) {
   system::Disk disk;
-  auto book = Book::open(disk, Folder{options.folder});
-  if (!book) return tl::unexpected(book.error());
-  const auto legs = legs_of(*book, options);
+  auto store = LeagueStore::open(disk, Folder{options.folder});
+  if (!store) return tl::unexpected(store.error());
+  const auto legs = legs_of(*store, options);
   if (!legs) return tl::unexpected(legs.error());
   for (const int leg : *legs) {
-    const auto index = book->state().find_fixture(options.fixture);
+    const auto index = store->state().find_fixture(options.fixture);
     const int attempt =
-        leg <= most_legs ? book->state().fixtures[*index].legs[leg - 1].voids + 1 : 1;
-    if (auto written = book->write("void", signed_fields(options, {{"fixture", options.fixture},
-                                                                   {"leg", leg},
-                                                                   {"attempt", attempt},
-                                                                   {"cause", "ruling"}}));
+        leg <= max_legs ? store->state().fixtures[*index].legs[leg - 1].voids + 1 : 1;
+    if (auto written = store->write("void", signed_fields(options, {{"fixture", options.fixture},
+                                                                    {"leg", leg},
+                                                                    {"attempt", attempt},
+                                                                    {"cause", "ruling"}}));
         !written) {
       return tl::unexpected(written.error());
     }

@@ -39,9 +39,9 @@ void only_keys(const Json& object, const std::string& at, const std::set<std::st
   }
 }
 
-TeamEntry team_of(const Json& json, const std::string& at) {
+TeamConfig team_of(const Json& json, const std::string& at) {
   only_keys(json, at, {"name", "entry", "dds"});
-  TeamEntry team;
+  TeamConfig team;
   team.name = get<std::string>(json, at, "name", "");
   team.source = get<std::string>(json, at, "entry", "");
   team.over_dds = get<bool>(json, at, "dds", false);
@@ -54,11 +54,11 @@ TeamEntry team_of(const Json& json, const std::string& at) {
   return team;
 }
 
-int count_of(const Json& json, const std::string& at, const std::string& key, int fallback,
-             int least, int most) {
+int count_of(const Json& json, const std::string& at, const std::string& key, int fallback, int min,
+             int max) {
   const int value = get<int>(json, at, key, fallback);
-  if (value < least || value > most) {
-    throw Wrong{at + "/" + key, std::to_string(least) + " to " + std::to_string(most) +
+  if (value < min || value > max) {
+    throw Wrong{at + "/" + key, std::to_string(min) + " to " + std::to_string(max) +
                                     " is expected, not " + std::to_string(value)};
   }
   return value;
@@ -197,7 +197,7 @@ std::string print_league_file(const LeagueFile& file) {
   Json tie_breaks = Json::array();
   for (const TieBreak rule : file.tie_breaks) tie_breaks.push_back(to_string(rule));
   Json teams = Json::array();
-  for (const TeamEntry& team : file.teams) {
+  for (const TeamConfig& team : file.teams) {
     Json json{{"name", team.name}, {"entry", team.source}};
     if (team.over_dds) json["dds"] = true;
     teams.push_back(json);

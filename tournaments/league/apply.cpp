@@ -35,7 +35,7 @@ Result<Place> place_of(const LeagueState& state, const Json& line) {
   const auto fixture = state.find_fixture(id);
   if (!fixture) return fail(Errc::input, "there is no fixture " + id);
   const FixtureState& f = state.fixtures[*fixture];
-  if (leg < 1 || leg > most_legs || !f.fixture.has_both() || leg > f.needed()) {
+  if (leg < 1 || leg > max_legs || !f.fixture.has_both() || leg > f.needed()) {
     return fail(Errc::input, id + " has no leg " + std::to_string(leg) + " to be played");
   }
   return Place{*fixture, leg - 1};
@@ -46,10 +46,10 @@ Result<void> nothing_follows(const LeagueState& state, int index) {
   const Fixture& changed = state.fixtures[index].fixture;
   for (const FixtureState& f : state.fixtures) {
     if (f.fixture.part != Part::knockout || !f.has_begun()) continue;
-    for (const Slot& slot : {f.fixture.home_from, f.fixture.away_from}) {
-      const bool follows = slot.from == Slot::From::place
-                               ? changed.part == Part::group && changed.group == slot.index + 1
-                               : slot.from != Slot::From::team && slot.index == index;
+    for (const TeamSource& source : {f.fixture.home_source, f.fixture.away_source}) {
+      const bool follows = source.kind == TeamSource::Kind::place
+                               ? changed.part == Part::group && changed.group == source.index + 1
+                               : source.kind != TeamSource::Kind::team && source.index == index;
       if (follows) {
         return fail(Errc::input, f.fixture.id() + " has begun with who came out of " +
                                      changed.id() + ": void its legs first");
@@ -59,7 +59,7 @@ Result<void> nothing_follows(const LeagueState& state, int index) {
   return {};
 }
 
-Result<void> admit_leg(const LeagueState& state, const Json& line) {
+Result<void> validate_leg(const LeagueState& state, const Json& line) {
   const auto place = place_of(state, line);
   if (!place) return tl::unexpected(place.error());
   const FixtureState& f = state.fixtures[place->fixture];
@@ -84,7 +84,7 @@ Result<void> admit_leg(const LeagueState& state, const Json& line) {
   return {};
 }
 
-Result<void> admit_void(const LeagueState& state, const Json& line) {
+Result<void> validate_void(const LeagueState& state, const Json& line) {
   const auto place = place_of(state, line);
   if (!place) return tl::unexpected(place.error());
   (void)text(line, "why");
@@ -99,7 +99,7 @@ Result<void> admit_void(const LeagueState& state, const Json& line) {
   return by_person ? nothing_follows(state, place->fixture) : Result<void>();
 }
 
-Result<void> admit_ruling(const LeagueState& state, const Json& line) {
+Result<void> validate_ruling(const LeagueState& state, const Json& line) {
   const auto place = place_of(state, line);
   if (!place) return tl::unexpected(place.error());
   for (const char* side : {"home", "away"}) {
@@ -114,12 +114,13 @@ Result<int> team_of(const LeagueState& state, const Json& line) {
   const std::string name = text(line, "team");
   const auto team = state.find_team(name);
   if (!team) return fail(Errc::input, "there is no team " + name);
-  if (state.teams[*team].standing == Standing::withdrawn)
+  if (state.teams[*team].status == TeamStatus::withdrawn)
     return fail(Errc::input, name + " has withdrawn");
   return *team;
 }
 
-Result<void> admit_team_line(const LeagueState& state, const Json& line, const std::string& kind) {
+Result<void> validate_team_line(const LeagueState& state, const Json& line,
+                                const std::string& kind) {
   const auto team = team_of(state, line);
   if (!team) return tl::unexpected(team.error());
   const TeamState& now = state.teams[*team];
@@ -136,7 +137,7 @@ Result<void> admit_team_line(const LeagueState& state, const Json& line, const s
       return fail(Errc::input, "results are to \"keep\" or to \"annul\"");
     return {};
   }
-  if ((kind == "resume") != (now.standing == Standing::paused)) {
+  if ((kind == "resume") != (now.status == TeamStatus::paused)) {
     return fail(Errc::input,
                 text(line, "team") + (kind == "resume" ? " is not paused" : " is paused already"));
   }
@@ -196,7 +197,7 @@ void apply_void(LeagueState& state, const Json& line, const Place& place) {
   }
   // The next attempt does not overwrite this one's record, which is evidence.
   ++leg.version;
-  leg.is_to_confirm = cause == "confirm";
+  leg.awaits_confirmation = cause == "confirm";
   if (cause != "ruling") return;
   leg.host_faults = 0;
   leg.void_ruling = std::make_shared<const std::string>(reason(line));
@@ -212,7 +213,7 @@ void apply_ruling(LeagueState& state, const Json& line, const Place& place) {
   leg.result.away_goals = line.at("score").at("away").get<int>();
   leg.result.both_lose = false;
   const int ahead = leg.result.home_goals - leg.result.away_goals;
-  leg.winner = ahead > 0 ? f.fixture.home : ahead < 0 ? f.fixture.away : nobody;
+  leg.winner = ahead > 0 ? f.fixture.home : ahead < 0 ? f.fixture.away : no_team;
   if (leg.end.empty()) leg.end = "awarded";
   leg.ruling = reason(line);
   f.legs[place.leg].played = std::make_shared<const PlayedLeg>(leg);
@@ -225,15 +226,15 @@ void apply_team_line(LeagueState& state, const Json& line, const std::string& ki
     team.entry = line.at("entry").get<int>();
     team.sha256 = text(line, "sha256");
     team.strikes = 0;
-    Schedule(state).entry_came(index);
+    ScheduleGrowth(state).entry_booked(index);
     return;
   }
   team.why = text(line, "why");
   team.strikes = 0;
-  team.standing = kind == "withdraw" ? Standing::withdrawn
-                  : kind == "pause"  ? Standing::paused
-                                     : Standing::playing;
-  if (kind == "withdraw") Schedule(state).team_left(index, text(line, "results") == "annul");
+  team.status = kind == "withdraw" ? TeamStatus::withdrawn
+                : kind == "pause"  ? TeamStatus::paused
+                                   : TeamStatus::playing;
+  if (kind == "withdraw") ScheduleGrowth(state).team_left(index, text(line, "results") == "annul");
 }
 
 bool is_team_line(const std::string& kind) {
@@ -249,7 +250,7 @@ LeagueState new_league(LeagueFile file) {
   state.teams.resize(teams);
   for (int i = 0; i < teams; ++i) state.index_of_team_[state.file.teams[i].name] = i;
   if (!objection(state.file.format, teams).empty()) return state;
-  Schedule schedule(state);
+  ScheduleGrowth schedule(state);
   schedule.add(first_schedule(state.file.format, teams));
   if (state.file.format.kind == FormatKind::swiss) {
     std::vector<SwissStanding> standings;
@@ -259,7 +260,7 @@ LeagueState new_league(LeagueFile file) {
   return state;
 }
 
-Result<void> admit(const LeagueState& state, const Json& line) {
+Result<void> validate(const LeagueState& state, const Json& line) {
   try {
     const std::string kind = text(line, "kind");
     if (kind == "start") {
@@ -268,10 +269,10 @@ Result<void> admit(const LeagueState& state, const Json& line) {
                               : Result<void>();
     }
     if (!state.is_started) return fail(Errc::input, "the league has not started");
-    if (kind == "leg") return admit_leg(state, line);
-    if (kind == "void") return admit_void(state, line);
-    if (kind == "ruling") return admit_ruling(state, line);
-    if (is_team_line(kind)) return admit_team_line(state, line, kind);
+    if (kind == "leg") return validate_leg(state, line);
+    if (kind == "void") return validate_void(state, line);
+    if (kind == "ruling") return validate_ruling(state, line);
+    if (is_team_line(kind)) return validate_team_line(state, line, kind);
     return fail(Errc::input, "nobody knows what \"" + kind + "\" is");
   } catch (const Json::exception& e) {
     return fail(Errc::input, e.what());
@@ -290,15 +291,15 @@ void apply(LeagueState& state, const Json& line) {
   if (kind == "leg") apply_leg(state, line, place);
   if (kind == "void") apply_void(state, line, place);
   if (kind == "ruling") apply_ruling(state, line, place);
-  Schedule(state).changed(place.fixture);
+  ScheduleGrowth(state).fixture_changed(place.fixture);
 }
 
 Result<LeagueState> league_state(LeagueFile file, const Journal& journal) {
   LeagueState state = new_league(std::move(file));
   for (const Json& line : journal.lines()) {
-    if (const auto admitted = admit(state, line); !admitted) {
+    if (const auto valid = validate(state, line); !valid) {
       return fail(Errc::damaged, journal.path() + ": line " + line.at("n").dump() +
-                                     " does not fit the league: " + admitted.error().what);
+                                     " does not fit the league: " + valid.error().what);
     }
     league::apply(state, line);
   }

@@ -13,7 +13,7 @@ namespace {
 
 // How far each team came in the knockout: rounds survived, doubled so that the tie for the third
 // place fits between.
-std::vector<int> came(const LeagueState& state) {
+std::vector<int> stage_reached(const LeagueState& state) {
   if (!state.file.format.has_knockout()) return {};
   std::vector<int> far(state.file.teams.size(), 0);
   int last_round = 0;
@@ -28,7 +28,7 @@ std::vector<int> came(const LeagueState& state) {
     }
     const TieOutcome o = outcome(state, f);
     if (tie.round != last_round) continue;
-    const bool for_third = tie.home_from.from == Slot::From::loser;
+    const bool for_third = tie.home_source.kind == TeamSource::Kind::loser;
     if (for_third) {
       for (const int team : {tie.home, tie.away}) {
         if (team >= 0) far[team] = 4 * last_round - 3;
@@ -51,7 +51,7 @@ int FixtureState::goals(int team) const {
 }
 
 int FixtureState::needed() const {
-  if (is_annulled || fixture.home == nobody || fixture.away == nobody) return 0;
+  if (is_annulled || fixture.home == no_team || fixture.away == no_team) return 0;
   if (fixture.part != Part::knockout) return fixture.legs;
   int home = 0;
   int away = 0;
@@ -72,7 +72,7 @@ int FixtureState::decided() const {
 }
 
 bool FixtureState::is_decided() const {
-  if (fixture.home == unknown || fixture.away == unknown) return false;
+  if (fixture.home == unknown_team || fixture.away == unknown_team) return false;
   return decided() == needed();
 }
 
@@ -102,11 +102,11 @@ std::vector<LegResult> LeagueState::results() const {
   std::vector<LegResult> results;
   for (const FixtureState& f : fixtures) {
     if (f.is_annulled) continue;
-    if (f.fixture.away == nobody && f.fixture.part == Part::table) {
+    if (f.fixture.away == no_team && f.fixture.part == Part::table) {
       // As many wins as it would have had legs.
       LegResult bye;
       bye.home = f.fixture.home;
-      bye.away = nobody;
+      bye.away = no_team;
       results.insert(results.end(), legs_per_fixture, bye);
     }
     for (const LegState& leg : f.legs) {
@@ -116,25 +116,26 @@ std::vector<LegResult> LeagueState::results() const {
   return results;
 }
 
-std::vector<Row> LeagueState::table() const {
+std::vector<TableRow> LeagueState::table() const {
   TableRules rules = file.table_rules();
   rules.by_points_per_leg = file.format.kind == FormatKind::ladder;
-  return make_table(all_teams(static_cast<int>(file.teams.size())), results(), rules, came(*this));
+  return make_table(all_teams(static_cast<int>(file.teams.size())), results(), rules,
+                    stage_reached(*this));
 }
 
 TieOutcome outcome(const LeagueState& state, const FixtureState& tie) {
   const Fixture& f = tie.fixture;
   if (!tie.is_decided()) return {};
   const auto is_out = [&state](int team) {
-    return team == nobody || state.teams[team].standing == Standing::withdrawn;
+    return team == no_team || state.teams[team].status == TeamStatus::withdrawn;
   };
   // Who leaves after a tie was played has played it.
-  const bool walkover = f.home == nobody || f.away == nobody ||
+  const bool walkover = f.home == no_team || f.away == no_team ||
                         std::any_of(tie.legs.begin(), tie.legs.end(), [](const LegState& leg) {
                           return leg.played && leg.played->end == "withdrawn";
                         });
   if (walkover) {
-    if (is_out(f.home) && is_out(f.away)) return {nobody, nobody};
+    if (is_out(f.home) && is_out(f.away)) return {no_team, no_team};
     return is_out(f.home) ? TieOutcome{f.away, f.home} : TieOutcome{f.home, f.away};
   }
   int difference = tie.goals(f.home) - tie.goals(f.away);

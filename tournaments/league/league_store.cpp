@@ -8,7 +8,7 @@
 
 namespace mirocup::league {
 
-Result<Book> Book::open(system::Files& files, Folder folder, std::string* notice) {
+Result<LeagueStore> LeagueStore::open(system::Files& files, Folder folder, std::string* notice) {
   if (!files.exists(folder.config())) {
     return fail(Errc::input, folder.path + " is not a league: there is no league.json in it");
   }
@@ -28,31 +28,31 @@ Result<Book> Book::open(system::Files& files, Folder folder, std::string* notice
   }
   auto state = league_state(std::move(*file), *journal);
   if (!state) return tl::unexpected(state.error());
-  Book book(std::move(folder), std::move(*journal), std::move(*state));
-  book.applied_ = book.journal_.lines().size();
-  return book;
+  LeagueStore store(std::move(folder), std::move(*journal), std::move(*state));
+  store.applied_ = store.journal_.lines().size();
+  return store;
 }
 
-Result<void> Book::refresh() {
+Result<void> LeagueStore::refresh() {
   if (auto read = journal_.refresh(); !read) return read;
   for (; applied_ < journal_.lines().size(); ++applied_) {
     const Json& line = journal_.lines()[applied_];
-    if (const auto admitted = admit(state_, line); !admitted) {
+    if (const auto valid = validate(state_, line); !valid) {
       return fail(Errc::damaged, journal_.path() + ": line " + std::to_string(applied_ + 1) +
-                                     " does not fit the league: " + admitted.error().what);
+                                     " does not fit the league: " + valid.error().what);
     }
     apply(state_, line);
   }
   return {};
 }
 
-Result<void> Book::write(const std::string& kind, Json fields) {
-  const auto lock = FileLock::wait(folder_.lock());
+Result<void> LeagueStore::write(const std::string& kind, Json fields) {
+  const auto lock = FileLock::acquire(folder_.lock());
   if (!lock) return tl::unexpected(lock.error());
   if (auto fresh = refresh(); !fresh) return fresh;
   Json line{{"kind", kind}};
   line.update(fields);
-  if (auto admitted = admit(state_, line); !admitted) return admitted;
+  if (auto valid = validate(state_, line); !valid) return valid;
   if (auto written = journal_.append(kind, std::move(fields)); !written) return written;
   apply(state_, journal_.lines().back());
   applied_ = journal_.lines().size();

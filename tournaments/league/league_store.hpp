@@ -9,10 +9,11 @@
 
 namespace mirocup::league {
 
-class Book {
+class LeagueStore {
  public:
   // `notice` may be set to something that a person should know.
-  static Result<Book> open(system::Files& files, Folder folder, std::string* notice = nullptr);
+  static Result<LeagueStore> open(system::Files& files, Folder folder,
+                                  std::string* notice = nullptr);
 
   const LeagueState& state() const { return state_; }
   const Journal& journal() const { return journal_; }
@@ -29,7 +30,7 @@ class Book {
   Result<void> write(const std::string& kind, Json fields);
 
  private:
-  Book(Folder folder, Journal journal, LeagueState state)
+  LeagueStore(Folder folder, Journal journal, LeagueState state)
       : folder_(std::move(folder)), journal_(std::move(journal)), state_(std::move(state)) {}
 
   Folder folder_;

@@ -27,7 +27,7 @@ std::vector<std::string> rule_options(const referee::Rules& rules, League league
 }
 
 std::string seat_of(const Folder& folder, const LeagueState& state, int team) {
-  const TeamEntry& entry = state.file.teams[team];
+  const TeamConfig& entry = state.file.teams[team];
   return entry.over_dds ? "dds:" + entry.name : folder.library(entry.name, state.teams[team].entry);
 }
 
@@ -42,7 +42,7 @@ std::uint64_t leg_seed(const LeagueState& state, const LegId& id) {
 std::vector<int> open_legs(const LeagueState& state, const FixtureState& f) {
   if (!f.fixture.has_both()) return {};
   for (const int team : {f.fixture.home, f.fixture.away}) {
-    if (state.teams[team].standing != Standing::playing) return {};
+    if (state.teams[team].status != TeamStatus::playing) return {};
   }
   std::vector<int> legs;
   for (int leg = 1; leg <= f.needed(); ++leg) {

@@ -32,7 +32,7 @@ std::string table_csv(const Overview& o) {
       csv_line({"rank", "team", "played", "won", "drawn", "lost", "goals_for", "goals_against",
                 "goal_difference", "points", "penalties", "separated_by", "strength"});
   int rank = 1;
-  for (const Row& row : o.table) {
+  for (const TableRow& row : o.table) {
     text += csv_line({std::to_string(rank++), o.state.name(row.team), std::to_string(row.played),
                       std::to_string(row.won), std::to_string(row.drawn), std::to_string(row.lost),
                       std::to_string(row.goals_for), std::to_string(row.goals_against),
@@ -121,8 +121,8 @@ Json table_json(const Overview& o) {
   Json rows = Json::array();
   int rank = 1;
   for (std::size_t i = 0; i < o.table.size(); ++i) {
-    const Row& row = o.table[i];
-    const Row* next = i + 1 < o.table.size() ? &o.table[i + 1] : nullptr;
+    const TableRow& row = o.table[i];
+    const TableRow* next = i + 1 < o.table.size() ? &o.table[i + 1] : nullptr;
     const Strength& strength = o.strengths[row.team];
     const std::string reason = reason_in_words(row, next);
     rows.push_back({{"rank", rank++},

@@ -11,7 +11,7 @@ namespace mirocup::league {
 namespace {
 
 // Beyond so many fixtures the intervals of the strengths would take longer than a person waits.
-constexpr std::size_t most_resampled = 20'000;
+constexpr std::size_t max_resampled_fixtures = 20'000;
 
 int last_knockout_round(const LeagueState& state) {
   int last = 0;
@@ -29,7 +29,7 @@ std::string to(int a, int b) {
   return ", " + std::to_string(a) + " to " + std::to_string(b);
 }
 
-std::string points_per_leg(const Row& row) {
+std::string points_per_leg(const TableRow& row) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2f", double(row.points) / std::max(1, row.played));
   return text;
@@ -91,7 +91,7 @@ Overview overview(const LeagueState& state) {
     }
     if (!fixture.empty()) results.push_back(std::move(fixture));
   }
-  const RatingOptions options{.resamples = results.size() > most_resampled ? 0 : 200,
+  const RatingOptions options{.resamples = results.size() > max_resampled_fixtures ? 0 : 200,
                               .seed = state.file.seed};
   o.strengths = strengths(static_cast<int>(state.file.teams.size()), results, options);
   return o;
@@ -102,7 +102,7 @@ std::string round_in_words(const LeagueState& state, const Fixture& fixture) {
   if (fixture.part == Part::table) return "R" + round.substr(1);
   if (fixture.part == Part::group) return "Group " + std::to_string(fixture.group) + ", " + round;
   const int left = last_knockout_round(state) - fixture.round;
-  if (fixture.home_from.from == Slot::From::loser) return "Third place";
+  if (fixture.home_source.kind == TeamSource::Kind::loser) return "Third place";
   if (left == 0) return "Final";
   if (left == 1) return "Semi-final";
   if (left == 2) return "Quarter-final";
@@ -126,7 +126,7 @@ std::string fault_in_words(const std::string& fault) {
   return end == std::string::npos ? words : words + ": " + fault.substr(end + 2);
 }
 
-std::string reason_in_words(const Row& row, const Row* next) {
+std::string reason_in_words(const TableRow& row, const TableRow* next) {
   const std::string& by = row.separated_by;
   if (by.empty() || next == nullptr) return "";
   if (row.played == 0 && next->played == 0) return "";  // nothing has been decided yet

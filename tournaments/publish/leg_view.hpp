@@ -30,7 +30,7 @@ struct LegView {
 // What a site is made of, computed once.
 struct Overview {
   const LeagueState& state;
-  std::vector<Row> table;
+  std::vector<TableRow> table;
   std::vector<Strength> strengths;  // by team
   std::vector<LegView> legs;        // those whose teams are known
 };
@@ -47,6 +47,6 @@ std::string fault_in_words(const std::string& fault);
 
 // What put a row above the next: "goal difference, +5 to +2"; "" for the last, and
 // before the two have played.
-std::string reason_in_words(const Row& row, const Row* next);
+std::string reason_in_words(const TableRow& row, const TableRow* next);
 
 }  // namespace mirocup::league

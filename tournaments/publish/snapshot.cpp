@@ -52,8 +52,8 @@ Result<LeagueState> state_through(const LeagueState& whole, const Journal& journ
       const auto index = state.find_fixture(line.at("fixture").get<std::string>());
       if (!index || Round::of(state.fixtures[*index].fixture).is_after(*last)) continue;
     }
-    if (const auto admitted = admit(state, line); !admitted)
-      return fail(Errc::input, round + " cannot be shown alone: " + admitted.error().what);
+    if (const auto valid = validate(state, line); !valid)
+      return fail(Errc::input, round + " cannot be shown alone: " + valid.error().what);
     apply(state, line);
   }
   return state;

@@ -27,15 +27,15 @@ LeagueFile file_of(FormatKind kind, int teams) {
 }
 
 void take(LeagueState& state, Json line) {
-  const auto admitted = admit(state, line);
-  ASSERT_TRUE(admitted) << line.dump() << ": " << admitted.error().what;
+  const auto valid = validate(state, line);
+  ASSERT_TRUE(valid) << line.dump() << ": " << valid.error().what;
   league::apply(state, line);
 }
 
 LeagueState started(const LeagueFile& file) {
   LeagueState state = new_league(file);
   take(state, {{"kind", "start"}, {"config_sha256", "x"}});
-  for (const TeamEntry& team : file.teams)
+  for (const TeamConfig& team : file.teams)
     take(state, {{"kind", "entry"}, {"team", team.name}, {"entry", 1}, {"sha256", "s"}});
   return state;
 }
@@ -96,7 +96,7 @@ void play_out(LeagueState& state, std::uint64_t seed) {
 }
 
 // Pages of more teams show nothing new and take long: strengths are fitted for them.
-constexpr int most_with_pages = 17;
+constexpr int max_teams_with_pages = 17;
 
 void expect_the_same_end_in_any_order(FormatKind kind, int teams) {
   const LeagueFile file = file_of(kind, teams);
@@ -113,7 +113,7 @@ void expect_the_same_end_in_any_order(FormatKind kind, int teams) {
     EXPECT_EQ(one.fixtures[i].fixture.away, other.fixtures[i].fixture.away);
   }
   EXPECT_EQ(table_text(one), table_text(other)) << to_string(kind);
-  if (teams > most_with_pages) return;
+  if (teams > max_teams_with_pages) return;
   const auto site = make_site(one);
   const auto again = make_site(other);
   ASSERT_EQ(site.size(), again.size());
@@ -153,7 +153,7 @@ TEST_P(EveryKnockout, DecidesEveryTieAndPutsTheChampionFirst) {
     const TieOutcome o = outcome(state, f);
     EXPECT_GE(o.winner, 0) << f.fixture.id();
     EXPECT_GE(o.loser, 0) << f.fixture.id();
-    if (f.fixture.home_from.from != Slot::From::loser) final = o;
+    if (f.fixture.home_source.kind != TeamSource::Kind::loser) final = o;
   }
   const auto table = state.table();
   EXPECT_EQ(table[0].team, final.winner);
@@ -170,7 +170,7 @@ void play_while_teams_leave(LeagueState& state, std::uint64_t seed) {
     take(state, leg_result(state, open[random.below(open.size())]));
     const int team = static_cast<int>(random.below(n));
     const bool leaves = random.below(3) == 0 && left + 1 < n;
-    if (!leaves || state.teams[team].standing == Standing::withdrawn) continue;
+    if (!leaves || state.teams[team].status == TeamStatus::withdrawn) continue;
     take(state,
          {{"kind", "withdraw"}, {"team", state.name(team)}, {"results", "keep"}, {"why", "test"}});
     ++left;
@@ -185,8 +185,8 @@ TEST_P(EveryFormat, EndsWhoeverLeaves) {
     play_while_teams_leave(state, static_cast<std::uint64_t>(n));
     for (const Open& open : open_legs(state)) {
       const Fixture& f = state.fixtures[open.fixture].fixture;
-      EXPECT_EQ(state.teams[f.home].standing, Standing::playing) << f.id();
-      EXPECT_EQ(state.teams[f.away].standing, Standing::playing) << f.id();
+      EXPECT_EQ(state.teams[f.home].status, TeamStatus::playing) << f.id();
+      EXPECT_EQ(state.teams[f.away].status, TeamStatus::playing) << f.id();
     }
     play_out(state, 3);
     EXPECT_TRUE(state.is_over()) << to_string(kind);
@@ -204,14 +204,14 @@ TEST(LeagueState, PlaysOneMoreLegOfALevelTieAndNoFourth) {
   };
   EXPECT_EQ(state.legs(), 2);
   take(state, draw(1));
-  EXPECT_FALSE(admit(state, draw(3))) << "not before the second";
+  EXPECT_FALSE(validate(state, draw(3))) << "not before the second";
   take(state, draw(2));
   EXPECT_EQ(state.legs(), 3);
   EXPECT_FALSE(state.is_over());
   take(state, draw(3));  // a double forfeit, say: a lot decides
   EXPECT_TRUE(state.is_over());
   EXPECT_GE(outcome(state, state.fixtures[0]).winner, 0);
-  EXPECT_FALSE(admit(state, draw(4)));
+  EXPECT_FALSE(validate(state, draw(4)));
 }
 
 TEST(LeagueState, GivesATieToWhoWonItsShootOut) {
@@ -247,7 +247,7 @@ TEST(LeagueState, LetsARulingChangeATieOnlyUntilItsWinnerPlays) {
   take(state, ruling);
   EXPECT_EQ(state.fixtures[final].fixture.home, loser) << "the final has not begun";
   take(state, leg_result(state, {final, 1}));
-  const auto late = admit(state, ruling);
+  const auto late = validate(state, ruling);
   ASSERT_FALSE(late);
   EXPECT_NE(late.error().what.find("k2-f1 has begun"), std::string::npos) << late.error().what;
 }
@@ -268,11 +268,11 @@ TEST(LeagueState, LetsWhoStaysWinAgainstWhoHasLeftOrCountsNothing) {
     EXPECT_EQ(state.played(), annul ? 0 : 4);
     EXPECT_EQ(open_legs(state).size(), 2u) << "between those who stay";
     const auto table = state.table();
-    const Row row = *std::find_if(table.begin(), table.end(),
-                                  [other](const Row& r) { return r.team == other; });
+    const TableRow row = *std::find_if(table.begin(), table.end(),
+                                       [other](const TableRow& r) { return r.team == other; });
     EXPECT_EQ(row.played, annul ? 0 : 2);
     EXPECT_FALSE(
-        admit(state, {{"kind", "entry"}, {"team", leaver}, {"entry", 2}, {"sha256", "s"}}));
+        validate(state, {{"kind", "entry"}, {"team", leaver}, {"entry", 2}, {"sha256", "s"}}));
   }
 }
 
@@ -283,12 +283,12 @@ TEST(LeagueState, PlaysAVoidedLegAgainUnderANewRecord) {
       {"kind", "void"}, {"fixture", "r1-f1"}, {"leg", 1}, {"attempt", 1}, {"why", "host"}};
   Json by_person = by_host;
   by_person["cause"] = "ruling";
-  EXPECT_FALSE(admit(state, by_person)) << "nothing is decided";
+  EXPECT_FALSE(validate(state, by_person)) << "nothing is decided";
   take(state, by_host);
   EXPECT_EQ(state.fixtures[0].legs[0].version, 1);
   EXPECT_EQ(state.fixtures[0].legs[0].host_faults, 1);
   take(state, leg);
-  EXPECT_FALSE(admit(state, by_host)) << "it is decided";
+  EXPECT_FALSE(validate(state, by_host)) << "it is decided";
   take(state, by_person);
   EXPECT_EQ(state.played(), 0);
   EXPECT_EQ(state.fixtures[0].legs[0].version, 2) << "the first record is evidence";
@@ -315,7 +315,7 @@ TEST(LeagueState, CountsOwnFaultsInARow) {
   play("");
   EXPECT_EQ(state.teams[0].strikes, 0);
   take(state, {{"kind", "pause"}, {"team", "t0"}, {"why", "test"}});
-  EXPECT_FALSE(admit(state, {{"kind", "pause"}, {"team", "t0"}, {"why", "test"}}));
+  EXPECT_FALSE(validate(state, {{"kind", "pause"}, {"team", "t0"}, {"why", "test"}}));
   take(state, {{"kind", "resume"}, {"team", "t0"}, {"why", ""}});
 }
 
@@ -324,7 +324,8 @@ TEST(Ladder, ForgetsWhatTheEntryBeforeDid) {
   play_out(state, 1);
   const auto played_by = [&state](int team) {
     const auto table = state.table();
-    return std::find_if(table.begin(), table.end(), [team](const Row& r) { return r.team == team; })
+    return std::find_if(table.begin(), table.end(),
+                        [team](const TableRow& r) { return r.team == team; })
         ->played;
   };
   EXPECT_GT(played_by(0), 0);
@@ -345,17 +346,17 @@ TEST(LeagueState, RefusesLinesThatMakeNoSense) {
     if (key == "attempt" || key == "blue") continue;
     Json line = good;
     line.erase(key);
-    EXPECT_FALSE(admit(state, line)) << "without " << key;
+    EXPECT_FALSE(validate(state, line)) << "without " << key;
     line[key] = Json::array({1});
-    EXPECT_FALSE(admit(state, line)) << "with a wrong " << key;
+    EXPECT_FALSE(validate(state, line)) << "with a wrong " << key;
   }
   Json elsewhere = good;
   elsewhere["home"] = good["away"];
-  EXPECT_FALSE(admit(state, elsewhere));
-  EXPECT_FALSE(admit(state, {{"kind", "gift"}}));
-  EXPECT_FALSE(admit(state, {{"kind", "start"}, {"config_sha256", "x"}}));
+  EXPECT_FALSE(validate(state, elsewhere));
+  EXPECT_FALSE(validate(state, {{"kind", "gift"}}));
+  EXPECT_FALSE(validate(state, {{"kind", "start"}, {"config_sha256", "x"}}));
   take(state, good);
-  EXPECT_FALSE(admit(state, good)) << "decided already";
+  EXPECT_FALSE(validate(state, good)) << "decided already";
 }
 
 }  // namespace

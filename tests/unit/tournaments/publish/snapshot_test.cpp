@@ -50,7 +50,7 @@ struct Season {
   explicit Season(const LeagueFile& file)
       : journal(std::move(*Journal::open(files, "journal.jsonl"))), state(new_league(file)) {
     write("start", {{"config_sha256", "x"}});
-    for (const TeamEntry& team : file.teams)
+    for (const TeamConfig& team : file.teams)
       write("entry", {{"team", team.name}, {"entry", 1}, {"sha256", "s"}});
     // Fixtures are added while it is played.
     for (std::size_t i = 0; i < state.fixtures.size(); ++i) {
@@ -64,8 +64,8 @@ struct Season {
 
   void write(const std::string& kind, Json fields) {
     EXPECT_TRUE(journal.append(kind, std::move(fields)));
-    const auto admitted = admit(state, journal.lines().back());
-    EXPECT_TRUE(admitted) << admitted.error().what;
+    const auto valid = validate(state, journal.lines().back());
+    EXPECT_TRUE(valid) << valid.error().what;
     apply(state, journal.lines().back());
   }
 };
@@ -78,7 +78,7 @@ LeagueFile nine_teams(FormatKind kind) {
   return file;
 }
 
-TEST(Release, ShowsALeagueAsItWasAfterARound) {
+TEST(Snapshot, ShowsALeagueAsItWasAfterARound) {
   for (const auto kind : {FormatKind::double_round_robin, FormatKind::groups, FormatKind::knockout,
                           FormatKind::swiss}) {
     const Season season(nine_teams(kind));
@@ -96,7 +96,7 @@ TEST(Release, ShowsALeagueAsItWasAfterARound) {
   }
 }
 
-TEST(Release, KnowsWhichRoundsThereAre) {
+TEST(Snapshot, KnowsWhichRoundsThereAre) {
   const Season season(nine_teams(FormatKind::knockout));
   for (const char* round : {"", "k", "k0", "k9", "r1", "k1x", "k-1", "x1"}) {
     const auto shown = state_through(season.state, season.journal, round);
