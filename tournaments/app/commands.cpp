@@ -3,6 +3,7 @@
 
 #include "tournaments/app/progress_bar.hpp"
 #include "tournaments/journal/file_lock.hpp"
+#include "tournaments/league/apply.hpp"
 #include "tournaments/play/runner.hpp"
 #include "tournaments/play/slurm_runner.hpp"
 #include "tournaments/publish/replay_pages.hpp"

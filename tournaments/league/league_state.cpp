@@ -3,8 +3,6 @@
 
 #include "core/base/random.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 
 namespace mirocup::league {
@@ -57,7 +55,7 @@ int FixtureState::needed() const {
   int away = 0;
   for (int i = 0; i < fixture.legs; ++i) {
     if (!legs[i].played) return fixture.legs;
-    if (legs[i].played->end == "withdrawn") return fixture.legs;
+    if (legs[i].played->end == LegEnd::withdrawn) return fixture.legs;
     home += legs[i].played->result.home_goals;
     away += legs[i].played->result.away_goals;
   }
@@ -78,7 +76,7 @@ bool FixtureState::is_decided() const {
 
 bool FixtureState::has_begun() const {
   return std::any_of(legs.begin(), legs.end(), [](const LegState& leg) {
-    return leg.voids > 0 || (leg.played && leg.played->end != "withdrawn");
+    return leg.voids > 0 || (leg.played && leg.played->end != LegEnd::withdrawn);
   });
 }
 
@@ -132,7 +130,7 @@ TieOutcome outcome(const LeagueState& state, const FixtureState& tie) {
   // Who leaves after a tie was played has played it.
   const bool walkover = f.home == no_team || f.away == no_team ||
                         std::any_of(tie.legs.begin(), tie.legs.end(), [](const LegState& leg) {
-                          return leg.played && leg.played->end == "withdrawn";
+                          return leg.played && leg.played->end == LegEnd::withdrawn;
                         });
   if (walkover) {
     if (is_out(f.home) && is_out(f.away)) return {no_team, no_team};
@@ -141,50 +139,13 @@ TieOutcome outcome(const LeagueState& state, const FixtureState& tie) {
   int difference = tie.goals(f.home) - tie.goals(f.away);
   for (const LegState& leg : tie.legs) {
     // Only what decides a level tie can be won in a shoot-out.
-    if (difference == 0 && leg.played && leg.played->end == "shoot_out")
+    if (difference == 0 && leg.played && leg.played->end == LegEnd::shoot_out)
       difference = leg.played->winner == f.home ? 1 : leg.played->winner == f.away ? -1 : 0;
   }
   if (difference == 0) {
     difference = Random(fixture_seed(state.file.seed, f)).coin() ? 1 : -1;
   }
   return difference > 0 ? TieOutcome{f.home, f.away} : TieOutcome{f.away, f.home};
-}
-
-Json leg_line(const LeagueFile& file, const Fixture& fixture, int leg, int attempt,
-              const Json& record, const std::string& record_path) {
-  const bool home_is_blue = blue_team(fixture, leg) == fixture.home;
-  const std::string home_colour = home_is_blue ? "blue" : "yellow";
-  const std::string away_colour = home_is_blue ? "yellow" : "blue";
-  const std::string& home = file.teams[fixture.home].name;
-  const std::string& away = file.teams[fixture.away].name;
-  const auto team_of = [&](const Json& colour) -> Json {
-    if (colour.is_null()) return Json();
-    return colour == home_colour ? home : away;
-  };
-  int home_penalties = 0;
-  int away_penalties = 0;
-  for (const Json& d : record.at("decisions")) {
-    if (d.at("decision") != "PENALTY_KICK" || d.at("team").is_null()) continue;
-    ++(d.at("team") == home_colour ? home_penalties : away_penalties);
-  }
-  const Json& result = record.at("result");
-  Json fault = result.at("fault");
-  if (!fault.is_null()) fault["team"] = team_of(fault["team"]);
-  return {{"fixture", fixture.id()},
-          {"leg", leg},
-          {"attempt", attempt},
-          {"home", home},
-          {"away", away},
-          {"blue", home_is_blue ? home : away},
-          {"score",
-           {{"home", result.at("score").at(home_colour)},
-            {"away", result.at("score").at(away_colour)}}},
-          {"winner", team_of(result.at("winner"))},
-          {"end", result.at("end")},
-          {"fault", fault},
-          {"penalties", {{"home", home_penalties}, {"away", away_penalties}}},
-          {"record", record_path},
-          {"state_hash", record.at("state_hash")}};
 }
 
 int blue_team(const Fixture& fixture, int leg) {

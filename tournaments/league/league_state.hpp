@@ -7,7 +7,7 @@
 
 #include "tournaments/format/league_file.hpp"
 #include "tournaments/format/schedule.hpp"
-#include "tournaments/journal/journal.hpp"
+#include "tournaments/league/event.hpp"
 
 #include <array>
 #include <map>
@@ -23,9 +23,9 @@ namespace mirocup::league {
 struct PlayedLeg {
   LegResult result;
   int winner = no_team;  // also of a shoot-out, which is no goals
-  std::string end;       // as in the record: "full_time", "forfeit", ...; "awarded", "withdrawn"
-  std::string fault;     // "team: code: text" or ""
-  std::string record;    // path inside the league folder; "" if it was not played
+  LegEnd end = LegEnd::full_time;
+  std::optional<LegFault> fault;  // that ended it early
+  std::string record;             // path inside the league folder; "" if it was not played
   std::string state_hash;
   std::string ruling;  // what a person decided and why; ""
 };
@@ -99,25 +99,8 @@ struct LeagueState {
   std::unordered_map<std::string, int> index_of_team_;
 };
 
-// A league that has not started, with what is known of its schedule.
-LeagueState new_league(LeagueFile file);
-
-// May this line follow? Otherwise a sentence for whoever wanted it (Errc::input). Line numbers and
-// hashes are the journal's affair.
-Result<void> validate(const LeagueState& state, const Json& line);
-
-// Takes a line that was valid.
-void apply(LeagueState& state, const Json& line);
-
-// All lines of a journal. Errors: Errc::damaged, with the line.
-Result<LeagueState> league_state(LeagueFile file, const Journal& journal);
-
 // Who won a tie of a knockout: more goals over its legs; then the leg that decides; then a lot.
 TieOutcome outcome(const LeagueState& state, const FixtureState& tie);
-
-// A leg's journal line, from its two teams and what its record says.
-Json leg_line(const LeagueFile& file, const Fixture& fixture, int leg, int attempt,
-              const Json& record, const std::string& record_path);
 
 // Which team is blue in a leg: the home team in the first, the away team in the second.
 int blue_team(const Fixture& fixture, int leg);

@@ -5,6 +5,7 @@
 // league is being played.
 #pragma once
 
+#include "tournaments/journal/journal.hpp"
 #include "tournaments/league/folder.hpp"
 
 namespace mirocup::league {
@@ -25,9 +26,9 @@ class LeagueStore {
   // Takes in what others have written.
   Result<void> refresh();
 
-  // Writes a line to disk, then lets it count. Errors: Errc::input if it does not fit the league as
-  // it is now; then nothing is written.
-  Result<void> write(const std::string& kind, Json fields);
+  // Writes an event to disk and then applies it to the state. Errors: Errc::input if it does not fit
+  // the league as it is now; then nothing is written.
+  Result<void> write(const Event& event);
 
  private:
   LeagueStore(Folder folder, Journal journal, LeagueState state)

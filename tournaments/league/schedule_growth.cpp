@@ -69,7 +69,7 @@ void ScheduleGrowth::give_walkover(int index) {
   leg.result.home = f.fixture.home;
   leg.result.away = f.fixture.away;
   leg.result.both_lose = home_out && away_out;
-  leg.end = "withdrawn";
+  leg.end = LegEnd::withdrawn;
   if (!leg.result.both_lose) {
     (home_out ? leg.result.away_goals : leg.result.home_goals) = state_.file.rules.forfeit_goals;
   }

@@ -4,8 +4,6 @@
 #include "server/record/match_record.hpp"
 #include "server/system/digest.hpp"
 
-#include <nlohmann/json.hpp>
-
 namespace mirocup::league {
 
 namespace {
@@ -21,8 +19,8 @@ Result<void> write_start(system::Files& files, LeagueStore& store) {
   }
   const auto config = files.read(store.folder().config());
   if (!config) return tl::unexpected(config.error());
-  return store.write("start", {{"config_sha256", system::sha256(*config)},
-                               {"version", record::software_version()}});
+  return store.write(
+      Started{.config_sha256 = system::sha256(*config), .version = record::software_version()});
 }
 
 // The libraries that play are those that the journal names: booked at the start, unchanged ever
@@ -40,8 +38,7 @@ Result<void> book_entries(system::Files& files, LeagueStore& store) {
     if (!library) return tl::unexpected(library.error());
     const std::string sha256 = system::sha256(*library);
     if (booked.entry == 0) {
-      if (auto written =
-              store.write("entry", {{"team", team}, {"entry", number}, {"sha256", sha256}});
+      if (auto written = store.write(EntryBooked{.team = team, .entry = number, .sha256 = sha256});
           !written) {
         return written;
       }

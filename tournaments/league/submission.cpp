@@ -105,7 +105,7 @@ Result<Submission> submit(system::Files& files, const Folder& folder, const std:
   }
   if (!store->state().is_started) return done;
   if (auto written = store->write(
-          "entry", {{"team", team}, {"entry", number}, {"sha256", system::sha256(*library)}});
+          EntryBooked{.team = team, .entry = number, .sha256 = system::sha256(*library)});
       !written) {
     return tl::unexpected(written.error());
   }

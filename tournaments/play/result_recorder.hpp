@@ -53,8 +53,8 @@ class ResultRecorder {
   Result<void> book_void(const LegId& leg, const std::string& why);
 
  private:
-  Result<void> book_record(const LegId& leg, const Json& record);
-  Result<void> write_void(const LegId& leg, const std::string& cause, const std::string& why);
+  Result<void> book_result(const LegId& leg, const LegPlayed& played);
+  Result<void> write_void(const LegId& leg, VoidCause cause, const std::string& why);
   Result<void> pause_after_strikes(const Fixture& fixture);
   Result<void> drop_if_outdated(Result<void> result);
 

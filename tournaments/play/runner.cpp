@@ -4,8 +4,6 @@
 #include "server/system/digest.hpp"
 #include "server/system/locations.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 
 namespace mirocup::league {

@@ -3,8 +3,7 @@
 
 #include "server/system/process_set.hpp"
 #include "tournaments/play/leg_command.hpp"
-
-#include <nlohmann/json.hpp>
+#include "tournaments/play/leg_record.hpp"
 
 namespace mirocup::league {
 
@@ -40,7 +39,7 @@ class Shard {
   }
 
   bool is_played(const LegId& leg) const {
-    return played_record(files_, store_.folder(), store_.state(), leg).has_value();
+    return find_played_leg(files_, store_.folder(), store_.state(), leg).has_value();
   }
 
   system::Files& files_;

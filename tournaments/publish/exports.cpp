@@ -43,6 +43,10 @@ std::string table_csv(const Overview& o) {
   return text;
 }
 
+std::string fault_text(const PlayedLeg& leg) {
+  return leg.fault ? leg.fault->summary() : "";
+}
+
 std::string legs_csv(const Overview& o) {
   std::string text = csv_line({"fixture", "round", "leg", "home", "away", "home_goals",
                                "away_goals", "end", "fault", "ruling", "record"});
@@ -54,8 +58,8 @@ std::string legs_csv(const Overview& o) {
     } else {
       const PlayedLeg& p = *leg.played;
       cells.insert(cells.end(),
-                   {std::to_string(p.result.home_goals), std::to_string(p.result.away_goals), p.end,
-                    p.fault, p.ruling, p.record});
+                   {std::to_string(p.result.home_goals), std::to_string(p.result.away_goals),
+                    std::string(to_string(p.end)), fault_text(p), p.ruling, p.record});
     }
     text += csv_line(cells);
   }
@@ -77,8 +81,8 @@ Json legs_json(const Overview& o) {
         return text.empty() ? Json() : Json(text);
       };
       json["score"] = {{"home", p.result.home_goals}, {"away", p.result.away_goals}};
-      json["end"] = p.end;
-      json["fault"] = or_null(p.fault);
+      json["end"] = to_string(p.end);
+      json["fault"] = or_null(fault_text(p));
       json["ruling"] = or_null(p.ruling);
       json["record"] = or_null(p.record);
       json["replay"] = p.record.empty() ? Json() : Json(replay_page_of(p.record));

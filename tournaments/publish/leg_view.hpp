@@ -42,8 +42,8 @@ std::string round_in_words(const LeagueState& state, const Fixture& fixture);
 // "2 : 1, golden goal; awarded by ...": how it ended, who is to blame, who ruled.
 std::string end_in_words(const LeagueState& state, const PlayedLeg& leg);
 
-// PlayedLeg::fault ("team: code: text") without its team and with words for its code.
-std::string fault_in_words(const std::string& fault);
+// A fault without its team, with words for its code.
+std::string fault_in_words(const LegFault& fault);
 
 // What put a row above the next: "goal difference, +5 to +2"; "" for the last, and
 // before the two have played.

@@ -29,7 +29,7 @@ struct LegTotals {
     ++(letter == 'W' ? won : letter == 'D' ? drawn : lost);
     goals += leg.goals(team);
     against += leg.goals_against(team);
-    if (leg.played->fault.rfind(name + ": ", 0) == 0) ++faults;
+    if (leg.played->fault && leg.played->fault->team == name) ++faults;
   }
 
   std::vector<std::string> cells(const std::string& what) const {
@@ -112,17 +112,17 @@ void legs(Html& html, const Overview& o, int team) {
 }
 
 void own_faults(Html& html, const Overview& o, int team) {
-  const std::string own = o.state.name(team) + ": ";
   bool any = false;
   for (const LegView& leg : o.legs) {
-    if (!leg.is_of(team) || leg.played == nullptr || leg.played->fault.rfind(own, 0) != 0) continue;
+    if (!leg.is_of(team) || leg.played == nullptr || !leg.played->fault) continue;
+    if (leg.played->fault->team != o.state.name(team)) continue;
     if (!any) {
       html.cell("h2", "Faults");
       html.open("ul");
     }
     any = true;
     html.cell("li", leg.fixture + " leg " + std::to_string(leg.leg) + ": " +
-                        fault_in_words(leg.played->fault));
+                        fault_in_words(*leg.played->fault));
   }
   if (any) html.close("ul");
 }
