@@ -27,7 +27,7 @@ Result<std::vector<std::string>> teams_of(const CredentialsOptions& options) {
   if (!text) return tl::unexpected(text.error());
   const auto league = parse_league_file(*text, config);
   if (!league) return tl::unexpected(league.error());
-  for (const TeamEntry& team : league->teams) names.push_back(team.name);
+  for (const TeamConfig& team : league->teams) names.push_back(team.name);
   return names;
 }
 

@@ -7,15 +7,15 @@
 
 namespace mirocup::league {
 
-class Progress {
+class ProgressReporter {
  public:
-  virtual ~Progress() = default;
+  virtual ~ProgressReporter() = default;
 
   // Something happened that is worth a line.
   virtual void say(const std::string& line) = 0;
 
   // So many legs of so many are decided, so many are being played.
-  virtual void stands_at(int decided, int legs, int playing) = 0;
+  virtual void update(int decided, int legs, int playing) = 0;
 };
 
 }  // namespace mirocup::league
