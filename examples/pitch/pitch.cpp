@@ -184,7 +184,7 @@ void Pitch::say_that_it_is_over(std::uint32_t tick) {
   event.tick = tick;
   event.ends_match = true;
   dds::copy_text(event.decision, "MATCH_END");
-  dds::copy_text(event.reason, to_string(match::EndKind::full_time));
+  dds::copy_text(event.reason, to_string(match::OutcomeKind::full_time));
   dds_write(events_.get(), &event);
   dds_wait_for_acks(events_.get(), DDS_SECS(1));
 }
