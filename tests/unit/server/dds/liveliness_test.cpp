@@ -6,7 +6,7 @@
 namespace mirocup::dds {
 namespace {
 
-TEST(Liveliness, ForgivesASilenceThatIsShort) {
+TEST(Liveliness, ForgivesAShortSilence) {
   Liveliness a(0.3);
   a.asked(1.0);
   EXPECT_FALSE(a.silent(5, 1.2, false));
@@ -32,7 +32,7 @@ TEST(Liveliness, CountsSilenceFromTheFirstTickWithoutAnswer) {
   EXPECT_FALSE(a.absences()[0].back);
 }
 
-TEST(Liveliness, NoticesAtOnceWhoHasLeft) {
+TEST(Liveliness, NoticesAtOnceThatAProcessHasLeft) {
   Liveliness a(0.3);
   a.asked(1.0);
   EXPECT_TRUE(a.silent(0, 1.0, true));
@@ -52,7 +52,7 @@ TEST(Liveliness, AddsUpAllAbsences) {
   EXPECT_EQ(a.absences().size(), 3U);
 }
 
-TEST(Liveliness, KeepsAListThatIsBounded) {
+TEST(Liveliness, KeepsABoundedList) {
   Liveliness a(0.3);
   for (int i = 0; i < 1000; ++i) {
     a.asked(i);
