@@ -186,7 +186,7 @@ TEST_P(Hostile, HurtsOnlyItself) {
   expect_nothing_is_left();
 }
 
-// A source without a line in the table would be a strategy that nobody tries.
+// Catches a source without a line in the table: no test would play it.
 TEST(HostileTable, HasEveryKind) {
   std::size_t sources = 0;
   for (const auto& file :

@@ -11,7 +11,7 @@ TEST(Liveliness, ForgivesAShortSilence) {
   a.asked(1.0);
   EXPECT_FALSE(a.silent(5, 1.2, false));
   EXPECT_FALSE(a.answered(5, 1.25));
-  a.asked(9.0);  // silence counts from the next question on, however long nobody asked
+  a.asked(9.0);  // silence counts from this question on, however long ago the last one was
   EXPECT_FALSE(a.silent(6, 9.2, false));
   EXPECT_TRUE(a.absences().empty());
 }
