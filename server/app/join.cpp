@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup join: plays a library in a match on the network.
+// mirocup join: lets a library play in a match on the network.
 #include "mirocup/team.hpp"
 #include "plugins/host/plugin.hpp"
 #include "server/app/commands.hpp"
@@ -16,17 +16,17 @@ namespace {
 
 using SteadyClock = std::chrono::steady_clock;
 
-// Without a word from the server for so long (s), it is gone.
+// A server that sends nothing for longer than this is taken to be gone, s.
 constexpr double max_silence = 10.0;
-constexpr double poll_interval = 0.25;
+constexpr double poll_interval = 0.25;  // s, for interrupts
 
-// A library at the end of a connection.
+// A library that answers the ticks that come over a connection.
 class RemoteTeam {
  public:
   RemoteTeam(const JoinOptions& options, Interrupt& interrupt, team::Connection& match)
       : options_(options), interrupt_(interrupt), match_(match) {}
 
-  // Until the match is over.
+  // Plays until the match is over.
   Result<int> play();
 
  private:
@@ -66,7 +66,7 @@ Result<int> RemoteTeam::play() {
   return fail(Errc::interrupted, "interrupted");
 }
 
-// Of a leg that is new to the team: it begins from nothing, as it would in a process of its own.
+// Loads the library afresh for every leg, as for a team with a process of its own.
 Result<void> RemoteTeam::take_seat() {
   plugin_.reset();
   const std::string path =
