@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The subcommands of `mirocup`, one source each, and their options. command_line.cpp fills the
-// options; their defaults are here. A run returns the exit code of an answer, exit_yes or exit_no, or
-// an error.
+// options; their defaults are here. A run returns the exit code of an answer, exit_yes or exit_no,
+// or an error.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -101,8 +101,8 @@ struct RefereeOptions {
 Result<int> run_referee(const RefereeOptions& options);
 
 // `mirocup league …` is the program mirocup-league and `mirocup bench …` is mirocup-bench: runs the
-// program of that name in the place of this process, with the arguments behind argv[1]. Returns only
-// if it cannot be run.
+// program of that name in the place of this process, with the arguments behind argv[1]. Returns
+// only if it cannot be run.
 Result<int> become_sibling_program(const std::string& name, int argc, char** argv);
 
 }  // namespace mirocup::app

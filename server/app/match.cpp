@@ -55,8 +55,8 @@ Result<std::optional<double>> factor_of(const MatchOptions& options) {
 // At full speed a match polls for an interrupt only this often, because polling is a system call.
 constexpr std::uint32_t ticks_between_polls = 16;
 
-// One leg and everything around it: teams, network, live page, record. run_match() calls the steps in
-// the order in which they are declared.
+// One leg and everything around it: teams, network, live page, record. run_match() calls the steps
+// in the order in which they are declared.
 class Session {
  public:
   Session(const MatchOptions& options, const match::Setup& setup, std::optional<double> factor)

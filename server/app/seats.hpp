@@ -26,8 +26,8 @@ struct TeamChoice {
   std::optional<match::Fault> fault;    // of a file that cannot be loaded as a library
 };
 
-// `text` is "dds:NAME", the path of a library, or the name of a house team. A library that cannot be
-// loaded is a fault of the team, not an error.
+// `text` is "dds:NAME", the path of a library, or the name of a house team. A library that cannot
+// be loaded is a fault of the team, not an error.
 
 Result<TeamChoice> choose_team(const std::string& text);
 
@@ -43,8 +43,8 @@ struct ProcessTerms {
 // The place of one team in a leg: starts the team and asks it, whatever kind it is.
 class TeamSeat {
  public:
-  // Each starts the team or makes room for it, and does not wait for it. An error is a failure of the
-  // host. A fault of the team is returned by wait_until_ready().
+  // Each starts the team or makes room for it, and does not wait for it. An error is a failure of
+  // the host. A fault of the team is returned by wait_until_ready().
   static Result<TeamSeat> take_in_process(const TeamChoice& choice, const match::Briefing& briefing,
                                           const ProcessTerms& terms);
   static Result<TeamSeat> take_trusted(const TeamChoice& choice, const match::Briefing& briefing);
@@ -85,8 +85,8 @@ class TeamSeat {
   std::optional<match::Fault> load_fault_;
 };
 
-// Keeps this process and those that it starts on the current core. A match and its teams take turns:
-// handing over costs 1 us on one core, and 50 us across cores.
+// Keeps this process and those that it starts on the current core. A match and its teams take
+// turns: handing over costs 1 us on one core, and 50 us across cores.
 void stay_on_this_core();
 
 // Waits until both teams can play, blue first. If a team never will, the match becomes void or

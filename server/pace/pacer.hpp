@@ -15,15 +15,15 @@ namespace mirocup::pace {
 
 class Pacer {
  public:
-  // `control_period`: simulated seconds of a tick. `factor`: simulated seconds per second of wall time;
-  // nothing: no waiting at all. The clock must outlive the pacer.
+  // `control_period`: simulated seconds of a tick. `factor`: simulated seconds per second of wall
+  // time; nothing: no waiting at all. The clock must outlive the pacer.
   Pacer(WallClock& clock, double control_period, std::optional<double> factor)
       : clock_(clock), period_(factor ? control_period / *factor : 0.0) {
     assert(control_period > 0.0 && (!factor || *factor > 0.0));
   }
 
-  // Waits until the tick is due. All ticks are due relative to the first call, so a late tick does not
-  // delay those after it.
+  // Waits until the tick is due. All ticks are due relative to the first call, so a late tick does
+  // not delay those after it.
   void wait_for(std::uint32_t tick) {
     if (period_ == 0.0) return;
     if (!has_started_) start_ = clock_.now() - tick * period_;

@@ -60,8 +60,8 @@ bool is_unfinished(const std::string& path) {
   return !writer.empty() && writer.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-// Opens the temporary file, empty and locked. The kernel releases the lock when the process ends, so a
-// temporary file without a lock has no writer any more. Returns a negative number on failure.
+// Opens the temporary file, empty and locked. The kernel releases the lock when the process ends,
+// so a temporary file without a lock has no writer any more. Returns a negative number on failure.
 int open_unfinished(const std::string& path) {
   while (true) {
     const int fd = open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Access to the disk. A file that is written whole is at any moment either the old one or the new
-// one, also after a crash. What is appended is on disk when append() returns. Tests replace the disk
-// by one with faults.
+// one, also after a crash. What is appended is on disk when append() returns. Tests replace the
+// disk by one with faults.
 //
 // Errors are Errc::unavailable and name the file and the system's reason.
 #pragma once
@@ -23,12 +23,12 @@ class Files {
   // The bytes behind the first `offset`.
   virtual Result<std::string> read_from(const std::string& path, std::size_t offset);
 
-  // Replaces the file: writes a temporary file in the same folder, flushes it to disk, renames it and
-  // flushes the folder. A device or a pipe is written into.
+  // Replaces the file: writes a temporary file in the same folder, flushes it to disk, renames it
+  // and flushes the folder. A device or a pipe is written into.
   virtual Result<void> write(const std::string& path, std::string_view bytes) = 0;
 
-  // Removes the temporary files of killed writers from the folder and from those below it. Files that
-  // are being written stay.
+  // Removes the temporary files of killed writers from the folder and from those below it. Files
+  // that are being written stay.
   virtual Result<void> remove_unfinished(const std::string& folder) = 0;
 
   // Appends and flushes to disk.

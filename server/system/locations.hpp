@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The places of the project's own programs and files: beside the program in a build tree, in libexec,
-// lib and share below the prefix of an installation.
+// The places of the project's own programs and files: beside the program in a build tree, in
+// libexec, lib and share below the prefix of an installation.
 #pragma once
 
 #include <string>

@@ -3,7 +3,8 @@
 // Child processes that run at the same time, and one wait for the first that ends. They are killed
 // with this process.
 //
-// One thread uses a ProcessSet. Create it before any other thread, which must not receive its signals.
+// One thread uses a ProcessSet. Create it before any other thread, which must not receive its
+// signals.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -31,19 +32,20 @@ class ProcessSet {
   ProcessSet(const ProcessSet&) = delete;
   ProcessSet& operator=(const ProcessSet&) = delete;
 
-  // Starts the program arguments[0], a path or a name on the PATH, on processor `cpu` (-1: any). Its
-  // output and errors go to the file `log`. A program that is not there ends with code not_found.
+  // Starts the program arguments[0], a path or a name on the PATH, on processor `cpu` (-1: any).
+  // Its output and errors go to the file `log`. A program that is not there ends with code
+  // not_found.
   Result<pid_t> start(const std::vector<std::string>& arguments, int tag, int cpu,
                       const std::string& log);
 
   std::size_t running() const { return children_.size(); }
 
-  // Waits for the next child to end. Returns nothing if SIGINT or SIGTERM arrives first. At least one
-  // child must run.
+  // Waits for the next child to end. Returns nothing if SIGINT or SIGTERM arrives first. At least
+  // one child must run.
   std::optional<Exit> wait();
 
-  // Waits for that time, whatever the children do. Returns true as soon as SIGINT or SIGTERM arrives;
-  // with 0 s, whether one has arrived already.
+  // Waits for that time, whatever the children do. Returns true as soon as SIGINT or SIGTERM
+  // arrives; with 0 s, whether one has arrived already.
   bool is_asked_to_stop_within(double seconds);
 
   // Kills one child, and waits for its end. wait() will not report it.

@@ -69,7 +69,7 @@ void expect_rejected(const std::string& library, const std::string& first_failed
   }
 }
 
-TEST(Check, NamesTheFirstThingThatIsWrong) {
+TEST(Check, NamesTheFirstCheckThatFails) {
   const TemporaryFolder folder;
   write_file(folder / "text.so", "not a library\n");
   expect_rejected(folder / "text.so", "complete", "hand in the shared library");
@@ -89,7 +89,7 @@ TEST(Check, NamesTheFirstThingThatIsWrong) {
   expect_rejected(hostile("clock_random"), "repeatable", "tick 25");
 }
 
-TEST(Check, OfWhatIsNotThereIsNoAnswer) {
+TEST(Check, ReportsAnErrorForAMissingFile) {
   const Outcome outcome = run({program("mirocup"), "check", "/no/such/file.so"});
   EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_NE(outcome.err.find("/no/such/file.so"), std::string::npos);

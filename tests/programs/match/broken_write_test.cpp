@@ -41,7 +41,7 @@ bool is_there(const std::string& record) {
   return true;
 }
 
-TEST(BrokenWrite, ByAKillLeavesTheWholeRecordOrNone) {
+TEST(BrokenWrite, KillLeavesTheWholeRecordOrNone) {
   const auto begin = std::chrono::steady_clock::now();
   {
     const TemporaryFolder folder;
@@ -68,7 +68,7 @@ TEST(BrokenWrite, ByAKillLeavesTheWholeRecordOrNone) {
   EXPECT_GT(there, 0);
 }
 
-TEST(BrokenWrite, ByAFullDiskLeavesTheWholeRecordOrNone) {
+TEST(BrokenWrite, FullDiskLeavesTheWholeRecordOrNone) {
   int there = 0;
   int refused = 0;
   for (int i = 0; i < tries(few); ++i) {

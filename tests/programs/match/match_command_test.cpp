@@ -103,7 +103,7 @@ TEST(MatchCommand, TakesSingleRules) {
   EXPECT_TRUE(called);
 }
 
-TEST(MatchCommand, SaysWhatIsWrongWithWhatItIsGiven) {
+TEST(MatchCommand, NamesTheArgumentThatIsWrong) {
   const auto fails = [](const std::vector<std::string>& words, const std::string& text) {
     const Outcome outcome = run(words);
     EXPECT_EQ(outcome.exit_code, 2) << text;
@@ -181,8 +181,8 @@ TEST(VerifyCommand, TellsTruthFromForgeryAndDamage) {
   EXPECT_EQ(run({program("mirocup"), "verify", folder / "nothing.json"}).exit_code, 3);
 }
 
-// Who should win wins most of ten whole legs. Of the legs, not of this build, which plays the same ones
-// (PlaysTheSameLegInEveryBuild).
+// Who should win wins most of ten whole legs. Of the legs, not of this build, which plays the same
+// ones (PlaysTheSameLegInEveryBuild).
 #ifndef MIROCUP_SANITIZED
 TEST(HouseTeams, AreAsStrongAsTheirNamesSay) {
   const auto points = [](const std::string& stronger, const std::string& weaker) {

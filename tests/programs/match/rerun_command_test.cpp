@@ -31,7 +31,7 @@ Outcome rerun(const std::string& record, const std::vector<std::string>& more = 
   return run(words);
 }
 
-TEST(RerunCommand, FindsThatHouseTeamsPlayTheSameAgain) {
+TEST(RerunCommand, ReproducesTheCommandsOfHouseTeams) {
   const TemporaryFolder folder;
   ASSERT_EQ(play("striker", "chaser", folder / "leg.json").exit_code, 0);
   const Outcome again = rerun(folder / "leg.json");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Records as files: of every ending, of earlier versions, of another game. Catches a record that its
-// schema does not describe, a reader that no longer reads what was written once, and a record that
-// is called wrong only because the game has changed since.
+// Records as files: of every ending, of earlier versions, of another game. Catches a record that
+// its schema does not describe, a reader that no longer reads what was written once, and a record
+// that is called wrong only because the game has changed since.
 #include "core/replay/verification.hpp"
 #include "server/record/match_record.hpp"
 #include "tests/build/compilers/flat_recording.hpp"
@@ -64,7 +64,7 @@ std::vector<std::string> samples() {
   return paths;
 }
 
-TEST(Records, OfEveryEndingFitTheSchemaAndVerify) {
+TEST(Records, FitTheSchemaAndVerifyForEveryEnding) {
   const TemporaryFolder folder;
   system::Disk disk;
   std::vector<std::string> paths;
@@ -80,8 +80,8 @@ TEST(Records, OfEveryEndingFitTheSchemaAndVerify) {
   expect_valid(paths);
 }
 
-// Catches a key that schema.md or record.schema.json does not describe, one that they describe but no
-// record has, and an example in schema.md that no record looks like.
+// Catches a key that schema.md or record.schema.json does not describe, one that they describe but
+// no record has, and an example in schema.md that no record looks like.
 TEST(Records, HaveTheKeysThatTheirDocumentationDescribes) {
   const TemporaryFolder folder;
   system::Disk disk;
@@ -110,7 +110,7 @@ TEST(Records, LoseNothingWhenTheyAreMadeFlat) {
   }
 }
 
-TEST(Records, OfEarlierVersionsAreRead) {
+TEST(Records, AreReadIfEarlierVersionsWroteThem) {
   system::Disk disk;
   const std::string behaviour_hash = record::this_software().behaviour_hash;
   ASSERT_FALSE(samples().empty());
@@ -126,7 +126,7 @@ TEST(Records, OfEarlierVersionsAreRead) {
   expect_valid(samples());
 }
 
-TEST(Records, OfAnotherGameAreNotCalledWrong) {
+TEST(Records, AreNotCalledWrongIfTheBehaviourHasChanged) {
   const TemporaryFolder folder;
   const std::string path = folder / "leg.json";
   system::Disk disk;

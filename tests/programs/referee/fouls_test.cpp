@@ -81,7 +81,7 @@ const std::set<std::pair<std::string, std::string>> expected{
     {"penalty_attempt", "ATTEMPT_END"},
 };
 
-TEST(Fouls, OfEveryKindAreCalledInOneMatch) {
+TEST(Fouls, AreAllCalledInOneMatch) {
   const TemporaryFolder folder;
   const std::string fouls = program("teams/fouls.so");
   const Outcome played =
@@ -110,7 +110,7 @@ TEST(Fouls, OfEveryKindAreCalledInOneMatch) {
   EXPECT_EQ(again.exit_code, 0) << again.out << again.err;
 }
 
-TEST(Fouls, LeaveTheOtherEndsToOtherLegs) {
+TEST(Fouls, HaveLegsForTheEndingsThatExcludeEachOther) {
   const std::vector<std::pair<std::string, std::vector<std::string>>> legs{
       {"golden_goal", {"--half", "1", "--rule", "golden_goal_s=100"}},
       {"mercy", {"--half", "100", "--rule", "mercy_goal_diff=1"}},

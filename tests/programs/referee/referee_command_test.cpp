@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Situations with the verdict that is expected, one line of JSON each (tests/programs/referee/*.jsonl),
-// judged by mirocup referee as they are and turned by 180 degrees with the teams changed: the
-// verdict must turn with them. Catches a law that is missing, one that is called a sample too early
-// or too late, a threshold on the wrong side, a wrong order of two laws, and an end that is judged
-// otherwise.
+// Situations with the verdict that is expected, one line of JSON each
+// (tests/programs/referee/*.jsonl), judged by mirocup referee as they are and turned by 180 degrees
+// with the teams changed: the verdict must turn with them. Catches a law that is missing, one that
+// is called a sample too early or too late, a threshold on the wrong side, a wrong order of two
+// laws, and an end that is judged otherwise.
 #include "tests/support/program.hpp"
 
 #include <gtest/gtest.h>
@@ -159,10 +159,10 @@ std::vector<std::string> files() {
   std::sort(names.begin(), names.end());
   return names;
 }
-INSTANTIATE_TEST_SUITE_P(Of, Situations, testing::ValuesIn(files()),
+INSTANTIATE_TEST_SUITE_P(Files, Situations, testing::ValuesIn(files()),
                          [](const auto& file) { return file.param; });
 
-TEST_P(Situations, GetTheVerdictThatIsExpectedAtBothEnds) {
+TEST_P(Situations, GetTheExpectedVerdictAtBothEnds) {
   const std::string path = MIROCUP_SOURCE_FOLDER "/tests/programs/referee/" + GetParam() + ".jsonl";
   const std::vector<json> cases = read_lines(test_support::read_file(path));
   ASSERT_FALSE(cases.empty());
@@ -172,7 +172,7 @@ TEST_P(Situations, GetTheVerdictThatIsExpectedAtBothEnds) {
   judge(other_way, "turned");
 }
 
-TEST(RefereeCommand, SaysWhatItCannotRead) {
+TEST(RefereeCommand, RejectsLinesThatAreNotSituations) {
   const TemporaryFolder folder;
   test_support::write_file(folder / "t.jsonl",
                            "{\"id\": \"a\", \"league\": \"huge\"}\nnothing\n{\"id\": \"c\"}\n");

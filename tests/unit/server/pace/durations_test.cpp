@@ -8,7 +8,7 @@
 namespace mirocup::pace {
 namespace {
 
-TEST(Durations, SayHowLongAShareOfThemTook) {
+TEST(Durations, QuantilesAreAtMostOneThirtySecondTooLong) {
   Durations durations;
   for (int i = 1; i <= 1000; ++i) durations.add(1e-5 * i);
   for (const double share : {0.01, 0.5, 0.9, 0.99, 0.999}) {
@@ -36,7 +36,7 @@ TEST(Durations, AreAllCounted) {
 }
 
 // A bound belongs to the range above it, as the record's description says.
-TEST(Durations, LieBelowTheirBound) {
+TEST(Durations, CountInTheRangeBelowTheirBound) {
   for (double seconds = 1.1e-6; seconds < 100.0; seconds *= 1.07) {
     Durations durations;
     durations.add(seconds);
@@ -49,7 +49,7 @@ TEST(Durations, LieBelowTheirBound) {
   }
 }
 
-TEST(Durations, OfNothingAreZero) {
+TEST(Durations, AreZeroWithoutSamples) {
   const Durations none;
   EXPECT_EQ(none.quantile(0.5), 0.0);
   EXPECT_TRUE(none.histogram().empty());

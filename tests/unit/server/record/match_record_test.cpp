@@ -44,7 +44,7 @@ class Leagues : public testing::TestWithParam<League> {};
 INSTANTIATE_TEST_SUITE_P(All, Leagues,
                          testing::Values(League::small, League::middle, League::large));
 
-TEST_P(Leagues, ARecordReadsBackAsItWasAndVerifies) {
+TEST_P(Leagues, RecordsReadBackAsWrittenAndVerify) {
   MemoryFiles files;
   const MatchRecord record = played(3, GetParam());
   ASSERT_TRUE(save(files, "leg.json", record));

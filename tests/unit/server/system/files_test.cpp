@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Catches a write that leaves half a file or a temporary one, a cleaning that takes somebody's file away, and an error without
-// the file's name.
+// Catches a write that leaves half a file or a temporary one, a cleaning that takes somebody's file
+// away, and an error without the file's name.
 #include "server/system/files.hpp"
 
 #include <gtest/gtest.h>

@@ -31,7 +31,7 @@ std::size_t count(const std::string& text, const std::string& part) {
   return n;
 }
 
-TEST(ReplayPage, CannotBeWrittenToByANameOfATeam) {
+TEST(ReplayPage, EscapesNamesOfTeams) {
   const auto page = replay_page(played(4.0));
   ASSERT_TRUE(page);
   EXPECT_EQ(page->find("<img"), std::string::npos);
@@ -40,7 +40,7 @@ TEST(ReplayPage, CannotBeWrittenToByANameOfATeam) {
       << "a name that looks like a part of the template stays text";
 }
 
-TEST(ReplayPage, NeedsNothingElse) {
+TEST(ReplayPage, LoadsNothingFromElsewhere) {
   record::MatchRecord record = played(4.0);
   record.teams[0].name = "hunters";
   const auto page = replay_page(record);
@@ -50,7 +50,7 @@ TEST(ReplayPage, NeedsNothingElse) {
   }
 }
 
-TEST(ReplayPage, IsNotMadeOfARecordThatIsNotReproduced) {
+TEST(ReplayPage, RefusesARecordThatIsNotReproduced) {
   record::MatchRecord record = played(4.0);
   record.recording.ticks[50].commands[1].wheels[0][0] ^= 64;
   const auto page = replay_page(record);
@@ -58,7 +58,7 @@ TEST(ReplayPage, IsNotMadeOfARecordThatIsNotReproduced) {
   EXPECT_EQ(page.error().tick, 51u);
 }
 
-TEST(ReplayPage, WithoutTimesIsTheSameWhoeverPlayedTheLeg) {
+TEST(ReplayPage, IsTheSameOnEveryMachineWithoutTimes) {
   record::MatchRecord record = played(4.0);
   const auto with = replay_page(record);
   const auto without = replay_page(record, Times::left_out);

@@ -25,7 +25,7 @@ Statistics of(match::Match& match, match::Controller& blue, match::Controller& y
 }
 
 // One team drives, the other stands: all distance and possession are the driver's.
-TEST(Statistics, AreThoseOfTheTeamThatPlays) {
+TEST(Statistics, CreditTheTeamThatPlays) {
   match::Setup setup = test_support::short_setup(1, 20.0);
   setup.rules.mercy_goal_diff = 0;
   match::Match match(setup);
@@ -46,7 +46,7 @@ TEST(Statistics, AreThoseOfTheTeamThatPlays) {
   EXPECT_NEAR(ticks_of_play * setup.control_period, 40.0, 40.0 * 0.1);
 }
 
-TEST(TrackEncoder, LetsAHeadingGoOnWhereItPassesAHalfTurn) {
+TEST(TrackEncoder, KeepsHeadingsContinuousAcrossAHalfTurn) {
   match::Scene scene;
   scene.robots[0][0].heading = Heading::from_angle(3.1);
   const Frame before = frame_of(scene, 1, {});
