@@ -14,7 +14,7 @@ namespace mirocup::app {
 
 namespace {
 
-using SteadyClock = std::chrono::steady_clock;
+using std::chrono::steady_clock;
 
 // A server that sends nothing for longer than this is taken to be gone, s.
 constexpr double max_silence = 10.0;
@@ -39,7 +39,7 @@ class RemoteTeam {
   Interrupt& interrupt_;
   team::Connection& match_;
   std::optional<plugins::Plugin> plugin_;
-  SteadyClock::time_point heard_ = SteadyClock::now();
+  steady_clock::time_point heard_ = steady_clock::now();
 };
 
 Result<int> RemoteTeam::play() {
@@ -61,7 +61,7 @@ Result<int> RemoteTeam::play() {
         done = check_silence();
     }
     if (!done) return tl::unexpected(done.error());
-    if (news != MIROCUP_TEAM_NOTHING) heard_ = SteadyClock::now();
+    if (news != MIROCUP_TEAM_NOTHING) heard_ = steady_clock::now();
   }
   return fail(Errc::interrupted, "interrupted");
 }
@@ -93,7 +93,7 @@ Result<void> RemoteTeam::answer() {
 }
 
 Result<void> RemoteTeam::check_silence() const {
-  const double silence = std::chrono::duration<double>(SteadyClock::now() - heard_).count();
+  const double silence = std::chrono::duration<double>(steady_clock::now() - heard_).count();
   if (!plugin_ && silence > options_.join_within) {
     return fail(
         Errc::unavailable,

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // mirocup referee TRACE.jsonl: reads one situation a line and prints one verdict a line, in the
-// same order. mirocup referee --record FILE: judges a played match again, with other parameters.
+// same order.
+//
+// mirocup referee --record FILE: judges a played match again, with other parameters.
 #include "core/replay/rejudge.hpp"
 #include "server/app/commands.hpp"
 #include "server/record/match_record.hpp"

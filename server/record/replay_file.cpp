@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <zstd.h>
 
 namespace mirocup::record {
@@ -158,6 +159,7 @@ std::string decompressed(std::string_view bytes, const Counts& largest) {
 }  // namespace
 
 std::string pack_replay(const replay::Recording& recording, int robots) {
+  assert(robots > 0 && robots <= max_robots_per_team);
   const std::vector<match::TickLog>& ticks = recording.ticks;
   const replay::Trace& trace = recording.trace;
   const Counts counts{.ticks = ticks.size(),

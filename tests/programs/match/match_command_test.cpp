@@ -43,8 +43,8 @@ TEST(MatchCommand, PlaysTheSameLegWithTheSameSeed) {
       << "in the server's own process";
 }
 
-// Another build of the same sources, named by MIROCUP_OTHER_BUILDS (folders, separated by ':'):
-// debug, clang++.
+// MIROCUP_OTHER_BUILDS names other builds of the same sources, debug or clang++: folders, separated
+// by ':'.
 TEST(MatchCommand, PlaysTheSameLegInEveryBuild) {
   const char* others = std::getenv("MIROCUP_OTHER_BUILDS");
   if (others == nullptr) GTEST_SKIP() << "MIROCUP_OTHER_BUILDS names no other build";
@@ -181,8 +181,8 @@ TEST(VerifyCommand, TellsTruthFromForgeryAndDamage) {
   EXPECT_EQ(run({program("mirocup"), "verify", folder / "nothing.json"}).exit_code, 3);
 }
 
-// Who should win wins most of ten whole legs. Of the legs, not of this build, which plays the same
-// ones (PlaysTheSameLegInEveryBuild).
+// The stronger team wins most of ten whole legs. One build is enough, since all play the same legs
+// (PlaysTheSameLegInEveryBuild).
 #ifndef MIROCUP_SANITIZED
 TEST(HouseTeams, AreAsStrongAsTheirNamesSay) {
   const auto points = [](const std::string& stronger, const std::string& weaker) {

@@ -47,7 +47,7 @@ Scripted team_for(EndKind end, Team team, std::uint64_t seed) {
     });
   }
   if (team == Team::blue) return ball_hunter();
-  // Beside a team that stands all seeds would play the same leg.
+  // Against a team that stands, all seeds would play the same leg.
   return end == EndKind::golden_goal || end == EndKind::mercy ? random_team(seed) : standing();
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Catches a histogram that loses what is very short or long, and percentiles that promise too much.
+// Catches a histogram that loses very short or long durations, and percentiles that are too small.
 #include "server/pace/durations.hpp"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ TEST(Durations, AreAllCounted) {
   EXPECT_EQ(count, 7U);
 }
 
-// A bound belongs to the range above it, as the record's description says.
+// A bound belongs to the range above it, as schema.md says.
 TEST(Durations, CountInTheRangeBelowTheirBound) {
   for (double seconds = 1.1e-6; seconds < 100.0; seconds *= 1.07) {
     Durations durations;

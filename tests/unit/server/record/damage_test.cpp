@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // A record and its replay with one byte flipped, lost or added, at random places. Catches a byte
-// that no digest covers, and a reader that trusts what it reads. MIROCUP_TRIES=2000
-// build/unit_server --gtest_filter='Damage.*'
+// that no digest covers, and a reader that trusts its input. For many more tries:
+//   MIROCUP_TRIES=2000 build/unit_server --gtest_filter='Damage.*'
 #include "core/base/random.hpp"
 #include "core/replay/verification.hpp"
 #include "server/record/match_record.hpp"
@@ -83,7 +83,7 @@ TEST_F(Damage, IsFoundInTheReplay) {
   }
 }
 
-// Behind the digests: whoever reads a record regardless, as verify does, meets no crash.
+// A reader that ignores the checksum, as verify does, must not crash on any damage.
 TEST_F(Damage, CrashesNoReaderThatIgnoresTheChecksum) {
   const std::string whole = bytes_of("leg.json");
   int readable = 0;

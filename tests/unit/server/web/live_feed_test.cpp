@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Catches a viewer that misses a call, is told one twice, or is told nothing when it joins late.
+// Catches a viewer that misses a decision, gets one twice, or gets none when it joins late.
 #include "server/web/live_feed.hpp"
 
 #include "server/web/live_server.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Catches a page that a name can write to, that needs anything from elsewhere, that shows what was
-// not played, or that has grown too big.
+// Catches a page in which a name becomes markup, one that loads anything from elsewhere, one of a
+// leg that was not played, and one that has grown too big.
 #include "server/web/page.hpp"
 
 #include "server/web/assets.hpp"
@@ -68,8 +68,8 @@ TEST(ReplayPage, IsTheSameOnEveryMachineWithoutTimes) {
   EXPECT_EQ(*replay_page(record, Times::left_out), *without);
 }
 
-// Forty seconds of the largest league, of teams that change their mind all the time: a fifteenth of
-// ten minutes, whose page may have 3 MB; and 50 kB of viewer, which is there once.
+// Forty seconds of the largest league, with random commands: a fifteenth of the 3 MB that the page
+// of ten minutes may have, and 50 kB for the script and the style.
 TEST(ReplayPage, StaysSmall) {
   const auto page = replay_page(played(20.0, League::large));
   ASSERT_TRUE(page);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Catches numbers that do not come from what was played.
+// Catches statistics that do not come from the leg that was played.
 #include "server/web/statistics.hpp"
 
 #include "server/web/track_encoder.hpp"
