@@ -43,10 +43,15 @@ void add_match(CLI::App& app, Run& run) {
   command
       ->add_option("--blue", o.teams[0],
                    "Blue team: the path of a library, the name of a house team, or dds:NAME")
+      ->type_name("TEAM")
       ->required();
-  command->add_option("--yellow", o.teams[1], "Yellow team, named in the same way")->required();
-  command->add_option("--blue-name", o.names[0], "Name of the blue team in the record");
-  command->add_option("--yellow-name", o.names[1], "Name of the yellow team in the record");
+  command->add_option("--yellow", o.teams[1], "Yellow team, named in the same way")
+      ->type_name("TEAM")
+      ->required();
+  command->add_option("--blue-name", o.names[0], "Name of the blue team in the record")
+      ->type_name("NAME");
+  command->add_option("--yellow-name", o.names[1], "Name of the yellow team in the record")
+      ->type_name("NAME");
   command
       ->add_option("--league", o.league,
                    "Field and number of robots: small (3 a side), middle (5), large (11)")
@@ -60,8 +65,10 @@ void add_match(CLI::App& app, Run& run) {
       ->capture_default_str();
   command->add_option("--seed", o.seed, "Seed of the toss and of the teams' random numbers")
       ->capture_default_str();
-  command->add_option("--speed", o.speed,
-                      "max, or a factor of real time (default: 1 with --watch, otherwise max)");
+  command
+      ->add_option("--speed", o.speed,
+                   "max, or a factor of real time (default: 1 with --watch, otherwise max)")
+      ->type_name("FACTOR");
   command
       ->add_option_function<std::string>(
           "--watch", [&o](const std::string& where) { o.watch = where; },
@@ -72,9 +79,12 @@ void add_match(CLI::App& app, Run& run) {
       ->type_name("[PORT]");
   command->add_option("--half", o.half_s, "Length of a half in seconds")
       ->check(CLI::Range(0.1, 36000.0));
-  command->add_option("--rule", o.rule_changes,
-                      "KEY=VALUE: change a parameter of the rules; may be given several times");
-  command->add_option("--record", o.record_path, "File to write the match record to");
+  command
+      ->add_option("--rule", o.rule_changes,
+                   "Change a parameter of the rules; may be given several times")
+      ->type_name("KEY=VALUE");
+  command->add_option("--record", o.record_path, "File to write the match record to")
+      ->type_name("FILE");
   command->add_flag("--trusted", o.trusted,
                     "Run the teams in this process, without protection from them");
   command
@@ -97,9 +107,10 @@ void add_match(CLI::App& app, Run& run) {
       ->add_option("--away-limit", o.away_limit,
                    "Seconds that a DDS team may be absent from the match in total")
       ->capture_default_str();
-  command->add_option(
-      "--credentials", o.credentials,
-      "Folder with the server's credentials; then only teams of the league can join");
+  command
+      ->add_option("--credentials", o.credentials,
+                   "Folder with the server's credentials; then only teams of the league can join")
+      ->type_name("DIR");
   command->add_flag("--json", o.json, "Print the record as one JSON object");
 }
 
@@ -129,8 +140,10 @@ void add_join(CLI::App& app, Run& run) {
   command->add_option("--server", o.server, "Host on which the match runs")->capture_default_str();
   command->add_option("--patience", o.join_within, "Seconds to wait for the match")
       ->capture_default_str();
-  command->add_option("--credentials", o.credentials,
-                      "Folder with the team's credentials, for a match that asks for them");
+  command
+      ->add_option("--credentials", o.credentials,
+                   "Folder with the team's credentials, for a match that asks for them")
+      ->type_name("DIR");
   command->add_option("FILE.so", o.library, "Library of the team")->required();
 }
 
@@ -186,7 +199,8 @@ void add_scene(CLI::App& app, Run& run) {
   command->add_option("FILE", o.path, "Scene, a file of schema mirocup/scene/1")->required();
   command->add_option("--accuracy", o.accuracy, "Accuracy of lasting contacts (default: standard)")
       ->check(CLI::IsMember({"coarse", "standard", "reference"}));
-  command->add_option("-o", o.out, "File to write the result to (default: standard output)");
+  command->add_option("-o", o.out, "File to write the result to (default: standard output)")
+      ->type_name("FILE");
   command->add_flag("--json", o.json, "Accepted for uniformity: the result is always JSON");
 }
 
@@ -201,9 +215,9 @@ void add_referee(CLI::App& app, Run& run) {
       command->add_option("--record", o.record_path, "Match record to judge again")
           ->excludes(trace);
   command
-      ->add_option(
-          "--rule", o.rule_changes,
-          "KEY=VALUE: change a parameter of the record's rules; may be given several times")
+      ->add_option("--rule", o.rule_changes,
+                   "Change a parameter of the record's rules; may be given several times")
+      ->type_name("KEY=VALUE")
       ->needs(record);
   command->add_flag("--json", o.json, "Print the answer as one JSON object");
 }
