@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup check FILE.so: would this entry be accepted?
+// mirocup check FILE.so: prints whether the library would be accepted as an entry, and why.
 #include "server/app/commands.hpp"
 #include "server/app/entry_check.hpp"
 #include "server/record/match_record.hpp"
@@ -14,8 +14,8 @@ namespace mirocup::app {
 
 namespace {
 
-// Of the processor time of a leg; who uses more than that is warned.
-constexpr double much_of_the_bank = 0.6;
+// An entry that uses a larger share of a leg's processor time gets a warning.
+constexpr double max_bank_share = 0.6;
 
 record::Json to_json(const CheckOptions& options, const EntryReport& report) {
   record::Json checks = record::Json::array();
@@ -56,7 +56,7 @@ void print(const CheckOptions& options, const EntryReport& report) {
                   std::string(to_string(report.isolation)).c_str());
     std::cout << text;
   }
-  if (report.bank_share > much_of_the_bank) {
+  if (report.bank_share > max_bank_share) {
     std::snprintf(text, sizeof text,
                   "    warning: that is %.0f %% of the time that a leg has; leave room for slower "
                   "machines\n",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// In one source, for CLI11 takes long to compile wherever it is included.
+// One source for all subcommands, because CLI11 takes long to compile wherever it is included.
 #include "server/app/command_line.hpp"
 
 #include "server/app/commands.hpp"
@@ -14,7 +14,7 @@ namespace mirocup::app {
 
 namespace {
 
-// A subcommand, the object that its options are written to, and what runs with it.
+// A subcommand of the command line. Parsing it fills `options` and sets `run`.
 template <class Options>
 struct Subcommand {
   Subcommand(CLI::App& app, Run& run, const char* name, const char* description,
@@ -40,148 +40,186 @@ CLI::Validator one_of() {
 void add_match(CLI::App& app, Run& run) {
   Subcommand<MatchOptions> command(app, run, "match", "Play one leg", run_match);
   MatchOptions& o = *command.options;
-  command->add_option("--blue", o.teams[0], "a library, a house team's name, or dds:NAME")
+  command
+      ->add_option("--blue", o.teams[0],
+                   "Blue team: the path of a library, the name of a house team, or dds:NAME")
+      ->type_name("TEAM")
       ->required();
-  command->add_option("--yellow", o.teams[1], "the same for the other team")->required();
-  command->add_option("--blue-name", o.names[0], "what the record calls the blue team");
-  command->add_option("--yellow-name", o.names[1], "what the record calls the yellow team");
-  command->add_option("--league", o.league, "small (3 a side), middle (5), large (11)")
+  command->add_option("--yellow", o.teams[1], "Yellow team, named in the same way")
+      ->type_name("TEAM")
+      ->required();
+  command->add_option("--blue-name", o.names[0], "Name of the blue team in the record")
+      ->type_name("NAME");
+  command->add_option("--yellow-name", o.names[1], "Name of the yellow team in the record")
+      ->type_name("NAME");
+  command
+      ->add_option("--league", o.league,
+                   "Field and number of robots: small (3 a side), middle (5), large (11)")
       ->check(one_of<League>())
       ->capture_default_str();
-  command->add_option("--rules", o.rules, "rules preset")
+  command->add_option("--rules", o.rules, "Preset of the rules")
       ->check(one_of<referee::Preset>())
       ->capture_default_str();
-  command->add_option("--stage", o.stage, "may a draw stand?")
+  command->add_option("--stage", o.stage, "group: a draw stands; knockout: a winner is found")
       ->check(one_of<referee::Stage>())
       ->capture_default_str();
-  command->add_option("--seed", o.seed, "of the toss and of the teams' random numbers")
+  command->add_option("--seed", o.seed, "Seed of the toss and of the teams' random numbers")
       ->capture_default_str();
-  command->add_option("--speed", o.speed,
-                      "max, or a factor: 1 is real time (default: 1 with --watch, else max)");
+  command
+      ->add_option("--speed", o.speed,
+                   "max, or a factor of real time (default: 1 with --watch, otherwise max)")
+      ->type_name("FACTOR");
   command
       ->add_option_function<std::string>(
           "--watch", [&o](const std::string& where) { o.watch = where; },
-          "show the match in browsers; [HOST:]PORT, without it any port of this host only")
+          "Show the match in browsers at [HOST:]PORT; without a host at this host only, without a "
+          "port "
+          "at any free one")
       ->expected(0, 1)
       ->type_name("[PORT]");
-  command->add_option("--half", o.half_s, "seconds of a half")->check(CLI::Range(0.1, 36000.0));
-  command->add_option("--rule", o.rule_changes,
-                      "KEY=VALUE: another value for a parameter of the rules");
-  command->add_option("--record", o.record_path, "where to write the match record");
-  command->add_flag("--trusted", o.trusted, "run the teams in this process, without protection");
+  command->add_option("--half", o.half_s, "Length of a half in seconds")
+      ->check(CLI::Range(0.1, 36000.0));
+  command
+      ->add_option("--rule", o.rule_changes,
+                   "Change a parameter of the rules; may be given several times")
+      ->type_name("KEY=VALUE");
+  command->add_option("--record", o.record_path, "File to write the match record to")
+      ->type_name("FILE");
+  command->add_flag("--trusted", o.trusted,
+                    "Run the teams in this process, without protection from them");
   command
       ->add_option("--isolation", o.isolation,
-                   "T2 or T1: play in exactly this tier of the sandbox, or not at all")
+                   "Tier of the sandbox: T2 (namespaces) or T1 (filtered system calls); the match "
+                   "is not played "
+                   "if this system does not allow it (default: the strongest that it allows)")
       ->check(CLI::IsMember({"T1", "T2"}))
       ->excludes("--trusted");
-  command->add_option("--match", o.match_id, "ID that DDS teams join")->capture_default_str();
+  command->add_option("--match", o.match_id, "ID of the match, by which DDS teams join it")
+      ->capture_default_str();
   command
       ->add_option("--interface", o.interface,
-                   "network interface for DDS teams; lo: this host only")
+                   "Network interface for DDS teams; lo: this host only")
       ->capture_default_str();
-  command->add_option("--join-within", o.join_within, "seconds that a DDS team has to join")
+  command
+      ->add_option("--join-within", o.join_within, "Seconds that a DDS team has to join the match")
       ->capture_default_str();
   command
       ->add_option("--away-limit", o.away_limit,
-                   "seconds that a DDS team may be away from the match in all")
+                   "Seconds that a DDS team may be absent from the match in total")
       ->capture_default_str();
-  command->add_option("--credentials", o.credentials,
-                      "folder with the server's credentials: only teams of the league can join");
-  command->add_flag("--json", o.json, "the record on standard output");
+  command
+      ->add_option("--credentials", o.credentials,
+                   "Folder with the server's credentials; then only teams of the league can join")
+      ->type_name("DIR");
+  command->add_flag("--json", o.json, "Print the record as one JSON object");
 }
 
 void add_check(CLI::App& app, Run& run) {
-  Subcommand<CheckOptions> command(app, run, "check", "Would this library be accepted as an entry?",
-                                   run_check);
+  Subcommand<CheckOptions> command(
+      app, run, "check", "Check whether a library would be accepted as an entry", run_check);
   CheckOptions& o = *command.options;
-  command->add_option("FILE.so", o.path, "the team's library")->required();
-  command->add_option("--league", o.league, "small (3 a side), middle (5), large (11)")
+  command->add_option("FILE.so", o.path, "Library of the team")->required();
+  command
+      ->add_option("--league", o.league,
+                   "Field and number of robots: small (3 a side), middle (5), large (11)")
       ->check(CLI::IsMember({"small", "middle", "large"}))
       ->capture_default_str();
-  command->add_flag("--json", o.json, "the report as one object on standard output");
+  command->add_flag("--json", o.json, "Print the report as one JSON object");
 }
 
 void add_join(CLI::App& app, Run& run) {
-  Subcommand<JoinOptions> command(app, run, "join", "Play a library in a match on the network",
+  Subcommand<JoinOptions> command(app, run, "join", "Let a library play in a match on the network",
                                   run_join);
   JoinOptions& o = *command.options;
   command->add_option("--match", o.match_id, "ID of the match")->required();
-  command->add_option("--team", o.team, "the colour to play")
+  command->add_option("--team", o.team, "Colour of the team")
       ->required()
       ->check(CLI::IsMember({"blue", "yellow"}));
-  command->add_option("--name", o.name, "the name that the match knows the team by")->required();
-  command->add_option("--server", o.server, "host that the match runs on")->capture_default_str();
-  command->add_option("--patience", o.join_within, "seconds to wait for the match")
+  command->add_option("--name", o.name, "Name of the team, as the match expects it (dds:NAME)")
+      ->required();
+  command->add_option("--server", o.server, "Host on which the match runs")->capture_default_str();
+  command->add_option("--patience", o.join_within, "Seconds to wait for the match")
       ->capture_default_str();
-  command->add_option("--credentials", o.credentials,
-                      "folder with the team's credentials, for a match that asks for them");
-  command->add_option("FILE.so", o.library, "the team's library")->required();
+  command
+      ->add_option("--credentials", o.credentials,
+                   "Folder with the team's credentials, for a match that asks for them")
+      ->type_name("DIR");
+  command->add_option("FILE.so", o.library, "Library of the team")->required();
 }
 
 void add_new(CLI::App& app, Run& run) {
-  Subcommand<NewOptions> command(app, run, "new", "Start a team of your own", run_new);
-  command->add_option("DIR", command.options->folder, "the folder to make")->required();
+  Subcommand<NewOptions> command(app, run, "new", "Make a folder with a team that builds as it is",
+                                 run_new);
+  command->add_option("DIR", command.options->folder, "Folder to make; must be new or empty")
+      ->required();
 }
 
 void add_verify(CLI::App& app, Run& run) {
-  Subcommand<VerifyOptions> command(app, run, "verify",
-                                    "Play a record again from its commands and compare everything",
-                                    run_verify);
+  Subcommand<VerifyOptions> command(
+      app, run, "verify", "Simulate a record again from its commands and compare everything",
+      run_verify);
   VerifyOptions& o = *command.options;
-  command->add_option("RECORD", o.path, "a match record")->required();
-  command->add_flag("--json", o.json, "one JSON object on standard output");
+  command->add_option("RECORD", o.path, "Match record")->required();
+  command->add_flag("--json", o.json, "Print the answer as one JSON object");
 }
 
 void add_rerun(CLI::App& app, Run& run) {
   Subcommand<RerunOptions> command(
-      app, run, "rerun", "Play a record's teams again and compare their commands", run_rerun);
+      app, run, "rerun", "Let the teams of a record play again and compare their commands",
+      run_rerun);
   RerunOptions& o = *command.options;
-  command->add_option("RECORD", o.record, "a match record")->required();
+  command->add_option("RECORD", o.record, "Match record")->required();
   command->add_option("--entries", o.entries,
-                      "folder with the teams' libraries, found by their sha256 (default: the "
-                      "entries of the league that the record lies in)");
-  command->add_flag("--json", o.json, "one JSON object on standard output");
+                      "Folder with the teams' libraries, which are found by their sha256 (default: "
+                      "the entries of the league that the record belongs to)");
+  command->add_flag("--json", o.json, "Print the answer as one JSON object");
 }
 
 void add_replay(CLI::App& app, Run& run) {
-  Subcommand<ReplayOptions> command(app, run, "replay",
-                                    "Make a page that shows a record in a browser", run_replay);
+  Subcommand<ReplayOptions> command(
+      app, run, "replay",
+      "Make a page that shows a record in a browser, or a picture of one moment", run_replay);
   ReplayOptions& o = *command.options;
-  command->add_option("RECORD", o.record, "a match record")->required();
-  command->add_option("-o,--output", o.output, "the page, or the picture")->required();
-  command->add_option("--at", o.at, "a moment, in seconds since the match began")
+  command->add_option("RECORD", o.record, "Match record")->required();
+  command->add_option("-o,--output", o.output, "File to write the page or the picture to")
+      ->required();
+  command->add_option("--at", o.at, "Moment of the picture in seconds since the match began")
       ->check(CLI::Range(0.0, 1e6));
-  command->add_flag("--svg", o.svg, "a still picture of that moment");
+  command->add_flag("--svg", o.svg, "Draw a still picture of the moment --at");
   command->add_flag("--no-times", o.no_times,
-                    "leave out what a clock measured: the page is the same whoever played the leg");
+                    "Leave out times that a clock measured, so that the page is the same on "
+                    "every machine");
 }
 
 void add_scene(CLI::App& app, Run& run) {
-  Subcommand<SceneOptions> command(app, run, "scene", "Run a scene of the physics alone",
-                                   run_scene);
+  Subcommand<SceneOptions> command(
+      app, run, "scene", "Simulate a scene: bodies and wheel commands, without teams and laws",
+      run_scene);
   SceneOptions& o = *command.options;
-  command->add_option("FILE", o.path, "a scene, mirocup/scene/1")->required();
-  command->add_option("--accuracy", o.accuracy, "of lasting contacts")
+  command->add_option("FILE", o.path, "Scene, a file of schema mirocup/scene/1")->required();
+  command->add_option("--accuracy", o.accuracy, "Accuracy of lasting contacts (default: standard)")
       ->check(CLI::IsMember({"coarse", "standard", "reference"}));
-  command->add_option("-o", o.out, "where the result goes (default: standard output)");
-  command->add_flag("--json", o.json, "the result is JSON with and without it");
+  command->add_option("-o", o.out, "File to write the result to (default: standard output)")
+      ->type_name("FILE");
+  command->add_flag("--json", o.json, "Accepted for uniformity: the result is always JSON");
 }
 
 void add_referee(CLI::App& app, Run& run) {
   Subcommand<RefereeOptions> command(
-      app, run, "referee", "Judge recorded situations, or a played match with other parameters",
-      run_referee);
+      app, run, "referee",
+      "Judge recorded situations, or judge a played match with other parameters", run_referee);
   RefereeOptions& o = *command.options;
   CLI::Option* trace =
-      command->add_option("TRACE", o.trace_path, "situations, one line of JSON each");
+      command->add_option("TRACE", o.trace_path, "File of situations, one JSON object a line");
   CLI::Option* record =
-      command->add_option("--record", o.record_path, "a match record to judge again")
+      command->add_option("--record", o.record_path, "Match record to judge again")
           ->excludes(trace);
   command
       ->add_option("--rule", o.rule_changes,
-                   "KEY=VALUE: another value for a parameter of the record's rules")
+                   "Change a parameter of the record's rules; may be given several times")
+      ->type_name("KEY=VALUE")
       ->needs(record);
-  command->add_flag("--json", o.json, "one JSON object on standard output");
+  command->add_flag("--json", o.json, "Print the answer as one JSON object");
 }
 
 }  // namespace
@@ -205,9 +243,9 @@ std::optional<int> read_command_line(int argc, char** argv, Run& run) {
   try {
     cli.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    const bool asked_for_help = e.get_exit_code() == 0;
+    const bool is_help = e.get_exit_code() == 0;
     cli.exit(e);
-    return asked_for_help ? exit_yes : exit_code(Errc::input);
+    return is_help ? exit_yes : exit_code(Errc::input);
   }
   return {};
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the command line of `mirocup` asks for. Only command_line.cpp knows the library that reads it.
+// Reads the command line of `mirocup`. Only command_line.cpp knows the library that parses it.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -12,8 +12,8 @@ namespace mirocup::app {
 
 using Run = std::function<Result<int>()>;
 
-// Sets `run` to the subcommand with its options. Otherwise there is nothing to run, and the answer is
-// an exit code: it asked for help, or was wrong; both are told.
+// Sets `run` to the subcommand with its options and returns nothing. If the command line asks for
+// help or is wrong, prints the help or the error and returns the exit code instead.
 std::optional<int> read_command_line(int argc, char** argv, Run& run);
 
 }  // namespace mirocup::app

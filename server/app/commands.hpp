@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The subcommands of `mirocup`, one source each, and what each may be told. command_line.cpp reads
-// the options; their defaults are here. The value of a run is the exit code of an answer (yes or no).
+// The subcommands of `mirocup`, one source each, and their options. command_line.cpp fills the
+// options; their defaults are here. A run returns the exit code of an answer, exit_yes or exit_no,
+// or an error.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -16,22 +17,23 @@ namespace mirocup::app {
 
 struct MatchOptions {
   match::ByTeam<std::string> teams;
-  match::ByTeam<std::string> names;  // "": the team's own
+  match::ByTeam<std::string> names;  // in the record; "": the team's own name
   std::string league = "small";
   std::string rules = "mirosot";
   std::string stage = "group";
   std::uint64_t seed = 1;
-  std::string speed;                 // "": real time if it is watched, else as fast as it goes
-  std::optional<std::string> watch;  // where: PORT or HOST:PORT, "" for any port
+  std::string speed;  // "": real time if it is watched, otherwise "max"
+  std::optional<std::string>
+      watch;  // address of the live page: PORT, HOST:PORT, or "" for any port
   std::optional<double> half_s;
   std::vector<std::string> rule_changes;  // KEY=VALUE
   std::string record_path;
   bool trusted = false;
-  std::string isolation;  // "": the strongest that there is
+  std::string isolation;  // "": the strongest that this system allows
   std::string match_id = "1";
   std::string interface = "lo";
-  double join_within = 60.0;
-  double away_limit = 10.0;
+  double join_within = 60.0;  // s that a DDS team has to join
+  double away_limit = 10.0;   // s that a DDS team may be absent in total
   std::string credentials;
   bool json = false;
 };
@@ -68,7 +70,7 @@ Result<int> run_verify(const VerifyOptions& options);
 
 struct RerunOptions {
   std::string record;
-  std::string entries;  // "": those of the league that the record lies in
+  std::string entries;  // folder of libraries; "": the entries of the league of the record
   bool json = false;
 };
 Result<int> run_rerun(const RerunOptions& options);
@@ -94,13 +96,13 @@ struct RefereeOptions {
   std::string trace_path;
   std::string record_path;
   std::vector<std::string> rule_changes;  // KEY=VALUE
-  bool json = false;                      // verdicts on traces are, asked for or not
+  bool json = false;                      // verdicts on traces are JSON in any case
 };
 Result<int> run_referee(const RefereeOptions& options);
 
 // `mirocup league …` is the program mirocup-league and `mirocup bench …` is mirocup-bench: runs the
-// program of that name in the place of this process, with the arguments behind argv[1]. Returns only
-// if it cannot be run.
+// program of that name in the place of this process, with the arguments behind argv[1]. Returns
+// only if it cannot be run.
 Result<int> become_sibling_program(const std::string& name, int argc, char** argv);
 
 }  // namespace mirocup::app

@@ -25,17 +25,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// All questions, in the order in which they are asked.
-constexpr std::array<const char*, 9> questions{"file",      "complete",   "entry",
-                                               "libraries", "loads",      "ticks",
-                                               "leg_blue",  "leg_yellow", "repeatable"};
+// The names of all checks, in the order in which they run.
+constexpr std::array<const char*, 9> check_names{"file",      "complete",   "entry",
+                                                 "libraries", "loads",      "ticks",
+                                                 "leg_blue",  "leg_yellow", "repeatable"};
 
 constexpr std::uint32_t first_ticks = 100;
-constexpr double half_s = 8.0;  // of the legs
-constexpr double max_playing_seconds =
-    14.0;  // s, of all playing, without what was waited for a processor
+constexpr double half_s = 8.0;                // of the legs
+constexpr double max_playing_seconds = 14.0;  // all legs together, without waiting for a processor
 
-// Stricter than in a match: who needs so long is to be told soon.
+// Stricter than in a match, so that the author of a slow team learns it soon.
 plugins::Budget budget() {
   plugins::Budget budget;
   budget.start_cpu = 4.0;
@@ -56,7 +55,7 @@ const char* advice(match::FaultCode code) {
     case FaultCode::no_load:
       return "link everything that it uses into the library, or use what the system has";
     case FaultCode::bad_abi:
-      return "build it anew against the strategy.h of this version, and export mirocup_entry()";
+      return "build it again against the strategy.h of this version, and export mirocup_entry()";
     case FaultCode::start_timeout:
       return "do less in create() and in static constructors";
     case FaultCode::crash:
@@ -72,7 +71,7 @@ const char* advice(match::FaultCode code) {
   }
 }
 
-// Is there a library of that name where the loader of the sandbox looks?
+// True if the dynamic loader finds a library of that name in the sandbox.
 bool is_on_this_system(const std::string& name) {
   if (name.find('/') != std::string::npos) return false;
   system::Disk disk;
@@ -84,7 +83,7 @@ bool is_on_this_system(const std::string& name) {
                      [&](const char* folder) { return fs::exists(fs::path(folder) / name); });
 }
 
-// The checks of one entry, one after the other.
+// Runs the checks of one entry, one after the other, and fills its report.
 class Examination {
  public:
   Examination(std::string path, League league) : path_(std::move(path)) {
@@ -97,7 +96,7 @@ class Examination {
  private:
   using Seats = std::array<std::unique_ptr<plugins::ProcessController>, 2>;
 
-  // What one leg, or its first ticks, showed.
+  // The observations of one trial leg, or of its first ticks.
   struct TrialLeg {
     std::optional<match::Fault> fault;
     bool is_too_slow = false;
@@ -111,7 +110,7 @@ class Examination {
   bool is_over_time(const Seats& seats);
   static double delay_of(const Seats& seats);
 
-  // Each answers the next question; returns whether to go on.
+  // Each adds the result of the next check and returns true if it passed.
   bool pass(std::string text);
   bool fail_with(std::string text);
   bool judge(const TrialLeg& leg, std::string text);
@@ -119,19 +118,19 @@ class Examination {
   std::string path_;
   match::Setup setup_;
   pace::SteadyWallClock clock_;
-  double delay_ = 0.0;  // s, that processes of earlier legs waited for a processor
-  std::optional<plugins::SealedEntry> entry_;
-  std::optional<plugins::SealedEntry> idle_;
+  double delay_ = 0.0;  // s that processes of earlier legs waited for a processor
+  std::optional<plugins::Entry> entry_;
+  std::optional<plugins::Entry> idle_;
   EntryReport report_;
 };
 
 bool Examination::pass(std::string text) {
-  report_.checks.push_back({questions[report_.checks.size()], true, std::move(text)});
+  report_.checks.push_back({check_names[report_.checks.size()], true, std::move(text)});
   return true;
 }
 
 bool Examination::fail_with(std::string text) {
-  report_.checks.push_back({questions[report_.checks.size()], false, std::move(text)});
+  report_.checks.push_back({check_names[report_.checks.size()], false, std::move(text)});
   return false;
 }
 
@@ -158,8 +157,8 @@ Result<EntryReport> Examination::run() {
     report_.isolation = *isolation;
     if (auto played = examine_play(); !played) return tl::unexpected(played.error());
   }
-  while (report_.checks.size() < questions.size())
-    report_.checks.push_back({questions[report_.checks.size()], std::nullopt, "not tried"});
+  while (report_.checks.size() < check_names.size())
+    report_.checks.push_back({check_names[report_.checks.size()], std::nullopt, "not tried"});
   return std::move(report_);
 }
 
@@ -215,7 +214,7 @@ Result<bool> Examination::examine_play() {
 
   const auto again = play(Team::blue, UINT32_MAX);
   if (!again) return tl::unexpected(again.error());
-  // Other poses at a restart show in the hash.
+  // The hashes differ if the team asks for other poses at a restart.
   const auto differs =
       std::mismatch(blue->ticks.begin(), blue->ticks.end(), again->ticks.begin(),
                     again->ticks.end(), [](const match::TickLog& a, const match::TickLog& b) {
@@ -265,7 +264,8 @@ Result<Examination::TrialLeg> Examination::play(Team team, std::uint32_t max_tic
   return leg;
 }
 
-// A busy machine is not the entry's fault.
+// Time in which the processes waited for a processor is not counted: a busy machine is not the
+// entry's fault.
 bool Examination::is_over_time(const Seats& seats) {
   const double all = clock_.now();
   if (all <= max_playing_seconds) return false;
@@ -273,14 +273,14 @@ bool Examination::is_over_time(const Seats& seats) {
   return all - own_delay - delay_ - delay_of(seats) > max_playing_seconds;
 }
 
-// How long processes that play could have run but had no processor, s.
+// How long the processes of both teams were runnable without a processor, s.
 double Examination::delay_of(const Seats& seats) {
   double sum = 0.0;
   for (const auto& seat : seats) sum += seat->processor_delay().value_or(0.0);
   return sum;
 }
 
-// Of the longest leg; the log is that of the last.
+// Times are those of the longest leg so far, the log is that of the last one.
 void Examination::measure(plugins::ProcessController& process, std::uint32_t ticks) {
   report_.start_ms = 1e3 * process.start_seconds();
   report_.peak_memory = std::max(report_.peak_memory, process.peak_memory());

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// Ctrl-C and the end of a job, as a question that is asked between two ticks.
+// SIGINT (Ctrl-C) and SIGTERM (the end of a job), polled between two ticks.
 #pragma once
 
 namespace mirocup::app {
 
 class Interrupt {
  public:
-  // From here on SIGINT and SIGTERM wait until they are asked for. Made before any thread.
+  // Blocks both signals from now on, in this thread and in those that it starts later. So create it
+  // before any thread.
   Interrupt();
 
+  // True if one of them has arrived since the construction. A system call until the first one has.
   bool is_asked_for();
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup join: plays a library in a match on the network.
+// mirocup join: lets a library play in a match on the network.
 #include "mirocup/team.hpp"
 #include "plugins/host/plugin.hpp"
 #include "server/app/commands.hpp"
@@ -14,19 +14,19 @@ namespace mirocup::app {
 
 namespace {
 
-using SteadyClock = std::chrono::steady_clock;
+using std::chrono::steady_clock;
 
-// Without a word from the server for so long (s), it is gone.
+// A server that sends nothing for longer than this is taken to be gone, s.
 constexpr double max_silence = 10.0;
-constexpr double poll_interval = 0.25;
+constexpr double poll_interval = 0.25;  // s, for interrupts
 
-// A library at the end of a connection.
+// A library that answers the ticks that come over a connection.
 class RemoteTeam {
  public:
   RemoteTeam(const JoinOptions& options, Interrupt& interrupt, team::Connection& match)
       : options_(options), interrupt_(interrupt), match_(match) {}
 
-  // Until the match is over.
+  // Plays until the match is over.
   Result<int> play();
 
  private:
@@ -39,7 +39,7 @@ class RemoteTeam {
   Interrupt& interrupt_;
   team::Connection& match_;
   std::optional<plugins::Plugin> plugin_;
-  SteadyClock::time_point heard_ = SteadyClock::now();
+  steady_clock::time_point heard_ = steady_clock::now();
 };
 
 Result<int> RemoteTeam::play() {
@@ -61,12 +61,12 @@ Result<int> RemoteTeam::play() {
         done = check_silence();
     }
     if (!done) return tl::unexpected(done.error());
-    if (news != MIROCUP_TEAM_NOTHING) heard_ = SteadyClock::now();
+    if (news != MIROCUP_TEAM_NOTHING) heard_ = steady_clock::now();
   }
   return fail(Errc::interrupted, "interrupted");
 }
 
-// Of a leg that is new to the team: it begins from nothing, as it would in a process of its own.
+// Loads the library afresh for every leg, as for a team with a process of its own.
 Result<void> RemoteTeam::take_seat() {
   plugin_.reset();
   const std::string path =
@@ -93,7 +93,7 @@ Result<void> RemoteTeam::answer() {
 }
 
 Result<void> RemoteTeam::check_silence() const {
-  const double silence = std::chrono::duration<double>(SteadyClock::now() - heard_).count();
+  const double silence = std::chrono::duration<double>(steady_clock::now() - heard_).count();
   if (!plugin_ && silence > options_.join_within) {
     return fail(
         Errc::unavailable,

@@ -19,13 +19,13 @@ namespace mirocup::app {
 
 namespace {
 
-// In real time a team on the network has so much of a tick to answer it. The rest is for the
-// simulation, so that a late team does not make the next tick late.
-constexpr double time_to_answer = 0.9;
+// The share of a tick in which a team on the network must answer in real time. The rest is for the
+// simulation, so that a late team does not delay the next tick.
+constexpr double answer_share = 0.9;
 
-// A team that has not answered for so many ticks is away; not sooner than after so many seconds.
+// A team that has not answered for this many ticks, and for at least this time, is absent.
 constexpr double ticks_to_notice = 9.0;
-constexpr double min_notice = 0.1;
+constexpr double min_notice = 0.1;  // s
 
 Result<match::Setup> setup_of(const MatchOptions& options) {
   match::Setup setup;
@@ -56,7 +56,8 @@ Result<std::optional<double>> factor_of(const MatchOptions& options) {
 // At full speed a match polls for an interrupt only this often, because polling is a system call.
 constexpr std::uint32_t ticks_between_polls = 16;
 
-// One leg with everything that it needs around it.
+// One leg and everything around it: teams, network, live page, record. run_match() calls the steps
+// in the order in which they are declared.
 class Session {
  public:
   Session(const MatchOptions& options, const match::Setup& setup, std::optional<double> factor)
@@ -85,8 +86,8 @@ class Session {
   match::Leg match_;
   replay::StateTrace trace_;
   pace::Pacer pacer_;
-  std::unique_ptr<dds::MatchServer> network_;  // if a team plays over it
-  std::unique_ptr<web::LiveServer> live_;      // if it is watched
+  std::unique_ptr<dds::MatchServer> network_;  // null unless a team plays over it
+  std::unique_ptr<web::LiveServer> live_;      // null unless the leg is watched
   std::shared_ptr<plugins::Doorbell> bell_ = std::make_shared<plugins::Doorbell>();
   std::vector<TeamSeat> seats_;  // blue, yellow
   std::string isolation_ = "network";
@@ -116,7 +117,7 @@ Result<void> Session::seat_teams() {
     if (!seat) return tl::unexpected(seat.error());
     seats_.push_back(std::move(*seat));
   }
-  if (network_) network_->publish(match_);  // to be answered before the match begins
+  if (network_) network_->publish(match_);  // teams answer it before the match begins
   wait_until_ready(seats_, match_, interrupt_);
   return {};
 }
@@ -162,7 +163,7 @@ dds::JoinTerms Session::patience() {
   patience.interrupted = [this] { return interrupt_.is_asked_for(); };
   patience.tell = [](const std::string& text) { std::cerr << "mirocup: " << text << '\n'; };
   if (pacer_.period() > 0.0) {
-    patience.tick = time_to_answer * pacer_.period();
+    patience.tick = answer_share * pacer_.period();
     patience.notice = std::max(min_notice, ticks_to_notice * pacer_.period());
   }
   return patience;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup new DIR: a team that builds as it is.
+// mirocup new DIR: writes a team that builds as it is.
 #include "server/app/commands.hpp"
 #include "server/system/files.hpp"
 #include "server/system/locations.hpp"

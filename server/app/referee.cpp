@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup referee TRACE.jsonl: one situation a line in, one verdict a line out, in the same order.
-// mirocup referee --record FILE: a played match judged with other parameters.
+// mirocup referee TRACE.jsonl: reads one situation a line and prints one verdict a line, in the
+// same order.
+//
+// mirocup referee --record FILE: judges a played match again, with other parameters.
 #include "core/replay/rejudge.hpp"
 #include "server/app/commands.hpp"
 #include "server/record/match_record.hpp"
@@ -35,7 +37,7 @@ Result<int> judge_traces(const std::string& path) {
   for (int number = 1; std::getline(lines, line); ++number) {
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
     const Json json = Json::parse(line, nullptr, false);
-    // A line of a league's results is no situation, and no mistake either.
+    // A line with the results of a league is not a situation, but it is not an error either.
     if (json.is_object() && json.contains("results")) {
       std::cout << traces::reject_trace(id_of(json), "a table of results is no situation").dump()
                 << '\n';

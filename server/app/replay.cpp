@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup replay RECORD: a page to look at, or a picture of one moment.
+// mirocup replay RECORD: writes a page that shows the leg, or a picture of one moment.
 #include "server/app/commands.hpp"
 #include "server/web/page.hpp"
 #include "server/web/picture.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup rerun RECORD: do the teams, asked again, give the commands that the record says?
-#include "plugins/host/sandbox/probe.hpp"
+// mirocup rerun RECORD: lets the teams play again and compares their commands with the record.
 #include "server/app/commands.hpp"
 #include "server/app/interrupt.hpp"
 #include "server/app/seats.hpp"
@@ -18,20 +17,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The first command, or fault, that is not the recorded one.
+// The first difference between the record and the leg that is played again.
 struct CommandDifference {
   std::uint32_t tick = 0;
   std::optional<Team> team;
   std::string what;
 };
 
-// A record of a league lies in LEAGUE/records/, its entries in LEAGUE/entries/.
+// The folder of the teams' libraries. In a league, records are in LEAGUE/records/ and entries in
+// LEAGUE/entries/.
 std::string entries_folder(const RerunOptions& options) {
   if (!options.entries.empty()) return options.entries;
   return (fs::absolute(options.record).parent_path().parent_path() / "entries").string();
 }
 
-// The library below the folder that has the digest, or "".
+// The path of the library below `folder` that has the digest; "" if there is none.
 std::string library_with(system::Files& files, const std::string& folder,
                          const std::string& sha256) {
   std::error_code none;
@@ -125,7 +125,8 @@ std::optional<CommandDifference> compare_ends(const replay::Recording& recording
   return difference;
 }
 
-// Faults of teams that never become ready end the match before its first tick.
+// Returns the first difference, if there is one. A team that never becomes ready ends the match
+// before its first tick.
 Result<std::optional<CommandDifference>> play_again(const replay::Recording& recording,
                                                     const std::vector<TeamChoice>& choices) {
   Interrupt interrupt;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup scene FILE: runs bodies, commands and parameters, and nothing of the game.
+// mirocup scene FILE: simulates bodies and wheel commands, without teams and laws.
 #include "server/app/commands.hpp"
 #include "server/record/scene_json.hpp"
 #include "server/system/files.hpp"
@@ -11,8 +11,6 @@
 #include <iostream>
 
 namespace mirocup::app {
-
-namespace {}  // namespace
 
 Result<int> run_scene(const SceneOptions& options) {
   system::Disk disk;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view dds_prefix = "dds:";
 
-// dlopen() looks names without a slash up in the system's folders.
+// dlopen() searches for a name without a slash in the system's folders.
 std::string with_slash(const std::string& path) {
   return path.find('/') == std::string::npos ? "./" + path : path;
 }

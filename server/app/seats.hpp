@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Who steers a team: a library in its own process, the same in this one, or somebody on the
-// network.
+// The seats of the two teams of a leg. A team is a library in a process of its own, a library in
+// this process, or a program on the network.
 #pragma once
 
 #include "plugins/host/process_controller.hpp"
@@ -10,24 +10,29 @@
 #include "server/dds/match_server.hpp"
 #include "server/record/match_record.hpp"
 
+#include <cassert>
 #include <memory>
 #include <span>
 #include <string>
 
 namespace mirocup::app {
 
-// What the command line says of a team: "dds:NAME", the path of a library, or a house team's name.
+// A team as the command line names it.
 struct TeamChoice {
   record::TeamInfo info;
-  std::string library;                        // for a DDS team ""
-  std::string network_name;                   // of a DDS team: what it calls itself
-  std::optional<plugins::SealedEntry> entry;  // what the library was when it was chosen
-  std::optional<match::Fault> fault;          // of a library that cannot be one
+  std::string library;                  // path; "" for a DDS team
+  std::string network_name;             // the name of a DDS team on the network; "" for others
+  std::optional<plugins::Entry> entry;  // the library's bytes when it was chosen
+  std::optional<match::Fault> fault;    // of a file that cannot be loaded as a library
 };
+
+// `text` is "dds:NAME", the path of a library, or the name of a house team. A library that cannot
+// be loaded is a fault of the team, not an error.
 
 Result<TeamChoice> choose_team(const std::string& text);
 
-// How teams in processes of their own are treated; the bell is for one match.
+// The conditions for teams in processes of their own. Both teams of a leg share the doorbell, on
+// which this process waits for their answers.
 struct ProcessTerms {
   plugins::Isolation isolation = plugins::Isolation::T2;
   plugins::Budget budget;
@@ -35,27 +40,38 @@ struct ProcessTerms {
   std::shared_ptr<plugins::Doorbell> bell = std::make_shared<plugins::Doorbell>();
 };
 
-// One team's place in a match.
+// The place of one team in a leg: starts the team and asks it, whatever kind it is.
 class TeamSeat {
  public:
-  // Starts what has to be started. An error is the host's; a team's own fault comes out of
-  // wait_until_ready().
+  // Each starts the team or makes room for it, and does not wait for it. An error is a failure of
+  // the host. A fault of the team is returned by wait_until_ready().
   static Result<TeamSeat> take_in_process(const TeamChoice& choice, const match::Briefing& briefing,
                                           const ProcessTerms& terms);
   static Result<TeamSeat> take_trusted(const TeamChoice& choice, const match::Briefing& briefing);
   static Result<TeamSeat> take_on_network(const TeamChoice& choice, const match::Briefing& briefing,
                                           dds::MatchServer& server, const dds::JoinTerms& patience);
 
-  // Returns when the team can play, or why it never will: a fault of its own, or the host's.
+  // Waits until the team can play. The error is why it never will: a Fault of its own, or a
+  // HostFailure.
   tl::expected<void, match::Answer> wait_until_ready();
 
-  match::Controller& controller() { return *controller_; }
+  // Only for a team that is ready. The seat keeps it alive.
+  match::Controller& controller() {
+    assert(controller_ != nullptr);
+    return *controller_;
+  }
   const record::TeamInfo& info() const { return info_; }
+
+  // Without late_ticks and bad_commands, which the match counts.
   record::BudgetReport budget_report() const;
-  // What happened between the server and the team, if it plays over the network.
+
+  // Nothing unless the team plays over the network.
   std::optional<record::NetworkReport> network_report() const;
-  // The process that the team plays in, or null.
+
+  // The process of the team; null if it has none of its own.
   const plugins::ProcessController* process() const { return process_; }
+
+  // The text that the team printed to standard error; "" if it has no process of its own.
   std::string output() { return process_ != nullptr ? process_->output() : std::string(); }
 
  private:
@@ -69,12 +85,12 @@ class TeamSeat {
   std::optional<match::Fault> load_fault_;
 };
 
-// Keeps this process, and those that it starts, on one core. A match and its teams take turns: there
-// handing over costs a microsecond, across cores fifty.
+// Keeps this process and those that it starts on the current core. A match and its teams take
+// turns: handing over costs 1 us on one core, and 50 us across cores.
 void stay_on_this_core();
 
-// Until both teams, blue first, can play; a match whose teams cannot is void or forfeited. Returns
-// early if it is interrupted.
-void wait_until_ready(std::span<TeamSeat> seats, match::Leg& match, Interrupt& interrupt);
+// Waits until both teams can play, blue first. If a team never will, the match becomes void or
+// forfeited. Returns early after an interrupt.
+void wait_until_ready(std::span<TeamSeat> seats, match::Match& match, Interrupt& interrupt);
 
 }  // namespace mirocup::app

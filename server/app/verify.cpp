@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup verify RECORD: does the record tell what happened?
+// mirocup verify RECORD: simulates the leg again and compares it with the record.
 #include "core/replay/verification.hpp"
 #include "server/app/commands.hpp"
 #include "server/record/match_record.hpp"
@@ -11,12 +11,10 @@
 
 namespace mirocup::app {
 
-namespace {}  // namespace
-
 Result<int> run_verify(const VerifyOptions& options) {
   system::Disk disk;
   const auto whole = record::load(disk, options.path);
-  // A record that was changed is damaged, but what it now says wrongly is the better answer.
+  // For a record that was changed, its first wrong statement is a better answer than the checksum.
   const auto record =
       whole ? whole : record::load(disk, options.path, record::ChecksumPolicy::ignored);
   if (!record) return tl::unexpected(record.error());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// How long something took, time after time, in constant memory: a histogram with 32 ranges in each
-// octave, so that what is read from it is at most 1/32 too long.
+// The distribution of durations in constant memory: a histogram with 32 ranges in each octave, so
+// that a quantile is at most 1/32 too long.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace mirocup::pace {
 
 class Durations {
  public:
-  // Seconds; what is shorter or longer than the ranges counts in the first or the last one.
+  // Adds one duration, s. One that is outside of all ranges counts in the first or the last range.
   void add(double seconds) {
     ++counts_[range_of(seconds)];
     ++count_;
@@ -25,7 +25,8 @@ class Durations {
   std::uint64_t count() const { return count_; }
   double max() const { return max_; }
 
-  // A duration that at least this share of them did not exceed; 0 if there are none.
+  // A duration, s, that at least this share (0 to 1) of the durations did not exceed; 0 if there
+  // are none.
   double quantile(double share) const {
     assert(share >= 0.0 && share <= 1.0);
     std::uint64_t until = 0;
@@ -39,11 +40,11 @@ class Durations {
   }
 
   struct Range {
-    double below = 0.0;  // s, and not below the one before
+    double below = 0.0;  // s; the range reaches down to half of it
     std::uint64_t count = 0;
   };
 
-  // By octaves: those that are not empty, in ascending order.
+  // The octaves that are not empty, in ascending order.
   std::vector<Range> histogram() const {
     std::vector<Range> filled;
     for (int i = 0; i < ranges; i += ranges_per_octave) {
@@ -55,9 +56,9 @@ class Durations {
   }
 
  private:
-  static constexpr int min_exponent = -20;      // 2^-20 s, about a microsecond
-  static constexpr int octaves = 28;            // up to 256 s
-  static constexpr int ranges_per_octave = 32;  // of an octave
+  static constexpr int min_exponent = -20;  // 2^-20 s, about a microsecond
+  static constexpr int octaves = 28;        // up to 256 s
+  static constexpr int ranges_per_octave = 32;
   static constexpr int ranges = octaves * ranges_per_octave;
 
   static int range_of(double seconds) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How fast simulated time passes: real time, any factor of it, or as fast as everybody answers.
+// The speed of a match: real time, a multiple of it, or as fast as the teams answer.
 #pragma once
 
 #include "server/pace/durations.hpp"
@@ -15,15 +15,15 @@ namespace mirocup::pace {
 
 class Pacer {
  public:
-  // `factor`: simulated seconds per second; nothing: as fast as it goes. The clock outlives the
-  // pacer.
+  // `control_period`: simulated seconds of a tick. `factor`: simulated seconds per second of wall
+  // time; nothing: no waiting at all. The clock must outlive the pacer.
   Pacer(WallClock& clock, double control_period, std::optional<double> factor)
       : clock_(clock), period_(factor ? control_period / *factor : 0.0) {
     assert(control_period > 0.0 && (!factor || *factor > 0.0));
   }
 
-  // Returns when the tick is due. Ticks are counted from the first call, so a late one delays none
-  // after it.
+  // Waits until the tick is due. All ticks are due relative to the first call, so a late tick does
+  // not delay those after it.
   void wait_for(std::uint32_t tick) {
     if (period_ == 0.0) return;
     if (!has_started_) start_ = clock_.now() - tick * period_;
@@ -33,17 +33,17 @@ class Pacer {
     lateness_.add(std::max(0.0, clock_.now() - due));
   }
 
-  // Wall seconds between two ticks; 0: no limit.
+  // Wall time between two ticks, s; 0: no waiting.
   double period() const { return period_; }
 
-  // By how much ticks began after they were due.
+  // The delays of the ticks: start minus due time. Empty without waiting.
   const Durations& lateness() const { return lateness_; }
 
  private:
   WallClock& clock_;
   double period_;
   bool has_started_ = false;
-  double start_ = 0.0;  // of tick 0
+  double start_ = 0.0;  // when tick 0 was due
   Durations lateness_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Wall time, for those rooms that may know it. Tests put a clock of their own behind it.
+// Wall time. The simulation never sees it. Tests replace it by a clock of their own.
 #pragma once
 
 #include <chrono>
@@ -11,8 +11,8 @@ namespace mirocup::pace {
 class WallClock {
  public:
   virtual ~WallClock() = default;
-  virtual double now() = 0;  // s, never goes back
-  virtual void sleep_until(double time) = 0;
+  virtual double now() = 0;                   // s since an arbitrary moment; never decreases
+  virtual void sleep_until(double time) = 0;  // returns at once if it has passed
 };
 
 class SteadyWallClock final : public WallClock {

@@ -19,8 +19,8 @@ namespace {
 
 constexpr std::string_view schema = "mirocup/match/1";
 
-// Enumerators are written by name. Every one has a name, and the last has its own: an enumerator that
-// is added or moved without its name would change the meaning of records.
+// Enumerators are written by name. Every one has a name, and the last has its own: an enumerator
+// that is added or moved without its name would change the meaning of records.
 template <class E>
 constexpr bool has_names_up_to(E last, std::string_view name) {
   return enum_names<E>.size() == static_cast<std::size_t>(last) + 1 && to_string(last) == name;
@@ -34,7 +34,7 @@ static_assert(has_names_up_to(referee::Law::forfeit, "forfeit"));
 static_assert(has_names_up_to(referee::Restart::FREE_KICK, "FREE_KICK"));
 static_assert(has_names_up_to(match::FaultCode::disconnected, "disconnected"));
 
-// What a program that plays matches can be asked for, s.
+// The range of what a leg can be played with, s.
 constexpr double min_period = 1e-3;
 constexpr double max_period = 1.0;
 constexpr double max_half = 36000.0;
@@ -280,12 +280,12 @@ RecordFile read_record_file(const JsonReader& json) {
   return file;
 }
 
-// The last key of a record is the digest of everything before it.
+// The end of a record: its last key is the digest of `text`, which is everything before it.
 std::string checksum_line(const std::string& text) {
   return ",\n \"sha256\": \"" + system::sha256(text) + "\"\n}\n";
 }
 
-// `object` is the text of an object that is not empty.
+// `object` is the text of an object with at least one key, one key a line.
 std::string with_checksum(std::string object) {
   object.resize(object.rfind("\n}"));
   const std::string line = checksum_line(object);
@@ -296,14 +296,6 @@ bool has_valid_checksum(const std::string& text) {
   const std::size_t begin = text.rfind(",\n");
   return begin != std::string::npos && text.substr(begin) == checksum_line(text.substr(0, begin));
 }
-
-}  // namespace
-
-std::string software_version() {
-  return MIROCUP_VERSION;
-}
-
-namespace {
 
 std::string software_build() {
 #if defined(__clang__)
@@ -319,6 +311,10 @@ std::string software_build() {
 }
 
 }  // namespace
+
+std::string software_version() {
+  return MIROCUP_VERSION;
+}
 
 Software this_software() {
   return {.version = software_version(),

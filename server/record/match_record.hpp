@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The record of one leg: a JSON file for people and leagues, and beside it the replay that proves
-// it.
+// The record of one leg: a JSON file, and beside it the replay file that proves it.
 //
-// This is the only code that knows the JSON of matches; schema.md is its specification. Exceptions
-// of the JSON library end here.
+// This is the only code that knows the JSON of matches; schema.md is its specification. A record is
+// written as a Json tree and read with JsonReader.
 #pragma once
 
 #include "core/replay/recording.hpp"
@@ -22,45 +21,52 @@ namespace mirocup::record {
 
 using Json = nlohmann::ordered_json;
 
-// What steered a team.
+// The kind of program that steered a team.
 enum class TeamKind { plugin, house, dds };
 
 struct TeamInfo {
   std::string name;
   TeamKind kind = TeamKind::plugin;
-  std::optional<std::string> sha256;  // of the library; a DDS team has none
+  std::optional<std::string> sha256;  // of the library; nothing for a DDS team
 };
 
-// What a team used of its time. A count of bad commands counts commands, not values.
+// The time that a team used. `bad_commands` counts commands, not the values in them.
 struct BudgetReport {
   double cpu_seconds = 0.0;
   double slowest_tick_ms = 0.0;
-  double bank_seconds = 0.0;  // what it had; 0: nobody counted
+  double bank_seconds = 0.0;  // processor time that it was allowed; 0: not counted
   int late_ticks = 0;
   int bad_commands = 0;
 };
 
-// What happened between the server and a team on the network. Commands are counted by what became
-// of them: only those in step were driven.
+// The traffic between the server and a team on the network. Commands are counted by their fate:
+// only those in step were driven.
 struct NetworkReport {
   std::uint64_t in_step = 0;
-  std::uint64_t late = 0;       // to a tick that was over
-  std::uint64_t duplicate = 0;  // to the last answered tick once more
-  std::uint64_t ahead = 0;      // to a tick that there had not been
-  std::uint64_t foreign = 0;    // from another process than the team's
+  std::uint64_t late = 0;       // for a tick that was over
+  std::uint64_t duplicate = 0;  // a further one for the tick that was answered last
+  std::uint64_t ahead = 0;      // for a tick that had not begun
+  std::uint64_t foreign = 0;    // from a process that is not the team's
   int processes = 0;            // that played for the team, one after the other
-  std::vector<pace::Absence> absences;
-  pace::Durations answers;  // from a tick's state to the answer in step, wall time
+  struct Absence {
+    std::uint32_t tick = 0;             // the first without an answer
+    std::uint32_t noticed = 0;          // the tick in which the server noticed
+    std::optional<std::uint32_t> back;  // the tick in which the team answered again
+    bool has_left = false;              // its process was gone; otherwise it was silent
+  };
+  std::vector<Absence> absences;
+  pace::Durations answers;  // wall time from a tick's state to the answer in step
 };
 
-// How simulated time kept up with wall time.
+// The lateness of a match in real time, or in a multiple of it.
 struct PaceReport {
   double period = 0.0;       // wall seconds between two ticks
-  pace::Durations lateness;  // by which ticks began after they were due
+  pace::Durations lateness;  // of the ticks: start minus due time
 };
 
-// What plays or played a match. `game` stands for the physics and the laws: the hash of the golden
-// leg (tests/build/compilers). Programs of another game may get another leg from the same commands.
+// The program that plays or played a match. `behaviour_hash` stands for its physics and laws: the
+// hash of the golden leg (core/golden_hash.txt). A program with another one may play another leg
+// from the same commands.
 struct Software {
   std::string version;
   std::string build;
@@ -70,41 +76,44 @@ struct Software {
 };
 
 struct MatchRecord {
-  Software software;  // that played it
+  Software software;  // the program that played the leg
   match::ByTeam<TeamInfo> teams;
   match::ByTeam<BudgetReport> budget;
-  match::ByTeam<std::optional<NetworkReport>> network;  // written, not read
-  std::optional<PaceReport> pace;                       // the same; of a match in real time
-  std::string isolation;                                // "T2", "T1", "none" (--trusted), "network"
+  match::ByTeam<std::optional<NetworkReport>> network;  // written, but not read
+  std::optional<PaceReport> pace;                       // as above; nothing at full speed
+  std::string isolation;                                // "T2", "T1", "none", "network"
   replay::Recording recording;
 };
 
-// Of this program.
+// The version and the description of this program.
 std::string software_version();
 Software this_software();
 
-// A record that this program should not reproduce, for it was played by another game: what differs
-// then says nothing about the record or its teams.
+// True if the record was played by a program with other physics or laws. A difference then says
+// nothing about the record or its teams.
 bool has_other_behaviour(const MatchRecord& record);
 
-// What to say if it indeed differs from that tick on. Errc::damaged: "of another version".
+// The error for such a record if it differs from `tick` on. Errc::damaged, as for data of another
+// version.
 Error behaviour_mismatch(const std::string& path, const MatchRecord& record, std::uint32_t tick);
 
 Json to_json(const match::Outcome& result);
 Json to_json(const match::LoggedDecision& decision);
 
-// Everything but the replay's name and digest and the record's own, which save() adds.
+// The whole record except the keys that save() adds: the replay's name and digest, and the record's
+// own digest.
 Json to_json(const MatchRecord& record);
 
-// Writes the replay, then the record: if the record is there, both are.
+// Writes the replay, then the record: a record that is there has its replay.
 Result<void> save(system::Files& files, const std::string& path, const MatchRecord& record);
 
-// A record ends with the digest of its own text, and holds the digest of its replay: a byte that was
-// changed or lost is found. Somebody who wants to forge a record can compute digests, too; verifying
-// it finds that.
+// Whether load() checks the digest of the record's own text, which is its last key. It finds every
+// byte that was changed or lost. It does not prevent forgery, since a forger can compute digests,
+// too: that is found by replay::verify(). The digest of the replay is always checked.
 enum class ChecksumPolicy { checked, ignored };
 
-// Reads both. Errors: Errc::unavailable if a file is not there, Errc::damaged for everything else.
+// Reads the record and its replay, which must be in the same folder. Errors: Errc::unavailable if a
+// file cannot be read, Errc::damaged for everything else.
 Result<MatchRecord> load(system::Files& files, const std::string& path,
                          ChecksumPolicy policy = ChecksumPolicy::checked);
 

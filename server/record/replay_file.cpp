@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <zstd.h>
 
 namespace mirocup::record {
@@ -10,8 +11,8 @@ namespace mirocup::record {
 namespace {
 
 constexpr std::string_view magic = "mirocup/replay/2\n";
-// Most of a replay is hashes, which nothing compresses: the highest levels save 1 % and take 20 times
-// as long, a tenth of a whole leg.
+// Most of a replay is hashes, which cannot be compressed. The highest levels save 1 % and take 20
+// times as long, which is a tenth of the time of a whole leg.
 constexpr int compression_level = 1;
 constexpr std::size_t max_ticks = 10'000'000;
 constexpr std::size_t head_size = 16;
@@ -20,7 +21,7 @@ constexpr std::size_t head_size = 16;
 static_assert(index_of(Team::blue) == 0 && index_of(Team::yellow) == 1);
 static_assert(both_teams == std::array{Team::blue, Team::yellow});
 
-// How many of everything a replay has.
+// The numbers of parts of a replay.
 struct Counts {
   std::size_t ticks = 0;
   std::size_t robots = 0;        // of a team
@@ -33,7 +34,7 @@ struct Counts {
     const std::size_t checkpoint = (2 * robots * 7 + 4) * sizeof(double);
     return head_size + ticks * (commands + 8) + fingerprints * bodies() + checkpoints * checkpoint;
   }
-  // Of one team's answer at a restart.
+  // The bytes of one team's answer at a restart.
   std::size_t asked_size() const { return 4 + 1 + (2 + 3 * robots) * sizeof(double); }
 };
 
@@ -68,7 +69,7 @@ void for_each_number(C& checkpoint, std::size_t robots, Visit visit) {
   visit(checkpoint.ball.velocity.y());
 }
 
-// The same for poses that were asked for.
+// The same for the poses that a team asked for.
 template <class P, class Visit>
 void for_each_asked_number(P& poses, std::size_t robots, Visit visit) {
   visit(poses.ball_x);
@@ -91,10 +92,11 @@ void put_asked(std::string& plain, const std::vector<match::LoggedPlacementReque
   }
 }
 
-// All that is left; false if it is not in the order of the ticks.
-bool get_asked(const std::string& plain, std::size_t& at,
-               std::vector<match::LoggedPlacementRequest>& asked, std::size_t robots) {
-  for (match::LoggedPlacementRequest& logged : asked) {
+// Reads the answers at restarts. Returns false if one has no valid team, or if they are not in the
+// order of the ticks.
+bool get_asked(const std::string& plain, std::size_t& at, std::vector<match::LoggedPoses>& asked,
+               std::size_t robots) {
+  for (match::LoggedPoses& logged : asked) {
     logged.tick = static_cast<std::uint32_t>(get(plain, at, 4));
     const std::uint64_t team = get(plain, at, 1);
     if (team >= both_teams.size()) return false;
@@ -139,14 +141,14 @@ void get_commands(const std::string& plain, std::size_t& at, std::vector<match::
   }
 }
 
-// The bytes behind the magic word, without their compression; empty if they are damaged.
+// The decompressed bytes behind the magic word; "" if they are damaged or larger than `largest`.
 std::string decompressed(std::string_view bytes, const Counts& largest) {
   const unsigned long long size = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
   if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN || size < head_size ||
       size > largest.plain_size() + largest.ticks * largest.asked_size()) {
     return "";
   }
-  // More than data can grow to is not worth the memory.
+  // zstd compresses real data less than this, so do not reserve memory for a larger claim.
   constexpr unsigned long long max_growth = 4096;
   if (size / max_growth > bytes.size()) return "";
   std::string plain(size, '\0');
@@ -157,6 +159,7 @@ std::string decompressed(std::string_view bytes, const Counts& largest) {
 }  // namespace
 
 std::string pack_replay(const replay::Recording& recording, int robots) {
+  assert(robots > 0 && robots <= max_robots_per_team);
   const std::vector<match::TickLog>& ticks = recording.ticks;
   const replay::StateTrace& trace = recording.trace;
   const Counts counts{.ticks = ticks.size(),

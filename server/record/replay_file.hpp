@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The replay file beside a record: the commands of every tick, a hash of the state after each, the
-// trace of the bodies, and the poses that were asked for, zstd. schema.md has the bytes.
+// The replay file beside a record, compressed with zstd: the commands of every tick, a hash of the
+// state after it, the trace of the bodies, and the poses that teams asked for. schema.md specifies
+// the bytes.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -19,10 +20,11 @@ struct Replay {
   replay::StateTrace trace;
 };
 
-// `robots` of a team.
+// The bytes of the file. `robots`: number of robots of a team.
 std::string pack_replay(const replay::Recording& recording, int robots);
 
-// `path` is for the error message only. An error is Errc::damaged.
+// Reads the bytes, which may come from strangers. `robots`: number of robots of a team in the
+// record. `path` is for the message of the error, which is Errc::damaged.
 Result<Replay> unpack_replay(std::string_view bytes, int robots, const std::string& path);
 
 }  // namespace mirocup::record

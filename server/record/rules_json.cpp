@@ -17,7 +17,8 @@ namespace {
 using referee::Rules;
 using Json = nlohmann::ordered_json;
 
-// Calls visit(name, member) for every parameter, in the order of the header.
+// Calls visit(name, member) for every parameter, in the order of core/referee/rules.hpp. The names
+// are the keys of JSON and of --rule.
 template <class R, class Visit>
 void for_each_parameter(R& rules, Visit visit) {
   visit("half_s", rules.half_s);

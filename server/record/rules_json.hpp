@@ -30,8 +30,8 @@ void read_parameters(const JsonReader& json, referee::Rules& rules);
 Result<referee::Rules> rules_from_json(const nlohmann::ordered_json& object, Errc code,
                                        League league);
 
-// As rules_from_json(), with changes from a command line: each is KEY=VALUE with a value in JSON. An
-// error is Errc::input.
+// As rules_from_json(), with changes from a command line: each is KEY=VALUE with a value in JSON.
+// An error is Errc::input.
 Result<referee::Rules> rules_with_changes(nlohmann::ordered_json object,
                                           const std::vector<std::string>& changes, League league);
 

@@ -37,7 +37,7 @@ void read_per_pair(const JsonReader& json, double max, PerPair& value) {
   read("robot_robot", value.robot_robot);
 }
 
-// Convex, around the origin; in either direction.
+// A convex polygon around the origin, with its corners in either direction.
 geometry::OutlineCorners read_outline(const JsonReader& json) {
   geometry::OutlineCorners outline;
   if (!json.expect_array(3, geometry::max_corners)) return outline;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Scenes and their results as JSON: schemas mirocup/scene/1 and mirocup/scene-result/1, described in
-// scene.md. Exceptions of the JSON library end here.
+// Scenes and their results as JSON: schemas mirocup/scene/1 and mirocup/scene-result/1, which
+// scene.md describes.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -14,11 +14,11 @@
 
 namespace mirocup::record {
 
-// Reads a scene and checks it: nothing overlaps, nothing lies outside the field. `path` is for the
-// error message, which names the file, the JSON pointer and the reason; the error is Errc::input.
+// Reads a scene and checks that no bodies overlap or lie outside the field. The error, Errc::input,
+// names the file `path`, the JSON pointer and the reason.
 Result<simulator::Scene> parse_scene(std::string_view text, const std::string& path);
 
-// `cpu_seconds`: what the run took.
+// `cpu_seconds`: processor time of the simulation.
 nlohmann::ordered_json to_json(const simulator::Scene& scene, const simulator::SceneResult& result,
                                double cpu_seconds);
 

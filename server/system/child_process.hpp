@@ -18,7 +18,7 @@ namespace mirocup::system {
 // The exit code of a child that could not become its program.
 inline constexpr int not_found = 127;
 
-// What a child process runs and how.
+// The program of a child process, and its surroundings.
 struct ChildOptions {
   std::vector<std::string> arguments;  // [0]: the program, a path or a name on the PATH
   int cpu = -1;                        // the one processor that it may use; -1: any
@@ -28,7 +28,7 @@ struct ChildOptions {
   std::string log;
 };
 
-// Starts a child and returns its process id, for which somebody must wait. A program that is not
+// Starts a child and returns its process id. The caller must wait for it. A program that is not
 // there ends with the code not_found. Errc::unavailable if no process can be started.
 Result<pid_t> start_child(const ChildOptions& options);
 

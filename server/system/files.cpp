@@ -30,7 +30,7 @@ bool write_all(int fd, std::string_view bytes) {
   return true;
 }
 
-// A new name is on disk only once its folder is.
+// A new name is on disk only after its folder has been flushed.
 bool sync_folder_of(const std::string& path) {
   std::filesystem::path folder = std::filesystem::path(path).parent_path();
   if (folder.empty()) folder = ".";
@@ -38,7 +38,7 @@ bool sync_folder_of(const std::string& path) {
   return fd.is_open() && fsync(fd.get()) == 0;
 }
 
-// A device or a pipe, /dev/null for one. A file must not take its place.
+// True for a device or a pipe, for example /dev/null. A file must not replace it.
 bool is_special(const std::string& path) {
   struct stat about {};
   return stat(path.c_str(), &about) == 0 && !S_ISREG(about.st_mode) && !S_ISDIR(about.st_mode);
@@ -50,7 +50,7 @@ Result<void> write_into(const std::string& path, std::string_view bytes) {
   return {};
 }
 
-// Between a file's name and the process that writes it.
+// The name of a temporary file is the file's name, this mark and the id of the writing process.
 constexpr std::string_view unfinished_mark = ".unfinished-";
 
 bool is_unfinished(const std::string& path) {
@@ -60,13 +60,13 @@ bool is_unfinished(const std::string& path) {
   return !writer.empty() && writer.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-// Empty and locked for as long as it is open: the kernel gives a lock up with the process, so that
-// what has none has no writer any more.
+// Opens the temporary file, empty and locked. The kernel releases the lock when the process ends,
+// so a temporary file without a lock has no writer any more. Returns a negative number on failure.
 int open_unfinished(const std::string& path) {
   while (true) {
     const int fd = open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644);
     if (fd < 0) return fd;
-    flock(fd, LOCK_EX);  // without locks the file is never taken for abandoned, see below
+    flock(fd, LOCK_EX);  // on a disk without locks no file is taken for abandoned, see below
     struct stat about {};
     const bool is_removed = fstat(fd, &about) == 0 && about.st_nlink == 0;
     if (!is_removed && ftruncate(fd, 0) == 0) return fd;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// The door to the disk. Whole files are written so that there is always either the old one or the
-// new one; journals grow line by line, each on disk before anybody acts on it. Tests put a disk
-// with faults behind it.
+// Access to the disk. A file that is written whole is at any moment either the old one or the new
+// one, also after a crash. What is appended is on disk when append() returns. Tests replace the
+// disk by one with faults.
+//
+// Errors are Errc::unavailable and name the file and the system's reason.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -18,15 +20,15 @@ class Files {
 
   virtual Result<std::string> read(const std::string& path) = 0;
 
-  // What stands behind the first `offset` bytes.
+  // The bytes behind the first `offset`.
   virtual Result<std::string> read_from(const std::string& path, std::size_t offset);
 
-  // Replaces the file: a temporary name in the same folder, flushed to disk, renamed, the folder
-  // flushed. A device or a pipe is written into.
+  // Replaces the file: writes a temporary file in the same folder, flushes it to disk, renames it
+  // and flushes the folder. A device or a pipe is written into.
   virtual Result<void> write(const std::string& path, std::string_view bytes) = 0;
 
-  // Removes what writers that were killed left in the folder and those below it; what is being
-  // written stays.
+  // Removes the temporary files of killed writers from the folder and from those below it. Files
+  // that are being written stay.
   virtual Result<void> remove_unfinished(const std::string& folder) = 0;
 
   // Appends and flushes to disk.
@@ -37,11 +39,11 @@ class Files {
 
   virtual bool exists(const std::string& path) = 0;
 
-  // Makes the folder and those above it.
+  // Makes the folder and its missing parents.
   virtual Result<void> make_folder(const std::string& path) = 0;
 };
 
-// The real one. It holds no state: any number of them may be used from any thread.
+// The real disk. It has no state: any number of objects may be used from any thread.
 class Disk final : public Files {
  public:
   Result<std::string> read(const std::string& path) override;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Where the program's own parts are: beside it in a build tree, in libexec and lib below a prefix
-// when installed.
+// The places of the project's own programs and files: beside the program in a build tree, in
+// libexec, lib and share below the prefix of an installation.
 #pragma once
 
 #include <string>
@@ -11,19 +11,19 @@ namespace mirocup::system {
 // The folder of the running program.
 std::string program_folder();
 
-// The program of that name that belongs to this one.
+// The path of another program of the same build or installation.
 std::string sibling_program(const std::string& name);
 
-// What a new team is made of. The headers are for people to read.
+// The parts of a new team.
 struct TeamKit {
   std::string program;    // path of this program
   std::string prefix;     // for find_package(mirocup)
-  std::string headers;    // folder of strategy.h
-  std::string templates;  // folder
+  std::string headers;    // folder of strategy.h, for people to read
+  std::string templates;  // folder of the files of a new team
 };
 TeamKit team_kit();
 
-// The library of a house team, or "" if there is no such team.
+// The path of the library of a house team; "" if there is no such team.
 std::string house_team(const std::string& name);
 
 }  // namespace mirocup::system

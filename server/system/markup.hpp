@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Text that becomes part of a page. Names of teams come from strangers: none of them may turn into
-// markup.
+// Escaping of text in pages. Names of teams are untrusted and must not become markup.
 #pragma once
 
 #include <string>
@@ -9,7 +8,8 @@
 
 namespace mirocup::system {
 
-// For text and for attribute values of HTML and SVG.
+// `text` with character references for & < > " and ', for the text and the attribute values of HTML
+// and SVG.
 std::string html_escaped(std::string_view text);
 
 }  // namespace mirocup::system

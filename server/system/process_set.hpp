@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Child processes that run at the same time, and one wait for whichever ends first. They die with
-// this process.
+// Child processes that run at the same time, and one wait for the first that ends. They are killed
+// with this process.
+//
+// One thread uses a ProcessSet. Create it before any other thread, which must not receive its
+// signals.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -14,35 +17,38 @@
 
 namespace mirocup::system {
 
-// How a child ended.
+// The end of a child process.
 struct Exit {
-  int tag = 0;     // given at its start
-  int code = 0;    // exit code, or
-  int signal = 0;  // the signal that it died of
+  int tag = 0;     // the tag given at its start
+  int code = 0;    // the exit code, if no signal ended it
+  int signal = 0;  // the signal that ended it, or 0
 };
 
 class ProcessSet {
  public:
-  // SIGINT and SIGTERM are taken by wait() from here on.
+  // Blocks SIGINT, SIGTERM and SIGCHLD from now on; only the waiting functions receive them.
   ProcessSet();
-  ~ProcessSet();  // kills what is left
+  ~ProcessSet();  // kills the children that still run
   ProcessSet(const ProcessSet&) = delete;
   ProcessSet& operator=(const ProcessSet&) = delete;
 
-  // Runs arguments[0], a path or a name on the PATH, on that processor (-1: any); its output and errors
-  // go to the file `log`. A program that is not there ends with code not_found.
+  // Starts the program arguments[0], a path or a name on the PATH, on processor `cpu` (-1: any).
+  // Its output and errors go to the file `log`. A program that is not there ends with code
+  // not_found.
   Result<pid_t> start(const std::vector<std::string>& arguments, int tag, int cpu,
                       const std::string& log);
 
   std::size_t running() const { return children_.size(); }
 
-  // Waits for the next to end; nothing if a signal asks to stop. At least one must run.
+  // Waits for the next child to end. Returns nothing if SIGINT or SIGTERM arrives first. At least
+  // one child must run.
   std::optional<Exit> wait();
 
-  // Waits so many seconds (0: looks), whatever the children do; true as soon as a signal asks to stop.
+  // Waits for that time, whatever the children do. Returns true as soon as SIGINT or SIGTERM
+  // arrives; with 0 s, whether one has arrived already.
   bool is_asked_to_stop_within(double seconds);
 
-  // Ends one and forgets it.
+  // Kills one child, and waits for its end. wait() will not report it.
   void kill(pid_t pid);
 
  private:
@@ -53,7 +59,7 @@ class ProcessSet {
   std::vector<Running> children_;
 };
 
-// The processors that this process may use.
+// The processors that this process may use; {-1} if the system does not tell.
 std::vector<int> processors();
 
 }  // namespace mirocup::system

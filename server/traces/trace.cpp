@@ -82,7 +82,7 @@ std::vector<KeyFrame::Contact> read_contacts(const JsonReader& json, int robots)
   return contacts;
 }
 
-// What a frame does not give stays as it was in the one before.
+// Reads a frame. `frame` is the one before, whose values hold where this one gives none.
 KeyFrame read_frame(const JsonReader& json, KeyFrame frame, int robots) {
   if (json.has("t")) frame.t = read_time(json.at("t"));
   if (json.has("ball")) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A recorded situation, as `mirocup referee` reads it: key frames of a film, at one line of JSON
-// each. docs/referee-traces.md has the format.
+// A recorded situation as `mirocup referee` reads it: one line of JSON with key frames.
+// docs/referee-traces.md specifies the format. Metres, radians, seconds; the frame of the field.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -18,21 +18,22 @@
 
 namespace mirocup::traces {
 
-// What one film shows from `t` on. What a frame does not give, it takes over from the one before.
+// The positions from time `t` on. A value that a frame does not give is that of the frame before.
 struct KeyFrame {
   double t = 0.0;
   Vec2 ball{0.0, 0.0};
   double ball_since = 0.0;                   // the time of the frame that gave the ball
-  referee::ByEnd<std::vector<Pose>> robots;  // by index; those that are not listed stand far away
-  // Pairs that touch; nothing: judged by their gaps. Without a second robot it is the ball.
+  referee::ByEnd<std::vector<Pose>> robots;  // by index; unlisted ones stand far away
+  // Pairs that touch: a robot and another robot, or the ball if there is no other robot. Nothing:
+  // contacts are judged by the gaps.
   using Contact = std::pair<referee::RobotId, std::optional<referee::RobotId>>;
   std::optional<std::vector<Contact>> contacts;
-  referee::ByRobot<std::optional<double>> drive{};  // towards the robot that it touches
+  referee::ByRobot<std::optional<double>> drive{};  // command towards the touched robot, -1 to 1
   std::optional<referee::RobotId> last_touch;
   referee::ByEnd<referee::RobotSet> fallen;
 };
 
-// How the ball moves on from its frame.
+// The motion of the ball from its frame on.
 struct Motion {
   enum class Type { none, sine, line };
   Type type = Type::none;
@@ -43,23 +44,23 @@ struct Motion {
 
 enum class TraceState { PLAY, READY, PLACE, HALF_TIME };
 
-// What a team asks for: a time-out, or another robot in the place of one.
+// A request of a team: a time-out, or the substitution of a robot.
 struct TeamRequest {
   double t = 0.0;
   End team = End::left;
   std::optional<referee::RobotId> to_replace;
 };
 
-// Somebody of a team reaches onto the field.
+// A person of a team reaches onto the field.
 struct HandOnField {
   double t = 0.0;
   End team = End::left;
 };
 
-// A penalty attempt of a shoot-out at one moment.
+// A penalty attempt of a shoot-out that is going on.
 struct Attempt {
   End taker = End::left;
-  double t = 0.0;  // since it began
+  double t = 0.0;  // since its start
 };
 
 struct Trace {
@@ -67,23 +68,23 @@ struct Trace {
   League league = League::small;
   referee::Rules rules;
   TraceState state = TraceState::PLAY;
-  referee::LegProgress progress;
-  referee::Decision restart;     // in progress, or none
+  referee::Progress progress;
+  referee::Decision restart;     // the restart in progress; Restart::none if there is none
   std::vector<KeyFrame> frames;  // at least one, in order
   bool is_interpolated = false;
   Motion motion;
-  std::optional<double> hold;
-  std::vector<std::pair<double, double>> clock_stops;
+  std::optional<double> hold;  // the situation lasts until this time; nothing: until the last frame
+  std::vector<std::pair<double, double>> clock_stops;     // from, to
   std::optional<referee::Placement> requested_placement;  // with state PLACE
   referee::ByEnd<int> requested_robots{};                 // how many poses each team gave
   std::vector<TeamRequest> requests;
   std::vector<HandOnField> hands;
-  referee::ByEnd<bool> missing{};  // with state HALF_TIME: teams that do not come back
+  referee::ByEnd<bool> missing{};  // with state HALF_TIME: teams that are late
   std::optional<Attempt> attempt;
 };
 
-// Reads one situation. An error, Errc::input, begins with the JSON pointer of the key that is wrong.
-// Unknown keys are ignored.
+// Reads one situation. An error, Errc::input, begins with the JSON pointer of the key that is
+// wrong. Unknown keys are ignored.
 Result<Trace> trace_from_json(nlohmann::ordered_json json);
 
 }  // namespace mirocup::traces

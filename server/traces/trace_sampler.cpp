@@ -110,8 +110,8 @@ Situation TraceSampler::sample(int k) const {
   return s;
 }
 
-// Robots that jump from frame to frame have no speed; those of an interpolated film have the speed
-// of the time before the sample.
+// Without interpolation robots jump from frame to frame and have no speed. With it they have the
+// speed at the start of the sample's period.
 void TraceSampler::add_motion(double t, Situation& s) const {
   if (!trace_.is_interpolated) return;
   constexpr double moment = 1e-3;
@@ -162,7 +162,8 @@ void TraceSampler::add_drives(const KeyFrame& frame, Situation& s) const {
   }
 }
 
-// In the own half, off every area, as far from everything that the trace shows as can be.
+// Unlisted robots stand in their own half, outside of all areas, and as far as possible from the
+// bodies that the trace shows.
 void TraceSampler::place_unlisted_robots() {
   const field::Field& field = pitch_.field;
   std::vector<Vec2> shown;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A trace as the situations that the referee is shown, one every control period.
+// Turns a trace into the situations that the referee judges, one for every control period.
 #pragma once
 
 #include "server/traces/trace.hpp"
@@ -11,13 +11,15 @@ inline constexpr double sample_period = 0.033;  // s
 
 class TraceSampler {
  public:
-  // Both outlive the film.
+  // Both must outlive the sampler.
   TraceSampler(const Trace& trace, const referee::Pitch& pitch);
 
-  // The last sample: the first that shows the last frame, or the last one within `hold`.
+  // The number of the last sample: the first one that shows the last frame or, if that is later,
+  // the last one within `hold`.
   int last_sample() const { return last_sample_; }
 
-  // Sample 0 shows how it begins and takes no time.
+  // The situation at the time k * sample_period, with the motion since the sample before. Sample 0
+  // has the duration 0.
   referee::Situation sample(int k) const;
 
  private:
@@ -37,7 +39,7 @@ class TraceSampler {
   const Trace& trace_;
   const referee::Pitch& pitch_;
   int last_sample_ = 0;
-  referee::ByRobot<Pose> unlisted_;  // where robots stand that the trace does not list
+  referee::ByRobot<Pose> unlisted_;  // poses of the robots that the trace does not list
 };
 
 }  // namespace mirocup::traces

@@ -20,7 +20,7 @@ using referee::Placement;
 using referee::Restart;
 using referee::Verdict;
 
-// Robots and balls as the simulator and the rules have them.
+// The sizes that the simulator and the rules use by default, m.
 constexpr double ball_radius = 0.02135;
 constexpr double robot_side = 0.075;
 
@@ -28,7 +28,7 @@ std::string letter(End end) {
   return end == End::left ? "L" : "R";
 }
 
-// Without minus zeros.
+// Turns -0.0 into 0.0, so that both ends print alike.
 Json number(double value) {
   return value + 0.0;
 }
@@ -53,7 +53,7 @@ Json indices(const referee::RobotSet& set) {
   return list;
 }
 
-// A referee that is shown a trace.
+// Shows a trace to a referee, sample by sample, until it decides.
 class TraceJudge {
  public:
   explicit TraceJudge(const Trace& trace)
@@ -113,7 +113,8 @@ class TraceJudge {
     return referee_.ask_for_substitution(*request.to_replace);
   }
 
-  // The requests of the time until t: rejected at once, or granted at once where play stands.
+  // Answers the requests up to time t. Each is rejected at once, or granted at once unless play is
+  // on.
   std::optional<Json> answer_requests(double t) {
     for (; requests_answered_ < trace_.requests.size(); ++requests_answered_) {
       const TeamRequest& request = trace_.requests[requests_answered_];
@@ -134,15 +135,15 @@ class TraceJudge {
     return std::nullopt;
   }
 
-  // After the break, and the time that a team may be late.
+  // The second half begins after the break. A missing team has some more time, then it forfeits.
   Json wait_for_second_half() {
     const auto& missing = trace_.missing;
     const bool waits = missing[0] || missing[1];
-    const double patience = trace_.rules.half_break_s + (waits ? trace_.rules.half_late_s : 0.0);
+    const double wait_limit = trace_.rules.half_break_s + (waits ? trace_.rules.half_late_s : 0.0);
     for (int k = 0; k <= sampler_.last_sample(); ++k) {
       const double t = k * sample_period;
       if (auto answer = answer_requests(t)) return *answer;
-      if (t + sample_period / 2.0 < patience) continue;
+      if (t + sample_period / 2.0 < wait_limit) continue;
       if (waits) return verdict(forfeit(), t);
       Decision d = trace_.restart;
       d.verdict = Verdict::RESTART;
@@ -187,7 +188,7 @@ class TraceJudge {
     return json;
   }
 
-  // The robots whose poses the team gave.
+  // The robots whose poses the team of that end gave.
   referee::RobotSet requested_robots_of(End end) const {
     referee::RobotSet set;
     for (int i = 0; i < trace_.requested_robots[index_of(end)]; ++i) set.set(i);

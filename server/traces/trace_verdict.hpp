@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the referee says to a trace: one object of JSON, the first decision of the situation.
-// docs/referee-traces.md has its keys.
+// The verdict on a trace: one JSON object with the first decision of the situation.
+// docs/referee-traces.md describes its keys.
 #pragma once
 
 #include "server/traces/trace.hpp"
@@ -10,7 +10,7 @@ namespace mirocup::traces {
 
 nlohmann::ordered_json judge_trace(const Trace& trace);
 
-// The verdict on a line that is no situation: REJECTED, with the reason.
+// The verdict on a line that is not a situation: REJECTED, with the reason.
 nlohmann::ordered_json reject_trace(const std::string& id, const std::string& reason);
 
 }  // namespace mirocup::traces

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The files of page/, which the build puts into the program.
+// The files of page/, which the build compiles into the program.
 #pragma once
 
 #include <string_view>

@@ -16,7 +16,7 @@ using namespace std::chrono_literals;
 constexpr int max_viewers = 128;
 constexpr int page_threads = 8;
 constexpr auto poll_interval = 33ms;
-constexpr int timeout_s = 5;  // with a viewer that takes nothing
+constexpr int timeout_s = 5;  // for a viewer that sends or reads nothing
 constexpr int lower_priority = 10;
 
 }  // namespace
@@ -68,7 +68,7 @@ Result<void> HttpServer::listen(const Address& address, const std::string& optio
                                        " is in use or not an address of this host");
   }
   thread_ = std::thread([this] {
-    // The threads that this one starts inherit it: matches come first.
+    // The threads that this one starts inherit the priority. Matches come first.
     setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), lower_priority);
     server_.listen_after_bind();
   });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the HTTP servers of this room have in common: how they listen, how much patience they have with
-// a viewer, and how they send events. Only they include this; it brings the HTTP library.
+// The common part of LiveServer and SiteServer: listening, time limits for viewers, server-sent
+// events. Only their sources include this header, because it includes the HTTP library.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -19,28 +19,29 @@ namespace mirocup::web {
 class HttpServer {
  public:
   HttpServer();
-  ~HttpServer();  // answers nobody any more
+  ~HttpServer();  // ends all connections and waits for its threads
   HttpServer(const HttpServer&) = delete;
   HttpServer& operator=(const HttpServer&) = delete;
 
-  // The routes, to be set before it listens.
+  // For setting the routes, before listen().
   httplib::Server& server() { return server_; }
 
-  // Takes the address and answers there from now on, in threads of a lower priority. `option` is the
-  // one that named the address. Errc::unavailable if it cannot be had.
+  // Binds to the address and serves requests from now on, in threads of a lower priority. `option`
+  // is the one that named the address, for the error: Errc::unavailable if the address is in use or
+  // not of this host.
   Result<void> listen(const Address& address, const std::string& option);
 
   std::string url() const;
 
-  // Events for one viewer until the last has been sent. `next` is asked again and again; it gives
-  // whole events or "".
+  // Sends events to one viewer until the last has been sent. Calls `next` in a thread of this
+  // server about 30 times a second; it returns whole events, or "" if there are none.
   struct EventBatch {
     std::string text;
     bool is_last = false;
   };
   void send_events(httplib::Response& response, std::function<EventBatch()> next);
 
-  // So many are being sent events.
+  // The number of viewers that are being sent events.
   int viewers() const { return viewers_; }
 
  private:

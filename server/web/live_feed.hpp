@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// A match that is being played, as its viewers get it: always the latest state, never a queue. The
-// match hands over and goes on; a viewer that is slow misses states, and nobody waits for it.
+// A match that is being played, for its viewers: always the latest state, without a queue. The
+// match never waits for a viewer; a slow viewer misses states.
 //
-// Threads: publish() and close() belong to the thread of the match, news() to any other.
+// Threads: the thread of the match calls publish() and close(); any other thread may call news().
 #pragma once
 
 #include "server/web/statistics.hpp"
@@ -20,37 +20,37 @@ class LiveFeed {
  public:
   explicit LiveFeed(const match::Leg& match);
 
-  // After every tick: copies the state, unless a viewer is being served in this very moment.
-  void publish(const match::Leg& match);
+  // To be called after every tick. Copies the state, unless a viewer is reading it at that moment.
+  void publish(const match::Match& match);
 
-  // The match is over: from here on news() ends.
-  void close(const match::Leg& match);
+  // To be called when the match is over. The next news() of each viewer is its last.
+  void close(const match::Match& match);
 
-  // What one viewer has been told.
+  // The state of one viewer: the events that it has received so far.
   struct Viewer {
     bool has_started = false;
     bool has_ended = false;
     std::size_t decisions = 0;
     std::uint64_t version = 0;     // of the state
-    std::uint64_t statistics = 0;  // version in which it got the numbers
+    std::uint64_t statistics = 0;  // version of the statistics that it has
     Frame frame;
   };
 
-  // Server-sent events that bring the viewer up to date; "" if it is.
+  // The server-sent events that bring the viewer up to date; "" if it is up to date.
   std::string news(Viewer& viewer) const;
 
  private:
   void copy(const match::Leg& match);
 
   int robots_;
-  Statistics counted_;  // the match's own
+  Statistics counted_;  // of the thread of the match, up to date
 
   mutable std::mutex mutex_;
   std::uint64_t version_ = 1;
   match::Snapshot scene_;
   std::vector<match::LoggedDecision> decisions_;
-  Statistics statistics_;  // as far as they are shown
-  std::optional<match::Outcome> result_;
+  Statistics statistics_;  // as of version_
+  std::optional<match::Result> result_;
 };
 
 }  // namespace mirocup::web

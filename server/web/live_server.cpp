@@ -12,8 +12,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto close_timeout = 1500ms;  // for the viewers to hear how it ended
-constexpr auto poll_interval = 33ms;    // whether they have
+constexpr auto close_timeout = 1500ms;  // for the viewers to receive the result
+constexpr auto poll_interval = 33ms;    // between two checks whether they have it
 
 }  // namespace
 

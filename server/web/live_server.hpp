@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // The live page of one match over HTTP: the page at /, its events at /events, and nothing else. No
-// request changes anything, no file is read.
+// request changes anything, and no file is read.
 //
-// Threads: its own, at a lower priority than the match. A viewer that does not take what it is sent
-// holds up its own thread only, and is dropped after a few seconds.
+// Threads: the server has threads of its own, with a lower priority than the match. A viewer that
+// does not read blocks its own thread only, and is dropped after a few seconds. All functions
+// belong to the thread of the match.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -19,8 +20,9 @@ namespace mirocup::web {
 
 class LiveServer {
  public:
-  // `about` is the last line of the page. Errc::unavailable if the address cannot be had.
-  static Result<std::unique_ptr<LiveServer>> open(const Address& address, const match::Leg& match,
+  // `about` is the last line of the page. Errc::unavailable if the address is in use or not of this
+  // host.
+  static Result<std::unique_ptr<LiveServer>> open(const Address& address, const match::Match& match,
                                                   const match::ByTeam<std::string>& names,
                                                   const std::string& about);
   ~LiveServer();
@@ -29,11 +31,11 @@ class LiveServer {
 
   std::string url() const;
 
-  // After every tick.
-  void publish(const match::Leg& match);
+  // To be called after every tick.
+  void publish(const match::Match& match);
 
-  // Tells the viewers how the match ended, and waits a moment for them to take it.
-  void close(const match::Leg& match);
+  // Sends the result to the viewers, and waits at most 1.5 s for them to receive it.
+  void close(const match::Match& match);
 
  private:
   struct Impl;  // keeps the HTTP library in one file

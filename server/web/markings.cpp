@@ -11,7 +11,7 @@ namespace {
 
 constexpr double spot_radius = 0.008;  // m
 
-// Areas and goals are given for the right end; the left one is the half-turn of it.
+// A point that is given for the right end, or its half-turn for the left end.
 Vec2 at_end(End end, double x, double y) {
   return -attack_sign(end) * Vec2{x, y};
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What is painted on a playground, and its outline, as paths: the one geometry that still pictures,
-// the replay page and the live page draw.
+// The outline of a field and its markings as SVG path data, for pictures, replay pages and live
+// pages.
 #pragma once
 
 #include "core/field/field.hpp"

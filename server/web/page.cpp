@@ -17,12 +17,13 @@ namespace mirocup::web {
 
 namespace {
 
-// The modules of the page in an order in which each needs only those before it.
+// The modules of the page, each behind those that it imports.
 constexpr std::array<std::string_view, 8> modules{"text.js",   "track.js", "field.js",
                                                   "player.js", "calls.js", "statistics.js",
                                                   "live.js",   "main.js"};
 
-// A page that opens from disk cannot import: its modules become one. They share no names.
+// All modules as one script, without import and export: a page that is opened from disk cannot
+// import. No two modules use the same global name.
 std::string script() {
   std::string all;
   for (const std::string_view name : modules) {
@@ -39,7 +40,7 @@ std::string script() {
   return all;
 }
 
-// JSON inside a <script>: nothing in it can end the element.
+// JSON text for a <script> element, which nothing in it can end.
 std::string embedded(const Json& json) {
   std::string text;
   for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
@@ -50,7 +51,7 @@ std::string embedded(const Json& json) {
 
 using Values = std::vector<std::pair<std::string_view, std::string>>;
 
-// The template with {{key}} replaced, each once and not within what was put in.
+// The template with every {{key}} replaced by its value. Braces in values are not replaced.
 std::string filled(std::string_view page, const Values& values) {
   std::string out;
   while (true) {
@@ -69,7 +70,7 @@ std::string filled(std::string_view page, const Values& values) {
 std::string page(const match::Leg& first_moment, const match::ByTeam<std::string>& names,
                  const Json& data) {
   const std::string code = script();
-  // No source but this page, no code but this script: what is no script stays none.
+  // Nothing is loaded from elsewhere, and no code runs but this script.
   const std::string policy =
       "default-src 'none'; style-src 'unsafe-inline'; connect-src 'self'; script-src 'sha256-" +
       system::sha256_base64(code) + "'";
@@ -89,7 +90,8 @@ Json teams_json(const match::ByTeam<std::string>& names) {
   return {{"blue", {{"name", names[0]}}}, {"yellow", {{"name", names[1]}}}};
 }
 
-// A leg as a page holds it: the track, what changed when, and the numbers.
+// Collects the data of a replay page: the track, the changes of score, state and phase, and the
+// statistics.
 class LegTimeline {
  public:
   explicit LegTimeline(const match::Leg& match)

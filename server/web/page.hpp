@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The page that shows a leg in a browser: one HTML text that needs nothing else. A replay page holds
-// the whole leg; a live page asks the server that it came from.
+// The page that shows a leg in a browser: one HTML text that needs nothing else. A replay page
+// contains the whole leg; a live page gets it from the server that it came from.
 #pragma once
 
 #include "core/replay/playback.hpp"
@@ -11,19 +11,20 @@
 
 namespace mirocup::web {
 
-// What a clock measured differs whenever the leg is played; a page without it is the same for all who
-// played it.
+// Whether the page shows times that a clock measured. They differ whenever the leg is played; a
+// page without them has the same bytes on every machine.
 enum class Times { shown, left_out };
 
-// Plays the record again for the positions. The error is where it does not tell what happened.
+// Simulates the leg again to get the positions. The error is the first tick in which the record is
+// not reproduced.
 tl::expected<std::string, replay::Divergence> replay_page(const record::MatchRecord& record,
                                                           Times times = Times::shown);
 
-// What a live page is told about a match that is being played.
+// The data of a live page besides the match.
 struct LiveMatch {
   match::ByTeam<std::string> names;
   std::string about;   // a line for the foot of the page
-  std::string events;  // where the events come from, as the browser sees it
+  std::string events;  // URL of the events, relative to the page
 };
 
 std::string live_page(const match::Leg& match, const LiveMatch& live);

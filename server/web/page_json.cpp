@@ -20,7 +20,7 @@ Json statistics_json(const Statistics& statistics,
   Json teams;
   for (const Team team : both_teams) {
     const TeamStatistics& numbers = statistics.of(team);
-    // Who offended does not take the restart; who concedes a goal does, and is no offender.
+    // The offender does not take the restart. A team that concedes a goal takes it, without a foul.
     const auto is_foul = [team](const match::LoggedDecision& d) {
       return d.team == team && d.decision.restart != referee::Restart::none && d.taker != team &&
              d.decision.verdict != referee::Verdict::GOAL;
@@ -36,7 +36,7 @@ Json statistics_json(const Statistics& statistics,
 }
 
 std::string event_text(const char* name, const Json& data) {
-  // One line: a name of a team cannot begin another event.
+  // The data is one line, so a name of a team cannot start another event.
   return std::string("event: ") + name +
          "\ndata: " + data.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n\n";
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What pages are told, as JSON: page/main.js reads it.
+// The JSON that pages get from the program; page/main.js reads it.
 #pragma once
 
 #include "server/record/match_record.hpp"
@@ -11,15 +11,14 @@ namespace mirocup::web {
 
 using record::Json;
 
-// What holds from a tick on: {state, phase, left, score}.
-Json moment_json(const match::Snapshot& scene);
+// The values that hold from a tick on: {state, phase, left, score}.
+Json moment_json(const match::Scene& scene);
 
-// {teams: {blue, yellow}, heat}. `fouls` counts the decisions that gave the other
-// team a restart.
+// {teams: {blue, yellow}, heat}. `fouls` counts the decisions that gave the other team a restart.
 Json statistics_json(const Statistics& statistics,
                      const std::vector<match::LoggedDecision>& decisions);
 
-// A server-sent event.
+// The text of a server-sent event.
 std::string event_text(const char* name, const Json& data);
 
 }  // namespace mirocup::web

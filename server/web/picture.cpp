@@ -14,7 +14,7 @@ namespace mirocup::web {
 namespace {
 
 constexpr double margin = 0.04;   // m of wall around the floor
-constexpr double max_lift = 0.2;  // m: a ball that moves further in a tick was lifted
+constexpr double max_lift = 0.2;  // m; a ball that moves further in a tick was placed
 
 std::string attribute(std::string_view name, const std::string& value) {
   return " " + std::string(name) + "=\"" + value + "\"";
@@ -33,7 +33,7 @@ std::string robot(Team team, int number, const simulator::BodyState& state, doub
   const std::string edge = millimetres(side);
   const std::string degrees =
       std::to_string(-std::lround(state.heading.angle() * 180.0 / std::numbers::pi));
-  // A bright strip along the front edge says where it heads.
+  // A bright strip along the front edge shows the heading.
   const double front = side / 2.0;
   const std::string strip = SvgPath()
                                 .polygon({{0.60 * front, 0.72 * front},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One moment of a leg as SVG: the playground, the robots with their numbers, the ball and where it
-// came from. It stands alone as a file, and it is the picture that the pages move.
+// One moment of a leg as SVG: the field, the robots with their numbers, the ball and its trail. It
+// is a file of its own, and also the picture that the pages animate.
 #pragma once
 
 #include "core/match/leg.hpp"
@@ -12,11 +12,11 @@
 namespace mirocup::web {
 
 struct Moment {
-  match::Snapshot scene;
-  std::vector<Vec2> trail;  // where the ball was before, the oldest first
+  match::Scene scene;
+  std::vector<Vec2> trail;  // earlier positions of the ball, the oldest first
 };
 
-// `parameters` give the sizes of the bodies. The number of a robot is its index.
+// `parameters` have the sizes of the bodies. The number on a robot is its index.
 std::string picture(const field::Field& field, const simulator::Parameters& parameters,
                     const Moment& moment);
 

@@ -8,7 +8,7 @@ namespace mirocup::web {
 namespace {
 
 constexpr const char* this_host = "127.0.0.1";
-constexpr int timeout_s = 5;  // with a match that says nothing
+constexpr int timeout_s = 5;  // for a match that sends nothing
 
 httplib::Client client_of(int port) {
   httplib::Client client(this_host, port);
@@ -17,7 +17,7 @@ httplib::Client client_of(int port) {
   return client;
 }
 
-// The page of a match as its own server gives it.
+// Answers with the live page of a match, from the server of that match.
 void pass_page(int port, httplib::Response& response) {
   auto client = client_of(port);
   const auto answer = client.Get("/");
@@ -28,7 +28,7 @@ void pass_page(int port, httplib::Response& response) {
   response.set_content(answer->body, "text/html; charset=utf-8");
 }
 
-// Its events, as they come, until it or the viewer has gone.
+// Passes the events of a match on until the match or the viewer is gone.
 void pass_events(int port, httplib::Response& response) {
   response.set_chunked_content_provider(
       "text/event-stream", [port](std::size_t, httplib::DataSink& sink) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Pages that change while they are looked at, over HTTP: pages at the paths that the site knows, what
-// has changed at /events, and matches of this host that are being watched below /live/NAME/. No request
-// changes anything. A path is looked up, never joined to that of a folder.
+// A site over HTTP whose pages change while they are shown: pages at the paths that the site knows,
+// the changes at /events, and below /live/NAME/ the live pages of matches on this host. No request
+// changes anything. Paths of requests are looked up in the site, never joined to the path of a
+// folder.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -22,22 +23,24 @@ struct Page {
   std::string bytes;
 };
 
-// Threads: all three are called from several at once.
+// The content of a site. Several threads call all three functions at the same time.
 struct Site {
-  // What stands at a path ("/index.html", "/" included); nothing if nothing does.
+  // The page at a path, which starts with "/"; nothing if there is none.
   std::function<std::optional<Page>(const std::string& path)> page;
 
-  // Server-sent events for a viewer that has seen version `seen` (0: none), which becomes the present
-  // one; "" if it is.
+  // The server-sent events for a viewer that has seen version `seen` (0: none); "" if that is the
+  // present version. Sets `seen` to the present version.
   std::function<std::string(std::uint64_t& seen)> news;
 
-  // The port of this host at which the match of that name is watched; nothing if it is not.
+  // The port of this host at which the match of that name has its live page; nothing if it has
+  // none.
   std::function<std::optional<int>(const std::string& name)> match;
 };
 
 class SiteServer {
  public:
-  // `option` is the one that named the address, for errors.
+  // `option` is the one that named the address, for the error: Errc::unavailable if the address is
+  // in use or not of this host.
   static Result<std::unique_ptr<SiteServer>> open(const Address& address, const std::string& option,
                                                   Site site);
   ~SiteServer();
@@ -47,13 +50,13 @@ class SiteServer {
   std::string url() const;
 
  private:
-  struct Impl;  // keeps the HTTP library out of here
+  struct Impl;  // keeps the HTTP library out of this header
   explicit SiteServer(std::unique_ptr<Impl> impl);
 
   std::unique_ptr<Impl> impl_;
 };
 
-// Does a match answer that is watched at this port of this host?
+// True if a live page answers at this port of this host. Waits at most some seconds.
 bool is_watched_at(int port);
 
 }  // namespace mirocup::web

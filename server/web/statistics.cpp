@@ -9,14 +9,14 @@ namespace mirocup::web {
 namespace {
 
 constexpr double cell = 0.1;           // m, about
-constexpr double shot_speed = 0.5;     // m/s: slower is no shot
-constexpr double shot_distance = 1.0;  // m to the goal line: from further away is no shot
+constexpr double shot_speed = 0.5;     // m/s; a slower ball is no shot
+constexpr double shot_distance = 1.0;  // m to the goal line; a ball further away is no shot
 
 int cells(double length) {
   return static_cast<int>(std::lround(length / cell));
 }
 
-// Does the ball roll towards the mouth of the goal at that end?
+// True if the ball rolls towards the mouth of the goal at that end.
 bool is_shot_at(const field::Field& field, End end, const simulator::BallState& ball) {
   const double out = -attack_sign(end);  // the direction of that end along x
   const double speed = out * ball.velocity.x();
@@ -39,7 +39,7 @@ void Statistics::add(const match::Leg& match) {
   const match::Snapshot scene = match.snapshot();
   const bool plays = before_ && before_->state == match::State::PLAY;
   if (scene.state != match::State::PLAY) {
-    holder_.reset();  // after a restart nobody has the ball until it is touched
+    holder_.reset();  // after a restart no team has the ball until it is touched
   }
   if (plays && scene.state == match::State::PLAY) {
     count_distance(scene);
@@ -68,8 +68,8 @@ void Statistics::count_possession(const match::Leg& match, double period) {
   if (holder_) teams_[index_of(*holder_)].possession += period;
 }
 
-// A ball that its holder sends at the goal is one shot for as long as it is on its way.
-void Statistics::count_shots(const match::Snapshot& scene) {
+// A ball that a team sends towards the goal counts as one shot as long as it rolls there.
+void Statistics::count_shots(const match::Scene& scene) {
   if (!holder_) return;
   const End goal = *holder_ == scene.left ? End::right : End::left;
   const bool is_shot = is_shot_at(field_, goal, scene.ball);

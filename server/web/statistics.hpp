@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What spectators ask about a leg in numbers: who had the ball, how far they drove, what they tried.
+// The statistics of a leg for spectators: possession, shots, distances, a heat map of the ball.
 #pragma once
 
 #include "core/match/leg.hpp"
@@ -11,22 +11,22 @@
 namespace mirocup::web {
 
 struct TeamStatistics {
-  double possession = 0.0;  // s of play in which this team was the last to touch the ball
+  double possession = 0.0;  // s of play since this team was the last to touch the ball
   int shots = 0;
-  std::array<double, max_robots_per_team> distance{};  // m, of each robot, in play
+  std::array<double, max_robots_per_team> distance{};  // of each robot in play, m
 };
 
 class Statistics {
  public:
   explicit Statistics(const field::Field& field);
 
-  // After every tick, in order; the first call may be before the first tick.
-  void add(const match::Leg& match);
+  // To be called after every tick, in order; also before the first tick.
+  void add(const match::Match& match);
 
   const TeamStatistics& of(Team team) const { return teams_[index_of(team)]; }
 
-  // Ticks of play that the ball spent in each cell of the field, turned so that blue attacks to the
-  // right; rows from the top, `columns()` cells each.
+  // The ticks of play that the ball spent in each cell of the field, which is turned so that blue
+  // attacks to the right. Rows from the top, each of columns() cells.
   const std::vector<int>& heat() const { return heat_; }
   int columns() const { return columns_; }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Lines and arcs of the field as the path data of SVG, which browsers take for pictures and canvases
-// alike. Points go in in metres of the field's frame; the text is in millimetres with y downwards.
+// Builds SVG path data, which browsers accept for pictures and for canvases. Points are given in
+// metres in the frame of the field; the text is in millimetres with y downwards.
 #pragma once
 
 #include "core/base/vec2.hpp"
@@ -11,7 +11,7 @@
 
 namespace mirocup::web {
 
-// Metres as millimetres, rounded to a tenth, the same text everywhere.
+// A length of metres as text in millimetres, rounded to a tenth; the same on every machine.
 std::string millimetres(double metres);
 
 class SvgPath {
@@ -19,7 +19,7 @@ class SvgPath {
   SvgPath& move_to(const Vec2& point) { return add('M', point); }
   SvgPath& line_to(const Vec2& point) { return add('L', point); }
 
-  // Along the shorter arc of that radius, seen by who looks at the field from above.
+  // Follows the shorter arc of that radius, m. The direction is that of a view from above.
   SvgPath& arc_to(double radius, const Vec2& point, bool counter_clockwise);
 
   SvgPath& circle(const Vec2& centre, double radius);

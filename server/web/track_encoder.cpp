@@ -24,7 +24,7 @@ std::int32_t rounded(double value, double unit) {
   return static_cast<std::int32_t>(std::lround(value / unit));
 }
 
-// The heading nearest to the one before among those that differ by whole turns.
+// The heading of that angle, in units, that is nearest to the one before; whole turns are added.
 std::int32_t heading_near(double angle, std::int32_t before) {
   const double unit = 2.0 * std::numbers::pi / heading_units_a_turn;
   const std::int32_t now = rounded(angle, unit);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Where everything was, tick by tick, small enough for a page: whole numbers, each written as its
-// difference to the straight line through the two before it, in as few bytes as it needs.
+// The positions of all bodies, tick by tick, small enough for a page: whole numbers, each written
+// as its difference to the straight line through the two numbers before it, in as few bytes as it
+// needs.
 //
-// A frame is the scene at the begin of a tick as whole numbers (units: frame_units): clock, ball x
-// and y, then of each robot, blue ones first, x, y and heading. page/track.js reads both forms.
+// A frame is the state at the start of a tick as whole numbers, in the units below: clock, ball x
+// and y, then x, y and heading of each robot, blue robots first. page/track.js reads frames and
+// tracks.
 #pragma once
 
 #include "core/match/snapshot.hpp"
@@ -15,16 +17,16 @@
 
 namespace mirocup::web {
 
-// What one unit of a frame's number means.
+// The units of a frame's numbers.
 inline constexpr double length_unit = 0.0005;  // m
 inline constexpr double clock_unit = 0.001;    // s
 inline constexpr int heading_units_a_turn = 2048;
 
 using Frame = std::vector<std::int32_t>;
 
-// `robots` of a team. Headings go on from those of `before` (may be empty), so that none jumps by a
-// turn.
-Frame frame_of(const match::Snapshot& scene, int robots, const Frame& before);
+// `robots`: number of robots of a team. `before` is the frame before this one, or empty: headings
+// differ from its headings by at most half a turn, so that none jumps.
+Frame frame_of(const match::Scene& scene, int robots, const Frame& before);
 
 class TrackEncoder {
  public:
@@ -34,7 +36,8 @@ class TrackEncoder {
 
   std::size_t frames() const { return frames_; }
 
-  // Column after column; zigzag, then seven bits a byte, the lowest first; base64.
+  // The track: column after column, numbers as zigzag varints (seven bits a byte, the lowest
+  // first), in base64.
   std::string packed() const;
 
  private:

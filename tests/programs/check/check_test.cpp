@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup check: the first thing that is wrong is named, with what to do about it.
+// mirocup check as its users run it. Catches a report that does not name the first check that
+// fails, or gives no advice.
 #include "tests/support/program.hpp"
 
 #include <gtest/gtest.h>
@@ -55,7 +56,7 @@ void expect_rejected(const std::string& library, const std::string& first_failed
   const std::string reason = examined.report["reason"];
   EXPECT_EQ(reason.rfind(first_failed + ": ", 0), 0u) << reason;
   EXPECT_NE(reason.find(text), std::string::npos) << reason;
-  // All before it passed, none after it was tried.
+  // All checks before it passed, and none after it was run.
   bool has_failed = false;
   for (const Json& one : examined.report["checks"]) {
     if (one["passed"] == false) {
@@ -69,7 +70,7 @@ void expect_rejected(const std::string& library, const std::string& first_failed
   }
 }
 
-TEST(Check, NamesTheFirstThingThatIsWrong) {
+TEST(Check, NamesTheFirstCheckThatFails) {
   const TemporaryFolder folder;
   write_file(folder / "text.so", "not a library\n");
   expect_rejected(folder / "text.so", "complete", "hand in the shared library");
@@ -89,7 +90,7 @@ TEST(Check, NamesTheFirstThingThatIsWrong) {
   expect_rejected(hostile("clock_random"), "repeatable", "tick 25");
 }
 
-TEST(Check, OfWhatIsNotThereIsNoAnswer) {
+TEST(Check, ReportsAnErrorForAMissingFile) {
   const Outcome outcome = run({program("mirocup"), "check", "/no/such/file.so"});
   EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_NE(outcome.err.find("/no/such/file.so"), std::string::npos);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // A match server that is killed, or whose disk is full, at any moment of writing leaves a whole
-// record or none. Catches a record that is there before its replay, or before all of it is.
-// MIROCUP_TRIES=200 build/match_tests --gtest_filter='BrokenWrite.*'
+// record or none. Catches a record that is there before its replay, or before it is whole. For many
+// more tries:
+//   MIROCUP_TRIES=200 build/match_tests --gtest_filter='BrokenWrite.*'
 #include "core/base/random.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/tries.hpp"
@@ -33,7 +34,7 @@ std::vector<std::string> match(const std::string& record, int seed = 1) {
           std::to_string(seed)};
 }
 
-// True if there is a record, which then is whole.
+// True if there is a record. Expects it to be whole then.
 bool is_there(const std::string& record) {
   const Outcome verified = run({program("mirocup"), "verify", record});
   if (verified.exit_code == 3 && !std::filesystem::exists(record)) return false;
@@ -41,7 +42,7 @@ bool is_there(const std::string& record) {
   return true;
 }
 
-TEST(BrokenWrite, ByAKillLeavesTheWholeRecordOrNone) {
+TEST(BrokenWrite, KillLeavesTheWholeRecordOrNone) {
   const auto begin = std::chrono::steady_clock::now();
   {
     const TemporaryFolder folder;
@@ -60,7 +61,7 @@ TEST(BrokenWrite, ByAKillLeavesTheWholeRecordOrNone) {
     if (server.wait().exit_code != 0) ++killed;
     const bool is_written = is_there(folder / "leg.json");
     there += is_written ? 1 : 0;
-    // Most of the moments are those around the end, in which it writes, however fast it is today.
+    // Most kills come around the end of the match, when it writes, however fast this machine is.
     moment *= is_written ? random.uniform(0.7, 1.0) : random.uniform(1.0, 1.3);
     ASSERT_FALSE(HasFailure());
   }
@@ -68,7 +69,7 @@ TEST(BrokenWrite, ByAKillLeavesTheWholeRecordOrNone) {
   EXPECT_GT(there, 0);
 }
 
-TEST(BrokenWrite, ByAFullDiskLeavesTheWholeRecordOrNone) {
+TEST(BrokenWrite, FullDiskLeavesTheWholeRecordOrNone) {
   int there = 0;
   int refused = 0;
   for (int i = 0; i < tries(few); ++i) {

@@ -43,8 +43,8 @@ TEST(MatchCommand, PlaysTheSameLegWithTheSameSeed) {
       << "in the server's own process";
 }
 
-// Another build of the same sources, named by MIROCUP_OTHER_BUILDS (folders, separated by ':'):
-// debug, clang++.
+// MIROCUP_OTHER_BUILDS names other builds of the same sources, debug or clang++: folders, separated
+// by ':'.
 TEST(MatchCommand, PlaysTheSameLegInEveryBuild) {
   const char* others = std::getenv("MIROCUP_OTHER_BUILDS");
   if (others == nullptr) GTEST_SKIP() << "MIROCUP_OTHER_BUILDS names no other build";
@@ -103,7 +103,7 @@ TEST(MatchCommand, TakesSingleRules) {
   EXPECT_TRUE(called);
 }
 
-TEST(MatchCommand, SaysWhatIsWrongWithWhatItIsGiven) {
+TEST(MatchCommand, NamesTheArgumentThatIsWrong) {
   const auto fails = [](const std::vector<std::string>& words, const std::string& text) {
     const Outcome outcome = run(words);
     EXPECT_EQ(outcome.exit_code, 2) << text;
@@ -181,7 +181,7 @@ TEST(VerifyCommand, TellsTruthFromForgeryAndDamage) {
   EXPECT_EQ(run({program("mirocup"), "verify", folder / "nothing.json"}).exit_code, 3);
 }
 
-// Who should win wins most of ten whole legs. Of the legs, not of this build, which plays the same ones
+// The stronger team wins most of ten whole legs. One build is enough, since all play the same legs
 // (PlaysTheSameLegInEveryBuild).
 #ifndef MIROCUP_SANITIZED
 TEST(HouseTeams, AreAsStrongAsTheirNamesSay) {

@@ -52,7 +52,7 @@ TEST_F(ReplayCommand, DrawsAMoment) {
       << "after the end is the end";
 }
 
-TEST_F(ReplayCommand, SaysWhatIsWrong) {
+TEST_F(ReplayCommand, ReportsWrongUsageAndMissingFiles) {
   EXPECT_EQ(replay({record_, "--svg", "-o", folder_ / "a.svg"}).exit_code, 2);
   EXPECT_EQ(replay({record_, "-o", folder_ / "no/folder/a.html"}).exit_code, 3);
   EXPECT_EQ(replay({folder_ / "nothing.json", "-o", folder_ / "a.html"}).exit_code, 3);

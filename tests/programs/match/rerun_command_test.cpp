@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup rerun as its users run it: teams whose commands depend on anything but what they saw are
-// found.
+// mirocup rerun as its users run it. Catches a rerun that does not find a team whose commands
+// depend on anything but its observations.
 #include "tests/support/program.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ Outcome rerun(const std::string& record, const std::vector<std::string>& more = 
   return run(words);
 }
 
-TEST(RerunCommand, FindsThatHouseTeamsPlayTheSameAgain) {
+TEST(RerunCommand, ReproducesTheCommandsOfHouseTeams) {
   const TemporaryFolder folder;
   ASSERT_EQ(play("striker", "chaser", folder / "leg.json").exit_code, 0);
   const Outcome again = rerun(folder / "leg.json");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A short leg of each way in which a leg can end, played by teams of the test's own.
+// Short legs, one for each kind of ending, played by scripted teams.
 #pragma once
 
 #include "core/replay/recording.hpp"

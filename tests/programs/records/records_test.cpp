@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Records as files: of every ending, of earlier versions, of another game. Catches a record that its
-// schema does not describe, a reader that no longer reads what was written once, and a record that
-// is called wrong only because the game has changed since.
+// Record files of every ending, of earlier versions and of other physics. Catches a record that its
+// schema does not describe, a reader that no longer reads older records, and a record that is
+// called wrong only because physics or laws have changed since.
 #include "core/replay/verification.hpp"
 #include "server/record/match_record.hpp"
 #include "tests/build/compilers/flat_recording.hpp"
@@ -24,7 +24,7 @@ using test_support::TemporaryFolder;
 
 const std::string source = MIROCUP_SOURCE_FOLDER;
 
-// With everything that may be in a record.
+// A record with every key that there is.
 record::MatchRecord record_of(replay::Recording recording) {
   record::MatchRecord record;
   record.software = record::this_software();
@@ -46,7 +46,7 @@ Outcome verify(const std::string& path) {
   return run({program("mirocup"), "verify", path});
 }
 
-// Both the JSON of the schema and that of the records.
+// Expects the schema to be valid, and the records to fit it.
 void expect_valid(const std::vector<std::string>& records) {
   std::vector<std::string> words{source + "/tests/programs/records/schema.py",
                                  source + "/server/record/record.schema.json"};
@@ -64,7 +64,7 @@ std::vector<std::string> samples() {
   return paths;
 }
 
-TEST(Records, OfEveryEndingFitTheSchemaAndVerify) {
+TEST(Records, FitTheSchemaAndVerifyForEveryEnding) {
   const TemporaryFolder folder;
   system::Disk disk;
   std::vector<std::string> paths;
@@ -80,8 +80,8 @@ TEST(Records, OfEveryEndingFitTheSchemaAndVerify) {
   expect_valid(paths);
 }
 
-// Catches a key that schema.md or record.schema.json does not describe, one that they describe but no
-// record has, and an example in schema.md that no record looks like.
+// Catches a key that schema.md or record.schema.json does not describe, one that they describe but
+// no record has, and an example in schema.md that no record looks like.
 TEST(Records, HaveTheKeysThatTheirDocumentationDescribes) {
   const TemporaryFolder folder;
   system::Disk disk;
@@ -96,7 +96,7 @@ TEST(Records, HaveTheKeysThatTheirDocumentationDescribes) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
 }
 
-// As the other compilers get them.
+// The flat form is the one that core-only builds of other compilers read.
 TEST(Records, LoseNothingWhenTheyAreMadeFlat) {
   for (const auto end : {match::OutcomeKind::shoot_out, match::OutcomeKind::double_forfeit}) {
     const std::string flat = test_support::flat(leg_that_ends(end));
@@ -110,7 +110,7 @@ TEST(Records, LoseNothingWhenTheyAreMadeFlat) {
   }
 }
 
-TEST(Records, OfEarlierVersionsAreRead) {
+TEST(Records, AreReadIfEarlierVersionsWroteThem) {
   system::Disk disk;
   const std::string behaviour_hash = record::this_software().behaviour_hash;
   ASSERT_FALSE(samples().empty());
@@ -126,7 +126,7 @@ TEST(Records, OfEarlierVersionsAreRead) {
   expect_valid(samples());
 }
 
-TEST(Records, OfAnotherGameAreNotCalledWrong) {
+TEST(Records, AreNotCalledWrongIfTheBehaviourHasChanged) {
   const TemporaryFolder folder;
   const std::string path = folder / "leg.json";
   system::Disk disk;
@@ -147,7 +147,7 @@ TEST(Records, OfAnotherGameAreNotCalledWrong) {
   EXPECT_EQ(page.exit_code, 4);
   EXPECT_FALSE(std::filesystem::exists(folder / "leg.html"));
 
-  // What the other game plays alike is reproduced.
+  // A leg that both versions play alike is reproduced.
   record.recording.ticks[30].hash ^= 1;
   ASSERT_TRUE(record::save(disk, path, record));
   EXPECT_EQ(verify(path).exit_code, 0);

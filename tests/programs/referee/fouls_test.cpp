@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// A match in which two teams break one law after the other (teams/fouls.cpp): every law that play
-// can bring about is in its record, for the reason that it was broken for. Catches a law that
-// situations on paper trigger and a played match never does, and restarts whose poses get lost on
-// the way through sandbox, record and replay.
+// A match in which two teams break one law after the other (teams/fouls.cpp). Its record must have
+// every law that play can break, with the intended reason. Catches a law that recorded situations
+// trigger but a played match never does, and restarts whose poses get lost between sandbox, record
+// and replay.
 #include "core/referee/decision.hpp"
 #include "tests/support/program.hpp"
 
@@ -25,7 +25,7 @@ using test_support::run;
 using test_support::TemporaryFolder;
 using Json = nlohmann::ordered_json;
 
-// What no simulated team can do, and why.
+// Laws that no simulated team can break, and why.
 const std::map<std::string, std::string> impossible{
     {"holding", "a square cannot hold a ball"},
     {"keeper_catch", "nor can a square keeper"},
@@ -36,7 +36,7 @@ const std::map<std::string, std::string> impossible{
     {"forfeit", "is no decision of the referee but an end: what a team did outside play"},
 };
 
-// Ends that exclude each other: each has a short leg of its own.
+// Endings that exclude each other: each has a short leg of its own.
 const std::set<std::string> other_ends{"golden_goal", "mercy", "lots"};
 
 std::vector<std::string> leg(const std::string& record, const std::string& blue,
@@ -54,7 +54,7 @@ std::set<std::string> laws_of(const Json& record) {
   return laws;
 }
 
-// What each foul must lead to, not only that it is named somewhere.
+// The decision that each foul must lead to.
 const std::set<std::pair<std::string, std::string>> expected{
     {"kick_off", "KICK_OFF_VIOLATION"},
     {"goal", "GOAL"},
@@ -81,7 +81,7 @@ const std::set<std::pair<std::string, std::string>> expected{
     {"penalty_attempt", "ATTEMPT_END"},
 };
 
-TEST(Fouls, OfEveryKindAreCalledInOneMatch) {
+TEST(Fouls, AreAllCalledInOneMatch) {
   const TemporaryFolder folder;
   const std::string fouls = program("teams/fouls.so");
   const Outcome played =
@@ -110,7 +110,7 @@ TEST(Fouls, OfEveryKindAreCalledInOneMatch) {
   EXPECT_EQ(again.exit_code, 0) << again.out << again.err;
 }
 
-TEST(Fouls, LeaveTheOtherEndsToOtherLegs) {
+TEST(Fouls, HaveLegsForTheEndingsThatExcludeEachOther) {
   const std::vector<std::pair<std::string, std::vector<std::string>>> legs{
       {"golden_goal", {"--half", "1", "--rule", "golden_goal_s=100"}},
       {"mercy", {"--half", "100", "--rule", "mercy_goal_diff=1"}},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Situations with the verdict that is expected, one line of JSON each (tests/programs/referee/*.jsonl),
-// judged by mirocup referee as they are and turned by 180 degrees with the teams changed: the
+// Judges situations with expected verdicts, one line of JSON each (tests/programs/referee/*.jsonl),
+// with mirocup referee: as they are, and turned by 180 degrees with the teams exchanged. The
 // verdict must turn with them. Catches a law that is missing, one that is called a sample too early
 // or too late, a threshold on the wrong side, a wrong order of two laws, and an end that is judged
 // otherwise.
@@ -44,7 +44,7 @@ bool is_point(const json& value) {
   return value.is_array() && value.size() >= 2 && value.size() <= 3 && value[0].is_number();
 }
 
-// By key, wherever it stands in a situation or a verdict.
+// The value of that key, turned; the key may stand anywhere in a situation or a verdict.
 json turned(const json& value, const std::string& key);
 
 json turned_object(const json& object) {
@@ -67,12 +67,12 @@ json turned(const json& value, const std::string& key) {
     return signs;
   }
   if (value.is_string()) {
-    const bool names_somebody = key == "taker" || key == "for" || key == "winner" ||
-                                key == "team" || key == "places_first" || key == "next_taker" ||
-                                key == "last_touch" || key == "call" || key == "robots" ||
-                                key == "contacts" || key == "hand" || key == "fallen" ||
-                                key == "substitute" || key == "missing";
-    return names_somebody ? json(other(value.get<std::string>())) : value;
+    const bool is_robot_or_team = key == "taker" || key == "for" || key == "winner" ||
+                                  key == "team" || key == "places_first" || key == "next_taker" ||
+                                  key == "last_touch" || key == "call" || key == "robots" ||
+                                  key == "contacts" || key == "hand" || key == "fallen" ||
+                                  key == "substitute" || key == "missing";
+    return is_robot_or_team ? json(other(value.get<std::string>())) : value;
   }
   if (value.is_object()) return turned_object(value);
   if (is_point(value)) return turned_point(value);
@@ -84,7 +84,7 @@ json turned(const json& value, const std::string& key) {
   return value;
 }
 
-// What of the expected verdict is not so; "" if all is.
+// The first difference between the expected verdict and the given one; "" if there is none.
 std::string difference(const json& expected, const json& verdict);
 
 std::string difference_at(const std::string& key, const json& expected, const json& verdict) {
@@ -159,10 +159,10 @@ std::vector<std::string> files() {
   std::sort(names.begin(), names.end());
   return names;
 }
-INSTANTIATE_TEST_SUITE_P(Of, Situations, testing::ValuesIn(files()),
+INSTANTIATE_TEST_SUITE_P(Files, Situations, testing::ValuesIn(files()),
                          [](const auto& file) { return file.param; });
 
-TEST_P(Situations, GetTheVerdictThatIsExpectedAtBothEnds) {
+TEST_P(Situations, GetTheExpectedVerdictAtBothEnds) {
   const std::string path = MIROCUP_SOURCE_FOLDER "/tests/programs/referee/" + GetParam() + ".jsonl";
   const std::vector<json> cases = read_lines(test_support::read_file(path));
   ASSERT_FALSE(cases.empty());
@@ -172,7 +172,7 @@ TEST_P(Situations, GetTheVerdictThatIsExpectedAtBothEnds) {
   judge(other_way, "turned");
 }
 
-TEST(RefereeCommand, SaysWhatItCannotRead) {
+TEST(RefereeCommand, RejectsLinesThatAreNotSituations) {
   const TemporaryFolder folder;
   test_support::write_file(folder / "t.jsonl",
                            "{\"id\": \"a\", \"league\": \"huge\"}\nnothing\n{\"id\": \"c\"}\n");

@@ -11,7 +11,7 @@ import { closeBrowser, folder, mirocup, openPage, readJson, run } from './suppor
 
 const title = '<img src=x onerror="document.title=\'written by a host\'">';
 
-// A league of three teams with halves of so many seconds.
+// A league of three teams. `half`: length of a half, s.
 function make(name, half, house) {
   const place = join(folder, name);
   writeFileSync(`${place}.json`, JSON.stringify({

@@ -27,7 +27,7 @@ function tickReached(place, tick) {
   });
 }
 
-test('who joins in the middle sees the match to its end, with fifty others who do not read', async () => {
+test('a viewer who joins in the middle sees the match to its end, beside fifty who do not read', async () => {
   const record = join(folder, 'watched.json');
   const { url, ended } = watched('--half', '6', '--seed', '2', '--record', record);
   const place = await url;

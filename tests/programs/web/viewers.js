@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Do viewers make a match late? Matches without viewers and with fifty who read all take turns, at four times real time, so that
-// 99.9 % of the ticks says something. Prints by how much their ticks began late, as their records say; a judgement is the
+// Measures whether viewers delay a match. Matches without viewers and with fifty who read everything take turns, at four times real
+// time, so that there are enough ticks for a percentile of 99.9 %. Prints by how much their ticks began late, as their records say; a judgement is the
 // reader's, since it depends on the machine. The teams play in the process of the match, so that nothing else is measured; the
 // viewers get the processor only when nobody else wants it, for others sit at other computers.
 // Usage: node tests/programs/web/viewers.js BUILD [SECONDS of a match [ROUNDS]]

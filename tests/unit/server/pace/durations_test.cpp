@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Catches a histogram that loses what is very short or long, and percentiles that promise too much.
+// Catches a histogram that loses very short or long durations, and percentiles that are too small.
 #include "server/pace/durations.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace mirocup::pace {
 namespace {
 
-TEST(Durations, SayHowLongAShareOfThemTook) {
+TEST(Durations, QuantilesAreAtMostOneThirtySecondTooLong) {
   Durations durations;
   for (int i = 1; i <= 1000; ++i) durations.add(1e-5 * i);
   for (const double share : {0.01, 0.5, 0.9, 0.99, 0.999}) {
@@ -35,8 +35,8 @@ TEST(Durations, AreAllCounted) {
   EXPECT_EQ(count, 7U);
 }
 
-// A bound belongs to the range above it, as the record's description says.
-TEST(Durations, LieBelowTheirBound) {
+// A bound belongs to the range above it, as schema.md says.
+TEST(Durations, CountInTheRangeBelowTheirBound) {
   for (double seconds = 1.1e-6; seconds < 100.0; seconds *= 1.07) {
     Durations durations;
     durations.add(seconds);
@@ -49,7 +49,7 @@ TEST(Durations, LieBelowTheirBound) {
   }
 }
 
-TEST(Durations, OfNothingAreZero) {
+TEST(Durations, AreZeroWithoutSamples) {
   const Durations none;
   EXPECT_EQ(none.quantile(0.5), 0.0);
   EXPECT_TRUE(none.histogram().empty());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A record and its replay with one byte flipped, lost or added, at random places. Catches a byte that
-// no digest covers, and a reader that trusts what it reads.
-// MIROCUP_TRIES=2000 build/unit_server --gtest_filter='Damage.*'
+// A record and its replay with one byte flipped, lost or added, at random places. Catches a byte
+// that no digest covers, and a reader that trusts its input. For many more tries:
+//   MIROCUP_TRIES=2000 build/unit_server --gtest_filter='Damage.*'
 #include "core/base/random.hpp"
 #include "core/replay/verification.hpp"
 #include "server/record/match_record.hpp"
@@ -60,7 +60,7 @@ class Damage : public testing::Test {
   Random random_{2024};
 };
 
-TEST_F(Damage, OfTheRecordIsFound) {
+TEST_F(Damage, IsFoundInTheRecord) {
   const std::string whole = bytes_of("leg.json");
   for (int i = 0; i < tries(few); ++i) {
     const std::string changed = damaged(whole);
@@ -72,7 +72,7 @@ TEST_F(Damage, OfTheRecordIsFound) {
   }
 }
 
-TEST_F(Damage, OfTheReplayIsFound) {
+TEST_F(Damage, IsFoundInTheReplay) {
   const std::string whole = bytes_of("leg.replay.zst");
   for (int i = 0; i < tries(few); ++i) {
     ASSERT_TRUE(files_.write("leg.replay.zst", damaged(whole)));
@@ -83,8 +83,8 @@ TEST_F(Damage, OfTheReplayIsFound) {
   }
 }
 
-// Behind the digests: whoever reads a record regardless, as verify does, meets no crash.
-TEST_F(Damage, ThatTheDigestsLetThroughBreaksNoReader) {
+// A reader that ignores the checksum, as verify does, must not crash on any damage.
+TEST_F(Damage, CrashesNoReaderThatIgnoresTheChecksum) {
   const std::string whole = bytes_of("leg.json");
   int readable = 0;
   for (int i = 0; i < tries(few / 5); ++i) {

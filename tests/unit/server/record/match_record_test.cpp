@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Catches a record that does not say what was played, one that reads back otherwise, and damage
-// that goes unseen.
+// Catches a record that differs from the leg, one that reads back differently, and damage that is
+// not found.
 #include "server/record/match_record.hpp"
 
 #include "core/replay/verification.hpp"
@@ -44,7 +44,7 @@ class Leagues : public testing::TestWithParam<League> {};
 INSTANTIATE_TEST_SUITE_P(All, Leagues,
                          testing::Values(League::small, League::middle, League::large));
 
-TEST_P(Leagues, ARecordReadsBackAsItWasAndVerifies) {
+TEST_P(Leagues, RecordsReadBackAsWrittenAndVerify) {
   MemoryFiles files;
   const MatchRecord record = played(3, GetParam());
   ASSERT_TRUE(save(files, "leg.json", record));
@@ -77,7 +77,7 @@ TEST(MatchRecord, ReadsBackEveryFieldOfABudget) {
   EXPECT_EQ(read.bad_commands, 7);
 }
 
-// Catches a reader that takes what no leg can have.
+// Catches a reader that accepts values that no leg can have.
 TEST(MatchRecord, NamesTheKeyThatIsWrong) {
   MemoryFiles files;
   ASSERT_TRUE(save(files, "leg.json", played(1)));
@@ -193,7 +193,7 @@ TEST(MatchRecord, StaysSmall) {
   MatchRecord record = played(1);
   record.recording = replay::record(match, trace);
   ASSERT_TRUE(save(files, "leg.json", record));
-  // Two minutes of 22 robots with commands that say nothing: a fifth of a ten-minute leg at most.
+  // Two minutes of 22 robots with random commands: at most a fifth of a ten-minute leg.
   EXPECT_LT(files.read("leg.replay.zst")->size(), 400'000u);
   EXPECT_LT(files.read("leg.json")->size(), 20'000u);
 }

@@ -104,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"/robots/1/name", "\"ball\"", "/robots/1/name: \"ball\" is taken"},
         Mistake{"/sample_at/0", "0.6", "/sample_at/0: 0.6 is not at most 0.5"}));
 
-TEST(SceneJson, NamesWhatIsMissingAndWhatIsNoJson) {
+TEST(SceneJson, NamesMissingKeysAndTextThatIsNotJson) {
   ordered_json json = good();
   json["robots"][0].erase("pose");
   EXPECT_EQ(parse_scene(json.dump(), "s").error().what, "s: /robots/0/pose: missing");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Catches a write that leaves half a file or a temporary one, a cleaning that takes somebody's file away, and an error without
-// the file's name.
+// Catches a write that leaves half a file or a temporary one, a cleaning that removes the file of a
+// writer that still runs, and an error without the file's name.
 #include "server/system/files.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace mirocup::record {
+namespace mirocup::system {
 namespace {
 
 class DiskTest : public testing::Test {
@@ -26,7 +26,7 @@ class DiskTest : public testing::Test {
   std::string at(const std::string& name) const { return folder_ + "/" + name; }
 
   std::string folder_;
-  system::Disk disk_;
+  Disk disk_;
 };
 
 TEST_F(DiskTest, ReplacesAWholeFileAndLeavesNothingElse) {
@@ -95,4 +95,4 @@ TEST_F(DiskTest, NamesTheFileAndTheReason) {
 }
 
 }  // namespace
-}  // namespace mirocup::record
+}  // namespace mirocup::system

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Catches a viewer that misses a call, is told one twice, or is told nothing when it joins late.
+// Catches a viewer that misses a decision, gets one twice, or gets none when it joins late.
 #include "server/web/live_feed.hpp"
 
 #include "server/web/live_server.hpp"
@@ -18,8 +18,8 @@ int times(const std::string& text, const std::string& part) {
   return n;
 }
 
-TEST(LiveFeed, TellsEveryCallOnceToWhoeverComesWhenever) {
-  match::Leg match(test_support::short_setup(3, 20.0));
+TEST(LiveFeed, SendsEveryDecisionOnceToEveryViewer) {
+  match::Match match(test_support::short_setup(3, 20.0));
   auto blue = test_support::ball_hunter();
   auto yellow = test_support::random_team(3);
   LiveFeed feed(match);
@@ -46,7 +46,7 @@ TEST(LiveFeed, TellsEveryCallOnceToWhoeverComesWhenever) {
   EXPECT_EQ(times(heard, "event: end"), 1);
 }
 
-TEST(LiveServer, KnowsItsAddress) {
+TEST(LiveServer, ParsesAddressesAndRefusesWrongOnes) {
   EXPECT_EQ(parse_address("8080", "--watch")->host, "127.0.0.1")
       << "this host only unless told otherwise";
   EXPECT_EQ(parse_address("8080", "--watch")->port, 8080);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Catches a page that a name can write to, that needs anything from elsewhere, that shows what was
-// not played, or that has grown too big.
+// Catches a page in which a name becomes markup, one that loads anything from elsewhere, one of a
+// leg that was not played, and one that has grown too big.
 #include "server/web/page.hpp"
 
 #include "server/web/assets.hpp"
@@ -31,7 +31,7 @@ std::size_t count(const std::string& text, const std::string& part) {
   return n;
 }
 
-TEST(ReplayPage, CannotBeWrittenToByANameOfATeam) {
+TEST(ReplayPage, EscapesNamesOfTeams) {
   const auto page = replay_page(played(4.0));
   ASSERT_TRUE(page);
   EXPECT_EQ(page->find("<img"), std::string::npos);
@@ -40,7 +40,7 @@ TEST(ReplayPage, CannotBeWrittenToByANameOfATeam) {
       << "a name that looks like a part of the template stays text";
 }
 
-TEST(ReplayPage, NeedsNothingElse) {
+TEST(ReplayPage, LoadsNothingFromElsewhere) {
   record::MatchRecord record = played(4.0);
   record.teams[0].name = "hunters";
   const auto page = replay_page(record);
@@ -50,7 +50,7 @@ TEST(ReplayPage, NeedsNothingElse) {
   }
 }
 
-TEST(ReplayPage, IsNotMadeOfARecordThatIsNotReproduced) {
+TEST(ReplayPage, RefusesARecordThatIsNotReproduced) {
   record::MatchRecord record = played(4.0);
   record.recording.ticks[50].commands[1].wheels[0][0] ^= 64;
   const auto page = replay_page(record);
@@ -58,7 +58,7 @@ TEST(ReplayPage, IsNotMadeOfARecordThatIsNotReproduced) {
   EXPECT_EQ(page.error().tick, 51u);
 }
 
-TEST(ReplayPage, WithoutTimesIsTheSameWhoeverPlayedTheLeg) {
+TEST(ReplayPage, IsTheSameOnEveryMachineWithoutTimes) {
   record::MatchRecord record = played(4.0);
   const auto with = replay_page(record);
   const auto without = replay_page(record, Times::left_out);
@@ -68,8 +68,8 @@ TEST(ReplayPage, WithoutTimesIsTheSameWhoeverPlayedTheLeg) {
   EXPECT_EQ(*replay_page(record, Times::left_out), *without);
 }
 
-// Forty seconds of the largest league, of teams that change their mind all the time: a fifteenth of
-// ten minutes, whose page may have 3 MB; and 50 kB of viewer, which is there once.
+// Forty seconds of the largest league, with random commands: a fifteenth of the 3 MB that the page
+// of ten minutes may have, and 50 kB for the script and the style.
 TEST(ReplayPage, StaysSmall) {
   const auto page = replay_page(played(20.0, League::large));
   ASSERT_TRUE(page);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Catches numbers that do not come from what was played.
+// Catches statistics that do not come from the leg that was played.
 #include "server/web/statistics.hpp"
 
 #include "server/web/track_encoder.hpp"
@@ -25,7 +25,7 @@ Statistics of(match::Leg& match, match::Controller& blue, match::Controller& yel
 }
 
 // One team drives, the other stands: all distance and possession are the driver's.
-TEST(Statistics, AreThoseOfTheTeamThatPlays) {
+TEST(Statistics, CreditTheTeamThatPlays) {
   match::Setup setup = test_support::short_setup(1, 20.0);
   setup.rules.mercy_goal_diff = 0;
   match::Leg match(setup);
@@ -46,8 +46,8 @@ TEST(Statistics, AreThoseOfTheTeamThatPlays) {
   EXPECT_NEAR(ticks_of_play * setup.control_period, 40.0, 40.0 * 0.1);
 }
 
-TEST(TrackEncoder, LetsAHeadingGoOnWhereItPassesAHalfTurn) {
-  match::Snapshot scene;
+TEST(TrackEncoder, KeepsHeadingsContinuousAcrossAHalfTurn) {
+  match::Scene scene;
   scene.robots[0][0].heading = Heading::from_angle(3.1);
   const Frame before = frame_of(scene, 1, {});
   scene.robots[0][0].heading = Heading::from_angle(-3.1);
