@@ -119,8 +119,8 @@ class Examination {
   match::Setup setup_;
   pace::SteadyWallClock clock_;
   double delay_ = 0.0;  // s that processes of earlier legs waited for a processor
-  std::optional<plugins::Entry> entry_;
-  std::optional<plugins::Entry> idle_;
+  std::optional<plugins::SealedEntry> entry_;
+  std::optional<plugins::SealedEntry> idle_;
   EntryReport report_;
 };
 

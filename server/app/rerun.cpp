@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // mirocup rerun RECORD: lets the teams play again and compares their commands with the record.
+#include "plugins/host/sandbox/probe.hpp"
 #include "server/app/commands.hpp"
 #include "server/app/interrupt.hpp"
 #include "server/app/seats.hpp"

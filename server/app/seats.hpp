@@ -20,10 +20,10 @@ namespace mirocup::app {
 // A team as the command line names it.
 struct TeamChoice {
   record::TeamInfo info;
-  std::string library;                  // path; "" for a DDS team
-  std::string network_name;             // the name of a DDS team on the network; "" for others
-  std::optional<plugins::Entry> entry;  // the library's bytes when it was chosen
-  std::optional<match::Fault> fault;    // of a file that cannot be loaded as a library
+  std::string library;       // path; "" for a DDS team
+  std::string network_name;  // the name of a DDS team on the network; "" for others
+  std::optional<plugins::SealedEntry> entry;  // the library's bytes when it was chosen
+  std::optional<match::Fault> fault;          // of a file that cannot be loaded as a library
 };
 
 // `text` is "dds:NAME", the path of a library, or the name of a house team. A library that cannot
@@ -91,6 +91,6 @@ void stay_on_this_core();
 
 // Waits until both teams can play, blue first. If a team never will, the match becomes void or
 // forfeited. Returns early after an interrupt.
-void wait_until_ready(std::span<TeamSeat> seats, match::Match& match, Interrupt& interrupt);
+void wait_until_ready(std::span<TeamSeat> seats, match::Leg& match, Interrupt& interrupt);
 
 }  // namespace mirocup::app

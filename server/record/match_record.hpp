@@ -48,13 +48,7 @@ struct NetworkReport {
   std::uint64_t ahead = 0;      // for a tick that had not begun
   std::uint64_t foreign = 0;    // from a process that is not the team's
   int processes = 0;            // that played for the team, one after the other
-  struct Absence {
-    std::uint32_t tick = 0;             // the first without an answer
-    std::uint32_t noticed = 0;          // the tick in which the server noticed
-    std::optional<std::uint32_t> back;  // the tick in which the team answered again
-    bool has_left = false;              // its process was gone; otherwise it was silent
-  };
-  std::vector<Absence> absences;
+  std::vector<pace::Absence> absences;
   pace::Durations answers;  // wall time from a tick's state to the answer in step
 };
 

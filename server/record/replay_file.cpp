@@ -94,9 +94,9 @@ void put_asked(std::string& plain, const std::vector<match::LoggedPlacementReque
 
 // Reads the answers at restarts. Returns false if one has no valid team, or if they are not in the
 // order of the ticks.
-bool get_asked(const std::string& plain, std::size_t& at, std::vector<match::LoggedPoses>& asked,
-               std::size_t robots) {
-  for (match::LoggedPoses& logged : asked) {
+bool get_asked(const std::string& plain, std::size_t& at,
+               std::vector<match::LoggedPlacementRequest>& asked, std::size_t robots) {
+  for (match::LoggedPlacementRequest& logged : asked) {
     logged.tick = static_cast<std::uint32_t>(get(plain, at, 4));
     const std::uint64_t team = get(plain, at, 1);
     if (team >= both_teams.size()) return false;

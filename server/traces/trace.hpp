@@ -68,7 +68,7 @@ struct Trace {
   League league = League::small;
   referee::Rules rules;
   TraceState state = TraceState::PLAY;
-  referee::Progress progress;
+  referee::LegProgress progress;
   referee::Decision restart;     // the restart in progress; Restart::none if there is none
   std::vector<KeyFrame> frames;  // at least one, in order
   bool is_interpolated = false;

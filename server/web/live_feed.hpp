@@ -21,10 +21,10 @@ class LiveFeed {
   explicit LiveFeed(const match::Leg& match);
 
   // To be called after every tick. Copies the state, unless a viewer is reading it at that moment.
-  void publish(const match::Match& match);
+  void publish(const match::Leg& match);
 
   // To be called when the match is over. The next news() of each viewer is its last.
-  void close(const match::Match& match);
+  void close(const match::Leg& match);
 
   // The state of one viewer: the events that it has received so far.
   struct Viewer {
@@ -50,7 +50,7 @@ class LiveFeed {
   match::Snapshot scene_;
   std::vector<match::LoggedDecision> decisions_;
   Statistics statistics_;  // as of version_
-  std::optional<match::Result> result_;
+  std::optional<match::Outcome> result_;
 };
 
 }  // namespace mirocup::web

@@ -22,7 +22,7 @@ class LiveServer {
  public:
   // `about` is the last line of the page. Errc::unavailable if the address is in use or not of this
   // host.
-  static Result<std::unique_ptr<LiveServer>> open(const Address& address, const match::Match& match,
+  static Result<std::unique_ptr<LiveServer>> open(const Address& address, const match::Leg& match,
                                                   const match::ByTeam<std::string>& names,
                                                   const std::string& about);
   ~LiveServer();
@@ -32,10 +32,10 @@ class LiveServer {
   std::string url() const;
 
   // To be called after every tick.
-  void publish(const match::Match& match);
+  void publish(const match::Leg& match);
 
   // Sends the result to the viewers, and waits at most 1.5 s for them to receive it.
-  void close(const match::Match& match);
+  void close(const match::Leg& match);
 
  private:
   struct Impl;  // keeps the HTTP library in one file

@@ -12,7 +12,7 @@ namespace mirocup::web {
 using record::Json;
 
 // The values that hold from a tick on: {state, phase, left, score}.
-Json moment_json(const match::Scene& scene);
+Json moment_json(const match::Snapshot& scene);
 
 // {teams: {blue, yellow}, heat}. `fouls` counts the decisions that gave the other team a restart.
 Json statistics_json(const Statistics& statistics,

@@ -12,7 +12,7 @@
 namespace mirocup::web {
 
 struct Moment {
-  match::Scene scene;
+  match::Snapshot scene;
   std::vector<Vec2> trail;  // earlier positions of the ball, the oldest first
 };
 

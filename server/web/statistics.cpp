@@ -69,7 +69,7 @@ void Statistics::count_possession(const match::Leg& match, double period) {
 }
 
 // A ball that a team sends towards the goal counts as one shot as long as it rolls there.
-void Statistics::count_shots(const match::Scene& scene) {
+void Statistics::count_shots(const match::Snapshot& scene) {
   if (!holder_) return;
   const End goal = *holder_ == scene.left ? End::right : End::left;
   const bool is_shot = is_shot_at(field_, goal, scene.ball);

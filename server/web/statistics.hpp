@@ -21,7 +21,7 @@ class Statistics {
   explicit Statistics(const field::Field& field);
 
   // To be called after every tick, in order; also before the first tick.
-  void add(const match::Match& match);
+  void add(const match::Leg& match);
 
   const TeamStatistics& of(Team team) const { return teams_[index_of(team)]; }
 

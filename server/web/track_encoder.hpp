@@ -26,7 +26,7 @@ using Frame = std::vector<std::int32_t>;
 
 // `robots`: number of robots of a team. `before` is the frame before this one, or empty: headings
 // differ from its headings by at most half a turn, so that none jumps.
-Frame frame_of(const match::Scene& scene, int robots, const Frame& before);
+Frame frame_of(const match::Snapshot& scene, int robots, const Frame& before);
 
 class TrackEncoder {
  public:
