@@ -48,7 +48,8 @@ Scripted team_for(OutcomeKind end, Team team, std::uint64_t seed) {
   }
   if (team == Team::blue) return ball_hunter();
   // Against a team that stands, all seeds would play the same leg.
-  return end == EndKind::golden_goal || end == EndKind::mercy ? random_team(seed) : standing();
+  return end == OutcomeKind::golden_goal || end == OutcomeKind::mercy ? random_team(seed)
+                                                                      : idle_team();
 }
 
 }  // namespace
