@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The quality of service of each topic, as data. Both sides of a topic use the same row.
+// The quality of service of each topic as data. The writers and the readers of a topic use the same
+// row.
 //
-// Every history is bounded, so that nobody who reads slowly, or not at all, can hold up who writes.
+// Every history is bounded, so that a slow or stuck reader cannot hold up a writer.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +12,35 @@ namespace mirocup::idl {
 
 struct TopicQos {
   const char* name;
-  bool reliable;               // lost samples are sent again; else the next tick is the repair
-  bool kept_for_late;          // who joins later still gets it
-  std::int32_t written_depth;  // samples that a writer keeps
-  std::int32_t read_depth;     // samples that a reader keeps, of all writers together
+  bool reliable;               // lost samples are sent again
+  bool kept_for_late;          // a reader that joins later still gets the samples
+  std::int32_t written_depth;  // number of samples that a writer keeps
+  std::int32_t read_depth;     // number that a reader keeps, from all writers together
 };
 
-// The state of a tick is overtaken by the next one before a repair could arrive.
-inline constexpr TopicQos world_state{"WorldState", false, false, 1, 1};
-// Room for what a stranger can push in between before the server looks.
-inline constexpr TopicQos team_command{"TeamCommand", false, false, 1, 256};
-inline constexpr TopicQos hello{"Hello", true, true, 1, 16};
-inline constexpr TopicQos welcome{"Welcome", true, true, 16, 16};
-inline constexpr TopicQos match_event{"MatchEvent", true, true, 1000, 1000};
+// Not reliable: the state of the next tick arrives before a lost one could be sent again.
+inline constexpr TopicQos world_state{.name = "WorldState",
+                                      .reliable = false,
+                                      .kept_for_late = false,
+                                      .written_depth = 1,
+                                      .read_depth = 1};
+// The reader has room for the samples that a stranger can write before the server reads.
+inline constexpr TopicQos team_command{.name = "TeamCommand",
+                                       .reliable = false,
+                                       .kept_for_late = false,
+                                       .written_depth = 1,
+                                       .read_depth = 256};
+inline constexpr TopicQos hello{
+    .name = "Hello", .reliable = true, .kept_for_late = true, .written_depth = 1, .read_depth = 16};
+inline constexpr TopicQos welcome{.name = "Welcome",
+                                  .reliable = true,
+                                  .kept_for_late = true,
+                                  .written_depth = 16,
+                                  .read_depth = 16};
+inline constexpr TopicQos match_event{.name = "MatchEvent",
+                                      .reliable = true,
+                                      .kept_for_late = true,
+                                      .written_depth = 1000,
+                                      .read_depth = 1000};
 
 }  // namespace mirocup::idl

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Who and where: teams have a colour for the whole match, ends change at half-time.
+// The two ends of the pitch, poses, and the frame of a team.
+//
+// The field's frame has its origin at the centre of the pitch, x towards the right goal and y
+// towards the upper wall. The frame of a team is the field's frame for the team that defends the
+// left end, and the field's frame turned by 180 degrees for the other team: it is a half-turn, never
+// a mirror, and every team sees itself attack +x. Positions are in metres, headings are unit
+// vectors.
 #pragma once
 
 #include "core/base/heading.hpp"
@@ -12,20 +18,7 @@
 
 namespace mirocup {
 
-enum class Team { blue, yellow };
-
-template <>
-inline constexpr std::array<std::string_view, 2> enum_names<Team>{"blue", "yellow"};
-
-constexpr Team opponent_of(Team team) {
-  return team == Team::blue ? Team::yellow : Team::blue;
-}
-constexpr int index_of(Team team) {
-  return static_cast<int>(team);
-}
-inline constexpr std::array<Team, 2> both_teams{Team::blue, Team::yellow};
-
-// The end that a team defends: left is x < 0. Who defends left attacks +x.
+// The end that a team defends. Left is x < 0; its defender attacks +x.
 enum class End { left, right };
 
 template <>
@@ -39,21 +32,20 @@ constexpr int index_of(End end) {
 }
 inline constexpr std::array<End, 2> both_ends{End::left, End::right};
 
-// +1 for the defender of left, -1 for the defender of right. A team's own frame is the field's
-// frame times this sign, which is a half-turn (never a mirror), so every team sees itself attack
-// +x.
+// Returns the sign of x in the direction of attack: +1 for the defender of left, -1 for the defender
+// of right. A vector in the field's frame times this sign is the vector in the team's frame.
 constexpr double attack_sign(End defended) {
   return defended == End::left ? 1.0 : -1.0;
 }
 
-// Where a robot stands: metres and a unit vector.
+// The position and heading of a robot: metres and a unit vector.
 struct Pose {
   Vec2 position{0.0, 0.0};
   Heading heading;
 };
 
-// From the field's frame to the frame of the team that defends `end`, and back: it is its own
-// inverse.
+// Converts from the field's frame to the frame of the team that defends `end`. The conversion is its
+// own inverse, so the same functions convert back, and it is exact to the last bit.
 inline Vec2 team_frame(End end, const Vec2& v) {
   return attack_sign(end) * v;
 }

@@ -20,11 +20,12 @@ namespace mirocup::match {
 
 // Resolution of a wheel speed, rad/s, and the largest one that a record can hold.
 inline constexpr double wheel_speed_step = 1.0 / 256.0;
-inline constexpr double largest_wheel_speed = 127.0;
+inline constexpr double max_wheel_speed = 127.0;
 
 struct Command {
   std::array<simulator::WheelSpeeds, max_robots_per_team> wheels{};  // rad/s
-  std::optional<Poses> poses;  // counts while it is the team's turn to place (Scene::placing)
+  std::optional<PlacementRequest>
+      placement;  // counts while it is the team's turn to place (Snapshot::placing)
 };
 
 // As driven and as recorded: left and right of each robot in units of wheel_speed_step.

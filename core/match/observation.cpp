@@ -15,7 +15,7 @@ ObservedRobot observed(End end, const simulator::BodyState& robot) {
 
 }  // namespace
 
-Observation observe(const Scene& scene, Team team, int robots) {
+Observation observe(const Snapshot& scene, Team team, int robots) {
   const Team other = opponent_of(team);
   const End end = scene.left == team ? End::left : End::right;
   Observation o;

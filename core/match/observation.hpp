@@ -43,7 +43,7 @@ struct Observation {
 };
 
 // The scene as a team sees it; `robots` of a team on the field.
-Observation observe(const Scene& scene, Team team, int robots);
+Observation observe(const Snapshot& scene, Team team, int robots);
 
 // What a team is told once, before the first observation.
 struct Briefing {

@@ -13,19 +13,20 @@ namespace mirocup::match {
 namespace {
 
 // Far more than anybody who adds up angles gets to, and few enough turns to be reduced exactly.
-constexpr double largest_heading = 1e6;  // rad
+constexpr double max_heading = 1e6;  // rad
 
-Pose to_pose(const AskedPose& pose, End end) {
+Pose to_pose(const RequestedPose& pose, End end) {
   constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
-  const bool is_angle = std::abs(pose.heading) <= largest_heading;
+  const bool is_angle = std::abs(pose.heading) <= max_heading;
   const Heading heading = is_angle ? Heading::from_angle(pose.heading) : Heading{nowhere, nowhere};
   return team_frame(end, Pose{{pose.x, pose.y}, heading});
 }
 
 }  // namespace
 
-Poses standing(const Observation& observation) {
-  Poses poses{.ball_x = observation.ball.x(), .ball_y = observation.ball.y(), .robots = {}};
+PlacementRequest unchanged_request(const Observation& observation) {
+  PlacementRequest poses{
+      .ball_x = observation.ball.x(), .ball_y = observation.ball.y(), .robots = {}};
   for (int i = 0; i < observation.robots; ++i) {
     const ObservedRobot& robot = observation.own[i];
     poses.robots[i] = {robot.position.x(), robot.position.y(), robot.heading};
@@ -33,27 +34,28 @@ Poses standing(const Observation& observation) {
   return poses;
 }
 
-bool is_same(double a, double b) {
+bool bit_equal(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
-bool is_same(const AskedPose& a, const AskedPose& b) {
-  return is_same(a.x, b.x) && is_same(a.y, b.y) && is_same(a.heading, b.heading);
+bool bit_equal(const RequestedPose& a, const RequestedPose& b) {
+  return bit_equal(a.x, b.x) && bit_equal(a.y, b.y) && bit_equal(a.heading, b.heading);
 }
 
-bool is_same(const Poses& a, const Poses& b, int robots) {
+bool bit_equal(const PlacementRequest& a, const PlacementRequest& b, int robots) {
   for (int i = 0; i < robots; ++i) {
-    if (!is_same(a.robots[i], b.robots[i])) return false;
+    if (!bit_equal(a.robots[i], b.robots[i])) return false;
   }
-  return is_same(a.ball_x, b.ball_x) && is_same(a.ball_y, b.ball_y);
+  return bit_equal(a.ball_x, b.ball_x) && bit_equal(a.ball_y, b.ball_y);
 }
 
-referee::Placement asked_placement(const Scene& scene, Team team, const Poses& shown,
-                                   const Poses& asked, int robots) {
+referee::Placement requested_placement(const Snapshot& scene, Team team,
+                                       const PlacementRequest& shown, const PlacementRequest& asked,
+                                       int robots) {
   const End end = scene.left == team ? End::left : End::right;
   referee::Placement placement;
   placement.ball = scene.ball.position;
-  if (!is_same(asked.ball_x, shown.ball_x) || !is_same(asked.ball_y, shown.ball_y)) {
+  if (!bit_equal(asked.ball_x, shown.ball_x) || !bit_equal(asked.ball_y, shown.ball_y)) {
     placement.ball = team_frame(end, Vec2{asked.ball_x, asked.ball_y});
   }
   for (const Team other : both_teams) {
@@ -64,7 +66,7 @@ referee::Placement asked_placement(const Scene& scene, Team team, const Poses& s
     }
   }
   for (int i = 0; i < robots; ++i) {
-    if (is_same(asked.robots[i], shown.robots[i])) continue;
+    if (bit_equal(asked.robots[i], shown.robots[i])) continue;
     placement.robots[index_of(end)][i] = to_pose(asked.robots[i], end);
   }
   return placement;

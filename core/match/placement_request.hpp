@@ -6,7 +6,7 @@
 // that a recorded leg can be played again without the team.
 #pragma once
 
-#include "core/field/frames.hpp"
+#include "core/field/team.hpp"
 #include "core/field/league.hpp"
 #include "core/referee/placement.hpp"
 
@@ -15,31 +15,32 @@
 namespace mirocup::match {
 
 struct Observation;
-struct Scene;
+struct Snapshot;
 
-struct AskedPose {
+struct RequestedPose {
   double x = 0.0;
   double y = 0.0;
   double heading = 0.0;
 };
 
-struct Poses {
+struct PlacementRequest {
   double ball_x = 0.0;
   double ball_y = 0.0;
-  std::array<AskedPose, max_robots_per_team> robots;
+  std::array<RequestedPose, max_robots_per_team> robots;
 };
 
 // What a team asks for that asks for nothing: everything where it is.
-Poses standing(const Observation& observation);
+PlacementRequest unchanged_request(const Observation& observation);
 
 // The same numbers, bit for bit: what is not a number equals itself.
-bool is_same(double a, double b);
-bool is_same(const AskedPose& a, const AskedPose& b);
-bool is_same(const Poses& a, const Poses& b, int robots);
+bool bit_equal(double a, double b);
+bool bit_equal(const RequestedPose& a, const RequestedPose& b);
+bool bit_equal(const PlacementRequest& a, const PlacementRequest& b, int robots);
 
 // The scene with what one team asks for in it, in the field's frame. What is as it was `shown`
 // stays bit for bit. A heading that is no angle makes a pose that is nowhere.
-referee::Placement asked_placement(const Scene& scene, Team team, const Poses& shown,
-                                   const Poses& asked, int robots);
+referee::Placement requested_placement(const Snapshot& scene, Team team,
+                                       const PlacementRequest& shown, const PlacementRequest& asked,
+                                       int robots);
 
 }  // namespace mirocup::match

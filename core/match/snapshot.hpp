@@ -4,6 +4,7 @@
 // get, and what a team's view of it is made of.
 #pragma once
 
+#include "core/field/team.hpp"
 #include "core/referee/referee.hpp"
 #include "core/simulator/model/state.hpp"
 
@@ -23,7 +24,7 @@ enum class State {
 };
 
 // At the begin of the tick.
-struct Scene {
+struct Snapshot {
   std::uint32_t tick = 0;
   double time = 0.0;
   double clock = 0.0;

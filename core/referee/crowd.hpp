@@ -27,8 +27,8 @@ struct Crowd {
 
 // Counts the time at both ends, wherever the ball is. The crowd that is there for too long with the
 // ball in the zone of that goal, or crossing the line of `goal_at`; nearest to the ball first.
-std::optional<Crowd> find_crowd(const Pitch& pitch, const Situation& situation, const Watch& watch,
-                                const CrowdLimit& limit, std::optional<End> goal_at,
-                                ByEnd<Dwell>& crowded);
+std::optional<Crowd> find_crowd(const Pitch& pitch, const Situation& situation,
+                                const Occupancy& occupancy, const CrowdLimit& limit,
+                                std::optional<End> goal_at, ByEnd<Dwell>& crowded);
 
 }  // namespace mirocup::referee

@@ -91,7 +91,7 @@ struct Decision {
   bool goal_cancelled = false;
   bool scored = false;  // ATTEMPT_END
 
-  void names(const RobotId& robot) { robots[index_of(robot.end)].set(robot.index); }
+  void add_robot(const RobotId& robot) { robots[index_of(robot.end)].set(robot.index); }
 };
 
 }  // namespace mirocup::referee

@@ -12,7 +12,7 @@ struct Dwell {
   bool holds = false;
   double for_s = 0.0;
 
-  void see(bool now, double duration) {
+  void sample(bool now, double duration) {
     for_s = now && holds ? for_s + duration : 0.0;
     holds = now;
   }

@@ -58,10 +58,10 @@ Judgement judge_attackers(const Pitch& pitch, const Situation& s,
                           const std::optional<Decision>& goal, LawBook& book) {
   const std::optional<End> goal_at = goal ? std::optional(opposite(*goal->team)) : std::nullopt;
   Judgement judgement;
-  judgement.call(judge_keeper_charge(pitch, s, book.watch, book.keeper_charge));
-  judgement.call(judge_keeper_push_in(pitch, s, book.watch, goal_at, book.keeper_push_in));
-  judgement.call(judge_two_attackers(pitch, s, book.watch, goal_at, book.two_attackers));
-  judgement.call(judge_four_attackers(pitch, s, book.watch, goal_at, book.four_attackers));
+  judgement.call(judge_keeper_charge(pitch, s, book.occupancy, book.keeper_charge));
+  judgement.call(judge_keeper_push_in(pitch, s, book.occupancy, goal_at, book.keeper_push_in));
+  judgement.call(judge_two_attackers(pitch, s, book.occupancy, goal_at, book.two_attackers));
+  judgement.call(judge_four_attackers(pitch, s, book.occupancy, goal_at, book.four_attackers));
   if (judgement.decision && goal && goal->team == judgement.decision->team) {
     judgement.decision->goal_cancelled = true;
     judgement.decision->reason += "; the goal does not count";
@@ -84,9 +84,9 @@ Judgement judge_play(const Pitch& pitch, const Situation& s, const std::optional
   if (goal && !(judgement.decision && judgement.decision->goal_cancelled)) judgement.call(goal);
   judgement.call(judge_kick_off(pitch, s, book.kick_off));
 
-  auto crowd = judge_two_defenders(pitch, s, book.watch, book.two_defenders);
-  auto large_crowd = judge_four_defenders(pitch, s, book.watch, book.four_defenders);
-  auto push = judge_push(pitch, s, book.watch, book.push);
+  auto crowd = judge_two_defenders(pitch, s, book.occupancy, book.two_defenders);
+  auto large_crowd = judge_four_defenders(pitch, s, book.occupancy, book.four_defenders);
+  auto push = judge_push(pitch, s, book.occupancy, book.push);
   wait_for_goal(std::move(crowd), advantage, judgement);
   wait_for_goal(std::move(large_crowd), advantage, judgement);
   // Defenders who crowd their goal are given time in any case, a push only if the ball rolls there.
@@ -98,11 +98,11 @@ Judgement judge_play(const Pitch& pitch, const Situation& s, const std::optional
   }
   judgement.call(judge_keeper_hold(pitch, s, book.keeper_hold));
   judgement.call(judge_hand(pitch, s));
-  judgement.call(judge_keeper_block(pitch, s, book.watch, book.keeper_block));
+  judgement.call(judge_keeper_block(pitch, s, book.occupancy, book.keeper_block));
   judgement.call(std::move(push));
   judgement.call(judge_collision(pitch, s, book.collision));
-  judgement.call(judge_keeper_catch(pitch, s, book.watch, book.keeper_catch));
-  judgement.call(judge_holding(pitch, s, book.watch, book.holding));
+  judgement.call(judge_keeper_catch(pitch, s, book.occupancy, book.keeper_catch));
+  judgement.call(judge_holding(pitch, s, book.occupancy, book.holding));
   judgement.call(judge_wall_push(pitch, s, book.wall_push));
   judgement.call(judge_fallen(pitch, s));
   judgement.call(judge_stalemate(pitch, s, book.stalemate));

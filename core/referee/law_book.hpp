@@ -44,7 +44,7 @@ struct Advantage {
 
 // Everything here begins anew after each stoppage.
 struct LawBook {
-  Watch watch;
+  Occupancy occupancy;
   Advantage advantage;
   PenaltyAttemptMemory attempt;
 

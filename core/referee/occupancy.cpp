@@ -15,9 +15,9 @@ bool stands_in(const Pitch& pitch, const field::Area& area, End end, const Pose&
   return field::covered_part(pitch.field, area, end, robot, pitch.robot_side) > more_than_half;
 }
 
-void watch_areas(const Pitch& pitch, const Situation& s, Watch& watch) {
-  watch.goal_area = {};
-  watch.penalty_area = {};
+void update_areas(const Pitch& pitch, const Situation& s, Occupancy& occupancy) {
+  occupancy.goal_area = {};
+  occupancy.penalty_area = {};
   for (const End owner : both_ends) {
     const int area = index_of(owner);
     for (const End team : both_ends) {
@@ -26,29 +26,30 @@ void watch_areas(const Pitch& pitch, const Situation& s, Watch& watch) {
         const Pose& robot = s.robots[t][i];
         // Every area is in its own half, and nobody has half a body across the half line in it.
         if (attack_sign(owner) * robot.position.x() >= 0.0) continue;
-        watch.goal_area[area][t][i] = stands_in(pitch, pitch.field.goal_area, owner, robot);
+        occupancy.goal_area[area][t][i] = stands_in(pitch, pitch.field.goal_area, owner, robot);
         if (!pitch.field.penalty_area) continue;
-        watch.penalty_area[area][t][i] = stands_in(pitch, *pitch.field.penalty_area, owner, robot);
+        occupancy.penalty_area[area][t][i] =
+            stands_in(pitch, *pitch.field.penalty_area, owner, robot);
       }
     }
   }
 }
 
-void watch_keepers(const Pitch& pitch, const Situation& s, Watch& watch) {
+void update_keepers(const Pitch& pitch, const Situation& s, Occupancy& occupancy) {
   for (const End end : both_ends) {
     const int e = index_of(end);
-    watch.keeper[e].reset();
+    occupancy.keeper[e].reset();
     double longest = -1.0;
     for (int i = 0; i < pitch.field.robots_per_team; ++i) {
-      double& home = watch.at_home_s[e][i];
-      if (!watch.goal_area[e][e][i]) {
+      double& home = occupancy.at_home_s[e][i];
+      if (!occupancy.goal_area[e][e][i]) {
         home = 0.0;
         continue;
       }
       home += s.duration;
       if (home <= longest) continue;
       longest = home;
-      watch.keeper[e] = RobotId{end, i};
+      occupancy.keeper[e] = RobotId{end, i};
     }
   }
 }
@@ -64,23 +65,23 @@ bool is_shoved(const Pitch& pitch, const Situation& s, const RobotId& robot) {
   return false;
 }
 
-void watch_shoves(const Pitch& pitch, const Situation& s, Watch& watch) {
+void update_shoves(const Pitch& pitch, const Situation& s, Occupancy& occupancy) {
   for (const End end : both_ends) {
     for (int i = 0; i < pitch.field.robots_per_team; ++i) {
-      double& left = watch.excused_s[index_of(end)][i];
+      double& left = occupancy.excused_s[index_of(end)][i];
       left =
           is_shoved(pitch, s, {end, i}) ? pitch.rules.shoved_s : std::max(left - s.duration, 0.0);
-      watch.shoved[index_of(end)][i] = left > 0.0;
+      occupancy.shoved[index_of(end)][i] = left > 0.0;
     }
   }
 }
 
 }  // namespace
 
-void keep_watch(const Pitch& pitch, const Situation& s, Watch& watch) {
-  watch_areas(pitch, s, watch);
-  watch_keepers(pitch, s, watch);
-  watch_shoves(pitch, s, watch);
+void update_occupancy(const Pitch& pitch, const Situation& s, Occupancy& occupancy) {
+  update_areas(pitch, s, occupancy);
+  update_keepers(pitch, s, occupancy);
+  update_shoves(pitch, s, occupancy);
 }
 
 }  // namespace mirocup::referee

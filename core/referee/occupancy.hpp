@@ -8,7 +8,7 @@
 
 namespace mirocup::referee {
 
-struct Watch {
+struct Occupancy {
   // Robots with more than half of their body in an area, by whose end the area is and by team:
   // goal_area[index_of(end)][index_of(team)].
   ByEnd<ByEnd<RobotSet>> goal_area, penalty_area;
@@ -20,12 +20,12 @@ struct Watch {
 };
 
 // Brings it up to the end of the tick.
-void keep_watch(const Pitch& pitch, const Situation& situation, Watch& watch);
+void update_occupancy(const Pitch& pitch, const Situation& situation, Occupancy& occupancy);
 
 // Robots of `team` in the area, without those that were pushed there.
-inline RobotSet counted(const Watch& watch, const ByEnd<ByEnd<RobotSet>>& area, End owner,
+inline RobotSet counted(const Occupancy& occupancy, const ByEnd<ByEnd<RobotSet>>& area, End owner,
                         End team) {
-  return area[index_of(owner)][index_of(team)] & ~watch.shoved[index_of(team)];
+  return area[index_of(owner)][index_of(team)] & ~occupancy.shoved[index_of(team)];
 }
 
 }  // namespace mirocup::referee

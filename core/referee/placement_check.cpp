@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/referee/placement_check.hpp"
 
-#include "core/referee/standing_rules.hpp"
+#include "core/referee/placement_rules.hpp"
 #include "core/referee/touches.hpp"
 
 #include <cmath>
@@ -15,7 +15,7 @@ constexpr double search_step = 0.05;  // m, of the last resort
 // Puts robots one after the other.
 class Placer {
  public:
-  Placer(const Standing& standing, CheckedPlacement& result)
+  Placer(const PlacementRules& standing, CheckedPlacement& result)
       : s_(standing), pitch_(standing.pitch), result_(result) {}
 
   // Leaves a team where it stands.
@@ -120,7 +120,7 @@ class Placer {
     placed_[index_of(team)].set(robot);
   }
 
-  const Standing& s_;
+  const PlacementRules& s_;
   const Pitch& pitch_;
   CheckedPlacement& result_;
   ByEnd<RobotSet> placed_;
@@ -180,7 +180,8 @@ CheckedPlacement check_placement(const Pitch& pitch, const Decision& restart, Ro
   if (ball_is_fine) result.placement.ball = asked.ball;
   result.ball_moved = !ball_is_fine;
 
-  const Standing standing{pitch, restart.restart, taker, roles, defaults, result.placement.ball};
+  const PlacementRules standing{pitch, restart.restart, taker,
+                                roles, defaults,        result.placement.ball};
   const End first = first_placer(restart.restart, taker);
   Placer placer(standing, result);
   for (const End team : {first, opposite(first)}) placer.accept(team, asked);
@@ -202,8 +203,8 @@ CheckedPlacement check_turn(const Pitch& pitch, const Decision& restart, End tea
     if (!result.ball_moved) result.placement.ball = asked.ball;
   }
 
-  const Standing standing{pitch, restart.restart, restart.taker,
-                          roles, defaults,        result.placement.ball};
+  const PlacementRules standing{pitch, restart.restart, restart.taker,
+                                roles, defaults,        result.placement.ball};
   Placer placer(standing, result);
   if (!is_first) placer.keep(opposite(team), asked);
   placer.accept(team, asked);

@@ -10,7 +10,7 @@
 // first free place that the law allows.
 #pragma once
 
-#include "core/referee/standing_rules.hpp"
+#include "core/referee/placement_rules.hpp"
 
 namespace mirocup::referee {
 

@@ -25,7 +25,7 @@ bool is_length(double seconds) {
 
 }  // namespace
 
-Referee::Referee(const Pitch& pitch, const Progress& progress) : pitch_(pitch), now_(progress) {}
+Referee::Referee(const Pitch& pitch, const LegProgress& progress) : pitch_(pitch), now_(progress) {}
 
 Decision Referee::opening() const {
   Decision d;
@@ -53,7 +53,7 @@ Judgement Referee::judge(Situation s) {
   if (s.last_touch) last_touch_ = s.last_touch;
   s.last_touch = last_touch_;
   now_.clock += s.duration;
-  keep_watch(pitch_, s, book_.watch);
+  update_occupancy(pitch_, s, book_.occupancy);
   if (now_.phase == Phase::SHOOT_OUT) return judge_attempt(s);
 
   const std::optional<Decision> goal = judge_goal(pitch_, s);
@@ -82,7 +82,7 @@ bool Referee::is_time_up(const Situation& s, const std::optional<Decision>& goal
   const bool prolonged = book_.attempt.is_on;
   if (prolonged) {
     const bool still = is_stalemate(pitch_, book_.stalemate, s.duration);
-    if (judge_penalty_attempt(pitch_, s, book_.watch, still, book_.attempt)) {
+    if (judge_penalty_attempt(pitch_, s, book_.occupancy, still, book_.attempt)) {
       book_.attempt.is_on = false;
     }
   }
@@ -127,7 +127,7 @@ Judgement Referee::judge_attempt(const Situation& s) {
   // It counts the stillness; what it would give in play has no place here.
   judge_stalemate(pitch_, s, book_.stalemate);
   const bool still = is_stalemate(pitch_, book_.stalemate, s.duration);
-  const auto over = judge_penalty_attempt(pitch_, s, book_.watch, still, book_.attempt);
+  const auto over = judge_penalty_attempt(pitch_, s, book_.occupancy, still, book_.attempt);
   if (judgement.decision) {
     const std::string why = judgement.decision->reason;
     judgement.note(*std::exchange(judgement.decision, std::nullopt));
@@ -282,7 +282,7 @@ Decision Referee::substitute_in_break(const RobotId& robot) const {
   d.law = Law::substitution;
   d.clock = now_.clock;
   d.team = robot.end;
-  d.names(robot);
+  d.add_robot(robot);
   d.reason = "in the break between the halves there may be any number";
   return d;
 }
@@ -330,27 +330,27 @@ void Referee::start_shoot_out(End first, End lots) {
   now_.shoot_out.lots = lots;
 }
 
-Belief Referee::belief() const {
-  Belief belief;
-  belief.stalemate_s = book_.stalemate.still_s;
-  if (book_.advantage.foul) belief.advantage_s = book_.advantage.for_s;
-  const Watch& watch = book_.watch;
+PendingCounts Referee::pending_counts() const {
+  PendingCounts pending;
+  pending.stalemate_s = book_.stalemate.still_s;
+  if (book_.advantage.foul) pending.advantage_s = book_.advantage.for_s;
+  const Occupancy& occupancy = book_.occupancy;
   for (const End end : both_ends) {
     const int e = index_of(end);
     const int other = index_of(opposite(end));
-    TeamCounts& team = belief.teams[e];
+    TeamCounts& team = pending.teams[e];
     const auto count = [](const RobotSet& set) { return static_cast<int>(set.count()); };
-    team.defenders = count(counted(watch, watch.goal_area, end, end));
+    team.defenders = count(counted(occupancy, occupancy.goal_area, end, end));
     team.two_defenders_s = book_.two_defenders.crowded[e].for_s;
-    team.area_defenders = count(counted(watch, watch.penalty_area, end, end));
+    team.area_defenders = count(counted(occupancy, occupancy.penalty_area, end, end));
     team.four_defenders_s = book_.four_defenders.crowded[e].for_s;
-    team.attackers = count(counted(watch, watch.goal_area, opposite(end), end));
+    team.attackers = count(counted(occupancy, occupancy.goal_area, opposite(end), end));
     team.two_attackers_s = book_.two_attackers.crowded[other].for_s;
     team.keeper_hold_s = book_.keeper_hold.held[e].for_s;
-    team.keeper = watch.keeper[e] ? watch.keeper[e]->index : -1;
+    team.keeper = occupancy.keeper[e] ? occupancy.keeper[e]->index : -1;
     team.advantage_against = book_.advantage.foul && book_.advantage.foul->team == end;
   }
-  return belief;
+  return pending;
 }
 
 }  // namespace mirocup::referee

@@ -19,7 +19,7 @@ struct ShootOut {
 };
 
 // How far a match has come. The default is its begin.
-struct Progress {
+struct LegProgress {
   Stage stage = Stage::group;
   Phase phase = Phase::FIRST_HALF;
   bool is_second_extra_half = false;
@@ -45,7 +45,7 @@ struct TeamCounts {
   bool advantage_against = false;  // it fouled; a goal of the others comes first, or the call
 };
 
-struct Belief {
+struct PendingCounts {
   double stalemate_s = 0.0;  // the ball gets nowhere
   double advantage_s = 0.0;  // the time a foul has waited, if one does
   ByEnd<TeamCounts> teams;
@@ -54,15 +54,15 @@ struct Belief {
 class Referee {
  public:
   // `pitch` and what it points to outlive the referee.
-  Referee(const Pitch& pitch, const Progress& progress);
+  Referee(const Pitch& pitch, const LegProgress& progress);
 
   Phase phase() const { return now_.phase; }
   double clock() const { return now_.clock; }  // s, of the current phase
   const ByEnd<int>& score() const { return now_.score; }
   const ShootOut& shoot_out() const { return now_.shoot_out; }
   const std::optional<RobotId>& last_touch() const { return last_touch_; }
-  const Progress& progress() const { return now_; }
-  Belief belief() const;
+  const LegProgress& progress() const { return now_; }
+  PendingCounts pending_counts() const;
 
   // The restart that opens the phase.
   Decision opening() const;
@@ -109,7 +109,7 @@ class Referee {
   double phase_length() const;
 
   Pitch pitch_;
-  Progress now_;
+  LegProgress now_;
   LawBook book_;
   std::optional<RobotId> last_touch_;
   ByEnd<int> time_outs_wanted_{};

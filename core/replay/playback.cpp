@@ -13,13 +13,13 @@ namespace {
 // Played once more for it: what is equal, as nearly all is, needs no trace.
 std::string what_differs(const Recording& recording, std::uint32_t tick) {
   const std::size_t checkpoint = (tick + checkpoint_ticks - 1) / checkpoint_ticks;
-  match::Match match(recording.setup);
-  Trace again;
-  while (!match.is_over() && again.checkpoints.size() <= checkpoint) {
-    match.advance(recorded_answers(recording, match.tick()));
-    again.add(match);
+  match::Leg leg(recording.setup);
+  StateTrace again;
+  while (!leg.is_over() && again.checkpoints.size() <= checkpoint) {
+    leg.advance(recorded_answers(recording, leg.tick()));
+    again.add(leg);
   }
-  const int robots = match.field().robots_per_team;
+  const int robots = leg.field().robots_per_team;
   const auto bodies = differing_bodies(recording.trace, again, tick, 2 * robots + 1);
   if (bodies.empty()) return "";
   std::string text;
@@ -37,7 +37,7 @@ std::string what_differs(const Recording& recording, std::uint32_t tick) {
 
 }  // namespace
 
-Playback::Playback(const Recording& recording) : recording_(recording), match_(recording.setup) {}
+Playback::Playback(const Recording& recording) : recording_(recording), leg_(recording.setup) {}
 
 bool Playback::differs(std::uint32_t tick, std::string what) {
   divergence_ = Divergence{tick, std::move(what)};
@@ -45,10 +45,10 @@ bool Playback::differs(std::uint32_t tick, std::string what) {
 }
 
 bool Playback::advance() {
-  if (divergence_ || match_.is_over()) return false;
-  const std::uint32_t tick = match_.tick();
-  match_.advance(recorded_answers(recording_, tick));
-  if (match_.log().size() <= tick) {  // a fault ended it before anything moved
+  if (divergence_ || leg_.is_over()) return false;
+  const std::uint32_t tick = leg_.tick();
+  leg_.advance(recorded_answers(recording_, tick));
+  if (leg_.log().size() <= tick) {  // a fault ended it before anything moved
     if (tick == recording_.ticks.size()) return false;
     return differs(tick, "the replay ends here, the record goes on");
   }
@@ -56,13 +56,13 @@ bool Playback::advance() {
     return differs(tick, "the record ends here, the replay goes on");
   }
   const std::uint64_t expected = recording_.ticks[tick].hash;
-  const std::uint64_t again = match_.log()[tick].hash;
+  const std::uint64_t again = leg_.log()[tick].hash;
   if (again != expected) {
     return differs(tick, "the state differs: the record's hash is " + to_hex(expected) +
                              ", the replay's " + to_hex(again) + what_differs(recording_, tick));
   }
-  if (match_.is_over() && match_.log().size() != recording_.ticks.size()) {
-    return differs(match_.tick(), "the replay ends here, the record goes on");
+  if (leg_.is_over() && leg_.log().size() != recording_.ticks.size()) {
+    return differs(leg_.tick(), "the replay ends here, the record goes on");
   }
   return true;
 }

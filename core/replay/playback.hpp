@@ -24,7 +24,7 @@ class Playback {
   explicit Playback(const Recording& recording);
 
   // The leg as it stands: before the first tick, or after the last one that advance() played.
-  const match::Match& match() const { return match_; }
+  const match::Leg& leg() const { return leg_; }
 
   // Plays the next tick and compares its hash; false when there is none, or once they differ.
   bool advance();
@@ -36,7 +36,7 @@ class Playback {
   bool differs(std::uint32_t tick, std::string what);
 
   const Recording& recording_;
-  match::Match match_;
+  match::Leg leg_;
   std::optional<Divergence> divergence_;
 };
 

@@ -9,16 +9,16 @@ match::Command answer(const Recording& recording, std::uint32_t tick, Team team)
   const match::DrivenCommand& driven = recording.ticks[tick].commands[index_of(team)];
   match::Command command;
   for (int i = 0; i < max_robots_per_team; ++i) command.wheels[i] = driven.speeds(i);
-  command.poses = asked_in(recording, tick, team);
+  command.placement = requested_in(recording, tick, team);
   return command;
 }
 
 match::Answer last_answer(const Recording& recording, Team team) {
-  for (const match::TeamFault& fault : recording.result.faults) {
+  for (const match::TeamFault& fault : recording.outcome.faults) {
     if (fault.team == team) return fault.fault;
   }
-  if (recording.result.end == match::EndKind::void_) {
-    return match::HostFailure{recording.result.why_void};
+  if (recording.outcome.kind == match::OutcomeKind::void_) {
+    return match::HostFailure{recording.outcome.why_void};
   }
   return match::Command{};
 }

@@ -6,22 +6,23 @@
 
 namespace mirocup::replay {
 
-Recording record(const match::Match& match, Trace trace) {
-  return {.setup = match.setup(),
-          .ticks = match.log(),
-          .asked = match.asked(),
-          .decisions = match.decisions(),
-          .result = match.result(),
-          .state_hash = match.state_hash(),
+Recording record(const match::Leg& leg, StateTrace trace) {
+  return {.setup = leg.setup(),
+          .ticks = leg.log(),
+          .placement_requests = leg.placement_requests(),
+          .decisions = leg.decisions(),
+          .outcome = leg.outcome(),
+          .state_hash = leg.state_hash(),
           .trace = std::move(trace)};
 }
 
-std::optional<match::Poses> asked_in(const Recording& recording, std::uint32_t tick, Team team) {
+std::optional<match::PlacementRequest> requested_in(const Recording& recording, std::uint32_t tick,
+                                                    Team team) {
   auto at = std::lower_bound(
-      recording.asked.begin(), recording.asked.end(), tick,
-      [](const match::LoggedPoses& logged, std::uint32_t t) { return logged.tick < t; });
-  for (; at != recording.asked.end() && at->tick == tick; ++at) {
-    if (at->team == team) return at->poses;
+      recording.placement_requests.begin(), recording.placement_requests.end(), tick,
+      [](const match::LoggedPlacementRequest& logged, std::uint32_t t) { return logged.tick < t; });
+  for (; at != recording.placement_requests.end() && at->tick == tick; ++at) {
+    if (at->team == team) return at->request;
   }
   return std::nullopt;
 }

@@ -14,17 +14,19 @@ namespace mirocup::replay {
 struct Recording {
   match::Setup setup;
   std::vector<match::TickLog> ticks;
-  std::vector<match::LoggedPoses> asked;  // at restarts, in the order of the ticks
+  std::vector<match::LoggedPlacementRequest>
+      placement_requests;  // at restarts, in the order of the ticks
   std::vector<match::LoggedDecision> decisions;
-  match::Result result;
+  match::Outcome outcome;
   std::uint64_t state_hash = 0;
-  Trace trace;  // may be empty
+  StateTrace trace;  // may be empty
 };
 
 // Of a match that is over, and what was traced of it.
-Recording record(const match::Match& match, Trace trace = {});
+Recording record(const match::Leg& leg, StateTrace trace = {});
 
 // What the team asked for in that tick, if it did.
-std::optional<match::Poses> asked_in(const Recording& recording, std::uint32_t tick, Team team);
+std::optional<match::PlacementRequest> requested_in(const Recording& recording, std::uint32_t tick,
+                                                    Team team);
 
 }  // namespace mirocup::replay

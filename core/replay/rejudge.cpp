@@ -13,10 +13,10 @@ using match::LoggedDecision;
 using referee::Decision;
 
 // The first decision about play among those from an index on.
-std::optional<LoggedDecision> decision_since(const match::Match& match, std::size_t from) {
+std::optional<LoggedDecision> decision_since(const match::Leg& leg, std::size_t from) {
   using referee::Verdict;
-  for (std::size_t i = from; i < match.decisions().size(); ++i) {
-    const LoggedDecision& logged = match.decisions()[i];
+  for (std::size_t i = from; i < leg.decisions().size(); ++i) {
+    const LoggedDecision& logged = leg.decisions()[i];
     const Verdict verdict = logged.decision.verdict;
     if (verdict != Verdict::NONE && verdict != Verdict::PLACEMENT_FIXED) return logged;
   }
@@ -36,52 +36,53 @@ LoggedDecision logged(const Decision& decision, std::uint32_t tick, Team left) {
   return result;
 }
 
-bool is_same(const LoggedDecision& a, const LoggedDecision& b) {
+bool is_same_call(const LoggedDecision& a, const LoggedDecision& b) {
   return a.decision.verdict == b.decision.verdict && a.decision.law == b.decision.law &&
          a.decision.goal_cancelled == b.decision.goal_cancelled && a.team == b.team &&
          a.taker == b.taker;
 }
 
 // The second referee.
-class Onlooker {
+class SecondReferee {
  public:
-  Onlooker(const match::Match& match, const referee::Rules& rules)
-      : match_(match),
-        pitch_{match.field(), rules, match.setup().parameters.ball_radius,
-               match.setup().parameters.robot_side},
-        referee_(std::in_place, pitch_, match.referee().progress()) {
-    referee_->resume(match.restart());
+  SecondReferee(const match::Leg& leg, const referee::Rules& rules)
+      : leg_(leg),
+        pitch_{leg.field(), rules, leg.setup().parameters.ball_radius,
+               leg.setup().parameters.robot_side},
+        referee_(std::in_place, pitch_, leg.referee().progress()) {
+    referee_->resume(leg.restart());
   }
 
   // After a tick of the match, before which it had so many decisions and this team at the left end.
-  std::optional<Difference> look(std::uint32_t tick, std::size_t decisions_before, Team left) {
+  std::optional<Difference> compare_tick(std::uint32_t tick, std::size_t decisions_before,
+                                         Team left) {
     Difference difference;
     difference.tick = tick;
-    difference.given = decision_since(match_, decisions_before);
+    difference.given = decision_since(leg_, decisions_before);
     std::optional<Decision> would_be;
-    if (match_.judged()) would_be = referee_->judge(*match_.judged()).decision;
+    if (leg_.judged()) would_be = referee_->judge(*leg_.judged()).decision;
     // A phase that is over for it goes on in the match: to say so once is enough.
     const bool ends_phase = would_be && would_be->restart == referee::Restart::none;
     if (ends_phase && std::exchange(said_phase_is_over_, true)) would_be.reset();
     if (would_be) difference.would_be = logged(*would_be, tick, left);
 
     if (difference.given) {
-      referee_.emplace(pitch_, match_.referee().progress());
-      referee_->resume(match_.restart());
+      referee_.emplace(pitch_, leg_.referee().progress());
+      referee_->resume(leg_.restart());
       if (difference.given->decision.restart == referee::Restart::none) said_phase_is_over_ = false;
     } else if (would_be) {
       referee_->resume(Decision{});
-    } else if (match_.scene().state == match::State::READY) {
-      referee_->resume(match_.restart());  // a team may have moved the ball
+    } else if (leg_.snapshot().state == match::State::READY) {
+      referee_->resume(leg_.restart());  // a team may have moved the ball
     }
     const bool both = difference.given && difference.would_be;
     if (!difference.given && !difference.would_be) return std::nullopt;
-    if (both && is_same(*difference.given, *difference.would_be)) return std::nullopt;
+    if (both && is_same_call(*difference.given, *difference.would_be)) return std::nullopt;
     return difference;
   }
 
  private:
-  const match::Match& match_;
+  const match::Leg& leg_;
   referee::Pitch pitch_;
   std::optional<referee::Referee> referee_;  // made anew at every stoppage
   bool said_phase_is_over_ = false;
@@ -89,16 +90,16 @@ class Onlooker {
 
 }  // namespace
 
-std::vector<Difference> appeal(const Recording& recording, const referee::Rules& rules) {
-  match::Match again(recording.setup);
-  Onlooker onlooker(again, rules);
+std::vector<Difference> rejudge(const Recording& recording, const referee::Rules& rules) {
+  match::Leg again(recording.setup);
+  SecondReferee second(again, rules);
   std::vector<Difference> differences;
   while (!again.is_over() && again.tick() < recording.ticks.size()) {
     const std::uint32_t tick = again.tick();
     const std::size_t decisions = again.decisions().size();
-    const Team left = again.scene().left;
+    const Team left = again.snapshot().left;
     again.advance(recorded_answers(recording, tick));
-    if (auto difference = onlooker.look(tick, decisions, left)) {
+    if (auto difference = second.compare_tick(tick, decisions, left)) {
       differences.push_back(*std::move(difference));
     }
   }

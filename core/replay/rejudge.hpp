@@ -22,6 +22,6 @@ struct Difference {
   std::optional<match::LoggedDecision> would_be;  // with the other parameters
 };
 
-std::vector<Difference> appeal(const Recording& recording, const referee::Rules& rules);
+std::vector<Difference> rejudge(const Recording& recording, const referee::Rules& rules);
 
 }  // namespace mirocup::replay

@@ -39,26 +39,27 @@ std::string exact(const Vec2& v) {
 
 }  // namespace
 
-void Trace::add(const match::Match& match) {
-  if (match.log().size() <= ticks.size()) return;  // a fault ended it before anything moved
-  if (ticks.capacity() == 0) ticks.reserve(match.log().capacity());
-  const int robots = match.field().robots_per_team;
+void StateTrace::add(const match::Leg& leg) {
+  if (leg.log().size() <= ticks.size()) return;  // a fault ended it before anything moved
+  if (ticks.capacity() == 0) ticks.reserve(leg.log().capacity());
+  const int robots = leg.field().robots_per_team;
   Checkpoint* checkpoint = nullptr;
   if (ticks.size() % checkpoint_ticks == 0) checkpoint = &checkpoints.emplace_back();
   Fingerprints& fingerprints = ticks.emplace_back();
   for (const Team team : both_teams) {
     for (int i = 0; i < robots; ++i) {
       const int body = index_of(team) * robots + i;
-      const simulator::BodyState robot = match.robot(team, i);
+      const simulator::BodyState robot = leg.robot(team, i);
       fingerprints[body] = fingerprint(robot);
       if (checkpoint != nullptr) checkpoint->robots[body] = robot;
     }
   }
-  fingerprints[2 * robots] = fingerprint(match.ball());
-  if (checkpoint != nullptr) checkpoint->ball = match.ball();
+  fingerprints[2 * robots] = fingerprint(leg.ball());
+  if (checkpoint != nullptr) checkpoint->ball = leg.ball();
 }
 
-std::vector<int> differing_bodies(const Trace& a, const Trace& b, std::size_t tick, int bodies) {
+std::vector<int> differing_bodies(const StateTrace& a, const StateTrace& b, std::size_t tick,
+                                  int bodies) {
   std::vector<int> differing;
   if (tick >= a.ticks.size() || tick >= b.ticks.size()) return differing;
   for (int body = 0; body < bodies; ++body) {

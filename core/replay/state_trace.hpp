@@ -5,7 +5,7 @@
 // it was instead. The hash of a tick only says that something differs.
 #pragma once
 
-#include "core/match/match.hpp"
+#include "core/match/leg.hpp"
 
 #include <array>
 #include <string>
@@ -24,16 +24,17 @@ struct Checkpoint {
 
 using Fingerprints = std::array<std::uint8_t, simulator::max_bodies>;
 
-struct Trace {
+struct StateTrace {
   std::vector<Fingerprints> ticks;      // empty, or one for each tick of the leg
   std::vector<Checkpoint> checkpoints;  // of the ticks 0, checkpoint_ticks, ...
 
   // Takes down the tick that the match has played last; to be called after each.
-  void add(const match::Match& match);
+  void add(const match::Leg& leg);
 };
 
 // The bodies whose fingerprints after the tick differ.
-std::vector<int> differing_bodies(const Trace& a, const Trace& b, std::size_t tick, int bodies);
+std::vector<int> differing_bodies(const StateTrace& a, const StateTrace& b, std::size_t tick,
+                                  int bodies);
 
 // "yellow robot 3", "the ball"
 std::string body_name(int body, int robots_per_team);

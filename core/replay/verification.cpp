@@ -28,7 +28,7 @@ std::string decision_text(const match::LoggedDecision& d) {
          d.decision.reason + ")";
 }
 
-std::optional<Divergence> compare_decisions(const Recording& recording, const match::Match& again) {
+std::optional<Divergence> compare_decisions(const Recording& recording, const match::Leg& again) {
   const auto& recorded = recording.decisions;
   const auto& replayed = again.decisions();
   for (std::size_t i = 0; i < std::min(recorded.size(), replayed.size()); ++i) {
@@ -42,18 +42,18 @@ std::optional<Divergence> compare_decisions(const Recording& recording, const ma
                                       " decisions, the replay " + std::to_string(replayed.size())};
 }
 
-std::optional<Divergence> compare_result(const Recording& recording, const match::Match& again) {
-  const match::Result& recorded = recording.result;
-  const match::Result& replayed = again.result();
-  if (recorded.end == replayed.end && recorded.score == replayed.score &&
+std::optional<Divergence> compare_outcomes(const Recording& recording, const match::Leg& again) {
+  const match::Outcome& recorded = recording.outcome;
+  const match::Outcome& replayed = again.outcome();
+  if (recorded.kind == replayed.kind && recorded.score == replayed.score &&
       recorded.played == replayed.played && recorded.winner == replayed.winner &&
       recorded.shoot_out == replayed.shoot_out && recording.state_hash == again.state_hash()) {
     return std::nullopt;
   }
   return Divergence{again.tick(),
-                    "the record ends " + std::string(to_string(recorded.end)) + " " +
+                    "the record ends " + std::string(to_string(recorded.kind)) + " " +
                         score_text(recorded.score) + " with hash " + to_hex(recording.state_hash) +
-                        ", the replay " + std::string(to_string(replayed.end)) + " " +
+                        ", the replay " + std::string(to_string(replayed.kind)) + " " +
                         score_text(replayed.score) + " with hash " + to_hex(again.state_hash())};
 }
 
@@ -63,11 +63,11 @@ std::optional<Divergence> verify(const Recording& recording) {
   Playback again(recording);
   while (again.advance()) {
   }
-  const auto decision = compare_decisions(recording, again.match());
+  const auto decision = compare_decisions(recording, again.leg());
   const auto& state = again.divergence();
   if (state && (!decision || state->tick < decision->tick)) return state;
   if (decision) return decision;
-  return compare_result(recording, again.match());
+  return compare_outcomes(recording, again.leg());
 }
 
 }  // namespace mirocup::replay

@@ -95,8 +95,9 @@ SceneResult run_scene(const Scene& scene, const Tolerances& tolerances) {
 std::optional<Overlap> find_overlap(const Scene& scene, double tolerance) {
   const field::Field field = field::make_field(scene.league);
   const int robots = static_cast<int>(scene.robots.size());
-  const StaticWorld world = make_static_world(scene.has_walls ? &field : nullptr, scene.parameters,
-                                              Tolerances{}, robots, scene.ball.has_value());
+  const collision::StaticWorld world =
+      collision::make_static_world(scene.has_walls ? &field : nullptr, scene.parameters,
+                                   Tolerances{}, robots, scene.ball.has_value());
   std::vector<BodyState> bodies;
   for (const SceneRobot& robot : scene.robots) {
     bodies.push_back({robot.state.position, robot.state.heading, {}});

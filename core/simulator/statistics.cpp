@@ -3,7 +3,7 @@
 
 namespace mirocup::simulator {
 
-void add_impact(const Contact& c, double t, RunStatistics& statistics) {
+void add_impact(const collision::Contact& c, double t, RunStatistics& statistics) {
   statistics.impacts.push_back({.time = statistics.origin + t,
                                 .first = c.a,
                                 .second = c.b,
@@ -12,14 +12,14 @@ void add_impact(const Contact& c, double t, RunStatistics& statistics) {
                                 .impulse = c.impact.impulse});
 }
 
-void add_pressing(std::span<const Contact> contacts, const BodySet& involved,
+void add_pressing(std::span<const collision::Contact> contacts, const BodySet& involved,
                   RunStatistics& statistics) {
   if (!contacts.empty()) ++statistics.contact_solves;
   const auto before = statistics.pressing;
   for (int i = 0; i < max_bodies; ++i) {
     if (involved[i]) statistics.pressing[i].reset();
   }
-  for (const Contact& c : contacts) {
+  for (const collision::Contact& c : contacts) {
     if (!c.resting.is_active || statistics.pressing[c.pair.a][c.pair.partner]) continue;
     statistics.pressing[c.pair.a].set(c.pair.partner);
     if (!before[c.pair.a][c.pair.partner]) ++statistics.lasting_contacts;

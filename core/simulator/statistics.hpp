@@ -36,10 +36,10 @@ struct RunStatistics {
 };
 
 // An impact at t seconds of the tick.
-void add_impact(const Contact& contact, double t, RunStatistics& statistics);
+void add_impact(const collision::Contact& contact, double t, RunStatistics& statistics);
 
 // The contacts of the involved bodies, after it was found which of them press.
-void add_pressing(std::span<const Contact> contacts, const BodySet& involved,
+void add_pressing(std::span<const collision::Contact> contacts, const BodySet& involved,
                   RunStatistics& statistics);
 
 }  // namespace mirocup::simulator

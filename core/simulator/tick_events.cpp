@@ -3,8 +3,9 @@
 
 namespace mirocup::simulator {
 
-void add_touches(const StaticWorld& world, std::span<const Contact> contacts, TickEvents& events) {
-  for (const Contact& c : contacts) {
+void add_touches(const collision::StaticWorld& world, std::span<const collision::Contact> contacts,
+                 TickEvents& events) {
+  for (const collision::Contact& c : contacts) {
     if (c.pair.with_obstacle()) continue;
     events.touched[c.pair.a].set(c.pair.partner);
     events.touched[c.pair.partner].set(c.pair.a);

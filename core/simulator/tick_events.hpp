@@ -22,6 +22,7 @@ struct TickEvents {
 };
 
 // These were in contact.
-void add_touches(const StaticWorld& world, std::span<const Contact> contacts, TickEvents& events);
+void add_touches(const collision::StaticWorld& world, std::span<const collision::Contact> contacts,
+                 TickEvents& events);
 
 }  // namespace mirocup::simulator

@@ -26,13 +26,13 @@ constexpr int max_estimates = 2;
 
 World::World(const field::Field* field, const Parameters& parameters, const Tolerances& tolerances,
              int robots, bool has_ball)
-    : static_world_(make_static_world(field, parameters, tolerances, robots, has_ball)),
+    : static_world_(collision::make_static_world(field, parameters, tolerances, robots, has_ball)),
       thresholds_(tolerances),
-      qp_(std::make_unique<BoxQp>()),
-      regularized_qp_(std::make_unique<RegularizedQp>()),
-      forces_(std::make_unique<ContactForces>(static_world_)),
-      motion_(std::make_unique<ContactMotion>(static_world_)),
-      steps_(std::make_unique<TimeStepper>(static_world_, *regularized_qp_)) {
+      qp_(std::make_unique<solver::BoxQp>()),
+      regularized_qp_(std::make_unique<solver::RegularizedQp>()),
+      forces_(std::make_unique<resting_contact::ContactForces>(static_world_)),
+      motion_(std::make_unique<resting_contact::ContactMotion>(static_world_)),
+      steps_(std::make_unique<stepping::TimeStepper>(static_world_, *regularized_qp_)) {
   for (int i = 0; i < robots; ++i) free_mass_[i] = static_world_.free_robot;
   if (has_ball) mass_[robots] = free_mass_[robots] = static_world_.ball;
 }
@@ -60,12 +60,12 @@ void World::set_ball(const BallState& state) {
 const TickEvents& World::advance(std::span<const WheelCommand> commands, double duration) {
   events_ = {};
   for (int i = 0; i < static_world_.robots; ++i) {
-    drives_[i] = drive_reference(static_world_.parameters, commands[i]);
+    drives_[i] = trajectory::drive_reference(static_world_.parameters, commands[i]);
     const bool on_ground = drives_[i].wheels_on_ground;
     mass_[i] = on_ground ? static_world_.grounded_robot : static_world_.free_robot;
     if (on_ground && static_world_.parameters.grip == infinite_grip) bodies_[i].twist.left = 0.0;
   }
-  const BodySet all(bodies_below(static_world_.bodies()));
+  const BodySet all(collision::bodies_below(static_world_.bodies()));
   pairs_.clear();
   closed_form_.reset();
   step_islands_ = {};
@@ -78,11 +78,11 @@ const TickEvents& World::advance(std::span<const WheelCommand> commands, double 
   bodies_were_set_ = false;
   steps_->begin_tick();
   thresholds_.begin_tick(bodies_of(contacts_.contacts()));
-  islands_.for_each(contacts_, [this](std::span<const Contact> group) {
+  islands_.for_each(contacts_, [this](std::span<const collision::Contact> group) {
     thresholds_.note_island(bodies_of(group));
   });
   if (!were_set)
-    take_steps(islands_of(thresholds_.over_budget(), contacts_.contacts()), 0.0, duration);
+    take_steps(impact::islands_of(thresholds_.over_budget(), contacts_.contacts()), 0.0, duration);
   resolve_collisions(0.0);
   continue_motion(all, {}, 0.0, duration);
 
@@ -101,11 +101,11 @@ const TickEvents& World::advance(std::span<const WheelCommand> commands, double 
 
 // Not later than t, which becomes their time; null if there are none. Estimates are made exact only where
 // that may decide.
-const CandidatePair* World::earliest_contact(double& t) {
+const collision::CandidatePair* World::earliest_contact(double& t) {
   const double latest = t;
   while (true) {
     t = latest;
-    CandidatePair* first = pairs_.earliest(t);
+    collision::CandidatePair* first = pairs_.earliest(t);
     if (first == nullptr || !first->is_estimate) return first;
     if (refine_estimate(*first)) continue;
     const double sink = thresholds_.penetration(first->pair);
@@ -116,7 +116,7 @@ const CandidatePair* World::earliest_contact(double& t) {
 }
 
 // An estimate from where the last one led costs a quarter of an exact time, and most who come close pass.
-bool World::refine_estimate(CandidatePair& n) const {
+bool World::refine_estimate(collision::CandidatePair& n) const {
   if (n.contact_time == n.estimated || n.estimates == max_estimates) return false;
   ++n.estimates;
   const double before = n.contact_time;
@@ -128,7 +128,7 @@ World::Event World::next_event(double tick_end) {
   Event next{.time = tick_end, .is_touch = false, .pair = {}, .involved = {}};
   for (int i = 0; i < static_world_.bodies(); ++i)
     next.time = std::min(next.time, segments_[i].end);
-  if (const CandidatePair* first = earliest_contact(next.time)) {
+  if (const collision::CandidatePair* first = earliest_contact(next.time)) {
     next.is_touch = true;
     next.pair = first->pair;
     next.involved = bodies_of(first->pair);
@@ -171,16 +171,17 @@ bool World::was_forced_to_hold(const Event& event) const {
 void World::resolve_collisions(double t) {
   add_touches(static_world_, contacts_.contacts(), events_);
   separate_overlaps();
-  islands_.for_each(contacts_, [this, t](std::span<Contact> group) { collide(group, t); });
+  islands_.for_each(contacts_,
+                    [this, t](std::span<collision::Contact> group) { collide(group, t); });
 }
 
 // From the contacts that the involved bodies have now: who presses, and how all of them move on.
 void World::continue_motion(const BodySet& involved, const BodySet& were_stepping, double t,
                             double tick_end) {
-  take_steps(
-      were_stepping | islands_of(were_stepping | to_be_stepped(involved), contacts_.contacts()), t,
-      tick_end);
-  islands_.for_each(contacts_, [this](std::span<Contact> group) {
+  take_steps(were_stepping |
+                 impact::islands_of(were_stepping | to_be_stepped(involved), contacts_.contacts()),
+             t, tick_end);
+  islands_.for_each(contacts_, [this](std::span<collision::Contact> group) {
     forces_->decide(drives_, thresholds_.slip_threshold(), thresholds_.roll_threshold(), bodies_,
                     group);
   });
@@ -192,7 +193,8 @@ void World::continue_motion(const BodySet& involved, const BodySet& were_steppin
 
 // Of these, the bodies that go in small steps with whatever touches them.
 BodySet World::to_be_stepped(const BodySet& bodies) const {
-  return has_friction(static_world_.parameters) ? bodies : bodies & thresholds_.over_budget();
+  return impact::has_friction(static_world_.parameters) ? bodies
+                                                        : bodies & thresholds_.over_budget();
 }
 
 // Those of the candidates whose contacts last take a small step, each with whom it may touch in it.
@@ -200,7 +202,7 @@ void World::take_steps(const BodySet& candidates, double t, double tick_end) {
   // Scenes are sampled by ticks that last no time: there is nothing to step over.
   if (candidates.none() || t == tick_end) return;
   for (BodySet left = candidates; left.any();) {
-    const TimeStepper::Step taken =
+    const stepping::TimeStepper::Step taken =
         steps_->take_step(left, contacts_.contacts(), drives_, mass_, tick_end - t, bodies_);
     if (taken.members.none()) break;
     begin_step(taken, t, tick_end);
@@ -209,7 +211,7 @@ void World::take_steps(const BodySet& candidates, double t, double tick_end) {
   drop_contacts_of(candidates);
 }
 
-void World::begin_step(const TimeStepper::Step& taken, double t, double tick_end) {
+void World::begin_step(const stepping::TimeStepper::Step& taken, double t, double tick_end) {
   events_.stepped = true;
   step_islands_.begin_step(taken.members, t);
   const double end =
@@ -218,8 +220,8 @@ void World::begin_step(const TimeStepper::Step& taken, double t, double tick_end
     closed_form_.set(i);
     segments_[i].begin = t;
     segments_[i].end = end;
-    bounds_[i] = bound_of_corrected_arc(bodies_[i], steps_->end(i).position, steps_->correction(i),
-                                        t, end - t);
+    bounds_[i] = stepping::bound_of_corrected_arc(bodies_[i], steps_->end(i).position,
+                                                  steps_->correction(i), t, end - t);
     boxes_[i] = box_around(bounds_[i], end - t);
   });
   add_touches(static_world_, steps_->pressing(), events_);
@@ -231,7 +233,7 @@ void World::grow_island(double t, BodySet& involved) {
   while (grows) {
     grows = false;
     for_each_body(involved, [&](int i) { involved |= step_islands_.island_of(i); });
-    for (CandidatePair& n : pairs_.list()) {
+    for (collision::CandidatePair& n : pairs_.list()) {
       if (n.pair.with_obstacle() || involved[n.pair.a] == involved[n.pair.partner]) continue;
       if (n.is_apart_at(t)) continue;
       const Pose a = pose_of(n.pair.a, t);
@@ -249,8 +251,8 @@ void World::grow_island(double t, BodySet& involved) {
 
 // When the involved bodies meet others. Whoever may do so needs its series.
 void World::update_pairs(const BodySet& involved, double t, double tick_end) {
-  const std::span<CandidatePair> found = pairs_.find(static_world_, boxes_, involved);
-  for (CandidatePair& n : found) {
+  const std::span<collision::CandidatePair> found = pairs_.find(static_world_, boxes_, involved);
+  for (collision::CandidatePair& n : found) {
     if (step_islands_.share_step(n.pair)) continue;
     const auto touch = next_contact_time(static_world_, n.pair, contacts_.contacts(), segments_,
                                          thresholds_.penetration(n.pair));
@@ -258,8 +260,8 @@ void World::update_pairs(const BodySet& involved, double t, double tick_end) {
     n.estimated = t;
     n.contact_time = touch ? *touch : earliest_contact_of(n.pair, t);
   }
-  for (const CandidatePair& n : found) {
-    if (n.contact_time == never) continue;
+  for (const collision::CandidatePair& n : found) {
+    if (n.contact_time == trajectory::never) continue;
     to_series(n.pair.a, t, tick_end);
     if (!n.pair.with_obstacle()) to_series(n.pair.partner, t, tick_end);
   }
@@ -269,15 +271,16 @@ double World::earliest_contact_of(const Pair& pair, double t) const {
   const double touch = static_world_.tolerances.contact_gap;
   const double radius_a = static_world_.shape(pair.a).radius;
   if (pair.with_obstacle()) {
-    const ApproachQuery encounter{bounds_[pair.a], MotionBound{}, never, t, segments_[pair.a].end};
+    const collision::ApproachQuery encounter{bounds_[pair.a], trajectory::MotionBound{},
+                                             trajectory::never, t, segments_[pair.a].end};
     const geometry::Separation apart = separation(static_world_, pair, pose_of(pair.a, t), Pose{});
     return earliest_contact_time(encounter, apart, radius_a, apart.reach_b, touch);
   }
   const double radius_b = static_world_.shape(pair.partner).radius;
   const double end = std::min(segments_[pair.a].end, segments_[pair.partner].end);
-  const ApproachQuery encounter{bounds_[pair.a], bounds_[pair.partner], radius_a + radius_b + touch,
-                                t, end};
-  if (stays_out_of_reach(encounter)) return never;
+  const collision::ApproachQuery encounter{bounds_[pair.a], bounds_[pair.partner],
+                                           radius_a + radius_b + touch, t, end};
+  if (stays_out_of_reach(encounter)) return trajectory::never;
   const geometry::Separation apart =
       separation(static_world_, pair, pose_of(pair.a, t), pose_of(pair.partner, t));
   return earliest_contact_time(encounter, apart, radius_a, radius_b, touch);
@@ -288,8 +291,8 @@ void World::start_closed_form(int body, double t, double tick_end) {
   segments_[body].begin = t;
   segments_[body].end = tick_end;
   const double span = tick_end - t;
-  MotorDecay& decay = t == 0.0 ? whole_decay_ : rest_decay_;
-  if (span != decay.span) decay = motor_decay(static_world_.parameters, span);
+  trajectory::MotorDecay& decay = t == 0.0 ? whole_decay_ : rest_decay_;
+  if (span != decay.span) decay = trajectory::motor_decay(static_world_.parameters, span);
   closed_form_end_[body] = closed_form_state(bodies_[body], drives_[body], decay);
   boxes_[body] = closed_form_box(bodies_[body], closed_form_end_[body], drives_[body], decay);
   bounds_[body] = closed_form_bound(bodies_[body], closed_form_end_[body], drives_[body], decay, t);
@@ -299,11 +302,11 @@ void World::to_series(int body, double t, double tick_end) {
   if (!closed_form_[body]) return;
   bodies_[body] = state_at(body, t);
   closed_form_.reset(body);
-  segments_[body] =
-      step_islands_.is_stepping(body)
-          ? corrected_segment(bodies_[body], steps_->correction(body), segments_[body].begin, t,
-                              segments_[body].end)
-          : drive(static_world_.parameters, bodies_[body], drives_[body], t, tick_end, never);
+  segments_[body] = step_islands_.is_stepping(body)
+                        ? stepping::corrected_segment(bodies_[body], steps_->correction(body),
+                                                      segments_[body].begin, t, segments_[body].end)
+                        : drive(static_world_.parameters, bodies_[body], drives_[body], t, tick_end,
+                                trajectory::never);
   boxes_[body] = swept_box(segments_[body]);
   bounds_[body] = bound_of_segment(segments_[body]);
 }
@@ -311,15 +314,15 @@ void World::to_series(int body, double t, double tick_end) {
 BodyState World::state_at(int body, double t) const {
   if (!closed_form_[body]) return body_at(segments_[body], t);
   if (step_islands_.is_stepping(body)) {
-    const Segment& s = segments_[body];
-    return along_corrected_arc(bodies_[body], steps_->correction(body), s.end - s.begin,
-                               t - s.begin);
+    const trajectory::Segment& s = segments_[body];
+    return stepping::along_corrected_arc(bodies_[body], steps_->correction(body), s.end - s.begin,
+                                         t - s.begin);
   }
   if (t == segments_[body].end) return closed_form_end_[body];
   const double span = t - segments_[body].begin;
   if (span == 0.0) return bodies_[body];
   return closed_form_state(bodies_[body], drives_[body],
-                           motor_decay(static_world_.parameters, span));
+                           trajectory::motor_decay(static_world_.parameters, span));
 }
 
 Pose World::pose_of(int body, double t) const {
@@ -340,7 +343,7 @@ void World::advance_to(double t, const BodySet& involved) {
 
 void World::collect_contacts(const BodySet& involved, double t) {
   contacts_.count = 0;
-  for (const CandidatePair& n : pairs_.list()) {
+  for (const collision::CandidatePair& n : pairs_.list()) {
     if (!involved[n.pair.a] || !(n.pair.with_obstacle() || involved[n.pair.partner])) continue;
     // Within a step, nobody knows what the gaps of those who take it together are.
     if (n.is_apart_at(t) || step_islands_.share_step(n.pair)) continue;
@@ -351,32 +354,35 @@ void World::collect_contacts(const BodySet& involved, double t) {
 
 void World::collect_contacts_anywhere() {
   contacts_.count = 0;
-  const BodySet all(bodies_below(static_world_.bodies()));
+  const BodySet all(collision::bodies_below(static_world_.bodies()));
   add_contacts_among(static_world_, all, bodies_, static_world_.tolerances.contact_gap, boxes_,
                      contacts_);
   islands_.sort(contacts_);
 }
 
 void World::drop_contacts_of(const BodySet& bodies) {
-  contacts_.keep_if([&](const Contact& c) { return (bodies_of(c.pair) & bodies).none(); });
+  contacts_.keep_if(
+      [&](const collision::Contact& c) { return (bodies_of(c.pair) & bodies).none(); });
   islands_.sort(contacts_);
 }
 
 void World::separate_overlaps() {
   double deepest = 0.0;
-  for (const Contact& c : contacts_.contacts()) deepest = std::max(deepest, -c.point.gap);
+  for (const collision::Contact& c : contacts_.contacts())
+    deepest = std::max(deepest, -c.point.gap);
   events_.deepest_overlap = std::max(events_.deepest_overlap, deepest);
   if (deepest > 2.0 * static_world_.tolerances.contact_gap) {
-    project_positions(contacts_.contacts(), free_mass_, bodies_, *regularized_qp_);
+    impact::project_positions(contacts_.contacts(), free_mass_, bodies_, *regularized_qp_);
   }
 }
 
-void World::collide(std::span<Contact> contacts, double t) {
-  for (Contact& c : contacts)
+void World::collide(std::span<collision::Contact> contacts, double t) {
+  for (collision::Contact& c : contacts)
     c.impact.restitution_threshold = thresholds_.restitution_threshold(c.pair);
-  resolve_impacts(contacts, mass_, bodies_, *qp_);
-  if (has_friction(static_world_.parameters)) resolve_friction(contacts, mass_, bodies_, *qp_);
-  for (const Contact& c : contacts) {
+  impact::resolve_impacts(contacts, mass_, bodies_, *qp_);
+  if (impact::has_friction(static_world_.parameters))
+    impact::resolve_friction(contacts, mass_, bodies_, *qp_);
+  for (const collision::Contact& c : contacts) {
     if (c.impact.impulse == 0.0 || c.impact.approach <= c.impact.restitution_threshold) continue;
     ++events_.impacts;
     if (statistics_ != nullptr) add_impact(c, t, *statistics_);
@@ -386,18 +392,19 @@ void World::collide(std::span<Contact> contacts, double t) {
 }
 
 void World::start_segments(const BodySet& involved, double t, double tick_end) {
-  const SegmentRequest request{t, tick_end, thresholds_.preferred_duration(t),
-                               thresholds_.min_duration()};
+  const resting_contact::SegmentRequest request{t, tick_end, thresholds_.preferred_duration(t),
+                                                thresholds_.min_duration()};
   BodySet left = involved;
   for (int i = 0; i < static_world_.bodies(); ++i) {
     if (!left[i]) continue;
-    const BodySet cluster = cluster_of(i, contacts_.contacts());
+    const BodySet cluster = impact::cluster_of(i, contacts_.contacts());
     left &= ~cluster;
     closed_form_.reset(i);
     if (cluster.any()) {
       motion_->move(cluster, *forces_, contacts_.contacts(), drives_, request, bodies_, segments_);
     } else if (static_world_.is_ball(i)) {
-      segments_[i] = roll(rolling_deceleration(static_world_.parameters), bodies_[i], t, tick_end);
+      segments_[i] =
+          roll(trajectory::rolling_deceleration(static_world_.parameters), bodies_[i], t, tick_end);
     } else if (has_closed_form(static_world_.parameters, bodies_[i], drives_[i], tick_end - t)) {
       start_closed_form(i, t, tick_end);
     } else {

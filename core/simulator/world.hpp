@@ -45,7 +45,7 @@ class World {
 
   int robots() const { return static_world_.robots; }
   const Parameters& parameters() const { return static_world_.parameters; }
-  const StaticWorld& static_world() const { return static_world_; }
+  const collision::StaticWorld& static_world() const { return static_world_; }
 
   BodyState robot(int i) const;
   BallState ball() const;
@@ -70,8 +70,8 @@ class World {
     BodySet involved;
   };
   Event next_event(double tick_end);
-  const CandidatePair* earliest_contact(double& t);
-  bool refine_estimate(CandidatePair& n) const;
+  const collision::CandidatePair* earliest_contact(double& t);
+  bool refine_estimate(collision::CandidatePair& n) const;
   void play_event(const Event& event, double tick_end);
   bool was_forced_to_hold(const Event& event) const;
   void resolve_collisions(double t);
@@ -79,7 +79,7 @@ class World {
                        double tick_end);
   BodySet to_be_stepped(const BodySet& bodies) const;
   void take_steps(const BodySet& candidates, double t, double tick_end);
-  void begin_step(const TimeStepper::Step& taken, double t, double tick_end);
+  void begin_step(const stepping::TimeStepper::Step& taken, double t, double tick_end);
 
   void grow_island(double t, BodySet& involved);
   void update_pairs(const BodySet& involved, double t, double tick_end);
@@ -93,34 +93,34 @@ class World {
   void collect_contacts_anywhere();
   void drop_contacts_of(const BodySet& bodies);
   void separate_overlaps();
-  void collide(std::span<Contact> contacts, double t);
+  void collide(std::span<collision::Contact> contacts, double t);
   void start_segments(const BodySet& involved, double t, double tick_end);
 
-  StaticWorld static_world_;
-  std::array<BodyState, max_bodies> bodies_{};  // each at the begin of its segment
-  std::array<Segment, max_bodies> segments_{};  // of quiet bodies only begin and end
+  collision::StaticWorld static_world_;
+  std::array<BodyState, max_bodies> bodies_{};              // each at the begin of its segment
+  std::array<trajectory::Segment, max_bodies> segments_{};  // of quiet bodies only begin and end
   BodySet closed_form_;
   std::array<BodyState, max_bodies> closed_form_end_;  // of quiet bodies
-  MotorDecay whole_decay_, rest_decay_;                // over a whole tick, over a rest of one
-  std::array<Box, max_bodies> boxes_{};
-  std::array<MotionBound, max_bodies> bounds_{};
-  std::array<DriveReference, max_robots> drives_{};
-  std::array<InverseMass, max_bodies> mass_{};
-  std::array<InverseMass, max_bodies> free_mass_{};
-  RestThresholds thresholds_;
-  PairList pairs_;
+  trajectory::MotorDecay whole_decay_, rest_decay_;    // over a whole tick, over a rest of one
+  std::array<trajectory::Box, max_bodies> boxes_{};
+  std::array<trajectory::MotionBound, max_bodies> bounds_{};
+  std::array<trajectory::DriveReference, max_robots> drives_{};
+  std::array<solver::InverseMass, max_bodies> mass_{};
+  std::array<solver::InverseMass, max_bodies> free_mass_{};
+  impact::RestThresholds thresholds_;
+  collision::PairList pairs_;
   TickEvents events_;
   bool bodies_were_set_ = true;
-  StepIslands step_islands_;
+  stepping::StepIslands step_islands_;
   RunStatistics* statistics_ = nullptr;
 
-  ContactList contacts_;  // of the event being played; between ticks, of all bodies
-  Islands islands_;       // of those, always
-  std::unique_ptr<BoxQp> qp_;
-  std::unique_ptr<RegularizedQp> regularized_qp_;
-  std::unique_ptr<ContactForces> forces_;
-  std::unique_ptr<ContactMotion> motion_;
-  std::unique_ptr<TimeStepper> steps_;
+  collision::ContactList contacts_;  // of the event being played; between ticks, of all bodies
+  impact::Islands islands_;          // of those, always
+  std::unique_ptr<solver::BoxQp> qp_;
+  std::unique_ptr<solver::RegularizedQp> regularized_qp_;
+  std::unique_ptr<resting_contact::ContactForces> forces_;
+  std::unique_ptr<resting_contact::ContactMotion> motion_;
+  std::unique_ptr<stepping::TimeStepper> steps_;
 };
 
 }  // namespace mirocup::simulator

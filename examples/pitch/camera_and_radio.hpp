@@ -26,7 +26,7 @@ class Camera {
  public:
   virtual ~Camera() = default;
   // The next picture, once for each tick.
-  virtual Picture look() = 0;
+  virtual Picture next_picture() = 0;
 };
 
 class Radio {

@@ -21,11 +21,11 @@ namespace pitch {
 namespace {
 
 using namespace mirocup;
-using Clock = std::chrono::steady_clock;
+using WallClock = std::chrono::steady_clock;
 
 constexpr double period = 1.0 / 30.0;  // s: of the camera's pictures
 // Robots whose team has not answered for so many ticks are stopped.
-constexpr std::uint32_t longest_silence = 4;
+constexpr std::uint32_t max_silence = 4;
 
 // Speeds from two pictures. With a camera that trembles, put a filter here.
 simulator::BodyState robot_state(const Place& now, const Place& before) {
@@ -38,8 +38,8 @@ simulator::BodyState robot_state(const Place& now, const Place& before) {
            std::remainder(now.heading - before.heading, 2.0 * M_PI) / period}};
 }
 
-match::Scene scene_of(const Picture& now, const Picture& before) {
-  match::Scene scene;
+match::Snapshot scene_of(const Picture& now, const Picture& before) {
+  match::Snapshot scene;
   scene.ball.position = {now.ball.x, now.ball.y};
   scene.ball.velocity = {(now.ball.x - before.ball.x) / period,
                          (now.ball.y - before.ball.y) / period};
@@ -87,7 +87,7 @@ class Pitch {
   field::Field field_ = field::make_field(League::small);
   simulator::Parameters robots_;  // measure yours, and put their numbers here
   referee::Rules rules_;
-  std::uint64_t leg_ = dds::draw_number();
+  std::uint64_t leg_ = dds::random_nonce();
   dds::Domain domain_ = need(dds::open_server_domain("lo", ""));
   dds::Entity participant_ = need(dds::make_participant(domain_));
   dds::Entity publisher_, state_topic_, event_topic_, states_, events_;
@@ -135,7 +135,7 @@ void Pitch::hear(Side& side, std::uint32_t tick) {
     side.wheels = dds::to_command(command);
   }
   const std::uint32_t silence = tick - side.answered;
-  radio_.send(index_of(side.team), silence > longest_silence ? match::Command{} : side.wheels);
+  radio_.send(index_of(side.team), silence > max_silence ? match::Command{} : side.wheels);
 }
 
 bool Pitch::is_complete() const {
@@ -147,7 +147,7 @@ bool Pitch::is_complete() const {
 
 void Pitch::show(const Picture& now, const Picture& before, std::uint32_t tick,
                  match::State state) {
-  match::Scene scene = scene_of(now, before);
+  match::Snapshot scene = scene_of(now, before);
   scene.tick = tick;
   scene.time = scene.clock = tick * period;
   scene.state = state;
@@ -159,13 +159,13 @@ void Pitch::show(const Picture& now, const Picture& before, std::uint32_t tick,
 // As a match server does it: the answers to one tick are driven in the next. The clock stands at
 // tick 0 until everybody is there.
 void Pitch::play(double seconds) {
-  Picture before = camera_.look();
+  Picture before = camera_.next_picture();
   const auto step =
-      std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(period));
-  auto due = Clock::now();
+      std::chrono::duration_cast<WallClock::duration>(std::chrono::duration<double>(period));
+  auto due = WallClock::now();
   std::uint32_t tick = 0;
   while (tick * period < seconds) {
-    const Picture now = camera_.look();
+    const Picture now = camera_.next_picture();
     show(now, before, tick, tick == 0 ? match::State::READY : match::State::PLAY);
     before = now;
     std::this_thread::sleep_until(due += step);
@@ -183,8 +183,8 @@ void Pitch::say_that_it_is_over(std::uint32_t tick) {
   event.leg = leg_;
   event.tick = tick;
   event.ends_match = true;
-  dds::put_text(event.decision, "MATCH_END");
-  dds::put_text(event.reason, to_string(match::EndKind::full_time));
+  dds::copy_text(event.decision, "MATCH_END");
+  dds::copy_text(event.reason, to_string(match::EndKind::full_time));
   dds_write(events_.get(), &event);
   dds_wait_for_acks(events_.get(), DDS_SECS(1));
 }

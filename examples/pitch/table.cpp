@@ -38,7 +38,7 @@ void Table::send(int colour, const mirocup::match::Command& command) {
   for (int i = 0; i < field_.robots_per_team; ++i) robots_[colour][i].wheels = command.wheels[i];
 }
 
-Picture Table::look() {
+Picture Table::next_picture() {
   for (auto& team : robots_) {
     for (int i = 0; i < field_.robots_per_team; ++i) {
       drive(team[i]);

@@ -15,7 +15,7 @@ class Table final : public Camera, public Radio {
   Table(const mirocup::field::Field& field, const mirocup::simulator::Parameters& robots,
         double period);
 
-  Picture look() override;
+  Picture next_picture() override;
   void send(int colour, const mirocup::match::Command& command) override;
 
  private:

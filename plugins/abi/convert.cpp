@@ -5,7 +5,7 @@
 
 namespace mirocup::abi {
 
-// The two sides number these alike.
+// The core and strategy.h give these the same numbers.
 static_assert(static_cast<int>(League::large) == MIROCUP_LARGE);
 static_assert(static_cast<int>(Team::yellow) == MIROCUP_YELLOW);
 static_assert(static_cast<int>(match::State::END) == MIROCUP_END);
@@ -90,8 +90,8 @@ match::Command to_command(const mirocup_command& from) {
   return command;
 }
 
-match::Poses to_poses(const mirocup_placement& from) {
-  match::Poses poses{.ball_x = from.ball_x, .ball_y = from.ball_y, .robots = {}};
+match::PlacementRequest to_poses(const mirocup_placement& from) {
+  match::PlacementRequest poses{.ball_x = from.ball_x, .ball_y = from.ball_y, .robots = {}};
   for (int i = 0; i < max_robots_per_team; ++i) {
     poses.robots[i] = {from.robots[i].x, from.robots[i].y, from.robots[i].heading};
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Between the match's structures and those of strategy.h. The only place that knows both.
+// Conversions between the match's structures and those of strategy.h: the only file that knows
+// both. Frames and units are the same on both sides.
 #pragma once
 
 #include "core/match/controller.hpp"
@@ -11,6 +12,6 @@ namespace mirocup::abi {
 mirocup_setup to_setup(const match::Briefing& briefing);
 mirocup_observation to_observation(const match::Observation& observation);
 match::Command to_command(const mirocup_command& command);
-match::Poses to_poses(const mirocup_placement& placement);
+match::PlacementRequest to_poses(const mirocup_placement& placement);
 
 }  // namespace mirocup::abi

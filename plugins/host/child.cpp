@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "plugins/host/child.hpp"
 
+#include <cassert>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -12,8 +13,9 @@ namespace mirocup::plugins {
 
 namespace {
 
-Ending ending_of(int status) {
-  return WIFSIGNALED(status) ? Ending{0, WTERMSIG(status)} : Ending{WEXITSTATUS(status), 0};
+ExitStatus to_exit_status(int status) {
+  return WIFSIGNALED(status) ? ExitStatus{.exit_code = 0, .signal = WTERMSIG(status)}
+                             : ExitStatus{.exit_code = WEXITSTATUS(status), .signal = 0};
 }
 
 }  // namespace
@@ -23,6 +25,7 @@ std::string signal_text(int signal) {
 }
 
 Child::Child(pid_t pid) : pid_(pid) {
+  assert(pid > 0);
   clock_getcpuclockid(pid, &cpu_clock_);
 }
 
@@ -30,31 +33,31 @@ Child::Child(Child&& other) noexcept
     : pid_(std::exchange(other.pid_, -1)),
       cpu_clock_(other.cpu_clock_),
       cpu_(other.cpu_),
-      ending_(other.ending_) {}
+      exit_status_(other.exit_status_) {}
 
 Child::~Child() {
   if (pid_ > 0) kill();
 }
 
-std::optional<Ending> Child::ending() {
-  if (ending_) return ending_;
+std::optional<ExitStatus> Child::exit_status() {
+  if (exit_status_) return exit_status_;
   int status = 0;
-  if (waitpid(pid_, &status, WNOHANG) == pid_) ending_ = ending_of(status);
-  return ending_;
+  if (waitpid(pid_, &status, WNOHANG) == pid_) exit_status_ = to_exit_status(status);
+  return exit_status_;
 }
 
 void Child::kill() {
-  if (ending_) return;
+  if (exit_status_) return;
   ::kill(pid_, SIGKILL);
   int status = 0;
   while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
   }
-  ending_ = ending_of(status);
+  exit_status_ = to_exit_status(status);
 }
 
 double Child::cpu_seconds() {
   timespec t{};
-  if (!ending_ && clock_gettime(cpu_clock_, &t) == 0)
+  if (!exit_status_ && clock_gettime(cpu_clock_, &t) == 0)
     cpu_ = static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
   return cpu_;
 }
@@ -68,7 +71,7 @@ std::optional<double> Child::processor_delay(pid_t pid) {
 }
 
 std::size_t Child::peak_memory() const {
-  if (ending_) return 0;
+  if (exit_status_) return 0;
   std::ifstream status("/proc/" + std::to_string(pid_) + "/status");
   std::string key;
   std::size_t kibibytes = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A child process: how it ended, what it used.
+// A child process: its exit status and what it has used.
 #pragma once
 
 #include <ctime>
@@ -10,44 +10,48 @@
 
 namespace mirocup::plugins {
 
-// How a process ended by itself.
-struct Ending {
+// How a process ended.
+struct ExitStatus {
   int exit_code = 0;
   int signal = 0;  // 0: it exited
 };
 
-// "signal 11 (Segmentation fault)"
+// Returns, for example, "signal 11 (Segmentation fault)".
 std::string signal_text(int signal);
 
+// Owns a child process. Used from one thread.
 class Child {
  public:
-  // Takes over a process that was forked here.
+  // Takes over a process that this process has forked.
   explicit Child(pid_t pid);
   Child(Child&& other) noexcept;
   Child& operator=(Child&&) = delete;
   ~Child();  // kills and reaps
 
-  // How it ended, or nothing while it runs.
-  std::optional<Ending> ending();
+  // Returns how the process ended, or nothing while it runs. Does not wait.
+  std::optional<ExitStatus> exit_status();
 
-  // Ends it, and in a process namespace all that it started; returns when it is gone.
+  // Sends SIGKILL and returns when the process is gone. In a process namespace this also ends every
+  // process that it started.
   void kill();
 
-  // Processor time that it has used, s; after its end what it had at the last question.
+  // Returns the processor time that the process has used, s; after its end the value of the last
+  // call.
   double cpu_seconds();
 
-  // How long it could have run but had no processor, s; nothing where the kernel does not say.
+  // Returns how long the process was ready to run but had no processor, s; nothing if the kernel
+  // does not tell.
   std::optional<double> processor_delay() const { return processor_delay(pid_); }
   static std::optional<double> processor_delay(pid_t pid);
 
-  // The most memory that it had in use so far, bytes; 0 once it is gone.
+  // Returns the peak of its memory in use, bytes; 0 once the process has ended.
   std::size_t peak_memory() const;
 
  private:
   pid_t pid_;
   clockid_t cpu_clock_ = 0;
-  double cpu_ = 0.0;
-  std::optional<Ending> ending_;
+  double cpu_ = 0.0;  // s
+  std::optional<ExitStatus> exit_status_;
 };
 
 }  // namespace mirocup::plugins

@@ -8,6 +8,7 @@
 
 namespace mirocup::plugins {
 
+// Owns a file descriptor; -1 is none.
 class Descriptor {
  public:
   explicit Descriptor(int fd = -1) : fd_(fd) {}

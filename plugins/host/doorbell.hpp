@@ -1,33 +1,43 @@
 // SPDX-License-Identifier: MIT
 //
-// Wakes the processes of a match's teams together.
+// Wakes the processes of both teams of a match together.
 //
-// Woken one by one, the first would take the core at once, answer and sleep, before the server could
-// wake the second: four changes of processes a tick. One call into the kernel for both makes three
-// of them. The teams share no memory for it.
+// If they were woken one by one, the first would take the core at once, answer and sleep before the
+// server could wake the second: four context switches in a tick. One system call for both makes
+// three. The teams share no memory for it.
 #pragma once
 
 #include "plugins/host/mailbox.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 namespace mirocup::plugins {
 
-// Of one match, used from its thread only.
+// The doorbell of one match, shared by the controllers of its teams. Used from the match's thread.
 class Doorbell {
  public:
-  void join() { ++members_; }
-  void leave() { --members_; }
+  // A team joins when its process starts and leaves when the process is gone; at most two.
+  void join() {
+    assert(members_ < 2);
+    ++members_;
+  }
+  void leave() {
+    assert(members_ > 0);
+    --members_;
+  }
 
-  // Wakes who sleeps on the word, when every member has asked for that or at the next ring().
+  // Asks for a wake-up of the process that sleeps on `word`. It happens when every member has
+  // asked, or at the next ring(). The word must live until then.
   void ask(const std::atomic<std::uint32_t>& word) {
+    assert(asked_ < 2);
     words_[static_cast<std::size_t>(asked_++)] = &word;
     if (asked_ >= std::min(members_, 2)) ring();
   }
 
-  // Before waiting for an answer: a team that still thinks is not asked again, and the other one
-  // would not be woken.
+  // Wakes the processes that were asked for. Must be called before waiting for an answer: a team
+  // that still computes gets no new observation and does not ask, and the other one would sleep on.
   void ring() {
     if (asked_ == 1) wake(*words_[0]);
     if (asked_ == 2) wake(*words_[0], *words_[1]);

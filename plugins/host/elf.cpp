@@ -11,9 +11,9 @@ namespace mirocup::plugins {
 namespace {
 
 constexpr std::string_view entry_name = "mirocup_entry";
-constexpr std::size_t most_segments = 256;
-constexpr std::size_t most_dynamic = 4096;
-constexpr std::size_t most_in_chain = 1u << 20;
+constexpr std::size_t max_segments = 256;
+constexpr std::size_t max_dynamic_entries = 4096;
+constexpr std::size_t max_chain_length = 1u << 20;
 
 #if defined(__x86_64__)
 constexpr Elf64_Half this_machine = EM_X86_64;
@@ -23,7 +23,7 @@ constexpr Elf64_Half this_machine = EM_AARCH64;
 constexpr const char* this_machine_name = "arm64";
 #endif
 
-// The file, and where its segments would lie in memory.
+// The file and the addresses that its segments would have in memory.
 class Image {
  public:
   explicit Image(std::string_view bytes) : bytes_(bytes) {}
@@ -70,7 +70,7 @@ class Image {
   std::string_view bytes_;
 };
 
-// What the dynamic section points to.
+// The addresses and values of the dynamic section.
 struct Dynamic {
   std::uint64_t strings = 0, symbols = 0, hash = 0, gnu_hash = 0, flags_1 = 0;
   std::vector<std::uint64_t> needed;
@@ -96,13 +96,13 @@ tl::expected<Elf64_Ehdr, std::string> read_header(const Image& image) {
   if (header->e_type == ET_REL) return bad("it is an object file: link it with -shared");
   if (header->e_type != ET_DYN) return bad("it is a program, not a library: link it with -shared");
   if (header->e_phentsize != sizeof(Elf64_Phdr) || header->e_phnum == 0 ||
-      header->e_phnum > most_segments) {
+      header->e_phnum > max_segments) {
     return bad("its program headers are damaged: build it again");
   }
   return *header;
 }
 
-// Fills image.loaded; returns the dynamic segment.
+// Fills image.loaded and returns the dynamic segment.
 tl::expected<Elf64_Phdr, std::string> read_segments(Image& image, const Elf64_Ehdr& header) {
   std::optional<Elf64_Phdr> dynamic;
   for (std::size_t i = 0; i < header.e_phnum; ++i) {
@@ -120,7 +120,7 @@ tl::expected<Elf64_Phdr, std::string> read_segments(Image& image, const Elf64_Eh
 
 tl::expected<Dynamic, std::string> read_dynamic(const Image& image, const Elf64_Phdr& segment) {
   Dynamic dynamic;
-  for (std::size_t i = 0; i < most_dynamic; ++i) {
+  for (std::size_t i = 0; i < max_dynamic_entries; ++i) {
     const auto item = image.at_address<Elf64_Dyn>(segment.p_vaddr + i * sizeof(Elf64_Dyn));
     if (!item) break;
     const std::uint64_t value = item->d_un.d_val;
@@ -158,6 +158,7 @@ tl::expected<Dynamic, std::string> read_dynamic(const Image& image, const Elf64_
   return bad("its dynamic section has no end: build it again");
 }
 
+// True if the symbol of that index is a defined function named mirocup_entry.
 bool is_entry(const Image& image, const Dynamic& dynamic, std::uint64_t index) {
   const auto symbol = image.at_address<Elf64_Sym>(dynamic.symbols + index * sizeof(Elf64_Sym));
   if (!symbol || symbol->st_shndx == SHN_UNDEF) return false;
@@ -166,7 +167,7 @@ bool is_entry(const Image& image, const Dynamic& dynamic, std::uint64_t index) {
   return name == entry_name && (type == STT_FUNC || type == STT_GNU_IFUNC);
 }
 
-// The chain of the entry's name in the GNU hash table.
+// Follows the chain of the entry's name in the GNU hash table.
 bool is_in_gnu_hash(const Image& image, const Dynamic& dynamic) {
   std::uint32_t hash = 5381;
   for (const char c : entry_name) hash = hash * 33 + static_cast<unsigned char>(c);
@@ -178,7 +179,7 @@ bool is_in_gnu_hash(const Image& image, const Dynamic& dynamic) {
   const std::uint64_t chains = table + std::uint64_t{4} * *buckets;
   const auto begin = image.at_address<std::uint32_t>(table + 4 * (hash % *buckets));
   if (!begin || *begin < *first) return false;
-  for (std::uint64_t i = *begin; i - *begin < most_in_chain; ++i) {
+  for (std::uint64_t i = *begin; i - *begin < max_chain_length; ++i) {
     const auto link = image.at_address<std::uint32_t>(chains + 4 * (i - *first));
     if (!link) return false;
     if ((*link | 1) == (hash | 1) && is_entry(image, dynamic, i)) return true;
@@ -191,7 +192,7 @@ bool is_in_any_hash(const Image& image, const Dynamic& dynamic) {
   if (dynamic.gnu_hash != 0) return is_in_gnu_hash(image, dynamic);
   const auto symbols = image.at_address<std::uint32_t>(dynamic.hash + 4);
   if (dynamic.hash == 0 || !symbols) return false;
-  for (std::uint64_t i = 0; i < *symbols && i < most_in_chain; ++i) {
+  for (std::uint64_t i = 0; i < *symbols && i < max_chain_length; ++i) {
     if (is_entry(image, dynamic, i)) return true;
   }
   return false;
@@ -205,7 +206,7 @@ tl::expected<SharedLibrary, std::string> read_shared_library(std::string_view by
   if (!header) return tl::unexpected(header.error());
   const auto segment = read_segments(image, *header);
   if (!segment) return tl::unexpected(segment.error());
-  // Sections come last in the file, so a file that lost its end is found out here.
+  // The section headers come last in the file, so this finds a file that has lost its end.
   const std::uint64_t sections = std::uint64_t{header->e_shnum} * header->e_shentsize;
   if (sections > 0 && !image.contains(header->e_shoff, sections))
     return bad("it is cut off: its end is missing; copy it again");

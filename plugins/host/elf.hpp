@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Reads a shared library without loading it: is it one, is it complete, is it for this machine,
-// what does it export and need?
+// Reads a shared library without loading it: whether it is one, complete and built for this
+// machine, and what it exports and needs.
 //
-// The bytes are a stranger's: every offset is checked before it is followed, and nothing of them is
-// run. What passes here can still fail to load; that is found out in the sandbox.
+// The bytes come from a stranger: every offset is checked before it is followed, and none of the
+// code is run. A library that passes here can still fail to load, which the sandbox finds out.
+// libelf is not used, because it was not made for hostile input.
 #pragma once
 
 #include <tl/expected.hpp>
@@ -16,12 +17,12 @@
 namespace mirocup::plugins {
 
 struct SharedLibrary {
-  std::vector<std::string> needed;  // the libraries that it asks for by name
-  std::string search_path;          // DT_RUNPATH or DT_RPATH; "" in an honest library
-  bool exports_entry = false;       // mirocup_entry, as a function
+  std::vector<std::string> needed;  // names of the libraries that it needs (DT_NEEDED)
+  std::string search_path;          // DT_RUNPATH or DT_RPATH; "" if it has none
+  bool exports_entry = false;       // true: it defines a function mirocup_entry
 };
 
-// An error is a sentence for whoever built the file.
+// Reads the whole file in `bytes`. An error is a sentence that tells the author what to do.
 tl::expected<SharedLibrary, std::string> read_shared_library(std::string_view bytes);
 
 }  // namespace mirocup::plugins

@@ -8,7 +8,7 @@ namespace mirocup::plugins {
 
 namespace {
 
-// A signal handler can find its page in no other way.
+// A global variable, because a signal handler gets no pointer of its own.
 CommandPage* faulted_page = nullptr;
 
 alignas(16) char stack[32 << 10];

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// In the team's process: what a deadly signal leaves behind for the server.
+// In the team's process: tells the server which signal ended the process.
 #pragma once
 
 #include "plugins/host/mailbox.hpp"
 
 namespace mirocup::plugins {
 
-// Writes the signal, or the forbidden system call, into the page and ends the process with
-// exit_faulted. Runs on a stack of its own, so that a stack that is full can be told, too.
-// `page` outlives the process's other code. False: errno says why.
+// Installs handlers of the deadly signals. They write the signal, or the number of the forbidden
+// system call, into the page and end the process with exit_faulted. They run on a stack of their
+// own, so that they can also report a stack overflow. `page` must stay mapped until the process
+// ends. Returns false on failure; errno says why.
 bool report_faults_to(CommandPage& page);
 
 }  // namespace mirocup::plugins

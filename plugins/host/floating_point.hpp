@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// The processor's floating-point mode, kept from foreign code.
+// Protects the processor's floating-point mode from foreign code.
 //
 // Loading a library that was built with -Ofast switches denormal numbers off for the whole thread,
-// and a call can change the rounding; either would change the bits of the simulation.
+// and a call can change the rounding mode. Either would change the bits of the simulation.
 #pragma once
 
 #include <cstdint>
 
 namespace mirocup::plugins {
 
-// Remembers the mode when made and restores it when destroyed.
+// Saves the mode when it is made and restores it when it is destroyed.
 class FloatingPointGuard {
  public:
   FloatingPointGuard() {
@@ -24,7 +24,7 @@ class FloatingPointGuard {
 
   ~FloatingPointGuard() {
 #if defined(__x86_64__)
-    // An x87 stack that is not empty, or copying backwards, would do harm as well.
+    // Foreign code can also leave numbers on the x87 stack or the direction flag set.
     asm volatile("emms\n\tcld" ::: "cc");
     asm volatile("ldmxcsr %0" : : "m"(sse_));
     asm volatile("fldcw %0" : : "m"(x87_));

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup-plugin-host T1|T2: one team in a process of its own. Started by the match server only,
-// with the descriptors of launch.hpp.
+// mirocup-plugin-host T1|T2: runs one team in a process of its own. Only the match server starts
+// it, with the descriptors of launch.hpp.
 //
-// Shuts itself in, loads the library, shuts itself in more, and answers observations until it is
-// killed. Nothing of the library runs before the first sandbox stands, its constructors included.
+// It enters the sandbox, loads the library, restricts itself further, and answers observations
+// until it is killed. No code of the library, its constructors included, runs before the sandbox
+// stands.
 #include "plugins/host/fault_report.hpp"
 #include "plugins/host/launch.hpp"
 #include "plugins/host/mailbox.hpp"
@@ -46,7 +47,7 @@ LoadState state_of(match::FaultCode code) {
   }
 }
 
-// Says why and ends.
+// Reports the team's fault on the page and ends the process.
 [[noreturn]] void refuse(CommandPage& page, const match::Fault& fault) {
   const std::size_t length = std::min(fault.text.size(), sizeof page.text - 1);
   std::memcpy(page.text, fault.text.data(), length);
@@ -56,31 +57,31 @@ LoadState state_of(match::FaultCode code) {
   _exit(exit_refused);
 }
 
-// The sandbox cannot be built: the host's fault, not the team's.
+// Reports that the sandbox cannot be built, which is a failure of the host, and ends the process.
 [[noreturn]] void give_up(const char* step) {
   const std::string text = std::string(step) + ": " + std::strerror(errno);
   (void)!write(setup_descriptor, text.data(), text.size());
   _exit(127);
 }
 
-// Memory that a team gave back stays with its process: to get it again costs page faults.
+// Keeps memory that the team frees, because getting it from the kernel again costs page faults.
 void keep_memory() {
   mallopt(M_TRIM_THRESHOLD, 256 << 20);
   mallopt(M_MMAP_THRESHOLD, 64 << 20);
 }
 
-// Returns what the library is to be loaded as.
-const char* shut_in(Isolation isolation, CommandPage& page) {
-  const bool is_inner = isolation == Isolation::T2;
+// Builds the first part of the sandbox. Returns the path to load the library from.
+const char* enter_sandbox(Isolation isolation, CommandPage& page) {
+  const bool has_namespaces = isolation == Isolation::T2;
   if (!limit_this_process()) give_up("limits");
   if (!report_faults_to(page)) give_up("fault handlers");
-  if (!allow_libraries_only(is_inner ? private_entry_path : nullptr)) give_up("Landlock");
+  if (!allow_libraries_only(has_namespaces ? private_entry_path : nullptr)) give_up("Landlock");
   if (!filter_for_loading()) give_up("the filter of system calls");
   if (write(setup_descriptor, &sandbox_stands, 1) != 1) _exit(127);
   close(setup_descriptor);
-  // In tier T1 there is no file with that path, but Landlock does not concern sealed memory.
+  // In tier T1 the library has no path of its own; Landlock does not restrict sealed memory.
   static_assert(entry_descriptor == 6);
-  return is_inner ? private_entry_path : "/proc/self/fd/6";
+  return has_namespaces ? private_entry_path : "/proc/self/fd/6";
 }
 
 }  // namespace
@@ -92,7 +93,7 @@ int main(int argc, char** argv) {
   auto* out = map<CommandPage>(command_descriptor, PROT_READ | PROT_WRITE);
   if (in == nullptr || out == nullptr) give_up("the mailbox");
   keep_memory();
-  const char* library = shut_in(*isolation, *out);
+  const char* library = enter_sandbox(*isolation, *out);
 
   mirocup_setup setup = in->setup;
   setup.log = write_line;
@@ -120,7 +121,8 @@ int main(int argc, char** argv) {
     if (!command) refuse(*out, command.error());
     out->command = *command;
     answered = request;
-    // In one order with the server's: it says that it sleeps, then looks for the answer once more.
+    // Sequentially consistent, as the server's side is: the server sets is_awaited and then reads
+    // the answer once more, so that no wake-up is lost.
     out->answer.store(request, std::memory_order_seq_cst);
     if (in->is_awaited.load(std::memory_order_seq_cst) != 0) wake(out->answer);
   }

@@ -5,6 +5,7 @@
 #include "plugins/host/sandbox/fork.hpp"
 #include "plugins/host/sandbox/private_root.hpp"
 
+#include <cassert>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -16,15 +17,15 @@ namespace mirocup::plugins {
 
 namespace {
 
-// Fixed, so that nothing of the server's surroundings reaches a team. One thread for those who use
-// OpenMP or OpenBLAS.
+// The environment is fixed, so that nothing of the server's reaches a team. OpenMP and OpenBLAS get
+// one thread, because a team has no more.
 const char* const environment[] = {"LANG=C", "OMP_NUM_THREADS=1", "OPENBLAS_NUM_THREADS=1",
                                    nullptr};
 
-// Above all numbers that descriptors are given in the end.
+// Greater than all numbers that the descriptors get in the end.
 constexpr int first_spare = 16;
 
-// Between fork and exec: only calls that are safe there.
+// Runs between fork and exec, where only async-signal-safe calls are allowed.
 [[noreturn]] void give_up(int setup, const char* step) {
   const char* why = strerrorname_np(errno);
   (void)!write(setup, step, std::strlen(step));
@@ -33,7 +34,7 @@ constexpr int first_spare = 16;
   _exit(127);
 }
 
-// Puts the descriptors where the host program looks for them and closes all others.
+// Gives the descriptors the numbers that the host program expects and closes all others.
 bool arrange_descriptors(const Launch& what, int program) {
   const int nothing = open("/dev/null", O_RDONLY);
   const int from[] = {nothing,      what.log,   what.log,   what.observation,
@@ -51,7 +52,7 @@ bool arrange_descriptors(const Launch& what, int program) {
   return close_range(count, ~0U, 0) == 0 && fcntl(program_descriptor, F_SETFD, FD_CLOEXEC) == 0;
 }
 
-// Signals as a program finds them that nobody started in a special way.
+// Restores the default handlers and unblocks all signals: exec keeps ignored and blocked ones.
 void reset_signals() {
   for (int number = 1; number < NSIG; ++number) signal(number, SIG_DFL);
   sigset_t none;
@@ -60,24 +61,24 @@ void reset_signals() {
 }
 
 [[noreturn]] void become_host(const Launch& what, int program) {
-  // A session of its own: signals to "my group" do not reach the server.
+  // In a session of its own a team cannot reach the server with a signal to its process group.
   setsid();
   reset_signals();
   umask(077);
-  // The same addresses in every leg: one source of chance less.
+  // The same addresses in every leg: one source of randomness less.
   personality(ADDR_NO_RANDOMIZE);
   if (!arrange_descriptors(what, program)) give_up(what.setup, "descriptors");
-  const bool is_inner = what.isolation == Isolation::T2;
-  if (is_inner) {
+  const bool has_namespaces = what.isolation == Isolation::T2;
+  if (has_namespaces) {
     if (const char* step = enter_private_root(entry_descriptor)) give_up(setup_descriptor, step);
   } else if (chdir("/") != 0) {
     give_up(setup_descriptor, "the root folder");
   }
-  // The host program tells what it finds from its argument.
+  // The host program learns from its argument what surrounds it.
   char name[] = "mirocup-plugin-host";
   char inner[] = "T2";
   char outer[] = "T1";
-  char* arguments[] = {name, is_inner ? inner : outer, nullptr};
+  char* arguments[] = {name, has_namespaces ? inner : outer, nullptr};
   execveat(program_descriptor, "", arguments, const_cast<char* const*>(environment), AT_EMPTY_PATH);
   give_up(setup_descriptor, "the start of mirocup-plugin-host");
 }
@@ -85,7 +86,8 @@ void reset_signals() {
 }  // namespace
 
 Result<Child> launch(const Launch& what) {
-  // Opened here: the other user may not be able to reach it by its path.
+  assert(what.isolation != Isolation::none);
+  // Opened by the parent, because the child's user may not be able to reach it by its path.
   const Descriptor program(open(what.program.c_str(), O_PATH | O_CLOEXEC));
   if (program.get() < 0)
     return fail(Errc::unavailable, what.program + " cannot be run: " + std::strerror(errno));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Starts the process of a team: mirocup-plugin-host with a handful of descriptors, an environment
-// of its own and nothing else of the server.
+// Starts the process of a team: mirocup-plugin-host with five descriptors, a fixed environment and
+// nothing else of the server.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -12,23 +12,24 @@
 
 namespace mirocup::plugins {
 
-// The numbers that the team's process finds its descriptors under. Input, output and error output
-// are nothing and the log.
+// The numbers of the descriptors in the team's process. Standard input is /dev/null; standard
+// output and standard error are the log.
 enum HostDescriptor : int {
   observation_descriptor = 3,
   command_descriptor = 4,
-  setup_descriptor = 5,  // where it says that the sandbox stands, or why not
+  setup_descriptor = 5,  // where it tells that the sandbox stands, or why not
   entry_descriptor = 6,
   program_descriptor = 7,  // closed by exec
 };
 
-// What it writes to setup_descriptor when the sandbox stands; anything else is why it doesn't.
+// The byte that the process writes to setup_descriptor when the sandbox stands. Any other text is
+// the reason why it does not.
 inline constexpr char sandbox_stands = '+';
 
 struct Launch {
   std::string program;  // path of mirocup-plugin-host
   Isolation isolation = Isolation::T2;
-  // Descriptors of this process.
+  // Descriptors of the calling process, which stay its own.
   int observation = -1;
   int command = -1;
   int setup = -1;
@@ -36,6 +37,7 @@ struct Launch {
   int log = -1;
 };
 
+// Starts the process without waiting for its sandbox. Errors: Errc::unavailable.
 Result<Child> launch(const Launch& what);
 
 }  // namespace mirocup::plugins

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "plugins/host/mailbox.hpp"
 
+#include <cassert>
 #include <ctime>
 #include <linux/futex.h>
 #include <sys/syscall.h>
@@ -9,14 +10,14 @@
 namespace mirocup::plugins {
 
 void wait_while_equal(const std::atomic<std::uint32_t>& word, std::uint32_t seen,
-                      std::optional<std::chrono::nanoseconds> at_most) {
-  timespec timeout{};
-  if (at_most) {
-    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(*at_most);
-    timeout = {.tv_sec = seconds.count(), .tv_nsec = (*at_most - seconds).count()};
+                      std::optional<std::chrono::nanoseconds> timeout) {
+  timespec limit{};
+  if (timeout) {
+    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(*timeout);
+    limit = {.tv_sec = seconds.count(), .tv_nsec = (*timeout - seconds).count()};
   }
-  // Not the private form: the other side is another process.
-  syscall(SYS_futex, &word, FUTEX_WAIT, seen, at_most ? &timeout : nullptr, nullptr, 0);
+  // Not FUTEX_PRIVATE_FLAG: the other side is another process.
+  syscall(SYS_futex, &word, FUTEX_WAIT, seen, timeout ? &limit : nullptr, nullptr, 0);
 }
 
 void wake(const std::atomic<std::uint32_t>& word) {
@@ -24,7 +25,9 @@ void wake(const std::atomic<std::uint32_t>& word) {
 }
 
 void wake(const std::atomic<std::uint32_t>& one, const std::atomic<std::uint32_t>& other) {
-  // The only call that wakes on two words; it changes the second, too (adds 0), and asks what it was.
+  // FUTEX_WAKE_OP is the only call that wakes on two words. It also changes the second one, by
+  // adding 0, and wakes its sleeper if it was not 0.
+  assert(other.load(std::memory_order_relaxed) != 0);
   const auto always = FUTEX_OP(FUTEX_OP_ADD, 0, FUTEX_OP_CMP_NE, 0);
   syscall(SYS_futex, &one, FUTEX_WAKE_OP, 1, 1, &other, always);
 }

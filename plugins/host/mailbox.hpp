@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// The two pages that a match server and a team's process share.
+// The two memory pages that the match server and a team's process share.
 //
-// The server writes the observation page and the team only reads it; the team writes the command
-// page and the server trusts nothing in it: it copies an answer once and checks the copy. A word on
-// each page counts up and is waited for with a futex, so handing over costs one wake-up and no copy
-// through the kernel.
+// The server writes the observation page, and the team can only read it. The team writes the
+// command page, and the server trusts nothing on it: it copies an answer once and checks the copy.
+// Each page has a counter that the other side waits for with a futex, so that handing over costs
+// one wake-up and no copy through the kernel.
 #pragma once
 
 #include "mirocup/strategy.h"
@@ -20,38 +20,42 @@ namespace mirocup::plugins {
 static_assert(std::atomic<std::uint32_t>::is_always_lock_free);
 
 struct ObservationPage {
-  std::atomic<std::uint32_t> request;     // counts the observations, from 1
-  std::atomic<std::uint32_t> is_awaited;  // 1 while the server sleeps until the answer comes
+  std::atomic<std::uint32_t> request;     // number of the observation, counted from 1
+  std::atomic<std::uint32_t> is_awaited;  // 1 while the server sleeps until the answer
   mirocup_setup setup;
   mirocup_observation observation;
 };
 
-// What a team's process says of its library before the first answer. Only a label: the process
-// could write anything here, so it can only ever cost its own team the leg.
+// What a team's process reports about its library before the first answer. The process could write
+// anything here, so the server uses it only as the reason of a leg that the team loses.
 enum class LoadState : std::uint32_t { loading, ready, no_load, bad_abi, crash };
 
-// Exit codes of the team's process that come with something on its page.
+// The exit codes of a team's process that left a report on its page, and the fields that hold it.
 inline constexpr int exit_refused = 1;  // load_state and text
 inline constexpr int exit_faulted = 3;  // fault_signal and fault_call
 
 inline constexpr int no_call = -1;
 
 struct CommandPage {
-  std::atomic<std::uint32_t> answer;  // the request that was answered last
+  std::atomic<std::uint32_t> answer;  // the last request that was answered
   std::atomic<LoadState> load_state;
   std::atomic<int> fault_signal;  // 0: none
   std::atomic<int> fault_call;    // number of a forbidden system call, or no_call
-  char text[256];                 // why it does not play, or what it threw
+  char text[256];                 // why the team does not play, or what it threw
   mirocup_command command;
-  mirocup_placement placement;  // while the observation says that the team places
+  mirocup_placement placement;  // valid if the observation had placing = 1
 };
 
-// Sleeps until the word is no longer `seen`, it is woken, or the time is over. May return early.
-// Without a time it sets no timer.
+// Sleeps until the word differs from `seen`, wake() is called, or the timeout is over; may return
+// early. Sets no timer if there is no timeout.
 void wait_while_equal(const std::atomic<std::uint32_t>& word, std::uint32_t seen,
-                      std::optional<std::chrono::nanoseconds> at_most = std::nullopt);
+                      std::optional<std::chrono::nanoseconds> timeout = std::nullopt);
+
+// Wakes the process that sleeps on the word.
 void wake(const std::atomic<std::uint32_t>& word);
-// Both, before either runs on this core. The other word must be writable here, and not 0.
+
+// Wakes the sleepers on both words before either can run on this core. `other` must not be 0, and
+// must be mapped writable in this process.
 void wake(const std::atomic<std::uint32_t>& one, const std::atomic<std::uint32_t>& other);
 
 }  // namespace mirocup::plugins

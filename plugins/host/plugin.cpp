@@ -16,14 +16,14 @@ namespace {
 using match::Fault;
 using match::FaultCode;
 
-// Libraries may be older than the members that were added at the end.
-constexpr std::size_t smallest_strategy = offsetof(mirocup_strategy, place);
+// An older library may lack the members that were added at the end.
+constexpr std::size_t min_strategy_size = offsetof(mirocup_strategy, place);
 
 tl::unexpected<Fault> fault(FaultCode code, std::string text) {
   return tl::unexpected<Fault>(Fault{code, std::move(text)});
 }
 
-// Runs foreign code; whatever it throws becomes a sentence.
+// Runs foreign code and turns any exception into a fault with a sentence.
 template <class Call>
 tl::expected<void, Fault> guarded(const char* function, Call call) {
   try {
@@ -52,8 +52,8 @@ tl::expected<Plugin, Fault> Plugin::load(const std::string& path, const mirocup_
   }
   Plugin plugin(library, nullptr, nullptr);
 
-  using Entry = const mirocup_strategy* (*)();
-  const auto entry = reinterpret_cast<Entry>(dlsym(library, "mirocup_entry"));
+  using EntryFunction = const mirocup_strategy* (*)();
+  const auto entry = reinterpret_cast<EntryFunction>(dlsym(library, "mirocup_entry"));
   if (entry == nullptr) {
     return fault(FaultCode::bad_abi, "the library exports no function mirocup_entry()");
   }
@@ -67,7 +67,7 @@ tl::expected<Plugin, Fault> Plugin::load(const std::string& path, const mirocup_
                  "the library was built for version " + std::to_string(strategy->abi_version) +
                      " of strategy.h, this is version " + std::to_string(MIROCUP_ABI_VERSION));
   }
-  if (strategy->size < smallest_strategy || strategy->create == nullptr ||
+  if (strategy->size < min_strategy_size || strategy->create == nullptr ||
       strategy->decide == nullptr) {
     return fault(FaultCode::bad_abi, "mirocup_entry() returned an incomplete structure");
   }
@@ -87,7 +87,7 @@ Plugin::~Plugin() {
   if (library_ == nullptr) return;
   const FloatingPointGuard guard;
   if (team_ != nullptr && strategy_->destroy != nullptr) {
-    // A team that throws while it ends has ended all the same.
+    // The team has ended, whether its destroy() throws or not.
     (void)guarded("destroy", [this] { strategy_->destroy(team_); });
   }
   dlclose(library_);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A team's library, loaded into this process. What goes wrong here is the team's fault, told as
-// one.
+// A team's library, loaded into this process. Errors of the library and exceptions that leave it
+// are returned as faults of the team.
 #pragma once
 
 #include "core/match/controller.hpp"
@@ -13,13 +13,14 @@
 
 namespace mirocup::plugins {
 
-// For setup.log where a team's error output is its log.
+// Writes a line to standard error: setup.log of a process whose standard error is the team's log.
 void write_line(const char* text);
 
 class Plugin {
  public:
-  // Loads the library at `path` (with a slash in it), checks its version and creates its team.
-  // `setup` outlives the plugin. Foreign code runs from here on.
+  // Loads the library at `path`, checks its version and creates its team. The path must contain a
+  // slash, because dlopen() searches the system's folders for a bare name. `setup` must outlive the
+  // plugin. From here on foreign code runs in this process.
   static tl::expected<Plugin, match::Fault> load(const std::string& path,
                                                  const mirocup_setup& setup);
 
@@ -27,13 +28,14 @@ class Plugin {
   Plugin& operator=(Plugin&&) = delete;
   ~Plugin();
 
+  // Returns the name that the library gives its team, or "".
   std::string name() const;
 
-  // Calls the team; an exception that leaves it is a crash. The floating-point mode is that of the
-  // caller before and after.
+  // Calls decide(). An exception that leaves it is a crash. The caller's floating-point mode is
+  // restored after the call.
   tl::expected<mirocup_command, match::Fault> decide(const mirocup_observation& observation);
 
-  // The same at a restart. A team without place() leaves everything where it is.
+  // Calls place() at a restart. A team without place() leaves everything where it is.
   tl::expected<mirocup_placement, match::Fault> place(const mirocup_observation& observation);
 
  private:

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -24,18 +25,18 @@ using match::Fault;
 using match::FaultCode;
 using match::HostFailure;
 
-// The death of a process wakes nobody, so every wait is cut into slices. They are longer than the
-// kernel's own clock tick: a timer that is due before that has to be programmed into the hardware
-// and out again, in every wait, which costs more than handing over.
+// The end of a process wakes no waiter, so every wait is cut into slices. A slice is longer than
+// the kernel's clock tick: a shorter timer would have to be programmed into the hardware and
+// removed again in every wait, which costs more than handing over.
 constexpr std::chrono::milliseconds slice{20};
 
-// A full pipe refuses what a team prints, so it is emptied now and then.
+// The team's output pipe is emptied every 32 ticks, because a full pipe refuses further output.
 constexpr std::uint32_t ticks_between_readings = 32;
 
-// How long the sandbox itself may take, s. Only a machine in great trouble needs so long.
-constexpr double longest_setup = 60.0;
+// The time limit for building the sandbox, s; generous, because it fails only on a broken machine.
+constexpr double max_setup_time = 60.0;
 
-// A sealed piece of memory of that size, mapped here for writing.
+// Sizes the memory file and maps it here for writing.
 template <class Page>
 Page* make_page(int fd) {
   if (ftruncate(fd, sizeof(Page)) != 0) return nullptr;
@@ -48,8 +49,8 @@ tl::unexpected<Error> not_available(const char* what) {
   return fail(Errc::unavailable, std::string(what) + ": " + std::strerror(errno));
 }
 
-double seconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 std::string seconds_text(double seconds) {
@@ -59,7 +60,7 @@ std::string seconds_text(double seconds) {
 }  // namespace
 
 Result<std::unique_ptr<ProcessController>> ProcessController::start(
-    const std::string& host_program, Isolation isolation, const Entry& entry,
+    const std::string& host_program, Isolation isolation, const SealedEntry& entry,
     const match::Briefing& briefing, const Budget& budget, std::optional<Deadline> deadline,
     std::shared_ptr<Doorbell> bell) {
   const Descriptor in_fd(memfd_create("observation", MFD_CLOEXEC | MFD_ALLOW_SEALING));
@@ -67,7 +68,7 @@ Result<std::unique_ptr<ProcessController>> ProcessController::start(
   ObservationPage* in = make_page<ObservationPage>(in_fd.get());
   CommandPage* out = make_page<CommandPage>(out_fd.get());
   if (in == nullptr || out == nullptr) return not_available("the mailbox of a team");
-  // From now on nobody can map the observations for writing, or shrink either page under the
+  // From now on no process can map the observations for writing, or shrink either page under the
   // server.
   const int no_resizing = F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL;
   if (fcntl(in_fd.get(), F_ADD_SEALS, no_resizing | F_SEAL_FUTURE_WRITE) != 0 ||
@@ -110,7 +111,7 @@ ProcessController::ProcessController(Child child, ObservationPage* in, CommandPa
       budget_(budget),
       deadline_(deadline),
       bell_(std::move(bell)),
-      posted_at_(Clock::now()),
+      posted_at_(WallClock::now()),
       asked_at_(posted_at_) {
   bell_->join();
 }
@@ -122,13 +123,13 @@ ProcessController::~ProcessController() {
   munmap(out_, sizeof *out_);
 }
 
-// Until the process says that its sandbox stands, all that goes wrong is the host's. It says so
-// through a pipe that it closes before it touches the library.
+// Until the process tells that its sandbox stands, every error is a failure of the host. The
+// process tells it through a pipe that it closes before it touches the library.
 std::optional<HostFailure> ProcessController::wait_for_sandbox() {
   pollfd readable{setup_.get(), POLLIN, 0};
   char text[128];
   ssize_t length = 0;
-  if (poll(&readable, 1, static_cast<int>(1e3 * longest_setup)) > 0)
+  if (poll(&readable, 1, static_cast<int>(1e3 * max_setup_time)) > 0)
     length = read(setup_.get(), text, sizeof text);
   if (length == 1 && text[0] == sandbox_stands) {
     setup_.reset();
@@ -137,7 +138,7 @@ std::optional<HostFailure> ProcessController::wait_for_sandbox() {
   std::string why = "it ended without a word";
   if (length > 0) {
     why.assign(text, static_cast<std::size_t>(length));
-    // A message may come in pieces.
+    // The text may come in pieces.
     while ((length = read(setup_.get(), text, sizeof text)) > 0)
       why.append(text, static_cast<std::size_t>(length));
   }
@@ -145,11 +146,11 @@ std::optional<HostFailure> ProcessController::wait_for_sandbox() {
   return HostFailure{"the sandbox of a team could not be built: " + why};
 }
 
-// What the process itself said of its end.
-std::optional<Fault> ProcessController::label(const Ending& ending) const {
-  if (ending.signal == SIGSYS)
+// Returns the fault that the process reported itself before it ended, if any.
+std::optional<Fault> ProcessController::reported_fault(const ExitStatus& status) const {
+  if (status.signal == SIGSYS)
     return Fault{FaultCode::illegal_call, "the team made a system call that is not allowed"};
-  if (ending.signal == 0 && ending.exit_code == exit_faulted) {
+  if (status.signal == 0 && status.exit_code == exit_faulted) {
     const int signal = out_->fault_signal.load(std::memory_order_acquire);
     if (signal == SIGSYS) {
       return Fault{FaultCode::illegal_call,
@@ -159,11 +160,11 @@ std::optional<Fault> ProcessController::label(const Ending& ending) const {
     if (signal > 0 && signal < NSIG)
       return Fault{FaultCode::crash, "the team's process died of " + signal_text(signal)};
   }
-  if (ending.signal == 0 && ending.exit_code == exit_refused) {
+  if (status.signal == 0 && status.exit_code == exit_refused) {
     char copy[sizeof out_->text];
     std::memcpy(copy, out_->text, sizeof copy);
     copy[sizeof copy - 1] = '\0';
-    const std::string text = escaped(copy);
+    const std::string text = escape_unprintable(copy);
     switch (out_->load_state.load(std::memory_order_acquire)) {
       case LoadState::no_load:
         return Fault{FaultCode::no_load, text};
@@ -178,45 +179,45 @@ std::optional<Fault> ProcessController::label(const Ending& ending) const {
   return std::nullopt;
 }
 
-Answer ProcessController::death(const Ending& ending) {
-  // The filter keeps a team from killing itself in this way.
-  if (ending.signal == SIGKILL) {
+Answer ProcessController::answer_to_exit(const ExitStatus& status) {
+  // The team cannot have done it: the filter forbids sending itself SIGKILL.
+  if (status.signal == SIGKILL) {
     return HostFailure{
         "a team's process was killed from outside: out of memory, or a cancelled job"};
   }
-  Fault fault = label(ending).value_or(Fault{
+  Fault fault = reported_fault(status).value_or(Fault{
       FaultCode::crash,
-      ending.signal != 0
-          ? "the team's process died of " + signal_text(ending.signal)
-          : "the team's process ended itself with exit code " + std::to_string(ending.exit_code)});
+      status.signal != 0
+          ? "the team's process died of " + signal_text(status.signal)
+          : "the team's process ended itself with exit code " + std::to_string(status.exit_code)});
   if (!is_ready_ && fault.code != FaultCode::no_load && fault.code != FaultCode::bad_abi)
     fault.text += ", while its library was loaded";
   return fault;
 }
 
 template <class Done>
-std::optional<Answer> ProcessController::wait(Done done, const Patience& patience,
-                                              std::optional<Clock::time_point> until) {
+std::optional<Answer> ProcessController::wait(Done done, const WaitLimit& limit,
+                                              std::optional<WallClock::time_point> until) {
   while (true) {
     if (done()) break;
     in_->is_awaited.store(1, std::memory_order_seq_cst);
     const std::uint32_t seen = out_->answer.load(std::memory_order_seq_cst);
     if (done()) break;
     std::chrono::nanoseconds pause = slice;
-    if (until) pause = std::clamp<std::chrono::nanoseconds>(*until - Clock::now(), {}, slice);
+    if (until) pause = std::clamp<std::chrono::nanoseconds>(*until - WallClock::now(), {}, slice);
     wait_while_equal(out_->answer, seen, pause);
     if (done()) break;
-    if (const auto ending = child_.ending()) return death(*ending);
+    if (const auto status = child_.exit_status()) return answer_to_exit(*status);
     cpu_ = child_.cpu_seconds();
-    const bool is_busy = cpu_ - cpu_at_post_ > patience.cpu;
-    if (is_busy || seconds_since(asked_at_) > patience.wall) {
+    const bool is_busy = cpu_ - cpu_at_post_ > limit.cpu;
+    if (is_busy || seconds_since(asked_at_) > limit.wall) {
       child_.kill();
-      return Fault{patience.late, "the team used more than " +
-                                      (is_busy ? seconds_text(patience.cpu) + " of processor time "
-                                               : seconds_text(patience.wall) + " ") +
-                                      patience.doing};
+      return Fault{limit.late, "the team used more than " +
+                                   (is_busy ? seconds_text(limit.cpu) + " of processor time "
+                                            : seconds_text(limit.wall) + " ") +
+                                   limit.doing};
     }
-    if (until && Clock::now() >= *until) {
+    if (until && WallClock::now() >= *until) {
       in_->is_awaited.store(0, std::memory_order_relaxed);
       return match::Late{};
     }
@@ -228,9 +229,11 @@ std::optional<Answer> ProcessController::wait(Done done, const Patience& patienc
 tl::expected<void, Answer> ProcessController::wait_until_ready() {
   if (auto failure = wait_for_sandbox()) return tl::unexpected<Answer>(*failure);
   const auto is_ready = [this] { return out_->load_state.load() == LoadState::ready; };
-  const Patience patience{budget_.start_cpu, budget_.start_wall, FaultCode::start_timeout,
-                          "to load its library and create its team"};
-  if (auto problem = wait(is_ready, patience, std::nullopt)) return tl::unexpected(*problem);
+  const WaitLimit limit{.cpu = budget_.start_cpu,
+                        .wall = budget_.start_wall,
+                        .late = FaultCode::start_timeout,
+                        .doing = "to load its library and create its team"};
+  if (auto problem = wait(is_ready, limit, std::nullopt)) return tl::unexpected(*problem);
   is_ready_ = true;
   cpu_at_ready_ = cpu_ = child_.cpu_seconds();
   start_wall_ = seconds_since(posted_at_);
@@ -238,10 +241,11 @@ tl::expected<void, Answer> ProcessController::wait_until_ready() {
 }
 
 void ProcessController::post(const match::Observation& observation) {
-  posted_at_ = Clock::now();
+  assert(is_ready_);
+  posted_at_ = WallClock::now();
   ++ticks_;
-  // A team that still thinks about an older one gets the newest when it comes back. Without a
-  // deadline that never happens.
+  // A team that still computes gets the newest observation after its answer. Without a deadline
+  // this cannot happen.
   if (is_awaited_) return;
   is_awaited_ = true;
   is_placing_ = observation.placing;
@@ -253,20 +257,21 @@ void ProcessController::post(const match::Observation& observation) {
   bell_->ask(in_->request);
 }
 
-Answer ProcessController::late() {
+Answer ProcessController::count_late_tick() {
+  assert(deadline_.has_value());
   ++late_;
   ++late_in_a_row_;
-  if (late_in_a_row_ <= deadline_->most_late_in_a_row && late_ <= deadline_->most_late)
+  if (late_in_a_row_ <= deadline_->max_late_in_a_row && late_ <= deadline_->max_late)
     return match::Late{};
   child_.kill();
   return Fault{FaultCode::hang,
-               "the team was late " + (late_ > deadline_->most_late
+               "the team was late " + (late_ > deadline_->max_late
                                            ? std::to_string(late_) + " times in this leg"
                                            : std::to_string(late_in_a_row_) + " times in a row")};
 }
 
-// What a team owes at the end of a tick.
-std::optional<Fault> ProcessController::overdraft() {
+// Returns the fault of a team that has used up its bank or slept too long by the end of a tick.
+std::optional<Fault> ProcessController::find_overrun() {
   if (playing_seconds() > bank_seconds()) {
     return Fault{FaultCode::budget,
                  "the team used up its processor time: more than " + seconds_text(budget_.bank) +
@@ -280,11 +285,11 @@ std::optional<Fault> ProcessController::overdraft() {
   return std::nullopt;
 }
 
-// What the server waited for, less what both had to wait for a processor: a busy machine is not the
-// team's fault.
+// The time slept is the time that the server waited, less the processor time of the team, less the
+// time that both had to wait for a processor: a busy machine is not the team's fault.
 bool ProcessController::has_slept_too_long() {
-  if (waited_ < budget_.sleep || waited_ < next_look_) return false;
-  next_look_ = waited_ + 1.0;
+  if (waited_ < budget_.sleep || waited_ < next_sleep_check_) return false;
+  next_sleep_check_ = waited_ + 1.0;
   const auto own_delay = Child::processor_delay(getpid());
   const auto delay = child_.processor_delay();
   if (!own_delay || !delay) return false;
@@ -296,34 +301,36 @@ Answer ProcessController::collect() {
   const auto is_answered = [this] {
     return out_->answer.load(std::memory_order_acquire) == request_;
   };
-  const Patience patience{
-      budget_.tick_cpu + (is_placing_ ? budget_.place_cpu : 0.0), budget_.tick_wall,
-      FaultCode::hang,
-      is_placing_ ? "on one tick and place() and was stopped" : "on one tick and was stopped"};
-  std::optional<Clock::time_point> until;
+  const WaitLimit limit{.cpu = budget_.tick_cpu + (is_placing_ ? budget_.place_cpu : 0.0),
+                        .wall = budget_.tick_wall,
+                        .late = FaultCode::hang,
+                        .doing = is_placing_ ? "on one tick and place() and was stopped"
+                                             : "on one tick and was stopped"};
+  std::optional<WallClock::time_point> until;
   if (deadline_) {
-    until = posted_at_ + std::chrono::duration_cast<Clock::duration>(
+    until = posted_at_ + std::chrono::duration_cast<WallClock::duration>(
                              std::chrono::duration<double>(deadline_->tick));
   }
   if (!is_answered()) {
-    const auto begin = Clock::now();
-    if (auto problem = wait(is_answered, patience, until))
-      return std::holds_alternative<match::Late>(*problem) ? late() : *problem;
-    waited_ += seconds_since(begin);
+    const auto start = WallClock::now();
+    if (auto problem = wait(is_answered, limit, until))
+      return std::holds_alternative<match::Late>(*problem) ? count_late_tick() : *problem;
+    waited_ += seconds_since(start);
   }
   cpu_ = child_.cpu_seconds();
   is_awaited_ = false;
   late_in_a_row_ = 0;
   slowest_tick_ = std::max(slowest_tick_, cpu_ - cpu_at_post_);
-  if (auto fault = overdraft()) {
+  if (auto fault = find_overrun()) {
     child_.kill();
     return *fault;
   }
   if (ticks_ % ticks_between_readings == 0) read_log();
-  // Copied once, so that what is checked is what is driven, whatever the team writes meanwhile.
+  // Copied once, so that the command that is checked is the one that is driven, even if the team
+  // goes on writing.
   mirocup_command copy;
   std::memcpy(&copy, &out_->command, sizeof copy);
-  std::optional<match::Poses> poses;
+  std::optional<match::PlacementRequest> poses;
   if (is_placing_) {
     mirocup_placement placement;
     std::memcpy(&placement, &out_->placement, sizeof placement);
@@ -331,13 +338,13 @@ Answer ProcessController::collect() {
   }
   std::atomic_signal_fence(std::memory_order_seq_cst);
   match::Command command = abi::to_command(copy);
-  command.poses = poses;
+  command.placement = poses;
   return command;
 }
 
 void ProcessController::read_log() {
   std::array<char, 1 << 14> buffer;
-  // As much as the pipe holds: who writes while this reads cannot keep it here.
+  // At most as much as a pipe holds, so that a team that keeps writing cannot keep the server here.
   for (int i = 0; i < 4; ++i) {
     const ssize_t n = read(log_pipe_.get(), buffer.data(), buffer.size());
     if (n <= 0) return;

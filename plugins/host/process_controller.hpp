@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
 //
-// A team in a sandboxed process of its own. Whatever the team does, the server goes on: a process
-// that dies, hangs or answers nonsense is a fault of its team; one that somebody else killed is a
-// failure of the host.
+// A team in a sandboxed process of its own. The server goes on, whatever the team does: a process
+// that dies, hangs or answers nonsense is a fault of its team; a process that was killed from
+// outside is a failure of the host.
 //
-// Of all that the process writes, only its answers count. The rest (why it ended, what it printed)
-// are labels: a team that forges them forges the reason of its own loss.
+// Only the answers of the process have an effect on the match. Its reports (why it ended, what it
+// printed) are labels: a team that forges them forges the reason of its own loss.
 #pragma once
 
 #include "core/match/controller.hpp"
 #include "plugins/host/child.hpp"
 #include "plugins/host/descriptor.hpp"
 #include "plugins/host/doorbell.hpp"
-#include "plugins/host/entry.hpp"
-#include "plugins/host/log.hpp"
 #include "plugins/host/mailbox.hpp"
 #include "plugins/host/sandbox/isolation.hpp"
+#include "plugins/host/sealed_entry.hpp"
+#include "plugins/host/team_log.hpp"
 
 #include <chrono>
 #include <memory>
@@ -24,72 +24,73 @@
 
 namespace mirocup::plugins {
 
-// Where time is no object: a match waits for both teams, and processor time is what a team has.
-// It has a bank for the whole leg; the caps for one tick only stop what would never end. Wall time
-// is against sleepers. Seconds.
+// The limits of a team, in seconds. The match waits for both teams and counts their processor time.
+// A team has a bank of it for the whole leg; the limits of one tick only stop code that would never
+// end. The limits of wall time are against teams that sleep.
 struct Budget {
   double start_cpu = 10.0;
   double start_wall = 30.0;
   double tick_cpu = 1.0;
   double tick_wall = 10.0;
-  double place_cpu = 1.0;  // more in a tick in which the team places
+  double place_cpu = 1.0;  // in addition to tick_cpu, in a tick in which the team places
   double bank = 2.0;
   double bank_per_tick = 1e-3;
   double bank_per_place = 20e-3;
-  double sleep = 10.0;  // of the leg: neither computing nor waiting for a processor
+  double sleep = 10.0;  // in the leg: time neither computing nor waiting for a processor
 
+  // Returns the processor time that a team may have used after that many ticks and placements.
   double bank_after(std::uint32_t ticks, std::uint32_t places) const {
     return bank + bank_per_tick * ticks + bank_per_place * places;
   }
 };
 
-// Where simulated time passes with the clock on the wall: who is not there in time is late.
+// The limits of a match in real time: an answer that does not come in time is late.
 struct Deadline {
-  double tick = 0.0;            // s after the observation
-  int most_late_in_a_row = 90;  // 3 s at 33 ms
-  int most_late = 600;
+  double tick = 0.0;           // s after the observation
+  int max_late_in_a_row = 90;  // 3 s at 33 ms
+  int max_late = 600;
 };
 
 class ProcessController final : public match::Controller {
  public:
-  // Starts mirocup-plugin-host at `host_program` with the entry. An error is the host's; what the
-  // library does comes out of wait_until_ready(). Without a deadline a tick lasts until the answer.
-  // The bell is that of the match: two teams that share it are woken together.
-  static Result<std::unique_ptr<ProcessController>> start(const std::string& host_program,
-                                                          Isolation isolation, const Entry& entry,
-                                                          const match::Briefing& briefing,
-                                                          const Budget& budget,
-                                                          std::optional<Deadline> deadline,
-                                                          std::shared_ptr<Doorbell> bell);
+  // Starts mirocup-plugin-host at `host_program` with the entry. An error is a failure of the host;
+  // wait_until_ready() tells what became of the library. Without a deadline a tick lasts until the
+  // answer comes. `bell` is the doorbell of the match, which wakes both teams together.
+  static Result<std::unique_ptr<ProcessController>> start(
+      const std::string& host_program, Isolation isolation, const SealedEntry& entry,
+      const match::Briefing& briefing, const Budget& budget, std::optional<Deadline> deadline,
+      std::shared_ptr<Doorbell> bell);
   ~ProcessController() override;
 
-  // Returns when the library is loaded, or why it never will be.
+  // Returns when the library is loaded and its team created. The error is the team's fault, or a
+  // failure of the host. Must succeed before the first post().
   tl::expected<void, match::Answer> wait_until_ready();
 
   void post(const match::Observation& observation) override;
   match::Answer collect() override;
 
-  // Processor time since the start, loading included.
+  // Returns the processor time since the start, loading included, s.
   double cpu_seconds() const { return cpu_; }
-  // The same from the first tick on: what counts against the bank.
+  // Returns the processor time since the first tick, which counts against the bank, s.
   double playing_seconds() const { return cpu_ - cpu_at_ready_; }
   double slowest_tick_ms() const { return 1e3 * slowest_tick_; }
   double start_seconds() const { return start_wall_; }
-  // How long its process could have run but had no processor, s; nothing where nobody knows.
+  // Returns how long the process was ready to run but had no processor, s; nothing if the kernel
+  // does not tell.
   std::optional<double> processor_delay() const { return child_.processor_delay(); }
-  // Of the leg so far.
+  // Returns the bank of the leg so far, s.
   double bank_seconds() const { return budget_.bank_after(ticks_, places_); }
-  // At most so many bytes of memory at a time; 0 once its process has ended.
+  // Returns the peak of the process's memory, bytes; 0 once the process has ended.
   std::size_t peak_memory() const { return child_.peak_memory(); }
 
-  // What the team printed: capped and harmless to show.
+  // Returns the output of the team so far: bounded, and harmless to show.
   std::string output();
 
  private:
-  using Clock = std::chrono::steady_clock;
+  using WallClock = std::chrono::steady_clock;
 
-  // How long to wait, and what it is called not to be there then.
-  struct Patience {
+  // How long to wait for the team, and the fault if it takes longer.
+  struct WaitLimit {
     double cpu = 0.0;
     double wall = 0.0;
     match::FaultCode late = match::FaultCode::hang;
@@ -101,14 +102,15 @@ class ProcessController final : public match::Controller {
                     std::shared_ptr<Doorbell> bell);
 
   std::optional<match::HostFailure> wait_for_sandbox();
-  // Waits until done() holds, or `until`; else why the team has lost or the leg is void.
+  // Waits until done() holds. Otherwise returns Late at `until`, or why the team has lost or the
+  // leg is void.
   template <class Done>
-  std::optional<match::Answer> wait(Done done, const Patience& patience,
-                                    std::optional<Clock::time_point> until);
-  match::Answer death(const Ending& ending);
-  std::optional<match::Fault> label(const Ending& ending) const;
-  match::Answer late();
-  std::optional<match::Fault> overdraft();
+  std::optional<match::Answer> wait(Done done, const WaitLimit& limit,
+                                    std::optional<WallClock::time_point> until);
+  match::Answer answer_to_exit(const ExitStatus& status);
+  std::optional<match::Fault> reported_fault(const ExitStatus& status) const;
+  match::Answer count_late_tick();
+  std::optional<match::Fault> find_overrun();
   bool has_slept_too_long();
   void read_log();
 
@@ -117,26 +119,26 @@ class ProcessController final : public match::Controller {
   CommandPage* out_;
   Descriptor setup_;
   Descriptor log_pipe_;
-  Log log_;
+  TeamLog log_;
   Budget budget_;
   std::optional<Deadline> deadline_;
   std::shared_ptr<Doorbell> bell_;
   bool is_ready_ = false;
 
-  std::uint32_t ticks_ = 0;    // observations that there were
-  std::uint32_t places_ = 0;   // those in which the team was to place
-  std::uint32_t request_ = 0;  // the last that was handed over
-  bool is_awaited_ = false;    // it has not been answered
-  bool is_placing_ = false;    // it asks for poses, too
-  Clock::time_point posted_at_;
-  Clock::time_point asked_at_;  // of the oldest observation without an answer
+  std::uint32_t ticks_ = 0;    // observations so far
+  std::uint32_t places_ = 0;   // those in which the team was asked to place
+  std::uint32_t request_ = 0;  // number of the last observation that was handed over
+  bool is_awaited_ = false;    // true: it has not been answered
+  bool is_placing_ = false;    // true: it asks for poses, too
+  WallClock::time_point posted_at_;
+  WallClock::time_point asked_at_;  // of the oldest observation without an answer
   double cpu_at_post_ = 0.0;
   double cpu_ = 0.0;
   double cpu_at_ready_ = 0.0;
   double slowest_tick_ = 0.0;
   double start_wall_ = 0.0;
-  double waited_ = 0.0;     // wall time that the server waited for answers
-  double next_look_ = 0.0;  // at how much of it to ask next what the team did meanwhile
+  double waited_ = 0.0;            // wall time that the server has waited for answers, s
+  double next_sleep_check_ = 0.0;  // value of waited_ at which to check for sleep again
   int late_in_a_row_ = 0;
   int late_ = 0;
 };

@@ -26,7 +26,7 @@ void TrustedController::post(const match::Observation& observation) {
 }
 
 match::Answer TrustedController::collect() {
-  std::optional<match::Poses> poses;
+  std::optional<match::PlacementRequest> poses;
   if (observation_.placing != 0) {
     const auto placement = plugin_.place(observation_);
     if (!placement) return placement.error();
@@ -35,7 +35,7 @@ match::Answer TrustedController::collect() {
   const auto decided = plugin_.decide(observation_);
   if (!decided) return decided.error();
   match::Command command = abi::to_command(*decided);
-  command.poses = poses;
+  command.placement = poses;
   return command;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A team in the server's own process (`--trusted`): no protection from it, and no cost.
+// A team in the server's own process (`--trusted`): without protection from it, and without cost.
 #pragma once
 
 #include "plugins/host/plugin.hpp"
@@ -11,6 +11,7 @@ namespace mirocup::plugins {
 
 class TrustedController final : public match::Controller {
  public:
+  // Loads the library at `path`, which must contain a slash, and creates its team.
   static tl::expected<std::unique_ptr<TrustedController>, match::Fault> load(
       const std::string& path, const match::Briefing& briefing);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One robot runs after the ball and pushes it towards the other goal, one keeps the goal, the rest
-// stand in the way. A first team of one's own can start from here.
+// The robot nearest to the ball drives behind it and pushes it towards the opponents' goal, robot 0
+// keeps the own goal, and the others wait in their half. A good start for a first team.
 #include "mirocup/strategy.hpp"
 
 namespace {
@@ -21,7 +21,7 @@ class Chaser : public Team {
   }
 
  private:
-  // Robot 0 stays at home.
+  // Robot 0 keeps the goal and is never chosen.
   int nearest_to_ball(const Observation& now) const {
     int nearest = 1;
     for (int i = 2; i < now.robots; ++i) {

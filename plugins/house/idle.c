@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Stands where it is put. The smallest team that there is, in C, and the one that everybody should
- * beat.
+ * Its robots stand where they are put. The smallest possible team, in C, which every other team
+ * should beat.
  */
 #include "mirocup/strategy.h"
 

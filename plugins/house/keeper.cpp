@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Defends. Robot 0 keeps the goal, the others stand in the ball's way to it and clear what comes
-// near.
+// A team that only defends. Robot 0 keeps the goal; the others stand between the ball and the goal,
+// and robot 1 clears a ball that comes near.
 #include "mirocup/strategy.hpp"
 
 namespace {
@@ -25,7 +25,7 @@ class Keeper : public Team {
         command.wheels[i] =
             drive_to(setup(), robot, keep_out(setup(), i, ball(now) + 0.1 * out), 1.0);
       } else {
-        // A screen across the line from the ball to the goal.
+        // The others form a screen across the line from the ball to the goal.
         const int column = i / 2;
         const int row = i / 3;
         const double aside = 0.09 * (i % 2 == 0 ? 1.0 : -1.0) * column;
@@ -39,7 +39,7 @@ class Keeper : public Team {
 
  private:
   double distance_ =
-      0.22 + 0.08 * random().uniform();  // m, of the screen from the goal, in this leg
+      0.22 + 0.08 * random().uniform();  // m, from the goal to the screen in this leg
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Plays to score: a keeper, one attacker that takes the ball where it will be and shoots past the
-// other keeper, and the rest behind it for what comes back.
+// A team that plays to score: a keeper, one attacker that meets the ball where it will be and
+// shoots past the opponents' keeper, and supporters behind it that take over lost balls.
 #include "mirocup/strategy.hpp"
 
 namespace {
@@ -24,8 +24,8 @@ class Striker : public Team {
   }
 
  private:
-  // The robot that is soonest behind the ball; it stays the attacker unless another is clearly
-  // better.
+  // Chooses the robot that can be behind the ball first. The attacker of the last tick has a bonus,
+  // so that it changes only for a clearly better one.
   void choose_attacker(const Observation& now) {
     const auto cost = [&](int i) {
       const Point to = meeting_point(setup(), now, now.own[i]) - position(now.own[i]);
@@ -38,10 +38,11 @@ class Striker : public Team {
     attacker_ = best;
   }
 
-  // The side of the goal that the other keeper leaves open, thrown anew after each restart.
+  // Chooses the side of the goal that the opponents' keeper leaves open. A random offset, drawn
+  // after each restart, decides close cases.
   void choose_corner(const Observation& now) {
     if (now.state != MIROCUP_PLAY) {
-      taste_ = 0.06 * (random().uniform() - 0.5);
+      offset_ = 0.06 * (random().uniform() - 0.5);
       return;
     }
     double keeper_y = 0.0;
@@ -53,7 +54,7 @@ class Striker : public Team {
       }
     }
     const double open = 0.6 * setup().goal_half_width;
-    corner_ = (keeper_y + taste_ > 0.0 ? -open : open) + taste_;
+    corner_ = (keeper_y + offset_ > 0.0 ? -open : open) + offset_;
   }
 
   Wheels attack(const Observation& now, int i) {
@@ -66,17 +67,17 @@ class Striker : public Team {
     const double behind = -dot(from_ball, shot);
     const double aside = from_ball.y * shot.x - from_ball.x * shot.y;
 
-    // Behind the ball and nearly on the line of the shot: through it.
+    // Behind the ball and nearly on the line of the shot: drive through the ball.
     if (behind > 0.0 && std::abs(aside) < 0.02 + 0.35 * behind && behind < 0.35) {
       const Point through = meet + 0.3 * shot - (2.0 * aside) * Point{-shot.y, shot.x};
       return drive_to(setup(), robot, keep_out(setup(), i, through), 1.7, 1.7);
     }
-    // Else to a place behind it.
+    // Otherwise drive to a place behind the ball.
     const Point behind_it = keep_out(setup(), i, inside(setup(), meet - 0.11 * shot));
     return drive_clear(setup(), now, robot, behind_it, 0.3, 1.7);
   }
 
-  // Between the ball and the own goal, fanned out, ready to take over.
+  // Waits between the ball and the own goal, fanned out, ready to take over.
   Wheels support(const Observation& now, int i, int rank) {
     const double side = now.ball_y > 0.0 ? -1.0 : 1.0;
     const int row = rank / 2;
@@ -89,7 +90,7 @@ class Striker : public Team {
 
   int attacker_ = 1;
   double corner_ = 0.1;
-  double taste_ = 0.0;
+  double offset_ = 0.0;
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
-// A keeper, one robot that kicks to the other goal, and the rest in the ball's way home.
+// A keeper, one robot that kicks to the opponents' goal, and the others between the ball and the
+// own goal.
 #include "mirocup/strategy.hpp"
 
 using namespace mirocup::strategy;
@@ -19,7 +20,7 @@ class Mine : public Team {
  private:
   unsigned long long seed() const { return setup().seed; }
 
-  // The robot next to the ball; robot 0 stays in the goal.
+  // Returns the robot nearest to the ball; robot 0 stays in the goal and is never chosen.
   static int nearest(const Observation& now) {
     int best = 1;
     for (int i = 2; i < now.robots; ++i) {

@@ -1,4 +1,4 @@
-// Calls the team as a match does, without one. Exit code 0: all is well.
+// Calls the team as a match would. Exit code 0: every expectation holds.
 #include "mirocup/strategy.hpp"
 
 #include <cmath>
@@ -14,7 +14,7 @@ void expect(bool holds, const char* what) {
   ++failures;
 }
 
-// A small league's field, about.
+// Returns a setup with about the numbers of the small league.
 mirocup_setup setup() {
   mirocup_setup s{};
   s.size = sizeof s;

@@ -16,9 +16,9 @@ namespace {
 
 // A subcommand, the object that its options are written to, and what runs with it.
 template <class Options>
-struct Command {
-  Command(CLI::App& app, Run& run, const char* name, const char* description,
-          Result<int> (*command)(const Options&))
+struct Subcommand {
+  Subcommand(CLI::App& app, Run& run, const char* name, const char* description,
+             Result<int> (*command)(const Options&))
       : sub(app.add_subcommand(name, description)), options(std::make_shared<Options>()) {
     sub->callback([options = options, command, &run] {
       run = [options, command] { return command(*options); };
@@ -38,7 +38,7 @@ CLI::Validator one_of() {
 }
 
 void add_match(CLI::App& app, Run& run) {
-  Command<MatchOptions> command(app, run, "match", "Play one leg", run_match);
+  Subcommand<MatchOptions> command(app, run, "match", "Play one leg", run_match);
   MatchOptions& o = *command.options;
   command->add_option("--blue", o.teams[0], "a library, a house team's name, or dds:NAME")
       ->required();
@@ -91,8 +91,8 @@ void add_match(CLI::App& app, Run& run) {
 }
 
 void add_check(CLI::App& app, Run& run) {
-  Command<CheckOptions> command(app, run, "check", "Would this library be accepted as an entry?",
-                                run_check);
+  Subcommand<CheckOptions> command(app, run, "check", "Would this library be accepted as an entry?",
+                                   run_check);
   CheckOptions& o = *command.options;
   command->add_option("FILE.so", o.path, "the team's library")->required();
   command->add_option("--league", o.league, "small (3 a side), middle (5), large (11)")
@@ -102,8 +102,8 @@ void add_check(CLI::App& app, Run& run) {
 }
 
 void add_join(CLI::App& app, Run& run) {
-  Command<JoinOptions> command(app, run, "join", "Play a library in a match on the network",
-                               run_join);
+  Subcommand<JoinOptions> command(app, run, "join", "Play a library in a match on the network",
+                                  run_join);
   JoinOptions& o = *command.options;
   command->add_option("--match", o.match_id, "ID of the match")->required();
   command->add_option("--team", o.team, "the colour to play")
@@ -111,7 +111,7 @@ void add_join(CLI::App& app, Run& run) {
       ->check(CLI::IsMember({"blue", "yellow"}));
   command->add_option("--name", o.name, "the name that the match knows the team by")->required();
   command->add_option("--server", o.server, "host that the match runs on")->capture_default_str();
-  command->add_option("--patience", o.patience, "seconds to wait for the match")
+  command->add_option("--patience", o.join_within, "seconds to wait for the match")
       ->capture_default_str();
   command->add_option("--credentials", o.credentials,
                       "folder with the team's credentials, for a match that asks for them");
@@ -119,21 +119,21 @@ void add_join(CLI::App& app, Run& run) {
 }
 
 void add_new(CLI::App& app, Run& run) {
-  Command<NewOptions> command(app, run, "new", "Start a team of your own", run_new);
+  Subcommand<NewOptions> command(app, run, "new", "Start a team of your own", run_new);
   command->add_option("DIR", command.options->folder, "the folder to make")->required();
 }
 
 void add_verify(CLI::App& app, Run& run) {
-  Command<VerifyOptions> command(app, run, "verify",
-                                 "Play a record again from its commands and compare everything",
-                                 run_verify);
+  Subcommand<VerifyOptions> command(app, run, "verify",
+                                    "Play a record again from its commands and compare everything",
+                                    run_verify);
   VerifyOptions& o = *command.options;
   command->add_option("RECORD", o.path, "a match record")->required();
   command->add_flag("--json", o.json, "one JSON object on standard output");
 }
 
 void add_rerun(CLI::App& app, Run& run) {
-  Command<RerunOptions> command(
+  Subcommand<RerunOptions> command(
       app, run, "rerun", "Play a record's teams again and compare their commands", run_rerun);
   RerunOptions& o = *command.options;
   command->add_option("RECORD", o.record, "a match record")->required();
@@ -144,8 +144,8 @@ void add_rerun(CLI::App& app, Run& run) {
 }
 
 void add_replay(CLI::App& app, Run& run) {
-  Command<ReplayOptions> command(app, run, "replay", "Make a page that shows a record in a browser",
-                                 run_replay);
+  Subcommand<ReplayOptions> command(app, run, "replay",
+                                    "Make a page that shows a record in a browser", run_replay);
   ReplayOptions& o = *command.options;
   command->add_option("RECORD", o.record, "a match record")->required();
   command->add_option("-o,--output", o.output, "the page, or the picture")->required();
@@ -157,7 +157,8 @@ void add_replay(CLI::App& app, Run& run) {
 }
 
 void add_scene(CLI::App& app, Run& run) {
-  Command<SceneOptions> command(app, run, "scene", "Run a scene of the physics alone", run_scene);
+  Subcommand<SceneOptions> command(app, run, "scene", "Run a scene of the physics alone",
+                                   run_scene);
   SceneOptions& o = *command.options;
   command->add_option("FILE", o.path, "a scene, mirocup/scene/1")->required();
   command->add_option("--accuracy", o.accuracy, "of lasting contacts")
@@ -167,7 +168,7 @@ void add_scene(CLI::App& app, Run& run) {
 }
 
 void add_referee(CLI::App& app, Run& run) {
-  Command<RefereeOptions> command(
+  Subcommand<RefereeOptions> command(
       app, run, "referee", "Judge recorded situations, or a played match with other parameters",
       run_referee);
   RefereeOptions& o = *command.options;

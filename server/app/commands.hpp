@@ -5,7 +5,7 @@
 #pragma once
 
 #include "core/base/error.hpp"
-#include "core/match/match.hpp"
+#include "core/match/leg.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -51,7 +51,7 @@ struct JoinOptions {
   std::string library;
   std::string server = "127.0.0.1";
   std::string credentials;
-  double patience = 60.0;
+  double join_within = 60.0;  // s to wait for the match
 };
 Result<int> run_join(const JoinOptions& options);
 
@@ -98,8 +98,9 @@ struct RefereeOptions {
 };
 Result<int> run_referee(const RefereeOptions& options);
 
-// `mirocup league ...` is the program mirocup-league, `mirocup bench ...` mirocup-bench: becomes that
-// program with the arguments that follow. Does not return if it can be started.
-Result<int> run_program(const std::string& name, int argc, char** argv);
+// `mirocup league …` is the program mirocup-league and `mirocup bench …` is mirocup-bench: runs the
+// program of that name in the place of this process, with the arguments behind argv[1]. Returns only
+// if it cannot be run.
+Result<int> become_sibling_program(const std::string& name, int argc, char** argv);
 
 }  // namespace mirocup::app

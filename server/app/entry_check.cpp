@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "server/app/entry_check.hpp"
 
-#include "core/match/match.hpp"
+#include "core/match/leg.hpp"
 #include "plugins/host/elf.hpp"
-#include "plugins/host/entry.hpp"
 #include "plugins/host/process_controller.hpp"
 #include "plugins/host/sandbox/private_root.hpp"
-#include "server/pace/clock.hpp"
+#include "plugins/host/sandbox/probe.hpp"
+#include "plugins/host/sealed_entry.hpp"
+#include "server/pace/wall_clock.hpp"
 #include "server/system/digest.hpp"
 #include "server/system/files.hpp"
 #include "server/system/locations.hpp"
@@ -30,8 +31,9 @@ constexpr std::array<const char*, 9> questions{"file",      "complete",   "entry
                                                "leg_blue",  "leg_yellow", "repeatable"};
 
 constexpr std::uint32_t first_ticks = 100;
-constexpr double half_s = 8.0;    // of the legs
-constexpr double longest = 14.0;  // s, of all playing, without what was waited for a processor
+constexpr double half_s = 8.0;  // of the legs
+constexpr double max_playing_seconds =
+    14.0;  // s, of all playing, without what was waited for a processor
 
 // Stricter than in a match: who needs so long is to be told soon.
 plugins::Budget budget() {
@@ -96,7 +98,7 @@ class Examination {
   using Seats = std::array<std::unique_ptr<plugins::ProcessController>, 2>;
 
   // What one leg, or its first ticks, showed.
-  struct Leg {
+  struct TrialLeg {
     std::optional<match::Fault> fault;
     bool is_too_slow = false;
     std::vector<match::TickLog> ticks;
@@ -104,7 +106,7 @@ class Examination {
 
   Result<bool> examine_file();
   Result<bool> examine_play();
-  Result<Leg> play(Team team, std::uint32_t most_ticks);
+  Result<TrialLeg> play(Team team, std::uint32_t max_ticks);
   void measure(plugins::ProcessController& process, std::uint32_t ticks);
   bool is_over_time(const Seats& seats);
   static double delay_of(const Seats& seats);
@@ -112,14 +114,14 @@ class Examination {
   // Each answers the next question; returns whether to go on.
   bool pass(std::string text);
   bool fail_with(std::string text);
-  bool judge(const Leg& leg, std::string text);
+  bool judge(const TrialLeg& leg, std::string text);
 
   std::string path_;
   match::Setup setup_;
-  pace::SteadyClock clock_;
+  pace::SteadyWallClock clock_;
   double delay_ = 0.0;  // s, that processes of earlier legs waited for a processor
-  std::optional<plugins::Entry> entry_;
-  std::optional<plugins::Entry> idle_;
+  std::optional<plugins::SealedEntry> entry_;
+  std::optional<plugins::SealedEntry> idle_;
   EntryReport report_;
 };
 
@@ -133,7 +135,7 @@ bool Examination::fail_with(std::string text) {
   return false;
 }
 
-bool Examination::judge(const Leg& leg, std::string text) {
+bool Examination::judge(const TrialLeg& leg, std::string text) {
   if (leg.fault) {
     return fail_with(leg.fault->text + " (" + std::string(to_string(leg.fault->code)) +
                      "): " + advice(leg.fault->code));
@@ -162,7 +164,7 @@ Result<EntryReport> Examination::run() {
 }
 
 Result<bool> Examination::examine_file() {
-  auto entry = plugins::Entry::open(path_);
+  auto entry = plugins::SealedEntry::open(path_);
   if (!entry) {
     if (entry.error().code != Errc::input) return tl::unexpected(entry.error());
     return fail_with(entry.error().what);
@@ -183,16 +185,16 @@ Result<bool> Examination::examine_file() {
   std::string names;
   for (const std::string& name : library->needed) {
     if (!is_on_this_system(name)) {
-      return fail_with("it needs " + plugins::escaped(name) +
+      return fail_with("it needs " + plugins::escape_unprintable(name) +
                        ", which this system does not have: link it statically");
     }
-    names += (names.empty() ? "" : ", ") + plugins::escaped(name);
+    names += (names.empty() ? "" : ", ") + plugins::escape_unprintable(name);
   }
   return pass(names.empty() ? "needs no other library" : "needs " + names);
 }
 
 Result<bool> Examination::examine_play() {
-  auto idle = plugins::Entry::open(system::house_team("idle"));
+  auto idle = plugins::SealedEntry::open(system::house_team("idle"));
   if (!idle) return tl::unexpected(idle.error());
   idle_ = std::move(*idle);
 
@@ -228,7 +230,7 @@ Result<bool> Examination::examine_play() {
   return judge(*again, "answers the same observations in the same way");
 }
 
-Result<Examination::Leg> Examination::play(Team team, std::uint32_t most_ticks) {
+Result<Examination::TrialLeg> Examination::play(Team team, std::uint32_t max_ticks) {
   match::Match match(setup_);
   Seats seats;
   const auto bell = std::make_shared<plugins::Doorbell>();
@@ -239,7 +241,7 @@ Result<Examination::Leg> Examination::play(Team team, std::uint32_t most_ticks) 
     if (!process) return tl::unexpected(process.error());
     seats[index_of(seat)] = std::move(*process);
   }
-  Leg leg;
+  TrialLeg leg;
   plugins::ProcessController& own = *seats[index_of(team)];
   for (const auto& seat : seats) {
     const auto ready = seat->wait_until_ready();
@@ -248,15 +250,15 @@ Result<Examination::Leg> Examination::play(Team team, std::uint32_t most_ticks) 
       return fail(Errc::host, failure->text);
     leg.fault = std::get<match::Fault>(ready.error());
   }
-  while (!leg.fault && !match.is_over() && match.tick() < most_ticks && !leg.is_too_slow) {
+  while (!leg.fault && !match.is_over() && match.tick() < max_ticks && !leg.is_too_slow) {
     match.advance(*seats[0], *seats[1]);
     leg.is_too_slow = is_over_time(seats);
   }
   delay_ += delay_of(seats);
   if (match.is_over()) {
-    if (match.result().end == match::EndKind::void_)
-      return fail(Errc::host, match.result().why_void);
-    if (!match.result().faults.empty()) leg.fault = match.result().faults.front().fault;
+    if (match.outcome().kind == match::OutcomeKind::void_)
+      return fail(Errc::host, match.outcome().why_void);
+    if (!match.outcome().faults.empty()) leg.fault = match.outcome().faults.front().fault;
   }
   measure(own, match.tick());
   leg.ticks = match.log();
@@ -266,9 +268,9 @@ Result<Examination::Leg> Examination::play(Team team, std::uint32_t most_ticks) 
 // A busy machine is not the entry's fault.
 bool Examination::is_over_time(const Seats& seats) {
   const double all = clock_.now();
-  if (all <= longest) return false;
+  if (all <= max_playing_seconds) return false;
   const double own_delay = plugins::Child::processor_delay(getpid()).value_or(0.0);
-  return all - own_delay - delay_ - delay_of(seats) > longest;
+  return all - own_delay - delay_ - delay_of(seats) > max_playing_seconds;
 }
 
 // How long processes that play could have run but had no processor, s.

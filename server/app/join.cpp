@@ -17,8 +17,8 @@ namespace {
 using SteadyClock = std::chrono::steady_clock;
 
 // Without a word from the server for so long (s), it is gone.
-constexpr double longest_silence = 10.0;
-constexpr double look_around = 0.25;
+constexpr double max_silence = 10.0;
+constexpr double poll_interval = 0.25;
 
 // A library at the end of a connection.
 class RemoteTeam {
@@ -44,7 +44,7 @@ class RemoteTeam {
 
 Result<int> RemoteTeam::play() {
   while (!interrupt_.is_asked_for()) {
-    const int news = match_.wait(look_around);
+    const int news = match_.wait(poll_interval);
     Result<void> done;
     switch (news) {
       case MIROCUP_TEAM_SEATED:
@@ -94,11 +94,12 @@ Result<void> RemoteTeam::answer() {
 
 Result<void> RemoteTeam::check_silence() const {
   const double silence = std::chrono::duration<double>(SteadyClock::now() - heard_).count();
-  if (!plugin_ && silence > options_.patience) {
-    return fail(Errc::unavailable, match_.text() + ", for " +
-                                       std::to_string(static_cast<int>(options_.patience)) + " s");
+  if (!plugin_ && silence > options_.join_within) {
+    return fail(
+        Errc::unavailable,
+        match_.text() + ", for " + std::to_string(static_cast<int>(options_.join_within)) + " s");
   }
-  if (plugin_ && silence > longest_silence) {
+  if (plugin_ && silence > max_silence) {
     return fail(Errc::unavailable, "the match server has not been heard of for 10 s");
   }
   return {};

@@ -16,8 +16,8 @@ int main(int argc, char** argv) {
     return exit_code(result.error().code);
   };
   const std::string_view command = argc > 1 ? argv[1] : "";
-  if (command == "league") return report(app::run_program("mirocup-league", argc, argv));
-  if (command == "bench") return report(app::run_program("mirocup-bench", argc, argv));
+  if (command == "league") return report(app::become_sibling_program("mirocup-league", argc, argv));
+  if (command == "bench") return report(app::become_sibling_program("mirocup-bench", argc, argv));
 
   app::Run run;
   if (const auto done = app::read_command_line(argc, argv, run)) return *done;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // mirocup match: plays one leg and writes its record.
+#include "plugins/host/sandbox/probe.hpp"
 #include "server/app/commands.hpp"
 #include "server/app/interrupt.hpp"
 #include "server/app/seats.hpp"
@@ -24,7 +25,7 @@ constexpr double time_to_answer = 0.9;
 
 // A team that has not answered for so many ticks is away; not sooner than after so many seconds.
 constexpr double ticks_to_notice = 9.0;
-constexpr double shortest_notice = 0.1;
+constexpr double min_notice = 0.1;
 
 Result<match::Setup> setup_of(const MatchOptions& options) {
   match::Setup setup;
@@ -52,8 +53,8 @@ Result<std::optional<double>> factor_of(const MatchOptions& options) {
   return std::optional<double>(factor);
 }
 
-// As fast as it goes, a match looks this often whether it is to stop: a look is a system call.
-constexpr std::uint32_t ticks_between_looks = 16;
+// At full speed a match polls for an interrupt only this often, because polling is a system call.
+constexpr std::uint32_t ticks_between_polls = 16;
 
 // One leg with everything that it needs around it.
 class Session {
@@ -69,18 +70,18 @@ class Session {
     if (live_) live_->close(match_);
   }
   void report() const;
-  bool is_void() const { return match_.result().end == match::EndKind::void_; }
+  bool is_void() const { return match_.outcome().kind == match::OutcomeKind::void_; }
 
  private:
   Result<TeamSeat> take_seat(const TeamChoice& choice, Team team);
-  dds::Patience patience();
+  dds::JoinTerms patience();
   Result<ProcessTerms> process_terms() const;
   record::MatchRecord record() const;
 
   const MatchOptions& options_;
   Interrupt interrupt_;
   system::Disk disk_;
-  pace::SteadyClock clock_;
+  pace::SteadyWallClock clock_;
   match::Match match_;
   replay::Trace trace_;
   pace::Pacer pacer_;
@@ -154,15 +155,15 @@ Result<ProcessTerms> Session::process_terms() const {
   return terms;
 }
 
-dds::Patience Session::patience() {
-  dds::Patience patience;
+dds::JoinTerms Session::patience() {
+  dds::JoinTerms patience;
   patience.to_join = options_.join_within;
   patience.away = options_.away_limit;
   patience.interrupted = [this] { return interrupt_.is_asked_for(); };
   patience.tell = [](const std::string& text) { std::cerr << "mirocup: " << text << '\n'; };
   if (pacer_.period() > 0.0) {
     patience.tick = time_to_answer * pacer_.period();
-    patience.notice = std::max(shortest_notice, ticks_to_notice * pacer_.period());
+    patience.notice = std::max(min_notice, ticks_to_notice * pacer_.period());
   }
   return patience;
 }
@@ -185,8 +186,8 @@ Result<void> Session::open_live_page() {
 
 Result<void> Session::play() {
   while (!match_.is_over()) {
-    const bool looks = pacer_.period() > 0.0 || match_.tick() % ticks_between_looks == 0;
-    if (looks && interrupt_.is_asked_for())
+    const bool polls_now = pacer_.period() > 0.0 || match_.tick() % ticks_between_polls == 0;
+    if (polls_now && interrupt_.is_asked_for())
       return fail(Errc::interrupted, "interrupted; nothing was decided");
     pacer_.wait_for(match_.tick());
     if (network_) network_->publish(match_);
@@ -208,7 +209,7 @@ record::MatchRecord Session::record() const {
   for (const Team team : both_teams) {
     const int i = index_of(team);
     record.teams[i] = seats_[i].info();
-    record.budget[i] = seats_[i].budget();
+    record.budget[i] = seats_[i].budget_report();
     record.budget[i].late_ticks = match_.late_ticks()[i];
     record.budget[i].bad_commands = match_.bad_values()[i];
     record.network[i] = seats_[i].network_report();
@@ -237,9 +238,9 @@ void Session::report() const {
               << '\n';
     return;
   }
-  const match::Result& r = match_.result();
+  const match::Outcome& r = match_.outcome();
   std::cout << seats_[0].info().name << " (blue) " << r.score[0] << " : " << r.score[1] << " "
-            << seats_[1].info().name << " (yellow), " << to_string(r.end) << " after "
+            << seats_[1].info().name << " (yellow), " << to_string(r.kind) << " after "
             << match_.tick() << " ticks, state hash " << to_hex(match_.state_hash()) << '\n';
   for (const match::TeamFault& f : r.faults) {
     std::cout << to_string(f.team) << ": " << to_string(f.fault.code) << ": " << f.fault.text

@@ -77,7 +77,7 @@ Result<int> judge_record(const RefereeOptions& options) {
   const auto rules =
       record::rules_with_changes(record::to_json(setup.rules), options.rule_changes, setup.league);
   if (!rules) return tl::unexpected(rules.error());
-  const std::vector<replay::Difference> differences = replay::appeal(record->recording, *rules);
+  const std::vector<replay::Difference> differences = replay::rejudge(record->recording, *rules);
 
   Json list = Json::array();
   for (const replay::Difference& d : differences) {

@@ -19,15 +19,15 @@ tl::expected<std::string, replay::Divergence> picture_at(const replay::Recording
   replay::Playback playback(recording);
   const double period = recording.setup.control_period;
   std::vector<Vec2> balls;
-  while (playback.match().tick() * period < time) {
-    balls.push_back(playback.match().scene().ball.position);
+  while (playback.leg().tick() * period < time) {
+    balls.push_back(playback.leg().snapshot().ball.position);
     if (!playback.advance()) break;
   }
   if (playback.divergence()) return tl::unexpected(*playback.divergence());
   const auto trail = std::min(balls.size(), static_cast<std::size_t>(trail_seconds / period));
-  web::Moment moment{playback.match().scene(),
+  web::Moment moment{playback.leg().snapshot(),
                      {balls.end() - static_cast<std::ptrdiff_t>(trail), balls.end()}};
-  return web::picture(playback.match().field(), recording.setup.parameters, moment);
+  return web::picture(playback.leg().field(), recording.setup.parameters, moment);
 }
 
 }  // namespace
@@ -42,8 +42,8 @@ Result<int> run_replay(const ReplayOptions& options) {
   const web::Times times = options.no_times ? web::Times::left_out : web::Times::shown;
   const auto made =
       options.svg ? picture_at(record->recording, *options.at) : web::replay_page(*record, times);
-  if (!made && record::is_of_another_game(*record)) {
-    return tl::unexpected(record::another_game(options.record, *record, made.error().tick));
+  if (!made && record::has_other_behaviour(*record)) {
+    return tl::unexpected(record::behaviour_mismatch(options.record, *record, made.error().tick));
   }
   if (!made) {
     std::cerr << "mirocup: " << options.record << ": cannot be shown, it differs from tick "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // mirocup rerun RECORD: do the teams, asked again, give the commands that the record says?
+#include "plugins/host/sandbox/probe.hpp"
 #include "server/app/commands.hpp"
 #include "server/app/interrupt.hpp"
 #include "server/app/seats.hpp"
@@ -18,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // The first command, or fault, that is not the recorded one.
-struct Difference {
+struct CommandDifference {
   std::uint32_t tick = 0;
   std::optional<Team> team;
   std::string what;
@@ -69,65 +70,67 @@ std::string wheels_text(const match::DrivenCommand& command, int robot) {
   return "(" + std::to_string(wheels.left) + ", " + std::to_string(wheels.right) + ") rad/s";
 }
 
-std::optional<Difference> compare_commands(const replay::Recording& recording,
-                                           const match::Match& again) {
+std::optional<CommandDifference> compare_commands(const replay::Recording& recording,
+                                                  const match::Match& again) {
   const std::uint32_t tick = again.tick() - 1;
   if (tick >= recording.ticks.size()) {
-    return Difference{tick, std::nullopt, "the record ends here, the teams play on"};
+    return CommandDifference{tick, std::nullopt, "the record ends here, the teams play on"};
   }
   for (const Team team : both_teams) {
     const match::DrivenCommand& recorded = recording.ticks[tick].commands[index_of(team)];
     const match::DrivenCommand& now = again.log()[tick].commands[index_of(team)];
     for (int i = 0; i < again.field().robots_per_team; ++i) {
       if (recorded.wheels[i] == now.wheels[i]) continue;
-      return Difference{tick, team,
-                        "robot " + std::to_string(i) + " was driven at " +
-                            wheels_text(recorded, i) + " in the record, is now at " +
-                            wheels_text(now, i)};
+      return CommandDifference{tick, team,
+                               "robot " + std::to_string(i) + " was driven at " +
+                                   wheels_text(recorded, i) + " in the record, is now at " +
+                                   wheels_text(now, i)};
     }
   }
   for (const Team team : both_teams) {
     const int robots = again.field().robots_per_team;
-    const auto recorded = asked_in(recording, tick, team);
-    const auto now = !again.asked().empty() && again.asked().back().tick == tick &&
-                             again.asked().back().team == team
-                         ? std::optional(again.asked().back().poses)
+    const auto recorded = requested_in(recording, tick, team);
+    const auto now = !again.placement_requests().empty() &&
+                             again.placement_requests().back().tick == tick &&
+                             again.placement_requests().back().team == team
+                         ? std::optional(again.placement_requests().back().request)
                          : std::nullopt;
     if (!recorded && !now) continue;
     if (recorded && now && is_same(*recorded, *now, robots)) continue;
-    return Difference{tick, team, "it asks for other poses at a restart than in the record"};
+    return CommandDifference{tick, team, "it asks for other poses at a restart than in the record"};
   }
   return std::nullopt;
 }
 
-std::string end_text(const match::Result& result) {
-  std::string text(to_string(result.end));
+std::string end_text(const match::Outcome& result) {
+  std::string text(to_string(result.kind));
   for (const match::TeamFault& f : result.faults) {
     text += ", " + std::string(to_string(f.team)) + " " + std::string(to_string(f.fault.code));
   }
   return text;
 }
 
-std::optional<Difference> compare_ends(const replay::Recording& recording,
-                                       const match::Match& again) {
+std::optional<CommandDifference> compare_ends(const replay::Recording& recording,
+                                              const match::Match& again) {
   const std::string recorded = end_text(recording.result);
   const std::string now = end_text(again.result());
   if (recorded == now && again.log().size() == recording.ticks.size()) return std::nullopt;
-  Difference difference{again.tick(), std::nullopt,
-                        "the record ends " + recorded + " after " +
-                            std::to_string(recording.ticks.size()) + " ticks, now it ends " + now};
+  CommandDifference difference{again.tick(), std::nullopt,
+                               "the record ends " + recorded + " after " +
+                                   std::to_string(recording.ticks.size()) + " ticks, now it ends " +
+                                   now};
   const auto& faults =
-      again.result().faults.empty() ? recording.result.faults : again.result().faults;
+      again.outcome().faults.empty() ? recording.outcome.faults : again.outcome().faults;
   if (!faults.empty()) difference.team = faults.front().team;
   return difference;
 }
 
 // Faults of teams that never become ready end the match before its first tick.
-Result<std::optional<Difference>> play_again(const replay::Recording& recording,
-                                             const std::vector<TeamChoice>& choices) {
+Result<std::optional<CommandDifference>> play_again(const replay::Recording& recording,
+                                                    const std::vector<TeamChoice>& choices) {
   Interrupt interrupt;
   stay_on_this_core();
-  match::Match match(recording.setup);
+  match::Leg match(recording.setup);
   std::vector<TeamSeat> seats;
   const auto isolation = plugins::strongest_isolation();
   if (!isolation) return tl::unexpected(isolation.error());
@@ -146,13 +149,13 @@ Result<std::optional<Difference>> play_again(const replay::Recording& recording,
     if (match.log().size() == before) break;  // a fault
     if (auto difference = compare_commands(recording, match)) return difference;
   }
-  if (match.result().end == match::EndKind::void_) {
-    return fail(Errc::host, match.result().why_void);
+  if (match.outcome().kind == match::OutcomeKind::void_) {
+    return fail(Errc::host, match.outcome().why_void);
   }
   return compare_ends(recording, match);
 }
 
-void report(const RerunOptions& options, const std::optional<Difference>& difference) {
+void report(const RerunOptions& options, const std::optional<CommandDifference>& difference) {
   if (options.json) {
     record::Json answer{{"record", options.record}, {"reproduced", !difference}};
     answer["tick"] = difference ? record::Json(difference->tick) : record::Json();
@@ -176,7 +179,7 @@ Result<int> run_rerun(const RerunOptions& options) {
   system::Disk disk;
   const auto record = record::load(disk, options.record);
   if (!record) return tl::unexpected(record.error());
-  if (record->recording.result.end == match::EndKind::void_) {
+  if (record->recording.outcome.kind == match::OutcomeKind::void_) {
     return fail(Errc::input, options.record + ": the leg is void, there is nothing to run again");
   }
   std::vector<TeamChoice> choices;
@@ -187,8 +190,8 @@ Result<int> run_rerun(const RerunOptions& options) {
   }
   const auto difference = play_again(record->recording, choices);
   if (!difference) return tl::unexpected(difference.error());
-  if (*difference && record::is_of_another_game(*record)) {
-    return tl::unexpected(record::another_game(options.record, *record, (*difference)->tick));
+  if (*difference && record::has_other_behaviour(*record)) {
+    return tl::unexpected(record::behaviour_mismatch(options.record, *record, (*difference)->tick));
   }
   report(options, *difference);
   return *difference ? exit_no : exit_yes;

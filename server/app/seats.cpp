@@ -44,7 +44,7 @@ Result<TeamChoice> choose_team(const std::string& text) {
   } else {
     return fail(Errc::input, "\"" + text + "\" is neither a file nor a house team");
   }
-  auto entry = plugins::Entry::open(choice.library);
+  auto entry = plugins::SealedEntry::open(choice.library);
   if (entry) {
     choice.info.sha256 = system::sha256(entry->bytes());
     const auto library = plugins::read_shared_library(entry->bytes());
@@ -91,7 +91,7 @@ Result<TeamSeat> TeamSeat::take_trusted(const TeamChoice& choice, const match::B
 Result<TeamSeat> TeamSeat::take_on_network(const TeamChoice& choice,
                                            const match::Briefing& briefing,
                                            dds::MatchServer& server,
-                                           const dds::Patience& patience) {
+                                           const dds::JoinTerms& patience) {
   TeamSeat seat(choice.info);
   auto network = server.add_seat(briefing, choice.network_name, patience);
   if (!network) return tl::unexpected(network.error());
@@ -107,14 +107,14 @@ tl::expected<void, match::Answer> TeamSeat::wait_until_ready() {
   return {};
 }
 
-record::Budget TeamSeat::budget() const {
-  record::Budget budget;
+record::BudgetReport TeamSeat::budget_report() const {
+  record::BudgetReport report;
   if (process_ != nullptr) {
-    budget.cpu_seconds = process_->cpu_seconds();
-    budget.slowest_tick_ms = process_->slowest_tick_ms();
-    budget.bank_seconds = process_->bank_seconds();
+    report.cpu_seconds = process_->cpu_seconds();
+    report.slowest_tick_ms = process_->slowest_tick_ms();
+    report.bank_seconds = process_->bank_seconds();
   }
-  return budget;
+  return report;
 }
 
 void stay_on_this_core() {
@@ -127,21 +127,17 @@ void stay_on_this_core() {
 std::optional<record::NetworkReport> TeamSeat::network_report() const {
   if (network_ == nullptr) return std::nullopt;
   const dds::CommandCounts& commands = network_->commands();
-  record::NetworkReport report{commands.in_step,
-                               commands.late,
-                               commands.duplicate,
-                               commands.ahead,
-                               commands.foreign,
-                               network_->processes(),
-                               {},
-                               network_->answers()};
-  for (const dds::Absence& a : network_->absences()) {
-    report.absences.push_back({a.tick, a.noticed, a.back, a.has_left});
-  }
-  return report;
+  return record::NetworkReport{.in_step = commands.in_step,
+                               .late = commands.late,
+                               .duplicate = commands.duplicate,
+                               .ahead = commands.ahead,
+                               .foreign = commands.foreign,
+                               .processes = network_->processes(),
+                               .absences = network_->absences(),
+                               .answers = network_->answers()};
 }
 
-void wait_until_ready(std::span<TeamSeat> seats, match::Match& match, Interrupt& interrupt) {
+void wait_until_ready(std::span<TeamSeat> seats, match::Leg& match, Interrupt& interrupt) {
   std::vector<match::TeamFault> faults;
   for (const Team team : both_teams) {
     const auto ready = seats[index_of(team)].wait_until_ready();

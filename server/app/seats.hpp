@@ -19,10 +19,10 @@ namespace mirocup::app {
 // What the command line says of a team: "dds:NAME", the path of a library, or a house team's name.
 struct TeamChoice {
   record::TeamInfo info;
-  std::string library;                  // for a DDS team ""
-  std::string network_name;             // of a DDS team: what it calls itself
-  std::optional<plugins::Entry> entry;  // what the library was when it was chosen
-  std::optional<match::Fault> fault;    // of a library that cannot be one
+  std::string library;                        // for a DDS team ""
+  std::string network_name;                   // of a DDS team: what it calls itself
+  std::optional<plugins::SealedEntry> entry;  // what the library was when it was chosen
+  std::optional<match::Fault> fault;          // of a library that cannot be one
 };
 
 Result<TeamChoice> choose_team(const std::string& text);
@@ -44,14 +44,14 @@ class TeamSeat {
                                           const ProcessTerms& terms);
   static Result<TeamSeat> take_trusted(const TeamChoice& choice, const match::Briefing& briefing);
   static Result<TeamSeat> take_on_network(const TeamChoice& choice, const match::Briefing& briefing,
-                                          dds::MatchServer& server, const dds::Patience& patience);
+                                          dds::MatchServer& server, const dds::JoinTerms& patience);
 
   // Returns when the team can play, or why it never will: a fault of its own, or the host's.
   tl::expected<void, match::Answer> wait_until_ready();
 
   match::Controller& controller() { return *controller_; }
   const record::TeamInfo& info() const { return info_; }
-  record::Budget budget() const;
+  record::BudgetReport budget_report() const;
   // What happened between the server and the team, if it plays over the network.
   std::optional<record::NetworkReport> network_report() const;
   // The process that the team plays in, or null.
@@ -75,6 +75,6 @@ void stay_on_this_core();
 
 // Until both teams, blue first, can play; a match whose teams cannot is void or forfeited. Returns
 // early if it is interrupted.
-void wait_until_ready(std::span<TeamSeat> seats, match::Match& match, Interrupt& interrupt);
+void wait_until_ready(std::span<TeamSeat> seats, match::Leg& match, Interrupt& interrupt);
 
 }  // namespace mirocup::app

@@ -17,13 +17,14 @@ Result<int> run_verify(const VerifyOptions& options) {
   system::Disk disk;
   const auto whole = record::load(disk, options.path);
   // A record that was changed is damaged, but what it now says wrongly is the better answer.
-  const auto record = whole ? whole : record::load(disk, options.path, record::Seal::ignored);
+  const auto record =
+      whole ? whole : record::load(disk, options.path, record::ChecksumPolicy::ignored);
   if (!record) return tl::unexpected(record.error());
   const auto divergence = replay::verify(record->recording);
-  const bool is_of_another_game = record::is_of_another_game(*record);
-  if (!whole && (!divergence || is_of_another_game)) return tl::unexpected(whole.error());
-  if (divergence && is_of_another_game) {
-    return tl::unexpected(record::another_game(options.path, *record, divergence->tick));
+  const bool has_other_behaviour = record::has_other_behaviour(*record);
+  if (!whole && (!divergence || has_other_behaviour)) return tl::unexpected(whole.error());
+  if (divergence && has_other_behaviour) {
+    return tl::unexpected(record::behaviour_mismatch(options.path, *record, divergence->tick));
   }
 
   if (options.json) {

@@ -3,9 +3,38 @@
 
 #include "core/match/copy_fields.hpp"
 
+#include <cassert>
+
 namespace mirocup::dds {
 
 static_assert(max_robots_per_team == mirocup_v2_MAX_ROBOTS);
+
+// The numbers that idl/mirocup.idl gives to enumerators are on the network: to reorder an enum of
+// the core, or to add a member in its middle, would change the topics without a word.
+template <class E>
+constexpr bool is_wire_value(E value, int number) {
+  return static_cast<int>(value) == number;
+}
+static_assert(enum_names<League>.size() == 3 && is_wire_value(League::small, 0) &&
+              is_wire_value(League::middle, 1) && is_wire_value(League::large, 2));
+static_assert(enum_names<Team>.size() == 2 && is_wire_value(Team::blue, 0) &&
+              is_wire_value(Team::yellow, 1));
+static_assert(enum_names<match::State>.size() == 3 && is_wire_value(match::State::READY, 0) &&
+              is_wire_value(match::State::PLAY, 1) && is_wire_value(match::State::END, 2));
+static_assert(enum_names<referee::Phase>.size() == 4 &&
+              is_wire_value(referee::Phase::FIRST_HALF, 0) &&
+              is_wire_value(referee::Phase::SECOND_HALF, 1) &&
+              is_wire_value(referee::Phase::EXTRA, 2) &&
+              is_wire_value(referee::Phase::SHOOT_OUT, 3));
+static_assert(enum_names<referee::Restart>.size() == 6 &&
+              is_wire_value(referee::Restart::none, 0) &&
+              is_wire_value(referee::Restart::KICK_OFF, 1) &&
+              is_wire_value(referee::Restart::GOAL_KICK, 2) &&
+              is_wire_value(referee::Restart::PENALTY_KICK, 3) &&
+              is_wire_value(referee::Restart::FREE_BALL, 4) &&
+              is_wire_value(referee::Restart::FREE_KICK, 5));
+static_assert(is_wire_value(Admission::accepted, 0) && is_wire_value(Admission::not_now, 1) &&
+              is_wire_value(Admission::refused, 2));
 
 namespace {
 
@@ -23,9 +52,9 @@ std::uint8_t octet(E value) {
   return static_cast<std::uint8_t>(value);
 }
 
-constexpr std::uint8_t nobody = 2;  // as a colour
+constexpr std::uint8_t no_team = 2;  // WorldState.placing while no team places
 
-// Numbers from the network: what is out of range counts as 0.
+// Numbers from the network that are out of range become the first enumerator.
 template <class E>
 E enumerator(std::uint8_t value) {
   return value < enum_names<E>.size() ? static_cast<E>(value) : E{};
@@ -34,6 +63,7 @@ E enumerator(std::uint8_t value) {
 }  // namespace
 
 mirocup_v2_WorldState to_sample(const match::Scene& scene, int robots, std::uint64_t leg) {
+  assert(robots >= 0 && robots <= max_robots_per_team);
   mirocup_v2_WorldState s{};
   s.leg = leg;
   s.tick = scene.tick;
@@ -44,7 +74,7 @@ mirocup_v2_WorldState to_sample(const match::Scene& scene, int robots, std::uint
   s.restart = octet(scene.restart);
   s.taker = octet(scene.taker);
   s.left = octet(scene.left);
-  s.placing = scene.placing ? octet(*scene.placing) : nobody;
+  s.placing = scene.placing ? octet(*scene.placing) : no_team;
   s.robots = static_cast<std::uint8_t>(robots);
   s.score[0] = scene.score[0];
   s.score[1] = scene.score[1];
@@ -62,8 +92,8 @@ mirocup_v2_WorldState to_sample(const match::Scene& scene, int robots, std::uint
   return s;
 }
 
-match::Scene to_scene(const mirocup_v2_WorldState& s) {
-  match::Scene scene;
+match::Snapshot to_scene(const mirocup_v2_WorldState& s) {
+  match::Snapshot scene;
   scene.tick = s.tick;
   scene.time = s.time;
   scene.clock = s.clock;
@@ -72,7 +102,7 @@ match::Scene to_scene(const mirocup_v2_WorldState& s) {
   scene.restart = enumerator<referee::Restart>(s.restart);
   scene.taker = enumerator<Team>(s.taker);
   scene.left = enumerator<Team>(s.left);
-  if (s.placing < nobody) scene.placing = enumerator<Team>(s.placing);
+  if (s.placing < no_team) scene.placing = enumerator<Team>(s.placing);
   scene.score = {s.score[0], s.score[1]};
   scene.ball = {{s.ball_x, s.ball_y}, {s.ball_vx, s.ball_vy}};
   for (int i = 0; i < max_robots_per_team; ++i) {
@@ -100,17 +130,17 @@ mirocup_v2_Welcome to_sample(const match::Briefing& briefing, std::uint64_t leg,
   return w;
 }
 
-bool from_sample(const mirocup_v2_Welcome& w, Told& told) {
+bool from_sample(const mirocup_v2_Welcome& w, OwnedBriefing& owned) {
   if (w.league >= enum_names<League>.size() || w.team >= enum_names<Team>.size()) return false;
-  told.field = field::make_field(static_cast<League>(w.league));
-  match::copy_bodies(w, told.parameters);
-  told.rules.half_s = w.half_seconds;
-  told.briefing = {.field = &told.field,
-                   .parameters = &told.parameters,
-                   .rules = &told.rules,
-                   .control_period = w.control_period,
-                   .team = static_cast<Team>(w.team),
-                   .seed = w.seed};
+  owned.field = field::make_field(static_cast<League>(w.league));
+  match::copy_bodies(w, owned.parameters);
+  owned.rules.half_s = w.half_seconds;
+  owned.briefing = {.field = &owned.field,
+                    .parameters = &owned.parameters,
+                    .rules = &owned.rules,
+                    .control_period = w.control_period,
+                    .team = static_cast<Team>(w.team),
+                    .seed = w.seed};
   return true;
 }
 
@@ -121,9 +151,9 @@ mirocup_v2_MatchEvent to_sample(const match::LoggedDecision& d, std::uint64_t le
   e.number = number;
   e.tick = d.tick;
   e.clock = d.decision.clock;
-  put_text(e.decision, to_string(d.decision.verdict));
-  put_text(e.law, to_string(d.decision.law));
-  put_text(e.reason, d.decision.reason);
+  copy_text(e.decision, to_string(d.decision.verdict));
+  copy_text(e.law, to_string(d.decision.law));
+  copy_text(e.reason, d.decision.reason);
   e.score[0] = score[0];
   e.score[1] = score[1];
   return e;
@@ -139,12 +169,12 @@ mirocup_v2_TeamCommand to_sample(const match::Command& command, Team team, std::
     s.left[i] = command.wheels[i].left;
     s.right[i] = command.wheels[i].right;
   }
-  if (!command.poses) return s;
+  if (!command.placement) return s;
   s.places = 1;
-  s.place_ball_x = command.poses->ball_x;
-  s.place_ball_y = command.poses->ball_y;
+  s.place_ball_x = command.placement->ball_x;
+  s.place_ball_y = command.placement->ball_y;
   for (int i = 0; i < max_robots_per_team; ++i) {
-    const match::AskedPose& pose = command.poses->robots[i];
+    const match::RequestedPose& pose = command.placement->robots[i];
     s.place[i] = {pose.x, pose.y, pose.heading};
   }
   return s;
@@ -154,7 +184,7 @@ match::Command to_command(const mirocup_v2_TeamCommand& s) {
   match::Command command;
   for (int i = 0; i < max_robots_per_team; ++i) command.wheels[i] = {s.left[i], s.right[i]};
   if (s.places == 0) return command;
-  match::Poses& poses = command.poses.emplace();
+  match::PlacementRequest& poses = command.placement.emplace();
   poses.ball_x = s.place_ball_x;
   poses.ball_y = s.place_ball_y;
   for (int i = 0; i < max_robots_per_team; ++i) {

@@ -1,45 +1,57 @@
 // SPDX-License-Identifier: MIT
 //
-// Between the match's structures and the topics of idl/mirocup.idl.
+// Conversions between the match's structures and the topics of idl/mirocup.idl. They keep every
+// number as it is: frame and units are those of the field on both sides.
 #pragma once
 
-#include "core/match/match.hpp"
+#include "core/match/leg.hpp"
 
 #include <mirocup.h>
 #include <string_view>
 
 namespace mirocup::dds {
 
+// `robots`: of each team. `leg`: the number that the server drew for the leg.
 mirocup_v2_WorldState to_sample(const match::Scene& scene, int robots, std::uint64_t leg);
+// An octet that stands for no enumerator becomes the first one: the sample is a stranger's.
 match::Scene to_scene(const mirocup_v2_WorldState& sample);
 
-// How a Welcome answers a Hello.
+// The answer of a Welcome to a Hello.
 enum class Admission : std::uint8_t { accepted, not_now, refused };
 
-// Accepted, with everything that a team is told once.
+// Returns a Welcome that accepts the team and has everything that a team is told once.
 mirocup_v2_Welcome to_sample(const match::Briefing& briefing, std::uint64_t leg,
                              std::uint64_t nonce);
 
-// What the briefing's numbers stand for again; points into the structures given. False if a number
-// cannot be.
-struct Told {
+// A briefing together with the structures that it points to. It cannot be copied or moved: the
+// pointers of a copy would lead into the original.
+struct OwnedBriefing {
+  OwnedBriefing() = default;
+  OwnedBriefing(const OwnedBriefing&) = delete;
+  OwnedBriefing& operator=(const OwnedBriefing&) = delete;
+
   field::Field field;
   simulator::Parameters parameters;
   referee::Rules rules;
   match::Briefing briefing;
 };
-bool from_sample(const mirocup_v2_Welcome& sample, Told& told);
 
+// Fills `owned` with what the numbers of a Welcome stand for. Returns false, and leaves `owned`
+// alone, if its league or its colour does not exist.
+bool from_sample(const mirocup_v2_Welcome& sample, OwnedBriefing& owned);
+
+// `number` counts the events of the leg from 0; `score` is the one after the decision.
 mirocup_v2_MatchEvent to_sample(const match::LoggedDecision& decision, std::uint64_t leg,
                                 std::uint32_t number, const match::ByTeam<int>& score);
 
+// `tick`: of the WorldState that the command answers. `nonce`: of the team's Hello.
 mirocup_v2_TeamCommand to_sample(const match::Command& command, Team team, std::uint32_t tick,
                                  std::uint64_t nonce);
 match::Command to_command(const mirocup_v2_TeamCommand& sample);
 
-// Into a bounded string of a sample; what is too long is cut.
+// Copies text into a bounded string of a sample and cuts it to fit.
 template <std::size_t size>
-void put_text(char (&to)[size], std::string_view text) {
+void copy_text(char (&to)[size], std::string_view text) {
   const std::size_t length = text.copy(to, size - 1);
   to[length] = '\0';
 }

@@ -14,7 +14,7 @@ struct Library {
   const char* finalize;
 };
 
-// Cyclone's own; it finds them by these names.
+// Cyclone's own libraries, which it finds by these names.
 constexpr Library libraries[] = {
     {"dds.sec.auth.library", "dds_security_auth", "init_authentication", "finalize_authentication"},
     {"dds.sec.crypto.library", "dds_security_crypto", "init_crypto", "finalize_crypto"},
@@ -35,7 +35,7 @@ constexpr File files[] = {
     {"dds.sec.access.permissions", "permissions.p7s"},
 };
 
-// Of certificates that no longer count; servers have it.
+// The list of revoked certificates; only servers have it.
 constexpr File revoked{"org.eclipse.cyclonedds.sec.auth.crl", "revoked.pem"};
 
 }  // namespace

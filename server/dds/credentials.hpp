@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Secure mode: a process shows a certificate, and everybody enforces what its permissions, signed
-// by the league, allow. README.md has the files.
+// Secure mode (DDS Security): every process shows a certificate and its permissions, which the
+// league has signed, and every other process enforces them. README.md describes the files.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -12,8 +12,8 @@
 
 namespace mirocup::dds {
 
-// Makes a participant with this QoS a secure one. `folder` holds the files; a missing one is
-// Errc::input.
+// Adds to `qos` the properties that make a participant a secure one. `folder` holds the
+// credentials; a missing file is Errc::input.
 Result<void> set_credentials(dds_qos_t* qos, const std::string& folder);
 
 }  // namespace mirocup::dds

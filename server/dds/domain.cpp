@@ -11,7 +11,8 @@ namespace mirocup::dds {
 namespace {
 
 constexpr dds_domainid_t domain_id = 0;
-constexpr int first_port = 7410;  // of participant 0 in domain 0; each next one is two higher
+constexpr int first_port =
+    7410;  // of participant 0 in domain 0; each following participant's is two higher
 
 bool is_address(const std::string& interface) {
   return interface.find_first_not_of("0123456789.:") == std::string::npos;
@@ -23,7 +24,7 @@ std::string interface_xml(const std::string& interface) {
          "\"/></Interfaces>";
 }
 
-// `index`: of the participant, "none" for any free port.
+// `index` is the participant index; "none" takes any free port.
 std::string configuration(const std::string& interface, const std::string& index,
                           const std::string& peers) {
   return "<CycloneDDS><Domain Id=\"any\"><General>" +
@@ -34,19 +35,19 @@ std::string configuration(const std::string& interface, const std::string& index
          "</ParticipantIndex><SPDPInterval>500ms</SPDPInterval><LeaseDuration>3s</LeaseDuration>" +
          peers +
          "</Discovery>"
-         // A giant sample would otherwise be gathered before it is thrown away.
+         // Otherwise Cyclone would assemble a giant sample before it throws it away.
          "<Internal><MaxSampleSize>64 kB</MaxSampleSize></Internal>"
          "<Tracing><Verbosity>none</Verbosity></Tracing></Domain></CycloneDDS>";
 }
 
 Result<Domain> open_domain(const std::string& interface, const std::string& xml,
                            const std::string& credentials) {
-  Domain opened{std::make_unique<Log>(), {}, credentials};
+  Domain opened{.log = std::make_unique<CycloneLog>(), .domain = {}, .credentials = credentials};
   const auto before = open_descriptors();
   auto made =
       keep(opened.domain, created(dds_create_domain(domain_id, xml.c_str()), "the connection"));
-  if (!made) return fail(made.error().code, made.error().what + opened.log->as_end_of_sentence());
-  if (!interface.empty()) confine_sockets(before, interface);
+  if (!made) return fail(made.error().code, made.error().what + opened.log->last_error_suffix());
+  if (!interface.empty()) bind_to_interface(before, interface);
   return opened;
 }
 
@@ -99,7 +100,7 @@ Result<Entity> make_participant(const Domain& domain) {
     }
   }
   auto made = created(dds_create_participant(domain_id, qos.get(), nullptr), "the participant");
-  if (!made) return fail(made.error().code, made.error().what + domain.log->as_end_of_sentence());
+  if (!made) return fail(made.error().code, made.error().what + domain.log->last_error_suffix());
   return made;
 }
 

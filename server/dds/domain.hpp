@@ -1,39 +1,40 @@
 // SPDX-License-Identifier: MIT
 //
-// How processes find each other: a star. A match server listens on one of ten fixed ports; teams
-// and spectators know its address and ask all ten. Nothing is multicast, and teams never see each
-// other.
+// Discovery is a star. A match server listens on one of ten fixed ports; teams and spectators know
+// its address and ask all ten. Nothing is multicast, and teams never see each other.
 #pragma once
 
+#include "server/dds/cyclone_log.hpp"
 #include "server/dds/entity.hpp"
-#include "server/dds/log.hpp"
 
 #include <memory>
 #include <string_view>
 
 namespace mirocup::dds {
 
-// Match servers that can run on one host at the same time.
+// The number of match servers that can run on one host at the same time.
 inline constexpr int server_ports = 10;
 
-// This process on the network. Deleting it leaves the network in order; there can be one at a time.
+// The connection of this process to the network. Its destructor leaves the network properly. A
+// process has at most one at a time.
 struct Domain {
-  std::unique_ptr<Log> log;
+  std::unique_ptr<CycloneLog> log;
   Entity domain;
-  std::string credentials;  // the folder with what this process is known by, "": open mode
+  std::string credentials;  // the folder of this process's credentials; "": open mode
 };
 
-// `interface`: a network interface's name or address that the server is reached at; "lo" for this
-// host only.
+// `interface` is the name or the address of the network interface at which the server is reached;
+// "lo" restricts it to this host. Errc::unavailable if none of the ports is free.
 Result<Domain> open_server_domain(const std::string& interface, const std::string& credentials);
 
-// `server`: the host that the match server runs on.
+// `server` is the host that the match server runs on.
 Result<Domain> open_team_domain(const std::string& server, const std::string& credentials);
 
-// What takes part: the parent of all topics, readers and writers.
+// Makes the DDS participant, which is the parent of all topics, readers and writers.
 Result<Entity> make_participant(const Domain& domain);
 
-// Partitions of a match. What is not safe in one is written as %XX.
+// The DDS partitions of a match and of one team in it. Every byte but letters, digits, '-', '_' and
+// '.' is written as %XX.
 std::string match_partition(std::string_view match_id);
 std::string team_partition(std::string_view match_id, int colour, std::string_view name);
 

@@ -70,7 +70,7 @@ Result<Entity> make_reader(const Entity& subscriber, const Entity& topic,
 }
 
 Result<void> attach(const Entity& waitset, const Entity& reader) {
-  // The condition belongs to the reader, and goes with it.
+  // The condition belongs to the reader and is deleted with it.
   const dds_entity_t condition = dds_create_readcondition(reader.get(), DDS_ANY_STATE);
   const dds_return_t attached =
       condition > 0 ? dds_waitset_attach(waitset.get(), condition, 0) : condition;

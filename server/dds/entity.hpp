@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// DDS entities that delete themselves, and their creation with the QoS of a topic's row. Members of
-// a class are declared parents first, so that children go first.
+// DDS entities that delete themselves, and functions that make them with the QoS of a topic's row
+// (idl/qos.hpp). A class declares parents before their children, so that children are deleted
+// first.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -18,6 +19,7 @@
 
 namespace mirocup::dds {
 
+// Owns one DDS entity.
 class Entity {
  public:
   Entity() = default;
@@ -47,7 +49,8 @@ struct DeleteQos {
 };
 using Qos = std::unique_ptr<dds_qos_t, DeleteQos>;
 
-// `what` names the thing in the error's sentence.
+// Returns the entity of a handle that a dds_create function returned, or its error. `what` names
+// the entity in the sentence.
 Result<Entity> created(dds_entity_t handle, const std::string& what);
 
 Result<Entity> make_publisher(const Entity& participant, const std::string& partition);
@@ -57,16 +60,18 @@ Result<Entity> make_topic(const Entity& participant, const dds_topic_descriptor_
 Result<Entity> make_writer(const Entity& publisher, const Entity& topic, const idl::TopicQos& row);
 Result<Entity> make_reader(const Entity& subscriber, const Entity& topic, const idl::TopicQos& row);
 
-// The waitset wakes while the reader has samples.
+// From now on the waitset wakes while the reader has samples.
 Result<void> attach(const Entity& waitset, const Entity& reader);
 
-// Whose a writer is: every process on the network has a key of its own.
+// Identifies the process that a writer belongs to: DDS gives every participant a key of its own.
 using ParticipantKey = std::array<std::uint8_t, 16>;
 
-// Of a writer that the reader hears at this moment, or nothing.
+// Returns the key of the process of a writer, or nothing if the reader is not matched with that
+// writer at this moment.
 std::optional<ParticipantKey> participant_of(const Entity& reader, dds_instance_handle_t writer);
 
-// Takes the next valid sample, if there is one; `writer` becomes the handle of who wrote it.
+// Takes the next valid sample. Returns false if there is none. `writer` becomes the handle of the
+// sample's writer.
 template <class Sample>
 bool take(const Entity& reader, Sample& sample, dds_instance_handle_t* writer = nullptr) {
   while (true) {
@@ -79,7 +84,7 @@ bool take(const Entity& reader, Sample& sample, dds_instance_handle_t* writer = 
   }
 }
 
-// Puts what was made into its place, or passes the error on.
+// Moves a new entity into `into`, or passes its error on.
 Result<void> keep(Entity& into, Result<Entity> made);
 
 }  // namespace mirocup::dds

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Which of the commands that arrive counts: the first one that answers the present tick. All others
-// are counted by kind and thrown away.
+// Decides which of the arriving commands is driven: the first one that answers the present tick.
+// All others are counted by kind and thrown away.
 #pragma once
 
 #include <cstdint>
@@ -10,21 +10,22 @@
 namespace mirocup::dds {
 
 struct CommandCounts {
-  std::uint64_t in_step = 0;    // answered the present tick: one a tick at most
+  std::uint64_t in_step = 0;    // answered the present tick; at most one for each tick
   std::uint64_t late = 0;       // answered a tick that was over
-  std::uint64_t duplicate = 0;  // answered the last answered tick once more
-  std::uint64_t ahead = 0;      // answered a tick that there has not been
+  std::uint64_t duplicate = 0;  // answered the last answered tick again
+  std::uint64_t ahead = 0;      // answered a tick that has not begun
   std::uint64_t foreign = 0;    // from another process than the team's
 };
 
 class Inbox {
  public:
-  // From now on an answer to `tick` is in step.
+  // Sets the present tick: an answer to it is in step.
   void expect(std::uint32_t tick) { expected_ = tick; }
 
   void count_foreign() { ++counts_.foreign; }
 
-  // A command of the team itself; true if it is the answer.
+  // Counts a command of the team's own process. Returns true if it is the answer to the present
+  // tick.
   bool accept(std::uint32_t tick) {
     if (tick == answered_) {
       ++counts_.duplicate;
@@ -40,7 +41,7 @@ class Inbox {
     return false;
   }
 
-  // Commands of the team itself, whatever became of them.
+  // Returns the number of commands from the team's own process, in step or not.
   std::uint64_t heard() const {
     return counts_.in_step + counts_.late + counts_.duplicate + counts_.ahead;
   }

@@ -5,11 +5,11 @@ namespace mirocup::dds {
 
 namespace {
 
-constexpr std::size_t most_listed = 100;
+constexpr std::size_t max_listed = 100;
 
 }  // namespace
 
-bool Attendance::answered(std::uint32_t tick, double now) {
+bool Liveliness::answered(std::uint32_t tick, double now) {
   asked_at_.reset();
   next_tick_ = tick + 1;
   if (!away_since_) return false;
@@ -19,12 +19,15 @@ bool Attendance::answered(std::uint32_t tick, double now) {
   return true;
 }
 
-bool Attendance::silent(std::uint32_t tick, double now, bool has_left) {
+bool Liveliness::silent(std::uint32_t tick, double now, bool has_left) {
   if (away_since_ || !asked_at_) return false;
   if (!has_left && now - *asked_at_ < notice_) return false;
   away_since_ = now;
-  is_listed_ = absences_.size() < most_listed;
-  if (is_listed_) absences_.push_back({next_tick_, tick, std::nullopt, has_left});
+  is_listed_ = absences_.size() < max_listed;
+  if (is_listed_) {
+    absences_.push_back(
+        {.tick = next_tick_, .noticed = tick, .back = std::nullopt, .has_left = has_left});
+  }
   return true;
 }
 

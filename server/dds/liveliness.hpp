@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Is a team that plays over the network there? The rule alone, without the network: what happened
-// at which wall time (s) goes in, what follows comes out.
+// The liveliness of a team that plays over the network. The class is the rule alone: it is told
+// what happened and when, in seconds of wall time, and knows neither the network nor a clock.
 //
-// A team that leaves a question without an answer for `notice` seconds, or whose process has left
-// the network, is away until it answers again. The time that it is away is added up over the leg.
+// A team is away from when it has left a tick unanswered for `notice` seconds, or its process has
+// left the network, until it answers a tick again. Its absences are added up over the leg.
 #pragma once
+
+#include "server/pace/absence.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -13,44 +15,38 @@
 
 namespace mirocup::dds {
 
-struct Absence {
-  std::uint32_t tick = 0;             // the first one without an answer
-  std::uint32_t noticed = 0;          // the one in which it was noticed
-  std::optional<std::uint32_t> back;  // answered in step again; nothing: never
-  bool has_left = false;              // its process had gone; else it was silent
-};
-
-class Attendance {
+class Liveliness {
  public:
-  explicit Attendance(double notice) : notice_(notice) {}
+  explicit Liveliness(double notice) : notice_(notice) {}
 
-  // A tick waits for its answer from now on.
+  // Tells that a tick waits for its answer from now on.
   void asked(double now) {
     if (!asked_at_) asked_at_ = now;
   }
 
-  // The answer to `tick` is there. True if the team was away.
+  // Tells that the answer to `tick` has come. Returns true if the team was away.
   bool answered(std::uint32_t tick, double now);
 
-  // No answer to `tick` yet. True if the team is found to be away at this moment.
+  // Tells that there is no answer to `tick` yet. Returns true if the team is away from this moment
+  // on. `has_left`: its process has left the network.
   bool silent(std::uint32_t tick, double now, bool has_left);
 
   bool is_away() const { return away_since_.has_value(); }
 
-  // Seconds of this leg, this absence with them.
+  // Returns how long the team has been away in this leg, s, the present absence included.
   double away(double now) const { return away_ + (away_since_ ? now - *away_since_ : 0.0); }
 
-  // The first ones; the list is bounded.
-  const std::vector<Absence>& absences() const { return absences_; }
+  // Returns the first absences of the leg, at most 100.
+  const std::vector<pace::Absence>& absences() const { return absences_; }
 
  private:
   double notice_;
-  std::optional<double> asked_at_;  // of the first tick without an answer
-  std::uint32_t next_tick_ = 0;     // after the last one that was answered
+  std::optional<double> asked_at_;  // since when a tick has waited for its answer
+  std::uint32_t next_tick_ = 0;     // the one after the last answered tick
   std::optional<double> away_since_;
-  double away_ = 0.0;  // in absences that are over
+  double away_ = 0.0;  // sum of the absences that are over, s
   bool is_listed_ = false;
-  std::vector<Absence> absences_;
+  std::vector<pace::Absence> absences_;
 };
 
 }  // namespace mirocup::dds

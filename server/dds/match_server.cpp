@@ -10,14 +10,14 @@ namespace mirocup::dds {
 
 namespace {
 
-// Until a state that was not answered is sent again, s.
-constexpr double send_again = 0.01;
-constexpr dds_duration_t farewell = DDS_MSECS(1000);
+// Seconds until an unanswered state is sent again.
+constexpr double resend_interval = 0.01;
+constexpr dds_duration_t farewell_timeout = DDS_MSECS(1000);
 
 }  // namespace
 
 MatchServer::MatchServer(std::string match_id, Domain domain)
-    : match_id_(std::move(match_id)), domain_(std::move(domain)), leg_(draw_number()) {}
+    : match_id_(std::move(match_id)), domain_(std::move(domain)), leg_(random_nonce()) {}
 
 Result<std::unique_ptr<MatchServer>> MatchServer::open(const std::string& match_id,
                                                        const std::string& interface,
@@ -54,8 +54,11 @@ Result<void> MatchServer::open_topics() {
 }
 
 Result<Seat*> MatchServer::add_seat(const match::Briefing& briefing, const std::string& name,
-                                    const Patience& patience) {
-  std::unique_ptr<Seat> seat(new Seat(*this, briefing, name, patience));
+                                    const JoinTerms& terms) {
+  SeatLink link{.leg = leg_,
+                .listen = [this](double seconds) { listen(seconds); },
+                .last_error = [this] { return last_error(); }};
+  auto seat = std::make_unique<Seat>(std::move(link), briefing, name, terms);
   if (auto opened = seat->open(participant_, match_id_, waitset_); !opened) {
     return tl::unexpected(opened.error());
   }
@@ -63,8 +66,8 @@ Result<Seat*> MatchServer::add_seat(const match::Briefing& briefing, const std::
   return seats_.back().get();
 }
 
-void MatchServer::publish(const match::Match& match) {
-  state_ = to_sample(match.scene(), match.field().robots_per_team, leg_);
+void MatchServer::publish(const match::Leg& match) {
+  state_ = to_sample(match.snapshot(), match.field().robots_per_team, leg_);
   send_state();
   publish_decisions(match);
 }
@@ -72,20 +75,20 @@ void MatchServer::publish(const match::Match& match) {
 void MatchServer::send_state() {
   for (const auto& seat : seats_) state_.heard[index_of(seat->team())] = seat->heard();
   dds_write(state_writer_.get(), &state_);
-  sent_ = Clock::now();
+  sent_ = WallClock::now();
 }
 
 void MatchServer::listen(double seconds) {
-  const double until_sending = std::max(0.0, send_again - seconds_since(sent_));
+  const double until_sending = std::max(0.0, resend_interval - seconds_since(sent_));
   const double wait = std::min(seconds, until_sending);
   if (wait > 0.0) {
     dds_waitset_wait(waitset_.get(), nullptr, 0, static_cast<dds_duration_t>(1e9 * wait) + 1);
   }
-  for (const auto& seat : seats_) seat->take_in();
-  if (seconds > 0.0 && seconds_since(sent_) >= send_again) send_state();
+  for (const auto& seat : seats_) seat->receive();
+  if (seconds > 0.0 && seconds_since(sent_) >= resend_interval) send_state();
 }
 
-void MatchServer::publish_decisions(const match::Match& match) {
+void MatchServer::publish_decisions(const match::Leg& match) {
   const match::ByTeam<int> score{state_.score[0], state_.score[1]};
   for (; events_ < match.decisions().size(); ++events_) {
     const auto event =
@@ -94,23 +97,23 @@ void MatchServer::publish_decisions(const match::Match& match) {
   }
 }
 
-void MatchServer::close(const match::Match& match) {
+void MatchServer::close(const match::Leg& match) {
   publish(match);
   mirocup_v2_MatchEvent last{};
   last.leg = leg_;
   last.number = static_cast<std::uint32_t>(events_);
   last.tick = match.tick();
   last.ends_match = true;
-  put_text(last.decision, "MATCH_END");
-  put_text(last.reason, to_string(match.result().end));
+  copy_text(last.decision, "MATCH_END");
+  copy_text(last.reason, to_string(match.result().end));
   last.score[0] = match.result().score[0];
   last.score[1] = match.result().score[1];
   dds_write(event_writer_.get(), &last);
-  dds_wait_for_acks(event_writer_.get(), farewell);
+  dds_wait_for_acks(event_writer_.get(), farewell_timeout);
 }
 
-std::string MatchServer::last_words() const {
-  return domain_.log->as_end_of_sentence();
+std::string MatchServer::last_error() const {
+  return domain_.log->last_error_suffix();
 }
 
 }  // namespace mirocup::dds

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// A match on the network: publishes its state, seats the teams that come, collects their commands.
+// The match server's side of the network: publishes the state of a match, gives seats to the teams
+// that join, and receives their commands.
 //
-// One thread uses it. In open mode it keeps mistakes out, not an attacker on the same network; with
-// credentials everybody on the network must show a certificate.
+// Used from one thread. In open mode it guards against mistakes, not against an attacker on the
+// same network; with credentials every process on the network must show a certificate.
 #pragma once
 
 #include "server/dds/domain.hpp"
@@ -15,35 +16,34 @@ namespace mirocup::dds {
 
 class MatchServer {
  public:
-  // `credentials`: the folder of the server's, "": open mode.
+  // `interface` as for open_server_domain(). `credentials` is the folder of the server's
+  // credentials; "" is open mode.
   static Result<std::unique_ptr<MatchServer>> open(const std::string& match_id,
                                                    const std::string& interface,
                                                    const std::string& credentials);
 
-  // For the team that calls itself `name`. The seat lives as long as the server.
+  // Adds a seat for the team that calls itself `name`. The server owns the seat.
   Result<Seat*> add_seat(const match::Briefing& briefing, const std::string& name,
-                         const Patience& patience);
+                         const JoinTerms& terms);
 
-  // Publishes the begin of a tick, and the decisions since the last call.
+  // Publishes the state at the start of a tick and the decisions since the last call.
   void publish(const match::Match& match);
 
-  // Takes in what has arrived for all seats, after at most `seconds` if there is nothing yet. Sends
-  // the state again from time to time: a team may have missed it.
+  // Receives the samples that have arrived for all seats. Waits at most `seconds` if there is none.
+  // Sends the state again every 10 ms while it waits, because a team may have missed it.
   void listen(double seconds);
 
-  // Tells everybody that the match is over, and waits a moment for the news to arrive.
+  // Publishes the end of the match and waits, at most 1 s, until all readers have it.
   void close(const match::Match& match);
 
-  std::uint64_t leg() const { return leg_; }
-
-  // What DDS complained about last, as the end of a sentence; "" if it did not.
-  std::string last_words() const;
+  // Returns the last messages of DDS as the end of a sentence; "" if there was none.
+  std::string last_error() const;
 
  private:
   MatchServer(std::string match_id, Domain domain);
   Result<void> open_topics();
   void send_state();
-  void publish_decisions(const match::Match& match);
+  void publish_decisions(const match::Leg& match);
 
   std::string match_id_;
   Domain domain_;
@@ -52,8 +52,8 @@ class MatchServer {
   Entity publisher_, state_topic_, event_topic_, state_writer_, event_writer_, waitset_;
   std::vector<std::unique_ptr<Seat>> seats_;
   mirocup_v2_WorldState state_{};
-  Clock::time_point sent_;  // the state, last
-  std::size_t events_ = 0;
+  WallClock::time_point sent_;  // when the state was sent last
+  std::size_t events_ = 0;      // published so far
 };
 
 }  // namespace mirocup::dds

@@ -15,11 +15,11 @@ namespace mirocup::dds {
 
 namespace {
 
-constexpr std::size_t most_addresses = 64;  // a jump of the filter reaches so far
-constexpr std::uint32_t destination = 16;   // where an IPv4 header has it
+constexpr std::size_t max_addresses = 64;  // so that every jump of the filter fits a byte
+constexpr std::uint32_t destination = 16;  // offset of the destination in an IPv4 header, bytes
 constexpr std::uint32_t whole_packet = ~0U;
 
-// In host order.
+// Returns the IPv4 addresses of an interface in host byte order.
 std::vector<std::uint32_t> addresses_of(const std::string& interface) {
   in_addr one{};
   if (inet_pton(AF_INET, interface.c_str(), &one) == 1) return {ntohl(one.s_addr)};
@@ -33,7 +33,7 @@ std::vector<std::uint32_t> addresses_of(const std::string& interface) {
     addresses.push_back(ntohl(reinterpret_cast<const sockaddr_in*>(a->ifa_addr)->sin_addr.s_addr));
   }
   freeifaddrs(all);
-  if (addresses.size() > most_addresses) addresses.resize(most_addresses);
+  if (addresses.size() > max_addresses) addresses.resize(max_addresses);
   return addresses;
 }
 
@@ -67,13 +67,13 @@ std::vector<int> open_descriptors() {
   for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd", none)) {
     open.push_back(std::stoi(entry.path().filename().string()));
   }
-  // The one that the folder was read with is closed again.
+  // The list contains the descriptor that the folder was read with, which is closed by now.
   std::erase_if(open, [](int descriptor) { return fcntl(descriptor, F_GETFD) < 0; });
   std::sort(open.begin(), open.end());
   return open;
 }
 
-void confine_sockets(const std::vector<int>& before, const std::string& interface) {
+void bind_to_interface(const std::vector<int>& before, const std::string& interface) {
   const auto addresses = addresses_of(interface);
   if (addresses.empty()) return;
   auto program = filter_for(addresses);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Cyclone DDS 0.10 binds its sockets to all addresses of the host. Here they are made to take only
-// what was sent to one interface, as if they were bound to it.
+// Cyclone DDS 0.10 binds its sockets to all addresses of the host. A socket filter makes them
+// accept only packets that were sent to the addresses of one interface, as if they were bound to
+// it.
 #pragma once
 
 #include <string>
@@ -9,12 +10,12 @@
 
 namespace mirocup::dds {
 
-// The descriptors of this process that are open, in order.
+// Returns the open file descriptors of this process in ascending order.
 std::vector<int> open_descriptors();
 
-// Every IPv4 datagram socket that is open now and was not `before` drops what was sent to other
-// addresses than those of `interface` (a name or an IPv4 address). Without such an address nothing
-// changes.
-void confine_sockets(const std::vector<int>& before, const std::string& interface);
+// Restricts every IPv4 datagram socket that is open now and is not in `before` to `interface` (a
+// name or an IPv4 address): the socket drops packets that were sent to other addresses. Changes
+// nothing if the interface has no IPv4 address.
+void bind_to_interface(const std::vector<int>& before, const std::string& interface);
 
 }  // namespace mirocup::dds

@@ -7,11 +7,11 @@
 
 namespace mirocup::dds {
 
-std::uint64_t draw_number() {
+std::uint64_t random_nonce() {
   std::uint64_t number = 0;
   while (number == 0) {
     if (getrandom(&number, sizeof number, 0) != sizeof number) {
-      number = static_cast<std::uint64_t>(Clock::now().time_since_epoch().count());
+      number = static_cast<std::uint64_t>(WallClock::now().time_since_epoch().count());
     }
   }
   return number;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Numbers that tell processes and legs on the network apart.
+// Random numbers that identify processes and legs on the network.
 #pragma once
 
 #include <cstdint>
 
 namespace mirocup::dds {
 
-// Drawn by the system; never 0.
-std::uint64_t draw_number();
+// Returns a number from the system's random generator; never 0.
+std::uint64_t random_nonce();
 
 }  // namespace mirocup::dds

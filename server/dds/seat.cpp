@@ -2,7 +2,6 @@
 #include "server/dds/seat.hpp"
 
 #include "server/dds/domain.hpp"
-#include "server/dds/match_server.hpp"
 
 #include <utility>
 
@@ -14,8 +13,8 @@ using match::Answer;
 using match::Fault;
 using match::FaultCode;
 
-// Between two looks at whether the team is still there, s.
-constexpr double look_around = 0.02;
+// Seconds between two checks whether the team is still there.
+constexpr double poll_interval = 0.02;
 
 std::string seconds_text(double seconds) {
   return std::to_string(static_cast<int>(seconds)) + " s";
@@ -23,13 +22,12 @@ std::string seconds_text(double seconds) {
 
 }  // namespace
 
-Seat::Seat(MatchServer& server, const match::Briefing& briefing, std::string name,
-           const Patience& patience)
-    : server_(server),
+Seat::Seat(SeatLink link, const match::Briefing& briefing, std::string name, const JoinTerms& terms)
+    : link_(std::move(link)),
       briefing_(briefing),
       name_(std::move(name)),
-      patience_(patience),
-      attendance_(patience.notice) {}
+      terms_(terms),
+      liveliness_(terms.notice) {}
 
 Result<void> Seat::open(const Entity& participant, const std::string& match_id,
                         const Entity& waitset) {
@@ -59,11 +57,11 @@ Result<void> Seat::open(const Entity& participant, const std::string& match_id,
 }
 
 void Seat::tell(const std::string& what) const {
-  patience_.tell(std::string(to_string(briefing_.team)) + " (" + name_ + "), tick " +
-                 std::to_string(tick_) + ": " + what);
+  terms_.tell(std::string(to_string(briefing_.team)) + " (" + name_ + "), tick " +
+              std::to_string(tick_) + ": " + what);
 }
 
-void Seat::take_in() {
+void Seat::receive() {
   take_hellos();
   take_commands();
 }
@@ -78,10 +76,10 @@ void Seat::take_hellos() {
 }
 
 mirocup_v2_Welcome Seat::answer_to(const mirocup_v2_Hello& hello, dds_instance_handle_t writer) {
-  mirocup_v2_Welcome welcome = to_sample(briefing_, server_.leg(), hello.nonce);
+  mirocup_v2_Welcome welcome = to_sample(briefing_, link_.leg, hello.nonce);
   const auto answer = [&welcome](Admission admission, const std::string& reason) {
     welcome.answer = static_cast<std::uint8_t>(admission);
-    put_text(welcome.reason, reason);
+    copy_text(welcome.reason, reason);
     return welcome;
   };
   const auto process = participant_of(hello_reader_, writer);
@@ -101,9 +99,10 @@ mirocup_v2_Welcome Seat::answer_to(const mirocup_v2_Hello& hello, dds_instance_h
   return welcome;
 }
 
-// While its process loads the team, silence means nothing: only when it has gone the seat is free.
+// A process that still loads its team is silent, so before the first tick the seat becomes free
+// only when its process has left the network.
 bool Seat::may_be_taken() const {
-  return nonce_ == 0 || has_left() || (is_ready_ && attendance_.is_away());
+  return nonce_ == 0 || has_left() || (is_ready_ && liveliness_.is_away());
 }
 
 bool Seat::has_left() const {
@@ -136,52 +135,51 @@ void Seat::take_commands() {
 
 tl::expected<void, Answer> Seat::wait_until_ready() {
   while (!answer_) {
-    if (now() > patience_.to_join) {
+    if (now() > terms_.to_join) {
       const char* what = nonce_ == 0 ? "the team did not join within "
                                      : "the team joined but did not answer within ";
       return tl::unexpected<Answer>(Fault{
-          FaultCode::start_timeout, what + seconds_text(patience_.to_join) + server_.last_words()});
+          FaultCode::start_timeout, what + seconds_text(terms_.to_join) + link_.last_error()});
     }
-    if (patience_.interrupted()) {
+    if (terms_.interrupted()) {
       return tl::unexpected<Answer>(match::HostFailure{"interrupted while a team was awaited"});
     }
-    server_.listen(look_around);
+    link_.listen(poll_interval);
   }
   return {};
 }
 
 void Seat::post(const match::Observation& observation) {
   posted_at_ = now();
-  attendance_.asked(posted_at_);
+  liveliness_.asked(posted_at_);
   is_ready_ = true;
-  // The first state was answered before play began.
+  // The first state was answered already, before wait_until_ready() returned.
   if (observation.tick != tick_) answer_.reset();
   tick_ = observation.tick;
   inbox_.expect(tick_);
 }
 
 Answer Seat::collect() {
-  server_.listen(0.0);
+  link_.listen(0.0);
   while (!answer_) {
     const double time = now();
-    if (attendance_.silent(tick_, time, has_left())) {
-      tell(attendance_.absences().back().has_left ? "the team has left the network"
+    if (liveliness_.silent(tick_, time, has_left())) {
+      tell(liveliness_.absences().back().has_left ? "the team has left the network"
                                                   : "the team is silent");
     }
-    if (attendance_.away(time) > patience_.away) {
-      return Fault{FaultCode::disconnected,
-                   "the team was away for " + seconds_text(patience_.away)};
+    if (liveliness_.away(time) > terms_.away) {
+      return Fault{FaultCode::disconnected, "the team was away for " + seconds_text(terms_.away)};
     }
-    double left = look_around;
-    if (patience_.tick) {
-      left = std::min(left, posted_at_ + *patience_.tick - time);
+    double left = poll_interval;
+    if (terms_.tick) {
+      left = std::min(left, posted_at_ + *terms_.tick - time);
       if (left <= 0.0) return match::Late{};
-    } else if (patience_.interrupted()) {
+    } else if (terms_.interrupted()) {
       return match::HostFailure{"interrupted while a team was awaited"};
     }
-    server_.listen(left);
+    link_.listen(left);
   }
-  if (attendance_.answered(tick_, now())) tell("the team is back");
+  if (liveliness_.answered(tick_, now())) tell("the team is back");
   return *answer_;
 }
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// The place of one team in a match on the network: who has it, and what it answers.
+// The seat of one team in a match on the network: which process has it, and its answers.
 //
-// A seat belongs to the process that was accepted into it, known by the key that DDS gives to every
-// process and by the nonce that it drew. What others write in the team's name is counted and thrown
-// away. Only when that process is away may another one, of the same name, take its place.
+// A seat belongs to the process that was accepted into it. That process is known by the key that
+// DDS gives to every participant and by the nonce that it drew. Commands that other processes write
+// in the team's name are counted and thrown away. Another process of the same team name may take
+// the seat only while the first one is away.
 //
-// A seat is part of a MatchServer, in whose thread everything happens.
+// A seat is part of a MatchServer and is used from its thread.
 #pragma once
 
 #include "server/dds/convert.hpp"
@@ -21,23 +22,36 @@
 
 namespace mirocup::dds {
 
-class MatchServer;
-
-// What a team on the network is held to; seconds of wall time.
-struct Patience {
-  double to_join = 60.0;  // until its first answer, from the moment when there is a seat
-  // Real time: the answer to a tick must come within so long. Nothing: the match waits for it.
+// The terms on which a team joins and stays in a match; seconds of wall time.
+struct JoinTerms {
+  double to_join = 60.0;  // from the making of the seat to the team's first answer
+  // The time in which a tick must be answered (real time). Nothing: the match waits (lockstep).
   std::optional<double> tick;
-  double notice = 1.0;  // silent for so long, a team is away
-  double away = 10.0;   // so long in a leg, all absences together
-  std::function<bool()> interrupted = [] { return false; };     // asked while it waits
-  std::function<void(const std::string&)> tell = [](auto&) {};  // a sentence for the host
+  double notice = 1.0;  // a team that is silent for this long is away
+  double away = 10.0;   // how long a team may be away in a leg, all absences together
+  std::function<bool()> interrupted = [] { return false; };     // called while the seat waits
+  std::function<void(const std::string&)> tell = [](auto&) {};  // gets a sentence for the host
+};
+
+// What a seat uses of the match server that it belongs to.
+struct SeatLink {
+  std::uint64_t leg = 0;                       // the number of the server's leg
+  std::function<void(double seconds)> listen;  // receives for all seats; waits at most `seconds`
+  std::function<std::string()> last_error;     // the last messages of DDS, as the end of a sentence
 };
 
 class Seat final : public match::Controller {
  public:
-  // Waits until the team, or one that calls itself so, has answered the state that is on the
-  // network now.
+  Seat(SeatLink link, const match::Briefing& briefing, std::string name, const JoinTerms& terms);
+
+  // Makes the seat's topics, readers and writers; `waitset` wakes for its readers.
+  Result<void> open(const Entity& participant, const std::string& match_id, const Entity& waitset);
+
+  // Takes the samples that have arrived for this seat.
+  void receive();
+
+  // Waits until the team has answered the state that is on the network now. The error is the team's
+  // fault or, after an interruption, a failure of the host.
   tl::expected<void, match::Answer> wait_until_ready();
 
   void post(const match::Observation& observation) override;
@@ -46,17 +60,11 @@ class Seat final : public match::Controller {
   Team team() const { return briefing_.team; }
   std::uint64_t heard() const { return inbox_.heard(); }
   const CommandCounts& commands() const { return inbox_.counts(); }
-  const std::vector<Absence>& absences() const { return attendance_.absences(); }
-  int processes() const { return processes_; }                 // that have had the seat
-  const pace::Durations& answers() const { return answers_; }  // from question to answer, s
+  const std::vector<pace::Absence>& absences() const { return liveliness_.absences(); }
+  int processes() const { return processes_; }                 // number that have had the seat
+  const pace::Durations& answers() const { return answers_; }  // from state to answer, s
 
  private:
-  friend class MatchServer;
-  Seat(MatchServer& server, const match::Briefing& briefing, std::string name,
-       const Patience& patience);
-
-  Result<void> open(const Entity& participant, const std::string& match_id, const Entity& waitset);
-  void take_in();
   void take_hellos();
   void take_commands();
   mirocup_v2_Welcome answer_to(const mirocup_v2_Hello& hello, dds_instance_handle_t writer);
@@ -66,28 +74,28 @@ class Seat final : public match::Controller {
   double now() const { return seconds_since(begin_); }
   void tell(const std::string& what) const;
 
-  MatchServer& server_;
+  SeatLink link_;
   match::Briefing briefing_;
   std::string name_;
-  Patience patience_;
-  Clock::time_point begin_ = Clock::now();
+  JoinTerms terms_;
+  WallClock::time_point begin_ = WallClock::now();
   Entity publisher_, subscriber_, hello_topic_, welcome_topic_, command_topic_;
   Entity hello_reader_, welcome_writer_, command_reader_;
 
-  // Who has the seat.
-  std::uint64_t nonce_ = 0;  // 0: nobody
+  // The process that has the seat.
+  std::uint64_t nonce_ = 0;  // 0: the seat is free
   ParticipantKey process_{};
   dds_instance_handle_t hello_writer_ = 0;
-  dds_instance_handle_t command_writer_ = 0;  // 0: not heard of yet
+  dds_instance_handle_t command_writer_ = 0;  // 0: it has not written yet
   int processes_ = 0;
 
   Inbox inbox_;
-  Attendance attendance_;
+  Liveliness liveliness_;
   bool is_ready_ = false;
   std::uint32_t tick_ = 0;
   double posted_at_ = 0.0;
   pace::Durations answers_;
-  std::optional<match::Command> answer_;  // to this tick
+  std::optional<match::Command> answer_;  // to tick_
 };
 
 }  // namespace mirocup::dds

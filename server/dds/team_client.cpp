@@ -10,34 +10,35 @@ namespace mirocup::dds {
 
 namespace {
 
-constexpr double hello_again = 0.25;  // s
-constexpr double between_looks = 0.05;
+constexpr double hello_interval = 0.25;  // s
+constexpr double max_poll_interval = 0.05;
 
-// A server sends states many times a second. After so many seconds without any, something is wrong
-// with the connection.
-constexpr double longest_silence = 3.0;
+// A server sends states many times a second. After this many seconds without a state the connection
+// is broken.
+constexpr double max_silence = 3.0;
 
-// The same if so many commands have been sent for so long (s), and the server has heard none.
-constexpr int most_unheard = 30;
-constexpr double longest_unheard = 1.5;
+// The connection is also broken if the server has received none of the last commands, more than
+// this many, for this long (s).
+constexpr int max_unacknowledged = 30;
+constexpr double max_unacknowledged_time = 1.5;
 
 }  // namespace
 
-Result<std::unique_ptr<TeamClient>> TeamClient::open(const Call& call) {
-  auto domain = open_team_domain(call.server, call.credentials);
+Result<std::unique_ptr<TeamClient>> TeamClient::open(const JoinRequest& request) {
+  auto domain = open_team_domain(request.server, request.credentials);
   if (!domain) return tl::unexpected(domain.error());
-  std::unique_ptr<TeamClient> client(new TeamClient(call, std::move(*domain)));
+  std::unique_ptr<TeamClient> client(new TeamClient(request, std::move(*domain)));
   if (auto connected = client->connect(); !connected) return tl::unexpected(connected.error());
   return client;
 }
 
 Result<void> TeamClient::connect() {
-  link_ = {};  // first leave, then come again
+  link_ = {};  // leaves the network before it joins it again
   Link link;
-  link.nonce = draw_number();
-  connected_ = heard_ = heard_us_ = Clock::now();
-  unheard_ = 0;
-  said_hello_ = {};
+  link.nonce = random_nonce();
+  connected_at_ = last_heard_at_ = acknowledged_at_ = WallClock::now();
+  unacknowledged_ = 0;
+  hello_sent_at_ = {};
   return keep(link.participant, make_participant(domain_))
       .and_then([&] { return open_readers_and_writers(link); })
       .map([&] { link_ = std::move(link); });
@@ -45,8 +46,8 @@ Result<void> TeamClient::connect() {
 
 Result<void> TeamClient::open_readers_and_writers(Link& l) const {
   const Entity& p = l.participant;
-  const std::string match = match_partition(call_.match_id);
-  const std::string own = team_partition(call_.match_id, index_of(call_.team), call_.name);
+  const std::string match = match_partition(request_.match_id);
+  const std::string own = team_partition(request_.match_id, index_of(request_.team), request_.name);
   const auto topic = [&p](Entity& into, const dds_topic_descriptor_t& type,
                           const idl::TopicQos& row) {
     return keep(into, make_topic(p, type, row));
@@ -84,19 +85,19 @@ Result<void> TeamClient::open_readers_and_writers(Link& l) const {
       .and_then([&] { return attach(l.waitset, l.welcome_reader); });
 }
 
-News TeamClient::wait(double patience) {
-  const auto begin = Clock::now();
+News TeamClient::wait(double timeout) {
+  const auto start = WallClock::now();
   while (true) {
     look_after_connection();
-    if (auto news = look()) return std::move(*news);
-    const double left = patience - seconds_since(begin);
+    if (auto news = poll()) return std::move(*news);
+    const double left = timeout - seconds_since(start);
     if (left <= 0.0) return Silence{};
-    const auto pause = static_cast<dds_duration_t>(1e9 * std::min(left, between_looks)) + 1;
+    const auto pause = static_cast<dds_duration_t>(1e9 * std::min(left, max_poll_interval)) + 1;
     if (dds_waitset_wait(link_.waitset.get(), nullptr, 0, pause) < 0) dds_sleepfor(pause);
   }
 }
 
-std::optional<News> TeamClient::look() {
+std::optional<News> TeamClient::poll() {
   if (auto news = take_welcome()) return news;
   if (auto news = take_event()) return news;
   return take_state();
@@ -108,18 +109,19 @@ std::optional<News> TeamClient::take_welcome() {
     if (welcome.nonce != link_.nonce) continue;
     link_.leg = welcome.leg;
     if (welcome.answer == static_cast<std::uint8_t>(Admission::not_now)) {
-      not_now_ = welcome.reason;
+      wait_reason_ = welcome.reason;
       continue;
     }
     if (welcome.answer != static_cast<std::uint8_t>(Admission::accepted)) {
       return Refused{welcome.reason};
     }
-    // A server that was started again hears the old Hello by itself: its Welcome may come first.
+    // A server that was started again receives the old Hello from its history, so its Welcome may
+    // come before its first state.
     if (link_.is_seated && welcome.leg == seated_leg_) continue;
-    if (!from_sample(welcome, told_)) return Refused{"the server's welcome makes no sense"};
+    if (!from_sample(welcome, briefing_)) return Refused{"the server's welcome makes no sense"};
     link_.is_seated = true;
-    heard_ = Clock::now();
-    answer_.reset();  // it has the nonce of another appearance
+    last_heard_at_ = WallClock::now();
+    answer_.reset();  // it has the nonce of the former participant
     if (std::exchange(seated_leg_, welcome.leg) != welcome.leg) return Seated{};
   }
   return std::nullopt;
@@ -137,13 +139,13 @@ std::optional<News> TeamClient::take_event() {
 std::optional<News> TeamClient::take_state() {
   mirocup_v2_WorldState state;
   while (take(link_.state_reader, state)) {
-    heard_ = Clock::now();
+    last_heard_at_ = WallClock::now();
     if (!link_.is_seated) continue;
-    const std::uint64_t heard = state.heard[index_of(call_.team)];
-    if (heard != heard_commands_) {
-      heard_commands_ = heard;
-      heard_us_ = heard_;
-      unheard_ = 0;
+    const std::uint64_t heard = state.heard[index_of(request_.team)];
+    if (heard != acknowledged_commands_) {
+      acknowledged_commands_ = heard;
+      acknowledged_at_ = last_heard_at_;
+      unacknowledged_ = 0;
     }
     if (state.leg != link_.leg) {
       link_.is_seated = false;  // the server was started again
@@ -151,49 +153,51 @@ std::optional<News> TeamClient::take_state() {
       return to_scene(state);
     } else if (state.tick == answer_->tick) {
       dds_write(link_.command_writer.get(), &*answer_);
-      ++unheard_;
+      ++unacknowledged_;
     }
   }
   return std::nullopt;
 }
 
-// Hostile packets can make either side deaf to the other.
+// Hostile packets can make either side deaf to the other, in one direction or in both.
 bool TeamClient::is_cut_off() const {
-  if (unheard_ > most_unheard && seconds_since(heard_us_) > longest_unheard) return true;
-  return seconds_since(heard_) > longest_silence && seconds_since(connected_) > longest_silence;
+  if (unacknowledged_ > max_unacknowledged &&
+      seconds_since(acknowledged_at_) > max_unacknowledged_time)
+    return true;
+  return seconds_since(last_heard_at_) > max_silence && seconds_since(connected_at_) > max_silence;
 }
 
 void TeamClient::look_after_connection() {
   if (is_cut_off()) {
-    if (!connect()) return;  // tried again after the next silence
+    if (!connect()) return;  // the next silence tries again
   }
-  if (!link_.is_seated && seconds_since(said_hello_) > hello_again) say_hello();
+  if (!link_.is_seated && seconds_since(hello_sent_at_) > hello_interval) send_hello();
 }
 
-void TeamClient::say_hello() {
-  said_hello_ = Clock::now();
+void TeamClient::send_hello() {
+  hello_sent_at_ = WallClock::now();
   mirocup_v2_Hello hello{};
-  hello.team = static_cast<std::uint8_t>(index_of(call_.team));
+  hello.team = static_cast<std::uint8_t>(index_of(request_.team));
   hello.nonce = link_.nonce;
-  put_text(hello.name, call_.name);
+  copy_text(hello.name, request_.name);
   dds_write(link_.hello_writer.get(), &hello);
 }
 
 void TeamClient::send(const match::Command& command, std::uint32_t tick) {
-  answer_ = to_sample(command, call_.team, tick, link_.nonce);
+  answer_ = to_sample(command, request_.team, tick, link_.nonce);
   dds_write(link_.command_writer.get(), &*answer_);
-  ++unheard_;
+  ++unacknowledged_;
 }
 
-std::string TeamClient::trouble() const {
-  if (!not_now_.empty()) return "the match server says: " + not_now_;
+std::string TeamClient::last_error() const {
+  if (!wait_reason_.empty()) return "the match server says: " + wait_reason_;
   dds_subscription_matched_status_t match{};
   dds_get_subscription_matched_status(link_.state_reader.get(), &match);
   if (match.current_count > 0) {
-    return "the match is there, but does not expect a team called \"" + call_.name + "\" as " +
-           std::string(to_string(call_.team));
+    return "the match is there, but does not expect a team called \"" + request_.name + "\" as " +
+           std::string(to_string(request_.team));
   }
-  return "no match server answered" + domain_.log->as_end_of_sentence();
+  return "no match server answered" + domain_.log->last_error_suffix();
 }
 
 }  // namespace mirocup::dds

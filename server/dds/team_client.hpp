@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
-// A team's side of the network: finds the match, takes its seat, gets states, sends commands.
+// A team's side of the network: finds the match, takes a seat in it, receives states, sends
+// commands.
 //
-// It looks after the connection itself. A server that falls silent is looked for again as a new
-// process of the network (hostile packets can cut two processes off from each other for good); a
-// server that was started again is joined again.
+// The client maintains the connection itself. If the server falls silent, the client joins the
+// network again as a new participant, because hostile packets can cut two participants off from
+// each other for good. It also joins a server that was started again. Used from one thread.
 #pragma once
 
 #include "server/dds/convert.hpp"
 #include "server/dds/domain.hpp"
 #include "server/dds/wall_time.hpp"
 
+#include <cassert>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,48 +20,52 @@
 
 namespace mirocup::dds {
 
-// Whom a team calls, and what it calls itself.
-struct Call {
+// The match that a team wants to join, and the team's own name and colour in it.
+struct JoinRequest {
   std::string server = "127.0.0.1";
   std::string match_id;
   Team team = Team::blue;
   std::string name;
-  std::string credentials;  // a folder; "": open mode
+  std::string credentials;  // folder; "": open mode
 };
 
-// What a wait brought.
-struct Silence {};  // nothing for as long as one was ready to wait
-struct Seated {};   // the team has a seat in a leg that is new to it: briefing() is about this one
+// The possible results of TeamClient::wait().
+struct Silence {};  // nothing happened in the time given
+struct Seated {};   // the team has a seat in a new leg, which briefing() describes
 struct MatchOver {
-  std::string how;  // "full_time", "forfeit", ...
+  std::string how;  // "full_time", "forfeit", ... as `end` in the match record
   match::ByTeam<int> score{};
 };
 struct Refused {
-  std::string why;
+  std::string why;  // a sentence
 };
-using News = std::variant<Silence, Seated, match::Scene, MatchOver, Refused>;
+using News = std::variant<Silence, Seated, match::Snapshot, MatchOver, Refused>;
 
 class TeamClient {
  public:
-  // Only prepares: the first thing that wait() brings is Seated, once there is a match.
-  static Result<std::unique_ptr<TeamClient>> open(const Call& call);
+  // Prepares the connection without waiting for a match. Once there is one, wait() returns Seated
+  // before anything else.
+  static Result<std::unique_ptr<TeamClient>> open(const JoinRequest& request);
 
-  // The next news, or Silence after `patience` seconds. Ticks come in order, each once; a server
-  // that missed the answer to one gets it again by itself.
-  News wait(double patience);
+  // Returns the next news, or Silence after `timeout` seconds. Ticks come in order, each once. If
+  // the server missed the answer to a tick, the client sends it again by itself.
+  News wait(double timeout);
 
-  // Once seated.
-  const match::Briefing& briefing() const { return told_.briefing; }
-  int robots() const { return told_.field.robots_per_team; }
+  // Both describe the leg of the last Seated, before which they must not be called.
+  const match::Briefing& briefing() const {
+    assert(briefing_.briefing.field != nullptr);
+    return briefing_.briefing;
+  }
+  int robots() const { return briefing().field->robots_per_team; }  // of each team
 
-  // Answers the state of `tick`.
+  // Answers the state of `tick`, which must be the last one that wait() returned.
   void send(const match::Command& command, std::uint32_t tick);
 
-  // Why there is no seat yet, as far as it can be known.
-  std::string trouble() const;
+  // Returns a sentence that says why there is no seat yet, as far as the client can know.
+  std::string last_error() const;
 
  private:
-  // Everything that belongs to one appearance on the network.
+  // One participant on the network with all that belongs to it; a new connection gets a new one.
   struct Link {
     Entity participant;
     Entity match_subscriber, team_publisher, team_subscriber;
@@ -67,34 +73,35 @@ class TeamClient {
     Entity state_reader, event_reader, hello_writer, welcome_reader, command_writer;
     Entity waitset;
     std::uint64_t nonce = 0;
-    std::uint64_t leg = 0;  // that the server answered for, 0: it has not
+    std::uint64_t leg = 0;  // of the last Welcome; 0: there was none
     bool is_seated = false;
   };
 
-  TeamClient(Call call, Domain domain) : call_(std::move(call)), domain_(std::move(domain)) {}
+  TeamClient(JoinRequest request, Domain domain)
+      : request_(std::move(request)), domain_(std::move(domain)) {}
   Result<void> connect();
   Result<void> open_readers_and_writers(Link& link) const;
-  std::optional<News> look();
+  std::optional<News> poll();
   std::optional<News> take_welcome();
   std::optional<News> take_event();
   std::optional<News> take_state();
   bool is_cut_off() const;
   void look_after_connection();
-  void say_hello();
+  void send_hello();
 
-  Call call_;
+  JoinRequest request_;
   Domain domain_;
   Link link_;
-  Clock::time_point connected_;
-  Clock::time_point said_hello_;
-  Clock::time_point heard_;  // of the match, last
+  WallClock::time_point connected_at_;
+  WallClock::time_point hello_sent_at_;
+  WallClock::time_point last_heard_at_;  // when the last sample of the match came
   std::uint64_t seated_leg_ = 0;
-  Told told_;
-  std::optional<mirocup_v2_TeamCommand> answer_;  // the last one
-  std::uint64_t heard_commands_ = 0;              // as the server counts them
-  Clock::time_point heard_us_;                    // the count has changed, last
-  int unheard_ = 0;                               // commands that were sent since then
-  std::string not_now_;                           // what the server said
+  OwnedBriefing briefing_;
+  std::optional<mirocup_v2_TeamCommand> answer_;  // the last one that was sent
+  std::uint64_t acknowledged_commands_ = 0;       // as the server counts them
+  WallClock::time_point acknowledged_at_;         // when that count changed last
+  int unacknowledged_ = 0;                        // commands that were sent since then
+  std::string wait_reason_;                       // why the server said "not now"
 };
 
 }  // namespace mirocup::dds

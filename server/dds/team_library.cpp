@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
 //
-// team.h on top of the team's side of the network.
+// Implements mirocup/team.h with dds::TeamClient.
 #include "mirocup/team.h"
 #include "plugins/abi/convert.hpp"
 #include "server/dds/team_client.hpp"
 
 #include <cstdio>
 
-// What a caller of the C interface holds.
+// The connection that a caller of the C interface holds.
 struct mirocup_connection {
   std::unique_ptr<mirocup::dds::TeamClient> client;
   mirocup::Team team = mirocup::Team::blue;
   mirocup_setup setup{};
   mirocup_observation observation{};
-  std::optional<mirocup::match::Poses> poses;  // for the answer to this tick
+  std::optional<mirocup::match::Poses> poses;  // for the answer to the present tick
   mirocup::match::ByTeam<std::int32_t> score{};
   std::string text;
-  bool is_finished = false;  // the text says how
+  bool is_finished = false;  // `text` says how the match ended
 };
 
 namespace mirocup::dds {
@@ -27,7 +27,7 @@ void write_line(const char* text) {
   std::fprintf(stderr, "%s\n", text);
 }
 
-// What one kind of news means for the caller.
+// Stores one kind of news in the connection and returns its number in team.h.
 struct Receive {
   mirocup_connection& c;
 
@@ -37,7 +37,7 @@ struct Receive {
     c.setup.log = write_line;
     return MIROCUP_TEAM_SEATED;
   }
-  std::int32_t operator()(const match::Scene& scene) const {
+  std::int32_t operator()(const match::Snapshot& scene) const {
     c.observation = abi::to_observation(match::observe(scene, c.team, c.client->robots()));
     c.poses.reset();
     return MIROCUP_TEAM_TICK;
@@ -72,7 +72,7 @@ mirocup_connection* mirocup_team_open(const mirocup_team_call* call, char* why, 
                  "the call names no match, no team or no colour, or is of another version");
     return nullptr;
   }
-  dds::Call c;
+  dds::JoinRequest c;
   if (call->server != nullptr) c.server = call->server;
   c.match_id = call->match;
   c.team = static_cast<mirocup::Team>(call->team);
@@ -108,12 +108,12 @@ void mirocup_team_place(mirocup_connection* connection, const mirocup_placement*
 
 void mirocup_team_send(mirocup_connection* connection, const mirocup_command* command) {
   mirocup::match::Command answer = mirocup::abi::to_command(*command);
-  answer.poses = connection->poses;
+  answer.placement = connection->poses;
   connection->client->send(answer, connection->observation.tick);
 }
 
 const char* mirocup_team_text(mirocup_connection* connection) {
-  if (!connection->is_finished) connection->text = connection->client->trouble();
+  if (!connection->is_finished) connection->text = connection->client->last_error();
   return connection->text.c_str();
 }
 

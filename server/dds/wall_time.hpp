@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// Wall time, for what waits for the network.
+// Wall time, for code that waits for the network.
 #pragma once
 
 #include <chrono>
 
 namespace mirocup::dds {
 
-using Clock = std::chrono::steady_clock;
+using WallClock = std::chrono::steady_clock;
 
-inline double seconds_since(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
+inline double seconds_since(WallClock::time_point begin) {
+  return std::chrono::duration<double>(WallClock::now() - begin).count();
 }
 
 }  // namespace mirocup::dds

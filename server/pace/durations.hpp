@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -18,22 +19,23 @@ class Durations {
   void add(double seconds) {
     ++counts_[range_of(seconds)];
     ++count_;
-    longest_ = std::max(longest_, seconds);
+    max_ = std::max(max_, seconds);
   }
 
   std::uint64_t count() const { return count_; }
-  double longest() const { return longest_; }
+  double max() const { return max_; }
 
   // A duration that at least this share of them did not exceed; 0 if there are none.
   double quantile(double share) const {
+    assert(share >= 0.0 && share <= 1.0);
     std::uint64_t until = 0;
     for (int i = 0; i < ranges; ++i) {
       until += counts_[i];
       if (until > 0 && static_cast<double>(until) >= share * static_cast<double>(count_)) {
-        return std::min(end_of(i), longest_);
+        return std::min(end_of(i), max_);
       }
     }
-    return longest_;
+    return max_;
   }
 
   struct Range {
@@ -44,34 +46,36 @@ class Durations {
   // By octaves: those that are not empty, in ascending order.
   std::vector<Range> histogram() const {
     std::vector<Range> filled;
-    for (int i = 0; i < ranges; i += parts) {
+    for (int i = 0; i < ranges; i += ranges_per_octave) {
       std::uint64_t count = 0;
-      for (int j = i; j < i + parts; ++j) count += counts_[j];
-      if (count > 0) filled.push_back({end_of(i + parts - 1), count});
+      for (int j = i; j < i + ranges_per_octave; ++j) count += counts_[j];
+      if (count > 0) filled.push_back({end_of(i + ranges_per_octave - 1), count});
     }
     return filled;
   }
 
  private:
-  static constexpr int shortest = -20;  // 2^-20 s, about a microsecond
-  static constexpr int octaves = 28;    // up to 256 s
-  static constexpr int parts = 32;      // of an octave
-  static constexpr int ranges = octaves * parts;
+  static constexpr int min_exponent = -20;      // 2^-20 s, about a microsecond
+  static constexpr int octaves = 28;            // up to 256 s
+  static constexpr int ranges_per_octave = 32;  // of an octave
+  static constexpr int ranges = octaves * ranges_per_octave;
 
   static int range_of(double seconds) {
     int octave = 0;
     const double part = std::frexp(seconds, &octave);  // 0.5 to 1
-    if (seconds <= 0.0 || octave <= shortest) return 0;
-    if (octave > shortest + octaves) return ranges - 1;
-    return (octave - shortest - 1) * parts + static_cast<int>((part - 0.5) * 2 * parts);
+    if (seconds <= 0.0 || octave <= min_exponent) return 0;
+    if (octave > min_exponent + octaves) return ranges - 1;
+    return (octave - min_exponent - 1) * ranges_per_octave +
+           static_cast<int>((part - 0.5) * 2 * ranges_per_octave);
   }
   static double end_of(int range) {
-    return std::ldexp(0.5 + (range % parts + 1) / (2.0 * parts), range / parts + shortest + 1);
+    return std::ldexp(0.5 + (range % ranges_per_octave + 1) / (2.0 * ranges_per_octave),
+                      range / ranges_per_octave + min_exponent + 1);
   }
 
   std::array<std::uint64_t, ranges> counts_{};
   std::uint64_t count_ = 0;
-  double longest_ = 0.0;
+  double max_ = 0.0;
 };
 
 }  // namespace mirocup::pace

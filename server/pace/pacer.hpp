@@ -3,10 +3,11 @@
 // How fast simulated time passes: real time, any factor of it, or as fast as everybody answers.
 #pragma once
 
-#include "server/pace/clock.hpp"
 #include "server/pace/durations.hpp"
+#include "server/pace/wall_clock.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cstdint>
 #include <optional>
 
@@ -16,16 +17,18 @@ class Pacer {
  public:
   // `factor`: simulated seconds per second; nothing: as fast as it goes. The clock outlives the
   // pacer.
-  Pacer(Clock& clock, double control_period, std::optional<double> factor)
-      : clock_(clock), period_(factor ? control_period / *factor : 0.0) {}
+  Pacer(WallClock& clock, double control_period, std::optional<double> factor)
+      : clock_(clock), period_(factor ? control_period / *factor : 0.0) {
+    assert(control_period > 0.0 && (!factor || *factor > 0.0));
+  }
 
   // Returns when the tick is due. Ticks are counted from the first call, so a late one delays none
   // after it.
   void wait_for(std::uint32_t tick) {
     if (period_ == 0.0) return;
-    if (!has_begun_) begin_ = clock_.now() - tick * period_;
-    has_begun_ = true;
-    const double due = begin_ + tick * period_;
+    if (!has_started_) start_ = clock_.now() - tick * period_;
+    has_started_ = true;
+    const double due = start_ + tick * period_;
     if (clock_.now() < due) clock_.sleep_until(due);
     lateness_.add(std::max(0.0, clock_.now() - due));
   }
@@ -37,10 +40,10 @@ class Pacer {
   const Durations& lateness() const { return lateness_; }
 
  private:
-  Clock& clock_;
+  WallClock& clock_;
   double period_;
-  bool has_begun_ = false;
-  double begin_ = 0.0;  // of tick 0
+  bool has_started_ = false;
+  double start_ = 0.0;  // of tick 0
   Durations lateness_;
 };
 

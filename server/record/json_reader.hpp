@@ -1,67 +1,218 @@
 // SPDX-License-Identifier: MIT
 //
-// Reads a JSON document strictly: every key is known, every type and range is right, or the first
-// problem is remembered with its JSON pointer. After a problem every further answer is a default, so
-// a parser reads as a list of what it expects and looks at problem() once, at its end.
+// Reads a JSON document and remembers the first problem with its JSON pointer (RFC 6901) and a
+// reason: a key that is missing or unknown, a value of the wrong type or out of its range.
+//
+// A reader never throws. After a problem it still returns a value of the requested type, so a
+// parser is a plain list of what it expects, and the problem is asked for once, at the end. All
+// files of this project are read this way:
+//
+//   Result<Limits> parse_limits(std::string_view text, const std::string& path) {
+//     return record::read_json<Limits>(text, path, Errc::input, [](const JsonReader& json) {
+//       Limits limits;
+//       json.expect_object({"schema", "seed", "league", "shares"});
+//       json.expect_schema("mirocup/limits/1");
+//       json.read_if_present("seed", limits.seed);
+//       limits.league = json.at("league").as<League>();
+//       for (const JsonReader& share : json.at("shares").elements(1, 16)) {
+//         limits.shares.push_back(share.number(0.0, 1.0));
+//       }
+//       return limits;
+//     });
+//   }
+//
+// The error of a wrong league is then "limits.json: /league: one of small, middle, large is
+// expected, not "huge"". A reader of files that later versions may extend calls expect_object()
+// without a list of keys: then unknown keys are ignored.
 #pragma once
+
+#include "core/base/error.hpp"
+#include "core/base/names.hpp"
 
 #include <nlohmann/json.hpp>
 
+#include <concepts>
+#include <cstdint>
 #include <initializer_list>
 #include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
 
 namespace mirocup::record {
 
-// The first problem: where, and why.
+// The first problem of a document.
 struct JsonProblem {
-  std::string pointer;
+  std::string pointer;  // the JSON pointer; "/" for the whole document
   std::string reason;
 };
 
-// One value of the document. Cheap to copy; the document and `problem` outlive it.
+// One value of the document. Cheap to copy; the document and `problem` must outlive it. Not for
+// several threads at once, since all readers of a document share `problem`.
 class JsonReader {
  public:
   using Json = nlohmann::ordered_json;
 
+  // `pointer` is "" for the whole document. `problem` is set by the first complaint.
   JsonReader(const Json& value, std::string pointer, std::optional<JsonProblem>& problem)
-      : value_(value), pointer_(std::move(pointer)), problem_(problem) {}
+      : value_(&value), pointer_(std::move(pointer)), problem_(&problem) {}
 
+  // Reports a problem of this value, unless the document has one already.
   void complain(const std::string& reason) const;
 
-  // Is this an object with no other keys than these?
+  // True if this is an object. Otherwise complains.
+  bool expect_object() const;
+
+  // True if this is an object without keys other than these. Otherwise complains about the first
+  // key that is not among them.
   bool expect_object(std::initializer_list<std::string_view> keys) const;
-  // Is this an array of a size in that range?
-  bool expect_array(std::size_t least, std::size_t most) const;
 
-  bool has(const std::string& key) const { return value_.is_object() && value_.contains(key); }
-  bool is_null() const { return value_.is_null(); }
-  bool is_string() const { return value_.is_string(); }
-  std::size_t size() const { return value_.is_array() ? value_.size() : 0; }
+  // True if this is an array of min_size to max_size elements. Otherwise complains.
+  bool expect_array(std::size_t min_size, std::size_t max_size) const;
 
-  // A member or an element. Of what is missing: a null, after a complaint.
+  // Complains unless the key "schema" of this object has that value.
+  void expect_schema(std::string_view schema) const;
+
+  bool has(const std::string& key) const { return value_->is_object() && value_->contains(key); }
+  bool is_null() const { return value_->is_null(); }
+  bool is_string() const { return value_->is_string(); }
+
+  // The number of elements of an array; 0 for any other value.
+  std::size_t size() const { return value_->is_array() ? value_->size() : 0; }
+
+  // The member of that key, or the element of that index. If there is none: a complaint, and a
+  // reader of null.
   JsonReader at(const std::string& key) const;
   JsonReader at(std::size_t index) const;
 
-  double number(double least = -std::numeric_limits<double>::infinity(),
-                double most = std::numeric_limits<double>::infinity()) const;
+  // The member of that key; nothing, and no complaint, if it is missing or null.
+  std::optional<JsonReader> find(const std::string& key) const;
+
+  // All elements of an array. Complains about any other value and about a size out of range, and
+  // returns none then.
+  std::vector<JsonReader> elements(
+      std::size_t min_size = 0,
+      std::size_t max_size = std::numeric_limits<std::size_t>::max()) const;
+
+  // All members of an object, in the order of the document. Complains about any other value, and
+  // returns none then.
+  std::vector<std::pair<std::string, JsonReader>> members() const;
+
+  // A finite number in [min, max]. After a complaint: 0, or the limit that it exceeds.
+  double number(double min = -std::numeric_limits<double>::infinity(),
+                double max = std::numeric_limits<double>::infinity()) const;
+
+  // A number above 0. After a complaint: 1.
   double positive_number() const;
+
+  // A number without a fraction in [min, max]; 3.0 is one. After a complaint: the number of that
+  // range that is nearest to it, or to 0 if it is no number at all.
+  template <std::integral T>
+  T integer(T min = std::numeric_limits<T>::min(), T max = std::numeric_limits<T>::max()) const;
+
   bool boolean() const;
   std::string text() const;
 
+  // The enumerator of that name; E needs enum_names (core/base/names.hpp). After a complaint: the
+  // first enumerator.
+  template <class E>
+  E name() const;
+
+  // The value as a bool, an integer, a double, a std::string or an enum, whatever T is.
+  template <class T>
+  T as() const;
+
+  // Sets `value` to the member of that key; leaves it as it is if there is no such key. A null is
+  // of the wrong type, as in at().
+  template <class T>
+  void read_if_present(const std::string& key, T& value) const {
+    if (has(key)) value = at(key).as<T>();
+  }
+
+  // The value for a message: its JSON text, cut if it is long, or "an object", "an array".
+  std::string quoted() const;
+
+  const Json& json() const { return *value_; }
+
  private:
-  const Json& value_;
+  using Whole = std::variant<std::int64_t, std::uint64_t>;
+
+  // The number if it has no fraction; otherwise complains.
+  std::optional<Whole> whole_number() const;
+  void complain_of_range(const std::string& value, bool is_below, const std::string& limit) const;
+
+  const Json* value_;
   std::string pointer_;
-  std::optional<JsonProblem>& problem_;
+  std::optional<JsonProblem>* problem_;
 };
 
-// The document, or what is wrong with it in words: "not JSON: ...".
+// A parsed document, or why the text is not JSON: "not JSON: parse error at line 3, column 5: …".
 struct ParsedJson {
   JsonReader::Json value;
-  std::string error;  // empty if there is none
+  std::string error;  // "" if there is none
 };
 ParsedJson parse_json(std::string_view text);
+
+// The error that a person reads: "PATH: POINTER: REASON".
+Error error_of(const JsonProblem& problem, const std::string& path, Errc code);
+
+// Parses `text` and returns read(reader of the whole document), a T, or the document's first
+// problem as an error of `code` that names `path`.
+template <class T, class Read>
+Result<T> read_json(std::string_view text, const std::string& path, Errc code, Read read) {
+  const ParsedJson parsed = parse_json(text);
+  if (!parsed.error.empty()) {
+    return tl::unexpected(error_of({"/", parsed.error}, path, code));
+  }
+  std::optional<JsonProblem> problem;
+  T value = read(JsonReader(parsed.value, "", problem));
+  if (problem) return tl::unexpected(error_of(*problem, path, code));
+  return value;
+}
+
+template <std::integral T>
+T JsonReader::integer(T min, T max) const {
+  const auto nearest_to_zero = [&] { return min > T{0} ? min : max < T{0} ? max : T{0}; };
+  const std::optional<Whole> whole = whole_number();
+  if (!whole) return nearest_to_zero();
+  return std::visit(
+      [&](auto value) {
+        const bool is_below = std::cmp_less(value, min);
+        if (!is_below && !std::cmp_greater(value, max)) return static_cast<T>(value);
+        const T limit = is_below ? min : max;
+        complain_of_range(std::to_string(value), is_below, std::to_string(limit));
+        return limit;
+      },
+      *whole);
+}
+
+template <class E>
+E JsonReader::name() const {
+  static_assert(!enum_names<E>.empty(), "an enum that is read from JSON needs enum_names");
+  const auto known = value_->is_string() ? from_string<E>(text()) : std::nullopt;
+  if (known) return *known;
+  complain("one of " + list_of_names<E>() + " is expected, not " + quoted());
+  return E{};
+}
+
+template <class T>
+T JsonReader::as() const {
+  if constexpr (std::is_same_v<T, bool>) {
+    return boolean();
+  } else if constexpr (std::is_integral_v<T>) {
+    return integer<T>();
+  } else if constexpr (std::is_floating_point_v<T>) {
+    return static_cast<T>(number());
+  } else if constexpr (std::is_enum_v<T>) {
+    return name<T>();
+  } else {
+    static_assert(std::is_same_v<T, std::string>, "JSON has no such values");
+    return text();
+  }
+}
 
 }  // namespace mirocup::record

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "server/record/match_record.hpp"
 
+#include "server/record/json_reader.hpp"
 #include "server/record/replay_file.hpp"
 #include "server/record/rules_json.hpp"
 #include "server/system/digest.hpp"
 
 #include <nlohmann/json.hpp>
 
+#include <charconv>
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 namespace mirocup::record {
@@ -16,10 +19,25 @@ namespace {
 
 constexpr std::string_view schema = "mirocup/match/1";
 
+// Enumerators are written by name. Every one has a name, and the last has its own: an enumerator that
+// is added or moved without its name would change the meaning of records.
+template <class E>
+constexpr bool has_names_up_to(E last, std::string_view name) {
+  return enum_names<E>.size() == static_cast<std::size_t>(last) + 1 && to_string(last) == name;
+}
+static_assert(has_names_up_to(Team::yellow, "yellow"));
+static_assert(has_names_up_to(League::large, "large"));
+static_assert(has_names_up_to(TeamKind::dds, "dds"));
+static_assert(has_names_up_to(referee::Stage::knockout, "knockout"));
+static_assert(has_names_up_to(referee::Verdict::MATCH_END, "MATCH_END"));
+static_assert(has_names_up_to(referee::Law::forfeit, "forfeit"));
+static_assert(has_names_up_to(referee::Restart::FREE_KICK, "FREE_KICK"));
+static_assert(has_names_up_to(match::FaultCode::disconnected, "disconnected"));
+
 // What a program that plays matches can be asked for, s.
-constexpr double shortest_period = 1e-3;
-constexpr double longest_period = 1.0;
-constexpr double longest_half = 36000.0;
+constexpr double min_period = 1e-3;
+constexpr double max_period = 1.0;
+constexpr double max_half = 36000.0;
 
 Json score_json(const match::ByTeam<int>& score) {
   return {{"blue", score[0]}, {"yellow", score[1]}};
@@ -46,14 +64,14 @@ Json robots_json(const match::ByTeam<referee::RobotSet>& robots) {
 
 }  // namespace
 
-Json to_json(const match::Result& result) {
+Json to_json(const match::Outcome& result) {
   Json faults = Json::array();
   for (const match::TeamFault& f : result.faults) faults.push_back(fault_json(f));
   return {{"score", score_json(result.score)},
           {"played", score_json(result.played)},
           {"shoot_out", result.shoot_out ? score_json(*result.shoot_out) : Json()},
           {"winner", optional_name(result.winner)},
-          {"end", to_string(result.end)},
+          {"end", to_string(result.kind)},
           {"fault", faults.empty() ? Json() : faults.front()},
           {"faults", faults},
           {"why_void", result.why_void.empty() ? Json() : Json(result.why_void)}};
@@ -81,7 +99,7 @@ Json team_json(const TeamInfo& team) {
           {"sha256", team.sha256 ? Json(*team.sha256) : Json()}};
 }
 
-Json budget_json(const Budget& b) {
+Json budget_json(const BudgetReport& b) {
   return {{"cpu_seconds", b.cpu_seconds},
           {"slowest_tick_ms", b.slowest_tick_ms},
           {"bank_seconds", b.bank_seconds},
@@ -97,7 +115,7 @@ Json durations_json(const pace::Durations& durations) {
   return {{"p50", durations.quantile(0.5)},
           {"p99", durations.quantile(0.99)},
           {"p999", durations.quantile(0.999)},
-          {"longest", durations.longest()},
+          {"longest", durations.max()},
           {"histogram", histogram}};
 }
 
@@ -109,7 +127,7 @@ Json pace_json(const std::optional<PaceReport>& report) {
 Json network_json(const std::optional<NetworkReport>& report) {
   if (!report) return {};
   Json absences = Json::array();
-  for (const NetworkReport::Absence& a : report->absences) {
+  for (const pace::Absence& a : report->absences) {
     absences.push_back({{"tick", a.tick},
                         {"noticed", a.noticed},
                         {"back", a.back ? Json(*a.back) : Json()},
@@ -125,142 +143,158 @@ Json network_json(const match::ByTeam<std::optional<NetworkReport>>& reports) {
   return {{"blue", network_json(reports[0])}, {"yellow", network_json(reports[1])}};
 }
 
-// What a record says that cannot be; caught in load().
-struct Damage {
-  std::string where;
-};
-
-template <class E>
-E named(const Json& json) {
-  const auto value = from_string<E>(json.get<std::string>());
-  if (!value)
-    throw Damage{"\"" + json.get<std::string>() + "\" is not one of " + list_of_names<E>()};
-  return *value;
+match::ByTeam<int> read_score(const JsonReader& json) {
+  return {json.at("blue").as<int>(), json.at("yellow").as<int>()};
 }
 
-match::ByTeam<int> score_of(const Json& json) {
-  return {json.at("blue").get<int>(), json.at("yellow").get<int>()};
-}
-
-std::optional<Team> optional_team(const Json& json) {
+std::optional<Team> read_optional_team(const JsonReader& json) {
   if (json.is_null()) return std::nullopt;
-  return named<Team>(json);
+  return json.name<Team>();
 }
 
-match::Result result_of(const Json& json) {
+match::TeamFault read_fault(const JsonReader& json) {
+  return {
+      .team = json.at("team").name<Team>(),
+      .fault = {.code = json.at("code").name<match::FaultCode>(), .text = json.at("text").text()}};
+}
+
+match::Result read_result(const JsonReader& json) {
   match::Result result;
-  result.score = score_of(json.at("score"));
-  result.played = score_of(json.at("played"));
-  if (json.contains("shoot_out") && !json.at("shoot_out").is_null())
-    result.shoot_out = score_of(json.at("shoot_out"));
-  result.winner = optional_team(json.at("winner"));
-  result.end = named<match::EndKind>(json.at("end"));
-  for (const Json& f : json.at("faults")) {
-    result.faults.push_back(
-        {named<Team>(f.at("team")),
-         {named<match::FaultCode>(f.at("code")), f.at("text").get<std::string>()}});
+  result.score = read_score(json.at("score"));
+  result.played = read_score(json.at("played"));
+  if (const auto score = json.find("shoot_out")) result.shoot_out = read_score(*score);
+  result.winner = read_optional_team(json.at("winner"));
+  result.end = json.at("end").name<match::EndKind>();
+  for (const JsonReader& fault : json.at("faults").elements()) {
+    result.faults.push_back(read_fault(fault));
   }
-  if (!json.at("why_void").is_null()) result.why_void = json.at("why_void").get<std::string>();
+  if (const JsonReader why = json.at("why_void"); !why.is_null()) result.why_void = why.text();
   return result;
 }
 
-match::LoggedDecision decision_of(const Json& json) {
+match::LoggedDecision read_decision(const JsonReader& json) {
   match::LoggedDecision d;
-  d.tick = json.at("tick").get<std::uint32_t>();
-  d.decision.clock = json.at("clock").get<double>();
-  d.decision.law = named<referee::Law>(json.at("law"));
-  d.decision.verdict = named<referee::Verdict>(json.at("decision"));
-  d.team = optional_team(json.at("team"));
+  d.tick = json.at("tick").as<std::uint32_t>();
+  d.decision.clock = json.at("clock").number();
+  d.decision.law = json.at("law").name<referee::Law>();
+  d.decision.verdict = json.at("decision").name<referee::Verdict>();
+  d.team = read_optional_team(json.at("team"));
   for (const Team team : both_teams) {
-    for (const Json& robot : json.at("robots").at(std::string(to_string(team)))) {
-      const int i = robot.get<int>();
-      if (i < 0 || i >= max_robots_per_team) throw Damage{"there is no robot " + robot.dump()};
-      d.robots[index_of(team)].set(i);
+    for (const JsonReader& robot : json.at("robots").at(std::string(to_string(team))).elements()) {
+      d.robots[index_of(team)].set(
+          static_cast<std::size_t>(robot.integer<int>(0, max_robots_per_team - 1)));
     }
   }
-  d.decision.reason = json.at("reason").get<std::string>();
-  d.decision.ball = {json.at("ball").at(0).get<double>(), json.at("ball").at(1).get<double>()};
-  if (!json.at("restart").is_null()) {
-    d.decision.restart = named<referee::Restart>(json.at("restart"));
-    d.taker = named<Team>(json.at("taker"));
+  d.decision.reason = json.at("reason").text();
+  d.decision.ball = {json.at("ball").at(0).number(), json.at("ball").at(1).number()};
+  if (const JsonReader restart = json.at("restart"); !restart.is_null()) {
+    d.decision.restart = restart.name<referee::Restart>();
+    d.taker = json.at("taker").name<Team>();
   }
   return d;
 }
 
-TeamInfo team_of(const Json& json) {
+TeamInfo read_team(const JsonReader& json) {
   TeamInfo team;
-  team.name = json.at("name").get<std::string>();
-  team.kind = named<TeamKind>(json.at("kind"));
-  if (!json.at("sha256").is_null()) team.sha256 = json.at("sha256").get<std::string>();
+  team.name = json.at("name").text();
+  team.kind = json.at("kind").name<TeamKind>();
+  if (const JsonReader sha256 = json.at("sha256"); !sha256.is_null()) team.sha256 = sha256.text();
   return team;
 }
 
-Budget budget_of(const Json& json) {
-  return {.cpu_seconds = json.at("cpu_seconds").get<double>(),
-          .slowest_tick_ms = json.at("slowest_tick_ms").get<double>(),
-          .bank_seconds = json.value("bank_seconds", 0.0),
-          .late_ticks = json.at("late_ticks").get<int>(),
-          .bad_commands = json.at("bad_commands").get<int>()};
+BudgetReport read_budget(const JsonReader& json) {
+  BudgetReport budget;
+  budget.cpu_seconds = json.at("cpu_seconds").number();
+  budget.slowest_tick_ms = json.at("slowest_tick_ms").number();
+  json.read_if_present("bank_seconds", budget.bank_seconds);  // missing in older records
+  budget.late_ticks = json.at("late_ticks").as<int>();
+  budget.bad_commands = json.at("bad_commands").as<int>();
+  return budget;
 }
 
-match::Setup setup_of(const Json& json) {
+match::Setup read_setup(const JsonReader& json) {
   match::Setup setup;
-  setup.league = named<League>(json.at("league"));
-  Json parameters = json.at("rules");
-  // Records from before there was this one were played without it, whatever their preset.
-  if (parameters.is_object()) parameters.emplace("kickoff_behind", false);
-  auto rules = rules_from_json(parameters, Errc::damaged, setup.league);
-  if (!rules) throw Damage{rules.error().what};
-  setup.rules = *rules;
-  setup.stage = named<referee::Stage>(json.at("stage"));
-  setup.seed = json.at("seed").get<std::uint64_t>();
-  setup.control_period = json.at("control_period").get<double>();
-  if (!(setup.control_period >= shortest_period && setup.control_period <= longest_period)) {
-    throw Damage{"/control_period: no match has such ticks"};
+  setup.league = json.at("league").name<League>();
+  const JsonReader rules = json.at("rules");
+  setup.rules = read_rules(rules, setup.league);
+  // Records without this key were played without it, whatever their preset.
+  if (!rules.has("kickoff_behind")) setup.rules.kickoff_behind = false;
+  for (const auto& [key, seconds] :
+       {std::pair{"half_s", setup.rules.half_s}, std::pair{"ready_s", setup.rules.ready_s}}) {
+    if (!(seconds <= max_half)) rules.at(key).complain("no half is that long");
   }
-  if (!(setup.rules.half_s <= longest_half)) throw Damage{"/rules/half_s: no half is so long"};
-  if (!(setup.rules.ready_s <= longest_half)) throw Damage{"/rules/ready_s: no wait is so long"};
+  setup.stage = json.at("stage").name<referee::Stage>();
+  setup.seed = json.at("seed").as<std::uint64_t>();
+  setup.control_period = json.at("control_period").number(min_period, max_period);
   return setup;
 }
 
+std::uint64_t read_hash(const JsonReader& json) {
+  const std::string digits = json.text();
+  std::uint64_t hash = 0;
+  const char* const last = digits.data() + digits.size();
+  const auto parsed = std::from_chars(digits.data(), last, hash, 16);
+  if (parsed.ec != std::errc() || parsed.ptr != last || digits.size() != 16) {
+    json.complain("16 hexadecimal digits are expected, not " + json.quoted());
+  }
+  return hash;
+}
+
+// The file of that name in the folder of `path`; a name with a folder of its own loses it.
+std::string beside(const std::string& path, const std::string& name) {
+  namespace fs = std::filesystem;
+  return (fs::path(path).parent_path() / fs::path(name).filename()).string();
+}
+
+// The file of a record, without the replay that it names.
+struct RecordFile {
+  MatchRecord record;
+  std::string replay_name;
+  std::string replay_sha256;
+  std::size_t ticks = 0;
+};
+
+RecordFile read_record_file(const JsonReader& json) {
+  RecordFile file;
+  json.expect_schema(schema);
+  MatchRecord& record = file.record;
+  const JsonReader software = json.at("software");
+  record.software.version = software.at("version").text();
+  record.software.build = software.at("build").text();
+  software.read_if_present("game", record.software.behaviour_hash);
+  for (const Team team : both_teams) {
+    const std::string colour(to_string(team));
+    record.teams[index_of(team)] = read_team(json.at("teams").at(colour));
+    record.budget[index_of(team)] = read_budget(json.at("budget").at(colour));
+  }
+  record.isolation = json.at("isolation").text();
+  record.recording.setup = read_setup(json);
+  record.recording.result = read_result(json.at("result"));
+  for (const JsonReader& decision : json.at("decisions").elements()) {
+    record.recording.decisions.push_back(read_decision(decision));
+  }
+  record.recording.state_hash = read_hash(json.at("state_hash"));
+  file.ticks = json.at("ticks").as<std::size_t>();
+  file.replay_name = json.at("replay").at("file").text();
+  file.replay_sha256 = json.at("replay").at("sha256").text();
+  return file;
+}
+
 // The last key of a record is the digest of everything before it.
-std::string seal_of(const std::string& text) {
+std::string checksum_line(const std::string& text) {
   return ",\n \"sha256\": \"" + system::sha256(text) + "\"\n}\n";
 }
 
 // `object` is the text of an object that is not empty.
-std::string sealed(std::string object) {
+std::string with_checksum(std::string object) {
   object.resize(object.rfind("\n}"));
-  const std::string seal = seal_of(object);
-  return object + seal;
+  const std::string line = checksum_line(object);
+  return object + line;
 }
 
-bool is_sealed(const std::string& text) {
+bool has_valid_checksum(const std::string& text) {
   const std::size_t begin = text.rfind(",\n");
-  return begin != std::string::npos && text.substr(begin) == seal_of(text.substr(0, begin));
-}
-
-MatchRecord record_of(const Json& json) {
-  if (json.at("schema") != schema) {
-    throw Damage{"its schema is " + json.at("schema").dump() + ", this program reads " +
-                 std::string(schema)};
-  }
-  MatchRecord record;
-  const Json& software = json.at("software");
-  record.software = {.version = software.at("version").get<std::string>(),
-                     .build = software.at("build").get<std::string>(),
-                     .game = software.value("game", "")};
-  for (const Team team : both_teams) {
-    const std::string colour(to_string(team));
-    record.teams[index_of(team)] = team_of(json.at("teams").at(colour));
-    record.budget[index_of(team)] = budget_of(json.at("budget").at(colour));
-  }
-  record.isolation = json.at("isolation").get<std::string>();
-  record.recording.setup = setup_of(json);
-  record.recording.result = result_of(json.at("result"));
-  for (const Json& d : json.at("decisions")) record.recording.decisions.push_back(decision_of(d));
-  record.recording.state_hash = std::stoull(json.at("state_hash").get<std::string>(), nullptr, 16);
-  return record;
+  return begin != std::string::npos && text.substr(begin) == checksum_line(text.substr(0, begin));
 }
 
 }  // namespace
@@ -287,18 +321,21 @@ std::string software_build() {
 }  // namespace
 
 Software this_software() {
-  return {.version = software_version(), .build = software_build(), .game = MIROCUP_GAME};
+  return {.version = software_version(),
+          .build = software_build(),
+          .behaviour_hash = MIROCUP_BEHAVIOUR_HASH};
 }
 
-bool is_of_another_game(const MatchRecord& record) {
-  return record.software.game != MIROCUP_GAME;
+bool has_other_behaviour(const MatchRecord& record) {
+  return record.software.behaviour_hash != MIROCUP_BEHAVIOUR_HASH;
 }
 
-Error another_game(const std::string& path, const MatchRecord& record, std::uint32_t tick) {
-  const std::string game = record.software.game.empty() ? "unknown" : record.software.game;
-  return {Errc::damaged, path + ": it was played by another version of the game (" + game +
+Error behaviour_mismatch(const std::string& path, const MatchRecord& record, std::uint32_t tick) {
+  const std::string played_by =
+      record.software.behaviour_hash.empty() ? "unknown" : record.software.behaviour_hash;
+  return {Errc::damaged, path + ": it was played by another version of the game (" + played_by +
                              ", mirocup " + record.software.version + "; this program plays " +
-                             MIROCUP_GAME + ") and goes another way here from tick " +
+                             MIROCUP_BEHAVIOUR_HASH + ") and goes another way here from tick " +
                              std::to_string(tick) +
                              " on, which says nothing against it: use the program that played it"};
 }
@@ -315,14 +352,14 @@ Json to_json(const MatchRecord& record) {
           {"software",
            {{"version", record.software.version},
             {"build", record.software.build},
-            {"game", record.software.game}}},
+            {"game", record.software.behaviour_hash}}},
           {"league", to_string(r.setup.league)},
           {"rules", to_json(r.setup.rules)},
           {"stage", to_string(r.setup.stage)},
           {"seed", r.setup.seed},
           {"control_period", r.setup.control_period},
           {"teams", {{"blue", team_json(record.teams[0])}, {"yellow", team_json(record.teams[1])}}},
-          {"result", to_json(r.result)},
+          {"result", to_json(r.outcome)},
           {"decisions", decisions},
           {"budget",
            {{"blue", budget_json(record.budget[0])}, {"yellow", budget_json(record.budget[1])}}},
@@ -343,44 +380,36 @@ Result<void> save(system::Files& files, const std::string& path, const MatchReco
   json["replay"] = {{"file", std::filesystem::path(replay_path).filename().string()},
                     {"sha256", system::sha256(replay)}};
   // Names of teams may be any bytes: what is not UTF-8 is replaced.
-  return files.write(path, sealed(json.dump(1, ' ', false, Json::error_handler_t::replace)));
+  return files.write(path, with_checksum(json.dump(1, ' ', false, Json::error_handler_t::replace)));
 }
 
-Result<MatchRecord> load(system::Files& files, const std::string& path, Seal seal) {
+Result<MatchRecord> load(system::Files& files, const std::string& path, ChecksumPolicy policy) {
   const auto text = files.read(path);
   if (!text) return tl::unexpected(text.error());
-  if (seal == Seal::checked && !is_sealed(*text)) {
+  if (policy == ChecksumPolicy::checked && !has_valid_checksum(*text)) {
     return fail(Errc::damaged, path + ": its text is not what was written (sha256)");
   }
-  try {
-    const Json json = Json::parse(*text);
-    MatchRecord record = record_of(json);
-    const std::string name = json.at("replay").at("file").get<std::string>();
-    const std::string replay_path =
-        (std::filesystem::path(path).parent_path() / std::filesystem::path(name).filename())
-            .string();
-    const auto replay = files.read(replay_path);
-    if (!replay) return tl::unexpected(replay.error());
-    if (system::sha256(*replay) != json.at("replay").at("sha256").get<std::string>()) {
-      return fail(Errc::damaged,
-                  replay_path + ": it is not the replay that the record was saved with");
-    }
-    const int robots = field::make_field(record.recording.setup.league).robots_per_team;
-    auto unpacked = unpack_replay(*replay, robots, replay_path);
-    if (!unpacked) return tl::unexpected(unpacked.error());
-    if (unpacked->ticks.size() != json.at("ticks").get<std::size_t>()) {
-      return fail(Errc::damaged,
-                  replay_path + ": it has another number of ticks than the record says");
-    }
-    record.recording.ticks = std::move(unpacked->ticks);
-    record.recording.trace = std::move(unpacked->trace);
-    record.recording.asked = std::move(unpacked->asked);
-    return record;
-  } catch (const Damage& damage) {
-    return fail(Errc::damaged, path + ": " + damage.where);
-  } catch (const std::exception& e) {
-    return fail(Errc::damaged, path + ": " + e.what());
+  auto file = read_json<RecordFile>(*text, path, Errc::damaged, read_record_file);
+  if (!file) return tl::unexpected(file.error());
+  const std::string replay_path = beside(path, file->replay_name);
+  const auto replay = files.read(replay_path);
+  if (!replay) return tl::unexpected(replay.error());
+  if (system::sha256(*replay) != file->replay_sha256) {
+    return fail(Errc::damaged,
+                replay_path + ": it is not the replay that the record was saved with");
   }
+  MatchRecord record = std::move(file->record);
+  const int robots = field::make_field(record.recording.setup.league).robots_per_team;
+  auto unpacked = unpack_replay(*replay, robots, replay_path);
+  if (!unpacked) return tl::unexpected(unpacked.error());
+  if (unpacked->ticks.size() != file->ticks) {
+    return fail(Errc::damaged,
+                replay_path + ": it has another number of ticks than the record says");
+  }
+  record.recording.ticks = std::move(unpacked->ticks);
+  record.recording.trace = std::move(unpacked->trace);
+  record.recording.asked = std::move(unpacked->asked);
+  return record;
 }
 
 }  // namespace mirocup::record

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "core/replay/recording.hpp"
+#include "server/pace/absence.hpp"
 #include "server/pace/durations.hpp"
 #include "server/system/files.hpp"
 
@@ -31,7 +32,7 @@ struct TeamInfo {
 };
 
 // What a team used of its time. A count of bad commands counts commands, not values.
-struct Budget {
+struct BudgetReport {
   double cpu_seconds = 0.0;
   double slowest_tick_ms = 0.0;
   double bank_seconds = 0.0;  // what it had; 0: nobody counted
@@ -48,13 +49,7 @@ struct NetworkReport {
   std::uint64_t ahead = 0;      // to a tick that there had not been
   std::uint64_t foreign = 0;    // from another process than the team's
   int processes = 0;            // that played for the team, one after the other
-  struct Absence {
-    std::uint32_t tick = 0;             // the first without an answer
-    std::uint32_t noticed = 0;          // in which the server noticed
-    std::optional<std::uint32_t> back;  // in which the team answered again
-    bool has_left = false;              // its process had gone; else it was silent
-  };
-  std::vector<Absence> absences;
+  std::vector<pace::Absence> absences;
   pace::Durations answers;  // from a tick's state to the answer in step, wall time
 };
 
@@ -69,7 +64,7 @@ struct PaceReport {
 struct Software {
   std::string version;
   std::string build;
-  std::string game;  // "": a record from before it was written down
+  std::string behaviour_hash;  // JSON key "game"; "": a record from before it was written down
 
   bool operator==(const Software&) const = default;
 };
@@ -77,7 +72,7 @@ struct Software {
 struct MatchRecord {
   Software software;  // that played it
   match::ByTeam<TeamInfo> teams;
-  match::ByTeam<Budget> budget;
+  match::ByTeam<BudgetReport> budget;
   match::ByTeam<std::optional<NetworkReport>> network;  // written, not read
   std::optional<PaceReport> pace;                       // the same; of a match in real time
   std::string isolation;                                // "T2", "T1", "none" (--trusted), "network"
@@ -90,12 +85,12 @@ Software this_software();
 
 // A record that this program should not reproduce, for it was played by another game: what differs
 // then says nothing about the record or its teams.
-bool is_of_another_game(const MatchRecord& record);
+bool has_other_behaviour(const MatchRecord& record);
 
 // What to say if it indeed differs from that tick on. Errc::damaged: "of another version".
-Error another_game(const std::string& path, const MatchRecord& record, std::uint32_t tick);
+Error behaviour_mismatch(const std::string& path, const MatchRecord& record, std::uint32_t tick);
 
-Json to_json(const match::Result& result);
+Json to_json(const match::Outcome& result);
 Json to_json(const match::LoggedDecision& decision);
 
 // Everything but the replay's name and digest and the record's own, which save() adds.
@@ -107,10 +102,11 @@ Result<void> save(system::Files& files, const std::string& path, const MatchReco
 // A record ends with the digest of its own text, and holds the digest of its replay: a byte that was
 // changed or lost is found. Somebody who wants to forge a record can compute digests, too; verifying
 // it finds that.
-enum class Seal { checked, ignored };
+enum class ChecksumPolicy { checked, ignored };
 
 // Reads both. Errors: Errc::unavailable if a file is not there, Errc::damaged for everything else.
-Result<MatchRecord> load(system::Files& files, const std::string& path, Seal seal = Seal::checked);
+Result<MatchRecord> load(system::Files& files, const std::string& path,
+                         ChecksumPolicy policy = ChecksumPolicy::checked);
 
 // "leg.json" -> "leg.replay.zst"
 std::string replay_path_of(const std::string& record_path);

@@ -13,8 +13,12 @@ constexpr std::string_view magic = "mirocup/replay/2\n";
 // Most of a replay is hashes, which nothing compresses: the highest levels save 1 % and take 20 times
 // as long, a tenth of a whole leg.
 constexpr int compression_level = 1;
-constexpr std::size_t most_ticks = 10'000'000;
+constexpr std::size_t max_ticks = 10'000'000;
 constexpr std::size_t head_size = 16;
+
+// The file has 0 for blue and 1 for yellow, and a team's commands at that index.
+static_assert(index_of(Team::blue) == 0 && index_of(Team::yellow) == 1);
+static_assert(both_teams == std::array{Team::blue, Team::yellow});
 
 // How many of everything a replay has.
 struct Counts {
@@ -76,32 +80,32 @@ void for_each_asked_number(P& poses, std::size_t robots, Visit visit) {
   }
 }
 
-void put_asked(std::string& plain, const std::vector<match::LoggedPoses>& asked,
+void put_asked(std::string& plain, const std::vector<match::LoggedPlacementRequest>& asked,
                std::size_t robots) {
-  for (const match::LoggedPoses& logged : asked) {
+  for (const match::LoggedPlacementRequest& logged : asked) {
     put(plain, logged.tick, 4);
     put(plain, static_cast<std::uint64_t>(index_of(logged.team)), 1);
-    for_each_asked_number(logged.poses, robots, [&plain](double number) {
+    for_each_asked_number(logged.request, robots, [&plain](double number) {
       put(plain, std::bit_cast<std::uint64_t>(number), 8);
     });
   }
 }
 
 // All that is left; false if it is not in the order of the ticks.
-bool get_asked(const std::string& plain, std::size_t& at, std::vector<match::LoggedPoses>& asked,
-               std::size_t robots) {
-  for (match::LoggedPoses& logged : asked) {
+bool get_asked(const std::string& plain, std::size_t& at,
+               std::vector<match::LoggedPlacementRequest>& asked, std::size_t robots) {
+  for (match::LoggedPlacementRequest& logged : asked) {
     logged.tick = static_cast<std::uint32_t>(get(plain, at, 4));
     const std::uint64_t team = get(plain, at, 1);
     if (team >= both_teams.size()) return false;
     logged.team = both_teams[team];
-    for_each_asked_number(logged.poses, robots, [&](double& number) {
+    for_each_asked_number(logged.request, robots, [&](double& number) {
       number = std::bit_cast<double>(get(plain, at, 8));
     });
   }
-  return std::is_sorted(
-      asked.begin(), asked.end(),
-      [](const match::LoggedPoses& a, const match::LoggedPoses& b) { return a.tick < b.tick; });
+  return std::is_sorted(asked.begin(), asked.end(),
+                        [](const match::LoggedPlacementRequest& a,
+                           const match::LoggedPlacementRequest& b) { return a.tick < b.tick; });
 }
 
 // Column by column, each as differences: commands change little from tick to tick.
@@ -143,8 +147,8 @@ std::string decompressed(std::string_view bytes, const Counts& largest) {
     return "";
   }
   // More than data can grow to is not worth the memory.
-  constexpr unsigned long long most_growth = 4096;
-  if (size / most_growth > bytes.size()) return "";
+  constexpr unsigned long long max_growth = 4096;
+  if (size / max_growth > bytes.size()) return "";
   std::string plain(size, '\0');
   if (ZSTD_decompress(plain.data(), plain.size(), bytes.data(), bytes.size()) != size) return "";
   return plain;
@@ -155,8 +159,10 @@ std::string decompressed(std::string_view bytes, const Counts& largest) {
 std::string pack_replay(const replay::Recording& recording, int robots) {
   const std::vector<match::TickLog>& ticks = recording.ticks;
   const replay::Trace& trace = recording.trace;
-  const Counts counts{ticks.size(), static_cast<std::size_t>(robots), trace.ticks.size(),
-                      trace.checkpoints.size()};
+  const Counts counts{.ticks = ticks.size(),
+                      .robots = static_cast<std::size_t>(robots),
+                      .fingerprints = trace.ticks.size(),
+                      .checkpoints = trace.checkpoints.size()};
   std::string plain;
   plain.reserve(counts.plain_size());
   for (const std::size_t count :
@@ -174,7 +180,7 @@ std::string pack_replay(const replay::Recording& recording, int robots) {
     });
   }
 
-  put_asked(plain, recording.asked, counts.robots);
+  put_asked(plain, recording.placement_requests, counts.robots);
 
   std::string packed(magic);
   packed.resize(magic.size() + ZSTD_compressBound(plain.size()));
@@ -188,7 +194,10 @@ Result<Replay> unpack_replay(std::string_view bytes, int robots, const std::stri
   const auto damaged = [&path](const char* why) { return fail(Errc::damaged, path + ": " + why); };
   if (bytes.substr(0, magic.size()) != magic) return damaged("this is not a replay of version 2");
   bytes.remove_prefix(magic.size());
-  Counts counts{most_ticks, static_cast<std::size_t>(robots), most_ticks, most_ticks};
+  Counts counts{.ticks = max_ticks,
+                .robots = static_cast<std::size_t>(robots),
+                .fingerprints = max_ticks,
+                .checkpoints = max_ticks};
   const std::string plain = decompressed(bytes, counts);
   if (plain.empty()) return damaged("the compressed data is damaged");
   std::size_t at = 0;

@@ -15,8 +15,8 @@ namespace mirocup::record {
 
 struct Replay {
   std::vector<match::TickLog> ticks;
-  std::vector<match::LoggedPoses> asked;
-  replay::Trace trace;
+  std::vector<match::LoggedPlacementRequest> asked;
+  replay::StateTrace trace;
 };
 
 // `robots` of a team.

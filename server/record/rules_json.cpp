@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "server/record/rules_json.hpp"
 
+#include "server/record/json_reader.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -83,24 +86,16 @@ Json json_of(bool value) {
   return value;
 }
 
-bool read(const Json& json, double& value) {
-  if (!json.is_number() && !json.is_null()) return false;
-  value = json.is_null() ? referee::off : json.get<double>();
-  return value >= 0.0;
+// A limit that is off is null.
+void read(const JsonReader& json, double& value) {
+  value = json.is_null() ? referee::off : json.number(0.0);
 }
-bool read(const Json& json, int& value) {
-  if (json.is_null()) {
-    value = 0;
-    return true;
-  }
-  if (!json.is_number_integer()) return false;
-  value = json.get<int>();
-  return value >= 0;
+// A count that is off is 0 or null.
+void read(const JsonReader& json, int& value) {
+  value = json.is_null() ? 0 : json.integer<int>(0);
 }
-bool read(const Json& json, bool& value) {
-  if (!json.is_boolean()) return false;
-  value = json.get<bool>();
-  return true;
+void read(const JsonReader& json, bool& value) {
+  value = json.boolean();
 }
 
 }  // namespace
@@ -112,34 +107,33 @@ Json to_json(const Rules& rules) {
   return object;
 }
 
-Result<Rules> rules_from_json(const Json& object, Errc code, League league) {
-  if (!object.is_object()) return fail(code, "/rules: an object is expected");
-  auto preset = referee::Preset::mirosot;
-  if (object.contains("preset")) {
-    const Json& name = object["preset"];
-    const auto known =
-        name.is_string() ? from_string<referee::Preset>(name.get<std::string>()) : std::nullopt;
-    if (!known) {
-      return fail(code,
-                  "/rules/preset: one of " + list_of_names<referee::Preset>() + " is expected");
-    }
-    preset = *known;
-  }
-  Rules rules = referee::make_rules(preset, league);
-  for (auto item = object.begin(); item != object.end(); ++item) {
-    const std::string& key = item.key();
-    const Json& value = *item;
+void read_parameters(const JsonReader& json, Rules& rules) {
+  for (const auto& parameter : json.members()) {
+    const std::string& key = parameter.first;
+    const JsonReader& value = parameter.second;
     if (key == "preset") continue;
-    bool known = false;
-    bool good = false;
+    bool is_known = false;
     for_each_parameter(rules, [&](const char* name, auto& member) {
       if (key != name) return;
-      known = true;
-      good = read(value, member);
+      is_known = true;
+      read(value, member);
     });
-    if (!known) return fail(code, "/rules/" + key + ": there is no such parameter");
-    if (!good) return fail(code, "/rules/" + key + ": " + value.dump() + " is not a value for it");
+    if (!is_known) value.complain("there is no such parameter");
   }
+}
+
+Rules read_rules(const JsonReader& json, League league) {
+  auto preset = referee::Preset::mirosot;
+  if (json.expect_object()) json.read_if_present("preset", preset);
+  Rules rules = referee::make_rules(preset, league);
+  read_parameters(json, rules);
+  return rules;
+}
+
+Result<Rules> rules_from_json(const Json& object, Errc code, League league) {
+  std::optional<JsonProblem> problem;
+  const Rules rules = read_rules(JsonReader(object, "/rules", problem), league);
+  if (problem) return fail(code, problem->pointer + ": " + problem->reason);
   return rules;
 }
 

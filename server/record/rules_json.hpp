@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The parameters of the laws as JSON, in records and in league files. A limit that is off is null,
-// a count that is off 0.
+// The parameters of the laws as JSON, in records, league files and situations: {"preset": NAME,
+// KEY: VALUE, …}. A limit that is off is null, a count that is off is 0.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -14,14 +14,24 @@
 
 namespace mirocup::record {
 
+class JsonReader;
+
 nlohmann::ordered_json to_json(const referee::Rules& rules);
 
-// Starts from the preset that the object names (or mirosot), as it is in that league, and applies
-// the other keys. An unknown key or a wrong type is an error of `code` that names it.
+// Starts from the preset that the object names (default: mirosot), as that preset is in `league`,
+// and applies the other keys. Complains about an unknown key, a wrong type and a negative number.
+referee::Rules read_rules(const JsonReader& json, League league);
+
+// Applies all keys of the object but "preset" to `rules`.
+void read_parameters(const JsonReader& json, referee::Rules& rules);
+
+// As read_rules(), for an object that is the value of the key "rules". The error has the code and
+// begins with the JSON pointer: "/rules/half_s: ...".
 Result<referee::Rules> rules_from_json(const nlohmann::ordered_json& object, Errc code,
                                        League league);
 
-// The same with changes from a command line, each KEY=VALUE with a value of JSON. Errors of usage.
+// As rules_from_json(), with changes from a command line: each is KEY=VALUE with a value in JSON. An
+// error is Errc::input.
 Result<referee::Rules> rules_with_changes(nlohmann::ordered_json object,
                                           const std::vector<std::string>& changes, League league);
 

@@ -18,18 +18,18 @@ using namespace simulator;
 constexpr std::string_view scene_schema = "mirocup/scene/1";
 constexpr std::string_view result_schema = "mirocup/scene-result/1";
 
-// Samples and rows of commands of one scene, at most.
-constexpr std::size_t most_rows = 1'000'000;
+// The largest number of samples of a scene, and of rows of commands of one robot.
+constexpr std::size_t max_rows = 1'000'000;
 
 Vec2 read_vector(const JsonReader& json) {
   if (!json.expect_array(2, 2)) return {0.0, 0.0};
   return {json.at(0).number(), json.at(1).number()};
 }
 
-void read_per_pair(const JsonReader& json, double most, PerPair& value) {
+void read_per_pair(const JsonReader& json, double max, PerPair& value) {
   if (!json.expect_object({"ball_wall", "ball_robot", "robot_wall", "robot_robot"})) return;
   const auto read = [&](const char* key, double& member) {
-    if (json.has(key)) member = json.at(key).number(0.0, most);
+    if (json.has(key)) member = json.at(key).number(0.0, max);
   };
   read("ball_wall", value.ball_wall);
   read("ball_robot", value.ball_robot);
@@ -92,12 +92,7 @@ void read_parameters(const JsonReader& json, Parameters& p) {
   positive("ball_mass", p.ball_mass);
   not_negative("rolling_resistance", p.rolling_resistance);
   not_negative("viscous_friction", p.viscous_friction);
-  if (json.has("rolling_friction")) {
-    const JsonReader name = json.at("rolling_friction");
-    const auto known = from_string<RollingFriction>(name.text());
-    if (!known) name.complain("one of " + list_of_names<RollingFriction>() + " is expected");
-    p.rolling_friction = known.value_or(RollingFriction::isotropic);
-  }
+  json.read_if_present("rolling_friction", p.rolling_friction);
   positive("k", p.k);
   if (json.has("restitution")) read_per_pair(json.at("restitution"), 1.0, p.restitution);
   if (json.has("contact_friction")) {
@@ -108,10 +103,9 @@ void read_parameters(const JsonReader& json, Parameters& p) {
 
 void read_wheels(const JsonReader& json, SceneRobot& robot) {
   robot.wheels_on_ground = !json.is_null();
-  if (json.is_null() || !json.expect_array(0, most_rows)) return;
+  if (json.is_null()) return;
   double latest = 0.0;
-  for (std::size_t i = 0; i < json.size(); ++i) {
-    const JsonReader row = json.at(i);
+  for (const JsonReader& row : json.elements(0, max_rows)) {
     if (!row.expect_array(3, 3)) return;
     latest = row.at(0).number(latest);
     robot.wheels.push_back({latest, {row.at(1).number(), row.at(2).number()}});
@@ -121,7 +115,7 @@ void read_wheels(const JsonReader& json, SceneRobot& robot) {
 SceneRobot read_robot(const JsonReader& json, const std::string& default_name) {
   SceneRobot robot{.name = default_name, .state = {}, .wheels_on_ground = true, .wheels = {}};
   if (!json.expect_object({"name", "pose", "twist", "wheels"})) return robot;
-  if (json.has("name")) robot.name = json.at("name").text();
+  json.read_if_present("name", robot.name);
   if (const JsonReader pose = json.at("pose"); pose.expect_array(3, 3)) {
     robot.state.position = {pose.at(0).number(), pose.at(1).number()};
     robot.state.heading = Heading::from_angle(pose.at(2).number());
@@ -148,9 +142,8 @@ void read_robots(const JsonReader& json, Scene& scene) {
 }
 
 void read_samples(const JsonReader& json, Scene& scene) {
-  if (!json.expect_array(0, most_rows)) return;
-  for (std::size_t i = 0; i < json.size(); ++i) {
-    scene.sample_at.push_back(json.at(i).number(0.0, scene.duration));
+  for (const JsonReader& time : json.elements(0, max_rows)) {
+    scene.sample_at.push_back(time.number(0.0, scene.duration));
   }
   std::sort(scene.sample_at.begin(), scene.sample_at.end());
 }
@@ -161,16 +154,10 @@ Scene read_scene(const JsonReader& json) {
           {"schema", "league", "parameters", "walls", "duration", "ball", "robots", "sample_at"})) {
     return scene;
   }
-  if (json.at("schema").text() != scene_schema) {
-    json.at("schema").complain("\"" + std::string(scene_schema) + "\" is expected");
-  }
-  if (json.has("league")) {
-    const auto known = from_string<League>(json.at("league").text());
-    if (!known) json.at("league").complain("one of " + list_of_names<League>() + " is expected");
-    scene.league = known.value_or(League::small);
-  }
+  json.expect_schema(scene_schema);
+  json.read_if_present("league", scene.league);
   if (json.has("parameters")) read_parameters(json.at("parameters"), scene.parameters);
-  if (json.has("walls")) scene.has_walls = json.at("walls").boolean();
+  json.read_if_present("walls", scene.has_walls);
   scene.duration = json.at("duration").number(0.0);
   if (json.has("ball")) {
     const JsonReader ball = json.at("ball");
@@ -236,12 +223,11 @@ Json to_json(const Scene& scene, const Impact& impact) {
 }  // namespace
 
 Result<Scene> parse_scene(std::string_view text, const std::string& path) {
-  const ParsedJson parsed = parse_json(text);
-  if (!parsed.error.empty()) return fail(Errc::input, path + ": /: " + parsed.error);
-  std::optional<JsonProblem> problem;
-  Scene scene = read_scene(JsonReader(parsed.value, "", problem));
-  if (!problem) problem = find_problem(scene);
-  if (problem) return fail(Errc::input, path + ": " + problem->pointer + ": " + problem->reason);
+  auto scene = read_json<Scene>(text, path, Errc::input, read_scene);
+  if (!scene) return scene;
+  if (const auto problem = find_problem(*scene)) {
+    return tl::unexpected(error_of(*problem, path, Errc::input));
+  }
   return scene;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "server/system/files.hpp"
 
+#include "server/system/descriptor.hpp"
+
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -13,21 +15,6 @@
 namespace mirocup::system {
 
 namespace {
-
-class Descriptor {
- public:
-  explicit Descriptor(int fd) : fd_(fd) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (fd_ >= 0) close(fd_);
-  }
-  int get() const { return fd_; }
-  bool is_open() const { return fd_ >= 0; }
-
- private:
-  int fd_;
-};
 
 tl::unexpected<Error> problem(const std::string& path, const char* doing) {
   return fail(Errc::unavailable, path + " cannot be " + doing + ": " + std::strerror(errno));

@@ -3,7 +3,7 @@
 
 namespace mirocup::system {
 
-std::string escaped(std::string_view text) {
+std::string html_escaped(std::string_view text) {
   std::string out;
   for (const char c : text) {
     switch (c) {

@@ -10,6 +10,6 @@
 namespace mirocup::system {
 
 // For text and for attribute values of HTML and SVG.
-std::string escaped(std::string_view text);
+std::string html_escaped(std::string_view text);
 
 }  // namespace mirocup::system

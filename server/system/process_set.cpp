@@ -2,15 +2,12 @@
 #include "server/system/process_set.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <cstring>
-#include <fcntl.h>
 #include <sched.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 namespace mirocup::system {
 
@@ -21,29 +18,6 @@ sigset_t awaited_signals() {
   sigemptyset(&set);
   for (const int signal : {SIGINT, SIGTERM, SIGCHLD}) sigaddset(&set, signal);
   return set;
-}
-
-[[noreturn]] void become(char* const* arguments, int cpu, const char* log, pid_t parent) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(not_found);
-  setpgid(0, 0);  // an interrupt at the terminal is for the league to pass on
-  sigset_t none;
-  sigemptyset(&none);
-  sigprocmask(SIG_SETMASK, &none, nullptr);
-  if (cpu >= 0) {
-    cpu_set_t one;
-    CPU_ZERO(&one);
-    CPU_SET(cpu, &one);
-    sched_setaffinity(0, sizeof one, &one);
-  }
-  const int nothing = open("/dev/null", O_RDONLY);
-  const int out = open(log, O_WRONLY | O_CREAT | O_TRUNC, 0644);
-  dup2(nothing, STDIN_FILENO);
-  dup2(out, STDOUT_FILENO);
-  dup2(out, STDERR_FILENO);
-  close_range(3, ~0U, 0);
-  execvp(arguments[0], arguments);
-  _exit(not_found);
 }
 
 }  // namespace
@@ -59,28 +33,19 @@ ProcessSet::~ProcessSet() {
 
 Result<pid_t> ProcessSet::start(const std::vector<std::string>& arguments, int tag, int cpu,
                                 const std::string& log) {
-  std::vector<std::string> words = arguments;
-  std::vector<char*> argv;
-  for (std::string& word : words) argv.push_back(word.data());
-  argv.push_back(nullptr);
-  const pid_t parent = getpid();
-  const pid_t pid = fork();
-  if (pid < 0) {
-    return fail(Errc::unavailable,
-                std::string("a process cannot be started: ") + std::strerror(errno));
-  }
-  if (pid == 0) become(argv.data(), cpu, log.c_str(), parent);
-  children_.push_back({pid, tag});
+  const auto pid = start_child({.arguments = arguments, .cpu = cpu, .log = log});
+  if (pid) children_.push_back({.pid = *pid, .tag = tag});
   return pid;
 }
 
 std::optional<Exit> ProcessSet::wait() {
+  assert(!children_.empty());
   const sigset_t set = awaited_signals();
   while (true) {
     for (auto child = children_.begin(); child != children_.end(); ++child) {
       int status = 0;
       if (waitpid(child->pid, &status, WNOHANG) != child->pid) continue;
-      Exit exit{child->tag, 0, 0};
+      Exit exit{.tag = child->tag};
       if (WIFSIGNALED(status)) {
         exit.signal = WTERMSIG(status);
       } else {
@@ -95,13 +60,14 @@ std::optional<Exit> ProcessSet::wait() {
 }
 
 bool ProcessSet::is_asked_to_stop_within(double seconds) {
-  using Clock = std::chrono::steady_clock;
+  using std::chrono::steady_clock;
   const sigset_t set = awaited_signals();
-  const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+  const auto end = steady_clock::now() + std::chrono::duration<double>(seconds);
   while (true) {
-    const auto left = std::chrono::duration_cast<std::chrono::nanoseconds>(end - Clock::now());
-    const std::int64_t patience = std::max<std::int64_t>(left.count(), 0);
-    const timespec timeout{patience / 1'000'000'000, patience % 1'000'000'000};
+    const auto rest =
+        std::chrono::duration_cast<std::chrono::nanoseconds>(end - steady_clock::now());
+    const std::int64_t rest_ns = std::max<std::int64_t>(rest.count(), 0);
+    const timespec timeout{rest_ns / 1'000'000'000, rest_ns % 1'000'000'000};
     const int signal = sigtimedwait(&set, nullptr, &timeout);
     if (signal == SIGINT || signal == SIGTERM) return true;
     if (signal < 0 && errno == EAGAIN) return false;

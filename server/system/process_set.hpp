@@ -5,6 +5,7 @@
 #pragma once
 
 #include "core/base/error.hpp"
+#include "server/system/child_process.hpp"
 
 #include <optional>
 #include <string>
@@ -19,9 +20,6 @@ struct Exit {
   int code = 0;    // exit code, or
   int signal = 0;  // the signal that it died of
 };
-
-// The exit code of a child that could not become its program.
-inline constexpr int not_found = 127;
 
 class ProcessSet {
  public:

@@ -2,6 +2,7 @@
 #include "server/traces/trace.hpp"
 
 #include "core/referee/laws/law.hpp"
+#include "server/record/json_reader.hpp"
 #include "server/record/rules_json.hpp"
 
 #include <nlohmann/json.hpp>
@@ -14,236 +15,261 @@ namespace mirocup::traces {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using record::JsonReader;
 using referee::RobotId;
 
-// What a line says that cannot be; caught in trace_from_json().
-struct Wrong {
-  std::string text;
-};
+// A longer situation is a mistake, s.
+constexpr double max_time = 1e6;
 
-template <class E>
-E named(const Json& json, const std::string& key, E otherwise) {
-  if (!json.contains(key)) return otherwise;
-  const auto value = from_string<E>(json[key].get<std::string>());
-  if (!value) throw Wrong{"/" + key + ": one of " + list_of_names<E>() + " is expected"};
-  return *value;
+double read_time(const JsonReader& json) {
+  return json.number(-max_time, max_time);
 }
 
-End end_of(const std::string& name, const std::string& key) {
-  if (name == "L") return End::left;
-  if (name == "R") return End::right;
-  throw Wrong{"/" + key + ": \"L\" or \"R\" is expected"};
+End read_end(const JsonReader& json) {
+  const std::string name = json.text();
+  if (name != "L" && name != "R") json.complain("\"L\" or \"R\" is expected");
+  return name == "R" ? End::right : End::left;
 }
 
-Vec2 point_of(const Json& json) {
-  return {json.at(0).get<double>(), json.at(1).get<double>()};
+Vec2 read_point(const JsonReader& json) {
+  return {json.at(0).number(), json.at(1).number()};
 }
 
-Pose pose_of(const Json& json) {
-  return {point_of(json), Heading::from_angle(json.size() > 2 ? json.at(2).get<double>() : 0.0)};
+Pose read_pose(const JsonReader& json) {
+  return {read_point(json), Heading::from_angle(json.size() > 2 ? json.at(2).number() : 0.0)};
 }
 
-RobotId robot_of(const std::string& name, int robots) {
-  const bool well_formed =
+// A robot by its name, "L0" or "R10". `at` is where the name stands, for the complaint.
+RobotId robot_of(const std::string& name, int robots, const JsonReader& at) {
+  const bool is_well_formed =
       name.size() >= 2 && name.size() <= 3 && (name[0] == 'L' || name[0] == 'R') &&
       std::all_of(name.begin() + 1, name.end(), [](char c) { return c >= '0' && c <= '9'; });
-  const int index = well_formed ? std::stoi(name.substr(1)) : robots;
-  if (index >= robots) throw Wrong{"\"" + name + "\" is no robot of this league"};
-  return {name[0] == 'L' ? End::left : End::right, index};
+  const int index = is_well_formed ? std::stoi(name.substr(1)) : robots;
+  if (index < robots) return {name[0] == 'L' ? End::left : End::right, index};
+  at.complain("\"" + name + "\" is no robot of this league");
+  return {End::left, 0};
 }
 
-void read_robots(const Json& json, int robots, referee::ByEnd<std::vector<Pose>>& into) {
+RobotId read_robot(const JsonReader& json, int robots) {
+  return robot_of(json.text(), robots, json);
+}
+
+void read_robots(const JsonReader& json, int robots, referee::ByEnd<std::vector<Pose>>& into) {
   for (const End end : both_ends) {
     const std::string key = end == End::left ? "L" : "R";
-    if (!json.contains(key)) continue;
+    if (!json.has(key)) continue;
+    const JsonReader list = json.at(key);
     auto& poses = into[index_of(end)];
     poses.clear();
-    for (const Json& pose : json[key]) poses.push_back(pose_of(pose));
-    if (static_cast<int>(poses.size()) > robots) {
-      throw Wrong{"/" + key + ": this league has " + std::to_string(robots) + " robots a team"};
+    if (list.size() > static_cast<std::size_t>(robots)) {
+      list.complain("this league has " + std::to_string(robots) + " robots a team");
+      continue;
     }
+    for (const JsonReader& pose : list.elements()) poses.push_back(read_pose(pose));
   }
 }
 
-std::vector<KeyFrame::Contact> contacts_of(const Json& json, int robots) {
+std::vector<KeyFrame::Contact> read_contacts(const JsonReader& json, int robots) {
   std::vector<KeyFrame::Contact> contacts;
-  for (const Json& pair : json) {
-    std::string a = pair.at(0).get<std::string>();
-    std::string b = pair.at(1).get<std::string>();
-    if (a == "ball") std::swap(a, b);
-    contacts.emplace_back(robot_of(a, robots), b == "ball" ? std::optional<RobotId>()
-                                                           : std::optional(robot_of(b, robots)));
+  for (const JsonReader& pair : json.elements()) {
+    JsonReader a = pair.at(0);
+    JsonReader b = pair.at(1);
+    if (a.json() == "ball") std::swap(a, b);
+    const bool is_ball = b.json() == "ball";
+    contacts.emplace_back(read_robot(a, robots), is_ball ? std::optional<RobotId>()
+                                                         : std::optional(read_robot(b, robots)));
   }
   return contacts;
 }
 
-KeyFrame frame_of(const Json& json, KeyFrame frame, int robots) {
-  frame.t = json.value("t", frame.t);
-  if (json.contains("ball")) {
-    frame.ball = point_of(json["ball"]);
+// What a frame does not give stays as it was in the one before.
+KeyFrame read_frame(const JsonReader& json, KeyFrame frame, int robots) {
+  if (json.has("t")) frame.t = read_time(json.at("t"));
+  if (json.has("ball")) {
+    frame.ball = read_point(json.at("ball"));
     frame.ball_since = frame.t;
   }
   read_robots(json, robots, frame.robots);
-  if (json.contains("contacts")) {
+  if (json.has("contacts")) {
     frame.contacts.reset();
-    if (!json["contacts"].is_null()) frame.contacts = contacts_of(json["contacts"], robots);
-  }
-  if (json.contains("drive")) {
-    for (const auto& [name, value] : json["drive"].items()) {
-      const RobotId robot = robot_of(name, robots);
-      frame.drive[index_of(robot.end)][robot.index] = value.get<double>();
+    if (const auto contacts = json.find("contacts")) {
+      frame.contacts = read_contacts(*contacts, robots);
     }
   }
-  if (json.contains("last_touch")) {
-    frame.last_touch = robot_of(json["last_touch"].get<std::string>(), robots);
+  if (json.has("drive")) {
+    for (const auto& [name, value] : json.at("drive").members()) {
+      const RobotId robot = robot_of(name, robots, value);
+      frame.drive[index_of(robot.end)][robot.index] = value.number();
+    }
   }
-  if (json.contains("fallen")) {
+  if (json.has("last_touch")) frame.last_touch = read_robot(json.at("last_touch"), robots);
+  if (json.has("fallen")) {
     frame.fallen = {};
-    for (const Json& name : json["fallen"]) {
-      const RobotId robot = robot_of(name.get<std::string>(), robots);
+    for (const JsonReader& name : json.at("fallen").elements()) {
+      const RobotId robot = read_robot(name, robots);
       frame.fallen[index_of(robot.end)].set(robot.index);
     }
   }
   return frame;
 }
 
-Motion motion_of(const Json& json) {
+Motion read_motion(const JsonReader& json) {
   Motion motion;
-  const std::string type = json.at("type").get<std::string>();
-  if (type == "sine") {
+  const JsonReader type = json.at("type");
+  if (type.text() == "sine") {
     motion.type = Motion::Type::sine;
-    motion.amplitude = json.at("amp").get<double>();
-    motion.frequency = json.at("hz").get<double>();
-  } else if (type == "line") {
+    motion.amplitude = json.at("amp").number();
+    motion.frequency = json.at("hz").number();
+  } else if (type.text() == "line") {
     motion.type = Motion::Type::line;
-    motion.velocity = point_of(json.at("v"));
+    motion.velocity = read_point(json.at("v"));
   } else {
-    throw Wrong{"/motion/type: \"sine\" or \"line\" is expected"};
+    type.complain("\"sine\" or \"line\" is expected");
   }
   return motion;
 }
 
-void read_frames(const Json& json, int robots, Trace& trace) {
+void read_frames(const JsonReader& json, int robots, Trace& trace) {
   KeyFrame before;
-  for (const Json& frame : json.value("frames", Json::array())) {
-    if (frame.contains("motion")) trace.motion = motion_of(frame["motion"]);
-    before = frame_of(frame, before, robots);
-    if (!trace.frames.empty() && before.t < trace.frames.back().t) {
-      throw Wrong{"/frames: their times do not count up"};
+  if (json.has("frames")) {
+    for (const JsonReader& frame : json.at("frames").elements()) {
+      if (frame.has("motion")) trace.motion = read_motion(frame.at("motion"));
+      before = read_frame(frame, before, robots);
+      if (!trace.frames.empty() && before.t < trace.frames.back().t) {
+        frame.at("t").complain("the times of frames must not decrease");
+      }
+      trace.frames.push_back(before);
     }
-    trace.frames.push_back(before);
   }
-  if (json.contains("attempt")) {
-    const Json& attempt = json["attempt"];
-    before = frame_of({{"ball", attempt.at("ball")}}, before, robots);
+  if (const auto attempt = json.find("attempt")) {
+    before.ball = read_point(attempt->at("ball"));
+    before.ball_since = before.t;
     trace.frames.assign(1, before);
-    trace.attempt = Attempt{end_of(attempt.at("taker").get<std::string>(), "attempt/taker"),
-                            attempt.value("t", 0.0)};
+    trace.attempt = Attempt{.taker = read_end(attempt->at("taker")), .t = 0.0};
+    if (attempt->has("t")) trace.attempt->t = read_time(attempt->at("t"));
   }
   if (trace.frames.empty()) trace.frames.push_back(before);
 }
 
-// Presets may be named for their number of robots, and a limit may be "off".
-referee::Rules rules_of(const Json& json, League league) {
-  Json rules = json.value("params", Json::object());
-  for (auto& value : rules) {
-    if (value == "off") value = nullptr;
+// The names of presets may end with the number of robots.
+referee::Rules read_situation_rules(const JsonReader& json, League league) {
+  auto preset = referee::Preset::mirosot;
+  if (json.has("preset")) {
+    const JsonReader name = json.at("preset");
+    const bool is_vsss = name.json() == "vsss_3v3" || name.json() == "vsss_5v5";
+    preset = is_vsss ? referee::Preset::vsss : name.name<referee::Preset>();
   }
-  std::string preset = json.value("preset", "mirosot");
-  if (preset == "vsss_3v3" || preset == "vsss_5v5") preset = "vsss";
-  rules["preset"] = preset;
-  auto read = record::rules_from_json(rules, Errc::input, league);
-  if (!read) throw Wrong{read.error().what};
-  return *read;
+  referee::Rules rules = referee::make_rules(preset, league);
+  if (json.has("params")) record::read_parameters(json.at("params"), rules);
+  return rules;
 }
 
-referee::Decision restart_of(const Json& json, const Trace& trace, const field::Field& field) {
+// The signs of a quarter of the field, "+-" for x > 0 and y < 0.
+Vec2 read_quarter(const JsonReader& json) {
+  if (!json.has("quarter")) return {1.0, 1.0};
+  const std::string signs = json.at("quarter").text();
+  if (signs.size() != 2) {
+    json.at("quarter").complain("two signs are expected, as in \"+-\"");
+    return {1.0, 1.0};
+  }
+  return {signs[0] == '-' ? -1.0 : 1.0, signs[1] == '-' ? -1.0 : 1.0};
+}
+
+referee::Decision read_restart(const JsonReader& json, const Trace& trace,
+                               const field::Field& field) {
   using referee::Restart;
   referee::Decision d;
-  d.restart = named(json, "restart", Restart::none);
-  d.taker = trace.attempt ? trace.attempt->taker : end_of(json.value("taker", "L"), "taker");
+  json.read_if_present("restart", d.restart);
+  if (json.has("taker")) d.taker = read_end(json.at("taker"));
+  if (trace.attempt) d.taker = trace.attempt->taker;
   if (trace.progress.phase == referee::Phase::SHOOT_OUT) d.restart = Restart::PENALTY_KICK;
   if (d.restart == Restart::KICK_OFF) d.spot = trace.frames.front().ball;
   if (d.restart == Restart::FREE_BALL) {
-    const std::string quarter = json.value("quarter", "++");
-    if (quarter.size() != 2) throw Wrong{"/quarter: two signs are expected, as in \"+-\""};
-    const Vec2 signs{quarter[0] == '-' ? -1.0 : 1.0, quarter[1] == '-' ? -1.0 : 1.0};
-    give_free_ball({field, trace.rules}, signs, d);
+    give_free_ball({field, trace.rules}, read_quarter(json), d);
   }
   return d;
 }
 
-void read_asked(const Json& json, const field::Field& field, Trace& trace) {
+void read_requested_placement(const JsonReader& json, const field::Field& field, Trace& trace) {
   if (trace.state != TraceState::PLACE) return;
-  trace.asked = default_placement({field, trace.rules}, trace.restart.restart, trace.restart.taker,
-                                  trace.restart.spot);
-  const Json place = json.value("place", Json::object());
-  if (place.contains("ball")) trace.asked->ball = point_of(place["ball"]);
+  trace.requested_placement = default_placement({field, trace.rules}, trace.restart.restart,
+                                                trace.restart.taker, trace.restart.spot);
+  if (!json.has("place")) return;
+  const JsonReader place = json.at("place");
+  if (place.has("ball")) trace.requested_placement->ball = read_point(place.at("ball"));
   referee::ByEnd<std::vector<Pose>> robots;
   read_robots(place, field.robots_per_team, robots);
   for (const End end : both_ends) {
     const int e = index_of(end);
-    trace.asked_robots[e] = static_cast<int>(robots[e].size());
-    std::copy(robots[e].begin(), robots[e].end(), trace.asked->robots[e].begin());
+    trace.requested_robots[e] = static_cast<int>(robots[e].size());
+    std::copy(robots[e].begin(), robots[e].end(), trace.requested_placement->robots[e].begin());
   }
 }
 
-void read_events(const Json& json, int robots, Trace& trace) {
-  for (const Json& event : json.value("events", Json::array())) {
-    const double t = event.value("t", 0.0);
-    if (event.contains("call")) {
-      trace.calls.push_back({t, end_of(event["call"].get<std::string>(), "events/call"), {}});
-    }
-    if (event.contains("substitute")) {
-      const RobotId robot = robot_of(event["substitute"].get<std::string>(), robots);
-      trace.calls.push_back({t, robot.end, robot});
-    }
-    if (event.contains("hand")) {
-      trace.hands.push_back({t, end_of(event["hand"].get<std::string>(), "events/hand")});
-    }
+void read_event(const JsonReader& event, int robots, Trace& trace) {
+  const double t = event.has("t") ? read_time(event.at("t")) : 0.0;
+  if (event.has("call")) {
+    trace.requests.push_back({.t = t, .team = read_end(event.at("call")), .to_replace = {}});
   }
-  for (const Json& team : json.value("missing", Json::array())) {
-    trace.missing[index_of(end_of(team.get<std::string>(), "missing"))] = true;
+  if (event.has("substitute")) {
+    const RobotId robot = read_robot(event.at("substitute"), robots);
+    trace.requests.push_back({.t = t, .team = robot.end, .to_replace = robot});
   }
+  if (event.has("hand")) trace.hands.push_back({.t = t, .team = read_end(event.at("hand"))});
 }
 
-Trace trace_of(const Json& json) {
+Trace read_trace(const JsonReader& json) {
   Trace trace;
-  trace.id = json.value("id", "");
-  trace.league = named(json, "league", League::small);
-  trace.rules = rules_of(json, trace.league);
-  trace.state = named(json, "state", TraceState::PLAY);
-  trace.progress.clock = json.value("clock", 60.0);
-  trace.progress.phase = named(json, "phase", referee::Phase::FIRST_HALF);
-  trace.progress.stage = named(json, "stage", referee::Stage::group);
-  if (json.contains("score")) {
-    trace.progress.score = {json["score"].at(0).get<int>(), json["score"].at(1).get<int>()};
+  if (!json.expect_object()) return trace;
+  json.read_if_present("id", trace.id);
+  json.read_if_present("league", trace.league);
+  trace.rules = read_situation_rules(json, trace.league);
+  json.read_if_present("state", trace.state);
+  trace.progress.clock = 60.0;
+  json.read_if_present("clock", trace.progress.clock);
+  json.read_if_present("phase", trace.progress.phase);
+  json.read_if_present("stage", trace.progress.stage);
+  if (json.has("score")) {
+    const JsonReader score = json.at("score");
+    trace.progress.score = {score.at(0).as<int>(), score.at(1).as<int>()};
   }
   const field::Field field = field::make_field(trace.league);
-  read_frames(json, field.robots_per_team, trace);
-  trace.restart = restart_of(json, trace, field);
-  trace.is_interpolated = json.value("lerp", false);
-  if (json.contains("motion")) trace.motion = motion_of(json["motion"]);
-  if (json.contains("hold")) trace.hold = json["hold"].get<double>();
-  for (const Json& stop : json.value("clock_stops", Json::array())) {
-    trace.clock_stops.emplace_back(stop.at(0).get<double>(), stop.at(1).get<double>());
+  const int robots = field.robots_per_team;
+  read_frames(json, robots, trace);
+  trace.restart = read_restart(json, trace, field);
+  json.read_if_present("lerp", trace.is_interpolated);
+  if (json.has("motion")) trace.motion = read_motion(json.at("motion"));
+  if (json.has("hold")) trace.hold = read_time(json.at("hold"));
+  if (json.has("clock_stops")) {
+    for (const JsonReader& stop : json.at("clock_stops").elements()) {
+      trace.clock_stops.emplace_back(stop.at(0).number(), stop.at(1).number());
+    }
   }
-  read_events(json, field.robots_per_team, trace);
-  read_asked(json, field, trace);
+  if (json.has("events")) {
+    for (const JsonReader& event : json.at("events").elements()) read_event(event, robots, trace);
+  }
+  if (json.has("missing")) {
+    for (const JsonReader& team : json.at("missing").elements()) {
+      trace.missing[index_of(read_end(team))] = true;
+    }
+  }
+  read_requested_placement(json, field, trace);
   return trace;
 }
 
 }  // namespace
 
-Result<Trace> trace_from_json(const Json& json) {
-  try {
-    if (!json.is_object()) throw Wrong{"an object is expected"};
-    return trace_of(json);
-  } catch (const Wrong& wrong) {
-    return fail(Errc::input, wrong.text);
-  } catch (const std::exception& e) {
-    return fail(Errc::input, e.what());
+Result<Trace> trace_from_json(Json json) {
+  // In a situation, a limit that is off may be "off" as well as null.
+  if (json.is_object() && json.contains("params") && json["params"].is_object()) {
+    for (Json& value : json["params"]) {
+      if (value == "off") value = nullptr;
+    }
   }
+  std::optional<record::JsonProblem> problem;
+  Trace trace = read_trace(JsonReader(json, "", problem));
+  if (problem) return fail(Errc::input, problem->pointer + ": " + problem->reason);
+  return trace;
 }
 
 }  // namespace mirocup::traces

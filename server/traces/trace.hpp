@@ -44,14 +44,14 @@ struct Motion {
 enum class TraceState { PLAY, READY, PLACE, HALF_TIME };
 
 // What a team asks for: a time-out, or another robot in the place of one.
-struct Call {
+struct TeamRequest {
   double t = 0.0;
   End team = End::left;
   std::optional<referee::RobotId> to_replace;
 };
 
 // Somebody of a team reaches onto the field.
-struct Hand {
+struct HandOnField {
   double t = 0.0;
   End team = End::left;
 };
@@ -67,23 +67,24 @@ struct Trace {
   League league = League::small;
   referee::Rules rules;
   TraceState state = TraceState::PLAY;
-  referee::Progress progress;
+  referee::LegProgress progress;
   referee::Decision restart;     // in progress, or none
   std::vector<KeyFrame> frames;  // at least one, in order
   bool is_interpolated = false;
   Motion motion;
   std::optional<double> hold;
   std::vector<std::pair<double, double>> clock_stops;
-  std::optional<referee::Placement> asked;  // with state PLACE
-  referee::ByEnd<int> asked_robots{};       // how many poses each team gave
-  std::vector<Call> calls;
-  std::vector<Hand> hands;
+  std::optional<referee::Placement> requested_placement;  // with state PLACE
+  referee::ByEnd<int> requested_robots{};                 // how many poses each team gave
+  std::vector<TeamRequest> requests;
+  std::vector<HandOnField> hands;
   referee::ByEnd<bool> missing{};  // with state HALF_TIME: teams that do not come back
   std::optional<Attempt> attempt;
 };
 
-// An error names the key that is wrong.
-Result<Trace> trace_from_json(const nlohmann::ordered_json& json);
+// Reads one situation. An error, Errc::input, begins with the JSON pointer of the key that is wrong.
+// Unknown keys are ignored.
+Result<Trace> trace_from_json(nlohmann::ordered_json json);
 
 }  // namespace mirocup::traces
 

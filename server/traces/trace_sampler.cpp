@@ -25,7 +25,8 @@ Pose between(const Pose& a, const Pose& b, double share) {
 
 }  // namespace
 
-Film::Film(const Trace& trace, const referee::Pitch& pitch) : trace_(trace), pitch_(pitch) {
+TraceSampler::TraceSampler(const Trace& trace, const referee::Pitch& pitch)
+    : trace_(trace), pitch_(pitch) {
   const auto samples = [](double t) { return t / sample_period; };
   const double last = trace.frames.back().t;
   last_sample_ = static_cast<int>(std::ceil(samples(last) - 1e-6));
@@ -33,10 +34,10 @@ Film::Film(const Trace& trace, const referee::Pitch& pitch) : trace_(trace), pit
     last_sample_ =
         std::max(last_sample_, static_cast<int>(std::floor(samples(*trace.hold) + 1e-6)));
   }
-  place_the_others();
+  place_unlisted_robots();
 }
 
-const KeyFrame& Film::frame_at(double t) const {
+const KeyFrame& TraceSampler::frame_at(double t) const {
   const KeyFrame* shown = &trace_.frames.front();
   for (const KeyFrame& frame : trace_.frames) {
     if (frame.t <= t + time_tolerance) shown = &frame;
@@ -44,7 +45,7 @@ const KeyFrame& Film::frame_at(double t) const {
   return *shown;
 }
 
-Vec2 Film::ball_at(double t) const {
+Vec2 TraceSampler::ball_at(double t) const {
   const KeyFrame& frame = frame_at(t);
   const double since = t - frame.ball_since;
   switch (trace_.motion.type) {
@@ -60,7 +61,7 @@ Vec2 Film::ball_at(double t) const {
   return frame.ball;
 }
 
-Film::Instant Film::instant(double t) const {
+TraceSampler::Instant TraceSampler::instant(double t) const {
   const KeyFrame& frame = frame_at(t);
   const KeyFrame* next =
       &frame + 1 < trace_.frames.data() + trace_.frames.size() ? &frame + 1 : nullptr;
@@ -70,7 +71,7 @@ Film::Instant Film::instant(double t) const {
   now.ball = moves && trace_.motion.type == Motion::Type::none
                  ? Vec2(frame.ball + share * (next->ball - frame.ball))
                  : ball_at(t);
-  now.robots = far_;
+  now.robots = unlisted_;
   for (const End end : both_ends) {
     const int e = index_of(end);
     for (std::size_t i = 0; i < frame.robots[e].size(); ++i) {
@@ -82,7 +83,7 @@ Film::Instant Film::instant(double t) const {
   return now;
 }
 
-Situation Film::sample(int k) const {
+Situation TraceSampler::sample(int k) const {
   const double t = k * sample_period;
   const Instant now = instant(t);
   Situation s;
@@ -92,7 +93,7 @@ Situation Film::sample(int k) const {
   s.robots = now.robots;
   const KeyFrame& frame = frame_at(t);
   s.fallen = frame.fallen;
-  for (const Hand& hand : trace_.hands) {
+  for (const HandOnField& hand : trace_.hands) {
     const bool is_now = hand.t <= t && (k == 0 || hand.t > t - sample_period);
     if (is_now) s.hand[index_of(hand.team)] = true;
   }
@@ -111,7 +112,7 @@ Situation Film::sample(int k) const {
 
 // Robots that jump from frame to frame have no speed; those of an interpolated film have the speed
 // of the time before the sample.
-void Film::add_motion(double t, Situation& s) const {
+void TraceSampler::add_motion(double t, Situation& s) const {
   if (!trace_.is_interpolated) return;
   constexpr double moment = 1e-3;
   const double begin = t - sample_period;
@@ -126,7 +127,7 @@ void Film::add_motion(double t, Situation& s) const {
   }
 }
 
-void Film::add_contacts(const KeyFrame& frame, Situation& s) const {
+void TraceSampler::add_contacts(const KeyFrame& frame, Situation& s) const {
   if (!frame.contacts) {
     add_near_touches(pitch_, s);
     return;
@@ -141,7 +142,7 @@ void Film::add_contacts(const KeyFrame& frame, Situation& s) const {
 }
 
 // A drive is towards the opponent that the robot touches, or else that is nearest.
-void Film::add_drives(const KeyFrame& frame, Situation& s) const {
+void TraceSampler::add_drives(const KeyFrame& frame, Situation& s) const {
   for (const End end : both_ends) {
     const int e = index_of(end);
     for (int i = 0; i < pitch_.field.robots_per_team; ++i) {
@@ -162,7 +163,7 @@ void Film::add_drives(const KeyFrame& frame, Situation& s) const {
 }
 
 // In the own half, off every area, as far from everything that the trace shows as can be.
-void Film::place_the_others() {
+void TraceSampler::place_unlisted_robots() {
   const field::Field& field = pitch_.field;
   std::vector<Vec2> shown;
   for (const KeyFrame& frame : trace_.frames) {
@@ -188,7 +189,7 @@ void Film::place_the_others() {
           best = at;
         }
       }
-      far_[e][i] = {best, team_frame(end, Heading{})};
+      unlisted_[e][i] = {best, team_frame(end, Heading{})};
       shown.push_back(best);
     }
   }

@@ -9,10 +9,10 @@ namespace mirocup::traces {
 
 inline constexpr double sample_period = 0.033;  // s
 
-class Film {
+class TraceSampler {
  public:
   // Both outlive the film.
-  Film(const Trace& trace, const referee::Pitch& pitch);
+  TraceSampler(const Trace& trace, const referee::Pitch& pitch);
 
   // The last sample: the first that shows the last frame, or the last one within `hold`.
   int last_sample() const { return last_sample_; }
@@ -29,7 +29,7 @@ class Film {
   const KeyFrame& frame_at(double t) const;
   Instant instant(double t) const;
   Vec2 ball_at(double t) const;
-  void place_the_others();
+  void place_unlisted_robots();
   void add_motion(double t, referee::Situation& s) const;
   void add_contacts(const KeyFrame& frame, referee::Situation& s) const;
   void add_drives(const KeyFrame& frame, referee::Situation& s) const;
@@ -37,7 +37,7 @@ class Film {
   const Trace& trace_;
   const referee::Pitch& pitch_;
   int last_sample_ = 0;
-  referee::ByRobot<Pose> far_;  // where robots stand that the trace does not list
+  referee::ByRobot<Pose> unlisted_;  // where robots stand that the trace does not list
 };
 
 }  // namespace mirocup::traces

@@ -54,18 +54,18 @@ Json indices(const referee::RobotSet& set) {
 }
 
 // A referee that is shown a trace.
-class Viewer {
+class TraceJudge {
  public:
-  explicit Viewer(const Trace& trace)
+  explicit TraceJudge(const Trace& trace)
       : trace_(trace),
         field_(field::make_field(trace.league)),
         pitch_{field_, trace_.rules, ball_radius, robot_side},
-        film_(trace_, pitch_),
+        sampler_(trace_, pitch_),
         referee_(pitch_, trace.progress) {
     referee_.resume(trace.restart, trace.attempt ? trace.attempt->t : 0.0);
   }
 
-  Json watch() {
+  Json judge() {
     switch (trace_.state) {
       case TraceState::PLACE:
         return place();
@@ -88,9 +88,9 @@ class Viewer {
 
   Json play() {
     bool stood = false;
-    for (int k = 0; k <= film_.last_sample(); ++k) {
+    for (int k = 0; k <= sampler_.last_sample(); ++k) {
       const double t = k * sample_period;
-      if (auto answer = answer_calls(t)) return *answer;
+      if (auto answer = answer_requests(t)) return *answer;
       if (trace_.state == TraceState::READY) continue;
       const bool stands =
           std::any_of(trace_.clock_stops.begin(), trace_.clock_stops.end(),
@@ -98,7 +98,7 @@ class Viewer {
       if (stands && !stood) referee_.resume(Decision{});
       stood = stands;
       if (stands) continue;
-      const referee::Judgement judgement = referee_.judge(film_.sample(k));
+      const referee::Judgement judgement = referee_.judge(sampler_.sample(k));
       if (judgement.decision) {
         return verdict(*judgement.decision, trace_.attempt ? trace_.attempt->t : t);
       }
@@ -106,29 +106,29 @@ class Viewer {
     return none();
   }
 
-  std::optional<Decision> ask(const Call& call) {
-    if (!call.to_replace) return referee_.ask_for_time_out(call.team);
+  std::optional<Decision> ask(const TeamRequest& request) {
+    if (!request.to_replace) return referee_.ask_for_time_out(request.team);
     if (trace_.state == TraceState::HALF_TIME)
-      return referee_.substitute_in_break(*call.to_replace);
-    return referee_.ask_for_substitution(*call.to_replace);
+      return referee_.substitute_in_break(*request.to_replace);
+    return referee_.ask_for_substitution(*request.to_replace);
   }
 
-  // What was asked for until now: rejected at once, or granted at once where play stands.
-  std::optional<Json> answer_calls(double t) {
-    for (; calls_answered_ < trace_.calls.size(); ++calls_answered_) {
-      const Call& call = trace_.calls[calls_answered_];
-      if (call.t > t + 1e-9) break;
-      if (const auto rejected = ask(call)) {
-        ++calls_answered_;
-        return verdict(*rejected, call.t);
+  // The requests of the time until t: rejected at once, or granted at once where play stands.
+  std::optional<Json> answer_requests(double t) {
+    for (; requests_answered_ < trace_.requests.size(); ++requests_answered_) {
+      const TeamRequest& request = trace_.requests[requests_answered_];
+      if (request.t > t + 1e-9) break;
+      if (const auto rejected = ask(request)) {
+        ++requests_answered_;
+        return verdict(*rejected, request.t);
       }
       if (trace_.state == TraceState::PLAY) continue;
       Decision stoppage = trace_.restart;
       if (stoppage.restart == Restart::none) stoppage.restart = Restart::KICK_OFF;
       stoppage.verdict = Verdict::RESTART;
       if (const auto granted = referee_.follow_up(stoppage)) {
-        ++calls_answered_;
-        return verdict(*granted, call.t);
+        ++requests_answered_;
+        return verdict(*granted, request.t);
       }
     }
     return std::nullopt;
@@ -139,9 +139,9 @@ class Viewer {
     const auto& missing = trace_.missing;
     const bool waits = missing[0] || missing[1];
     const double patience = trace_.rules.half_break_s + (waits ? trace_.rules.half_late_s : 0.0);
-    for (int k = 0; k <= film_.last_sample(); ++k) {
+    for (int k = 0; k <= sampler_.last_sample(); ++k) {
       const double t = k * sample_period;
-      if (auto answer = answer_calls(t)) return *answer;
+      if (auto answer = answer_requests(t)) return *answer;
       if (t + sample_period / 2.0 < patience) continue;
       if (waits) return verdict(forfeit(), t);
       Decision d = trace_.restart;
@@ -166,21 +166,21 @@ class Viewer {
   }
 
   Json place() {
-    if (auto answer = answer_calls(trace_.hold.value_or(0.0))) return *answer;
+    if (auto answer = answer_requests(trace_.hold.value_or(0.0))) return *answer;
     const auto roles = trace_.progress.phase == referee::Phase::SHOOT_OUT ? referee::Roles::fixed
                                                                           : referee::Roles::any;
     const referee::CheckedPlacement checked =
-        check_placement(pitch_, trace_.restart, roles, *trace_.asked);
+        check_placement(pitch_, trace_.restart, roles, *trace_.requested_placement);
     Decision d = trace_.restart;
     d.verdict = checked.any_moved() ? Verdict::PLACEMENT_FIXED : Verdict::RESTART;
     d.law = referee::Law::placement;
     d.clock = trace_.progress.clock;
-    d.reason = reason_of(pitch_, *trace_.asked, checked);
+    d.reason = reason_of(pitch_, *trace_.requested_placement, checked);
     Json json = verdict(d, 0.0);
     for (const End end : both_ends) {
       const int e = index_of(end);
       json[letter(end) + "_moved"] = indices(checked.moved[e]);
-      json[letter(end) + "_legal"] = indices(asked_for(end) & ~checked.moved[e]);
+      json[letter(end) + "_legal"] = indices(requested_robots_of(end) & ~checked.moved[e]);
       json[letter(end)] = poses(checked.placement.robots[e], field_.robots_per_team);
     }
     json["ball"] = point(checked.placement.ball);
@@ -188,9 +188,9 @@ class Viewer {
   }
 
   // The robots whose poses the team gave.
-  referee::RobotSet asked_for(End end) const {
+  referee::RobotSet requested_robots_of(End end) const {
     referee::RobotSet set;
-    for (int i = 0; i < trace_.asked_robots[index_of(end)]; ++i) set.set(i);
+    for (int i = 0; i < trace_.requested_robots[index_of(end)]; ++i) set.set(i);
     return set;
   }
 
@@ -284,15 +284,15 @@ class Viewer {
   const Trace& trace_;
   field::Field field_;
   referee::Pitch pitch_;
-  Film film_;
+  TraceSampler sampler_;
   referee::Referee referee_;
-  std::size_t calls_answered_ = 0;
+  std::size_t requests_answered_ = 0;
 };
 
 }  // namespace
 
 Json judge_trace(const Trace& trace) {
-  return Viewer(trace).watch();
+  return TraceJudge(trace).judge();
 }
 
 Json reject_trace(const std::string& id, const std::string& reason) {

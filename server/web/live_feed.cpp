@@ -6,13 +6,15 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cassert>
+
 namespace mirocup::web {
 
 namespace {
 
 constexpr std::uint64_t statistics_every = 30;  // states
 
-Json calls_json(const std::vector<match::LoggedDecision>& decisions, std::size_t from) {
+Json decisions_json(const std::vector<match::LoggedDecision>& decisions, std::size_t from) {
   Json calls = Json::array();
   for (std::size_t i = from; i < decisions.size(); ++i) {
     calls.push_back(record::to_json(decisions[i]));
@@ -22,14 +24,14 @@ Json calls_json(const std::vector<match::LoggedDecision>& decisions, std::size_t
 
 }  // namespace
 
-LiveFeed::LiveFeed(const match::Match& match)
+LiveFeed::LiveFeed(const match::Leg& match)
     : robots_(match.field().robots_per_team), counted_(match.field()), statistics_(match.field()) {
   publish(match);
 }
 
-void LiveFeed::copy(const match::Match& match) {
+void LiveFeed::copy(const match::Leg& match) {
   ++version_;
-  scene_ = match.scene();
+  scene_ = match.snapshot();
   const auto& decisions = match.decisions();
   decisions_.insert(decisions_.end(),
                     decisions.begin() + static_cast<std::ptrdiff_t>(decisions_.size()),
@@ -37,25 +39,26 @@ void LiveFeed::copy(const match::Match& match) {
   statistics_ = counted_;
 }
 
-void LiveFeed::publish(const match::Match& match) {
+void LiveFeed::publish(const match::Leg& match) {
   counted_.add(match);
   const std::unique_lock lock(mutex_, std::try_to_lock);
   if (lock.owns_lock()) copy(match);
 }
 
-void LiveFeed::close(const match::Match& match) {
+void LiveFeed::close(const match::Leg& match) {
   const std::lock_guard lock(mutex_);
   copy(match);
+  assert(match.is_over());
   result_ = match.result();
 }
 
 std::string LiveFeed::news(Viewer& viewer) const {
   std::unique_lock lock(mutex_);
   if (viewer.version == version_ || viewer.has_ended) return "";
-  const match::Scene scene = scene_;
+  const match::Snapshot scene = scene_;
   const std::vector<match::LoggedDecision> decisions(
       decisions_.begin() + static_cast<std::ptrdiff_t>(viewer.decisions), decisions_.end());
-  const std::optional<match::Result> result = result_;
+  const std::optional<match::Outcome> result = result_;
   std::optional<Json> numbers;
   if (!viewer.has_started || result || version_ - viewer.statistics >= statistics_every) {
     numbers = statistics_json(statistics_, decisions_);
@@ -66,9 +69,9 @@ std::string LiveFeed::news(Viewer& viewer) const {
 
   std::string text;
   if (!viewer.has_started) {
-    text += event_text("start", {{"decisions", calls_json(decisions, 0)}});
+    text += event_text("start", {{"decisions", decisions_json(decisions, 0)}});
   } else {
-    for (const Json& call : calls_json(decisions, 0)) text += event_text("call", call);
+    for (const Json& call : decisions_json(decisions, 0)) text += event_text("call", call);
   }
   viewer.has_started = true;
   viewer.decisions += decisions.size();

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "server/web/statistics.hpp"
-#include "server/web/track.hpp"
+#include "server/web/track_encoder.hpp"
 
 #include <mutex>
 #include <optional>
@@ -18,13 +18,13 @@ namespace mirocup::web {
 
 class LiveFeed {
  public:
-  explicit LiveFeed(const match::Match& match);
+  explicit LiveFeed(const match::Leg& match);
 
   // After every tick: copies the state, unless a viewer is being served in this very moment.
-  void publish(const match::Match& match);
+  void publish(const match::Leg& match);
 
   // The match is over: from here on news() ends.
-  void close(const match::Match& match);
+  void close(const match::Leg& match);
 
   // What one viewer has been told.
   struct Viewer {
@@ -40,17 +40,17 @@ class LiveFeed {
   std::string news(Viewer& viewer) const;
 
  private:
-  void copy(const match::Match& match);
+  void copy(const match::Leg& match);
 
   int robots_;
   Statistics counted_;  // the match's own
 
   mutable std::mutex mutex_;
   std::uint64_t version_ = 1;
-  match::Scene scene_;
+  match::Snapshot scene_;
   std::vector<match::LoggedDecision> decisions_;
   Statistics statistics_;  // as far as they are shown
-  std::optional<match::Result> result_;
+  std::optional<match::Outcome> result_;
 };
 
 }  // namespace mirocup::web

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/web/live_server.hpp"
 
-#include "server/web/http.hpp"
+#include "server/web/http_server.hpp"
 
 #include <chrono>
 #include <thread>
@@ -12,23 +12,23 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto farewell = 1500ms;  // for the viewers to hear how it ended
-constexpr auto look_again = 33ms;  // whether they have
+constexpr auto close_timeout = 1500ms;  // for the viewers to hear how it ended
+constexpr auto poll_interval = 33ms;    // whether they have
 
 }  // namespace
 
 struct LiveServer::Impl {
-  Impl(const match::Match& match, std::string text) : feed(match), page(std::move(text)) {}
+  Impl(const match::Leg& match, std::string text) : feed(match), page(std::move(text)) {}
 
   LiveFeed feed;
   std::string page;
-  Http http;  // the first to go: its threads use the others
+  HttpServer http;  // the first to go: its threads use the others
 };
 
 LiveServer::LiveServer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
 Result<std::unique_ptr<LiveServer>> LiveServer::open(const Address& address,
-                                                     const match::Match& match,
+                                                     const match::Leg& match,
                                                      const match::ByTeam<std::string>& names,
                                                      const std::string& about) {
   auto owned = std::make_unique<Impl>(match, live_page(match, {names, about, "events"}));
@@ -39,7 +39,7 @@ Result<std::unique_ptr<LiveServer>> LiveServer::open(const Address& address,
   impl.http.server().Get("/events", [&impl](const httplib::Request&, httplib::Response& response) {
     impl.http.send_events(response, [&impl, viewer = LiveFeed::Viewer()]() mutable {
       std::string news = impl.feed.news(viewer);
-      return Http::News{std::move(news), viewer.has_ended};
+      return HttpServer::EventBatch{std::move(news), viewer.has_ended};
     });
   });
   if (auto listens = impl.http.listen(address, "--watch"); !listens)
@@ -53,15 +53,15 @@ std::string LiveServer::url() const {
   return impl_->http.url();
 }
 
-void LiveServer::publish(const match::Match& match) {
+void LiveServer::publish(const match::Leg& match) {
   impl_->feed.publish(match);
 }
 
-void LiveServer::close(const match::Match& match) {
+void LiveServer::close(const match::Leg& match) {
   impl_->feed.close(match);
-  const auto end = std::chrono::steady_clock::now() + farewell;
+  const auto end = std::chrono::steady_clock::now() + close_timeout;
   while (impl_->http.viewers() > 0 && std::chrono::steady_clock::now() < end) {
-    std::this_thread::sleep_for(look_again);
+    std::this_thread::sleep_for(poll_interval);
   }
 }
 

@@ -20,7 +20,7 @@ namespace mirocup::web {
 class LiveServer {
  public:
   // `about` is the last line of the page. Errc::unavailable if the address cannot be had.
-  static Result<std::unique_ptr<LiveServer>> open(const Address& address, const match::Match& match,
+  static Result<std::unique_ptr<LiveServer>> open(const Address& address, const match::Leg& match,
                                                   const match::ByTeam<std::string>& names,
                                                   const std::string& about);
   ~LiveServer();
@@ -30,10 +30,10 @@ class LiveServer {
   std::string url() const;
 
   // After every tick.
-  void publish(const match::Match& match);
+  void publish(const match::Leg& match);
 
   // Tells the viewers how the match ended, and waits a moment for them to take it.
-  void close(const match::Match& match);
+  void close(const match::Leg& match);
 
  private:
   struct Impl;  // keeps the HTTP library in one file

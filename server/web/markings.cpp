@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/web/markings.hpp"
 
-#include "server/web/path.hpp"
+#include "server/web/svg_path.hpp"
 
 #include <cmath>
 
@@ -26,19 +26,19 @@ std::string ground(const field::Field& f) {
                                 {x, y - f.corner_leg},  {x - f.corner_leg, y}};
   std::vector<Vec2> outline = right;
   for (const Vec2& corner : right) outline.push_back(-corner);
-  return Path().polygon(outline).text();
+  return SvgPath().polygon(outline).text();
 }
 
 std::string goal(const field::Field& f, End end) {
   const double x = f.half_length;
   const double y = f.goal_half_width;
-  return Path()
+  return SvgPath()
       .polygon({at_end(end, x, -y), at_end(end, x + f.goal_depth, -y),
                 at_end(end, x + f.goal_depth, y), at_end(end, x, y)})
       .text();
 }
 
-void add_area(Path& path, const field::Field& f, const field::Area& area, End end) {
+void add_area(SvgPath& path, const field::Field& f, const field::Area& area, End end) {
   const double front = f.half_length - area.depth;
   path.move_to(at_end(end, f.half_length, -area.half_width))
       .line_to(at_end(end, front, -area.half_width))
@@ -52,7 +52,7 @@ void add_area(Path& path, const field::Field& f, const field::Area& area, End en
 }
 
 std::string lines(const field::Field& f) {
-  Path path;
+  SvgPath path;
   path.move_to({0.0, -f.half_width}).line_to({0.0, f.half_width});
   path.circle({0.0, 0.0}, f.centre_circle_radius);
   for (const End end : both_ends) {
@@ -65,7 +65,7 @@ std::string lines(const field::Field& f) {
 }
 
 std::string spots(const field::Field& f) {
-  Path path;
+  SvgPath path;
   path.circle({0.0, 0.0}, spot_radius);
   for (const double side : {-1.0, 1.0}) {
     path.circle({side * f.penalty_mark_x, 0.0}, spot_radius);

@@ -39,16 +39,6 @@ std::string script() {
   return all;
 }
 
-// The digest of a script as a content security policy names it.
-std::string policy_digest(const std::string& text) {
-  const std::string hex = system::sha256(text);
-  std::string bytes;
-  for (std::size_t i = 0; i < hex.size(); i += 2) {
-    bytes += static_cast<char>(std::stoi(hex.substr(i, 2), nullptr, 16));
-  }
-  return "sha256-" + base64(bytes);
-}
-
 // JSON inside a <script>: nothing in it can end the element.
 std::string embedded(const Json& json) {
   std::string text;
@@ -76,21 +66,21 @@ std::string filled(std::string_view page, const Values& values) {
   }
 }
 
-std::string page(const match::Match& first_moment, const match::ByTeam<std::string>& names,
+std::string page(const match::Leg& first_moment, const match::ByTeam<std::string>& names,
                  const Json& data) {
   const std::string code = script();
   // No source but this page, no code but this script: what is no script stays none.
   const std::string policy =
-      "default-src 'none'; style-src 'unsafe-inline'; connect-src 'self'; script-src '" +
-      policy_digest(code) + "'";
+      "default-src 'none'; style-src 'unsafe-inline'; connect-src 'self'; script-src 'sha256-" +
+      system::sha256_base64(code) + "'";
   return filled(asset("page.html"),
-                {{"title", system::escaped(names[0] + " – " + names[1])},
-                 {"blue", system::escaped(names[0])},
-                 {"yellow", system::escaped(names[1])},
+                {{"title", system::html_escaped(names[0] + " – " + names[1])},
+                 {"blue", system::html_escaped(names[0])},
+                 {"yellow", system::html_escaped(names[1])},
                  {"policy", policy},
                  {"style", std::string(asset("page.css"))},
                  {"picture", picture(first_moment.field(), first_moment.setup().parameters,
-                                     {first_moment.scene(), {}})},
+                                     {first_moment.snapshot(), {}})},
                  {"data", embedded(data)},
                  {"script", code}});
 }
@@ -100,15 +90,15 @@ Json teams_json(const match::ByTeam<std::string>& names) {
 }
 
 // A leg as a page holds it: the track, what changed when, and the numbers.
-class Film {
+class LegTimeline {
  public:
-  explicit Film(const match::Match& match)
+  explicit LegTimeline(const match::Match& match)
       : track_(match.field().robots_per_team), statistics_(match.field()) {
     add(match);
   }
 
-  void add(const match::Match& match) {
-    const match::Scene scene = match.scene();
+  void add(const match::Leg& match) {
+    const match::Snapshot scene = match.snapshot();
     track_.add(scene);
     statistics_.add(match);
     Json moment = moment_json(scene);
@@ -123,7 +113,7 @@ class Film {
   const Statistics& statistics() const { return statistics_; }
 
  private:
-  Track track_;
+  TrackEncoder track_;
   Statistics statistics_;
   Json moments_ = Json::array();
   Json last_moment_;
@@ -143,12 +133,12 @@ tl::expected<std::string, replay::Divergence> replay_page(const record::MatchRec
                                                           Times times) {
   replay::Playback playback(record.recording);
   const match::Match begin(record.recording.setup);
-  Film film(playback.match());
-  while (playback.advance()) film.add(playback.match());
+  LegTimeline timeline(playback.match());
+  while (playback.advance()) timeline.add(playback.match());
   if (playback.divergence()) return tl::unexpected(*playback.divergence());
 
   const Json whole = record::to_json(record);
-  Json statistics = statistics_json(film.statistics(), record.recording.decisions);
+  Json statistics = statistics_json(timeline.statistics(), record.recording.decisions);
   for (const char* team : {"blue", "yellow"}) {
     Json budget = whole["budget"][team];
     if (times == Times::left_out) {
@@ -163,13 +153,13 @@ tl::expected<std::string, replay::Divergence> replay_page(const record::MatchRec
                   {"about", about(record)},
                   {"result", whole["result"]},
                   {"decisions", whole["decisions"]},
-                  {"moments", film.moments()},
+                  {"moments", timeline.moments()},
                   {"statistics", statistics},
-                  {"track", film.track_json()}};
+                  {"track", timeline.track_json()}};
   return page(begin, {record.teams[0].name, record.teams[1].name}, data);
 }
 
-std::string live_page(const match::Match& match, const LiveMatch& live) {
+std::string live_page(const match::Leg& match, const LiveMatch& live) {
   const Json data{{"schema", "mirocup/page/1"},
                   {"teams", teams_json(live.names)},
                   {"period", match.setup().control_period},

@@ -26,6 +26,6 @@ struct LiveMatch {
   std::string events;  // where the events come from, as the browser sees it
 };
 
-std::string live_page(const match::Match& match, const LiveMatch& live);
+std::string live_page(const match::Leg& match, const LiveMatch& live);
 
 }  // namespace mirocup::web

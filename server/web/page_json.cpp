@@ -8,7 +8,7 @@
 
 namespace mirocup::web {
 
-Json moment_json(const match::Scene& scene) {
+Json moment_json(const match::Snapshot& scene) {
   return {{"state", to_string(scene.state)},
           {"phase", to_string(scene.phase)},
           {"left", to_string(scene.left)},
@@ -19,7 +19,7 @@ Json statistics_json(const Statistics& statistics,
                      const std::vector<match::LoggedDecision>& decisions) {
   Json teams;
   for (const Team team : both_teams) {
-    const TeamNumbers& numbers = statistics.of(team);
+    const TeamStatistics& numbers = statistics.of(team);
     // Who offended does not take the restart; who concedes a goal does, and is no offender.
     const auto is_foul = [team](const match::LoggedDecision& d) {
       return d.team == team && d.decision.restart != referee::Restart::none && d.taker != team &&

@@ -5,14 +5,14 @@
 
 #include "server/record/match_record.hpp"
 #include "server/web/statistics.hpp"
-#include "server/web/track.hpp"
+#include "server/web/track_encoder.hpp"
 
 namespace mirocup::web {
 
 using record::Json;
 
 // What holds from a tick on: {state, phase, left, score}.
-Json moment_json(const match::Scene& scene);
+Json moment_json(const match::Snapshot& scene);
 
 // {teams: {blue, yellow}, heat}. `fouls` counts the decisions that gave the other
 // team a restart.

@@ -3,7 +3,7 @@
 
 #include "server/web/assets.hpp"
 #include "server/web/markings.hpp"
-#include "server/web/path.hpp"
+#include "server/web/svg_path.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -13,8 +13,8 @@ namespace mirocup::web {
 
 namespace {
 
-constexpr double margin = 0.04;    // m of wall around the floor
-constexpr double most_lift = 0.2;  // m: a ball that moves further in a tick was lifted
+constexpr double margin = 0.04;   // m of wall around the floor
+constexpr double max_lift = 0.2;  // m: a ball that moves further in a tick was lifted
 
 std::string attribute(std::string_view name, const std::string& value) {
   return " " + std::string(name) + "=\"" + value + "\"";
@@ -35,7 +35,7 @@ std::string robot(Team team, int number, const simulator::BodyState& state, doub
       std::to_string(-std::lround(state.heading.angle() * 180.0 / std::numbers::pi));
   // A bright strip along the front edge says where it heads.
   const double front = side / 2.0;
-  const std::string strip = Path()
+  const std::string strip = SvgPath()
                                 .polygon({{0.60 * front, 0.72 * front},
                                           {0.86 * front, 0.72 * front},
                                           {0.86 * front, -0.72 * front},
@@ -51,11 +51,11 @@ std::string robot(Team team, int number, const simulator::BodyState& state, doub
 }
 
 std::string trail(const Moment& moment) {
-  Path path;
+  SvgPath path;
   std::vector<Vec2> points = moment.trail;
   points.push_back(moment.scene.ball.position);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const bool goes_on = i > 0 && (points[i] - points[i - 1]).norm() < most_lift;
+    const bool goes_on = i > 0 && (points[i] - points[i - 1]).norm() < max_lift;
     goes_on ? path.line_to(points[i]) : path.move_to(points[i]);
   }
   return path_element("trail", path.text());

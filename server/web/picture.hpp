@@ -4,7 +4,7 @@
 // came from. It stands alone as a file, and it is the picture that the pages move.
 #pragma once
 
-#include "core/match/match.hpp"
+#include "core/match/leg.hpp"
 
 #include <string>
 #include <vector>
@@ -12,7 +12,7 @@
 namespace mirocup::web {
 
 struct Moment {
-  match::Scene scene;
+  match::Snapshot scene;
   std::vector<Vec2> trail;  // where the ball was before, the oldest first
 };
 

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "server/web/site_server.hpp"
 
-#include "server/web/http.hpp"
+#include "server/web/http_server.hpp"
 
 namespace mirocup::web {
 
 namespace {
 
 constexpr const char* this_host = "127.0.0.1";
-constexpr int patience_s = 5;  // with a match that says nothing
+constexpr int timeout_s = 5;  // with a match that says nothing
 
 httplib::Client client_of(int port) {
   httplib::Client client(this_host, port);
   client.set_connection_timeout(1);
-  client.set_read_timeout(patience_s);
+  client.set_read_timeout(timeout_s);
   return client;
 }
 
@@ -49,7 +49,7 @@ struct SiteServer::Impl {
   void set_routes() {
     http.server().Get("/events", [this](const httplib::Request&, httplib::Response& response) {
       http.send_events(response, [this, seen = std::uint64_t{0}]() mutable {
-        return Http::News{site.news(seen), false};
+        return HttpServer::EventBatch{site.news(seen), false};
       });
     });
     const auto pass = [this](void (*how)(int, httplib::Response&)) {
@@ -73,7 +73,7 @@ struct SiteServer::Impl {
   }
 
   Site site;
-  Http http;  // the first to go: its threads use the other
+  HttpServer http;  // the first to go: its threads use the other
 };
 
 SiteServer::SiteServer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}

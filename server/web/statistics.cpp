@@ -35,8 +35,8 @@ Statistics::Statistics(const field::Field& field)
       rows_(cells(2.0 * field.half_width)),
       heat_(static_cast<std::size_t>(columns_ * rows_)) {}
 
-void Statistics::add(const match::Match& match) {
-  const match::Scene scene = match.scene();
+void Statistics::add(const match::Leg& match) {
+  const match::Snapshot scene = match.snapshot();
   const bool plays = before_ && before_->state == match::State::PLAY;
   if (scene.state != match::State::PLAY) {
     holder_.reset();  // after a restart nobody has the ball until it is touched
@@ -50,7 +50,7 @@ void Statistics::add(const match::Match& match) {
   before_ = scene;
 }
 
-void Statistics::count_distance(const match::Scene& scene) {
+void Statistics::count_distance(const match::Snapshot& scene) {
   for (const Team team : both_teams) {
     const int t = index_of(team);
     for (int i = 0; i < field_.robots_per_team; ++i) {
@@ -60,7 +60,7 @@ void Statistics::count_distance(const match::Scene& scene) {
   }
 }
 
-void Statistics::count_possession(const match::Match& match, double period) {
+void Statistics::count_possession(const match::Leg& match, double period) {
   if (const auto touch = match.last_touch()) {
     if (holder_ != touch->team) is_shot_counted_ = false;
     holder_ = touch->team;
@@ -69,7 +69,7 @@ void Statistics::count_possession(const match::Match& match, double period) {
 }
 
 // A ball that its holder sends at the goal is one shot for as long as it is on its way.
-void Statistics::count_shots(const match::Scene& scene) {
+void Statistics::count_shots(const match::Snapshot& scene) {
   if (!holder_) return;
   const End goal = *holder_ == scene.left ? End::right : End::left;
   const bool is_shot = is_shot_at(field_, goal, scene.ball);
@@ -77,7 +77,7 @@ void Statistics::count_shots(const match::Scene& scene) {
   is_shot_counted_ = is_shot;
 }
 
-void Statistics::count_heat(const match::Scene& scene) {
+void Statistics::count_heat(const match::Snapshot& scene) {
   const Vec2 ball =
       attack_sign(scene.left == Team::blue ? End::left : End::right) * scene.ball.position;
   const auto cell_of = [](double at, double half, int count) {

@@ -3,14 +3,14 @@
 // What spectators ask about a leg in numbers: who had the ball, how far they drove, what they tried.
 #pragma once
 
-#include "core/match/match.hpp"
+#include "core/match/leg.hpp"
 
 #include <array>
 #include <vector>
 
 namespace mirocup::web {
 
-struct TeamNumbers {
+struct TeamStatistics {
   double possession = 0.0;  // s of play in which this team was the last to touch the ball
   int shots = 0;
   std::array<double, max_robots_per_team> distance{};  // m, of each robot, in play
@@ -21,9 +21,9 @@ class Statistics {
   explicit Statistics(const field::Field& field);
 
   // After every tick, in order; the first call may be before the first tick.
-  void add(const match::Match& match);
+  void add(const match::Leg& match);
 
-  const TeamNumbers& of(Team team) const { return teams_[index_of(team)]; }
+  const TeamStatistics& of(Team team) const { return teams_[index_of(team)]; }
 
   // Ticks of play that the ball spent in each cell of the field, turned so that blue attacks to the
   // right; rows from the top, `columns()` cells each.
@@ -31,17 +31,17 @@ class Statistics {
   int columns() const { return columns_; }
 
  private:
-  void count_distance(const match::Scene& scene);
-  void count_possession(const match::Match& match, double period);
-  void count_shots(const match::Scene& scene);
-  void count_heat(const match::Scene& scene);
+  void count_distance(const match::Snapshot& scene);
+  void count_possession(const match::Leg& match, double period);
+  void count_shots(const match::Snapshot& scene);
+  void count_heat(const match::Snapshot& scene);
 
   field::Field field_;
   int columns_;
   int rows_;
-  match::ByTeam<TeamNumbers> teams_;
+  match::ByTeam<TeamStatistics> teams_;
   std::vector<int> heat_;
-  std::optional<match::Scene> before_;
+  std::optional<match::Snapshot> before_;
   std::optional<Team> holder_;
   bool is_shot_counted_ = false;
 };

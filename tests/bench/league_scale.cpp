@@ -3,7 +3,7 @@
 // How schedule, journal state and table grow with the number of teams: build/bench/league_scale. A
 // double round robin of made-up results, in seconds.
 #include "core/base/random.hpp"
-#include "tournaments/league/league_state.hpp"
+#include "tournaments/league/apply.hpp"
 
 #include <chrono>
 #include <cstdio>

@@ -24,8 +24,8 @@ for league in small middle large; do
   valgrind -q --tool=callgrind --callgrind-out-file="$folder/out" \
     "$build/mirocup" verify "$folder/leg.json" > "$folder/verified"
   callgrind_annotate --inclusive=yes --threshold=100 "$folder/out" > "$folder/costs"
-  tick=$(instructions 'mirocup::match::Match::advance(')
-  referee=$(instructions 'mirocup::match::Match::judge()')
+  tick=$(instructions 'mirocup::match::Leg::advance(')
+  referee=$(instructions 'mirocup::match::Leg::judge()')
   ticks=$(sed -E 's/.* ([0-9]+) ticks.*/\1/' "$folder/verified")
   awk -v league="$league" -v tick="$tick" -v referee="$referee" -v ticks="$ticks" -v bar="$bar" 'BEGIN {
     share = 100 * referee / tick

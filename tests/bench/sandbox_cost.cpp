@@ -6,8 +6,9 @@
 // round counts, so that other work on the machine disturbs little. Printed are microseconds of a
 // tick (simulation and two teams), the same less the tick in process, and milliseconds from nothing
 // to a team that is ready (median).
-#include "core/match/match.hpp"
+#include "core/match/leg.hpp"
 #include "plugins/host/process_controller.hpp"
+#include "plugins/host/sandbox/probe.hpp"
 #include "plugins/host/trusted_controller.hpp"
 
 #include <algorithm>
@@ -58,14 +59,14 @@ class Bench {
   Bench(std::string host_program, std::string library)
       : host_program_(std::move(host_program)),
         library_(std::move(library)),
-        entry_(Entry::open(library_)) {
+        entry_(SealedEntry::open(library_)) {
     if (!entry_) give_up(entry_.error().what);
   }
 
   void play(Isolation isolation, Measured& measured) {
     match::Setup setup;
     setup.rules.half_s = 3600.0;
-    match::Match match(setup);
+    match::Leg match(setup);
     const auto bell = std::make_shared<Doorbell>();
     const auto blue = seat(isolation, match.briefing(Team::blue), bell, measured);
     const auto yellow = seat(isolation, match.briefing(Team::yellow), bell, measured);
@@ -97,7 +98,7 @@ class Bench {
 
   std::string host_program_;
   std::string library_;
-  Result<Entry> entry_;
+  Result<SealedEntry> entry_;
 };
 
 }  // namespace

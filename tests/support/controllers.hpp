@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/base/random.hpp"
-#include "core/match/match.hpp"
+#include "core/match/leg.hpp"
 
 #include <functional>
 #include <utility>
@@ -31,7 +31,7 @@ inline match::Command both_wheels(double left, double right) {
   return command;
 }
 
-inline Scripted standing() {
+inline Scripted idle_team() {
   return Scripted([](const match::Observation&) { return match::Command{}; });
 }
 
@@ -71,8 +71,8 @@ inline match::Setup short_setup(std::uint64_t seed, double half_s = 3.0,
   return setup;
 }
 
-inline void play(match::Match& match, match::Controller& blue, match::Controller& yellow) {
-  while (!match.is_over()) match.advance(blue, yellow);
+inline void play(match::Leg& leg, match::Controller& blue, match::Controller& yellow) {
+  while (!leg.is_over()) leg.advance(blue, yellow);
 }
 
 }  // namespace mirocup::test_support

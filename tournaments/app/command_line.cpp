@@ -17,12 +17,12 @@ namespace {
 
 // A subcommand, the object that its options are written to, and what runs with it.
 template <class Options>
-struct Command {
-  Command(CLI::App& app, Run& run, const char* name, const char* description,
-          Result<int> (*command)(const Options&))
+struct Subcommand {
+  Subcommand(CLI::App& app, Action& action, const char* name, const char* description,
+             Result<int> (*command)(const Options&))
       : sub(app.add_subcommand(name, description)), options(std::make_shared<Options>()) {
-    sub->callback([options = options, command, &run] {
-      run = [options, command] { return command(*options); };
+    sub->callback([options = options, command, &action] {
+      action = [options, command] { return command(*options); };
     });
   }
   CLI::App* operator->() const { return sub; }
@@ -33,14 +33,14 @@ struct Command {
 
 // The first argument of all but compare.
 template <class Options>
-void add_folder(const Command<Options>& command) {
+void add_folder(const Subcommand<Options>& command) {
   command->add_option("DIR", command.options->folder, "the league's folder")->required();
 }
 
-using LeagueCommand = Command<LeagueOptions>;
+using LeagueSubcommand = Subcommand<LeagueOptions>;
 
-void add_init(CLI::App& app, Run& run) {
-  LeagueCommand command(app, run, "init", "Make a league", run_init);
+void add_init(CLI::App& app, Action& action) {
+  LeagueSubcommand command(app, action, "init", "Make a league", run_init);
   LeagueOptions& o = *command.options;
   add_folder(command);
   command->add_option("--config", o.config, "a league.json to start from");
@@ -55,9 +55,9 @@ void add_init(CLI::App& app, Run& run) {
   command->add_option("--seed", o.seed, "of everything that is drawn")->excludes("--config");
 }
 
-void add_submit(CLI::App& app, Run& run) {
-  Command<SubmitOptions> command(app, run, "submit",
-                                 "Hand in an entry: check it, keep it, let it play", run_submit);
+void add_submit(CLI::App& app, Action& action) {
+  Subcommand<SubmitOptions> command(app, action, "submit",
+                                    "Hand in an entry: check it, keep it, let it play", run_submit);
   SubmitOptions& o = *command.options;
   add_folder(command);
   CLI::Option* team = command->add_option("TEAM", o.team, "its name");
@@ -69,8 +69,8 @@ void add_submit(CLI::App& app, Run& run) {
 }
 
 // Playing and showing a league.
-void add_running(CLI::App& app, Run& run) {
-  LeagueCommand start(app, run, "start", "Play the league, or go on with it", run_start);
+void add_running(CLI::App& app, Action& action) {
+  LeagueSubcommand start(app, action, "start", "Play the league, or go on with it", run_start);
   add_folder(start);
   start
       ->add_option("--engine", start.options->engine,
@@ -84,15 +84,15 @@ void add_running(CLI::App& app, Run& run) {
                    "legs, and then pages, at once (default: one for each processor)")
       ->check(CLI::Range(1, 1024));
 
-  LeagueCommand stop(app, run, "stop", "Let a league that is being played stop", run_stop);
+  LeagueSubcommand stop(app, action, "stop", "Let a league that is being played stop", run_stop);
   add_folder(stop);
   stop->add_flag("--now", stop.options->now, "do not play the present legs to their end");
 
-  LeagueCommand status(app, run, "status", "Say how the league stands", run_status);
+  LeagueSubcommand status(app, action, "status", "Say how the league stands", run_status);
   add_folder(status);
   status->add_flag("--json", status.options->json, "one JSON object on standard output");
 
-  LeagueCommand pages(app, run, "publish", "Make the pages", run_publish);
+  LeagueSubcommand pages(app, action, "publish", "Make the pages", run_publish);
   add_folder(pages);
   CLI::Option* output =
       pages->add_option("-o,--output", pages.options->output, "a folder for these rounds alone");
@@ -101,13 +101,14 @@ void add_running(CLI::App& app, Run& run) {
                                  "show nothing after this round: r3, or k1 of a knockout")
                     ->needs(output));
 
-  Command<ServeOptions> serve(app, run, "serve", "Show the league in browsers, as it is now",
-                              run_serve);
+  Subcommand<ServeOptions> serve(app, action, "serve", "Show the league in browsers, as it is now",
+                                 run_serve);
   add_folder(serve);
   serve->add_option("--at", serve.options->at,
                     "[HOST:]PORT (default: this host only, any port that is free)");
 
-  LeagueCommand files(app, run, "export", "Write table, legs and bracket as files", run_export);
+  LeagueSubcommand files(app, action, "export", "Write table, legs and bracket as files",
+                         run_export);
   add_folder(files);
   files->add_option("-o,--output", files.options->output, "the folder for them")
       ->default_str("export")
@@ -115,11 +116,11 @@ void add_running(CLI::App& app, Run& run) {
 }
 
 // A decision of a person: its command with DIR, and with a reason at its end.
-class Ruling {
+class RulingSubcommand {
  public:
-  Ruling(CLI::App& app, Run& run, const char* name, const char* description,
-         Result<int> (*command)(const RulingOptions&))
-      : command_(app, run, name, description, command) {
+  RulingSubcommand(CLI::App& app, Action& action, const char* name, const char* description,
+                   Result<int> (*command)(const RulingOptions&))
+      : command_(app, action, name, description, command) {
     add_folder(command_);
   }
 
@@ -142,44 +143,47 @@ class Ruling {
   CLI::App* operator->() const { return command_.sub; }
 
  private:
-  Command<RulingOptions> command_;
+  Subcommand<RulingOptions> command_;
 };
 
-void add_rulings(CLI::App& app, Run& run) {
-  Ruling award(app, run, "award", "Give a fixture or a leg to a team, as by a forfeit", run_award);
+void add_rulings(CLI::App& app, Action& action) {
+  RulingSubcommand award(app, action, "award", "Give a fixture or a leg to a team, as by a forfeit",
+                         run_award);
   award.add_fixture();
   award.add_team();
   award.add_reason(true);
 
-  Ruling rule(app, run, "rule", "Decide the score of a fixture's legs or of one", run_rule);
+  RulingSubcommand rule(app, action, "rule", "Decide the score of a fixture's legs or of one",
+                        run_rule);
   rule.add_fixture();
   rule->add_option("--score", rule.options().score, "HOME:AWAY")->required();
   rule.add_reason(true);
 
-  Ruling annul(app, run, "void",
-               "Let legs count for nothing and be played again with the same seed", run_void);
+  RulingSubcommand annul(app, action, "void",
+                         "Let legs count for nothing and be played again with the same seed",
+                         run_void);
   annul.add_fixture();
   annul.add_reason(true);
 
-  Ruling withdraw(app, run, "withdraw", "Take a team out of the league", run_withdraw);
+  RulingSubcommand withdraw(app, action, "withdraw", "Take a team out of the league", run_withdraw);
   withdraw.add_team();
   withdraw->add_option("--results", withdraw.options().results, "keep what it played, or annul it")
       ->check(CLI::IsMember({"keep", "annul"}))
       ->capture_default_str();
   withdraw.add_reason(true);
 
-  Ruling pause(app, run, "pause", "Play no legs of a team for now", run_pause);
+  RulingSubcommand pause(app, action, "pause", "Play no legs of a team for now", run_pause);
   pause.add_team();
   pause.add_reason(true);
 
-  Ruling resume(app, run, "resume", "Let a paused team play again", run_resume);
+  RulingSubcommand resume(app, action, "resume", "Let a paused team play again", run_resume);
   resume.add_team();
   resume.add_reason(false);
 }
 
-void add_compare(CLI::App& app, Run& run) {
-  Command<CompareOptions> command(
-      app, run, "compare", "Play two entries until it can be said which is better", run_compare);
+void add_compare(CLI::App& app, Action& action) {
+  Subcommand<CompareOptions> command(
+      app, action, "compare", "Play two entries until it can be said which is better", run_compare);
   CompareOptions& o = *command.options;
   ComparisonRun& r = o.run;
   command->add_option("A", r.teams[0], "a library, or the name of a house team")->required();
@@ -191,7 +195,7 @@ void add_compare(CLI::App& app, Run& run) {
   command->add_option("--seed", r.seed, "of the fixtures")->capture_default_str();
   command->add_option("--jobs", r.jobs, "legs at once (default: one for each processor)")
       ->check(CLI::Range(1, 1024));
-  command->add_option("--most", r.most, "fixtures of two legs, before it gives up")
+  command->add_option("--most", r.max_fixtures, "fixtures of two legs, before it gives up")
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
   command
@@ -202,23 +206,23 @@ void add_compare(CLI::App& app, Run& run) {
   command->add_flag("--json", o.json, "one JSON object on standard output");
 }
 
-void add_shards(CLI::App& app, Run& run) {
-  Command<ShardOptions> plan(
-      app, run, "plan",
+void add_shards(CLI::App& app, Action& action) {
+  Subcommand<ShardOptions> plan(
+      app, action, "plan",
       "Start the league, book what shards have played, and list what can be played now", run_plan);
   add_folder(plan);
 
-  Command<ShardOptions> shard(
-      app, run, "run-shard",
+  Subcommand<ShardOptions> shard(
+      app, action, "run-shard",
       "Play fixtures into records only, on any machine; league start books them", run_shards);
   add_folder(shard);
   shard->add_option("FIXTURE", shard.options->fixtures, "ids, as league plan lists them")
       ->required();
 }
 
-void add_credentials(CLI::App& app, Run& run) {
-  Command<CredentialsOptions> command(
-      app, run, "credentials",
+void add_credentials(CLI::App& app, Action& action) {
+  Subcommand<CredentialsOptions> command(
+      app, action, "credentials",
       "Make what teams, match server and spectators are known by on the network", run_credentials);
   CredentialsOptions& o = *command.options;
   add_folder(command);
@@ -231,17 +235,17 @@ void add_credentials(CLI::App& app, Run& run) {
 
 }  // namespace
 
-std::optional<int> read_command_line(int argc, char** argv, Run& run) {
+std::optional<int> read_command_line(int argc, char** argv, Action& action) {
   CLI::App cli("Leagues of MiroSot robot soccer: a league is a folder.", "mirocup league");
   cli.require_subcommand(1);
   cli.set_version_flag("--version", record::software_version());
-  add_init(cli, run);
-  add_submit(cli, run);
-  add_running(cli, run);
-  add_rulings(cli, run);
-  add_compare(cli, run);
-  add_shards(cli, run);
-  add_credentials(cli, run);
+  add_init(cli, action);
+  add_submit(cli, action);
+  add_running(cli, action);
+  add_rulings(cli, action);
+  add_compare(cli, action);
+  add_shards(cli, action);
+  add_credentials(cli, action);
   try {
     cli.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

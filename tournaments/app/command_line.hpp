@@ -10,10 +10,10 @@
 
 namespace mirocup::league {
 
-using Run = std::function<Result<int>()>;
+using Action = std::function<Result<int>()>;
 
-// Sets `run` to the subcommand with its options. Otherwise there is nothing to run, and the answer is
+// Sets `action` to the subcommand with its options. Otherwise there is nothing to run, and the answer is
 // an exit code: it asked for help, or was wrong; both are told.
-std::optional<int> read_command_line(int argc, char** argv, Run& run);
+std::optional<int> read_command_line(int argc, char** argv, Action& action);
 
 }  // namespace mirocup::league

@@ -3,6 +3,7 @@
 
 #include "tournaments/app/progress_bar.hpp"
 #include "tournaments/journal/file_lock.hpp"
+#include "tournaments/league/apply.hpp"
 #include "tournaments/play/runner.hpp"
 #include "tournaments/play/slurm_runner.hpp"
 #include "tournaments/publish/replay_pages.hpp"
@@ -29,7 +30,7 @@ Result<LeagueFile> file_from(system::Files& files, const LeagueOptions& options)
     if (!file) return file;
     // Libraries are named from where the file is.
     const std::filesystem::path base = std::filesystem::path(options.config).parent_path();
-    for (TeamEntry& team : file->teams) {
+    for (TeamConfig& team : file->teams) {
       if (team.source.rfind("house:", 0) != 0) team.source = (base / team.source).string();
     }
     return file;
@@ -72,13 +73,13 @@ Result<void> publish_site(system::Files& files, const Folder& folder, const Leag
 void say_what_is_left(const LeagueState& state) {
   std::cerr << "mirocup: " << state.legs() - state.played() << " legs are not decided\n";
   for (std::size_t i = 0; i < state.teams.size(); ++i) {
-    if (state.teams[i].standing != Standing::paused) continue;
+    if (state.teams[i].status != TeamStatus::paused) continue;
     std::cerr << "mirocup: " << state.file.teams[i].name << " is paused: " << state.teams[i].why
               << "; league resume or league withdraw decides\n";
   }
   for (const FixtureState& f : state.fixtures) {
     for (int leg = 0; leg < f.needed(); ++leg) {
-      if (f.legs[leg].played || f.legs[leg].host_faults < most_attempts) continue;
+      if (f.legs[leg].played || f.legs[leg].host_faults < max_attempts) continue;
       std::cerr << "mirocup: " << f.fixture.id() << " leg " << leg + 1 << ": the host failed "
                 << f.legs[leg].host_faults << " times; see the journal, then start again\n";
     }
@@ -86,17 +87,17 @@ void say_what_is_left(const LeagueState& state) {
 }
 
 // Where the league stands when nothing is left that can be played.
-Result<LeagueState> play(system::Files& files, Book book, Progress& progress,
+Result<LeagueState> play(system::Files& files, LeagueStore store, ProgressReporter& progress,
                          const LeagueOptions& options) {
   const auto state_of = [](auto& runner, const Result<int>& left) -> Result<LeagueState> {
     if (!left) return tl::unexpected(left.error());
     return runner.state();
   };
   if (options.engine == "slurm") {
-    SlurmRunner runner(files, std::move(book), progress);
+    SlurmRunner runner(files, std::move(store), progress);
     return state_of(runner, runner.run(options.jobs));
   }
-  Runner runner(files, std::move(book), progress);
+  Runner runner(files, std::move(store), progress);
   return state_of(runner, runner.run({.jobs = options.jobs, .watched = options.watched}));
 }
 
@@ -117,18 +118,18 @@ Result<int> run_start(const LeagueOptions& options) {
   system::Disk disk;
   const Folder folder{options.folder};
   std::string notice;
-  auto book = Book::open(disk, folder, &notice);
-  if (!book) return tl::unexpected(book.error());
+  auto store = LeagueStore::open(disk, folder, &notice);
+  if (!store) return tl::unexpected(store.error());
   if (!notice.empty()) std::cerr << "mirocup: " << notice << '\n';
-  const auto mine = FileLock::take(folder.running(), std::to_string(getpid()) + "\n");
+  const auto mine = FileLock::try_acquire(folder.running(), std::to_string(getpid()) + "\n");
   if (!mine) return tl::unexpected(mine.error());
   if (!*mine) {
     return fail(Errc::unavailable, folder.path + " is being played already; mirocup league stop " +
                                        folder.path + " ends that");
   }
 
-  auto progress = make_progress();
-  const auto played = play(disk, std::move(*book), *progress, options);
+  auto progress = make_progress_reporter();
+  const auto played = play(disk, std::move(*store), *progress, options);
   if (!played) return tl::unexpected(played.error());
   progress->say("making pages");
   const int jobs_here = options.engine == "local" ? options.jobs : 0;
@@ -148,7 +149,7 @@ Result<int> run_start(const LeagueOptions& options) {
 Result<int> run_stop(const LeagueOptions& options) {
   system::Disk disk;
   const Folder folder{options.folder};
-  if (!FileLock::is_taken(folder.running())) {
+  if (!FileLock::is_held(folder.running())) {
     std::cout << folder.path << " is not being played\n";
     return exit_no;
   }
@@ -167,9 +168,9 @@ Result<int> run_stop(const LeagueOptions& options) {
 
 Result<int> run_status(const LeagueOptions& options) {
   system::Disk disk;
-  const auto book = Book::open(disk, Folder{options.folder});
-  if (!book) return tl::unexpected(book.error());
-  const LeagueState& state = book->state();
+  const auto store = LeagueStore::open(disk, Folder{options.folder});
+  if (!store) return tl::unexpected(store.error());
+  const LeagueState& state = store->state();
   if (options.json) {
     std::cout << table_json(overview(state)).dump() << '\n';
   } else {
@@ -178,9 +179,9 @@ Result<int> run_status(const LeagueOptions& options) {
               << table_text(state);
     for (std::size_t i = 0; i < state.teams.size(); ++i) {
       const TeamState& team = state.teams[i];
-      if (team.standing == Standing::playing) continue;
+      if (team.status == TeamStatus::playing) continue;
       std::cout << state.file.teams[i].name
-                << (team.standing == Standing::paused ? " is paused: " : " has withdrawn: ")
+                << (team.status == TeamStatus::paused ? " is paused: " : " has withdrawn: ")
                 << team.why << '\n';
     }
   }
@@ -189,16 +190,16 @@ Result<int> run_status(const LeagueOptions& options) {
 
 Result<int> run_publish(const LeagueOptions& options) {
   system::Disk disk;
-  const auto book = Book::open(disk, Folder{options.folder});
-  if (!book) return tl::unexpected(book.error());
+  const auto store = LeagueStore::open(disk, Folder{options.folder});
+  if (!store) return tl::unexpected(store.error());
   // Rounds that are shown alone have a folder of their own: site/ has everything.
   const Folder folder{options.through.empty() ? options.folder : options.output};
   auto published =
       options.through.empty()
-          ? publish_site(disk, folder, book->state())
-          : state_through(book->state(), book->journal(), options.through)
+          ? publish_site(disk, folder, store->state())
+          : state_through(store->state(), store->journal(), options.through)
                 .and_then([&](const LeagueState& shown) {
-                  return copy_records(disk, book->folder(), shown, folder).and_then([&] {
+                  return copy_records(disk, store->folder(), shown, folder).and_then([&] {
                     return publish_site(disk, folder, shown);
                   });
                 });
@@ -210,10 +211,10 @@ Result<int> run_publish(const LeagueOptions& options) {
 
 Result<int> run_export(const LeagueOptions& options) {
   system::Disk disk;
-  const auto book = Book::open(disk, Folder{options.folder});
-  if (!book) return tl::unexpected(book.error());
+  const auto store = LeagueStore::open(disk, Folder{options.folder});
+  if (!store) return tl::unexpected(store.error());
   if (auto made = disk.make_folder(options.output); !made) return tl::unexpected(made.error());
-  for (const SiteFile& file : exports(overview(book->state()))) {
+  for (const SiteFile& file : exports(overview(store->state()))) {
     const std::string path = options.output + "/" + file.name;
     if (auto written = disk.write(path, file.bytes); !written)
       return tl::unexpected(written.error());

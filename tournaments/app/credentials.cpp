@@ -3,14 +3,12 @@
 // mirocup league credentials: what the processes of a league are known by on the network. The work
 // is done by credentials.sh with openssl; this says for whom.
 #include "server/record/match_record.hpp"
+#include "server/system/child_process.hpp"
 #include "server/system/locations.hpp"
 #include "tournaments/app/commands.hpp"
 #include "tournaments/league/folder.hpp"
 
 #include <algorithm>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace mirocup::league {
 
@@ -29,21 +27,16 @@ Result<std::vector<std::string>> teams_of(const CredentialsOptions& options) {
   if (!text) return tl::unexpected(text.error());
   const auto league = parse_league_file(*text, config);
   if (!league) return tl::unexpected(league.error());
-  for (const TeamEntry& team : league->teams) names.push_back(team.name);
+  for (const TeamConfig& team : league->teams) names.push_back(team.name);
   return names;
 }
 
 Result<void> run_script(std::vector<std::string> arguments) {
-  std::vector<char*> argv;
-  for (std::string& argument : arguments) argv.push_back(argument.data());
-  argv.push_back(nullptr);
-  pid_t pid = 0;
-  int status = 0;
-  if (posix_spawn(&pid, argv[0], nullptr, nullptr, argv.data(), environ) != 0 ||
-      waitpid(pid, &status, 0) != pid) {
+  const auto code = system::run_child({.arguments = arguments, .cpu = -1, .log = ""});
+  if (!code || *code == system::not_found) {
     return fail(Errc::unavailable, arguments[0] + " cannot be run");
   }
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
+  if (*code == 0) return {};
   return fail(Errc::unavailable, "the credentials could not be made; see above");
 }
 

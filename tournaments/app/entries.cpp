@@ -70,15 +70,15 @@ Result<int> collect(system::Files& files, const SubmitOptions& options) {
 }
 
 // Gone when it goes.
-class Scratch {
+class ScratchFolder {
  public:
-  Scratch() {
+  ScratchFolder() {
     std::string name = (fs::temp_directory_path() / "mirocup-compare-XXXXXX").string();
     if (mkdtemp(name.data()) != nullptr) path_ = name;
   }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  ~Scratch() {
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  ~ScratchFolder() {
     std::error_code ignored;
     if (!path_.empty()) fs::remove_all(path_, ignored);
   }
@@ -103,17 +103,17 @@ Result<int> run_submit(const SubmitOptions& options) {
 
 Result<int> run_compare(const CompareOptions& options) {
   system::Disk disk;
-  const Scratch scratch;
+  const ScratchFolder scratch;
   if (scratch.path().empty())
     return fail(Errc::unavailable, "no folder for the records can be made");
   ComparisonRun run = options.run;
   run.league = *from_string<League>(options.league);
   run.folder = scratch.path();
-  const auto progress = make_progress();
+  const auto progress = make_progress_reporter();
   const auto result = run_comparison(disk, run, *progress);
   if (!result) return tl::unexpected(result.error());
-  const bool is_decided = result->verdict != Verdict::undecided;
-  const std::string& better = run.teams[result->verdict == Verdict::second ? 1 : 0];
+  const bool is_decided = result->verdict != ComparisonVerdict::undecided;
+  const std::string& better = run.teams[result->verdict == ComparisonVerdict::second ? 1 : 0];
   if (options.json) {
     const Json json{{"better", is_decided ? Json(better) : Json()},
                     {"won", {result->first_wins, result->second_wins}},

@@ -8,9 +8,9 @@
 using namespace mirocup;
 
 int main(int argc, char** argv) {
-  league::Run run;
-  if (const auto done = league::read_command_line(argc, argv, run)) return *done;
-  const Result<int> result = run();
+  league::Action action;
+  if (const auto done = league::read_command_line(argc, argv, action)) return *done;
+  const Result<int> result = action();
   if (result) return *result;
   std::cerr << "mirocup: " << result.error().what << '\n';
   return exit_code(result.error().code);

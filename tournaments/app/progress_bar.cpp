@@ -14,21 +14,21 @@ namespace {
 // So that a league of thousands of legs fits a terminal of 80 characters.
 constexpr int bar_width = 24;
 
-class Lines final : public Progress {
+class LineReporter final : public ProgressReporter {
  public:
   void say(const std::string& line) override { std::cerr << line << '\n'; }
-  void stands_at(int, int, int) override {}
+  void update(int, int, int) override {}
 };
 
-class Bar final : public Progress {
+class BarReporter final : public ProgressReporter {
  public:
-  ~Bar() override { std::cerr << clear << std::flush; }
+  ~BarReporter() override { std::cerr << clear << std::flush; }
 
   void say(const std::string& line) override {
     std::cerr << clear << line << '\n' << text_ << std::flush;
   }
 
-  void stands_at(int decided, int legs, int playing) override {
+  void update(int decided, int legs, int playing) override {
     if (first_ < 0) first_ = decided;
     const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - begin_;
     text_ = bar_text(first_, decided, legs, playing, gone.count(), bar_width);
@@ -65,9 +65,9 @@ std::string bar_text(int first, int decided, int legs, int playing, double secon
   return text;
 }
 
-std::unique_ptr<Progress> make_progress() {
-  if (isatty(STDERR_FILENO) != 0) return std::make_unique<Bar>();
-  return std::make_unique<Lines>();
+std::unique_ptr<ProgressReporter> make_progress_reporter() {
+  if (isatty(STDERR_FILENO) != 0) return std::make_unique<BarReporter>();
+  return std::make_unique<LineReporter>();
 }
 
 }  // namespace mirocup::league

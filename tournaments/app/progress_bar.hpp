@@ -4,13 +4,13 @@
 // plain lines.
 #pragma once
 
-#include "tournaments/play/progress.hpp"
+#include "tournaments/play/progress_reporter.hpp"
 
 #include <memory>
 
 namespace mirocup::league {
 
-std::unique_ptr<Progress> make_progress();
+std::unique_ptr<ProgressReporter> make_progress_reporter();
 
 // "[######......]  37 of 100 legs, 2 playing, 4 min left": `width` characters of bar.
 // `seconds` have gone since `first` legs were decided.

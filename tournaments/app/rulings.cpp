@@ -2,49 +2,43 @@
 //
 // What a person decides about a league. Each is a line of the journal with a reason; the lines before
 // stay. They may be given while the league is being played.
+#include "core/base/assert.hpp"
 #include "tournaments/app/commands.hpp"
 #include "tournaments/league/league_store.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <iostream>
+#include <sstream>
 
 namespace mirocup::league {
 
 namespace {
 
-Json signed_fields(const RulingOptions& options, Json fields) {
-  fields["why"] = options.reason;
-  if (!options.by.empty()) fields["by"] = options.by;
-  return fields;
-}
-
 // The legs that are meant: one, or all of the fixture.
-Result<std::vector<int>> legs_of(const Book& book, const RulingOptions& options) {
-  const auto index = book.state().find_fixture(options.fixture);
+Result<std::vector<int>> legs_of(const LeagueStore& store, const RulingOptions& options) {
+  const auto index = store.state().find_fixture(options.fixture);
   if (!index) return fail(Errc::input, "there is no fixture " + options.fixture);
   if (options.leg > 0) return std::vector<int>{options.leg};
   std::vector<int> legs;
-  for (int leg = 1; leg <= book.state().fixtures[*index].needed(); ++leg) legs.push_back(leg);
+  for (int leg = 1; leg <= store.state().fixtures[*index].needed(); ++leg) legs.push_back(leg);
   return legs;
 }
 
 Result<int> rule(const RulingOptions& options, int home_goals, int away_goals) {
   system::Disk disk;
-  auto book = Book::open(disk, Folder{options.folder});
-  if (!book) return tl::unexpected(book.error());
-  const auto legs = legs_of(*book, options);
+  auto store = LeagueStore::open(disk, Folder{options.folder});
+  if (!store) return tl::unexpected(store.error());
+  const auto legs = legs_of(*store, options);
   if (!legs) return tl::unexpected(legs.error());
   for (const int leg : *legs) {
-    if (auto written = book->write(
-            "ruling",
-            signed_fields(options, {{"fixture", options.fixture},
-                                    {"leg", leg},
-                                    {"score", {{"home", home_goals}, {"away", away_goals}}}}));
+    if (auto written = store->write(Ruled{.fixture = options.fixture,
+                                          .leg = leg,
+                                          .score = {.home = home_goals, .away = away_goals},
+                                          .why = options.reason,
+                                          .by = options.by});
         !written) {
       return tl::unexpected(written.error());
     }
-    const LeagueState& state = book->state();
+    const LeagueState& state = store->state();
     const Fixture& fixture = state.fixtures[*state.find_fixture(options.fixture)].fixture;
     std::cout << options.fixture << " leg " << leg << ": " << state.name(fixture.home) << ' '
               << home_goals << " : " << away_goals << ' ' << state.name(fixture.away) << '\n';
@@ -52,13 +46,12 @@ Result<int> rule(const RulingOptions& options, int home_goals, int away_goals) {
   return exit_yes;
 }
 
-Result<int> write_team_line(const RulingOptions& options, const std::string& kind, Json fields) {
+// Opens the league and writes the event.
+Result<int> write_event(const RulingOptions& options, const Event& event) {
   system::Disk disk;
-  auto book = Book::open(disk, Folder{options.folder});
-  if (!book) return tl::unexpected(book.error());
-  fields["team"] = options.team;
-  if (auto written = book->write(kind, signed_fields(options, std::move(fields))); !written)
-    return tl::unexpected(written.error());
+  auto store = LeagueStore::open(disk, Folder{options.folder});
+  if (!store) return tl::unexpected(store.error());
+  if (auto written = store->write(event); !written) return tl::unexpected(written.error());
   return exit_yes;
 }
 
@@ -66,9 +59,9 @@ Result<int> write_team_line(const RulingOptions& options, const std::string& kin
 
 Result<int> run_award(const RulingOptions& options) {
   system::Disk disk;
-  const auto book = Book::open(disk, Folder{options.folder});
-  if (!book) return tl::unexpected(book.error());
-  const LeagueState& state = book->state();
+  const auto store = LeagueStore::open(disk, Folder{options.folder});
+  if (!store) return tl::unexpected(store.error());
+  const LeagueState& state = store->state();
   const auto index = state.find_fixture(options.fixture);
   if (!index) return fail(Errc::input, "there is no fixture " + options.fixture);
   const Fixture& fixture = state.fixtures[*index].fixture;
@@ -93,18 +86,20 @@ Result<int> run_rule(const RulingOptions& options) {
 
 Result<int> run_void(const RulingOptions& options) {
   system::Disk disk;
-  auto book = Book::open(disk, Folder{options.folder});
-  if (!book) return tl::unexpected(book.error());
-  const auto legs = legs_of(*book, options);
+  auto store = LeagueStore::open(disk, Folder{options.folder});
+  if (!store) return tl::unexpected(store.error());
+  const auto legs = legs_of(*store, options);
   if (!legs) return tl::unexpected(legs.error());
   for (const int leg : *legs) {
-    const auto index = book->state().find_fixture(options.fixture);
+    const auto index = store->state().find_fixture(options.fixture);
     const int attempt =
-        leg <= most_legs ? book->state().fixtures[*index].legs[leg - 1].voids + 1 : 1;
-    if (auto written = book->write("void", signed_fields(options, {{"fixture", options.fixture},
-                                                                   {"leg", leg},
-                                                                   {"attempt", attempt},
-                                                                   {"cause", "ruling"}}));
+        leg <= max_legs ? store->state().fixtures[*index].legs[leg - 1].voids + 1 : 1;
+    if (auto written = store->write(LegVoided{.fixture = options.fixture,
+                                              .leg = leg,
+                                              .attempt = attempt,
+                                              .cause = VoidCause::ruling,
+                                              .why = options.reason,
+                                              .by = options.by});
         !written) {
       return tl::unexpected(written.error());
     }
@@ -114,21 +109,29 @@ Result<int> run_void(const RulingOptions& options) {
 }
 
 Result<int> run_withdraw(const RulingOptions& options) {
-  const auto done = write_team_line(options, "withdraw", {{"results", options.results}});
+  const auto results = from_string<WithdrawnResults>(options.results);
+  MIROCUP_ASSERT(results);  // the command line takes no other words
+  const auto done = write_event(
+      options,
+      Withdrawn{
+          .team = options.team, .results = *results, .why = options.reason, .by = options.by});
   if (done) {
     std::cout << options.team << " has withdrawn; "
-              << (options.results == "keep" ? "its results stay, the others win what is left\n"
-                                            : "its results count for nothing\n");
+              << (*results == WithdrawnResults::keep
+                      ? "its results stay, the others win what is left\n"
+                      : "its results count for nothing\n");
   }
   return done;
 }
 
 Result<int> run_pause(const RulingOptions& options) {
-  return write_team_line(options, "pause", Json::object());
+  return write_event(options,
+                     Paused{.team = options.team, .why = options.reason, .by = options.by});
 }
 
 Result<int> run_resume(const RulingOptions& options) {
-  return write_team_line(options, "resume", Json::object());
+  return write_event(options,
+                     Resumed{.team = options.team, .why = options.reason, .by = options.by});
 }
 
 }  // namespace mirocup::league

@@ -11,7 +11,7 @@ namespace mirocup::league {
 
 namespace {
 
-constexpr double long_time = 3600.0;  // s
+constexpr double wait_s = 3600.0;  // s
 
 }  // namespace
 
@@ -19,10 +19,10 @@ Result<int> run_serve(const ServeOptions& options) {
   const auto address = web::parse_address(options.at, "--at");
   if (!address) return tl::unexpected(address.error());
   system::Disk disk;
-  auto book = Book::open(disk, Folder{options.folder});
-  if (!book) return tl::unexpected(book.error());
+  auto store = LeagueStore::open(disk, Folder{options.folder});
+  if (!store) return tl::unexpected(store.error());
   system::ProcessSet interrupts;  // before any thread
-  ServedLeague league(disk, std::move(*book));
+  ServedLeague league(disk, std::move(*store));
   const auto server = web::SiteServer::open(
       *address, "--at",
       {.page = [&league](const std::string& path) { return league.page(path); },
@@ -30,7 +30,7 @@ Result<int> run_serve(const ServeOptions& options) {
        .match = [&league](const std::string& name) { return league.match(name); }});
   if (!server) return tl::unexpected(server.error());
   std::cout << (*server)->url() << std::endl;
-  while (!interrupts.is_asked_to_stop_within(long_time)) {
+  while (!interrupts.is_asked_to_stop_within(wait_s)) {
   }
   return exit_yes;
 }

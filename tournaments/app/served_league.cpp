@@ -18,7 +18,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto look_again = 500ms;
+constexpr auto poll_interval = 500ms;
 
 // What `mirocup match --watch` says; only matches of this host are passed on.
 constexpr std::string_view watched = "mirocup: watch at http://127.0.0.1:";
@@ -59,26 +59,26 @@ std::string with_script(std::string html) {
 }  // namespace
 
 // Under the lock. What cannot be read just now is as it was.
-void ServedLeague::look() {
+void ServedLeague::poll() {
   const auto now = std::chrono::steady_clock::now();
-  if (version_ > 0 && now - looked_at_ < look_again) return;
-  looked_at_ = now;
-  (void)book_.refresh();
-  std::vector<Playing> playing = find_playing();
-  if (version_ > 0 && book_.lines() == lines_ && playing == playing_) return;
-  lines_ = book_.lines();
-  playing_ = std::move(playing);
+  if (version_ > 0 && now - polled_at_ < poll_interval) return;
+  polled_at_ = now;
+  (void)store_.refresh();
+  std::vector<LiveLeg> playing = find_live_legs();
+  if (version_ > 0 && store_.lines() == lines_ && playing == live_legs_) return;
+  lines_ = store_.lines();
+  live_legs_ = std::move(playing);
   ++version_;
 }
 
-std::vector<ServedLeague::Playing> ServedLeague::find_playing() const {
-  const LeagueState& state = book_.state();
-  std::vector<Playing> playing;
+std::vector<ServedLeague::LiveLeg> ServedLeague::find_live_legs() const {
+  const LeagueState& state = store_.state();
+  std::vector<LiveLeg> playing;
   for (std::size_t i = state.first_open(); i < state.fixtures.size(); ++i) {
     const FixtureState& f = state.fixtures[i];
     for (const int number : open_legs(state, f)) {
       const LegId leg{f.fixture, number, f.legs[number - 1].version};
-      const std::string output = leg_output(book_.folder(), leg);
+      const std::string output = leg_output(store_.folder(), leg);
       if (!files_.exists(output)) continue;
       const int port = port_in(files_.read(output).value_or(""));
       if (port == 0 || !web::is_watched_at(port)) continue;
@@ -101,7 +101,7 @@ void ServedLeague::make_pages() {
   if (!pages_.empty() && lines_of_pages_ == lines_) return;
   lines_of_pages_ = lines_;
   pages_.clear();
-  for (SiteFile& file : make_site(book_.state())) {
+  for (SiteFile& file : make_site(store_.state())) {
     const std::string type = type_of(file.name);
     const bool is_html = type.starts_with("text/html");
     pages_["/" + file.name] = {type, is_html ? policy : "",
@@ -110,8 +110,8 @@ void ServedLeague::make_pages() {
   pages_["/"] = pages_["/index.html"];
   pages_["/league.js"] = {type_of("league.js"), "", std::string(web::asset("league.js"))};
   records_.clear();
-  for (const FixtureState& f : book_.state().fixtures) {
-    for (int leg = 1; leg <= most_legs; ++leg) {
+  for (const FixtureState& f : store_.state().fixtures) {
+    for (int leg = 1; leg <= max_legs; ++leg) {
       const LegState& now = f.legs[leg - 1];
       const int versions =
           now.played && !now.played->record.empty() ? now.version : now.version - 1;
@@ -125,7 +125,7 @@ std::optional<web::Page> ServedLeague::page(const std::string& path) {
   std::string stem;
   {
     const std::lock_guard lock(mutex_);
-    look();
+    poll();
     make_pages();
     if (const auto found = pages_.find(path); found != pages_.end()) return found->second;
     // Only what the journal names is looked for on the disk.
@@ -137,7 +137,7 @@ std::optional<web::Page> ServedLeague::page(const std::string& path) {
   if (path == "/replays/" + stem + ".html") return replay(stem);
   if (path != "/records/" + stem + ".json" && path != "/records/" + stem + ".replay.zst")
     return std::nullopt;
-  auto bytes = files_.read(book_.folder().path + path);
+  auto bytes = files_.read(store_.folder().path + path);
   if (!bytes) return std::nullopt;
   return web::Page{type_of(path), "", std::move(*bytes)};
 }
@@ -146,10 +146,10 @@ std::optional<web::Page> ServedLeague::page(const std::string& path) {
 std::optional<web::Page> ServedLeague::replay(const std::string& stem) {
   const std::string record = "records/" + stem + ".json";
   const std::string html = replay_page_of(record);
-  if (auto made = files_.read(book_.folder().site() + "/" + html))
+  if (auto made = files_.read(store_.folder().site() + "/" + html))
     return web::Page{type_of(html), "", std::move(*made)};
   const std::lock_guard one_at_a_time(replaying_);
-  const auto loaded = record::load(files_, book_.folder().path + "/" + record);
+  const auto loaded = record::load(files_, store_.folder().path + "/" + record);
   if (!loaded) return std::nullopt;
   auto page = web::replay_page(*loaded, web::Times::left_out);
   if (!page) return std::nullopt;
@@ -158,18 +158,18 @@ std::optional<web::Page> ServedLeague::replay(const std::string& stem) {
 
 std::string ServedLeague::news(std::uint64_t& seen) {
   const std::lock_guard lock(mutex_);
-  look();
+  poll();
   if (seen == version_) return "";
   seen = version_;
   Json playing = Json::array();
-  for (const Playing& leg : playing_) playing.push_back(leg.about);
+  for (const LiveLeg& leg : live_legs_) playing.push_back(leg.about);
   return web::event_text("league", {{"version", lines_}, {"playing", playing}});
 }
 
 std::optional<int> ServedLeague::match(const std::string& name) {
   const std::lock_guard lock(mutex_);
-  look();
-  for (const Playing& leg : playing_) {
+  poll();
+  for (const LiveLeg& leg : live_legs_) {
     if (leg.name == name) return leg.port;
   }
   return std::nullopt;

@@ -19,7 +19,7 @@ namespace mirocup::league {
 
 class ServedLeague {
  public:
-  ServedLeague(system::Files& files, Book book) : files_(files), book_(std::move(book)) {}
+  ServedLeague(system::Files& files, LeagueStore store) : files_(files), store_(std::move(store)) {}
 
   // As web::Site has them.
   std::optional<web::Page> page(const std::string& path);
@@ -28,26 +28,26 @@ class ServedLeague {
 
  private:
   // A leg that can be watched.
-  struct Playing {
+  struct LiveLeg {
     std::string name;  // of its record, without .json
     Json about;        // for page/league.js
     int port = 0;
 
-    bool operator==(const Playing&) const = default;
+    bool operator==(const LiveLeg&) const = default;
   };
 
-  void look();
-  std::vector<Playing> find_playing() const;
+  void poll();
+  std::vector<LiveLeg> find_live_legs() const;
   void make_pages();
   std::optional<web::Page> replay(const std::string& stem);
 
   system::Files& files_;
   std::mutex mutex_;  // of all that follows
-  Book book_;
-  std::chrono::steady_clock::time_point looked_at_{};
+  LeagueStore store_;
+  std::chrono::steady_clock::time_point polled_at_{};
   std::uint64_t version_ = 0;  // of the journal and of what is being played
   std::size_t lines_ = 0;      // of the journal
-  std::vector<Playing> playing_;
+  std::vector<LiveLeg> live_legs_;
   std::size_t lines_of_pages_ = 0;
   std::map<std::string, web::Page> pages_;  // by path
   std::set<std::string> records_;           // without .json

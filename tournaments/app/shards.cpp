@@ -11,28 +11,28 @@ namespace mirocup::league {
 // What shards have played is booked first: it may open the next round.
 Result<int> run_plan(const ShardOptions& options) {
   system::Disk disk;
-  auto book = Book::open(disk, Folder{options.folder});
-  if (!book) return tl::unexpected(book.error());
-  const auto progress = make_progress();
-  Bookkeeper books(disk, std::move(*book), *progress);
-  if (auto begun = books.begin(); !begun) return tl::unexpected(begun.error());
+  auto store = LeagueStore::open(disk, Folder{options.folder});
+  if (!store) return tl::unexpected(store.error());
+  const auto progress = make_progress_reporter();
+  ResultRecorder recorder(disk, std::move(*store), *progress);
+  if (auto started = recorder.start(); !started) return tl::unexpected(started.error());
   for (int booked = 1; booked > 0;) {
     booked = 0;
-    for (const std::string& id : open_shards(books.state())) {
-      const auto count = books.book_played(id);
+    for (const std::string& id : open_shards(recorder.state())) {
+      const auto count = recorder.book_played(id);
       if (!count) return tl::unexpected(count.error());
       booked += *count;
     }
   }
-  for (const std::string& id : open_shards(books.state())) std::cout << id << '\n';
+  for (const std::string& id : open_shards(recorder.state())) std::cout << id << '\n';
   return exit_yes;
 }
 
 Result<int> run_shards(const ShardOptions& options) {
   system::Disk disk;
-  const auto book = Book::open(disk, Folder{options.folder});
-  if (!book) return tl::unexpected(book.error());
-  const auto failed = play_shards(disk, *book, options.fixtures);
+  const auto store = LeagueStore::open(disk, Folder{options.folder});
+  if (!store) return tl::unexpected(store.error());
+  const auto failed = play_shards(disk, *store, options.fixtures);
   if (!failed) return tl::unexpected(failed.error());
   if (*failed == 0) return exit_yes;
   return fail(Errc::host, std::to_string(*failed) + " legs could not be played; run it again");

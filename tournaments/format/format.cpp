@@ -15,9 +15,9 @@ std::string objection(const Format& format, int teams) {
     return std::to_string(format.groups) + " groups need " + std::to_string(2 * format.groups) +
            " teams";
   }
-  const int most = most_swiss_rounds(teams);
-  if (format.kind == FormatKind::swiss && format.rounds > most) {
-    return std::to_string(teams) + " teams can play " + std::to_string(most) +
+  const int max = max_swiss_rounds(teams);
+  if (format.kind == FormatKind::swiss && format.rounds > max) {
+    return std::to_string(teams) + " teams can play " + std::to_string(max) +
            " rounds at most without a second meeting";
   }
   return "";
@@ -36,8 +36,8 @@ std::vector<Fixture> first_schedule(const Format& format, int teams) {
                                           .legs = format.legs,
                                           .knockout = {.third_place = format.third_place}});
     case FormatKind::knockout: {
-      std::vector<Slot> seeds;
-      for (int team = 0; team < teams; ++team) seeds.push_back({Slot::From::team, team, 0});
+      std::vector<TeamSource> seeds;
+      for (int team = 0; team < teams; ++team) seeds.push_back({TeamSource::Kind::team, team, 0});
       return knockout(seeds, knockout_options);
     }
     case FormatKind::swiss:

@@ -11,12 +11,12 @@ namespace {
 
 // Seeds of the knockout: all first ones, then all second ones ... Of equal places, seeds are
 // swapped until nobody first meets somebody of the own group.
-std::vector<Slot> qualified(const std::vector<std::vector<int>>& groups, int qualifiers) {
-  std::vector<Slot> seeds;
+std::vector<TeamSource> qualified(const std::vector<std::vector<int>>& groups, int qualifiers) {
+  std::vector<TeamSource> seeds;
   for (int place = 0; place < qualifiers; ++place) {
     for (int group = 0; group < static_cast<int>(groups.size()); ++group) {
       if (place < static_cast<int>(groups[group].size()))
-        seeds.push_back({Slot::From::place, group, place});
+        seeds.push_back({TeamSource::Kind::place, group, place});
     }
   }
   const int count = static_cast<int>(seeds.size());
@@ -27,11 +27,11 @@ std::vector<Slot> qualified(const std::vector<std::vector<int>>& groups, int qua
     const int other = size - 1 - seed;
     if (other < count) return other;
     const int later = size / 2 - 1 - seed;
-    return size - 1 - later < count ? nobody : later;
+    return size - 1 - later < count ? no_team : later;
   };
   const auto clashes = [&](int seed) {
     const int other = opponent(seed);
-    return other != nobody && other != seed && seeds[seed].index == seeds[other].index;
+    return other != no_team && other != seed && seeds[seed].index == seeds[other].index;
   };
   for (int seed = count - 1; seed >= 0; --seed) {
     for (int other = count - 1; other >= 0 && clashes(seed); --other) {

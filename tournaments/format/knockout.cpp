@@ -21,49 +21,49 @@ std::vector<int> bracket_order(int size) {
   return order;
 }
 
-std::vector<Fixture> knockout(const std::vector<Slot>& seeds, const KnockoutOptions& options,
+std::vector<Fixture> knockout(const std::vector<TeamSource>& seeds, const KnockoutOptions& options,
                               int first) {
   int size = 1;
   while (size < static_cast<int>(seeds.size())) size *= 2;
-  std::vector<Slot> places;
+  std::vector<TeamSource> places;
   for (const int seed : bracket_order(size)) {
-    places.push_back(seed < static_cast<int>(seeds.size()) ? seeds[seed] : Slot{});
+    places.push_back(seed < static_cast<int>(seeds.size()) ? seeds[seed] : TeamSource{});
   }
-  const auto is_bye = [](const Slot& slot) {
-    return slot.from == Slot::From::team && slot.index == nobody;
+  const auto is_bye = [](const TeamSource& source) {
+    return source.kind == TeamSource::Kind::team && source.index == no_team;
   };
 
   std::vector<Fixture> ties;
-  const auto add = [&](int round, int number, const Slot& home, const Slot& away) {
+  const auto add = [&](int round, int number, const TeamSource& home, const TeamSource& away) {
     Fixture tie;
     tie.round = round;
     tie.number = number;
     tie.part = Part::knockout;
     tie.legs = options.legs;
-    tie.home_from = home;
-    tie.away_from = away;
-    tie.home = home.from == Slot::From::team ? home.index : unknown;
-    tie.away = away.from == Slot::From::team ? away.index : unknown;
+    tie.home_source = home;
+    tie.away_source = away;
+    tie.home = home.kind == TeamSource::Kind::team ? home.index : unknown_team;
+    tie.away = away.kind == TeamSource::Kind::team ? away.index : unknown_team;
     ties.push_back(tie);
     return first + static_cast<int>(ties.size()) - 1;
   };
   for (int round = 1; places.size() > 1; ++round) {
-    std::vector<Slot> next;
+    std::vector<TeamSource> next;
     int number = 1;
     const bool is_final = places.size() == 2;
     for (std::size_t i = 0; i < places.size(); i += 2) {
       if (is_bye(places[i]) || is_bye(places[i + 1])) {
         next.push_back(is_bye(places[i]) ? places[i + 1] : places[i]);
       } else {
-        next.push_back({Slot::From::winner, add(round, number, places[i], places[i + 1]), 0});
+        next.push_back({TeamSource::Kind::winner, add(round, number, places[i], places[i + 1]), 0});
       }
       ++number;
     }
     const bool are_winners =
-        places[0].from == Slot::From::winner && places[1].from == Slot::From::winner;
+        places[0].kind == TeamSource::Kind::winner && places[1].kind == TeamSource::Kind::winner;
     if (is_final && options.third_place && are_winners) {
-      add(round, 2, {Slot::From::loser, places[0].index, 0},
-          {Slot::From::loser, places[1].index, 0});
+      add(round, 2, {TeamSource::Kind::loser, places[0].index, 0},
+          {TeamSource::Kind::loser, places[1].index, 0});
     }
     places = next;
   }

@@ -19,7 +19,7 @@ struct KnockoutOptions {
 // The ties for these seeds, best first, at least two. `first` is the index that the first tie will
 // have in the schedule: later ties name those that they follow from by their index there. The
 // numbers of a round run down the bracket; the tie for the third place is number 2 of the last.
-std::vector<Fixture> knockout(const std::vector<Slot>& seeds, const KnockoutOptions& options,
+std::vector<Fixture> knockout(const std::vector<TeamSource>& seeds, const KnockoutOptions& options,
                               int first = 0);
 
 // The seeds (from 0) in the order in which they stand in a bracket of `size` places, a power of two.
@@ -27,8 +27,8 @@ std::vector<int> bracket_order(int size);
 
 // Who won and who lost a tie; nobody if both forfeited, unknown if it is not over.
 struct TieOutcome {
-  int winner = unknown;
-  int loser = unknown;
+  int winner = unknown_team;
+  int loser = unknown_team;
 };
 
 }  // namespace mirocup::league

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/format/league_file.hpp"
 
+#include "server/record/json_reader.hpp"
 #include "server/record/rules_json.hpp"
 
 #include <nlohmann/json.hpp>
@@ -12,83 +13,62 @@ namespace mirocup::league {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using record::JsonReader;
+using Json = JsonReader::Json;
 
 constexpr std::string_view schema = "mirocup/league/1";
+constexpr int max_name_length = 40;
 
-// What a league file says that cannot be; caught in parse_league_file().
-struct Wrong {
-  std::string where;
-  std::string why;
-};
-
-template <class T>
-T get(const Json& object, const std::string& at, const std::string& key, T fallback) {
-  if (!object.contains(key)) return fallback;
-  try {
-    return object.at(key).get<T>();
-  } catch (const Json::exception&) {
-    throw Wrong{at + "/" + key, object.at(key).dump() + " is of the wrong type"};
-  }
-}
-
-void only_keys(const Json& object, const std::string& at, const std::set<std::string>& known) {
-  if (!object.is_object()) throw Wrong{at, "an object is expected"};
-  for (const auto& [key, value] : object.items()) {
-    if (known.count(key) == 0) throw Wrong{at + "/" + key, "there is no such key"};
-  }
-}
-
-TeamEntry team_of(const Json& json, const std::string& at) {
-  only_keys(json, at, {"name", "entry", "dds"});
-  TeamEntry team;
-  team.name = get<std::string>(json, at, "name", "");
-  team.source = get<std::string>(json, at, "entry", "");
-  team.over_dds = get<bool>(json, at, "dds", false);
+TeamConfig read_team(const JsonReader& json) {
+  json.expect_object({"name", "entry", "dds"});
+  TeamConfig team;
+  json.read_if_present("name", team.name);
+  json.read_if_present("entry", team.source);
+  json.read_if_present("dds", team.over_dds);
   if (!is_good_name(team.name)) {
-    throw Wrong{at + "/name",
-                "a name of letters, digits, '-', '_' and '.' is expected, at most 40"};
+    json.at("name").complain("a name of letters, digits, '-', '_' and '.' is expected, at most " +
+                             std::to_string(max_name_length));
   }
-  if (team.source.empty())
-    throw Wrong{at + "/entry", "\"house:NAME\" or the path of a library is expected"};
+  if (team.source.empty()) {
+    json.at("entry").complain("\"house:NAME\" or the path of a library is expected");
+  }
   return team;
 }
 
-int count_of(const Json& json, const std::string& at, const std::string& key, int fallback,
-             int least, int most) {
-  const int value = get<int>(json, at, key, fallback);
-  if (value < least || value > most) {
-    throw Wrong{at + "/" + key, std::to_string(least) + " to " + std::to_string(most) +
-                                    " is expected, not " + std::to_string(value)};
+// The teams, each under a name of its own.
+std::vector<TeamConfig> read_teams(const JsonReader& json) {
+  std::vector<TeamConfig> teams;
+  std::set<std::string> names;
+  for (const JsonReader& element : json.elements()) {
+    const TeamConfig& team = teams.emplace_back(read_team(element));
+    if (!names.insert(team.name).second) {
+      element.at("name").complain("two teams are called \"" + team.name + "\"");
+    }
   }
-  return value;
+  return teams;
 }
 
-FormatKind kind_of(const std::string& name, const std::string& at) {
-  const auto kind = from_string<FormatKind>(name);
-  if (!kind) {
-    throw Wrong{at, "\"" + name + "\" is not one of " + list_of_names<FormatKind>()};
-  }
-  return *kind;
+// Sets `count` to the member of that key if there is one, in [min, max].
+void read_count(const JsonReader& json, const std::string& key, int min, int max, int& count) {
+  if (json.has(key)) count = json.at(key).integer(min, max);
 }
 
-// A name alone, or an object with its settings.
-Format format_of(const Json& json) {
-  const std::string at = "/format";
+// A format is its name alone, or an object with settings.
+Format read_format(const JsonReader& json) {
   Format format;
   if (json.is_string()) {
-    format.kind = kind_of(json.get<std::string>(), at);
+    format.kind = json.name<FormatKind>();
     return format;
   }
-  only_keys(json, at, {"kind", "legs", "groups", "qualifiers", "third_place", "rounds", "sample"});
-  format.kind = kind_of(get<std::string>(json, at, "kind", ""), at + "/kind");
+  json.expect_object({"kind", "legs", "groups", "qualifiers", "third_place", "rounds", "sample"});
+  format.kind = json.at("kind").name<FormatKind>();
   const bool is_knockout = format.kind == FormatKind::knockout;
-  format.legs = count_of(json, at, "legs", format.legs, 1, is_knockout ? legs_per_fixture : 100);
-  format.groups = count_of(json, at, "groups", format.groups, 1, 500);
-  format.qualifiers = count_of(json, at, "qualifiers", format.qualifiers, 1, 500);
-  format.rounds = count_of(json, at, "rounds", format.rounds, 0, 500);
-  format.sample = count_of(json, at, "sample", format.sample, 1, 1000);
-  format.third_place = get<bool>(json, at, "third_place", format.third_place);
+  read_count(json, "legs", 1, is_knockout ? legs_per_fixture : 100, format.legs);
+  read_count(json, "groups", 1, 500, format.groups);
+  read_count(json, "qualifiers", 1, 500, format.qualifiers);
+  read_count(json, "rounds", 0, 500, format.rounds);
+  read_count(json, "sample", 1, 1000, format.sample);
+  json.read_if_present("third_place", format.third_place);
   return format;
 }
 
@@ -113,67 +93,54 @@ bool is_time(const std::string& text) {
          });
 }
 
-LeagueFile league_of(const Json& json) {
-  only_keys(json, "",
-            {"schema", "title", "format", "league", "rules", "seed", "points", "tie_breaks",
-             "freeze", "strikes", "teams"});
+std::string read_time(const JsonReader& json) {
+  std::string time = json.text();
+  if (!time.empty() && !is_time(time)) {
+    json.complain("a time like \"2026-11-30T18:00:00Z\" is expected");
+  }
+  return time;
+}
+
+Points read_points(const JsonReader& json) {
+  json.expect_object({"win", "draw", "loss"});
+  Points points;
+  json.read_if_present("win", points.win);
+  json.read_if_present("draw", points.draw);
+  json.read_if_present("loss", points.loss);
+  return points;
+}
+
+LeagueFile read_league(const JsonReader& json) {
+  json.expect_object({"schema", "title", "format", "league", "rules", "seed", "points",
+                      "tie_breaks", "freeze", "strikes", "teams"});
+  json.expect_schema(schema);
   LeagueFile file;
-  if (get<std::string>(json, "", "schema", "") != schema) {
-    throw Wrong{"/schema", "\"" + std::string(schema) + "\" is expected"};
-  }
-  if (json.contains("format")) file.format = format_of(json["format"]);
-  file.freeze = get<std::string>(json, "", "freeze", "");
-  if (!file.freeze.empty() && !is_time(file.freeze)) {
-    throw Wrong{"/freeze", "a time like \"2026-11-30T18:00:00Z\" is expected"};
-  }
-  file.strikes = count_of(json, "", "strikes", file.strikes, 0, 1000);
-  file.title = get<std::string>(json, "", "title", file.title);
-  const auto league = from_string<League>(get<std::string>(json, "", "league", "small"));
-  if (!league) throw Wrong{"/league", "one of " + list_of_names<League>() + " is expected"};
-  file.league = *league;
-  file.seed = get<std::uint64_t>(json, "", "seed", file.seed);
-  if (json.contains("rules")) {
-    auto rules = record::rules_from_json(json["rules"], Errc::input, file.league);
-    if (!rules) throw Wrong{"", rules.error().what};
-    file.rules = *rules;
-  }
-  if (json.contains("points")) {
-    only_keys(json["points"], "/points", {"win", "draw", "loss"});
-    file.points.win = get<int>(json["points"], "/points", "win", file.points.win);
-    file.points.draw = get<int>(json["points"], "/points", "draw", file.points.draw);
-    file.points.loss = get<int>(json["points"], "/points", "loss", file.points.loss);
-  }
-  if (file.format.kind == FormatKind::swiss) {
-    // Who met stronger opponents for the same points did more.
+  json.read_if_present("title", file.title);
+  if (json.has("format")) file.format = read_format(json.at("format"));
+  json.read_if_present("league", file.league);
+  if (json.has("rules")) file.rules = record::read_rules(json.at("rules"), file.league);
+  json.read_if_present("seed", file.seed);
+  if (json.has("points")) file.points = read_points(json.at("points"));
+  if (json.has("tie_breaks")) {
+    file.tie_breaks.clear();
+    for (const JsonReader& rule : json.at("tie_breaks").elements()) {
+      file.tie_breaks.push_back(rule.name<TieBreak>());
+    }
+  } else if (file.format.kind == FormatKind::swiss) {
+    // A team that met stronger opponents for the same points did more.
     file.tie_breaks.insert(file.tie_breaks.begin(), TieBreak::opponents_points);
   }
-  if (json.contains("tie_breaks")) {
-    file.tie_breaks.clear();
-    for (const std::string& name : get<std::vector<std::string>>(json, "", "tie_breaks", {})) {
-      const auto rule = from_string<TieBreak>(name);
-      if (!rule) {
-        throw Wrong{"/tie_breaks", "\"" + name + "\" is not one of " + list_of_names<TieBreak>()};
-      }
-      file.tie_breaks.push_back(*rule);
-    }
-  }
-  const Json teams = json.value("teams", Json::array());
-  if (!teams.is_array()) throw Wrong{"/teams", "a list is expected"};
-  std::set<std::string> names;
-  for (std::size_t i = 0; i < teams.size(); ++i) {
-    const std::string at = "/teams/" + std::to_string(i);
-    file.teams.push_back(team_of(teams[i], at));
-    if (!names.insert(file.teams.back().name).second) {
-      throw Wrong{at + "/name", "two teams are called \"" + file.teams.back().name + "\""};
-    }
-  }
+  if (json.has("freeze")) file.freeze = read_time(json.at("freeze"));
+  read_count(json, "strikes", 0, 1000, file.strikes);
+  if (json.has("teams")) file.teams = read_teams(json.at("teams"));
   return file;
 }
 
 }  // namespace
 
 bool is_good_name(const std::string& name) {
-  if (name.empty() || name.size() > 40 || name[0] == '.' || name[0] == '-') return false;
+  if (name.empty() || name.size() > max_name_length || name[0] == '.' || name[0] == '-')
+    return false;
   for (const char c : name) {
     const bool good = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
                       c == '-' || c == '_' || c == '.';
@@ -183,21 +150,14 @@ bool is_good_name(const std::string& name) {
 }
 
 Result<LeagueFile> parse_league_file(const std::string& text, const std::string& path) {
-  try {
-    return league_of(Json::parse(text));
-  } catch (const Wrong& wrong) {
-    return fail(Errc::input,
-                path + ": " + wrong.where + (wrong.where.empty() ? "" : ": ") + wrong.why);
-  } catch (const Json::exception& e) {
-    return fail(Errc::input, path + ": " + e.what());
-  }
+  return record::read_json<LeagueFile>(text, path, Errc::input, read_league);
 }
 
 std::string print_league_file(const LeagueFile& file) {
   Json tie_breaks = Json::array();
   for (const TieBreak rule : file.tie_breaks) tie_breaks.push_back(to_string(rule));
   Json teams = Json::array();
-  for (const TeamEntry& team : file.teams) {
+  for (const TeamConfig& team : file.teams) {
     Json json{{"name", team.name}, {"entry", team.source}};
     if (team.over_dds) json["dds"] = true;
     teams.push_back(json);

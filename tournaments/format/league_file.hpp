@@ -15,7 +15,7 @@
 namespace mirocup::league {
 
 // How a team gets its library, and where it runs.
-struct TeamEntry {
+struct TeamConfig {
   std::string name;
   std::string source;     // as written: "house:NAME", a path, or "submitted"
   bool over_dds = false;  // plays through mirocup join instead of in the match server's care
@@ -32,7 +32,7 @@ struct LeagueFile {
   std::string
       freeze;       // "2026-11-30T18:00:00Z": no entry is taken from then on; "": until the start
   int strikes = 3;  // so many legs in a row lost by an own fault pause a team; 0: none do
-  std::vector<TeamEntry> teams;
+  std::vector<TeamConfig> teams;
 
   TableRules table_rules() const { return {points, tie_breaks, seed}; }
 };

@@ -12,19 +12,19 @@
 namespace mirocup::league {
 
 // Instead of a team.
-inline constexpr int nobody = -1;   // a bye, or a place that stays empty
-inline constexpr int unknown = -2;  // decided by a fixture that is not over
+inline constexpr int no_team = -1;       // a bye, or a place that stays empty
+inline constexpr int unknown_team = -2;  // decided by a fixture that is not over
 
 // Who takes a place in a fixture.
-struct Slot {
-  enum class From {
+struct TeamSource {
+  enum class Kind {
     team,    // `index` is a team, or nobody
     winner,  // of the fixture with that index in the schedule
     loser,
     place,  // number `place` in the table of the group `index`; both from 0
   };
-  From from = From::team;
-  int index = nobody;
+  Kind kind = Kind::team;
+  int index = no_team;
   int place = 0;
 };
 
@@ -39,9 +39,9 @@ struct Fixture {
   int away = 0;
   int legs = 2;  // a tie of a knockout that is level after them has one more
   Part part = Part::table;
-  int group = 0;     // from 1, in a group only
-  Slot home_from{};  // in a knockout only
-  Slot away_from{};
+  int group = 0;             // from 1, in a group only
+  TeamSource home_source{};  // in a knockout only
+  TeamSource away_source{};
 
   // "r2-f1", "g3-r2-f1", "k2-f1".
   std::string id() const;
@@ -51,7 +51,7 @@ struct Fixture {
 inline constexpr int legs_per_fixture = 2;
 
 // The legs of a tie that may be needed: its own, and the one that decides.
-inline constexpr int most_legs = legs_per_fixture + 1;
+inline constexpr int max_legs = legs_per_fixture + 1;
 
 // Every pair once, by the circle method: in each round every team plays at most once; with an odd
 // number one has a bye. A team is home in half of its fixtures, or in one more or less.

@@ -11,10 +11,10 @@ namespace mirocup::league {
 
 namespace {
 
-// So few can run out of pairings long before everybody has met everybody: look ahead there. With
+// So max_look_ahead_teams can run out of pairings long before everybody has met everybody: look ahead there. With
 // more teams everyone has at least as many possible opponents left as half their number, as long as
 // there are at most half as many rounds; then a pairing exists (Dirac 1952).
-constexpr int few = 8;
+constexpr int max_look_ahead_teams = 8;
 
 // Teams by their rank, best first.
 class Pairing {
@@ -22,19 +22,19 @@ class Pairing {
   Pairing(std::vector<std::vector<bool>> have_met, std::vector<int> points)
       : have_met_(std::move(have_met)),
         points_(std::move(points)),
-        partner_(points_.size(), nobody) {}
+        partner_(points_.size(), no_team) {}
 
   // Pairs all, so that after it `more` rounds can be paired still.
   bool find(int more) {
-    const auto free = std::find(partner_.begin(), partner_.end(), nobody);
+    const auto free = std::find(partner_.begin(), partner_.end(), no_team);
     if (free == partner_.end()) return leaves(more);
     const int a = static_cast<int>(free - partner_.begin());
     for (const int b : candidates(a)) {
       partner_[a] = b;
       partner_[b] = a;
       if (find(more)) return true;
-      partner_[a] = nobody;
-      partner_[b] = nobody;
+      partner_[a] = no_team;
+      partner_[b] = no_team;
     }
     return false;
   }
@@ -43,7 +43,7 @@ class Pairing {
 
  private:
   bool leaves(int more) const {
-    if (more <= 0 || size() > few) return true;
+    if (more <= 0 || size() > max_look_ahead_teams) return true;
     Pairing after(have_met_, points_);
     for (int a = 0; a < size(); ++a) after.have_met_[a][partner_[a]] = true;
     return after.find(more - 1);
@@ -61,7 +61,7 @@ class Pairing {
     int position = 0;
     int like = 0;
     for (int b = a + 1; b < size(); ++b) {
-      if (partner_[b] != nobody) continue;
+      if (partner_[b] != no_team) continue;
       if (points_[b] != points_[b - 1]) position = 0;
       if (points_[b] == points_[a]) ++like;
       if (!have_met_[a][b]) others.push_back({b, points_[a] - points_[b], position});
@@ -90,12 +90,12 @@ class Pairing {
 int usual_swiss_rounds(int teams) {
   int rounds = 0;
   while ((1 << rounds) < teams) ++rounds;
-  return std::min(rounds, most_swiss_rounds(teams));
+  return std::min(rounds, max_swiss_rounds(teams));
 }
 
-int most_swiss_rounds(int teams) {
+int max_swiss_rounds(int teams) {
   const int places = teams + teams % 2;
-  return places <= few ? places - 1 : places / 2;
+  return places <= max_look_ahead_teams ? places - 1 : places / 2;
 }
 
 std::vector<Fixture> swiss_round(const std::vector<SwissStanding>& standings,
@@ -110,8 +110,8 @@ std::vector<Fixture> swiss_round(const std::vector<SwissStanding>& standings,
     points.push_back(s.points);
   }
   if (team.size() % 2 == 1) {
-    rank[nobody] = static_cast<int>(team.size());
-    team.push_back(nobody);
+    rank[no_team] = static_cast<int>(team.size());
+    team.push_back(no_team);
     points.push_back(points.back() - 1);
   }
   std::vector<std::vector<bool>> have_met(team.size(), std::vector<bool>(team.size(), false));
@@ -133,10 +133,10 @@ std::vector<Fixture> swiss_round(const std::vector<SwissStanding>& standings,
     f.round = round;
     f.number = static_cast<int>(fixtures.size()) + 1;
     // Who stands better is home in every other round.
-    const bool swapped = round % 2 == 0 && team[b] != nobody;
+    const bool swapped = round % 2 == 0 && team[b] != no_team;
     f.home = swapped ? team[b] : team[a];
     f.away = swapped ? team[a] : team[b];
-    if (f.away == nobody) f.legs = 0;
+    if (f.away == no_team) f.legs = 0;
     fixtures.push_back(f);
   }
   return fixtures;

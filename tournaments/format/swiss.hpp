@@ -14,7 +14,7 @@ namespace mirocup::league {
 int usual_swiss_rounds(int teams);
 
 // The most that can be paired whatever the results are.
-int most_swiss_rounds(int teams);
+int max_swiss_rounds(int teams);
 
 // How a team stands before a round.
 struct SwissStanding {

@@ -30,13 +30,14 @@ int lock(int fd, int how) {
 
 }  // namespace
 
-Result<FileLock> FileLock::wait(const std::string& path) {
+Result<FileLock> FileLock::acquire(const std::string& path) {
   FileLock taken(open_lock(path));
   if (taken.fd_ < 0 || lock(taken.fd_, LOCK_EX) != 0) return problem(path);
   return Result<FileLock>(std::move(taken));
 }
 
-Result<std::optional<FileLock>> FileLock::take(const std::string& path, const std::string& text) {
+Result<std::optional<FileLock>> FileLock::try_acquire(const std::string& path,
+                                                      const std::string& text) {
   FileLock taken(open_lock(path));
   if (taken.fd_ < 0) return problem(path);
   if (lock(taken.fd_, LOCK_EX | LOCK_NB) != 0) {
@@ -49,7 +50,7 @@ Result<std::optional<FileLock>> FileLock::take(const std::string& path, const st
   return std::optional<FileLock>(std::move(taken));
 }
 
-bool FileLock::is_taken(const std::string& path) {
+bool FileLock::is_held(const std::string& path) {
   const FileLock tried(open(path.c_str(), O_RDWR | O_CLOEXEC));
   return tried.fd_ >= 0 && lock(tried.fd_, LOCK_EX | LOCK_NB) != 0;
 }

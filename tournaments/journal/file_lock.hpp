@@ -15,13 +15,14 @@ namespace mirocup::league {
 class FileLock {
  public:
   // Waits for whoever has it.
-  static Result<FileLock> wait(const std::string& path);
+  static Result<FileLock> acquire(const std::string& path);
 
   // Nothing if somebody else has it. `text` replaces what the file says.
-  static Result<std::optional<FileLock>> take(const std::string& path, const std::string& text);
+  static Result<std::optional<FileLock>> try_acquire(const std::string& path,
+                                                     const std::string& text);
 
   // Does anybody have it?
-  static bool is_taken(const std::string& path);
+  static bool is_held(const std::string& path);
 
   FileLock(FileLock&& other) noexcept;
   FileLock& operator=(FileLock&&) = delete;

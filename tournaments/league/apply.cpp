@@ -1,55 +1,55 @@
 // SPDX-License-Identifier: MIT
-//
-// The lines of a journal, one by one: whether each may follow, and what it changes. format.md says
-// what is in them.
+#include "tournaments/league/apply.hpp"
+
+#include "core/base/assert.hpp"
 #include "tournaments/format/swiss.hpp"
-#include "tournaments/league/league_state.hpp"
 #include "tournaments/league/schedule_growth.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
+#include <memory>
 #include <utility>
 
 namespace mirocup::league {
 
 namespace {
 
-std::string text(const Json& line, const char* key) {
-  return line.at(key).get<std::string>();
-}
-
-std::string text_or(const Json& line, const char* key, const std::string& fallback) {
-  return line.contains(key) ? text(line, key) : fallback;
-}
-
-// The fixture and the leg that a line is about.
-struct Place {
+// Where a leg is found in the state.
+struct LegPosition {
   int fixture;
   int leg;  // from 0
 };
 
-Result<Place> place_of(const LeagueState& state, const Json& line) {
-  const std::string id = text(line, "fixture");
-  const int leg = line.at("leg").get<int>();
+// The position of a leg (from 1) that the fixture needs.
+Result<LegPosition> find_leg(const LeagueState& state, const std::string& id, int leg) {
   const auto fixture = state.find_fixture(id);
   if (!fixture) return fail(Errc::input, "there is no fixture " + id);
   const FixtureState& f = state.fixtures[*fixture];
-  if (leg < 1 || leg > most_legs || !f.fixture.has_both() || leg > f.needed()) {
+  if (leg < 1 || leg > max_legs || !f.fixture.has_both() || leg > f.needed()) {
     return fail(Errc::input, id + " has no leg " + std::to_string(leg) + " to be played");
   }
-  return Place{*fixture, leg - 1};
+  return LegPosition{.fixture = *fixture, .leg = leg - 1};
 }
 
-// Whoever won or lost this has gone on to play already.
+// The index of a team that has not withdrawn.
+Result<int> find_present_team(const LeagueState& state, const std::string& name) {
+  const auto team = state.find_team(name);
+  if (!team) return fail(Errc::input, "there is no team " + name);
+  if (state.teams[*team].status == TeamStatus::withdrawn) {
+    return fail(Errc::input, name + " has withdrawn");
+  }
+  return *team;
+}
+
+// Refuses a change of a result from which a fixture of the knockout follows that has begun.
 Result<void> nothing_follows(const LeagueState& state, int index) {
   const Fixture& changed = state.fixtures[index].fixture;
   for (const FixtureState& f : state.fixtures) {
     if (f.fixture.part != Part::knockout || !f.has_begun()) continue;
-    for (const Slot& slot : {f.fixture.home_from, f.fixture.away_from}) {
-      const bool follows = slot.from == Slot::From::place
-                               ? changed.part == Part::group && changed.group == slot.index + 1
-                               : slot.from != Slot::From::team && slot.index == index;
+    for (const TeamSource& source : {f.fixture.home_source, f.fixture.away_source}) {
+      const bool follows = source.kind == TeamSource::Kind::place
+                               ? changed.part == Part::group && changed.group == source.index + 1
+                               : source.kind != TeamSource::Kind::team && source.index == index;
       if (follows) {
         return fail(Errc::input, f.fixture.id() + " has begun with who came out of " +
                                      changed.id() + ": void its legs first");
@@ -59,186 +59,197 @@ Result<void> nothing_follows(const LeagueState& state, int index) {
   return {};
 }
 
-Result<void> admit_leg(const LeagueState& state, const Json& line) {
-  const auto place = place_of(state, line);
-  if (!place) return tl::unexpected(place.error());
-  const FixtureState& f = state.fixtures[place->fixture];
-  const std::string what = f.fixture.id() + " leg " + std::to_string(place->leg + 1);
-  if (f.legs[place->leg].played) return fail(Errc::input, what + " is decided already");
-  // A leg booked under a wrong name is damage.
-  if (text(line, "home") != state.name(f.fixture.home) ||
-      text(line, "away") != state.name(f.fixture.away)) {
-    return fail(Errc::input,
-                what + " is not between " + text(line, "home") + " and " + text(line, "away"));
-  }
-  for (const char* numbers : {"score", "penalties"}) {
-    for (const char* side : {"home", "away"}) (void)line.at(numbers).at(side).get<int>();
-  }
-  if (!line.at("winner").is_null()) (void)text(line, "winner");
-  (void)text(line, "end");
-  (void)text(line, "record");
-  (void)text(line, "state_hash");
-  if (!line.at("fault").is_null()) {
-    for (const char* key : {"team", "code", "text"}) (void)text(line.at("fault"), key);
-  }
-  return {};
-}
+// Whether an event may follow in a league that has started.
+struct Validator {
+  const LeagueState& state;
 
-Result<void> admit_void(const LeagueState& state, const Json& line) {
-  const auto place = place_of(state, line);
-  if (!place) return tl::unexpected(place.error());
-  (void)text(line, "why");
-  const std::string cause = text_or(line, "cause", "host");
-  const FixtureState& f = state.fixtures[place->fixture];
-  const bool is_decided = f.legs[place->leg].played != nullptr;
-  const bool by_person = cause == "ruling";
-  if (by_person != is_decided) {
-    return fail(Errc::input, f.fixture.id() + " leg " + std::to_string(place->leg + 1) +
-                                 (is_decided ? " is decided already" : " is not decided yet"));
+  Result<void> operator()(const Started&) const {
+    return fail(Errc::input, "the league has started already");
   }
-  return by_person ? nothing_follows(state, place->fixture) : Result<void>();
-}
 
-Result<void> admit_ruling(const LeagueState& state, const Json& line) {
-  const auto place = place_of(state, line);
-  if (!place) return tl::unexpected(place.error());
-  for (const char* side : {"home", "away"}) {
-    if (line.at("score").at(side).get<int>() < 0)
+  Result<void> operator()(const EntryBooked& e) const {
+    const auto team = find_present_team(state, e.team);
+    if (!team) return tl::unexpected(team.error());
+    if (e.entry <= state.teams[*team].entry) {
+      return fail(Errc::input, e.team + " plays with a later entry already");
+    }
+    return {};
+  }
+
+  Result<void> operator()(const LegPlayed& e) const {
+    const auto at = find_leg(state, e.fixture, e.leg);
+    if (!at) return tl::unexpected(at.error());
+    const FixtureState& f = state.fixtures[at->fixture];
+    const std::string name = e.fixture + " leg " + std::to_string(e.leg);
+    if (f.legs[at->leg].played) return fail(Errc::input, name + " is decided already");
+    // A leg that is booked for other teams is damage.
+    if (e.home != state.name(f.fixture.home) || e.away != state.name(f.fixture.away)) {
+      return fail(Errc::input, name + " is not between " + e.home + " and " + e.away);
+    }
+    return {};
+  }
+
+  Result<void> operator()(const LegVoided& e) const {
+    const auto at = find_leg(state, e.fixture, e.leg);
+    if (!at) return tl::unexpected(at.error());
+    // Only a person takes back what is decided; only an attempt of an open leg can fail.
+    const bool is_decided = state.fixtures[at->fixture].legs[at->leg].played != nullptr;
+    const bool by_person = e.cause == VoidCause::ruling;
+    if (by_person != is_decided) {
+      return fail(Errc::input, e.fixture + " leg " + std::to_string(e.leg) +
+                                   (is_decided ? " is decided already" : " is not decided yet"));
+    }
+    return by_person ? nothing_follows(state, at->fixture) : Result<void>();
+  }
+
+  Result<void> operator()(const Ruled& e) const {
+    const auto at = find_leg(state, e.fixture, e.leg);
+    if (!at) return tl::unexpected(at.error());
+    if (e.score.home < 0 || e.score.away < 0) {
       return fail(Errc::input, "a score cannot be negative");
+    }
+    return nothing_follows(state, at->fixture);
   }
-  (void)text(line, "why");
-  return nothing_follows(state, place->fixture);
-}
 
-Result<int> team_of(const LeagueState& state, const Json& line) {
-  const std::string name = text(line, "team");
-  const auto team = state.find_team(name);
-  if (!team) return fail(Errc::input, "there is no team " + name);
-  if (state.teams[*team].standing == Standing::withdrawn)
-    return fail(Errc::input, name + " has withdrawn");
-  return *team;
-}
-
-Result<void> admit_team_line(const LeagueState& state, const Json& line, const std::string& kind) {
-  const auto team = team_of(state, line);
-  if (!team) return tl::unexpected(team.error());
-  const TeamState& now = state.teams[*team];
-  if (kind == "entry") {
-    (void)text(line, "sha256");
-    if (line.at("entry").get<int>() <= now.entry)
-      return fail(Errc::input, text(line, "team") + " plays with a later entry already");
+  Result<void> operator()(const Withdrawn& e) const {
+    const auto team = find_present_team(state, e.team);
+    if (!team) return tl::unexpected(team.error());
     return {};
   }
-  (void)text(line, "why");
-  if (kind == "withdraw") {
-    const std::string results = text(line, "results");
-    if (results != "keep" && results != "annul")
-      return fail(Errc::input, "results are to \"keep\" or to \"annul\"");
-    return {};
+
+  Result<void> operator()(const Paused& e) const {
+    const auto team = find_present_team(state, e.team);
+    if (!team) return tl::unexpected(team.error());
+    if (state.teams[*team].status != TeamStatus::paused) return {};
+    return fail(Errc::input, e.team + " is paused already");
   }
-  if ((kind == "resume") != (now.standing == Standing::paused)) {
-    return fail(Errc::input,
-                text(line, "team") + (kind == "resume" ? " is not paused" : " is paused already"));
+
+  Result<void> operator()(const Resumed& e) const {
+    const auto team = find_present_team(state, e.team);
+    if (!team) return tl::unexpected(team.error());
+    if (state.teams[*team].status == TeamStatus::paused) return {};
+    return fail(Errc::input, e.team + " is not paused");
   }
-  return {};
+};
+
+// A person's reason, with the person if it is known.
+std::string signed_reason(const std::string& why, const std::string& by) {
+  return why + (by.empty() ? "" : " (" + by + ")");
 }
 
-// Why a person decided so, and who.
-std::string reason(const Json& line) {
-  const std::string by = text_or(line, "by", "");
-  return text(line, "why") + (by.empty() ? "" : " (" + by + ")");
-}
-
-PlayedLeg played_leg(const LeagueState& state, const Fixture& fixture, const Json& line) {
+PlayedLeg played_leg(const LeagueState& state, const Fixture& fixture, const LegPlayed& e) {
   PlayedLeg leg;
-  leg.result.home = fixture.home;
-  leg.result.away = fixture.away;
-  leg.result.home_goals = line.at("score").at("home").get<int>();
-  leg.result.away_goals = line.at("score").at("away").get<int>();
-  leg.result.home_penalties = line.at("penalties").at("home").get<int>();
-  leg.result.away_penalties = line.at("penalties").at("away").get<int>();
+  leg.result = {.home = fixture.home,
+                .away = fixture.away,
+                .home_goals = e.score.home,
+                .away_goals = e.score.away,
+                .both_lose = e.end == LegEnd::double_forfeit,
+                .home_penalties = e.penalties.home,
+                .away_penalties = e.penalties.away};
   for (const int team : {fixture.home, fixture.away}) {
-    if (line.at("winner") == state.name(team)) leg.winner = team;
+    if (e.winner == state.name(team)) leg.winner = team;
   }
-  leg.end = text(line, "end");
-  leg.result.both_lose = leg.end == "double_forfeit";
-  if (!line.at("fault").is_null()) {
-    const Json& fault = line.at("fault");
-    leg.fault = text(fault, "team") + ": " + text(fault, "code") + ": " + text(fault, "text");
-  }
-  leg.record = text(line, "record");
-  leg.state_hash = text(line, "state_hash");
+  leg.end = e.end;
+  leg.fault = e.fault;
+  leg.record = e.record;
+  leg.state_hash = e.state_hash;
   return leg;
 }
 
-void apply_leg(LeagueState& state, const Json& line, const Place& place) {
-  FixtureState& f = state.fixtures[place.fixture];
-  LegState& leg = f.legs[place.leg];
-  PlayedLeg played = played_leg(state, f.fixture, line);
-  if (leg.void_ruling) played.ruling = "what was played before is void: " + *leg.void_ruling;
-  leg.played = std::make_shared<const PlayedLeg>(std::move(played));
-  const Json& fault = line.at("fault");
-  for (const int team : {f.fixture.home, f.fixture.away}) {
-    const bool own = !fault.is_null() &&
-                     (fault.at("team") == state.name(team) || line.at("end") == "double_forfeit");
-    state.teams[team].strikes = own ? state.teams[team].strikes + 1 : 0;
+// What a valid event changes.
+struct Applier {
+  LeagueState& state;
+
+  void operator()(const Started& e) const {
+    state.is_started = true;
+    state.config_sha256 = e.config_sha256;
   }
-}
 
-void apply_void(LeagueState& state, const Json& line, const Place& place) {
-  LegState& leg = state.fixtures[place.fixture].legs[place.leg];
-  const std::string cause = text_or(line, "cause", "host");
-  ++leg.voids;
-  leg.played = nullptr;
-  if (cause == "host") {
-    ++leg.host_faults;
-    return;
-  }
-  // The next attempt does not overwrite this one's record, which is evidence.
-  ++leg.version;
-  leg.is_to_confirm = cause == "confirm";
-  if (cause != "ruling") return;
-  leg.host_faults = 0;
-  leg.void_ruling = std::make_shared<const std::string>(reason(line));
-}
-
-void apply_ruling(LeagueState& state, const Json& line, const Place& place) {
-  FixtureState& f = state.fixtures[place.fixture];
-  PlayedLeg leg;
-  if (f.legs[place.leg].played) leg = *f.legs[place.leg].played;
-  leg.result.home = f.fixture.home;
-  leg.result.away = f.fixture.away;
-  leg.result.home_goals = line.at("score").at("home").get<int>();
-  leg.result.away_goals = line.at("score").at("away").get<int>();
-  leg.result.both_lose = false;
-  const int ahead = leg.result.home_goals - leg.result.away_goals;
-  leg.winner = ahead > 0 ? f.fixture.home : ahead < 0 ? f.fixture.away : nobody;
-  if (leg.end.empty()) leg.end = "awarded";
-  leg.ruling = reason(line);
-  f.legs[place.leg].played = std::make_shared<const PlayedLeg>(leg);
-}
-
-void apply_team_line(LeagueState& state, const Json& line, const std::string& kind) {
-  const int index = *state.find_team(text(line, "team"));
-  TeamState& team = state.teams[index];
-  if (kind == "entry") {
-    team.entry = line.at("entry").get<int>();
-    team.sha256 = text(line, "sha256");
+  void operator()(const EntryBooked& e) const {
+    const int index = *state.find_team(e.team);
+    TeamState& team = state.teams[index];
+    team.entry = e.entry;
+    team.sha256 = e.sha256;
     team.strikes = 0;
-    Schedule(state).entry_came(index);
-    return;
+    ScheduleGrowth(state).entry_booked(index);
   }
-  team.why = text(line, "why");
-  team.strikes = 0;
-  team.standing = kind == "withdraw" ? Standing::withdrawn
-                  : kind == "pause"  ? Standing::paused
-                                     : Standing::playing;
-  if (kind == "withdraw") Schedule(state).team_left(index, text(line, "results") == "annul");
-}
 
-bool is_team_line(const std::string& kind) {
-  return kind == "entry" || kind == "withdraw" || kind == "pause" || kind == "resume";
-}
+  void operator()(const LegPlayed& e) const {
+    const LegPosition at = *find_leg(state, e.fixture, e.leg);
+    FixtureState& f = state.fixtures[at.fixture];
+    LegState& leg = f.legs[at.leg];
+    PlayedLeg played = played_leg(state, f.fixture, e);
+    if (leg.void_ruling) played.ruling = "what was played before is void: " + *leg.void_ruling;
+    leg.played = std::make_shared<const PlayedLeg>(std::move(played));
+    for (const int team : {f.fixture.home, f.fixture.away}) {
+      const bool is_own_fault =
+          e.fault && (e.fault->team == state.name(team) || e.end == LegEnd::double_forfeit);
+      state.teams[team].strikes = is_own_fault ? state.teams[team].strikes + 1 : 0;
+    }
+    ScheduleGrowth(state).fixture_changed(at.fixture);
+  }
+
+  void operator()(const LegVoided& e) const {
+    const LegPosition at = *find_leg(state, e.fixture, e.leg);
+    LegState& leg = state.fixtures[at.fixture].legs[at.leg];
+    ++leg.voids;
+    leg.played = nullptr;
+    if (e.cause == VoidCause::host) {
+      ++leg.host_faults;
+    } else {
+      // The next attempt must not overwrite this one's record, which is evidence.
+      ++leg.version;
+      leg.awaits_confirmation = e.cause == VoidCause::confirm;
+    }
+    if (e.cause == VoidCause::ruling) {
+      leg.host_faults = 0;
+      leg.void_ruling = std::make_shared<const std::string>(signed_reason(e.why, e.by));
+    }
+    ScheduleGrowth(state).fixture_changed(at.fixture);
+  }
+
+  void operator()(const Ruled& e) const {
+    const LegPosition at = *find_leg(state, e.fixture, e.leg);
+    FixtureState& f = state.fixtures[at.fixture];
+    PlayedLeg leg;
+    if (f.legs[at.leg].played) {
+      leg = *f.legs[at.leg].played;
+    } else {
+      leg.end = LegEnd::awarded;
+    }
+    leg.result.home = f.fixture.home;
+    leg.result.away = f.fixture.away;
+    leg.result.home_goals = e.score.home;
+    leg.result.away_goals = e.score.away;
+    leg.result.both_lose = false;
+    const int ahead = e.score.home - e.score.away;
+    leg.winner = ahead > 0 ? f.fixture.home : ahead < 0 ? f.fixture.away : no_team;
+    leg.ruling = signed_reason(e.why, e.by);
+    f.legs[at.leg].played = std::make_shared<const PlayedLeg>(std::move(leg));
+    ScheduleGrowth(state).fixture_changed(at.fixture);
+  }
+
+  void operator()(const Withdrawn& e) const {
+    const int team = *state.find_team(e.team);
+    set_status(team, TeamStatus::withdrawn, e.why);
+    ScheduleGrowth(state).team_left(team, e.results == WithdrawnResults::annul);
+  }
+
+  void operator()(const Paused& e) const {
+    set_status(*state.find_team(e.team), TeamStatus::paused, e.why);
+  }
+
+  void operator()(const Resumed& e) const {
+    set_status(*state.find_team(e.team), TeamStatus::playing, e.why);
+  }
+
+  void set_status(int index, TeamStatus status, const std::string& why) const {
+    TeamState& team = state.teams[index];
+    team.status = status;
+    team.why = why;
+    team.strikes = 0;
+  }
+};
 
 }  // namespace
 
@@ -249,58 +260,44 @@ LeagueState new_league(LeagueFile file) {
   state.teams.resize(teams);
   for (int i = 0; i < teams; ++i) state.index_of_team_[state.file.teams[i].name] = i;
   if (!objection(state.file.format, teams).empty()) return state;
-  Schedule schedule(state);
+  ScheduleGrowth schedule(state);
   schedule.add(first_schedule(state.file.format, teams));
   if (state.file.format.kind == FormatKind::swiss) {
     std::vector<SwissStanding> standings;
-    for (int team = 0; team < teams; ++team) standings.push_back({team, 0});
+    for (int team = 0; team < teams; ++team) standings.push_back({.team = team, .points = 0});
     schedule.add(swiss_round(standings, {}, 1, state.file.format.swiss_rounds(teams)));
   }
   return state;
 }
 
-Result<void> admit(const LeagueState& state, const Json& line) {
-  try {
-    const std::string kind = text(line, "kind");
-    if (kind == "start") {
-      (void)text(line, "config_sha256");
-      return state.is_started ? fail(Errc::input, "the league has started already")
-                              : Result<void>();
-    }
-    if (!state.is_started) return fail(Errc::input, "the league has not started");
-    if (kind == "leg") return admit_leg(state, line);
-    if (kind == "void") return admit_void(state, line);
-    if (kind == "ruling") return admit_ruling(state, line);
-    if (is_team_line(kind)) return admit_team_line(state, line, kind);
-    return fail(Errc::input, "nobody knows what \"" + kind + "\" is");
-  } catch (const Json::exception& e) {
-    return fail(Errc::input, e.what());
-  }
+Result<void> validate(const LeagueState& state, const Event& event) {
+  if (state.is_started) return std::visit(Validator{state}, event);
+  if (std::holds_alternative<Started>(event)) return {};
+  return fail(Errc::input, "the league has not started");
 }
 
-void apply(LeagueState& state, const Json& line) {
-  const std::string kind = text(line, "kind");
-  if (kind == "start") {
-    state.is_started = true;
-    state.config_sha256 = text(line, "config_sha256");
-    return;
-  }
-  if (is_team_line(kind)) return apply_team_line(state, line, kind);
-  const Place place = *place_of(state, line);
-  if (kind == "leg") apply_leg(state, line, place);
-  if (kind == "void") apply_void(state, line, place);
-  if (kind == "ruling") apply_ruling(state, line, place);
-  Schedule(state).changed(place.fixture);
+void apply(LeagueState& state, const Event& event) {
+  MIROCUP_ASSERT(validate(state, event));
+  std::visit(Applier{state}, event);
 }
 
-Result<LeagueState> league_state(LeagueFile file, const Journal& journal) {
+Result<void> apply_line(LeagueState& state, const Json& line, const std::string& journal_path) {
+  const auto event = read_event(line);
+  if (!event) return fail(Errc::damaged, journal_path + ": " + event.error().what);
+  if (const auto valid = validate(state, *event); !valid) {
+    return fail(Errc::damaged, journal_path + ": line " + line["n"].dump() +
+                                   " does not fit the league: " + valid.error().what);
+  }
+  apply(state, *event);
+  return {};
+}
+
+Result<LeagueState> state_from_journal(LeagueFile file, const Journal& journal) {
   LeagueState state = new_league(std::move(file));
   for (const Json& line : journal.lines()) {
-    if (const auto admitted = admit(state, line); !admitted) {
-      return fail(Errc::damaged, journal.path() + ": line " + line.at("n").dump() +
-                                     " does not fit the league: " + admitted.error().what);
+    if (auto applied = apply_line(state, line, journal.path()); !applied) {
+      return tl::unexpected(applied.error());
     }
-    league::apply(state, line);
   }
   return state;
 }

@@ -14,7 +14,7 @@ constexpr std::string_view house_prefix = "house:";
 
 }  // namespace
 
-Result<std::string> library_of(system::Files& files, const TeamEntry& team) {
+Result<std::string> library_of(system::Files& files, const TeamConfig& team) {
   std::string path = team.source;
   if (path.rfind(house_prefix, 0) == 0) {
     const std::string name = path.substr(house_prefix.size());
@@ -64,7 +64,7 @@ Result<void> init_folder(system::Files& files, const Folder& folder, const Leagu
     return fail(Errc::input, folder.path + " is a league already");
   }
   if (auto made = files.make_folder(folder.path + "/records"); !made) return made;
-  for (const TeamEntry& team : file.teams) {
+  for (const TeamConfig& team : file.teams) {
     const auto library = library_of(files, team);
     if (!library) return tl::unexpected(library.error());
     if (auto added = add_entry(files, folder, team.name, 1, *library); !added) return added;

@@ -45,7 +45,7 @@ struct Folder {
 Result<void> init_folder(system::Files& files, const Folder& folder, const LeagueFile& file);
 
 // The library that a team names: a file, or a house team's.
-Result<std::string> library_of(system::Files& files, const TeamEntry& team);
+Result<std::string> library_of(system::Files& files, const TeamConfig& team);
 
 // Puts a library into the folder as the entry of that number, with the verdict of its check, if it
 // was checked. The entry is there once entry.json is, which comes last.

@@ -3,8 +3,6 @@
 
 #include "core/base/random.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 
 namespace mirocup::league {
@@ -13,7 +11,7 @@ namespace {
 
 // How far each team came in the knockout: rounds survived, doubled so that the tie for the third
 // place fits between.
-std::vector<int> came(const LeagueState& state) {
+std::vector<int> stage_reached(const LeagueState& state) {
   if (!state.file.format.has_knockout()) return {};
   std::vector<int> far(state.file.teams.size(), 0);
   int last_round = 0;
@@ -28,7 +26,7 @@ std::vector<int> came(const LeagueState& state) {
     }
     const TieOutcome o = outcome(state, f);
     if (tie.round != last_round) continue;
-    const bool for_third = tie.home_from.from == Slot::From::loser;
+    const bool for_third = tie.home_source.kind == TeamSource::Kind::loser;
     if (for_third) {
       for (const int team : {tie.home, tie.away}) {
         if (team >= 0) far[team] = 4 * last_round - 3;
@@ -51,13 +49,13 @@ int FixtureState::goals(int team) const {
 }
 
 int FixtureState::needed() const {
-  if (is_annulled || fixture.home == nobody || fixture.away == nobody) return 0;
+  if (is_annulled || fixture.home == no_team || fixture.away == no_team) return 0;
   if (fixture.part != Part::knockout) return fixture.legs;
   int home = 0;
   int away = 0;
   for (int i = 0; i < fixture.legs; ++i) {
     if (!legs[i].played) return fixture.legs;
-    if (legs[i].played->end == "withdrawn") return fixture.legs;
+    if (legs[i].played->end == LegEnd::withdrawn) return fixture.legs;
     home += legs[i].played->result.home_goals;
     away += legs[i].played->result.away_goals;
   }
@@ -72,13 +70,13 @@ int FixtureState::decided() const {
 }
 
 bool FixtureState::is_decided() const {
-  if (fixture.home == unknown || fixture.away == unknown) return false;
+  if (fixture.home == unknown_team || fixture.away == unknown_team) return false;
   return decided() == needed();
 }
 
 bool FixtureState::has_begun() const {
   return std::any_of(legs.begin(), legs.end(), [](const LegState& leg) {
-    return leg.voids > 0 || (leg.played && leg.played->end != "withdrawn");
+    return leg.voids > 0 || (leg.played && leg.played->end != LegEnd::withdrawn);
   });
 }
 
@@ -102,11 +100,11 @@ std::vector<LegResult> LeagueState::results() const {
   std::vector<LegResult> results;
   for (const FixtureState& f : fixtures) {
     if (f.is_annulled) continue;
-    if (f.fixture.away == nobody && f.fixture.part == Part::table) {
+    if (f.fixture.away == no_team && f.fixture.part == Part::table) {
       // As many wins as it would have had legs.
       LegResult bye;
       bye.home = f.fixture.home;
-      bye.away = nobody;
+      bye.away = no_team;
       results.insert(results.end(), legs_per_fixture, bye);
     }
     for (const LegState& leg : f.legs) {
@@ -116,74 +114,38 @@ std::vector<LegResult> LeagueState::results() const {
   return results;
 }
 
-std::vector<Row> LeagueState::table() const {
+std::vector<TableRow> LeagueState::table() const {
   TableRules rules = file.table_rules();
   rules.by_points_per_leg = file.format.kind == FormatKind::ladder;
-  return make_table(all_teams(static_cast<int>(file.teams.size())), results(), rules, came(*this));
+  return make_table(all_teams(static_cast<int>(file.teams.size())), results(), rules,
+                    stage_reached(*this));
 }
 
 TieOutcome outcome(const LeagueState& state, const FixtureState& tie) {
   const Fixture& f = tie.fixture;
   if (!tie.is_decided()) return {};
   const auto is_out = [&state](int team) {
-    return team == nobody || state.teams[team].standing == Standing::withdrawn;
+    return team == no_team || state.teams[team].status == TeamStatus::withdrawn;
   };
   // Who leaves after a tie was played has played it.
-  const bool walkover = f.home == nobody || f.away == nobody ||
+  const bool walkover = f.home == no_team || f.away == no_team ||
                         std::any_of(tie.legs.begin(), tie.legs.end(), [](const LegState& leg) {
-                          return leg.played && leg.played->end == "withdrawn";
+                          return leg.played && leg.played->end == LegEnd::withdrawn;
                         });
   if (walkover) {
-    if (is_out(f.home) && is_out(f.away)) return {nobody, nobody};
+    if (is_out(f.home) && is_out(f.away)) return {no_team, no_team};
     return is_out(f.home) ? TieOutcome{f.away, f.home} : TieOutcome{f.home, f.away};
   }
   int difference = tie.goals(f.home) - tie.goals(f.away);
   for (const LegState& leg : tie.legs) {
     // Only what decides a level tie can be won in a shoot-out.
-    if (difference == 0 && leg.played && leg.played->end == "shoot_out")
+    if (difference == 0 && leg.played && leg.played->end == LegEnd::shoot_out)
       difference = leg.played->winner == f.home ? 1 : leg.played->winner == f.away ? -1 : 0;
   }
   if (difference == 0) {
     difference = Random(fixture_seed(state.file.seed, f)).coin() ? 1 : -1;
   }
   return difference > 0 ? TieOutcome{f.home, f.away} : TieOutcome{f.away, f.home};
-}
-
-Json leg_line(const LeagueFile& file, const Fixture& fixture, int leg, int attempt,
-              const Json& record, const std::string& record_path) {
-  const bool home_is_blue = blue_team(fixture, leg) == fixture.home;
-  const std::string home_colour = home_is_blue ? "blue" : "yellow";
-  const std::string away_colour = home_is_blue ? "yellow" : "blue";
-  const std::string& home = file.teams[fixture.home].name;
-  const std::string& away = file.teams[fixture.away].name;
-  const auto team_of = [&](const Json& colour) -> Json {
-    if (colour.is_null()) return Json();
-    return colour == home_colour ? home : away;
-  };
-  int home_penalties = 0;
-  int away_penalties = 0;
-  for (const Json& d : record.at("decisions")) {
-    if (d.at("decision") != "PENALTY_KICK" || d.at("team").is_null()) continue;
-    ++(d.at("team") == home_colour ? home_penalties : away_penalties);
-  }
-  const Json& result = record.at("result");
-  Json fault = result.at("fault");
-  if (!fault.is_null()) fault["team"] = team_of(fault["team"]);
-  return {{"fixture", fixture.id()},
-          {"leg", leg},
-          {"attempt", attempt},
-          {"home", home},
-          {"away", away},
-          {"blue", home_is_blue ? home : away},
-          {"score",
-           {{"home", result.at("score").at(home_colour)},
-            {"away", result.at("score").at(away_colour)}}},
-          {"winner", team_of(result.at("winner"))},
-          {"end", result.at("end")},
-          {"fault", fault},
-          {"penalties", {{"home", home_penalties}, {"away", away_penalties}}},
-          {"record", record_path},
-          {"state_hash", record.at("state_hash")}};
 }
 
 int blue_team(const Fixture& fixture, int leg) {

@@ -7,7 +7,7 @@
 
 #include "tournaments/format/league_file.hpp"
 #include "tournaments/format/schedule.hpp"
-#include "tournaments/journal/journal.hpp"
+#include "tournaments/league/event.hpp"
 
 #include <array>
 #include <map>
@@ -22,10 +22,10 @@ namespace mirocup::league {
 // A leg that is decided, from its journal lines.
 struct PlayedLeg {
   LegResult result;
-  int winner = nobody;  // also of a shoot-out, which is no goals
-  std::string end;      // as in the record: "full_time", "forfeit", ...; "awarded", "withdrawn"
-  std::string fault;    // "team: code: text" or ""
-  std::string record;   // path inside the league folder; "" if it was not played
+  int winner = no_team;  // also of a shoot-out, which is no goals
+  LegEnd end = LegEnd::full_time;
+  std::optional<LegFault> fault;  // that ended it early
+  std::string record;             // path inside the league folder; "" if it was not played
   std::string state_hash;
   std::string ruling;  // what a person decided and why; ""
 };
@@ -35,13 +35,13 @@ struct LegState {
   int voids = 0;                            // attempts that count for nothing
   int host_faults = 0;                      // of these, that the host spoiled since the last ruling
   int version = 1;  // of its record: one more after each that was decided to count for nothing
-  bool is_to_confirm = false;  // a loss by a clock was seen; the next attempt counts
+  bool awaits_confirmation = false;  // a loss by a clock was seen; the next attempt counts
   std::shared_ptr<const std::string> void_ruling;  // why a person had it played again; null
 };
 
 struct FixtureState {
   Fixture fixture;
-  std::array<LegState, most_legs> legs;
+  std::array<LegState, max_legs> legs;
   bool is_annulled = false;  // counts for nothing: a team has left
   int counted_needed = 0;    // its part in the league's sums
   int counted_decided = 0;
@@ -55,10 +55,10 @@ struct FixtureState {
 };
 
 // What a team is allowed.
-enum class Standing { playing, paused, withdrawn };
+enum class TeamStatus { playing, paused, withdrawn };
 
 struct TeamState {
-  Standing standing = Standing::playing;
+  TeamStatus status = TeamStatus::playing;
   int entry = 0;       // that plays; 0: none yet
   std::string sha256;  // of it
   std::string why;     // paused or withdrawn
@@ -77,7 +77,7 @@ struct LeagueState {
   bool is_over() const;
 
   std::vector<LegResult> results() const;
-  std::vector<Row> table() const;
+  std::vector<TableRow> table() const;
 
   // Index of a fixture or a team, or nothing.
   std::optional<int> find_fixture(const std::string& id) const;
@@ -88,7 +88,7 @@ struct LeagueState {
   int first_open() const { return first_open_; }
 
  private:
-  friend class Schedule;
+  friend class ScheduleGrowth;
   friend LeagueState new_league(LeagueFile file);
 
   int needed_ = 0;
@@ -99,25 +99,8 @@ struct LeagueState {
   std::unordered_map<std::string, int> index_of_team_;
 };
 
-// A league that has not started, with what is known of its schedule.
-LeagueState new_league(LeagueFile file);
-
-// May this line follow? Otherwise a sentence for whoever wanted it (Errc::input). Line numbers and
-// hashes are the journal's affair.
-Result<void> admit(const LeagueState& state, const Json& line);
-
-// Takes a line that was admitted.
-void apply(LeagueState& state, const Json& line);
-
-// All lines of a journal. Errors: Errc::damaged, with the line.
-Result<LeagueState> league_state(LeagueFile file, const Journal& journal);
-
 // Who won a tie of a knockout: more goals over its legs; then the leg that decides; then a lot.
 TieOutcome outcome(const LeagueState& state, const FixtureState& tie);
-
-// A leg's journal line, from its two teams and what its record says.
-Json leg_line(const LeagueFile& file, const Fixture& fixture, int leg, int attempt,
-              const Json& record, const std::string& record_path);
 
 // Which team is blue in a leg: the home team in the first, the away team in the second.
 int blue_team(const Fixture& fixture, int leg);

@@ -3,12 +3,13 @@
 
 #include "server/system/digest.hpp"
 #include "tournaments/journal/file_lock.hpp"
+#include "tournaments/league/apply.hpp"
 
 #include <nlohmann/json.hpp>
 
 namespace mirocup::league {
 
-Result<Book> Book::open(system::Files& files, Folder folder, std::string* notice) {
+Result<LeagueStore> LeagueStore::open(system::Files& files, Folder folder, std::string* notice) {
   if (!files.exists(folder.config())) {
     return fail(Errc::input, folder.path + " is not a league: there is no league.json in it");
   }
@@ -20,41 +21,36 @@ Result<Book> Book::open(system::Files& files, Folder folder, std::string* notice
   if (!journal) return tl::unexpected(journal.error());
   // The teams' names in the journal would not fit a file that was changed: say that first.
   if (!journal->lines().empty()) {
-    const Json& first = journal->lines().front();
-    if (first.value("kind", "") == "start" &&
-        first.value("config_sha256", "") != system::sha256(*text)) {
+    const auto first = read_event(journal->lines().front());
+    const Started* started = first ? std::get_if<Started>(&*first) : nullptr;
+    if (started != nullptr && started->config_sha256 != system::sha256(*text)) {
       return fail(Errc::input, folder.config() + " was changed after the league started");
     }
   }
-  auto state = league_state(std::move(*file), *journal);
+  auto state = state_from_journal(std::move(*file), *journal);
   if (!state) return tl::unexpected(state.error());
-  Book book(std::move(folder), std::move(*journal), std::move(*state));
-  book.applied_ = book.journal_.lines().size();
-  return book;
+  LeagueStore store(std::move(folder), std::move(*journal), std::move(*state));
+  store.applied_ = store.journal_.lines().size();
+  return store;
 }
 
-Result<void> Book::refresh() {
+Result<void> LeagueStore::refresh() {
   if (auto read = journal_.refresh(); !read) return read;
   for (; applied_ < journal_.lines().size(); ++applied_) {
     const Json& line = journal_.lines()[applied_];
-    if (const auto admitted = admit(state_, line); !admitted) {
-      return fail(Errc::damaged, journal_.path() + ": line " + std::to_string(applied_ + 1) +
-                                     " does not fit the league: " + admitted.error().what);
-    }
-    apply(state_, line);
+    if (auto applied = apply_line(state_, line, journal_.path()); !applied) return applied;
   }
   return {};
 }
 
-Result<void> Book::write(const std::string& kind, Json fields) {
-  const auto lock = FileLock::wait(folder_.lock());
+Result<void> LeagueStore::write(const Event& event) {
+  const auto lock = FileLock::acquire(folder_.lock());
   if (!lock) return tl::unexpected(lock.error());
   if (auto fresh = refresh(); !fresh) return fresh;
-  Json line{{"kind", kind}};
-  line.update(fields);
-  if (auto admitted = admit(state_, line); !admitted) return admitted;
-  if (auto written = journal_.append(kind, std::move(fields)); !written) return written;
-  apply(state_, journal_.lines().back());
+  if (auto valid = validate(state_, event); !valid) return valid;
+  const std::string kind(kind_of(event));
+  if (auto written = journal_.append(kind, fields_of(event)); !written) return written;
+  apply(state_, event);
   applied_ = journal_.lines().size();
   return {};
 }

@@ -5,14 +5,16 @@
 // league is being played.
 #pragma once
 
+#include "tournaments/journal/journal.hpp"
 #include "tournaments/league/folder.hpp"
 
 namespace mirocup::league {
 
-class Book {
+class LeagueStore {
  public:
   // `notice` may be set to something that a person should know.
-  static Result<Book> open(system::Files& files, Folder folder, std::string* notice = nullptr);
+  static Result<LeagueStore> open(system::Files& files, Folder folder,
+                                  std::string* notice = nullptr);
 
   const LeagueState& state() const { return state_; }
   const Journal& journal() const { return journal_; }
@@ -24,12 +26,12 @@ class Book {
   // Takes in what others have written.
   Result<void> refresh();
 
-  // Writes a line to disk, then lets it count. Errors: Errc::input if it does not fit the league as
-  // it is now; then nothing is written.
-  Result<void> write(const std::string& kind, Json fields);
+  // Writes an event to disk and then applies it to the state. Errors: Errc::input if it does not fit
+  // the league as it is now; then nothing is written.
+  Result<void> write(const Event& event);
 
  private:
-  Book(Folder folder, Journal journal, LeagueState state)
+  LeagueStore(Folder folder, Journal journal, LeagueState state)
       : folder_(std::move(folder)), journal_(std::move(journal)), state_(std::move(state)) {}
 
   Folder folder_;

@@ -8,7 +8,7 @@
 
 namespace mirocup::league {
 
-void Schedule::add(const std::vector<Fixture>& fixtures) {
+void ScheduleGrowth::add(const std::vector<Fixture>& fixtures) {
   for (const Fixture& fixture : fixtures) {
     const int index = static_cast<int>(state_.fixtures.size());
     state_.index_of_fixture_[fixture.id()] = index;
@@ -18,7 +18,7 @@ void Schedule::add(const std::vector<Fixture>& fixtures) {
   }
 }
 
-void Schedule::count(int index) {
+void ScheduleGrowth::count(int index) {
   FixtureState& f = state_.fixtures[index];
   state_.needed_ -= f.counted_needed;
   state_.decided_ -= f.counted_decided;
@@ -28,7 +28,7 @@ void Schedule::count(int index) {
   state_.decided_ += f.counted_decided;
 }
 
-void Schedule::remove_last() {
+void ScheduleGrowth::remove_last() {
   const FixtureState& last = state_.fixtures.back();
   state_.needed_ -= last.counted_needed;
   state_.decided_ -= last.counted_decided;
@@ -36,7 +36,7 @@ void Schedule::remove_last() {
   state_.fixtures.pop_back();
 }
 
-void Schedule::changed(int fixture) {
+void ScheduleGrowth::fixture_changed(int fixture) {
   count(fixture);
   switch (state_.file.format.kind) {
     case FormatKind::groups:
@@ -56,11 +56,11 @@ void Schedule::changed(int fixture) {
   }
 }
 
-void Schedule::give_walkover(int index) {
+void ScheduleGrowth::give_walkover(int index) {
   FixtureState& f = state_.fixtures[index];
   if (!f.fixture.has_both()) return;
   const auto is_out = [this](int team) {
-    return state_.teams[team].standing == Standing::withdrawn;
+    return state_.teams[team].status == TeamStatus::withdrawn;
   };
   const bool home_out = is_out(f.fixture.home);
   const bool away_out = is_out(f.fixture.away);
@@ -69,7 +69,7 @@ void Schedule::give_walkover(int index) {
   leg.result.home = f.fixture.home;
   leg.result.away = f.fixture.away;
   leg.result.both_lose = home_out && away_out;
-  leg.end = "withdrawn";
+  leg.end = LegEnd::withdrawn;
   if (!leg.result.both_lose) {
     (home_out ? leg.result.away_goals : leg.result.home_goals) = state_.file.rules.forfeit_goals;
   }
@@ -79,34 +79,34 @@ void Schedule::give_walkover(int index) {
   }
 }
 
-std::optional<int> Schedule::taken(const Slot& slot) const {
-  if (slot.from == Slot::From::team) return slot.index;
-  if (slot.from == Slot::From::place) {
+std::optional<int> ScheduleGrowth::team_of(const TeamSource& source) const {
+  if (source.kind == TeamSource::Kind::team) return source.index;
+  if (source.kind == TeamSource::Kind::place) {
     std::vector<LegResult> results;
     std::vector<int> teams =
-        deal_groups(static_cast<int>(state_.teams.size()), state_.file.format.groups)[slot.index];
+        deal_groups(static_cast<int>(state_.teams.size()), state_.file.format.groups)[source.index];
     for (const FixtureState& f : state_.fixtures) {
-      if (f.fixture.part != Part::group || f.fixture.group != slot.index + 1) continue;
+      if (f.fixture.part != Part::group || f.fixture.group != source.index + 1) continue;
       if (!f.is_decided()) return std::nullopt;
       for (const LegState& leg : f.legs) {
         if (leg.played && !f.is_annulled) results.push_back(leg.played->result);
       }
     }
     const auto table = make_table(teams, results, state_.file.table_rules());
-    return table[slot.place].team;
+    return table[source.place].team;
   }
-  const TieOutcome o = outcome(state_, state_.fixtures[slot.index]);
-  const int team = slot.from == Slot::From::winner ? o.winner : o.loser;
-  if (team == unknown) return std::nullopt;
+  const TieOutcome o = outcome(state_, state_.fixtures[source.index]);
+  const int team = source.kind == TeamSource::Kind::winner ? o.winner : o.loser;
+  if (team == unknown_team) return std::nullopt;
   return team;
 }
 
-void Schedule::fill_places() {
+void ScheduleGrowth::fill_places() {
   for (int i = 0; i < static_cast<int>(state_.fixtures.size()); ++i) {
     FixtureState& f = state_.fixtures[i];
     if (f.fixture.part != Part::knockout || f.has_begun()) continue;
-    const int home = taken(f.fixture.home_from).value_or(unknown);
-    const int away = taken(f.fixture.away_from).value_or(unknown);
+    const int home = team_of(f.fixture.home_source).value_or(unknown_team);
+    const int away = team_of(f.fixture.away_source).value_or(unknown_team);
     if (home == f.fixture.home && away == f.fixture.away) continue;
     f.fixture.home = home;
     f.fixture.away = away;
@@ -117,7 +117,7 @@ void Schedule::fill_places() {
   }
 }
 
-void Schedule::pair_swiss() {
+void ScheduleGrowth::pair_swiss() {
   // A round that has not begun is paired anew from the results as they are now.
   std::vector<FixtureState>& fixtures = state_.fixtures;
   const auto last_round = [&] { return fixtures.empty() ? 0 : fixtures.back().fixture.round; };
@@ -142,8 +142,8 @@ void Schedule::pair_swiss() {
       return;
     }
     std::vector<SwissStanding> standings;
-    for (const Row& row : state_.table()) {
-      if (state_.teams[row.team].standing != Standing::withdrawn)
+    for (const TableRow& row : state_.table()) {
+      if (state_.teams[row.team].status != TeamStatus::withdrawn)
         standings.push_back({row.team, row.points});
     }
     std::vector<Fixture> before;
@@ -154,7 +154,7 @@ void Schedule::pair_swiss() {
   }
 }
 
-void Schedule::team_left(int team, bool annul) {
+void ScheduleGrowth::team_left(int team, bool annul) {
   for (int i = 0; i < static_cast<int>(state_.fixtures.size()); ++i) {
     FixtureState& f = state_.fixtures[i];
     if (f.fixture.home != team && f.fixture.away != team) continue;
@@ -165,16 +165,16 @@ void Schedule::team_left(int team, bool annul) {
     }
     count(i);
   }
-  if (!state_.fixtures.empty()) changed(0);
+  if (!state_.fixtures.empty()) fixture_changed(0);
 }
 
-void Schedule::entry_came(int team) {
+void ScheduleGrowth::entry_booked(int team) {
   if (state_.file.format.kind != FormatKind::ladder) return;
   ++state_.entries_;
   std::vector<int> others;
   for (int other = 0; other < static_cast<int>(state_.teams.size()); ++other) {
     const TeamState& s = state_.teams[other];
-    if (other != team && s.entry > 0 && s.standing == Standing::playing) others.push_back(other);
+    if (other != team && s.entry > 0 && s.status == TeamStatus::playing) others.push_back(other);
   }
   // What the entry before did no longer counts for its team; what it has not played it does not.
   for (int i = 0; i < static_cast<int>(state_.fixtures.size()); ++i) {
@@ -195,7 +195,7 @@ void Schedule::entry_came(int team) {
     count(i);
   }
   add(ladder_fixtures(state_.entries_, team, others, state_.file.format.sample, state_.file.seed));
-  if (!state_.fixtures.empty()) changed(0);
+  if (!state_.fixtures.empty()) fixture_changed(0);
 }
 
 }  // namespace mirocup::league

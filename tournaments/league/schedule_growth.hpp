@@ -8,19 +8,19 @@
 
 namespace mirocup::league {
 
-class Schedule {
+class ScheduleGrowth {
  public:
-  explicit Schedule(LeagueState& state) : state_(state) {}
+  explicit ScheduleGrowth(LeagueState& state) : state_(state) {}
 
   // Adds fixtures at the end.
   void add(const std::vector<Fixture>& fixtures);
 
   // After anything happened to that fixture.
-  void changed(int fixture);
+  void fixture_changed(int fixture);
 
   // After a team left or came back, or its entry changed.
   void team_left(int team, bool annul);
-  void entry_came(int team);
+  void entry_booked(int team);
 
  private:
   void count(int fixture);
@@ -28,7 +28,7 @@ class Schedule {
   void fill_places();
   void pair_swiss();
   void remove_last();
-  std::optional<int> taken(const Slot& slot) const;
+  std::optional<int> team_of(const TeamSource& source) const;
 
   LeagueState& state_;
 };

@@ -4,44 +4,41 @@
 #include "server/record/match_record.hpp"
 #include "server/system/digest.hpp"
 
-#include <nlohmann/json.hpp>
-
 namespace mirocup::league {
 
 namespace {
 
-Result<void> start(system::Files& files, Book& book) {
-  const LeagueState& state = book.state();
+Result<void> write_start(system::Files& files, LeagueStore& store) {
+  const LeagueState& state = store.state();
   if (state.is_started) return {};
   const std::string why = objection(state.file.format, static_cast<int>(state.file.teams.size()));
-  if (!why.empty()) return fail(Errc::input, book.folder().config() + ": " + why);
-  for (const TeamEntry& team : state.file.teams) {
-    if (last_accepted_entry(files, book.folder(), team.name) == 0)
+  if (!why.empty()) return fail(Errc::input, store.folder().config() + ": " + why);
+  for (const TeamConfig& team : state.file.teams) {
+    if (last_accepted_entry(files, store.folder(), team.name) == 0)
       return fail(Errc::input, team.name + " has no entry that was accepted");
   }
-  const auto config = files.read(book.folder().config());
+  const auto config = files.read(store.folder().config());
   if (!config) return tl::unexpected(config.error());
-  return book.write("start", {{"config_sha256", system::sha256(*config)},
-                              {"version", record::software_version()}});
+  return store.write(
+      Started{.config_sha256 = system::sha256(*config), .version = record::software_version()});
 }
 
 // The libraries that play are those that the journal names: booked at the start, unchanged ever
 // since.
-Result<void> book_entries(system::Files& files, Book& book) {
-  const LeagueState& state = book.state();
+Result<void> book_entries(system::Files& files, LeagueStore& store) {
+  const LeagueState& state = store.state();
   for (std::size_t i = 0; i < state.teams.size(); ++i) {
     const std::string& team = state.file.teams[i].name;
     const TeamState& booked = state.teams[i];
-    if (booked.standing == Standing::withdrawn) continue;
+    if (booked.status == TeamStatus::withdrawn) continue;
     const int number =
-        booked.entry > 0 ? booked.entry : last_accepted_entry(files, book.folder(), team);
-    const std::string path = book.folder().library(team, number);
+        booked.entry > 0 ? booked.entry : last_accepted_entry(files, store.folder(), team);
+    const std::string path = store.folder().library(team, number);
     const auto library = files.read(path);
     if (!library) return tl::unexpected(library.error());
     const std::string sha256 = system::sha256(*library);
     if (booked.entry == 0) {
-      if (auto written =
-              book.write("entry", {{"team", team}, {"entry", number}, {"sha256", sha256}});
+      if (auto written = store.write(EntryBooked{.team = team, .entry = number, .sha256 = sha256});
           !written) {
         return written;
       }
@@ -54,9 +51,9 @@ Result<void> book_entries(system::Files& files, Book& book) {
 
 }  // namespace
 
-Result<void> begin_league(system::Files& files, Book& book) {
-  if (auto started = start(files, book); !started) return started;
-  return book_entries(files, book);
+Result<void> start_league(system::Files& files, LeagueStore& store) {
+  if (auto started = write_start(files, store); !started) return started;
+  return book_entries(files, store);
 }
 
 }  // namespace mirocup::league

@@ -46,7 +46,7 @@ std::string objection_to(const LeagueState& state, const std::string& team,
     return "entries are frozen since " + state.file.freeze;
   if (state.is_started && !is_ladder) return "entries are frozen: the league has started";
   if (state.is_started && !known) return "there is no team " + team + " in this league";
-  if (known && state.teams[*known].standing == Standing::withdrawn) return team + " has withdrawn";
+  if (known && state.teams[*known].status == TeamStatus::withdrawn) return team + " has withdrawn";
   return "";
 }
 
@@ -62,15 +62,15 @@ Result<void> add_team(system::Files& files, const Folder& folder, LeagueFile fil
 Result<Submission> submit(system::Files& files, const Folder& folder, const std::string& team,
                           const std::string& path, const std::string& now) {
   // One at a time: numbers are given once, and checks do not slow each other down.
-  const auto alone = FileLock::wait(folder.submitting());
+  const auto alone = FileLock::acquire(folder.submitting());
   if (!alone) return tl::unexpected(alone.error());
-  auto book = Book::open(files, folder);
-  if (!book) return tl::unexpected(book.error());
+  auto store = LeagueStore::open(files, folder);
+  if (!store) return tl::unexpected(store.error());
   if (!is_good_name(team)) {
     return fail(Errc::input,
                 "\"" + team + "\" is no name: letters, digits, '-', '_' and '.', at most 40");
   }
-  if (const std::string why = objection_to(book->state(), team, now); !why.empty())
+  if (const std::string why = objection_to(store->state(), team, now); !why.empty())
     return refused(team + ": not taken: " + why);
 
   const auto library = files.read(path);
@@ -83,7 +83,7 @@ Result<Submission> submit(system::Files& files, const Folder& folder, const std:
   });
   if (!stored) return tl::unexpected(stored.error());
   auto verdict =
-      check(files, own, book->state().file.league, folder.entry(team, number) + "/check.log");
+      check(files, own, store->state().file.league, folder.entry(team, number) + "/check.log");
   if (!verdict) return tl::unexpected(verdict.error());
   (*verdict)["file"] = path;
   if (auto added = add_entry(files, folder, team, number, *library, verdict->dump(1) + "\n");
@@ -99,13 +99,13 @@ Result<Submission> submit(system::Files& files, const Folder& folder, const std:
     return done;
   }
   done.message = entry + " was accepted";
-  if (!book->state().find_team(team)) {
-    if (auto added = add_team(files, folder, book->state().file, team); !added)
+  if (!store->state().find_team(team)) {
+    if (auto added = add_team(files, folder, store->state().file, team); !added)
       return tl::unexpected(added.error());
   }
-  if (!book->state().is_started) return done;
-  if (auto written = book->write(
-          "entry", {{"team", team}, {"entry", number}, {"sha256", system::sha256(*library)}});
+  if (!store->state().is_started) return done;
+  if (auto written = store->write(
+          EntryBooked{.team = team, .entry = number, .sha256 = system::sha256(*library)});
       !written) {
     return tl::unexpected(written.error());
   }

@@ -17,15 +17,15 @@ namespace {
 
 class Comparison {
  public:
-  Comparison(system::Files& files, const ComparisonRun& run, Progress& progress)
+  Comparison(system::Files& files, const ComparisonRun& run, ProgressReporter& progress)
       : files_(files), run_(run), progress_(progress) {}
 
   Result<ComparisonResult> play() {
     const std::vector<int> cpus = system::processors();
     const std::size_t jobs = run_.jobs > 0 ? static_cast<std::size_t>(run_.jobs) : cpus.size();
     int next = 0;  // leg
-    while (result_.verdict == Verdict::undecided && counted_ < run_.most) {
-      if (processes_.running() < jobs && next < run_.most * legs_per_fixture) {
+    while (result_.verdict == ComparisonVerdict::undecided && counted_ < run_.max_fixtures) {
+      if (processes_.running() < jobs && next < run_.max_fixtures * legs_per_fixture) {
         const int cpu = cpus[static_cast<std::size_t>(next) % cpus.size()];
         if (auto started = start(next++, cpu); !started) return tl::unexpected(started.error());
         continue;
@@ -90,7 +90,7 @@ class Comparison {
     if (!ahead) return tl::unexpected(ahead.error());
     ahead_[exit.tag] = *ahead;
     // In order, as far as both legs are there.
-    while (result_.verdict == Verdict::undecided && ahead_.count(2 * counted_) != 0 &&
+    while (result_.verdict == ComparisonVerdict::undecided && ahead_.count(2 * counted_) != 0 &&
            ahead_.count(2 * counted_ + 1) != 0) {
       const int sum = ahead_[2 * counted_] + ahead_[2 * counted_ + 1];
       ++counted_;
@@ -106,7 +106,7 @@ class Comparison {
 
   system::Files& files_;
   const ComparisonRun& run_;
-  Progress& progress_;
+  ProgressReporter& progress_;
   system::ProcessSet processes_;
   ComparisonResult result_;
   std::map<int, int> ahead_;  // by leg
@@ -116,7 +116,7 @@ class Comparison {
 }  // namespace
 
 Result<ComparisonResult> run_comparison(system::Files& files, const ComparisonRun& run,
-                                        Progress& progress) {
+                                        ProgressReporter& progress) {
   return Comparison(files, run, progress).play();
 }
 

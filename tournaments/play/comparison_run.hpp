@@ -7,7 +7,7 @@
 #include "core/base/error.hpp"
 #include "core/field/league.hpp"
 #include "server/system/files.hpp"
-#include "tournaments/play/progress.hpp"
+#include "tournaments/play/progress_reporter.hpp"
 #include "tournaments/table/comparison.hpp"
 
 #include <array>
@@ -20,20 +20,20 @@ struct ComparisonRun {
   League league = League::small;
   double half_s = 0.0;  // 0: as the rules say
   std::uint64_t seed = 1;
-  int jobs = 0;        // 0: one for each processor
-  int most = 200;      // fixtures
-  std::string folder;  // for records; exists
+  int jobs = 0;            // 0: one for each processor
+  int max_fixtures = 200;  // fixtures
+  std::string folder;      // for records; exists
   ComparisonOptions test;
 };
 
 struct ComparisonResult {
-  Verdict verdict = Verdict::undecided;
+  ComparisonVerdict verdict = ComparisonVerdict::undecided;
   int first_wins = 0;
   int second_wins = 0;
   int level = 0;
 };
 
 Result<ComparisonResult> run_comparison(system::Files& files, const ComparisonRun& run,
-                                        Progress& progress);
+                                        ProgressReporter& progress);
 
 }  // namespace mirocup::league

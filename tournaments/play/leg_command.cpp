@@ -7,8 +7,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <utility>
-
 namespace mirocup::league {
 
 namespace {
@@ -27,14 +25,8 @@ std::vector<std::string> rule_options(const referee::Rules& rules, League league
 }
 
 std::string seat_of(const Folder& folder, const LeagueState& state, int team) {
-  const TeamEntry& entry = state.file.teams[team];
+  const TeamConfig& entry = state.file.teams[team];
   return entry.over_dds ? "dds:" + entry.name : folder.library(entry.name, state.teams[team].entry);
-}
-
-// The leg that decides a tie is not the first one over again.
-std::uint64_t leg_seed(const LeagueState& state, const LegId& id) {
-  const std::uint64_t seed = fixture_seed(state.file.seed, id.fixture);
-  return id.leg > id.fixture.legs ? mix_seed(seed) >> 11 : seed;
 }
 
 }  // namespace
@@ -42,7 +34,7 @@ std::uint64_t leg_seed(const LeagueState& state, const LegId& id) {
 std::vector<int> open_legs(const LeagueState& state, const FixtureState& f) {
   if (!f.fixture.has_both()) return {};
   for (const int team : {f.fixture.home, f.fixture.away}) {
-    if (state.teams[team].standing != Standing::playing) return {};
+    if (state.teams[team].status != TeamStatus::playing) return {};
   }
   std::vector<int> legs;
   for (int leg = 1; leg <= f.needed(); ++leg) {
@@ -88,32 +80,10 @@ std::string leg_output(const Folder& folder, const LegId& leg) {
   return folder.record(leg.fixture, leg.leg, leg.version) + ".out";
 }
 
-std::optional<Json> played_record(system::Files& files, const Folder& folder,
-                                  const LeagueState& state, const LegId& id) {
-  const std::string path = folder.record(id.fixture, id.leg, id.version);
-  if (!files.exists(path)) return std::nullopt;
-  const auto text = files.read(path);
-  if (!text) return std::nullopt;
-  Json record = Json::parse(*text, nullptr, false);
-  try {
-    if (!record.is_object() || record.at("seed") != leg_seed(state, id) ||
-        record.at("result").at("end") == "void") {
-      return std::nullopt;
-    }
-    const int blue = blue_team(id.fixture, id.leg);
-    const int yellow = blue == id.fixture.home ? id.fixture.away : id.fixture.home;
-    for (const auto& [colour, team] : {std::pair{"blue", blue}, std::pair{"yellow", yellow}}) {
-      const Json& seat = record.at("teams").at(colour);
-      const bool is_entry =
-          state.file.teams[team].over_dds || seat.at("sha256") == state.teams[team].sha256;
-      if (seat.at("name") != state.name(team) || !is_entry) return std::nullopt;
-    }
-    // Throws if anything is missing that the journal needs.
-    (void)leg_line(state.file, id.fixture, id.leg, 1, record, path);
-  } catch (const Json::exception&) {
-    return std::nullopt;
-  }
-  return std::make_optional(std::move(record));
+std::uint64_t leg_seed(const LeagueState& state, const LegId& id) {
+  const std::uint64_t seed = fixture_seed(state.file.seed, id.fixture);
+  // The leg that decides a tie must not repeat the first one.
+  return id.leg > id.fixture.legs ? mix_seed(seed) >> 11 : seed;
 }
 
 }  // namespace mirocup::league

@@ -6,6 +6,7 @@
 
 #include "tournaments/league/folder.hpp"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -23,16 +24,14 @@ struct LegId {
 // playing.
 std::vector<int> open_legs(const LeagueState& state, const FixtureState& fixture);
 
+// The seed of one leg.
+std::uint64_t leg_seed(const LeagueState& state, const LegId& id);
+
 // Run it in any folder; `match_id` is for teams that join over DDS.
 std::vector<std::string> leg_command(const Folder& folder, const LeagueState& state,
                                      const LegId& leg, const std::string& match_id);
 
 // What its match server says goes into this file.
 std::string leg_output(const Folder& folder, const LegId& leg);
-
-// The text of the leg's record, if it is there, is whole, and is of these teams, entries and seed:
-// somebody has played it already.
-std::optional<Json> played_record(system::Files& files, const Folder& folder,
-                                  const LeagueState& state, const LegId& leg);
 
 }  // namespace mirocup::league

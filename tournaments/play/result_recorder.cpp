@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/play/result_recorder.hpp"
 
+#include "core/match/controller.hpp"
 #include "tournaments/league/start.hpp"
-
-#include <nlohmann/json.hpp>
+#include "tournaments/play/leg_record.hpp"
 
 namespace mirocup::league {
 
 namespace {
 
 // What a loaded host can cause: such a loss counts when it happens again.
-bool is_by_a_clock(const std::string& fault) {
-  return fault == "budget" || fault == "hang" || fault == "start_timeout";
+bool is_by_a_clock(const LegFault& fault) {
+  const auto code = from_string<match::FaultCode>(fault.code);
+  return code == match::FaultCode::budget || code == match::FaultCode::hang ||
+         code == match::FaultCode::start_timeout;
 }
 
 std::string record_of(const LegId& leg) {
@@ -20,36 +22,36 @@ std::string record_of(const LegId& leg) {
 
 }  // namespace
 
-Bookkeeper::Bookkeeper(system::Files& files, Book book, Progress& progress)
-    : files_(files), book_(std::move(book)), progress_(progress) {}
+ResultRecorder::ResultRecorder(system::Files& files, LeagueStore store, ProgressReporter& progress)
+    : files_(files), store_(std::move(store)), progress_(progress) {}
 
-Result<void> Bookkeeper::begin() {
-  return begin_league(files_, book_);
+Result<void> ResultRecorder::start() {
+  return start_league(files_, store_);
 }
 
-const FixtureState* Bookkeeper::find(const std::string& id) const {
+const FixtureState* ResultRecorder::find(const std::string& id) const {
   const auto index = state().find_fixture(id);
   return index ? &state().fixtures[*index] : nullptr;
 }
 
-std::optional<LegId> Bookkeeper::next_leg(const FixtureState& fixture) const {
+std::optional<LegId> ResultRecorder::next_leg(const FixtureState& fixture) const {
   for (const int leg : open_legs(state(), fixture)) {
     const LegState& now = fixture.legs[leg - 1];
     const LegId id{fixture.fixture, leg, now.version, now.voids + 1};
-    const auto spoiled = spoiled_.find(record_of(id));
-    if (spoiled == spoiled_.end() || spoiled->second < most_attempts) return id;
+    const auto failures = host_failures_.find(record_of(id));
+    if (failures == host_failures_.end() || failures->second < max_attempts) return id;
   }
   return std::nullopt;
 }
 
-Result<bool> Bookkeeper::book_if_played(const LegId& leg) {
-  const auto record = played_record(files_, folder(), state(), leg);
-  if (!record) return false;
-  if (auto booked = book_record(leg, *record); !booked) return tl::unexpected(booked.error());
+Result<bool> ResultRecorder::book_if_played(const LegId& leg) {
+  const auto played = find_played_leg(files_, folder(), state(), leg);
+  if (!played) return false;
+  if (auto booked = book_result(leg, *played); !booked) return tl::unexpected(booked.error());
   return true;
 }
 
-Result<int> Bookkeeper::book_played(const std::string& fixture) {
+Result<int> ResultRecorder::book_played(const std::string& fixture) {
   for (int count = 0;; ++count) {
     const FixtureState* now = find(fixture);
     const auto leg = now != nullptr ? next_leg(*now) : std::nullopt;
@@ -60,7 +62,7 @@ Result<int> Bookkeeper::book_played(const std::string& fixture) {
   }
 }
 
-std::string Bookkeeper::last_words(const LegId& leg) const {
+std::string ResultRecorder::last_output_line(const LegId& leg) const {
   const std::string text = files_.read(leg_output(folder(), leg)).value_or("");
   const std::size_t end = text.find_last_not_of('\n');
   if (end == std::string::npos) return "";
@@ -69,61 +71,54 @@ std::string Bookkeeper::last_words(const LegId& leg) const {
   return text.substr(begin, end + 1 - begin);
 }
 
-Result<void> Bookkeeper::book_void(const LegId& leg, const std::string& why) {
-  ++spoiled_[record_of(leg)];
-  return write_void(leg, "host", why);
+Result<void> ResultRecorder::book_void(const LegId& leg, const std::string& why) {
+  ++host_failures_[record_of(leg)];
+  return write_void(leg, VoidCause::host, why);
 }
 
 // A line that no longer fits, because a person decided otherwise meanwhile, is dropped.
-Result<void> Bookkeeper::written(Result<void> result) {
+Result<void> ResultRecorder::drop_if_outdated(Result<void> result) {
   if (result || result.error().code != Errc::input) return result;
   progress_.say("not counted: " + result.error().what);
   return {};
 }
 
-Result<void> Bookkeeper::book_record(const LegId& leg, const Json& record) {
-  const Json line =
-      leg_line(state().file, leg.fixture, leg.leg, leg.attempt, record, record_of(leg));
-  const Json& fault = line.at("fault");
-  const FixtureState* fixture = find(leg.fixture.id());
-  const bool is_confirmed = fixture != nullptr && fixture->legs[leg.leg - 1].is_to_confirm;
-  if (!fault.is_null() && is_by_a_clock(fault.at("code").get<std::string>()) && !is_confirmed) {
-    return write_void(leg, "confirm",
-                      fault.at("team").get<std::string>() + ": " +
-                          fault.at("code").get<std::string>() + ": " +
-                          fault.at("text").get<std::string>() + "; played again to confirm it");
+Result<void> ResultRecorder::book_result(const LegId& leg, const LegPlayed& played) {
+  const FixtureState* fixture = find(played.fixture);
+  const bool is_confirmed = fixture != nullptr && fixture->legs[leg.leg - 1].awaits_confirmation;
+  if (played.fault && is_by_a_clock(*played.fault) && !is_confirmed) {
+    return write_void(leg, VoidCause::confirm,
+                      played.fault->summary() + "; played again to confirm it");
   }
-  if (auto booked = written(book_.write("leg", line)); !booked) return booked;
+  if (auto booked = drop_if_outdated(store_.write(played)); !booked) return booked;
+  std::string end(to_string(played.end));
+  if (played.fault) end += ": " + played.fault->team + ": " + played.fault->code;
   progress_.say(std::to_string(state().played()) + "/" + std::to_string(state().legs()) + "  " +
-                line.at("home").get<std::string>() + " " + line.at("score").at("home").dump() +
-                " : " + line.at("score").at("away").dump() + " " +
-                line.at("away").get<std::string>() + "  (" + line.at("end").get<std::string>() +
-                (fault.is_null() ? ""
-                                 : ": " + fault.at("team").get<std::string>() + ": " +
-                                       fault.at("code").get<std::string>()) +
-                ")");
+                played.home + " " + std::to_string(played.score.home) + " : " +
+                std::to_string(played.score.away) + " " + played.away + "  (" + end + ")");
   return pause_after_strikes(leg.fixture);
 }
 
-Result<void> Bookkeeper::write_void(const LegId& leg, const std::string& cause,
-                                    const std::string& why) {
+Result<void> ResultRecorder::write_void(const LegId& leg, VoidCause cause, const std::string& why) {
   const std::string fixture = leg.fixture.id();
   progress_.say(fixture + " leg " + std::to_string(leg.leg) + ": void: " + why);
-  return written(book_.write("void", {{"fixture", fixture},
-                                      {"leg", leg.leg},
-                                      {"attempt", leg.attempt},
-                                      {"cause", cause},
-                                      {"why", why}}));
+  return drop_if_outdated(store_.write(LegVoided{.fixture = fixture,
+                                                 .leg = leg.leg,
+                                                 .attempt = leg.attempt,
+                                                 .cause = cause,
+                                                 .why = why,
+                                                 .by = {}}));
 }
 
-Result<void> Bookkeeper::pause_after_strikes(const Fixture& fixture) {
-  const int most = state().file.strikes;
+Result<void> ResultRecorder::pause_after_strikes(const Fixture& fixture) {
+  const int max = state().file.strikes;
   for (const int team : {fixture.home, fixture.away}) {
     const TeamState& now = state().teams[team];
-    if (most == 0 || now.strikes < most || now.standing != Standing::playing) continue;
+    if (max == 0 || now.strikes < max || now.status != TeamStatus::playing) continue;
     const std::string why = std::to_string(now.strikes) + " legs in a row lost by its own faults";
     const std::string name = state().name(team);
-    if (auto paused = written(book_.write("pause", {{"team", name}, {"why", why}})); !paused)
+    if (auto paused = drop_if_outdated(store_.write(Paused{.team = name, .why = why, .by = {}}));
+        !paused)
       return paused;
     progress_.say(name + " is paused: " + why + "; mirocup league resume or withdraw " +
                   folder().path + " " + name);

@@ -7,7 +7,7 @@
 
 #include "tournaments/league/league_store.hpp"
 #include "tournaments/play/leg_command.hpp"
-#include "tournaments/play/progress.hpp"
+#include "tournaments/play/progress_reporter.hpp"
 
 #include <map>
 #include <optional>
@@ -16,21 +16,21 @@ namespace mirocup::league {
 
 // After so many attempts that the host spoiled a leg is left until the next start, when somebody may
 // have looked after the host.
-inline constexpr int most_attempts = 3;
+inline constexpr int max_attempts = 3;
 
-class Bookkeeper {
+class ResultRecorder {
  public:
-  Bookkeeper(system::Files& files, Book book, Progress& progress);
+  ResultRecorder(system::Files& files, LeagueStore store, ProgressReporter& progress);
 
-  const Book& book() const { return book_; }
-  const LeagueState& state() const { return book_.state(); }
-  const Folder& folder() const { return book_.folder(); }
+  const LeagueStore& store() const { return store_; }
+  const LeagueState& state() const { return store_.state(); }
+  const Folder& folder() const { return store_.folder(); }
 
   // Starts the league if it is not started.
-  Result<void> begin();
+  Result<void> start();
 
   // Takes in what persons have decided since.
-  Result<void> refresh() { return book_.refresh(); }
+  Result<void> refresh() { return store_.refresh(); }
 
   // The fixture as it is now, if there still is one.
   const FixtureState* find(const std::string& id) const;
@@ -47,21 +47,21 @@ class Bookkeeper {
 
   // Has a match server been started for it? What did it say last?
   bool has_begun(const LegId& leg) const { return files_.exists(leg_output(folder(), leg)); }
-  std::string last_words(const LegId& leg) const;
+  std::string last_output_line(const LegId& leg) const;
 
   // The host spoiled it.
   Result<void> book_void(const LegId& leg, const std::string& why);
 
  private:
-  Result<void> book_record(const LegId& leg, const Json& record);
-  Result<void> write_void(const LegId& leg, const std::string& cause, const std::string& why);
+  Result<void> book_result(const LegId& leg, const LegPlayed& played);
+  Result<void> write_void(const LegId& leg, VoidCause cause, const std::string& why);
   Result<void> pause_after_strikes(const Fixture& fixture);
-  Result<void> written(Result<void> result);
+  Result<void> drop_if_outdated(Result<void> result);
 
   system::Files& files_;
-  Book book_;
-  Progress& progress_;
-  std::map<std::string, int> spoiled_;  // by the host, while this program runs: records
+  LeagueStore store_;
+  ProgressReporter& progress_;
+  std::map<std::string, int> host_failures_;  // by the host, while this program runs: records
 };
 
 // What to tell whoever interrupted the league.

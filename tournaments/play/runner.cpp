@@ -4,8 +4,6 @@
 #include "server/system/digest.hpp"
 #include "server/system/locations.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 
 namespace mirocup::league {
@@ -17,24 +15,24 @@ constexpr int joiner_tag = -1;
 
 }  // namespace
 
-Runner::Runner(system::Files& files, Book book, Progress& progress)
-    : files_(files), books_(files, std::move(book), progress), progress_(progress) {}
+Runner::Runner(system::Files& files, LeagueStore store, ProgressReporter& progress)
+    : files_(files), recorder_(files, std::move(store), progress), progress_(progress) {}
 
 Result<int> Runner::run(const RunOptions& options) {
   options_ = options;
-  if (auto begun = books_.begin(); !begun) return tl::unexpected(begun.error());
+  if (auto started = recorder_.start(); !started) return tl::unexpected(started.error());
   const std::vector<int> cpus = system::processors();
   const int jobs = options.jobs > 0 ? options.jobs : static_cast<int>(cpus.size());
-  slots_.resize(jobs);
-  for (int i = 0; i < jobs; ++i) slots_[i].cpu = cpus[i % cpus.size()];
+  workers_.resize(jobs);
+  for (int i = 0; i < jobs; ++i) workers_[i].cpu = cpus[i % cpus.size()];
 
   bool is_asked_to_stop = false;
   while (true) {
-    if (auto fresh = books_.refresh(); !fresh) return tl::unexpected(fresh.error());
+    if (auto fresh = recorder_.refresh(); !fresh) return tl::unexpected(fresh.error());
     if (!is_asked_to_stop) {
-      if (auto filled = fill_slots(); !filled) return tl::unexpected(filled.error());
+      if (auto filled = fill_workers(); !filled) return tl::unexpected(filled.error());
     }
-    progress_.stands_at(state().played(), state().legs(), playing());
+    progress_.update(state().played(), state().legs(), playing());
     if (playing() == 0 && !is_asked_to_stop) return state().legs() - state().played();
     const auto exit = playing() > 0 ? processes_.wait() : std::nullopt;
     if (!exit && (is_asked_to_stop || playing() == 0)) {
@@ -47,130 +45,134 @@ Result<int> Runner::run(const RunOptions& options) {
       continue;
     }
     if (exit->tag == joiner_tag) continue;
-    if (auto finished = finish(slots_[exit->tag], *exit); !finished)
+    if (auto finished = finish(workers_[exit->tag], *exit); !finished)
       return tl::unexpected(finished.error());
   }
 }
 
 int Runner::playing() const {
-  return static_cast<int>(std::count_if(slots_.begin(), slots_.end(),
-                                        [](const Slot& s) { return s.playing.has_value(); }));
+  return static_cast<int>(std::count_if(workers_.begin(), workers_.end(),
+                                        [](const Worker& w) { return w.playing.has_value(); }));
 }
 
 bool Runner::is_taken(const std::string& id) const {
-  return std::any_of(slots_.begin(), slots_.end(),
-                     [&id](const Slot& s) { return s.fixture == id; });
+  return std::any_of(workers_.begin(), workers_.end(),
+                     [&id](const Worker& w) { return w.fixture == id; });
 }
 
-Result<bool> Runner::fill_slots() {
+Result<bool> Runner::fill_workers() {
   bool any = false;
-  for (Slot& slot : slots_) {
-    const auto filled = fill(slot);
+  for (Worker& worker : workers_) {
+    const auto filled = start_next_leg(worker);
     if (!filled) return filled;
     any = any || *filled;
   }
   return any;
 }
 
-const FixtureState* Runner::next_fixture(const Slot& slot) const {
+const FixtureState* Runner::next_fixture(const Worker& worker) const {
   // The legs of a fixture stay on one processor.
-  const FixtureState* own = slot.fixture.empty() ? nullptr : books_.find(slot.fixture);
-  if (own != nullptr && books_.next_leg(*own)) return own;
+  const FixtureState* own = worker.fixture.empty() ? nullptr : recorder_.find(worker.fixture);
+  if (own != nullptr && recorder_.next_leg(*own)) return own;
   const auto& fixtures = state().fixtures;
   for (std::size_t i = state().first_open(); i < fixtures.size(); ++i) {
     const std::string id = fixtures[i].fixture.id();
-    if (books_.next_leg(fixtures[i]) && (id == slot.fixture || !is_taken(id))) return &fixtures[i];
+    if (recorder_.next_leg(fixtures[i]) && (id == worker.fixture || !is_taken(id)))
+      return &fixtures[i];
   }
   return nullptr;
 }
 
 // Gives a free slot its next leg; false if there is none and it plays nothing.
-Result<bool> Runner::fill(Slot& slot) {
-  while (!slot.playing) {
-    const FixtureState* next = next_fixture(slot);
-    slot.fixture.clear();
+Result<bool> Runner::start_next_leg(Worker& worker) {
+  while (!worker.playing) {
+    const FixtureState* next = next_fixture(worker);
+    worker.fixture.clear();
     if (next == nullptr) return false;
-    slot.fixture = next->fixture.id();
-    const LegId leg = *books_.next_leg(*next);
+    worker.fixture = next->fixture.id();
+    const LegId leg = *recorder_.next_leg(*next);
     // A shard may have played it, or this program died before it could book it.
-    if (looked_at_.insert(Folder::record_name(leg.fixture, leg.leg, leg.version)).second) {
-      const auto booked = books_.book_if_played(leg);
+    if (checked_records_.insert(Folder::record_name(leg.fixture, leg.leg, leg.version)).second) {
+      const auto booked = recorder_.book_if_played(leg);
       if (!booked) return booked;
       if (*booked) continue;
     }
-    slot.playing = leg;
-    if (auto started = start_leg(slot); !started) return tl::unexpected(started.error());
+    worker.playing = leg;
+    if (auto started = start_leg(worker); !started) return tl::unexpected(started.error());
   }
   return true;
 }
 
 // A league with credentials plays in secure mode.
 std::vector<std::string> Runner::credentials_of(const std::string& whose) const {
-  const std::string folder = books_.folder().credentials();
+  const std::string folder = recorder_.folder().credentials();
   if (!files_.exists(folder + "/server")) return {};
   return {"--credentials", folder + "/" + whose};
 }
 
-Result<void> Runner::start_leg(Slot& slot) {
-  const LegId& leg = *slot.playing;
+Result<void> Runner::start_leg(Worker& worker) {
+  const LegId& leg = *worker.playing;
   const int blue = blue_team(leg.fixture, leg.leg);
   const int yellow = blue == leg.fixture.home ? leg.fixture.away : leg.fixture.home;
   // Other leagues may play on this host at the same time.
   const std::string match_id =
-      system::sha256(books_.folder().path + state().config_sha256).substr(0, 12) + "-" +
-      slot.fixture + "-" + std::to_string(leg.leg);
-  const int tag = static_cast<int>(&slot - slots_.data());
-  auto command = leg_command(books_.folder(), state(), leg, match_id);
+      system::sha256(recorder_.folder().path + state().config_sha256).substr(0, 12) + "-" +
+      worker.fixture + "-" + std::to_string(leg.leg);
+  const int tag = static_cast<int>(&worker - workers_.data());
+  auto command = leg_command(recorder_.folder(), state(), leg, match_id);
   const std::vector<std::string> credentials = credentials_of("server");
   command.insert(command.end(), credentials.begin(), credentials.end());
   if (options_.watched) command.insert(command.end(), {"--watch", "127.0.0.1:0", "--speed", "max"});
-  if (auto started = processes_.start(command, tag, slot.cpu, leg_output(books_.folder(), leg));
+  if (auto started =
+          processes_.start(command, tag, worker.cpu, leg_output(recorder_.folder(), leg));
       !started)
     return tl::unexpected(started.error());
-  if (auto joined = start_joiner(slot, blue, "blue", match_id); !joined) return joined;
-  return start_joiner(slot, yellow, "yellow", match_id);
+  if (auto joined = start_joiner(worker, blue, "blue", match_id); !joined) return joined;
+  return start_joiner(worker, yellow, "yellow", match_id);
 }
 
-Result<void> Runner::start_joiner(Slot& slot, int team, const std::string& colour,
+Result<void> Runner::start_joiner(Worker& worker, int team, const std::string& colour,
                                   const std::string& match_id) {
-  const TeamEntry& entry = state().file.teams[team];
+  const TeamConfig& entry = state().file.teams[team];
   if (!entry.over_dds) return {};
-  const LegId& leg = *slot.playing;
+  const LegId& leg = *worker.playing;
   const std::string log =
-      books_.folder().record(leg.fixture, leg.leg, leg.version) + "." + colour + ".join";
-  std::vector<std::string> command{system::sibling_program("mirocup"),
-                                   "join",
-                                   "--match",
-                                   match_id,
-                                   "--team",
-                                   colour,
-                                   "--name",
-                                   entry.name,
-                                   books_.folder().library(entry.name, state().teams[team].entry)};
+      recorder_.folder().record(leg.fixture, leg.leg, leg.version) + "." + colour + ".join";
+  std::vector<std::string> command{
+      system::sibling_program("mirocup"),
+      "join",
+      "--match",
+      match_id,
+      "--team",
+      colour,
+      "--name",
+      entry.name,
+      recorder_.folder().library(entry.name, state().teams[team].entry)};
   const std::vector<std::string> credentials = credentials_of("teams/" + entry.name);
   command.insert(command.end(), credentials.begin(), credentials.end());
-  const auto pid = processes_.start(command, joiner_tag, slot.cpu, log);
+  const auto pid = processes_.start(command, joiner_tag, worker.cpu, log);
   if (!pid) return tl::unexpected(pid.error());
-  slot.joiner[colour == "blue" ? 0 : 1] = *pid;
+  worker.joiner[colour == "blue" ? 0 : 1] = *pid;
   return {};
 }
 
-Result<void> Runner::finish(Slot& slot, const system::Exit& exit) {
-  for (pid_t& joiner : slot.joiner) {
+Result<void> Runner::finish(Worker& worker, const system::Exit& exit) {
+  for (pid_t& joiner : worker.joiner) {
     if (joiner != 0) processes_.kill(joiner);
     joiner = 0;
   }
-  const LegId leg = *slot.playing;
-  slot.playing.reset();
-  const std::string record = books_.folder().record(leg.fixture, leg.leg, leg.version);
+  const LegId leg = *worker.playing;
+  worker.playing.reset();
+  const std::string record = recorder_.folder().record(leg.fixture, leg.leg, leg.version);
   if (exit.signal != 0) {
-    return books_.book_void(leg, "the match server died of signal " + std::to_string(exit.signal));
+    return recorder_.book_void(leg,
+                               "the match server died of signal " + std::to_string(exit.signal));
   }
-  if (exit.code != exit_yes) return books_.book_void(leg, books_.last_words(leg));
-  const auto booked = books_.book_if_played(leg);
+  if (exit.code != exit_yes) return recorder_.book_void(leg, recorder_.last_output_line(leg));
+  const auto booked = recorder_.book_if_played(leg);
   if (!booked) return tl::unexpected(booked.error());
   if (*booked) return {};
-  return books_.book_void(leg, record + " is not there, or is not the record of this leg");
+  return recorder_.book_void(leg, record + " is not there, or is not the record of this leg");
 }
 
 }  // namespace mirocup::league

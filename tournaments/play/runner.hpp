@@ -9,7 +9,7 @@
 #pragma once
 
 #include "server/system/process_set.hpp"
-#include "tournaments/play/progress.hpp"
+#include "tournaments/play/progress_reporter.hpp"
 #include "tournaments/play/result_recorder.hpp"
 
 #include <optional>
@@ -24,42 +24,42 @@ struct RunOptions {
 
 class Runner {
  public:
-  Runner(system::Files& files, Book book, Progress& progress);
+  Runner(system::Files& files, LeagueStore store, ProgressReporter& progress);
 
   // Starts the league if it is not, plays until nothing is left or somebody interrupts: the first
   // time legs that are being played come to their end, the second time nothing does
   // (Errc::interrupted). The value is the number of legs that are not decided.
   Result<int> run(const RunOptions& options);
 
-  const LeagueState& state() const { return books_.state(); }
+  const LeagueState& state() const { return recorder_.state(); }
 
  private:
   // A place to play on: one processor, at most one fixture.
-  struct Slot {
+  struct Worker {
     int cpu = -1;
     std::string fixture;           // its id; "": free
     std::optional<LegId> playing;  // its fixture as it was when the leg began
     pid_t joiner[2] = {0, 0};      // mirocup join for DDS teams, blue and yellow
   };
 
-  Result<bool> fill_slots();
-  Result<bool> fill(Slot& slot);
+  Result<bool> fill_workers();
+  Result<bool> start_next_leg(Worker& worker);
   bool is_taken(const std::string& id) const;
-  const FixtureState* next_fixture(const Slot& slot) const;
-  Result<void> start_leg(Slot& slot);
+  const FixtureState* next_fixture(const Worker& worker) const;
+  Result<void> start_leg(Worker& worker);
   std::vector<std::string> credentials_of(const std::string& whose) const;
-  Result<void> start_joiner(Slot& slot, int team, const std::string& colour,
+  Result<void> start_joiner(Worker& worker, int team, const std::string& colour,
                             const std::string& match_id);
-  Result<void> finish(Slot& slot, const system::Exit& exit);
+  Result<void> finish(Worker& worker, const system::Exit& exit);
   int playing() const;
 
   system::Files& files_;
   RunOptions options_;
-  Bookkeeper books_;
-  Progress& progress_;
+  ResultRecorder recorder_;
+  ProgressReporter& progress_;
   system::ProcessSet processes_;
-  std::vector<Slot> slots_;
-  std::set<std::string> looked_at_;  // records: was it there already?
+  std::vector<Worker> workers_;
+  std::set<std::string> checked_records_;  // records: was it there already?
 };
 
 }  // namespace mirocup::league

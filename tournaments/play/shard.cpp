@@ -3,8 +3,7 @@
 
 #include "server/system/process_set.hpp"
 #include "tournaments/play/leg_command.hpp"
-
-#include <nlohmann/json.hpp>
+#include "tournaments/play/leg_record.hpp"
 
 namespace mirocup::league {
 
@@ -17,15 +16,15 @@ bool is_over_dds(const LeagueState& state, const Fixture& fixture) {
 // Legs one after the other, until somebody wants to stop.
 class Shard {
  public:
-  Shard(system::Files& files, const Book& book) : files_(files), book_(book) {}
+  Shard(system::Files& files, const LeagueStore& store) : files_(files), store_(store) {}
 
   // False: it could not be played.
   Result<bool> play(const LegId& leg) {
     if (is_played(leg)) return true;
     if (processes_.is_asked_to_stop_within(0.0)) return stopped();
-    const Folder& folder = book_.folder();
-    const auto started = processes_.start(leg_command(folder, book_.state(), leg, leg.fixture.id()),
-                                          0, -1, leg_output(folder, leg));
+    const Folder& folder = store_.folder();
+    const auto started = processes_.start(
+        leg_command(folder, store_.state(), leg, leg.fixture.id()), 0, -1, leg_output(folder, leg));
     if (!started) return tl::unexpected(started.error());
     if (!processes_.wait()) {
       (void)processes_.wait();
@@ -40,11 +39,11 @@ class Shard {
   }
 
   bool is_played(const LegId& leg) const {
-    return played_record(files_, book_.folder(), book_.state(), leg).has_value();
+    return find_played_leg(files_, store_.folder(), store_.state(), leg).has_value();
   }
 
   system::Files& files_;
-  const Book& book_;
+  const LeagueStore& store_;
   system::ProcessSet processes_;
 };
 
@@ -59,14 +58,14 @@ std::vector<std::string> open_shards(const LeagueState& state) {
   return ids;
 }
 
-Result<int> play_shards(system::Files& files, const Book& book,
+Result<int> play_shards(system::Files& files, const LeagueStore& store,
                         const std::vector<std::string>& fixtures) {
-  const LeagueState& state = book.state();
+  const LeagueState& state = store.state();
   if (!state.is_started) {
     return fail(Errc::input,
-                book.folder().path + " has not started: mirocup league plan does that");
+                store.folder().path + " has not started: mirocup league plan does that");
   }
-  Shard shard(files, book);
+  Shard shard(files, store);
   int failed = 0;
   for (const std::string& id : fixtures) {
     const auto index = state.find_fixture(id);

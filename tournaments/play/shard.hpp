@@ -19,7 +19,7 @@ std::vector<std::string> open_shards(const LeagueState& state);
 // Plays the legs of these fixtures that are not decided and have no record, one after the other. The
 // value is the number of legs that could not be played. The first interrupt lets the leg that is being
 // played come to its end, the second does not (Errc::interrupted).
-Result<int> play_shards(system::Files& files, const Book& book,
+Result<int> play_shards(system::Files& files, const LeagueStore& store,
                         const std::vector<std::string>& fixtures);
 
 }  // namespace mirocup::league

@@ -32,22 +32,23 @@ std::string taken_as_written(const std::string& path) {
 
 }  // namespace
 
-Command sbatch_command(const SlurmArray& array) {
-  Command command{"sbatch",
-                  "--parsable",
-                  "--requeue",
-                  "--ntasks=1",
-                  "--cpus-per-task=1",
-                  "--chdir=/",
-                  "--open-mode=append",
-                  "--job-name=" + job_name(array.league) + std::to_string(array.plan),
-                  "--array=1-" + std::to_string(array.tasks) + "%" + std::to_string(array.at_once),
-                  "--output=" + taken_as_written(array.log) + "-%a.log"};
+CommandLine sbatch_command(const SlurmArray& array) {
+  CommandLine command{
+      "sbatch",
+      "--parsable",
+      "--requeue",
+      "--ntasks=1",
+      "--cpus-per-task=1",
+      "--chdir=/",
+      "--open-mode=append",
+      "--job-name=" + job_name(array.league) + std::to_string(array.plan),
+      "--array=1-" + std::to_string(array.tasks) + "%" + std::to_string(array.max_running),
+      "--output=" + taken_as_written(array.log) + "-%a.log"};
   command.insert(command.end(), array.shard.begin(), array.shard.end());
   return command;
 }
 
-Command squeue_command() {
+CommandLine squeue_command() {
   return {"squeue",
           "--me",
           "--noheader",
@@ -78,35 +79,35 @@ std::vector<SlurmTask> parse_queue(const std::string& text, const std::string& l
   return tasks;
 }
 
-Command scancel_command(const std::vector<std::string>& tasks, TakeBack which) {
-  Command command{"scancel"};
-  if (which == TakeBack::waiting) command.push_back("--state=PENDING");
+CommandLine scancel_command(const std::vector<std::string>& tasks, CancelScope scope) {
+  CommandLine command{"scancel"};
+  if (scope == CancelScope::pending) command.push_back("--state=PENDING");
   // The interrupt is for the shard alone, not for the match that it plays.
-  if (which == TakeBack::after_the_leg) command.insert(command.end(), {"--batch", "--signal=INT"});
+  if (scope == CancelScope::after_leg) command.insert(command.end(), {"--batch", "--signal=INT"});
   command.insert(command.end(), tasks.begin(), tasks.end());
   return command;
 }
 
-Command release_command(const std::string& task) {
+CommandLine start_now_command(const std::string& task) {
   return {"scontrol", "update", "JobId=" + task, "StartTime=now"};
 }
 
-Command sinfo_command() {
+CommandLine sinfo_command() {
   return {"sinfo", "--noheader", "--format=%C"};
 }
 
 int parse_processors(const std::string& text) {
   // Allocated/idle/other/total of each kind of node; "other" can play nothing now.
-  int most = 0;
+  int processors = 0;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
     std::istringstream numbers(line);
     int allocated = 0;
     int idle = 0;
     char slash = 0;
-    if (numbers >> allocated >> slash >> idle) most = std::max(most, allocated + idle);
+    if (numbers >> allocated >> slash >> idle) processors = std::max(processors, allocated + idle);
   }
-  return most;
+  return processors;
 }
 
 }  // namespace mirocup::league

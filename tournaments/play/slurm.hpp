@@ -10,7 +10,7 @@
 
 namespace mirocup::league {
 
-using Command = std::vector<std::string>;
+using CommandLine = std::vector<std::string>;
 
 // A task of an array that is waiting or running. It plays the fixtures of one line of a plan.
 struct SlurmTask {
@@ -26,27 +26,27 @@ struct SlurmArray {
   std::string league;  // what tells this league's jobs from others: a word
   int plan = 0;
   int tasks = 0;
-  int at_once = 0;
-  std::string log;  // of task %a
-  Command shard;    // a shell script and its arguments
+  int max_running = 0;
+  std::string log;    // of task %a
+  CommandLine shard;  // a shell script and its arguments
 };
 
-Command sbatch_command(const SlurmArray& array);
+CommandLine sbatch_command(const SlurmArray& array);
 
 // This league's tasks that are in the queue; others are left out, and so is what is no task.
-Command squeue_command();
+CommandLine squeue_command();
 std::vector<SlurmTask> parse_queue(const std::string& text, const std::string& league);
 
 // Takes tasks back: all; only those that wait, whatever was known of them; or, with an interrupt,
 // those that run when their present leg is played.
-enum class TakeBack { all, waiting, after_the_leg };
-Command scancel_command(const std::vector<std::string>& tasks, TakeBack which);
+enum class CancelScope { all, pending, after_leg };
+CommandLine scancel_command(const std::vector<std::string>& tasks, CancelScope scope);
 
 // Slurm holds a task that it has put back for two minutes; this lets it go.
-Command release_command(const std::string& task);
+CommandLine start_now_command(const std::string& task);
 
 // The processors of the cluster; 0 if the text does not say.
-Command sinfo_command();
+CommandLine sinfo_command();
 int parse_processors(const std::string& text);
 
 }  // namespace mirocup::league

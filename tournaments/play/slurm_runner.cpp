@@ -13,12 +13,12 @@ namespace mirocup::league {
 
 namespace {
 
-constexpr double seconds_between_looks = 2.0;
+constexpr double poll_interval_s = 2.0;
 
 // A lost task costs little, and one that takes long holds up little, if there are some for each
 // processor. Beyond most_tasks an array is more than Slurm takes unless it is told to.
-constexpr int tasks_a_job = 4;
-constexpr int most_tasks = 1000;
+constexpr int tasks_per_processor = 4;
+constexpr int max_array_tasks = 1000;
 
 // Arguments: mirocup-league, the league's folder, the plan.
 constexpr std::string_view script =
@@ -43,30 +43,30 @@ std::string first_line(const std::string& text) {
 
 }  // namespace
 
-SlurmRunner::SlurmRunner(system::Files& files, Book book, Progress& progress)
-    : files_(files), books_(files, std::move(book), progress), progress_(progress) {}
+SlurmRunner::SlurmRunner(system::Files& files, LeagueStore store, ProgressReporter& progress)
+    : files_(files), recorder_(files, std::move(store), progress), progress_(progress) {}
 
 Result<int> SlurmRunner::run(int jobs) {
   if (auto prepared = prepare(jobs); !prepared) return tl::unexpected(prepared.error());
   int answered = 0;  // interrupts
   while (true) {
     const std::vector<SlurmTask> before = tasks_;
-    const bool is_known = look();
+    const bool is_known = poll_queue();
     if (auto booked = book_after(before, is_known); !booked) return tl::unexpected(booked.error());
     if (is_known) {
-      const auto fixtures = not_in_the_queue();
+      const auto fixtures = unqueued_fixtures();
       if (!fixtures) return tl::unexpected(fixtures.error());
       if (interrupts_ == 0) {
-        if (auto handed_in = hand_in(*fixtures); !handed_in)
-          return tl::unexpected(handed_in.error());
+        if (auto submitted = submit(*fixtures); !submitted)
+          return tl::unexpected(submitted.error());
       }
     }
-    progress_.stands_at(state().played(), state().legs(), running());
+    progress_.update(state().played(), state().legs(), running());
     if (is_known && tasks_.empty()) {
       if (interrupts_ > 0) return tl::unexpected(interrupted_after(state()));
       return state().legs() - state().played();
     }
-    if (processes_.is_asked_to_stop_within(seconds_between_looks)) ++interrupts_;
+    if (processes_.is_asked_to_stop_within(poll_interval_s)) ++interrupts_;
     if (interrupts_ == answered) continue;
     answered = interrupts_;
     if (answered == 1) {
@@ -74,28 +74,28 @@ Result<int> SlurmRunner::run(int jobs) {
       continue;
     }
     progress_.say("stopping at once");
-    (void)ask(scancel_command(ids_of(tasks_), TakeBack::all));
+    (void)run_slurm(scancel_command(ids_of(tasks_), CancelScope::all));
     return tl::unexpected(interrupted_after(state()));
   }
 }
 
 Result<void> SlurmRunner::prepare(int jobs) {
-  if (auto begun = books_.begin(); !begun) return begun;
-  const std::string path = std::filesystem::absolute(books_.folder().path).lexically_normal();
+  if (auto started = recorder_.start(); !started) return started;
+  const std::string path = std::filesystem::absolute(recorder_.folder().path).lexically_normal();
   folder_ = path + "/cluster";
   league_ = system::sha256(path + state().config_sha256).substr(0, 12);
   if (auto made = files_.make_folder(folder_); !made) return made;
   if (auto written = files_.write(folder_ + "/shard.sh", script); !written) return written;
   while (files_.exists(plan_path(next_plan_))) ++next_plan_;
 
-  const auto queue = ask(squeue_command());
+  const auto queue = run_slurm(squeue_command());
   if (!queue) return tl::unexpected(queue.error());
   tasks_ = parse_queue(*queue, league_);
   if (!tasks_.empty())
     progress_.say(std::to_string(tasks_.size()) + " tasks of this league are in the queue");
   jobs_ = jobs;
   if (jobs == 0) {
-    const auto nodes = ask(sinfo_command());
+    const auto nodes = run_slurm(sinfo_command());
     if (!nodes) return tl::unexpected(nodes.error());
     jobs_ = std::max(1, parse_processors(*nodes));
   }
@@ -103,7 +103,7 @@ Result<void> SlurmRunner::prepare(int jobs) {
 }
 
 // Runs one of Slurm's programs to its end. An interrupt is remembered.
-Result<std::string> SlurmRunner::ask(const Command& command) {
+Result<std::string> SlurmRunner::run_slurm(const CommandLine& command) {
   const std::string answer = folder_ + "/answer";
   if (auto started = processes_.start(command, 0, -1, answer); !started)
     return tl::unexpected(started.error());
@@ -120,8 +120,8 @@ Result<std::string> SlurmRunner::ask(const Command& command) {
 }
 
 // What is in the queue; false if nobody says.
-bool SlurmRunner::look() {
-  const auto queue = ask(squeue_command());
+bool SlurmRunner::poll_queue() {
+  const auto queue = run_slurm(squeue_command());
   if (!queue) {
     if (!is_silent_) progress_.say(queue.error().what + "; asking again");
     is_silent_ = true;
@@ -135,7 +135,7 @@ bool SlurmRunner::look() {
 // Records that have come since the look before; and what has not come of tasks that are gone. What
 // a task has written was there before the queue said that it is gone.
 Result<void> SlurmRunner::book_after(const std::vector<SlurmTask>& before, bool is_known) {
-  if (auto fresh = books_.refresh(); !fresh) return fresh;
+  if (auto fresh = recorder_.refresh(); !fresh) return fresh;
   for (const SlurmTask& task : before) {
     const bool is_gone = is_known && !holds(tasks_, task);
     if (!is_gone && !task.is_running) continue;
@@ -149,40 +149,40 @@ Result<void> SlurmRunner::book_after(const std::vector<SlurmTask>& before, bool 
   for (const SlurmTask& task : tasks_) {
     if (task.is_running || task.restarts <= restarts_[task.id]) continue;
     restarts_[task.id] = task.restarts;
-    if (auto back = put_back(task); !back) return back;
+    if (auto back = requeue(task); !back) return back;
   }
   return {};
 }
 
 Result<void> SlurmRunner::book_records(const std::string& fixture) {
-  const auto count = books_.book_played(fixture);
+  const auto count = recorder_.book_played(fixture);
   if (!count) return tl::unexpected(count.error());
-  if (*count > 0) barren_ = 0;
+  if (*count > 0) futile_submissions_ = 0;
   return {};
 }
 
 // What there is of it; and the leg that was being played is void.
 Result<void> SlurmRunner::book_lost(const std::string& fixture, const std::string& why) {
   if (auto booked = book_records(fixture); !booked) return booked;
-  const FixtureState* now = books_.find(fixture);
-  const auto leg = now != nullptr ? books_.next_leg(*now) : std::nullopt;
-  if (!leg || !books_.has_begun(*leg)) return {};
-  const std::string said = books_.last_words(*leg);
-  return books_.book_void(*leg, why + (said.empty() ? "" : ": " + said));
+  const FixtureState* now = recorder_.find(fixture);
+  const auto leg = now != nullptr ? recorder_.next_leg(*now) : std::nullopt;
+  if (!leg || !recorder_.has_begun(*leg)) return {};
+  const std::string said = recorder_.last_output_line(*leg);
+  return recorder_.book_void(*leg, why + (said.empty() ? "" : ": " + said));
 }
 
-Result<void> SlurmRunner::put_back(const SlurmTask& task) {
+Result<void> SlurmRunner::requeue(const SlurmTask& task) {
   for (const std::string& fixture : fixtures_of(task)) {
     if (auto lost = book_lost(fixture, "task " + task.id + " has lost its node"); !lost)
       return lost;
   }
   // If it may not be let go it waits.
-  (void)ask(release_command(task.id));
+  (void)run_slurm(start_now_command(task.id));
   return {};
 }
 
 // Fixtures that can be played now, have legs without a record, and are not in the queue.
-Result<std::vector<std::string>> SlurmRunner::not_in_the_queue() {
+Result<std::vector<std::string>> SlurmRunner::unqueued_fixtures() {
   std::set<std::string> covered;
   for (const SlurmTask& task : tasks_) {
     for (const std::string& id : fixtures_of(task)) covered.insert(id);
@@ -191,45 +191,45 @@ Result<std::vector<std::string>> SlurmRunner::not_in_the_queue() {
   for (const std::string& id : open_shards(state())) {
     if (covered.contains(id)) continue;
     if (auto booked = book_records(id); !booked) return tl::unexpected(booked.error());
-    const FixtureState* now = books_.find(id);
-    if (now != nullptr && books_.next_leg(*now)) fixtures.push_back(id);
+    const FixtureState* now = recorder_.find(id);
+    if (now != nullptr && recorder_.next_leg(*now)) fixtures.push_back(id);
   }
   return fixtures;
 }
 
-Result<void> SlurmRunner::hand_in(const std::vector<std::string>& fixtures) {
+Result<void> SlurmRunner::submit(const std::vector<std::string>& fixtures) {
   if (fixtures.empty()) return {};
-  if (barren_ < most_attempts) return submit(fixtures);
+  if (futile_submissions_ < max_attempts) return submit_array(fixtures);
   if (!tasks_.empty()) return {};
-  return fail(Errc::host, "the cluster plays nothing: " + std::to_string(barren_) +
+  return fail(Errc::host, "the cluster plays nothing: " + std::to_string(futile_submissions_) +
                               " arrays of tasks have ended without a record; " + folder_ +
                               " has their logs");
 }
 
-Result<void> SlurmRunner::submit(const std::vector<std::string>& fixtures) {
+Result<void> SlurmRunner::submit_array(const std::vector<std::string>& fixtures) {
   const int count = static_cast<int>(fixtures.size());
-  const int most = std::min(most_tasks, tasks_a_job * jobs_);
-  const int a_task = (count + most - 1) / most;
-  Lines lines;
+  const int max_tasks = std::min(max_array_tasks, tasks_per_processor * jobs_);
+  const int per_task = (count + max_tasks - 1) / max_tasks;
+  PlanLines lines;
   std::string text;
   for (int i = 0; i < count; ++i) {
-    if (i % a_task == 0) lines.emplace_back();
+    if (i % per_task == 0) lines.emplace_back();
     lines.back().push_back(fixtures[i]);
-    text += fixtures[i] + ((i + 1) % a_task == 0 || i + 1 == count ? "\n" : " ");
+    text += fixtures[i] + ((i + 1) % per_task == 0 || i + 1 == count ? "\n" : " ");
   }
   const int plan = next_plan_++;
   const int tasks = static_cast<int>(lines.size());
   if (auto written = files_.write(plan_path(plan), text); !written) return written;
-  const auto job = ask(
+  const auto job = run_slurm(
       sbatch_command({.league = league_,
                       .plan = plan,
                       .tasks = tasks,
-                      .at_once = jobs_,
+                      .max_running = jobs_,
                       .log = folder_ + "/" + std::to_string(plan),
                       .shard = {folder_ + "/shard.sh", system::sibling_program("mirocup-league"),
                                 std::filesystem::path(folder_).parent_path(), plan_path(plan)}}));
   if (!job) return tl::unexpected(job.error());
-  ++barren_;
+  ++futile_submissions_;
   plans_[plan] = std::move(lines);
   const std::string id = job->substr(0, job->find_first_of(";\n"));
   progress_.say("job " + id + ": " + std::to_string(count) + " fixtures in " +
@@ -242,11 +242,11 @@ Result<void> SlurmRunner::submit(const std::vector<std::string>& fixtures) {
 // Takes back what waits, and lets the legs that are being played come to their end. What cannot be
 // taken back plays on, and is booked by the next start.
 void SlurmRunner::drain() {
-  (void)ask(scancel_command(ids_of(tasks_), TakeBack::waiting));
-  look();
+  (void)run_slurm(scancel_command(ids_of(tasks_), CancelScope::pending));
+  poll_queue();
   progress_.say("stopping: legs are being played to their end in " + std::to_string(running()) +
                 " tasks; interrupt again to stop at once");
-  if (running() > 0) (void)ask(scancel_command(ids_of(tasks_), TakeBack::after_the_leg));
+  if (running() > 0) (void)run_slurm(scancel_command(ids_of(tasks_), CancelScope::after_leg));
 }
 
 std::vector<std::string> SlurmRunner::fixtures_of(const SlurmTask& task) {
@@ -259,7 +259,7 @@ std::vector<std::string> SlurmRunner::fixtures_of(const SlurmTask& task) {
       for (std::string id; words >> id;) plan->second.back().push_back(id);
     }
   }
-  const Lines& lines = plan->second;
+  const PlanLines& lines = plan->second;
   if (task.line < 1 || task.line > static_cast<int>(lines.size())) return {};
   return lines[task.line - 1];
 }

@@ -20,7 +20,7 @@ namespace mirocup::league {
 
 class SlurmRunner {
  public:
-  SlurmRunner(system::Files& files, Book book, Progress& progress);
+  SlurmRunner(system::Files& files, LeagueStore store, ProgressReporter& progress);
 
   // As Runner::run(): plays until nothing is left or somebody interrupts; the first time legs that are
   // being played come to their end, the second time nothing does. `jobs`: tasks at once; 0: as many
@@ -28,40 +28,40 @@ class SlurmRunner {
   // Errc::unavailable if there is no Slurm; Errc::host if it plays nothing.
   Result<int> run(int jobs);
 
-  const LeagueState& state() const { return books_.state(); }
+  const LeagueState& state() const { return recorder_.state(); }
 
  private:
-  using Lines = std::vector<std::vector<std::string>>;  // fixtures of each task of a plan
+  using PlanLines = std::vector<std::vector<std::string>>;  // fixtures of each task of a plan
 
   Result<void> prepare(int jobs);
-  Result<std::string> ask(const Command& command);
-  bool look();
+  Result<std::string> run_slurm(const CommandLine& command);
+  bool poll_queue();
   Result<void> book_after(const std::vector<SlurmTask>& before, bool is_known);
   Result<void> book_records(const std::string& fixture);
   Result<void> book_lost(const std::string& fixture, const std::string& why);
-  Result<void> put_back(const SlurmTask& task);
-  Result<std::vector<std::string>> not_in_the_queue();
-  Result<void> hand_in(const std::vector<std::string>& fixtures);
+  Result<void> requeue(const SlurmTask& task);
+  Result<std::vector<std::string>> unqueued_fixtures();
   Result<void> submit(const std::vector<std::string>& fixtures);
+  Result<void> submit_array(const std::vector<std::string>& fixtures);
   void drain();
   std::vector<std::string> fixtures_of(const SlurmTask& task);
   std::string plan_path(int number) const;
   int running() const;
 
   system::Files& files_;
-  Bookkeeper books_;
-  Progress& progress_;
+  ResultRecorder recorder_;
+  ProgressReporter& progress_;
   system::ProcessSet processes_;
   std::string folder_;  // DIR/cluster, absolute
   std::string league_;  // in the names of its jobs
   int jobs_ = 1;
   int next_plan_ = 1;
-  int barren_ = 0;  // arrays handed in since a record was booked
+  int futile_submissions_ = 0;  // arrays handed in since a record was booked
   int interrupts_ = 0;
   bool is_silent_ = false;               // squeue has not answered
   std::vector<SlurmTask> tasks_;         // as squeue said last
   std::map<std::string, int> restarts_;  // of tasks, as far as they were judged
-  std::map<int, Lines> plans_;           // as far as they were needed
+  std::map<int, PlanLines> plans_;       // as far as they were needed
 };
 
 }  // namespace mirocup::league

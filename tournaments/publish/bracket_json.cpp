@@ -14,9 +14,9 @@ namespace {
 enum Status { locked = 0, waiting = 1, ready = 2, running = 3, completed = 4 };
 
 // Fills the flat tables: every row has an id and its parents' ids.
-class Tables {
+class BracketTables {
  public:
-  explicit Tables(const LeagueState& state) : state_(state) {}
+  explicit BracketTables(const LeagueState& state) : state_(state) {}
 
   Json make() {
     for (std::size_t i = 0; i < state_.file.teams.size(); ++i) {
@@ -53,7 +53,7 @@ class Tables {
   // A bracket, and beside it the one for the third place.
   std::size_t group_of(const Fixture& f, std::size_t stage) {
     int number = f.part == Part::group ? f.group : 1;
-    if (f.home_from.from == Slot::From::loser) number = 2;
+    if (f.home_source.kind == TeamSource::Kind::loser) number = 2;
     const auto [found, is_new] = group_ids_.try_emplace({stage, number}, groups_.size());
     if (is_new)
       groups_.push_back({{"id", groups_.size()}, {"stage_id", stage}, {"number", number}});
@@ -61,7 +61,7 @@ class Tables {
   }
 
   std::size_t round_of(const Fixture& f, std::size_t stage, std::size_t group) {
-    const int number = f.home_from.from == Slot::From::loser ? 1 : f.round;
+    const int number = f.home_source.kind == TeamSource::Kind::loser ? 1 : f.round;
     const auto [found, is_new] = round_ids_.try_emplace({group, number}, rounds_.size());
     if (is_new) {
       rounds_.push_back(
@@ -72,8 +72,8 @@ class Tables {
 
   // Null is a bye there, a null id somebody who is not known yet.
   static Json opponent(int team) {
-    if (team == nobody) return Json();
-    return {{"id", team == unknown ? Json() : Json(team)}};
+    if (team == no_team) return Json();
+    return {{"id", team == unknown_team ? Json() : Json(team)}};
   }
 
   void add(const FixtureState& f) {
@@ -125,7 +125,7 @@ class Tables {
          {"stage_id", stage},
          {"group_id", group},
          {"round_id", round},
-         {"number", f.fixture.home_from.from == Slot::From::loser ? 1 : f.fixture.number},
+         {"number", f.fixture.home_source.kind == TeamSource::Kind::loser ? 1 : f.fixture.number},
          {"child_count", f.fixture.legs},
          {"status", status},
          {"opponent1", home},
@@ -147,7 +147,7 @@ class Tables {
 }  // namespace
 
 Json bracket_json(const LeagueState& state) {
-  return Tables(state).make();
+  return BracketTables(state).make();
 }
 
 }  // namespace mirocup::league

@@ -21,9 +21,9 @@ struct Point {
   int y;
 };
 
-class Picture {
+class BracketPicture {
  public:
-  explicit Picture(const LeagueState& state) : state_(state) {
+  explicit BracketPicture(const LeagueState& state) : state_(state) {
     for (const FixtureState& f : state.fixtures) {
       if (f.fixture.part != Part::knockout) continue;
       rounds_ = std::max(rounds_, f.fixture.round);
@@ -47,7 +47,9 @@ class Picture {
   }
 
  private:
-  static bool is_for_third(const Fixture& f) { return f.home_from.from == Slot::From::loser; }
+  static bool is_for_third(const Fixture& f) {
+    return f.home_source.kind == TeamSource::Kind::loser;
+  }
 
   Point third() const {
     const Point final = place_of(rounds_, 1);
@@ -73,9 +75,9 @@ class Picture {
     team(f, f.fixture.away, o, {at.x, at.y + 43});
     boxes_ += "</g></a>\n";
     if (is_for_third(f.fixture)) text("round", {at.x, at.y - 6}, "Third place");
-    for (const Slot& slot : {f.fixture.home_from, f.fixture.away_from}) {
-      if (slot.from != Slot::From::winner) continue;
-      const Fixture& before = state_.fixtures[slot.index].fixture;
+    for (const TeamSource& source : {f.fixture.home_source, f.fixture.away_source}) {
+      if (source.kind != TeamSource::Kind::winner) continue;
+      const Fixture& before = state_.fixtures[source.index].fixture;
       const Point from = place_of(before.round, before.number);
       const int x = (from.x + box_width + at.x) / 2;
       lines_ += "<path d=\"M" + std::to_string(from.x + box_width) + " " +
@@ -85,7 +87,7 @@ class Picture {
   }
 
   void team(const FixtureState& f, int team, const TieOutcome& o, Point at) {
-    const std::string name = team >= 0 ? state_.name(team) : team == unknown ? "" : "–";
+    const std::string name = team >= 0 ? state_.name(team) : team == unknown_team ? "" : "–";
     const char* style = team >= 0 && team == o.winner  ? "won"
                         : team >= 0 && team == o.loser ? "lost"
                                                        : "open";
@@ -104,7 +106,7 @@ class Picture {
 
   void text(const char* style, Point at, const std::string& words) {
     boxes_ += std::string("<text class=\"") + style + "\" x=\"" + std::to_string(at.x) + "\" y=\"" +
-              std::to_string(at.y) + "\">" + system::escaped(words) + "</text>\n";
+              std::to_string(at.y) + "\">" + system::html_escaped(words) + "</text>\n";
   }
 
   const LeagueState& state_;
@@ -117,7 +119,7 @@ class Picture {
 }  // namespace
 
 std::string bracket_svg(const LeagueState& state) {
-  return Picture(state).draw();
+  return BracketPicture(state).draw();
 }
 
 }  // namespace mirocup::league

@@ -32,7 +32,7 @@ std::string table_csv(const Overview& o) {
       csv_line({"rank", "team", "played", "won", "drawn", "lost", "goals_for", "goals_against",
                 "goal_difference", "points", "penalties", "separated_by", "strength"});
   int rank = 1;
-  for (const Row& row : o.table) {
+  for (const TableRow& row : o.table) {
     text += csv_line({std::to_string(rank++), o.state.name(row.team), std::to_string(row.played),
                       std::to_string(row.won), std::to_string(row.drawn), std::to_string(row.lost),
                       std::to_string(row.goals_for), std::to_string(row.goals_against),
@@ -41,6 +41,10 @@ std::string table_csv(const Overview& o) {
                       std::to_string(std::lround(o.strengths[row.team].value))});
   }
   return text;
+}
+
+std::string fault_text(const PlayedLeg& leg) {
+  return leg.fault ? leg.fault->summary() : "";
 }
 
 std::string legs_csv(const Overview& o) {
@@ -54,8 +58,8 @@ std::string legs_csv(const Overview& o) {
     } else {
       const PlayedLeg& p = *leg.played;
       cells.insert(cells.end(),
-                   {std::to_string(p.result.home_goals), std::to_string(p.result.away_goals), p.end,
-                    p.fault, p.ruling, p.record});
+                   {std::to_string(p.result.home_goals), std::to_string(p.result.away_goals),
+                    std::string(to_string(p.end)), fault_text(p), p.ruling, p.record});
     }
     text += csv_line(cells);
   }
@@ -77,8 +81,8 @@ Json legs_json(const Overview& o) {
         return text.empty() ? Json() : Json(text);
       };
       json["score"] = {{"home", p.result.home_goals}, {"away", p.result.away_goals}};
-      json["end"] = p.end;
-      json["fault"] = or_null(p.fault);
+      json["end"] = to_string(p.end);
+      json["fault"] = or_null(fault_text(p));
       json["ruling"] = or_null(p.ruling);
       json["record"] = or_null(p.record);
       json["replay"] = p.record.empty() ? Json() : Json(replay_page_of(p.record));
@@ -121,8 +125,8 @@ Json table_json(const Overview& o) {
   Json rows = Json::array();
   int rank = 1;
   for (std::size_t i = 0; i < o.table.size(); ++i) {
-    const Row& row = o.table[i];
-    const Row* next = i + 1 < o.table.size() ? &o.table[i + 1] : nullptr;
+    const TableRow& row = o.table[i];
+    const TableRow* next = i + 1 < o.table.size() ? &o.table[i + 1] : nullptr;
     const Strength& strength = o.strengths[row.team];
     const std::string reason = reason_in_words(row, next);
     rows.push_back({{"rank", rank++},

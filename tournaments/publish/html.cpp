@@ -5,7 +5,7 @@
 
 namespace mirocup::league {
 
-using system::escaped;
+using system::html_escaped;
 
 namespace {
 
@@ -55,27 +55,30 @@ void Html::close(std::string_view tag) {
 }
 
 void Html::cell(std::string_view tag, std::string_view text) {
-  text_.append("<").append(tag).append(">").append(escaped(text));
+  text_.append("<").append(tag).append(">").append(html_escaped(text));
   text_.append("</").append(tag).append(">\n");
 }
 
 void Html::cell_of(std::string_view style_class, std::string_view text) {
-  text_.append("<td class=\"").append(style_class).append("\">").append(escaped(text));
+  text_.append("<td class=\"").append(style_class).append("\">").append(html_escaped(text));
   text_ += "</td>\n";
 }
 
 void Html::link(std::string_view target, std::string_view text) {
-  text_.append("<a href=\"").append(escaped(target)).append("\">").append(escaped(text));
+  text_.append("<a href=\"").append(html_escaped(target)).append("\">").append(html_escaped(text));
   text_ += "</a>\n";
 }
 
 void Html::link_cell(std::string_view target, std::string_view text) {
-  text_.append("<td><a href=\"").append(escaped(target)).append("\">").append(escaped(text));
+  text_.append("<td><a href=\"")
+      .append(html_escaped(target))
+      .append("\">")
+      .append(html_escaped(text));
   text_ += "</a></td>\n";
 }
 
 void Html::open_with_id(std::string_view tag, std::string_view id) {
-  text_.append("<").append(tag).append(" id=\"").append(escaped(id)).append("\">\n");
+  text_.append("<").append(tag).append(" id=\"").append(html_escaped(id)).append("\">\n");
 }
 
 void Html::row(std::string_view tag, const std::vector<std::string>& cells) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Writing HTML so that no text can become markup: every text passes through system::escaped().
+// Writing HTML so that no text can become markup: every text passes through system::html_escaped().
 #pragma once
 
 #include <string>

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/leg_view.hpp"
 
+#include "core/match/controller.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <utility>
+#include <string_view>
 
 namespace mirocup::league {
 
 namespace {
 
 // Beyond so many fixtures the intervals of the strengths would take longer than a person waits.
-constexpr std::size_t most_resampled = 20'000;
+constexpr std::size_t max_resampled_fixtures = 20'000;
 
 int last_knockout_round(const LeagueState& state) {
   int last = 0;
@@ -29,41 +31,35 @@ std::string to(int a, int b) {
   return ", " + std::to_string(a) + " to " + std::to_string(b);
 }
 
-std::string points_per_leg(const Row& row) {
+std::string points_per_leg(const TableRow& row) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2f", double(row.points) / std::max(1, row.played));
   return text;
 }
 
-using Words = std::pair<std::string_view, std::string_view>;
+// In the order of LegEnd.
+constexpr std::array<std::string_view, 8> end_words{"full time",
+                                                    "golden goal",
+                                                    "shoot-out",
+                                                    "forfeit",
+                                                    "both forfeited",
+                                                    "ended early, goal difference",
+                                                    "awarded without play",
+                                                    "not played, team withdrawn"};
+static_assert(end_words.size() == enum_names<LegEnd>.size());
 
-template <std::size_t n>
-std::string look_up(const std::array<Words, n>& words, std::string_view key,
-                    std::string_view fallback) {
-  const auto found =
-      std::find_if(words.begin(), words.end(), [key](const Words& w) { return w.first == key; });
-  return std::string(found == words.end() ? fallback : found->second);
-}
-
-constexpr std::array<Words, 8> ends{{{"full_time", "full time"},
-                                     {"golden_goal", "golden goal"},
-                                     {"shoot_out", "shoot-out"},
-                                     {"forfeit", "forfeit"},
-                                     {"double_forfeit", "both forfeited"},
-                                     {"mercy", "ended early, goal difference"},
-                                     {"awarded", "awarded without play"},
-                                     {"withdrawn", "not played, team withdrawn"}}};
-
-constexpr std::array<Words, 9> faults{
-    {{"no_load", "the library could not be loaded"},
-     {"bad_abi", "it was built against another version of strategy.h"},
-     {"start_timeout", "it took too long to create its team"},
-     {"crash", "its process crashed"},
-     {"hang", "it did not answer in time"},
-     {"budget", "it used up the processor time that a leg has"},
-     {"illegal_call", "it asked the system for what a strategy may not have"},
-     {"bad_command", "it sent commands that are no numbers or out of range, again and again"},
-     {"disconnected", "it left the network during the leg"}}};
+// In the order of match::FaultCode.
+constexpr std::array<std::string_view, 9> fault_words{
+    "the library could not be loaded",
+    "it was built against another version of strategy.h",
+    "it took too long to create its team",
+    "its process crashed",
+    "it did not answer in time",
+    "it used up the processor time that a leg has",
+    "it asked the system for what a strategy may not have",
+    "it sent commands that are no numbers or out of range, again and again",
+    "it left the network during the leg"};
+static_assert(fault_words.size() == enum_names<match::FaultCode>.size());
 
 }  // namespace
 
@@ -91,7 +87,7 @@ Overview overview(const LeagueState& state) {
     }
     if (!fixture.empty()) results.push_back(std::move(fixture));
   }
-  const RatingOptions options{.resamples = results.size() > most_resampled ? 0 : 200,
+  const RatingOptions options{.resamples = results.size() > max_resampled_fixtures ? 0 : 200,
                               .seed = state.file.seed};
   o.strengths = strengths(static_cast<int>(state.file.teams.size()), results, options);
   return o;
@@ -102,7 +98,7 @@ std::string round_in_words(const LeagueState& state, const Fixture& fixture) {
   if (fixture.part == Part::table) return "R" + round.substr(1);
   if (fixture.part == Part::group) return "Group " + std::to_string(fixture.group) + ", " + round;
   const int left = last_knockout_round(state) - fixture.round;
-  if (fixture.home_from.from == Slot::From::loser) return "Third place";
+  if (fixture.home_source.kind == TeamSource::Kind::loser) return "Third place";
   if (left == 0) return "Final";
   if (left == 1) return "Semi-final";
   if (left == 2) return "Quarter-final";
@@ -110,23 +106,22 @@ std::string round_in_words(const LeagueState& state, const Fixture& fixture) {
 }
 
 std::string end_in_words(const LeagueState& state, const PlayedLeg& leg) {
-  std::string words = look_up(ends, leg.end, leg.end);
-  if (leg.end == "shoot_out" && leg.winner >= 0) words += ", won by " + state.name(leg.winner);
-  if (!leg.fault.empty()) words += ": " + leg.fault;
+  std::string words(end_words[static_cast<std::size_t>(leg.end)]);
+  if (leg.end == LegEnd::shoot_out && leg.winner >= 0) {
+    words += ", won by " + state.name(leg.winner);
+  }
+  if (leg.fault) words += ": " + leg.fault->summary();
   if (!leg.ruling.empty()) words += "; ruling: " + leg.ruling;
   return words;
 }
 
-std::string fault_in_words(const std::string& fault) {
-  const std::size_t begin = fault.find(": ");
-  if (begin == std::string::npos) return "";
-  const std::size_t end = fault.find(": ", begin + 2);
-  const std::string code = fault.substr(begin + 2, end - begin - 2);
-  const std::string words = look_up(faults, code, code);
-  return end == std::string::npos ? words : words + ": " + fault.substr(end + 2);
+std::string fault_in_words(const LegFault& fault) {
+  const auto code = from_string<match::FaultCode>(fault.code);
+  const std::string words(code ? fault_words[static_cast<std::size_t>(*code)] : fault.code);
+  return words + ": " + fault.text;
 }
 
-std::string reason_in_words(const Row& row, const Row* next) {
+std::string reason_in_words(const TableRow& row, const TableRow* next) {
   const std::string& by = row.separated_by;
   if (by.empty() || next == nullptr) return "";
   if (row.played == 0 && next->played == 0) return "";  // nothing has been decided yet

@@ -30,7 +30,7 @@ struct LegView {
 // What a site is made of, computed once.
 struct Overview {
   const LeagueState& state;
-  std::vector<Row> table;
+  std::vector<TableRow> table;
   std::vector<Strength> strengths;  // by team
   std::vector<LegView> legs;        // those whose teams are known
 };
@@ -42,11 +42,11 @@ std::string round_in_words(const LeagueState& state, const Fixture& fixture);
 // "2 : 1, golden goal; awarded by ...": how it ended, who is to blame, who ruled.
 std::string end_in_words(const LeagueState& state, const PlayedLeg& leg);
 
-// PlayedLeg::fault ("team: code: text") without its team and with words for its code.
-std::string fault_in_words(const std::string& fault);
+// A fault without its team, with words for its code.
+std::string fault_in_words(const LegFault& fault);
 
 // What put a row above the next: "goal difference, +5 to +2"; "" for the last, and
 // before the two have played.
-std::string reason_in_words(const Row& row, const Row* next);
+std::string reason_in_words(const TableRow& row, const TableRow* next);
 
 }  // namespace mirocup::league

@@ -16,7 +16,7 @@ using Arguments = std::vector<std::string>;
 std::vector<std::string> records_of(system::Files& files, const Folder& folder,
                                     const FixtureState& f) {
   std::vector<std::string> records;
-  for (int leg = 1; leg <= most_legs; ++leg) {
+  for (int leg = 1; leg <= max_legs; ++leg) {
     const LegState& now = f.legs[leg - 1];
     for (int version = 1; version < now.version; ++version) {
       const std::string record = Folder::record_name(f.fixture, leg, version);

@@ -15,32 +15,33 @@ namespace mirocup::league {
 namespace {
 
 // A crosstable of more teams is no longer read by a person; crosstable.json has it.
-constexpr std::size_t most_in_crosstable = 64;
+constexpr std::size_t max_crosstable_teams = 64;
 
 std::string strength_text(const Strength& s) {
   return std::to_string(std::lround(s.value)) + " (" + std::to_string(std::lround(s.low)) + " … " +
          std::to_string(std::lround(s.high)) + ")";
 }
 
-std::string standing_text(const TeamState& team) {
-  if (team.standing == Standing::paused) return "(paused)";
-  return team.standing == Standing::withdrawn ? "(withdrawn)" : "";
+std::string status_text(const TeamState& team) {
+  if (team.status == TeamStatus::paused) return "(paused)";
+  return team.status == TeamStatus::withdrawn ? "(withdrawn)" : "";
 }
 
-void rows_html(Html& html, const Overview& o, const std::vector<Row>& table, bool has_strength) {
+void rows_html(Html& html, const Overview& o, const std::vector<TableRow>& table,
+               bool has_strength) {
   html.open_table();
   std::vector<std::string> head{"",     "Team",  "Legs",  "Won",    "Drawn",
                                 "Lost", "Goals", "Diff.", "Points", "Ahead of the next by"};
   if (has_strength) head.push_back("Strength (95 %)");
   html.row("th", head);
   for (std::size_t i = 0; i < table.size(); ++i) {
-    const Row& row = table[i];
+    const TableRow& row = table[i];
     const std::string& name = o.state.name(row.team);
     html.open("tr");
     html.cell_of("number", std::to_string(i + 1));
     html.open("td");
     html.link(team_page_of(name), name);
-    html.raw(standing_text(o.state.teams[row.team]));
+    html.raw(status_text(o.state.teams[row.team]));
     html.close("td");
     for (const int number : {row.played, row.won, row.drawn, row.lost})
       html.cell_of("number", std::to_string(number));
@@ -74,7 +75,7 @@ void groups_html(Html& html, const Overview& o) {
 
 void crosstable_html(Html& html, const Overview& o) {
   const std::size_t n = o.table.size();
-  if (n > most_in_crosstable) return;
+  if (n > max_crosstable_teams) return;
   html.cell("h2", "Crosstable");
   html.cell("p", "Scores as the team on the left sees them.");
   const Meetings met = meetings(o);
@@ -168,9 +169,9 @@ std::string table_text(const LeagueState& state) {
         << (by.empty() ? "" : "   ") << by << '\n';
   };
   line("", "Team", "legs  won drawn lost", "goals", "points", "ahead of the next by");
-  const std::vector<Row> table = state.table();
+  const std::vector<TableRow> table = state.table();
   for (std::size_t i = 0; i < table.size(); ++i) {
-    const Row& row = table[i];
+    const TableRow& row = table[i];
     std::ostringstream numbers;
     numbers << std::setw(4) << row.played << std::setw(5) << row.won << std::setw(6) << row.drawn
             << std::setw(5) << row.lost;

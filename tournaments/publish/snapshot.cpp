@@ -2,6 +2,7 @@
 #include "tournaments/publish/snapshot.hpp"
 
 #include "server/record/match_record.hpp"
+#include "tournaments/league/apply.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -47,14 +48,17 @@ Result<LeagueState> state_through(const LeagueState& whole, const Journal& journ
     return fail(Errc::input, "there is no round " + round + "; r3-f1 is a fixture of round r3");
   LeagueState state = new_league(whole.file);
   for (const Json& line : journal.lines()) {
-    if (line.contains("fixture")) {
+    const auto event = read_event(line);
+    if (!event) return fail(Errc::damaged, journal.path() + ": " + event.error().what);
+    if (const std::string* id = fixture_of(*event); id != nullptr) {
       // A fixture that is not known yet follows from one that is left out.
-      const auto index = state.find_fixture(line.at("fixture").get<std::string>());
+      const auto index = state.find_fixture(*id);
       if (!index || Round::of(state.fixtures[*index].fixture).is_after(*last)) continue;
     }
-    if (const auto admitted = admit(state, line); !admitted)
-      return fail(Errc::input, round + " cannot be shown alone: " + admitted.error().what);
-    apply(state, line);
+    if (const auto valid = validate(state, *event); !valid) {
+      return fail(Errc::input, round + " cannot be shown alone: " + valid.error().what);
+    }
+    apply(state, *event);
   }
   return state;
 }

@@ -3,6 +3,7 @@
 // What a host shows of a league round by round, whatever has been played already.
 #pragma once
 
+#include "tournaments/journal/journal.hpp"
 #include "tournaments/league/folder.hpp"
 
 #include <string>

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t form_length = 10;  // legs
 
 // Wins, draws, losses and goals of some of a team's legs.
-struct Sum {
+struct LegTotals {
   int legs = 0;
   int won = 0;
   int drawn = 0;
@@ -29,7 +29,7 @@ struct Sum {
     ++(letter == 'W' ? won : letter == 'D' ? drawn : lost);
     goals += leg.goals(team);
     against += leg.goals_against(team);
-    if (leg.played->fault.rfind(name + ": ", 0) == 0) ++faults;
+    if (leg.played->fault && leg.played->fault->team == name) ++faults;
   }
 
   std::vector<std::string> cells(const std::string& what) const {
@@ -53,9 +53,9 @@ bool is_blue(const LegView& leg, int team) {
 }
 
 void statistics(Html& html, const Overview& o, int team) {
-  Sum all;
-  Sum blue;
-  Sum yellow;
+  LegTotals all;
+  LegTotals blue;
+  LegTotals yellow;
   for (const LegView& leg : o.legs) {
     if (!leg.is_of(team) || leg.played == nullptr) continue;
     all.add(leg, team, o.state.name(team));
@@ -112,17 +112,17 @@ void legs(Html& html, const Overview& o, int team) {
 }
 
 void own_faults(Html& html, const Overview& o, int team) {
-  const std::string own = o.state.name(team) + ": ";
   bool any = false;
   for (const LegView& leg : o.legs) {
-    if (!leg.is_of(team) || leg.played == nullptr || leg.played->fault.rfind(own, 0) != 0) continue;
+    if (!leg.is_of(team) || leg.played == nullptr || !leg.played->fault) continue;
+    if (leg.played->fault->team != o.state.name(team)) continue;
     if (!any) {
       html.cell("h2", "Faults");
       html.open("ul");
     }
     any = true;
     html.cell("li", leg.fixture + " leg " + std::to_string(leg.leg) + ": " +
-                        fault_in_words(leg.played->fault));
+                        fault_in_words(*leg.played->fault));
   }
   if (any) html.close("ul");
 }
@@ -134,8 +134,8 @@ std::string team_page_of(const std::string& team) {
 }
 
 std::string team_html(const Overview& o, int team) {
-  const auto row =
-      std::find_if(o.table.begin(), o.table.end(), [team](const Row& r) { return r.team == team; });
+  const auto row = std::find_if(o.table.begin(), o.table.end(),
+                                [team](const TableRow& r) { return r.team == team; });
   const TeamState& now = o.state.teams[team];
   const Strength& strength = o.strengths[team];
   Html html;
@@ -148,8 +148,8 @@ std::string team_html(const Overview& o, int team) {
                      " points, strength " + std::to_string(std::lround(strength.value)) + " (" +
                      std::to_string(std::lround(strength.low)) + " to " +
                      std::to_string(std::lround(strength.high)) + ").");
-  if (now.standing == Standing::paused) html.cell("p", "Paused: " + now.why + ".");
-  if (now.standing == Standing::withdrawn) html.cell("p", "Withdrawn: " + now.why + ".");
+  if (now.status == TeamStatus::paused) html.cell("p", "Paused: " + now.why + ".");
+  if (now.status == TeamStatus::withdrawn) html.cell("p", "Withdrawn: " + now.why + ".");
   if (now.entry > 0) {
     html.cell("p", "Plays with entry " + std::to_string(now.entry) + ", SHA-256 " +
                        now.sha256.substr(0, 16) + "…");

@@ -15,7 +15,7 @@ struct ComparisonOptions {
   double error = 0.05;  // probability of the wrong answer
 };
 
-enum class Verdict { undecided, first, second };
+enum class ComparisonVerdict { undecided, first, second };
 
 // The lead, in fixtures won, that decides: the bound of the likelihood ratio between the two answers.
 inline int deciding_lead(const ComparisonOptions& options) {
@@ -24,11 +24,12 @@ inline int deciding_lead(const ComparisonOptions& options) {
   return static_cast<int>(std::ceil(bound / step - 1e-9));
 }
 
-inline Verdict verdict(int first_wins, int second_wins, const ComparisonOptions& options) {
+inline ComparisonVerdict verdict(int first_wins, int second_wins,
+                                 const ComparisonOptions& options) {
   const int lead = first_wins - second_wins;
-  if (lead >= deciding_lead(options)) return Verdict::first;
-  if (-lead >= deciding_lead(options)) return Verdict::second;
-  return Verdict::undecided;
+  if (lead >= deciding_lead(options)) return ComparisonVerdict::first;
+  if (-lead >= deciding_lead(options)) return ComparisonVerdict::second;
+  return ComparisonVerdict::undecided;
 }
 
 }  // namespace mirocup::league

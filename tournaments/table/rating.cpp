@@ -11,12 +11,12 @@ namespace mirocup::league {
 
 namespace {
 
-constexpr int most_iterations = 200;
+constexpr int max_iterations = 200;
 constexpr double converged = 1e-4;  // relative change of a strength
 constexpr double scale = 400.0;
 
 // What a pair did, with home and away as in the first fixture.
-struct Pair {
+struct PairResults {
   int home = 0;
   int away = 0;
   double home_wins = 0.0;
@@ -24,8 +24,8 @@ struct Pair {
   double draws = 0.0;
 };
 
-Pair sum_of(const FixtureResults& fixture) {
-  Pair pair;
+PairResults pair_results(const FixtureResults& fixture) {
+  PairResults pair;
   for (const LegResult& leg : fixture) {
     pair.home = leg.home;
     pair.away = leg.away;
@@ -38,13 +38,13 @@ Pair sum_of(const FixtureResults& fixture) {
 }
 
 // Maximum likelihood by Hunter's minorisation (2004), which climbs in every step.
-class Fit {
+class StrengthFit {
  public:
-  explicit Fit(int teams) : g_(teams, 1.0) {}
+  explicit StrengthFit(int teams) : g_(teams, 1.0) {}
 
-  void run(const std::vector<Pair>& pairs, const std::vector<double>& double_forfeits) {
+  void run(const std::vector<PairResults>& pairs, const std::vector<double>& double_forfeits) {
     const std::size_t teams = g_.size();
-    for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    for (int iteration = 0; iteration < max_iterations; ++iteration) {
       // The unseen team: a win and a loss for each.
       std::vector<double> wins(teams, 1.0);
       std::vector<double> weight(teams);
@@ -52,7 +52,7 @@ class Fit {
         weight[i] = (2.0 + double_forfeits[i]) / (g_[i] + 1.0);
       double draws = 0.0;
       double expected = 0.0;  // over v
-      for (const Pair& p : pairs) {
+      for (const PairResults& p : pairs) {
         const double played = p.home_wins + p.away_wins + p.draws;
         const double root = std::sqrt(g_[p.home] * g_[p.away]);
         const double all = g_[p.home] + g_[p.away] + v_ * root;
@@ -103,13 +103,13 @@ std::vector<double> forfeits_of(int teams, const FixtureResults& fixture, double
 
 std::vector<Strength> strengths(int teams, const std::vector<FixtureResults>& fixtures,
                                 const RatingOptions& options) {
-  std::vector<Pair> pairs;
+  std::vector<PairResults> pairs;
   std::vector<double> forfeits(teams, 0.0);
   for (const FixtureResults& fixture : fixtures) {
-    pairs.push_back(sum_of(fixture));
+    pairs.push_back(pair_results(fixture));
     forfeits = forfeits_of(teams, fixture, 1.0, std::move(forfeits));
   }
-  Fit fit(teams);
+  StrengthFit fit(teams);
   fit.run(pairs, forfeits);
   std::vector<Strength> result;
   for (const double value : fit.values()) result.push_back({value, value, value});
@@ -120,18 +120,18 @@ std::vector<Strength> strengths(int teams, const std::vector<FixtureResults>& fi
   for (int i = 0; i < options.resamples; ++i) {
     std::vector<double> times(pairs.size(), 0.0);
     for (std::size_t k = 0; k < pairs.size(); ++k) times[random.below(pairs.size())] += 1.0;
-    std::vector<Pair> drawn;
+    std::vector<PairResults> drawn;
     std::vector<double> drawn_forfeits(teams, 0.0);
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       if (times[k] == 0.0) continue;
-      Pair pair = pairs[k];
+      PairResults pair = pairs[k];
       pair.home_wins *= times[k];
       pair.away_wins *= times[k];
       pair.draws *= times[k];
       drawn.push_back(pair);
       drawn_forfeits = forfeits_of(teams, fixtures[k], times[k], std::move(drawn_forfeits));
     }
-    Fit again = fit;  // from near the answer
+    StrengthFit again = fit;  // from near the answer
     again.run(drawn, drawn_forfeits);
     const std::vector<double> values = again.values();
     for (int team = 0; team < teams; ++team) samples[team].push_back(values[team]);

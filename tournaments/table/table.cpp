@@ -11,7 +11,8 @@ namespace mirocup::league {
 
 namespace {
 
-void book(Row& row, int own, int other, int penalties, bool loses, const Points& points) {
+void add_result(TableRow& row, int own, int other, int penalties, bool loses,
+                const Points& points) {
   ++row.played;
   row.goals_for += own;
   row.goals_against += other;
@@ -28,7 +29,7 @@ void book(Row& row, int own, int other, int penalties, bool loses, const Points&
   }
 }
 
-void book_bye(Row& row, const Points& points) {
+void add_bye(TableRow& row, const Points& points) {
   ++row.played;
   ++row.won;
   row.points += points.win;
@@ -38,13 +39,13 @@ void book_bye(Row& row, const Points& points) {
 class Ranking {
  public:
   Ranking(const std::vector<int>& teams, const std::vector<LegResult>& results,
-          const TableRules& rules, const std::vector<int>& came)
-      : teams_(teams), results_(results), rules_(rules), came_(came) {
-    int most = -1;
-    for (const int team : teams) most = std::max(most, team);
-    total_.resize(most + 1);
-    legs_of_.resize(most + 1);
-    is_in_.assign(most + 1, false);
+          const TableRules& rules, const std::vector<int>& stage_reached)
+      : teams_(teams), results_(results), rules_(rules), stage_reached_(stage_reached) {
+    int last = -1;
+    for (const int team : teams) last = std::max(last, team);
+    total_.resize(last + 1);
+    legs_of_.resize(last + 1);
+    is_in_.assign(last + 1, false);
     for (const int team : teams) {
       total_[team].team = team;
       is_in_[team] = true;
@@ -52,15 +53,15 @@ class Ranking {
     for (std::size_t i = 0; i < results.size(); ++i) add(i);
   }
 
-  std::vector<Row> rows() {
-    if (came_.empty()) {
+  std::vector<TableRow> rows() {
+    if (stage_reached_.empty()) {
       by_points(teams_);
     } else {
       split(
-          teams_, "knockout", [this](int team) { return double(came_[team]); },
+          teams_, "knockout", [this](int team) { return double(stage_reached_[team]); },
           [this](const std::vector<int>& level, bool) { by_points(level); });
     }
-    std::vector<Row> ordered;
+    std::vector<TableRow> ordered;
     for (const int team : order_) ordered.push_back(total_[team]);
     if (!ordered.empty()) ordered.back().separated_by.clear();
     return ordered;
@@ -74,18 +75,18 @@ class Ranking {
   void add(std::size_t index) {
     const LegResult& r = results_[index];
     if (r.away < 0) {
-      if (has(r.home) && r.counts_for_home) book_bye(total_[r.home], rules_.points);
+      if (has(r.home) && r.counts_for_home) add_bye(total_[r.home], rules_.points);
       return;
     }
     if (!has(r.home) || !has(r.away)) return;
     if (r.counts_for_home) {
-      book(total_[r.home], r.home_goals, r.away_goals, r.home_penalties, r.both_lose,
-           rules_.points);
+      add_result(total_[r.home], r.home_goals, r.away_goals, r.home_penalties, r.both_lose,
+                 rules_.points);
       legs_of_[r.home].push_back(index);
     }
     if (r.counts_for_away) {
-      book(total_[r.away], r.away_goals, r.home_goals, r.away_penalties, r.both_lose,
-           rules_.points);
+      add_result(total_[r.away], r.away_goals, r.home_goals, r.away_penalties, r.both_lose,
+                 rules_.points);
       legs_of_[r.away].push_back(index);
     }
   }
@@ -95,7 +96,7 @@ class Ranking {
     split(
         level, mean ? "points per leg" : "points",
         [this, mean](int team) {
-          const Row& row = total_[team];
+          const TableRow& row = total_[team];
           return mean && row.played > 0 ? double(row.points) / row.played : double(row.points);
         },
         [this](const std::vector<int>& rest, bool) { break_tie(rest, 0, false); });
@@ -130,7 +131,8 @@ class Ranking {
       return;
     }
     const TieBreak rule = rules_.tie_breaks[next];
-    const std::map<int, Row> mini = is_head_to_head(rule) ? among(level) : std::map<int, Row>();
+    const std::map<int, TableRow> mini =
+        is_head_to_head(rule) ? among(level) : std::map<int, TableRow>();
     split(
         level, to_string(rule), [&](int team) { return value(rule, team, mini); },
         [this, next](const std::vector<int>& rest, bool fewer) {
@@ -139,22 +141,22 @@ class Ranking {
   }
 
   // The table between these teams alone.
-  std::map<int, Row> among(const std::vector<int>& level) const {
-    std::map<int, Row> rows;
+  std::map<int, TableRow> among(const std::vector<int>& level) const {
+    std::map<int, TableRow> rows;
     for (const int team : level) rows[team].team = team;
     for (auto& [team, row] : rows) {
       for (const std::size_t i : legs_of_[team]) {
         const LegResult& r = results_[i];
         const bool home = r.home == team;
         if (rows.count(home ? r.away : r.home) == 0) continue;
-        book(row, home ? r.home_goals : r.away_goals, home ? r.away_goals : r.home_goals, 0,
-             r.both_lose, rules_.points);
+        add_result(row, home ? r.home_goals : r.away_goals, home ? r.away_goals : r.home_goals, 0,
+                   r.both_lose, rules_.points);
       }
     }
     return rows;
   }
 
-  double value(TieBreak rule, int team, const std::map<int, Row>& mini) const {
+  double value(TieBreak rule, int team, const std::map<int, TableRow>& mini) const {
     switch (rule) {
       case TieBreak::goal_difference:
         return total_[team].difference();
@@ -194,8 +196,8 @@ class Ranking {
   const std::vector<int>& teams_;
   const std::vector<LegResult>& results_;
   const TableRules& rules_;
-  const std::vector<int>& came_;
-  std::vector<Row> total_;
+  const std::vector<int>& stage_reached_;
+  std::vector<TableRow> total_;
   std::vector<bool> is_in_;
   std::vector<std::vector<std::size_t>> legs_of_;
   std::vector<int> order_;
@@ -203,9 +205,10 @@ class Ranking {
 
 }  // namespace
 
-std::vector<Row> make_table(const std::vector<int>& teams, const std::vector<LegResult>& results,
-                            const TableRules& rules, const std::vector<int>& came) {
-  return Ranking(teams, results, rules, came).rows();
+std::vector<TableRow> make_table(const std::vector<int>& teams,
+                                 const std::vector<LegResult>& results, const TableRules& rules,
+                                 const std::vector<int>& stage_reached) {
+  return Ranking(teams, results, rules, stage_reached).rows();
 }
 
 std::vector<int> all_teams(int teams) {

@@ -51,7 +51,7 @@ inline constexpr std::array<TieBreak, 6> default_tie_breaks{
     TieBreak::head_to_head_points, TieBreak::head_to_head_goal_difference,
     TieBreak::penalties,           TieBreak::lots};
 
-struct Row {
+struct TableRow {
   int team = 0;
   int played = 0;
   int won = 0;
@@ -75,8 +75,9 @@ struct TableRules {
 
 // These teams, best first, by the results between them. `came` says how far each came in a knockout
 // (more is better), indexed by team; empty: there is none.
-std::vector<Row> make_table(const std::vector<int>& teams, const std::vector<LegResult>& results,
-                            const TableRules& rules, const std::vector<int>& came = {});
+std::vector<TableRow> make_table(const std::vector<int>& teams,
+                                 const std::vector<LegResult>& results, const TableRules& rules,
+                                 const std::vector<int>& stage_reached = {});
 
 // Teams 0 .. teams-1.
 std::vector<int> all_teams(int teams);

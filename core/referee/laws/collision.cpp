@@ -59,8 +59,8 @@ std::optional<Decision> judge_collision(const Pitch& pitch, const Situation& s,
       }
       found = decide(Verdict::NONE, Law::collision, s, reason);
       found->team = faster.end;
-      found->names(left);
-      found->names(right);
+      found->add_robot(left);
+      found->add_robot(right);
     }
   }
   return found;

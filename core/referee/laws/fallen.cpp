@@ -31,7 +31,7 @@ std::optional<Decision> judge_fallen(const Pitch& pitch, const Situation& s) {
                             name_of(robot) + " lies before the " + std::string(to_string(goal)) +
                                 " goal; play goes on from the same positions when it stands");
         d.team = end;
-        d.names(robot);
+        d.add_robot(robot);
         return d;
       }
     }

@@ -6,15 +6,15 @@
 namespace mirocup::referee {
 
 std::optional<Decision> judge_four_attackers(const Pitch& pitch, const Situation& s,
-                                             const Watch& watch, std::optional<End> goal_at,
+                                             const Occupancy& occupancy, std::optional<End> goal_at,
                                              FourAttackersMemory& memory) {
   const Rules& rules = pitch.rules;
-  const CrowdLimit limit{.area = watch.penalty_area,
+  const CrowdLimit limit{.area = occupancy.penalty_area,
                          .side = Side::attackers,
                          .most = rules.pa_att_max,
                          .patience = rules.att_dwell_s,
                          .patience_beyond = rules.att_dwell_s};
-  const auto crowd = find_crowd(pitch, s, watch, limit, goal_at, memory.crowded);
+  const auto crowd = find_crowd(pitch, s, occupancy, limit, goal_at, memory.crowded);
   if (!crowd) return std::nullopt;
 
   const End team = opposite(crowd->owner);

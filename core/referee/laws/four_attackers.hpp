@@ -14,7 +14,7 @@ struct FourAttackersMemory {
 
 // `goal_at`: the goal that the ball crosses in this tick, wherever it came from.
 std::optional<Decision> judge_four_attackers(const Pitch& pitch, const Situation& situation,
-                                             const Watch& watch, std::optional<End> goal_at,
+                                             const Occupancy& occupancy, std::optional<End> goal_at,
                                              FourAttackersMemory& memory);
 
 }  // namespace mirocup::referee

@@ -15,6 +15,7 @@ struct FourDefendersMemory {
 
 // Calls it without the advantage, which is the referee's business.
 std::optional<Decision> judge_four_defenders(const Pitch& pitch, const Situation& situation,
-                                             const Watch& watch, FourDefendersMemory& memory);
+                                             const Occupancy& occupancy,
+                                             FourDefendersMemory& memory);
 
 }  // namespace mirocup::referee

@@ -21,6 +21,6 @@ struct HoldingMemory {
 bool hides_ball(const Pitch& pitch, const Situation& situation, const RobotId& robot);
 
 std::optional<Decision> judge_holding(const Pitch& pitch, const Situation& situation,
-                                      const Watch& watch, HoldingMemory& memory);
+                                      const Occupancy& occupancy, HoldingMemory& memory);
 
 }  // namespace mirocup::referee

@@ -34,25 +34,25 @@ bool blocks(const Pitch& pitch, const Situation& s, const RobotId& attacker,
 }  // namespace
 
 std::optional<Decision> judge_keeper_block(const Pitch& pitch, const Situation& s,
-                                           const Watch& watch, KeeperBlockMemory& memory) {
+                                           const Occupancy& occupancy, KeeperBlockMemory& memory) {
   const Rules& rules = pitch.rules;
   if (rules.block_s == off) return std::nullopt;
   std::optional<Decision> called;
   for (const End end : ends_from_ball(s)) {
-    const std::optional<RobotId>& keeper = watch.keeper[index_of(end)];
+    const std::optional<RobotId>& keeper = occupancy.keeper[index_of(end)];
     const End team = opposite(end);
     for (int i = 0; i < pitch.field.robots_per_team; ++i) {
       const RobotId attacker{team, i};
       Dwell& standing = memory.blocks[index_of(team)][i];
-      standing.see(keeper && ball_in_half(s, end) && blocks(pitch, s, attacker, *keeper),
-                   s.duration);
+      standing.sample(keeper && ball_in_half(s, end) && blocks(pitch, s, attacker, *keeper),
+                      s.duration);
       if (called || !standing.reached(rules.block_s, s.duration)) continue;
       called =
           decide(Verdict::GOAL_KICK, Law::keeper_block, s,
                  name_of(attacker) + " stood in the keeper's way for " + fixed(standing.for_s, 2) +
                      " s, the ball more than " + fixed(rules.block_ball_m, 2) + " m away");
-      called->names(attacker);
-      called->names(*keeper);
+      called->add_robot(attacker);
+      called->add_robot(*keeper);
       called = against(*std::move(called), team, Restart::GOAL_KICK);
     }
   }

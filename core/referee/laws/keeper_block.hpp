@@ -14,6 +14,6 @@ struct KeeperBlockMemory {
 };
 
 std::optional<Decision> judge_keeper_block(const Pitch& pitch, const Situation& situation,
-                                           const Watch& watch, KeeperBlockMemory& memory);
+                                           const Occupancy& occupancy, KeeperBlockMemory& memory);
 
 }  // namespace mirocup::referee

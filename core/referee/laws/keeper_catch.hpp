@@ -14,6 +14,6 @@ struct KeeperCatchMemory {
 };
 
 std::optional<Decision> judge_keeper_catch(const Pitch& pitch, const Situation& situation,
-                                           const Watch& watch, KeeperCatchMemory& memory);
+                                           const Occupancy& occupancy, KeeperCatchMemory& memory);
 
 }  // namespace mirocup::referee

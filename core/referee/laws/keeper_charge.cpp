@@ -34,12 +34,13 @@ double closing_speed(const Situation& s, const RobotId& attacker, const RobotId&
 }  // namespace
 
 std::optional<Decision> judge_keeper_charge(const Pitch& pitch, const Situation& s,
-                                            const Watch& watch, KeeperChargeMemory& memory) {
+                                            const Occupancy& occupancy,
+                                            KeeperChargeMemory& memory) {
   const Rules& rules = pitch.rules;
   if (rules.charge_s == off && rules.charge_speed_mps == off) return std::nullopt;
   std::optional<Decision> called;
   for (const End end : ends_from_ball(s)) {
-    const std::optional<RobotId>& keeper = watch.keeper[index_of(end)];
+    const std::optional<RobotId>& keeper = occupancy.keeper[index_of(end)];
     const End team = opposite(end);
     for (int i = 0; i < pitch.field.robots_per_team; ++i) {
       const RobotId attacker{team, i};
@@ -50,7 +51,7 @@ std::optional<Decision> judge_keeper_charge(const Pitch& pitch, const Situation&
       touched = touches;
       const bool is_foul =
           touches && ball_in_half(s, end) && !ball_is_between(pitch, s, attacker, *keeper);
-      driven.see(is_foul && drives_at(pitch, s, attacker, *keeper), s.duration);
+      driven.sample(is_foul && drives_at(pitch, s, attacker, *keeper), s.duration);
       if (called || !is_foul) continue;
 
       const double speed = is_first ? closing_speed(s, attacker, *keeper) : -1.0;
@@ -62,8 +63,8 @@ std::optional<Decision> judge_keeper_charge(const Pitch& pitch, const Situation&
                      (too_hard ? "hit the keeper at " + fixed(speed, 2) + " m/s"
                                : "drove into the keeper for " + fixed(driven.for_s, 2) + " s") +
                      ", the ball not between them");
-      called->names(attacker);
-      called->names(*keeper);
+      called->add_robot(attacker);
+      called->add_robot(*keeper);
       called = against(*std::move(called), team, Restart::GOAL_KICK);
     }
   }

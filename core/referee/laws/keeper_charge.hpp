@@ -15,6 +15,6 @@ struct KeeperChargeMemory {
 };
 
 std::optional<Decision> judge_keeper_charge(const Pitch& pitch, const Situation& situation,
-                                            const Watch& watch, KeeperChargeMemory& memory);
+                                            const Occupancy& occupancy, KeeperChargeMemory& memory);
 
 }  // namespace mirocup::referee

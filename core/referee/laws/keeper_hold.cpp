@@ -10,8 +10,8 @@ std::optional<Decision> judge_keeper_hold(const Pitch& pitch, const Situation& s
   const field::Field& field = pitch.field;
   for (const End end : both_ends) {
     Dwell& held = memory.held[index_of(end)];
-    held.see(field.inside(field.goal_area, end, s.ball) && !is_contested(pitch, s, end),
-             s.duration);
+    held.sample(field.inside(field.goal_area, end, s.ball) && !is_contested(pitch, s, end),
+                s.duration);
     if (!held.reached(pitch.rules.keeper_hold_s, s.duration)) continue;
 
     Decision d = decide(Verdict::PENALTY_KICK, Law::keeper_hold, s,

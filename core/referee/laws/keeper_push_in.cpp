@@ -31,12 +31,13 @@ bool is_over_line(const Pitch& pitch, const Pose& robot, End end) {
   return -attack_sign(end) * robot.position.x() + corner > pitch.field.half_length;
 }
 
-void remember(const Pitch& pitch, const Situation& s, const Watch& watch,
+void remember(const Pitch& pitch, const Situation& s, const Occupancy& occupancy,
               KeeperPushInMemory& memory) {
   for (const End end : both_ends) {
     const int e = index_of(end);
     // A keeper that is pushed out of its area, behind the line, is still the one that was pushed.
-    const std::optional<RobotId> keeper = watch.keeper[e] ? watch.keeper[e] : memory.keeper[e];
+    const std::optional<RobotId> keeper =
+        occupancy.keeper[e] ? occupancy.keeper[e] : memory.keeper[e];
     PushInTick& tick = memory.ticks[e][memory.next];
     tick = {};
     if (keeper) {
@@ -53,10 +54,10 @@ void remember(const Pitch& pitch, const Situation& s, const Watch& watch,
 }  // namespace
 
 std::optional<Decision> judge_keeper_push_in(const Pitch& pitch, const Situation& s,
-                                             const Watch& watch, std::optional<End> goal_at,
+                                             const Occupancy& occupancy, std::optional<End> goal_at,
                                              KeeperPushInMemory& memory) {
   const Rules& rules = pitch.rules;
-  remember(pitch, s, watch, memory);
+  remember(pitch, s, occupancy, memory);
   if (!goal_at || rules.push_in_m == off) return std::nullopt;
   const int e = index_of(*goal_at);
   const std::optional<RobotId>& keeper = memory.keeper[e];
@@ -85,7 +86,7 @@ std::optional<Decision> judge_keeper_push_in(const Pitch& pitch, const Situation
                       "the keeper was pushed " + fixed(moved, 3) + " m towards its line in the " +
                           fixed(rules.push_in_s, 2) + " s before the goal");
   d.robots[index_of(team)] = attackers;
-  d.names(*keeper);
+  d.add_robot(*keeper);
   return against(std::move(d), team, Restart::GOAL_KICK);
 }
 

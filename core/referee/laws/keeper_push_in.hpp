@@ -32,7 +32,7 @@ struct KeeperPushInMemory {
 
 // Looks at every tick; calls it only if the ball crosses the goal at `goal_at`.
 std::optional<Decision> judge_keeper_push_in(const Pitch& pitch, const Situation& situation,
-                                             const Watch& watch, std::optional<End> goal_at,
+                                             const Occupancy& occupancy, std::optional<End> goal_at,
                                              KeeperPushInMemory& memory);
 
 }  // namespace mirocup::referee

@@ -4,14 +4,14 @@
 namespace mirocup::referee {
 
 std::optional<std::string> judge_penalty_attempt(const Pitch& pitch, const Situation& s,
-                                                 const Watch& watch, bool is_stalemate,
+                                                 const Occupancy& occupancy, bool is_stalemate,
                                                  PenaltyAttemptMemory& memory) {
   const Rules& rules = pitch.rules;
   const End goal = opposite(memory.taker);
-  const std::optional<RobotId>& keeper = watch.keeper[index_of(goal)];
+  const std::optional<RobotId>& keeper = occupancy.keeper[index_of(goal)];
   const bool in_area = pitch.field.inside(pitch.field.goal_area, goal, s.ball);
   memory.for_s += s.duration;
-  memory.held.see(
+  memory.held.sample(
       keeper && s.touches_ball(*keeper) && s.touched_ball[index_of(memory.taker)].none(),
       s.duration);
   const bool came_out = memory.was_in_area && !in_area;

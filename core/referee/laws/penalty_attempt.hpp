@@ -21,7 +21,7 @@ struct PenaltyAttemptMemory {
 
 // Why the attempt is over without a goal, or nothing. Does not end it.
 std::optional<std::string> judge_penalty_attempt(const Pitch& pitch, const Situation& situation,
-                                                 const Watch& watch, bool is_stalemate,
+                                                 const Occupancy& occupancy, bool is_stalemate,
                                                  PenaltyAttemptMemory& memory);
 
 }  // namespace mirocup::referee

@@ -11,10 +11,10 @@ namespace mirocup::referee {
 
 namespace {
 
-bool is_pushing(const Pitch& pitch, const Situation& s, const Watch& watch, const RobotId& pusher,
-                const RobotId& pushed) {
+bool is_pushing(const Pitch& pitch, const Situation& s, const Occupancy& occupancy,
+                const RobotId& pusher, const RobotId& pushed) {
   return s.touch(pusher, pushed.index) && !s.touches_ball(pusher) &&
-         watch.keeper[index_of(pushed.end)] != pushed && drives_at(pitch, s, pusher, pushed) &&
+         occupancy.keeper[index_of(pushed.end)] != pushed && drives_at(pitch, s, pusher, pushed) &&
          !drives_at(pitch, s, pushed, pusher);
 }
 
@@ -49,13 +49,13 @@ Decision call_push(const Pitch& pitch, const Situation& s, const RobotId& pusher
     give_free_ball(pitch, s.ball, d);
     d.team = pusher.end;
   }
-  d.names(pusher);
-  d.names(pushed);
+  d.add_robot(pusher);
+  d.add_robot(pushed);
   return d;
 }
 
-std::optional<Decision> judge_push(const Pitch& pitch, const Situation& s, const Watch& watch,
-                                   PushMemory& memory) {
+std::optional<Decision> judge_push(const Pitch& pitch, const Situation& s,
+                                   const Occupancy& occupancy, PushMemory& memory) {
   const Rules& rules = pitch.rules;
   if (rules.push_dist_m == off) return std::nullopt;
   std::optional<Decision> called;
@@ -70,7 +70,7 @@ std::optional<Decision> judge_push(const Pitch& pitch, const Situation& s, const
         const RobotId pushed{opposite(end), j};
         Push& push = memory.pairs[index_of(end)][i][j];
         push.muted_s = std::max(push.muted_s - s.duration, 0.0);
-        if (!is_pushing(pitch, s, watch, pusher, pushed)) {
+        if (!is_pushing(pitch, s, occupancy, pusher, pushed)) {
           push.is_on = false;
           on[j] = push.muted_s > 0.0;
           continue;

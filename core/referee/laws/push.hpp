@@ -32,6 +32,6 @@ Decision call_push(const Pitch& pitch, const Situation& situation, const RobotId
 // By the defending side: a free kick, called without the advantage, which is the referee's
 // business. By the attacking side: a free ball or a goal kick.
 std::optional<Decision> judge_push(const Pitch& pitch, const Situation& situation,
-                                   const Watch& watch, PushMemory& memory);
+                                   const Occupancy& occupancy, PushMemory& memory);
 
 }  // namespace mirocup::referee

@@ -6,15 +6,15 @@
 namespace mirocup::referee {
 
 std::optional<Decision> judge_two_attackers(const Pitch& pitch, const Situation& s,
-                                            const Watch& watch, std::optional<End> goal_at,
+                                            const Occupancy& occupancy, std::optional<End> goal_at,
                                             TwoAttackersMemory& memory) {
   const Rules& rules = pitch.rules;
-  const CrowdLimit limit{.area = watch.goal_area,
+  const CrowdLimit limit{.area = occupancy.goal_area,
                          .side = Side::attackers,
                          .most = rules.att_max,
                          .patience = rules.att_dwell_s,
                          .patience_beyond = 0.0};
-  const auto crowd = find_crowd(pitch, s, watch, limit, goal_at, memory.crowded);
+  const auto crowd = find_crowd(pitch, s, occupancy, limit, goal_at, memory.crowded);
   if (!crowd) return std::nullopt;
 
   const End team = opposite(crowd->owner);

@@ -15,7 +15,7 @@ struct TwoAttackersMemory {
 
 // `goal_at`: the goal that the ball crosses in this tick, wherever it came from.
 std::optional<Decision> judge_two_attackers(const Pitch& pitch, const Situation& situation,
-                                            const Watch& watch, std::optional<End> goal_at,
+                                            const Occupancy& occupancy, std::optional<End> goal_at,
                                             TwoAttackersMemory& memory);
 
 }  // namespace mirocup::referee

@@ -6,14 +6,15 @@
 namespace mirocup::referee {
 
 std::optional<Decision> judge_two_defenders(const Pitch& pitch, const Situation& s,
-                                            const Watch& watch, TwoDefendersMemory& memory) {
+                                            const Occupancy& occupancy,
+                                            TwoDefendersMemory& memory) {
   const Rules& rules = pitch.rules;
-  const CrowdLimit limit{.area = watch.goal_area,
+  const CrowdLimit limit{.area = occupancy.goal_area,
                          .side = Side::defenders,
                          .most = rules.def_max,
                          .patience = rules.def_dwell_s,
                          .patience_beyond = rules.def_dwell_s};
-  const auto crowd = find_crowd(pitch, s, watch, limit, std::nullopt, memory.crowded);
+  const auto crowd = find_crowd(pitch, s, occupancy, limit, std::nullopt, memory.crowded);
   if (!crowd) return std::nullopt;
 
   const End team = crowd->owner;

@@ -15,6 +15,6 @@ struct TwoDefendersMemory {
 
 // Calls it without the advantage, which is the referee's business.
 std::optional<Decision> judge_two_defenders(const Pitch& pitch, const Situation& situation,
-                                            const Watch& watch, TwoDefendersMemory& memory);
+                                            const Occupancy& occupancy, TwoDefendersMemory& memory);
 
 }  // namespace mirocup::referee

@@ -49,11 +49,11 @@ std::optional<Decision> judge_wall_push(const Pitch& pitch, const Situation& s,
   for (const End end : both_ends) {
     Dwell& pressed = memory.pressed[index_of(end)];
     if (!at_end_wall(pitch, s, end)) {
-      pressed.see(false, s.duration);
+      pressed.sample(false, s.duration);
       continue;
     }
     const ByEnd<RobotSet> near{at_ball(pitch, s, End::left), at_ball(pitch, s, End::right)};
-    pressed.see(near[0].any() && near[1].any(), s.duration);
+    pressed.sample(near[0].any() && near[1].any(), s.duration);
     if (pressed.reached(pitch.rules.wall_s, s.duration)) {
       Decision d = free_ball(pitch, s, s.ball,
                              "robots of both teams pressed the ball to the wall for " +
@@ -70,7 +70,7 @@ std::optional<Decision> judge_wall_push(const Pitch& pitch, const Situation& s,
           free_ball(pitch, s, where,
                     name_of(*robot) + " shoved the ball along the wall with a team-mate behind it");
       d.team = team;
-      d.names(*robot);
+      d.add_robot(*robot);
       return d;
     }
   }

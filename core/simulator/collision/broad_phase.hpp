@@ -9,23 +9,23 @@
 #include <algorithm>
 #include <span>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::collision {
 
 // Is no point of one box within `reach` (m, along an axis) of the other?
-inline bool are_apart(const Box& a, const Box& b, double reach) {
+inline bool are_apart(const trajectory::Box& a, const trajectory::Box& b, double reach) {
   const double x = std::max(a.low_x - b.high_x, b.low_x - a.high_x);
   const double y = std::max(a.low_y - b.high_y, b.low_y - a.high_y);
   return std::max(x, y) > reach;
 }
 
-inline bool are_apart(const Box& box, const field::Wall& wall, double reach) {
+inline bool are_apart(const trajectory::Box& box, const field::Wall& wall, double reach) {
   const double nearest = std::min(wall.normal.x() * box.low_x, wall.normal.x() * box.high_x) +
                          std::min(wall.normal.y() * box.low_y, wall.normal.y() * box.high_y);
   return nearest - wall.offset > reach;
 }
 
 // An end wall is the quarter-plane behind its post.
-inline bool are_apart(const Box& box, const field::GoalPost& post, double reach) {
+inline bool are_apart(const trajectory::Box& box, const field::GoalPost& post, double reach) {
   const double face = std::min(post.face.x() * (box.low_x - post.post.x()),
                                post.face.x() * (box.high_x - post.post.x()));
   const double side = std::min(post.side.y() * (box.low_y - post.post.y()),
@@ -47,9 +47,9 @@ inline unsigned long bodies_below(int i) {
 // Calls add(pair) for each pair of body i that can touch: with the others, one bit each, in
 // increasing order, then with obstacles.
 template <class Add>
-void for_near_pairs(const StaticWorld& world, std::span<const Box> boxes, int i,
+void for_near_pairs(const StaticWorld& world, std::span<const trajectory::Box> boxes, int i,
                     unsigned long others, Add add) {
-  const Box& box = boxes[i];
+  const trajectory::Box& box = boxes[i];
   for_each_body(others, [&](int j) {
     if (!are_apart(box, boxes[j], world.reach(i, j))) add(pair_of(i, j));
   });
@@ -73,7 +73,7 @@ void for_near_pairs(const StaticWorld& world, std::span<const Box> boxes, int i,
 // appended. Uses the boxes of all bodies.
 inline void add_contacts_among(const StaticWorld& world, const BodySet& some,
                                std::span<const BodyState> bodies, double margin,
-                               std::span<Box> boxes, ContactList& list) {
+                               std::span<trajectory::Box> boxes, ContactList& list) {
   for (int i = 0; i < world.bodies(); ++i) {
     const Vec2& p = bodies[i].position;
     boxes[i] = {p.x() - margin, p.x() + margin, p.y() - margin, p.y() + margin};
@@ -84,4 +84,4 @@ inline void add_contacts_among(const StaticWorld& world, const BodySet& some,
   }
 }
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::collision

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::collision {
 
 namespace {
 
 // How far a body can be from where its velocity leads it from where it is at time t.
-double max_deviation_at(const MotionBound& way, double t) {
+double max_deviation_at(const trajectory::MotionBound& way, double t) {
   return t == way.begin ? way.max_deviation : 2.0 * way.max_deviation;
 }
 
@@ -38,11 +38,11 @@ double earliest_contact_time(const ApproachQuery& e, const geometry::Separation&
   const double max_extra_reach = (radius_a - separation.reach_a) + (radius_b - separation.reach_b);
   const auto time_for = [](double way, double speed) {
     if (way <= 0.0) return 0.0;
-    return speed > 0.0 ? way / speed : never;
+    return speed > 0.0 ? way / speed : trajectory::never;
   };
   const double after =
       std::max(time_for(room, closing + turning), time_for(room - max_extra_reach, closing));
-  return e.begin + after <= e.end ? e.begin + after : never;
+  return e.begin + after <= e.end ? e.begin + after : trajectory::never;
 }
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::collision

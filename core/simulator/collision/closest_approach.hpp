@@ -6,11 +6,11 @@
 #include "core/geometry/separation.hpp"
 #include "core/simulator/trajectory/motion_bound.hpp"
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::collision {
 
 // Two bodies and their ways, over the times at which both hold. A wall has the default way.
 struct ApproachQuery {
-  MotionBound a, b;
+  trajectory::MotionBound a, b;
   double reach;       // m: farther apart than this, the reference points' bodies cannot touch
   double begin, end;  // s of the tick
 };
@@ -23,4 +23,4 @@ bool stays_out_of_reach(const ApproachQuery& encounter);
 double earliest_contact_time(const ApproachQuery& encounter, const geometry::Separation& separation,
                              double radius_a, double radius_b, double margin);
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::collision

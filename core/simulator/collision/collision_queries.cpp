@@ -7,12 +7,13 @@
 #include <algorithm>
 #include <cmath>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::collision {
 
 namespace {
 
-const Segment& obstacle_segment() {
-  static const Segment still = still_segment(BodyState{}, 0.0, never);
+const trajectory::Segment& obstacle_segment() {
+  static const trajectory::Segment still =
+      trajectory::still_segment(BodyState{}, 0.0, trajectory::never);
   return still;
 }
 
@@ -28,12 +29,12 @@ const geometry::Outline& end_wall_of(const StaticWorld& world, int obstacle) {
 
 // Calls f with the two of a pair, of which the second may be a wall, and the end of both segments.
 template <class F>
-double with_movers(const StaticWorld& world, const Pair& pair, std::span<const Segment> segments,
-                   F f) {
-  const Segment& a = segments[pair.a];
+double with_movers(const StaticWorld& world, const Pair& pair,
+                   std::span<const trajectory::Segment> segments, F f) {
+  const trajectory::Segment& a = segments[pair.a];
   const MovingOutline mover{world.shape(pair.a), a};
   if (pair.with_plane()) return f(mover, world.field->walls[pair.obstacle()], a.end);
-  const Segment& b = pair.with_obstacle() ? obstacle_segment() : segments[pair.partner];
+  const trajectory::Segment& b = pair.with_obstacle() ? obstacle_segment() : segments[pair.partner];
   return f(mover, MovingOutline{partner_outline(world, pair), b}, std::min(a.end, b.end));
 }
 
@@ -150,17 +151,17 @@ double clamped_gap(const StaticWorld& world, std::span<const BodyState> bodies, 
 }
 
 double first_time_below(const StaticWorld& world, const Pair& pair, double level,
-                        std::span<const Segment> segments, double t) {
+                        std::span<const trajectory::Segment> segments, double t) {
   return with_movers(world, pair, segments, [&](const MovingOutline& a, const auto& b, double end) {
     return time_of_impact(a, b, level, t, end);
   });
 }
 
-double contact_time(const StaticWorld& world, const Pair& pair, std::span<const Segment> segments,
-                    double t, double sink) {
+double contact_time(const StaticWorld& world, const Pair& pair,
+                    std::span<const trajectory::Segment> segments, double t, double sink) {
   return with_movers(world, pair, segments, [&](const MovingOutline& a, const auto& b, double end) {
     return time_of_impact_or_penetration(a, b, sink, t, end);
   });
 }
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::collision

@@ -15,7 +15,7 @@
 #include <array>
 #include <span>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::collision {
 
 struct StaticWorld {
   Parameters parameters;
@@ -27,7 +27,7 @@ struct StaticWorld {
   geometry::Outline robot_outline;
   geometry::Outline ball_outline;
   std::array<geometry::Outline, end_walls> end_wall_outlines;
-  InverseMass free_robot, grounded_robot, ball;
+  solver::InverseMass free_robot, grounded_robot, ball;
   double reach_of_robots = 0.0;  // m between reference points: beyond, two robots do not touch
   double reach_of_ball = 0.0;    // m: beyond, the ball and a robot do not
 
@@ -84,11 +84,11 @@ double clamped_gap(const StaticWorld& world, std::span<const BodyState> bodies,
 // The first time from t on at which the pair's gap is `level` or less, m, or never; t and the segments
 // as in contact_time().
 double first_time_below(const StaticWorld& world, const Pair& pair, double level,
-                        std::span<const Segment> segments, double t);
+                        std::span<const trajectory::Segment> segments, double t);
 
 // When the pair first touches in [t, end of both segments], or never. A pair that touches at t
 // already is looked at until it has come closer by `sink`, m.
-double contact_time(const StaticWorld& world, const Pair& pair, std::span<const Segment> segments,
-                    double t, double sink);
+double contact_time(const StaticWorld& world, const Pair& pair,
+                    std::span<const trajectory::Segment> segments, double t, double sink);
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::collision

@@ -1,33 +1,33 @@
 // SPDX-License-Identifier: MIT
 #include "core/simulator/collision/contact_constraint.hpp"
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::collision {
 
-InverseMass free_robot_mass(const Parameters& p) {
+solver::InverseMass free_robot_mass(const Parameters& p) {
   return {1.0 / p.robot_mass, 1.0 / p.robot_mass, 1.0 / p.robot_inertia()};
 }
 
-InverseMass robot_mass(const Parameters& p, bool wheels_on_ground) {
-  InverseMass mass = free_robot_mass(p);
+solver::InverseMass robot_mass(const Parameters& p, bool wheels_on_ground) {
+  solver::InverseMass mass = free_robot_mass(p);
   if (wheels_on_ground && p.grip == infinite_grip) mass.left = 0.0;
   return mass;
 }
 
-InverseMass ball_mass(const Parameters& p) {
+solver::InverseMass ball_mass(const Parameters& p) {
   const double inverse = 1.0 / p.effective_ball_mass();
   return {inverse, inverse, 0.0};
 }
 
-JacobianRow contact_row(const BodyState& body, const ContactPoint& contact) {
+solver::JacobianRow contact_row(const BodyState& body, const ContactPoint& contact) {
   const Vec2 n = body.heading.to_body(contact.normal);
   return {n.x(), n.y(), cross(Vec2{contact.point - body.position}, contact.normal)};
 }
 
 void set_row(std::span<const BodyState> bodies, Contact& c) {
   const auto part = [&](int body) {
-    return body != no_body ? contact_row(bodies[body], c.point) : JacobianRow{};
+    return body != no_body ? contact_row(bodies[body], c.point) : solver::JacobianRow{};
   };
-  c.row = difference_row(c.a, c.b, part(c.a), part(c.b));
+  c.row = solver::difference_row(c.a, c.b, part(c.a), part(c.b));
 }
 
 BodySet bodies_of(std::span<const Contact> contacts) {
@@ -36,19 +36,20 @@ BodySet bodies_of(std::span<const Contact> contacts) {
   return bodies;
 }
 
-ConstraintRow lateral_wheel_row(int robot) {
+solver::ConstraintRow lateral_wheel_row(int robot) {
   return {.a = robot, .b = no_body, .on_a = {0.0, 1.0, 0.0}, .on_b = {}};
 }
 
-double row_rate(const ConstraintRow& row, std::span<const BodyState> bodies) {
-  double rate = along(row.on_a, bodies[row.a].twist);
-  if (row.b != no_body) rate += along(row.on_b, bodies[row.b].twist);
+double row_rate(const solver::ConstraintRow& row, std::span<const BodyState> bodies) {
+  double rate = solver::along(row.on_a, bodies[row.a].twist);
+  if (row.b != no_body) rate += solver::along(row.on_b, bodies[row.b].twist);
   return rate;
 }
 
-double inverse_effective_mass(const ConstraintRow& row, std::span<const InverseMass> mass) {
-  const auto of_body = [&mass](int body, const JacobianRow& part) {
-    const InverseMass& m = mass[body];
+double inverse_effective_mass(const solver::ConstraintRow& row,
+                              std::span<const solver::InverseMass> mass) {
+  const auto of_body = [&mass](int body, const solver::JacobianRow& part) {
+    const solver::InverseMass& m = mass[body];
     return part[0] * m.forward * part[0] + part[1] * m.left * part[1] + part[2] * m.omega * part[2];
   };
   double sum = of_body(row.a, row.on_a);
@@ -56,16 +57,17 @@ double inverse_effective_mass(const ConstraintRow& row, std::span<const InverseM
   return sum;
 }
 
-void add_impulse(const JacobianRow& row, double impulse, const InverseMass& mass, Twist& twist) {
+void add_impulse(const solver::JacobianRow& row, double impulse, const solver::InverseMass& mass,
+                 Twist& twist) {
   twist.forward += impulse * row[0] * mass.forward;
   twist.left += impulse * row[1] * mass.left;
   twist.omega += impulse * row[2] * mass.omega;
 }
 
-void apply_impulse(const ConstraintRow& row, double impulse, std::span<const InverseMass> mass,
-                   std::span<BodyState> bodies) {
+void apply_impulse(const solver::ConstraintRow& row, double impulse,
+                   std::span<const solver::InverseMass> mass, std::span<BodyState> bodies) {
   add_impulse(row.on_a, impulse, mass[row.a], bodies[row.a].twist);
   if (row.b != no_body) add_impulse(row.on_b, impulse, mass[row.b], bodies[row.b].twist);
 }
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::collision

@@ -12,14 +12,14 @@
 #include <array>
 #include <span>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::collision {
 
-InverseMass free_robot_mass(const Parameters& parameters);
-InverseMass robot_mass(const Parameters& parameters, bool wheels_on_ground);
-InverseMass ball_mass(const Parameters& parameters);
+solver::InverseMass free_robot_mass(const Parameters& parameters);
+solver::InverseMass robot_mass(const Parameters& parameters, bool wheels_on_ground);
+solver::InverseMass ball_mass(const Parameters& parameters);
 
 // One body's part of the row of a gap's rate.
-JacobianRow contact_row(const BodyState& body, const ContactPoint& contact);
+solver::JacobianRow contact_row(const BodyState& body, const ContactPoint& contact);
 
 // How a pair of surfaces answers an impact.
 struct ContactMaterial {
@@ -43,10 +43,10 @@ struct RestingForce {
 
 struct Contact {
   Pair pair;
-  int a = no_body;      // the point's side, or no_body if that is a wall's corner
-  int b = no_body;      // the edge's side, or no_body if that is a wall
-  ContactPoint point;   // where
-  ConstraintRow row{};  // the rate of the gap
+  int a = no_body;              // the point's side, or no_body if that is a wall's corner
+  int b = no_body;              // the edge's side, or no_body if that is a wall
+  ContactPoint point;           // where
+  solver::ConstraintRow row{};  // the rate of the gap
   ContactMaterial material{};
   ContactImpact impact{};
   RestingForce resting{};
@@ -59,7 +59,7 @@ BodySet bodies_of(std::span<const Contact> contacts);
 
 // The contacts of the bodies that touch at one instant.
 struct ContactList {
-  std::array<Contact, max_unknowns - max_bodies> list;
+  std::array<Contact, solver::max_unknowns - max_bodies> list;
   int count = 0;
 
   std::span<Contact> contacts() { return {list.data(), static_cast<std::size_t>(count)}; }
@@ -91,19 +91,21 @@ void for_each_pair(std::span<const Contact> contacts, Visit visit) {
 }
 
 // The row of a robot's sideways velocity v_l, along which the ground's force acts on its wheels.
-ConstraintRow lateral_wheel_row(int robot);
+solver::ConstraintRow lateral_wheel_row(int robot);
 
 // The rate of a row, m/s: of a contact's row that of its gap.
-double row_rate(const ConstraintRow& row, std::span<const BodyState> bodies);
+double row_rate(const solver::ConstraintRow& row, std::span<const BodyState> bodies);
 
 // The inverse effective mass of a row, J M^-1 J', 1/kg: what an impulse of 1 N s along the row adds to its rate.
-double inverse_effective_mass(const ConstraintRow& row, std::span<const InverseMass> mass);
+double inverse_effective_mass(const solver::ConstraintRow& row,
+                              std::span<const solver::InverseMass> mass);
 
 // Adds to one body's twist what an impulse, N s, along its part of a row changes.
-void add_impulse(const JacobianRow& row, double impulse, const InverseMass& mass, Twist& twist);
+void add_impulse(const solver::JacobianRow& row, double impulse, const solver::InverseMass& mass,
+                 Twist& twist);
 
 // Adds an impulse, N s, along the row to the twists of its bodies.
-void apply_impulse(const ConstraintRow& row, double impulse, std::span<const InverseMass> mass,
-                   std::span<BodyState> bodies);
+void apply_impulse(const solver::ConstraintRow& row, double impulse,
+                   std::span<const solver::InverseMass> mass, std::span<BodyState> bodies);
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::collision

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::collision {
 
 namespace {
 
@@ -130,4 +130,4 @@ ContactPoints contact_points(const geometry::Outline& a, const Pose& body_a,
   return found;
 }
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::collision

@@ -9,7 +9,7 @@
 
 #include <array>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::collision {
 
 // What rests on what. Of two polygons one has an edge and the other a corner on it; the ball rests
 // on an edge or on a corner. The one with the point (corner or ball) is called the point's side,
@@ -45,4 +45,4 @@ ContactPoints contact_points(const geometry::Outline& a, const Pose& body_a,
 ContactPoints corners_over(const geometry::Reference& reference, const geometry::Outline& a,
                            const Pose& body_a, const geometry::Outline& b, const Pose& body_b);
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::collision

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::collision {
 
 namespace {
 
@@ -13,16 +13,17 @@ struct Pivot {
   const geometry::Outline& shape;  // of the robot
   Vec2 corner;                     // that presses, in the robot's frame
   int corner_index;
-  const Segment& robot;
-  const Segment* edge;  // of the edge's body; null: a wall
-  Vec2 normal;          // of the edge, in its body's frame or the field's
+  const trajectory::Segment& robot;
+  const trajectory::Segment* edge;  // of the edge's body; null: a wall
+  Vec2 normal;                      // of the edge, in its body's frame or the field's
 
   double length() const {
     return edge == nullptr ? robot.end - robot.begin : std::min(robot.end, edge->end) - robot.begin;
   }
 };
 
-Pivot pivot_of(const StaticWorld& world, const Contact& c, std::span<const Segment> segments) {
+Pivot pivot_of(const StaticWorld& world, const Contact& c,
+               std::span<const trajectory::Segment> segments) {
   const geometry::Outline& shape = world.shape(c.a);
   const bool on_wall = c.b == no_body;
   return {.shape = shape,
@@ -34,10 +35,10 @@ Pivot pivot_of(const StaticWorld& world, const Contact& c, std::span<const Segme
 }
 
 // By how much the robot turns against the edge, between these bounds.
-Range turn_over(const Pivot& pivot) {
-  const Series rate =
+trajectory::Range turn_over(const Pivot& pivot) {
+  const trajectory::Series rate =
       pivot.edge == nullptr ? pivot.robot.omega : pivot.robot.omega - pivot.edge->omega;
-  Range turned{0.0, 0.0};
+  trajectory::Range turned{0.0, 0.0};
   double power = 1.0;
   for (int k = 0; k < rate.terms; ++k) {
     power *= pivot.length();
@@ -49,13 +50,13 @@ Range turn_over(const Pivot& pivot) {
 }
 
 struct RelativeHeading {
-  Series cos, sin;
+  trajectory::Series cos, sin;
 };
 
 RelativeHeading relative_heading(const Pivot& pivot) {
-  const Segment& a = pivot.robot;
+  const trajectory::Segment& a = pivot.robot;
   if (pivot.edge == nullptr) return {a.cos, a.sin};
-  const Segment& b = *pivot.edge;
+  const trajectory::Segment& b = *pivot.edge;
   return {b.cos * a.cos + b.sin * a.sin, b.cos * a.sin - b.sin * a.cos};
 }
 
@@ -74,10 +75,10 @@ bool is_separating_edge(const StaticWorld& world, const Contact& c) {
 }
 
 double next_corner_contact(const StaticWorld& world, const Contact& contact, bool others,
-                           std::span<const Segment> segments, double sink) {
-  if (others || contact.point.kind != Touching::corner_on_edge) return never;
+                           std::span<const trajectory::Segment> segments, double sink) {
+  if (others || contact.point.kind != Touching::corner_on_edge) return trajectory::never;
   const Pivot pivot = pivot_of(world, contact, segments);
-  const Range turned = turn_over(pivot);
+  const trajectory::Range turned = turn_over(pivot);
   const double most = std::max(-turned.low, turned.high);
   const Vec2 n{contact.row.on_a[0], contact.row.on_a[1]};  // in the robot's frame, at the begin
   std::array<Vec2, geometry::max_corners> arms;
@@ -92,12 +93,12 @@ double next_corner_contact(const StaticWorld& world, const Contact& contact, boo
                          most * most * (0.5 * std::abs(up) + most * std::abs(across) / 6.0);
     if (least <= world.tolerances.contact_gap) arms[close++] = arm;
   }
-  if (close == 0) return never;
+  if (close == 0) return trajectory::never;
 
   const RelativeHeading heading = relative_heading(pivot);
-  double first = never;
+  double first = trajectory::never;
   for (int i = 0; i < close; ++i) {
-    const Series height =
+    const trajectory::Series height =
         pivot.normal.dot(arms[i]) * heading.cos + cross(arms[i], pivot.normal) * heading.sin;
     const double level = std::min(height[0], 0.0) - sink;
     first = std::min(first, first_crossing(height, level, 0.0, std::min(first, pivot.length())));
@@ -107,7 +108,8 @@ double next_corner_contact(const StaticWorld& world, const Contact& contact, boo
 
 std::optional<double> next_contact_time(const StaticWorld& world, const Pair& pair,
                                         std::span<const Contact> contacts,
-                                        std::span<const Segment> segments, double sink) {
+                                        std::span<const trajectory::Segment> segments,
+                                        double sink) {
   const Contact* pressing = nullptr;
   bool others = false;
   for (const Contact& c : contacts) {
@@ -119,4 +121,4 @@ std::optional<double> next_contact_time(const StaticWorld& world, const Pair& pa
   return next_corner_contact(world, *pressing, others, segments, sink);
 }
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::collision

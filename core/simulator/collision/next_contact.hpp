@@ -12,7 +12,7 @@
 #include <optional>
 #include <span>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::collision {
 
 // Is `contact` one of those that this is known of: is it kept pressing, with a body on a plane wall, or
 // with the ball or a robot's corner on a robot, and is no other corner beyond the line? (One can be
@@ -23,11 +23,11 @@ bool is_separating_edge(const StaticWorld& world, const Contact& contact);
 // line, closer by `sink` (m) if it is there already; or never until the end of their segments,
 // which begin together. `others` of the same pair press, too: then nothing can turn.
 double next_corner_contact(const StaticWorld& world, const Contact& contact, bool others,
-                           std::span<const Segment> segments, double sink);
+                           std::span<const trajectory::Segment> segments, double sink);
 
 // The same of all contacts of a pair; nothing if none of them is known to keep it apart.
 std::optional<double> next_contact_time(const StaticWorld& world, const Pair& pair,
                                         std::span<const Contact> contacts,
-                                        std::span<const Segment> segments, double sink);
+                                        std::span<const trajectory::Segment> segments, double sink);
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::collision

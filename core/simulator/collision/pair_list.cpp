@@ -3,9 +3,10 @@
 
 #include "core/simulator/collision/broad_phase.hpp"
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::collision {
 
-std::span<CandidatePair> PairList::find(const StaticWorld& world, std::span<const Box> boxes,
+std::span<CandidatePair> PairList::find(const StaticWorld& world,
+                                        std::span<const trajectory::Box> boxes,
                                         const BodySet& changed) {
   int kept = 0;
   for (int i = 0; i < count_; ++i) {
@@ -42,4 +43,4 @@ CandidatePair* PairList::earliest(double& t) {
   return first;
 }
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::collision

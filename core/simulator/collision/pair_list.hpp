@@ -9,13 +9,14 @@
 #include <array>
 #include <span>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::collision {
 
 struct CandidatePair {
   Pair pair;
-  double contact_time = never;  // s of the tick; not before this while it is only estimated
-  double estimated = 0.0;       // when the estimate was made: from here on the touch is to be found
-  double apart_at = -1.0;       // s: when they were last seen not to touch
+  double contact_time =
+      trajectory::never;   // s of the tick; not before this while it is only estimated
+  double estimated = 0.0;  // when the estimate was made: from here on the touch is to be found
+  double apart_at = -1.0;  // s: when they were last seen not to touch
   bool is_estimate = false;
   int estimates = 0;  // how often it was estimated anew
 
@@ -39,7 +40,7 @@ class PairList {
 
   // Finds the pairs of the changed bodies anew: those whose boxes meet. When they touch is for the
   // caller to say.
-  std::span<CandidatePair> find(const StaticWorld& world, std::span<const Box> boxes,
+  std::span<CandidatePair> find(const StaticWorld& world, std::span<const trajectory::Box> boxes,
                                 const BodySet& changed);
 
  private:
@@ -49,4 +50,4 @@ class PairList {
   int count_ = 0;
 };
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::collision

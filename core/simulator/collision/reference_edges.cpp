@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::collision {
 
 namespace {
 
@@ -45,7 +45,7 @@ void use_reference_edges(const StaticWorld& world, std::span<const BodyState> be
     Pair pair;
     geometry::Reference over;
   };
-  std::array<Entry, max_unknowns> entries;
+  std::array<Entry, solver::max_unknowns> entries;
   int count = 0;
   for_each_pair(list.contacts(), [&](std::span<const Contact> contacts) {
     const auto first = edge_of_entry(world, contacts, begin, end);
@@ -61,4 +61,4 @@ void use_reference_edges(const StaticWorld& world, std::span<const BodyState> be
   }
 }
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::collision

@@ -12,7 +12,7 @@
 
 #include <span>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::collision {
 
 // The contacts in the list are of bodies that are at `end`, and were at `begin` without overlapping. Of
 // pairs that came in over another edge than their contacts have, the contacts are replaced: by both
@@ -20,4 +20,4 @@ namespace mirocup::simulator {
 void use_reference_edges(const StaticWorld& world, std::span<const BodyState> begin,
                          std::span<const BodyState> end, ContactList& list);
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::collision

@@ -13,12 +13,12 @@
 #include "core/geometry/outline.hpp"
 #include "core/simulator/trajectory/segment.hpp"
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::collision {
 
 // A body on its way: its outline and its segment.
 struct MovingOutline {
   const geometry::Outline& shape;
-  const Segment& segment;
+  const trajectory::Segment& segment;
 };
 
 // The first t in [begin, end] at which the gap has fallen to `level` (0, or negative for two that
@@ -35,4 +35,4 @@ double time_of_impact_or_penetration(const MovingOutline& a, const MovingOutline
 double time_of_impact_or_penetration(const MovingOutline& a, const field::Wall& wall, double sink,
                                      double begin, double end);
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::collision

@@ -9,25 +9,26 @@
 #include <array>
 #include <span>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::impact {
 
 // The bodies of several contacts, each with its rows: only contacts that share a body are coupled.
 class DelassusOperator {
  public:
   DelassusOperator() { newest_.fill(none); }
 
-  void add(int unknown, const ConstraintRow& row) {
+  void add(int unknown, const solver::ConstraintRow& row) {
     add(unknown, row.a, row.on_a);
     if (row.b != no_body) add(unknown, row.b, row.on_b);
   }
   // Adds J M^-1 J' to the matrix of a problem, or of equations.
   template <class Matrix>
-  void couple(std::span<const InverseMass> mass, Matrix& matrix) const {
+  void couple(std::span<const solver::InverseMass> mass, Matrix& matrix) const {
     for (std::size_t body = 0; body < mass.size(); ++body) {
-      const InverseMass& m = mass[body];
+      const solver::InverseMass& m = mass[body];
       for (int i = newest_[body]; i != none; i = rows_[i].before) {
         const Row& p = rows_[i];
-        const JacobianRow moved{p.row[0] * m.forward, p.row[1] * m.left, p.row[2] * m.omega};
+        const solver::JacobianRow moved{p.row[0] * m.forward, p.row[1] * m.left,
+                                        p.row[2] * m.omega};
         for (int j = i; j != none; j = rows_[j].before) {
           const Row& q = rows_[j];
           const double by = moved[0] * q.row[0] + moved[1] * q.row[1] + moved[2] * q.row[2];
@@ -40,30 +41,31 @@ class DelassusOperator {
  private:
   static constexpr int none = -1;
   struct Row {
-    JacobianRow row;
+    solver::JacobianRow row;
     int unknown;
     int before;  // the body's row before this one
   };
 
-  void add(int unknown, int body, const JacobianRow& row) {
+  void add(int unknown, int body, const solver::JacobianRow& row) {
     rows_[count_] = {row, unknown, newest_[body]};
     newest_[body] = count_++;
   }
 
   std::array<int, max_bodies> newest_;
-  std::array<Row, 2 * max_unknowns> rows_;
+  std::array<Row, 2 * solver::max_unknowns> rows_;
   int count_ = 0;
 };
 
 // Sets the matrix of a problem that was reset; row_of(i) is the row of unknown i < count.
 template <class RowOf>
-void assemble_delassus(int count, RowOf row_of, std::span<const InverseMass> mass, BoxQp& problem) {
+void assemble_delassus(int count, RowOf row_of, std::span<const solver::InverseMass> mass,
+                       solver::BoxQp& problem) {
   DelassusOperator bodies;
   for (int i = 0; i < count; ++i) bodies.add(i, row_of(i));
   bodies.couple(mass, problem);
   if (!problem.is_large()) return;
-  RegularizedQp& soft = problem.warm_start(mass);
+  solver::RegularizedQp& soft = problem.warm_start(mass);
   for (int i = 0; i < count; ++i) soft.add(row_of(i));
 }
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::impact

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::impact {
 
-ConstraintRow tangent_row(const Contact& c, std::span<const BodyState> bodies) {
-  Contact tangent = c;
+solver::ConstraintRow tangent_row(const collision::Contact& c, std::span<const BodyState> bodies) {
+  collision::Contact tangent = c;
   tangent.point.normal = cross(1.0, c.point.normal);
   set_row(bodies, tangent);
   return tangent.row;
@@ -17,21 +17,23 @@ bool has_friction(const Parameters& p) {
   return f.ball_wall > 0.0 || f.ball_robot > 0.0 || f.robot_wall > 0.0 || f.robot_robot > 0.0;
 }
 
-void resolve_friction(std::span<Contact> contacts, std::span<const InverseMass> mass,
-                      std::span<BodyState> bodies, BoxQp& problem) {
+void resolve_friction(std::span<collision::Contact> contacts,
+                      std::span<const solver::InverseMass> mass, std::span<BodyState> bodies,
+                      solver::BoxQp& problem) {
   bool some_slid = false;
-  for (const Contact& c : contacts) {
+  for (const collision::Contact& c : contacts) {
     const double friction = c.material.friction;
     if (friction == 0.0 || c.impact.impulse <= 0.0) continue;
-    const ConstraintRow tangent = tangent_row(c, bodies);
-    const double compliance = inverse_effective_mass(tangent, mass);
+    const solver::ConstraintRow tangent = tangent_row(c, bodies);
+    const double compliance = collision::inverse_effective_mass(tangent, mass);
     if (compliance <= 0.0) continue;
     const double most = friction * c.impact.impulse;
-    const double impulse = std::clamp(-row_rate(tangent, bodies) / compliance, -most, most);
-    apply_impulse(tangent, impulse, mass, bodies);
+    const double impulse =
+        std::clamp(-collision::row_rate(tangent, bodies) / compliance, -most, most);
+    collision::apply_impulse(tangent, impulse, mass, bodies);
     some_slid = some_slid || impulse != 0.0;
   }
   if (some_slid) stop_approaches(contacts, mass, bodies, problem);
 }
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::impact

@@ -14,15 +14,17 @@
 
 #include <span>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::impact {
 
 // The row of the contact's sliding velocity: along its tangent instead of its normal.
-ConstraintRow tangent_row(const Contact& contact, std::span<const BodyState> bodies);
+solver::ConstraintRow tangent_row(const collision::Contact& contact,
+                                  std::span<const BodyState> bodies);
 
 bool has_friction(const Parameters& parameters);
 
 // After resolve_impacts(), which has set the impulses.
-void resolve_friction(std::span<Contact> contacts, std::span<const InverseMass> mass,
-                      std::span<BodyState> bodies, BoxQp& problem);
+void resolve_friction(std::span<collision::Contact> contacts,
+                      std::span<const solver::InverseMass> mass, std::span<BodyState> bodies,
+                      solver::BoxQp& problem);
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::impact

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::impact {
 
 namespace {
 
@@ -15,7 +15,8 @@ constexpr double no_approach = 1e-13;
 // Rounds of throwing back before everything that still approaches is stopped for good.
 constexpr int max_rounds = 64;
 
-double kinetic_energy(std::span<const Contact> contacts, std::span<const InverseMass> mass,
+double kinetic_energy(std::span<const collision::Contact> contacts,
+                      std::span<const solver::InverseMass> mass,
                       std::span<const BodyState> bodies) {
   // Only bodies with a contact change; each counts once, at its first contact.
   double sum = 0.0;
@@ -23,13 +24,13 @@ double kinetic_energy(std::span<const Contact> contacts, std::span<const Inverse
   const auto add = [&](int i) {
     if (i == no_body || seen[i]) return;
     seen[i] = true;
-    const InverseMass& m = mass[i];
+    const solver::InverseMass& m = mass[i];
     const Twist& v = bodies[i].twist;
     if (m.forward > 0.0) sum += v.forward * v.forward / m.forward;
     if (m.left > 0.0) sum += v.left * v.left / m.left;
     if (m.omega > 0.0) sum += v.omega * v.omega / m.omega;
   };
-  for (const Contact& c : contacts) {
+  for (const collision::Contact& c : contacts) {
     add(c.a);
     add(c.b);
   }
@@ -37,54 +38,59 @@ double kinetic_energy(std::span<const Contact> contacts, std::span<const Inverse
 }
 
 // Impulses that just stop the chosen contacts: problem.x[i] belongs to contacts[chosen[i]].
-void stop(std::span<const Contact> contacts, std::span<const int> chosen,
-          std::span<const InverseMass> mass, std::span<const BodyState> bodies, BoxQp& problem) {
+void stop(std::span<const collision::Contact> contacts, std::span<const int> chosen,
+          std::span<const solver::InverseMass> mass, std::span<const BodyState> bodies,
+          solver::BoxQp& problem) {
   const int n = static_cast<int>(chosen.size());
   problem.reset(n);
   for (int i = 0; i < n; ++i) {
-    problem.b[i] = row_rate(contacts[chosen[i]].row, bodies);
+    problem.b[i] = collision::row_rate(contacts[chosen[i]].row, bodies);
   }
   assemble_delassus(
-      n, [&](int i) -> const ConstraintRow& { return contacts[chosen[i]].row; }, mass, problem);
+      n, [&](int i) -> const solver::ConstraintRow& { return contacts[chosen[i]].row; }, mass,
+      problem);
   problem.solve();
 }
 
-void apply(std::span<Contact> contacts, std::span<const int> chosen, double sign,
-           std::optional<double> common_restitution, std::span<const InverseMass> mass,
-           std::span<BodyState> bodies, const BoxQp& problem) {
+void apply(std::span<collision::Contact> contacts, std::span<const int> chosen, double sign,
+           std::optional<double> common_restitution, std::span<const solver::InverseMass> mass,
+           std::span<BodyState> bodies, const solver::BoxQp& problem) {
   for (std::size_t i = 0; i < chosen.size(); ++i) {
-    Contact& c = contacts[chosen[i]];
+    collision::Contact& c = contacts[chosen[i]];
     const double e = common_restitution.value_or(c.material.restitution);
     const double impulse = sign * (1.0 + e) * problem.x[i];
-    apply_impulse(c.row, impulse, mass, bodies);
+    collision::apply_impulse(c.row, impulse, mass, bodies);
     c.impact.impulse += impulse;
   }
 }
 
 // Equation (21).
-void resolve_single(Contact& c, std::span<const InverseMass> mass, std::span<BodyState> bodies) {
-  ContactImpact& impact = c.impact;
+void resolve_single(collision::Contact& c, std::span<const solver::InverseMass> mass,
+                    std::span<BodyState> bodies) {
+  collision::ContactImpact& impact = c.impact;
   if (impact.approach <= no_approach) return;
   const double e = impact.approach > impact.restitution_threshold ? c.material.restitution : 0.0;
-  impact.impulse = (1.0 + e) * impact.approach / inverse_effective_mass(c.row, mass);
-  apply_impulse(c.row, impact.impulse, mass, bodies);
+  impact.impulse = (1.0 + e) * impact.approach / collision::inverse_effective_mass(c.row, mass);
+  collision::apply_impulse(c.row, impact.impulse, mass, bodies);
 }
 
 }  // namespace
 
-void stop_approaches(std::span<Contact> contacts, std::span<const InverseMass> mass,
-                     std::span<BodyState> bodies, BoxQp& problem) {
-  std::array<int, max_unknowns> chosen;
+void stop_approaches(std::span<collision::Contact> contacts,
+                     std::span<const solver::InverseMass> mass, std::span<BodyState> bodies,
+                     solver::BoxQp& problem) {
+  std::array<int, solver::max_unknowns> chosen;
   for (std::size_t i = 0; i < contacts.size(); ++i) chosen[i] = static_cast<int>(i);
   const std::span<const int> all(chosen.data(), contacts.size());
   stop(contacts, all, mass, bodies, problem);
   apply(contacts, all, 1.0, 0.0, mass, bodies, problem);
 }
 
-void resolve_impacts(std::span<Contact> contacts, std::span<const InverseMass> mass,
-                     std::span<BodyState> bodies, BoxQp& problem) {
-  for (Contact& c : contacts) {
-    c.impact.approach = -row_rate(c.row, bodies);
+void resolve_impacts(std::span<collision::Contact> contacts,
+                     std::span<const solver::InverseMass> mass, std::span<BodyState> bodies,
+                     solver::BoxQp& problem) {
+  for (collision::Contact& c : contacts) {
+    c.impact.approach = -collision::row_rate(c.row, bodies);
     c.impact.impulse = 0.0;
   }
   if (contacts.size() == 1) {
@@ -92,12 +98,12 @@ void resolve_impacts(std::span<Contact> contacts, std::span<const InverseMass> m
     return;
   }
 
-  std::array<int, max_unknowns> chosen;
+  std::array<int, solver::max_unknowns> chosen;
   for (int round = 0; round < max_rounds; ++round) {
     std::size_t n = 0;
     bool some_bounce = false;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
-      const double approach = -row_rate(contacts[i].row, bodies);
+      const double approach = -collision::row_rate(contacts[i].row, bodies);
       if (approach > no_approach) chosen[n++] = static_cast<int>(i);
       some_bounce = some_bounce || approach > contacts[i].impact.restitution_threshold;
     }
@@ -120,4 +126,4 @@ void resolve_impacts(std::span<Contact> contacts, std::span<const InverseMass> m
   stop_approaches(contacts, mass, bodies, problem);
 }
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::impact

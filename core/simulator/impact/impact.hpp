@@ -14,14 +14,16 @@
 
 #include <span>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::impact {
 
 // Changes the twists of the bodies, and sets approach and impulse of the contacts.
-void resolve_impacts(std::span<Contact> contacts, std::span<const InverseMass> mass,
-                     std::span<BodyState> bodies, BoxQp& problem);
+void resolve_impacts(std::span<collision::Contact> contacts,
+                     std::span<const solver::InverseMass> mass, std::span<BodyState> bodies,
+                     solver::BoxQp& problem);
 
 // Stops all contacts that approach, together and without throwing them back; adds to the impulses.
-void stop_approaches(std::span<Contact> contacts, std::span<const InverseMass> mass,
-                     std::span<BodyState> bodies, BoxQp& problem);
+void stop_approaches(std::span<collision::Contact> contacts,
+                     std::span<const solver::InverseMass> mass, std::span<BodyState> bodies,
+                     solver::BoxQp& problem);
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::impact

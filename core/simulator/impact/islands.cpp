@@ -3,22 +3,22 @@
 
 #include <algorithm>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::impact {
 
-BodySet cluster_of(int body, std::span<const Contact> contacts) {
+BodySet cluster_of(int body, std::span<const collision::Contact> contacts) {
   return connected(BodySet(1UL << body), contacts,
-                   [](const Contact& c) { return c.resting.is_active; });
+                   [](const collision::Contact& c) { return c.resting.is_active; });
 }
 
-BodySet islands_of(const BodySet& bodies, std::span<const Contact> contacts) {
-  return connected(bodies, contacts, [](const Contact&) { return true; });
+BodySet islands_of(const BodySet& bodies, std::span<const collision::Contact> contacts) {
+  return connected(bodies, contacts, [](const collision::Contact&) { return true; });
 }
 
-void Islands::sort(ContactList& contacts) {
+void Islands::sort(collision::ContactList& contacts) {
   count_ = 0;
   begin_[0] = 0;
   for (std::size_t left = 0; left < contacts.contacts().size();) {
-    const std::span<Contact> rest = contacts.contacts().subspan(left);
+    const std::span<collision::Contact> rest = contacts.contacts().subspan(left);
     const BodySet group = islands_of(bodies_of(rest.front().pair), rest);
     left += move_to_front(rest, group);
     begin_[++count_] = left;
@@ -26,10 +26,10 @@ void Islands::sort(ContactList& contacts) {
 }
 
 // Contacts of the group first, then the others. Returns how many of the group there are.
-std::size_t Islands::move_to_front(std::span<Contact> contacts, const BodySet& group) {
+std::size_t Islands::move_to_front(std::span<collision::Contact> contacts, const BodySet& group) {
   std::size_t count = 0;
   std::size_t others = 0;
-  for (Contact& c : contacts) {
+  for (collision::Contact& c : contacts) {
     if (!group[c.pair.a]) {
       others_.list[others++] = c;
     } else {
@@ -41,4 +41,4 @@ std::size_t Islands::move_to_front(std::span<Contact> contacts, const BodySet& g
   return count;
 }
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::impact

@@ -3,12 +3,13 @@
 
 #include <array>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::impact {
 
-void add_displacement(const ConstraintRow& row, double amount, std::span<const InverseMass> mass,
+void add_displacement(const solver::ConstraintRow& row, double amount,
+                      std::span<const solver::InverseMass> mass,
                       std::span<Displacement> displacements) {
-  add_impulse(row.on_a, amount, mass[row.a], displacements[row.a]);
-  if (row.b != no_body) add_impulse(row.on_b, amount, mass[row.b], displacements[row.b]);
+  collision::add_impulse(row.on_a, amount, mass[row.a], displacements[row.a]);
+  if (row.b != no_body) collision::add_impulse(row.on_b, amount, mass[row.b], displacements[row.b]);
 }
 
 BodyState displaced(const BodyState& body, const Displacement& by) {
@@ -18,8 +19,9 @@ BodyState displaced(const BodyState& body, const Displacement& by) {
   return moved;
 }
 
-void project_positions(std::span<const Contact> contacts, std::span<const InverseMass> free_mass,
-                       std::span<BodyState> bodies, RegularizedQp& problem) {
+void project_positions(std::span<const collision::Contact> contacts,
+                       std::span<const solver::InverseMass> free_mass, std::span<BodyState> bodies,
+                       solver::RegularizedQp& problem) {
   const int n = static_cast<int>(contacts.size());
   problem.reset(free_mass);
   for (int i = 0; i < n; ++i) {
@@ -40,4 +42,4 @@ void project_positions(std::span<const Contact> contacts, std::span<const Invers
   }
 }
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::impact

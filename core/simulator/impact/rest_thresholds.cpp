@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::impact {
 
 namespace {
 
@@ -37,10 +37,11 @@ RestThresholds::GrowthTable RestThresholds::growing(double first, double growth,
 RestThresholds::RestThresholds(const Tolerances& t)
     : tolerances_(t),
       restitution_after_touches_(
-          growing(t.restitution_threshold, t.restitution_growth_per_touch, never)),
+          growing(t.restitution_threshold, t.restitution_growth_per_touch, trajectory::never)),
       penetration_after_touches_(
           growing(t.penetration, t.penetration_growth_per_touch, t.contact_gap, t.free_touches)),
-      slip_after_touches_(growing(t.min_slip_speed, t.min_slip_growth_per_touch, never)) {
+      slip_after_touches_(
+          growing(t.min_slip_speed, t.min_slip_growth_per_touch, trajectory::never)) {
   // Until the second touch.
   restitution_after_touches_[0] = restitution_after_touches_[1] = t.first_restitution_threshold;
 }
@@ -64,8 +65,8 @@ void RestThresholds::begin_tick(const BodySet& touching) {
   over_budget_ = tolerances_.event_budget > 0 ? BodySet{} : ~BodySet{};
   all_touches_ = 0;
   last_touch_ = 0.0;
-  slip_threshold_ = slip_round_off;
-  roll_threshold_ = roll_round_off;
+  slip_threshold_ = trajectory::slip_round_off;
+  roll_threshold_ = trajectory::roll_round_off;
   min_duration_ = tolerances_.min_contact_duration;
 }
 
@@ -148,8 +149,8 @@ double RestThresholds::min_slip_speed(int robot) const {
 }
 
 double RestThresholds::preferred_duration(double t) const {
-  if (all_touches_ == 0) return never;
+  if (all_touches_ == 0) return trajectory::never;
   return times_between_touches * std::max(t / all_touches_, t - last_touch_);
 }
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::impact

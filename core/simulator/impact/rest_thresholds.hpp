@@ -15,7 +15,7 @@
 
 #include <array>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::impact {
 
 class RestThresholds {
  public:
@@ -81,4 +81,4 @@ class RestThresholds {
   double min_duration_ = 0.0;
 };
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::impact

@@ -7,7 +7,7 @@
 
 #include <bit>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::inline model {
 
 // Bodies are the robots by index, then the ball. Obstacles are the eight half-plane walls, side walls
 // first, then the four end walls beside the goal mouths.
@@ -53,4 +53,4 @@ inline Pair pair_with_obstacle(int i, int obstacle) {
   return {i, max_bodies + obstacle};
 }
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::inline model

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/simulator/model/parameters.hpp"
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::inline model {
 
 double Parameters::robot_inertia() const {
   if (robot_corners.corners == 0) return robot_mass * robot_side * robot_side / 6.0;
@@ -25,4 +25,4 @@ geometry::Outline robot_outline(const Parameters& p) {
   return geometry::polygon({corners.data(), static_cast<std::size_t>(p.robot_corners.corners)});
 }
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::inline model

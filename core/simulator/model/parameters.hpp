@@ -11,7 +11,7 @@
 #include <array>
 #include <limits>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::inline model {
 
 inline constexpr double gravity = 9.81;  // m/s^2
 
@@ -66,7 +66,7 @@ struct Parameters {
 // The robot of the parameters.
 geometry::Outline robot_outline(const Parameters& parameters);
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::inline model
 
 namespace mirocup {
 

@@ -11,7 +11,7 @@
 #include <bitset>
 #include <optional>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::inline model {
 
 inline constexpr int max_robots = 2 * max_robots_per_team;
 inline constexpr int max_bodies = max_robots + 1;  // and the ball
@@ -51,4 +51,4 @@ struct WheelSpeeds {
 };
 using WheelCommand = std::optional<WheelSpeeds>;
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::inline model

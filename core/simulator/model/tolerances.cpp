@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/simulator/model/tolerances.hpp"
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::inline model {
 
 Tolerances tolerances_of(Accuracy accuracy) {
   Tolerances t;
@@ -34,4 +34,4 @@ Tolerances tolerances_of(Accuracy accuracy) {
   return t;
 }
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::inline model

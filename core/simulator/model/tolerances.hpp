@@ -7,7 +7,7 @@
 
 #include <array>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::inline model {
 
 // How exact the simulator is asked to be. Free motion and single impacts are exact to rounding at
 // every level; what differs is how closely bodies in lasting contact are followed. A match is always
@@ -53,7 +53,7 @@ struct Tolerances {
 
 Tolerances tolerances_of(Accuracy accuracy);
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::inline model
 
 namespace mirocup {
 

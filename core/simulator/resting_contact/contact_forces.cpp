@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::resting_contact {
 
 namespace {
 
@@ -26,27 +26,29 @@ constexpr double min_closing = 1e-9;
 
 }  // namespace
 
-ContactForces::ContactForces(const StaticWorld& world) : world_(world), rows_(max_unknowns) {
-  constraints_.reserve(max_unknowns);
-  for (int i = 0; i < world.robots; ++i) wheel_rows_[i] = lateral_wheel_row(i);
+ContactForces::ContactForces(const collision::StaticWorld& world)
+    : world_(world), rows_(solver::max_unknowns) {
+  constraints_.reserve(solver::max_unknowns);
+  for (int i = 0; i < world.robots; ++i) wheel_rows_[i] = collision::lateral_wheel_row(i);
 }
 
-const InverseMass& ContactForces::mass(int body, std::span<const DriveReference> drives) const {
+const solver::InverseMass& ContactForces::mass(
+    int body, std::span<const trajectory::DriveReference> drives) const {
   if (world_.is_ball(body)) return world_.ball;
   return drives[body].wheels_on_ground ? world_.grounded_robot : world_.free_robot;
 }
 
-void ContactForces::decide(std::span<const DriveReference> drives, double slip_threshold,
-                           double roll_threshold, std::span<BodyState> bodies,
-                           std::span<Contact> contacts) {
+void ContactForces::decide(std::span<const trajectory::DriveReference> drives,
+                           double slip_threshold, double roll_threshold,
+                           std::span<BodyState> bodies, std::span<collision::Contact> contacts) {
   slip_threshold_ = slip_threshold;
   roll_threshold_ = roll_threshold;
   candidate_count_ = 0;
   BodySet in_contact;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    Contact& c = contacts[i];
+    collision::Contact& c = contacts[i];
     c.resting.is_active = false;
-    if (row_rate(c.row, bodies) > c.impact.restitution_threshold) continue;
+    if (collision::row_rate(c.row, bodies) > c.impact.restitution_threshold) continue;
     candidate_[candidate_count_++] = static_cast<int>(i);
     in_contact |= bodies_of(c.pair);
   }
@@ -69,22 +71,22 @@ void ContactForces::decide(std::span<const DriveReference> drives, double slip_t
   project_velocities(drives, bodies, contacts);
   // What that gives a ball at rest on which nothing presses is rounding: it would stop at once, again
   // and again.
-  if (rests && cluster_of(ball, contacts).none()) bodies[ball].twist = {};
+  if (rests && impact::cluster_of(ball, contacts).none()) bodies[ball].twist = {};
 }
 
 // Gaps that are held do not change, no other closes, wheels that roll do not slide yet. Of all such
 // velocities, those nearest to what they were, for all bodies together: that never adds energy. It
 // could, if one body alone had to give way to another that goes on as it likes.
-void ContactForces::project_velocities(std::span<const DriveReference> drives,
+void ContactForces::project_velocities(std::span<const trajectory::DriveReference> drives,
                                        std::span<BodyState> bodies,
-                                       std::span<const Contact> contacts) {
+                                       std::span<const collision::Contact> contacts) {
   if (std::none_of(contacts.begin(), contacts.end(),
-                   [](const Contact& c) { return c.resting.is_active; })) {
+                   [](const collision::Contact& c) { return c.resting.is_active; })) {
     return;
   }
-  std::array<InverseMass, max_bodies> mass;
+  std::array<solver::InverseMass, max_bodies> mass;
   constraints_.clear();
-  for (const Contact& c : contacts) {
+  for (const collision::Contact& c : contacts) {
     constraints_.push_back(c.row);
     for (const int i : {c.a, c.b}) {
       if (i != no_body) mass[i] = this->mass(i, drives);
@@ -98,18 +100,19 @@ void ContactForces::project_velocities(std::span<const DriveReference> drives,
   qp_.reset(static_cast<int>(constraints_.size()));
   bool fits = true;
   for (int i = 0; i < qp_.size(); ++i) {
-    qp_.b[i] = row_rate(constraints_[i], bodies);
+    qp_.b[i] = collision::row_rate(constraints_[i], bodies);
     fits = fits && qp_.b[i] >= -min_rate && (!held(i) || qp_.b[i] <= min_rate);
   }
   if (fits) return;
   for (int i = 0; i < qp_.size(); ++i) {
     if (held(i)) qp_.low[i] = -infinity;
   }
-  assemble_delassus(
-      qp_.size(), [&](int i) -> const ConstraintRow& { return constraints_[i]; }, mass, qp_);
+  impact::assemble_delassus(
+      qp_.size(), [&](int i) -> const solver::ConstraintRow& { return constraints_[i]; }, mass,
+      qp_);
   qp_.solve();
   for (int i = 0; i < qp_.size(); ++i) {
-    apply_impulse(constraints_[i], qp_.x[i], mass, bodies);
+    collision::apply_impulse(constraints_[i], qp_.x[i], mass, bodies);
   }
 }
 
@@ -140,9 +143,9 @@ void ContactForces::drop_weak_forces() {
 // The resistance against a ball that starts is along its push, which depends on the resistance only
 // if there are several contacts: one correction settles it. A ball that is held between its
 // contacts does not start.
-void ContactForces::start_ball(std::span<const DriveReference> drives,
+void ContactForces::start_ball(std::span<const trajectory::DriveReference> drives,
                                std::span<const BodyState> bodies,
-                               std::span<const Contact> contacts) {
+                               std::span<const collision::Contact> contacts) {
   const Parameters& p = world_.parameters;
   if (p.rolling_friction == RollingFriction::per_axis) return;  // no resistance at rest
   const double resistance = p.rolling_resistance * p.ball_mass * gravity;
@@ -158,7 +161,7 @@ void ContactForces::start_ball(std::span<const DriveReference> drives,
   qp_.solve();
 }
 
-void ContactForces::classify_ground(std::span<const DriveReference> drives,
+void ContactForces::classify_ground(std::span<const trajectory::DriveReference> drives,
                                     std::span<BodyState> bodies) {
   wheel_count_ = 0;
   for (int k = 0; k < member_count_; ++k) {
@@ -179,19 +182,20 @@ void ContactForces::classify_ground(std::span<const DriveReference> drives,
   }
 }
 
-void ContactForces::build_problem(std::span<const DriveReference> drives,
+void ContactForces::build_problem(std::span<const trajectory::DriveReference> drives,
                                   std::span<const BodyState> bodies,
-                                  std::span<const Contact> contacts) {
+                                  std::span<const collision::Contact> contacts) {
   const Parameters& p = world_.parameters;
-  std::array<InverseMass, max_bodies> mass;
+  std::array<solver::InverseMass, max_bodies> mass;
   for (int k = 0; k < member_count_; ++k) {
     const int i = member_[k];
     const Grounding& g = grounding_[i];
-    Segment& s = trial_[i];
-    s = moving_segment(bodies[i], 0.0, 0.0);
+    trajectory::Segment& s = trial_[i];
+    s = trajectory::moving_segment(bodies[i], 0.0, 0.0);
     if (g.ground == Ground::ball) {
-      Braking braking = braking_along(rolling_deceleration(p), {s.forward[0], s.left[0]}, g.push);
-      extend_ball_twist(rolling_deceleration(p), 0, s, braking);
+      trajectory::Braking braking =
+          braking_along(trajectory::rolling_deceleration(p), {s.forward[0], s.left[0]}, g.push);
+      extend_ball_twist(trajectory::rolling_deceleration(p), 0, s, braking);
     } else if (g.ground == Ground::lifted) {
       extend_twist_lifted(0, s);
     } else {
@@ -206,17 +210,17 @@ void ContactForces::build_problem(std::span<const DriveReference> drives,
 
   qp_.reset(candidate_count_ + wheel_count_);
   for (int i = 0; i < candidate_count_; ++i) {
-    const Contact& c = contacts[candidate_[i]];
+    const collision::Contact& c = contacts[candidate_[i]];
     ContactSeries& rows = rows_[i];
     start_rows(world_, c, trial_, rows);
     extend_rows(world_, c, trial_, 0, rows);
     qp_.b[i] = gap_rate_term(c, trial_, 1, rows);
   }
-  const auto row = [&](int i) -> const ConstraintRow& {
+  const auto row = [&](int i) -> const solver::ConstraintRow& {
     return i < candidate_count_ ? contacts[candidate_[i]].row
                                 : wheel_rows_[wheels_[i - candidate_count_]];
   };
-  assemble_delassus(qp_.size(), row, mass, qp_);
+  impact::assemble_delassus(qp_.size(), row, mass, qp_);
   const double grip_force = p.grip * p.robot_mass * gravity;
   for (int k = 0; k < wheel_count_; ++k) {
     const int unknown = candidate_count_ + k;
@@ -226,18 +230,18 @@ void ContactForces::build_problem(std::span<const DriveReference> drives,
   }
 }
 
-Vec2 ContactForces::push_on_ball(std::span<const Contact> contacts) const {
+Vec2 ContactForces::push_on_ball(std::span<const collision::Contact> contacts) const {
   Vec2 push{0.0, 0.0};
   for (int i = 0; i < candidate_count_; ++i) {
-    const Contact& c = contacts[candidate_[i]];
+    const collision::Contact& c = contacts[candidate_[i]];
     if (c.a == world_.robots) push += qp_.x[i] * c.point.normal;
   }
   return push;
 }
 
-void ContactForces::read_solution(std::span<Contact> contacts) {
+void ContactForces::read_solution(std::span<collision::Contact> contacts) {
   for (int i = 0; i < candidate_count_; ++i) {
-    Contact& c = contacts[candidate_[i]];
+    collision::Contact& c = contacts[candidate_[i]];
     c.resting.force = qp_.x[i];
     c.resting.is_active = c.resting.force > min_force;
   }
@@ -253,4 +257,4 @@ void ContactForces::read_solution(std::span<Contact> contacts) {
   }
 }
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::resting_contact

@@ -18,7 +18,7 @@
 #include <span>
 #include <vector>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::resting_contact {
 
 // What the ground does to a body in contact.
 enum class Ground { rolls, slides, lifted, ball };
@@ -31,50 +31,57 @@ struct Grounding {
 };
 
 // Does the ground hold the body sideways by a force of its own?
-inline bool is_held_sideways(const StaticWorld& world, const Grounding& grounding) {
+inline bool is_held_sideways(const collision::StaticWorld& world, const Grounding& grounding) {
   return grounding.ground == Ground::rolls && world.parameters.grip != infinite_grip;
 }
 
 class ContactForces {
  public:
-  explicit ContactForces(const StaticWorld& world);
+  explicit ContactForces(const collision::StaticWorld& world);
 
   // Sets `holds` and `force` of every contact, and the grounding of every body that has one. Gaps
   // that open faster than the contact's rest speed are left alone. WheelState that slide no faster than
   // `slip_threshold`, and a ball that rolls no faster than `roll_threshold` (m/s), are made to stop that.
   // Velocities are made to fit what was decided.
-  void decide(std::span<const DriveReference> drives, double slip_threshold, double roll_threshold,
-              std::span<BodyState> bodies, std::span<Contact> contacts);
+  void decide(std::span<const trajectory::DriveReference> drives, double slip_threshold,
+              double roll_threshold, std::span<BodyState> bodies,
+              std::span<collision::Contact> contacts);
 
   const Grounding& grounding(int body) const { return grounding_[body]; }
   double slip_threshold() const { return slip_threshold_; }
 
   // What forces change of the body's velocities; the wheels' sideways hold counts as a force unless
   // it is infinite.
-  const InverseMass& mass(int body, std::span<const DriveReference> drives) const;
+  const solver::InverseMass& mass(int body,
+                                  std::span<const trajectory::DriveReference> drives) const;
 
  private:
-  void classify_ground(std::span<const DriveReference> drives, std::span<BodyState> bodies);
-  void build_problem(std::span<const DriveReference> drives, std::span<const BodyState> bodies,
-                     std::span<const Contact> contacts);
-  void start_ball(std::span<const DriveReference> drives, std::span<const BodyState> bodies,
-                  std::span<const Contact> contacts);
-  Vec2 push_on_ball(std::span<const Contact> contacts) const;
+  void classify_ground(std::span<const trajectory::DriveReference> drives,
+                       std::span<BodyState> bodies);
+  void build_problem(std::span<const trajectory::DriveReference> drives,
+                     std::span<const BodyState> bodies,
+                     std::span<const collision::Contact> contacts);
+  void start_ball(std::span<const trajectory::DriveReference> drives,
+                  std::span<const BodyState> bodies, std::span<const collision::Contact> contacts);
+  Vec2 push_on_ball(std::span<const collision::Contact> contacts) const;
   void drop_weak_forces();
-  void read_solution(std::span<Contact> contacts);
-  void project_velocities(std::span<const DriveReference> drives, std::span<BodyState> bodies,
-                          std::span<const Contact> contacts);
+  void read_solution(std::span<collision::Contact> contacts);
+  void project_velocities(std::span<const trajectory::DriveReference> drives,
+                          std::span<BodyState> bodies,
+                          std::span<const collision::Contact> contacts);
 
-  const StaticWorld& world_;
-  BoxQp qp_;
+  const collision::StaticWorld& world_;
+  solver::BoxQp qp_;
   double slip_threshold_ = 0.0;
   double roll_threshold_ = 0.0;
   std::array<Grounding, max_bodies> grounding_;
-  std::array<Segment, max_bodies> trial_;  // two terms of the motion without contact forces
+  std::array<trajectory::Segment, max_bodies>
+      trial_;  // two terms of the motion without contact forces
   std::vector<ContactSeries> rows_;
-  std::vector<ConstraintRow> constraints_;  // on the velocities: contacts, then wheels that hold
-  std::array<ConstraintRow, max_robots> wheel_rows_;  // of each robot
-  std::array<int, max_unknowns> candidate_;           // contacts whose gaps do not open
+  std::vector<solver::ConstraintRow>
+      constraints_;  // on the velocities: contacts, then wheels that hold
+  std::array<solver::ConstraintRow, max_robots> wheel_rows_;  // of each robot
+  std::array<int, solver::max_unknowns> candidate_;           // contacts whose gaps do not open
   int candidate_count_ = 0;
   std::array<int, max_bodies> member_;  // bodies with a candidate
   std::array<int, max_bodies> wheels_;  // robots whose wheels may hold
@@ -82,4 +89,4 @@ class ContactForces {
   int wheel_count_ = 0;
 };
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::resting_contact

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::resting_contact {
 
 namespace {
 
@@ -28,12 +28,14 @@ constexpr double resting_acceleration = 1e-9;
 
 }  // namespace
 
-ContactMotion::ContactMotion(const StaticWorld& world) : world_(world), rows_(max_unknowns) {}
+ContactMotion::ContactMotion(const collision::StaticWorld& world)
+    : world_(world), rows_(solver::max_unknowns) {}
 
 void ContactMotion::move(const BodySet& cluster, const ContactForces& forces,
-                         std::span<Contact> contacts, std::span<const DriveReference> drives,
+                         std::span<collision::Contact> contacts,
+                         std::span<const trajectory::DriveReference> drives,
                          const SegmentRequest& request, std::span<BodyState> bodies,
-                         std::span<Segment> segments) {
+                         std::span<trajectory::Segment> segments) {
   drives_ = drives;
   set_members(cluster, forces);
   select_active(contacts);
@@ -45,7 +47,8 @@ void ContactMotion::move(const BodySet& cluster, const ContactForces& forces,
     mark_persistent(contacts);
     if (is_at_rest(segments)) {
       for (int m = 0; m < member_count_; ++m) {
-        segments[members_[m]] = still_segment(bodies[members_[m]], request.begin, request.horizon);
+        segments[members_[m]] =
+            trajectory::still_segment(bodies[members_[m]], request.begin, request.horizon);
       }
       return;
     }
@@ -58,17 +61,17 @@ void ContactMotion::move(const BodySet& cluster, const ContactForces& forces,
 // rest before anything else may change: what was decided about them was rounding, or the slide was
 // all but over. They would do the same again, and again.
 bool ContactMotion::arrest_marginal_slip(const SegmentRequest& request,
-                                         std::span<const Contact> contacts,
-                                         std::span<const Segment> segments) {
+                                         std::span<const collision::Contact> contacts,
+                                         std::span<const trajectory::Segment> segments) {
   const double grip = max_grip();
   bool found = false;
   for (int m = 0; m < member_count_; ++m) {
     const int i = members_[m];
-    const Segment& s = segments[i];
+    const trajectory::Segment& s = segments[i];
     Grounding& g = grounding_[i];
     if (g.ground != Ground::slides || s.left[0] != 0.0) continue;
     const bool turns_back = g.slip_sign * s.left[1] < 0.0;
-    const bool is_brief = s.settles == TerminalState::sideways &&
+    const bool is_brief = s.settles == trajectory::TerminalState::sideways &&
                           s.end - s.begin < request.min_duration;  // once it has its end
     if (!turns_back && !is_brief) continue;
     g = {.ground = Ground::rolls, .lateral_force = -g.slip_sign * grip};
@@ -80,46 +83,46 @@ bool ContactMotion::arrest_marginal_slip(const SegmentRequest& request,
 
 // As fill_series() does for one body.
 void ContactMotion::extend_until_converged(const SegmentRequest& request,
-                                           std::span<Segment> segments) {
+                                           std::span<trajectory::Segment> segments) {
   const double length = std::min(request.preferred_duration, request.horizon - request.begin);
   int k = 1;
-  for (const int terms : term_counts) {
+  for (const int terms : trajectory::term_counts) {
     for (; k < terms - 1; ++k) extend(k, segments);
     set_terms_of_all(terms, segments);
-    const bool converged =
-        std::all_of(members_.begin(), members_.begin() + member_count_,
-                    [&](int i) { return has_converged(segments[i], length, contact_truncation); });
+    const bool converged = std::all_of(
+        members_.begin(), members_.begin() + member_count_,
+        [&](int i) { return has_converged(segments[i], length, trajectory::contact_truncation); });
     if (converged) return;
   }
 }
 
 // Term k + 1 of everything.
-void ContactMotion::extend(int k, std::span<Segment> segments) {
+void ContactMotion::extend(int k, std::span<trajectory::Segment> segments) {
   for (int m = 0; m < member_count_; ++m) integrate_pose(segments[members_[m]], k);
   for (int i = 0; i < held_count_; ++i) extend_rows(world_, held_[i], segments, k, rows_[i]);
   extend_twists(k, segments);
   solve_for_forces(k, segments);
 }
 
-void ContactMotion::set_terms_of_all(int terms, std::span<Segment> segments) {
+void ContactMotion::set_terms_of_all(int terms, std::span<trajectory::Segment> segments) {
   for (int m = 0; m < member_count_; ++m) set_terms(segments[members_[m]], terms);
-  for (int i = 0; i < held_count_; ++i) simulator::set_terms(rows_[i], terms);
+  for (int i = 0; i < held_count_; ++i) resting_contact::set_terms(rows_[i], terms);
   for (int w = 0; w < wheel_count_; ++w) lateral_force_[w].terms = terms;
 }
 
-double ContactMotion::converged_length_of_all(std::span<const Segment> segments) const {
+double ContactMotion::converged_length_of_all(std::span<const trajectory::Segment> segments) const {
   double length = segments[members_[0]].end - segments[members_[0]].begin;
   for (int m = 0; m < member_count_; ++m) {
-    length = converged_length(segments[members_[m]], length, contact_truncation);
+    length = converged_length(segments[members_[m]], length, trajectory::contact_truncation);
   }
   return length;
 }
 
 // Nothing moves and nothing gains speed: constant commands keep it so.
-bool ContactMotion::is_at_rest(std::span<const Segment> segments) const {
+bool ContactMotion::is_at_rest(std::span<const trajectory::Segment> segments) const {
   for (int m = 0; m < member_count_; ++m) {
-    const Segment& s = segments[members_[m]];
-    for (const Series* p : {&s.forward, &s.left, &s.omega}) {
+    const trajectory::Segment& s = segments[members_[m]];
+    for (const trajectory::Series* p : {&s.forward, &s.left, &s.omega}) {
       if (std::abs((*p)[0]) > resting_speed || std::abs((*p)[1]) > resting_acceleration)
         return false;
     }
@@ -140,7 +143,7 @@ void ContactMotion::set_members(const BodySet& cluster, const ContactForces& for
 
 // The equations are put in order of how far their forces are from a bound: where some follow from
 // others, the last ones keep their force, and it is better that those with room to change do so.
-void ContactMotion::select_active(std::span<const Contact> contacts) {
+void ContactMotion::select_active(std::span<const collision::Contact> contacts) {
   wheel_count_ = 0;
   BodySet cluster;
   for (int m = 0; m < member_count_; ++m) {
@@ -154,7 +157,7 @@ void ContactMotion::select_active(std::span<const Contact> contacts) {
 
   held_count_ = 0;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const Contact& c = contacts[i];
+    const collision::Contact& c = contacts[i];
     if (c.resting.is_active && cluster[c.pair.a]) held_index_[held_count_++] = static_cast<int>(i);
   }
   std::stable_sort(
@@ -165,7 +168,7 @@ void ContactMotion::select_active(std::span<const Contact> contacts) {
 
 // Equations that follow from others do so only at the begin: later they may be off, and the gaps of
 // the cluster with them.
-void ContactMotion::mark_persistent(std::span<Contact> contacts) const {
+void ContactMotion::mark_persistent(std::span<collision::Contact> contacts) const {
   bool all = true;
   for (int i = 0; i < equations(); ++i) all = all && !cholesky_.is_redundant(i);
   for (int i = 0; i < held_count_; ++i) contacts[held_index_[i]].resting.is_persistent = all;
@@ -173,13 +176,15 @@ void ContactMotion::mark_persistent(std::span<Contact> contacts) const {
 
 // The first two terms.
 void ContactMotion::start_series(const SegmentRequest& request, std::span<BodyState> bodies,
-                                 std::span<Segment> segments) {
+                                 std::span<trajectory::Segment> segments) {
   for (int m = 0; m < member_count_; ++m) {
-    segments[members_[m]] = moving_segment(bodies[members_[m]], request.begin, request.horizon);
+    segments[members_[m]] =
+        trajectory::moving_segment(bodies[members_[m]], request.begin, request.horizon);
   }
   for (int i = 0; i < held_count_; ++i) {
     start_rows(world_, held_[i], segments, rows_[i]);
-    held_[i].row = difference_row(held_[i].a, held_[i].b, rows_[i].first_a, rows_[i].first_b);
+    held_[i].row =
+        solver::difference_row(held_[i].a, held_[i].b, rows_[i].first_a, rows_[i].first_b);
   }
   for (int k = 0; k < wheel_count_; ++k) lateral_force_[k] = {};
 
@@ -192,8 +197,8 @@ void ContactMotion::start_series(const SegmentRequest& request, std::span<BodySt
     segments[i].left[0] = v.left;
     segments[i].omega[0] = v.omega;
     if (world_.is_ball(i)) {
-      braking_[i] = braking_along(rolling_deceleration(world_.parameters), {v.forward, v.left},
-                                  grounding_[i].push);
+      braking_[i] = braking_along(trajectory::rolling_deceleration(world_.parameters),
+                                  {v.forward, v.left}, grounding_[i].push);
     }
   }
   extend(0, segments);
@@ -207,30 +212,32 @@ void ContactMotion::close_gaps(std::span<BodyState> bodies) {
   factorise();
   for (int i = 0; i < equations(); ++i) rhs_[i] = i < held_count_ ? -held_[i].point.gap : 0.0;
   cholesky_.solve(rhs_);
-  std::array<Displacement, max_bodies> displacements{};
+  std::array<impact::Displacement, max_bodies> displacements{};
   for (int i = 0; i < held_count_; ++i)
-    add_displacement(held_[i].row, rhs_[i], mass_, displacements);
+    impact::add_displacement(held_[i].row, rhs_[i], mass_, displacements);
   for (int w = held_count_; w < equations(); ++w) {
-    add_displacement(lateral_wheel_row(wheel_state(w)), rhs_[w], mass_, displacements);
+    impact::add_displacement(collision::lateral_wheel_row(wheel_state(w)), rhs_[w], mass_,
+                             displacements);
   }
   const auto is_too_long = [&](int i) {
-    const Displacement& by = displacements[i];
+    const impact::Displacement& by = displacements[i];
     return std::abs(by.forward) + std::abs(by.left) + std::abs(by.omega) * world_.shape(i).radius >
            max_displacement;
   };
   const std::span<const int> members(members_.data(), static_cast<std::size_t>(member_count_));
   if (std::any_of(members.begin(), members.end(), is_too_long)) return;
-  for (const int i : members) bodies[i] = displaced(bodies[i], displacements[i]);
+  for (const int i : members) bodies[i] = impact::displaced(bodies[i], displacements[i]);
 }
 
 // The velocities fit already, but for what closing the gaps has changed.
 void ContactMotion::project_velocities(std::span<BodyState> bodies) {
   for (int i = 0; i < equations(); ++i) {
-    rhs_[i] =
-        i < held_count_ ? -row_rate(held_[i].row, bodies) : -bodies[wheel_state(i)].twist.left;
+    rhs_[i] = i < held_count_ ? -collision::row_rate(held_[i].row, bodies)
+                              : -bodies[wheel_state(i)].twist.left;
   }
   cholesky_.solve(rhs_);
-  for (int i = 0; i < held_count_; ++i) apply_impulse(held_[i].row, rhs_[i], mass_, bodies);
+  for (int i = 0; i < held_count_; ++i)
+    collision::apply_impulse(held_[i].row, rhs_[i], mass_, bodies);
   for (int k = 0; k < wheel_count_; ++k) bodies[wheels_[k]].twist.left = 0.0;
   for (int m = 0; m < member_count_; ++m) {
     const int i = members_[m];
@@ -246,24 +253,25 @@ void ContactMotion::project_velocities(std::span<BodyState> bodies) {
 }
 
 void ContactMotion::factorise() {
-  DelassusOperator bodies;
+  impact::DelassusOperator bodies;
   for (int i = 0; i < held_count_; ++i) bodies.add(i, held_[i].row);
-  for (int w = held_count_; w < equations(); ++w) bodies.add(w, lateral_wheel_row(wheel_state(w)));
+  for (int w = held_count_; w < equations(); ++w)
+    bodies.add(w, collision::lateral_wheel_row(wheel_state(w)));
   cholesky_.reset(equations());
   bodies.couple(mass_, cholesky_);
   cholesky_.factorise();
 }
 
 // Term k + 1 of the twists, but for what the forces' own term k adds.
-void ContactMotion::extend_twists(int k, std::span<Segment> segments) {
+void ContactMotion::extend_twists(int k, std::span<trajectory::Segment> segments) {
   const Parameters& p = world_.parameters;
   for (int m = 0; m < member_count_; ++m) {
     const int i = members_[m];
     const Grounding& g = grounding_[i];
-    Segment& s = segments[i];
+    trajectory::Segment& s = segments[i];
     switch (g.ground) {
       case Ground::ball:
-        extend_ball_twist(rolling_deceleration(p), k, s, braking_[i]);
+        extend_ball_twist(trajectory::rolling_deceleration(p), k, s, braking_[i]);
         break;
       case Ground::lifted:
         extend_twist_lifted(k, s);
@@ -275,7 +283,7 @@ void ContactMotion::extend_twists(int k, std::span<Segment> segments) {
     }
   }
   for (int w = 0; w < wheel_count_; ++w) {
-    Segment& s = segments[wheels_[w]];
+    trajectory::Segment& s = segments[wheels_[w]];
     s.left[k + 1] = -product_term(s.omega, s.forward, k) / (k + 1);
   }
   for (int i = 0; i < held_count_; ++i) {
@@ -285,7 +293,7 @@ void ContactMotion::extend_twists(int k, std::span<Segment> segments) {
 
 // The gaps' rates keep their first term, and v_l stays zero where wheels hold: their next term,
 // with the forces' own term still missing, says what that term must be.
-void ContactMotion::solve_for_forces(int k, std::span<Segment> segments) {
+void ContactMotion::solve_for_forces(int k, std::span<trajectory::Segment> segments) {
   // Forces that the equations leave open keep the value that was decided.
   for (int i = 0; i < equations(); ++i) {
     if (!cholesky_.is_redundant(i) || k > 0) continue;
@@ -316,15 +324,15 @@ void ContactMotion::solve_for_forces(int k, std::span<Segment> segments) {
 }
 
 // What term k of the contact's own force adds to term k + 1 of the twists.
-void ContactMotion::add_force(int i, int k, std::span<Segment> segments) const {
+void ContactMotion::add_force(int i, int k, std::span<trajectory::Segment> segments) const {
   add_to_twists(held_[i].row, rows_[i].force[k] / (k + 1), k + 1, segments);
 }
 
-void ContactMotion::add_to_twists(const ConstraintRow& row, double amount, int term,
-                                  std::span<Segment> segments) const {
-  const auto add = [&](int body, const JacobianRow& part) {
-    const InverseMass& mass = mass_[body];
-    Segment& s = segments[body];
+void ContactMotion::add_to_twists(const solver::ConstraintRow& row, double amount, int term,
+                                  std::span<trajectory::Segment> segments) const {
+  const auto add = [&](int body, const solver::JacobianRow& part) {
+    const solver::InverseMass& mass = mass_[body];
+    trajectory::Segment& s = segments[body];
     s.forward[term] += amount * part[0] * mass.forward;
     s.left[term] += amount * part[1] * mass.left;
     s.omega[term] += amount * part[2] * mass.omega;
@@ -357,7 +365,8 @@ double ContactMotion::time_of_slip(double min_duration, double length) const {
   return length;
 }
 
-void ContactMotion::find_end(const SegmentRequest& request, std::span<Segment> segments) const {
+void ContactMotion::find_end(const SegmentRequest& request,
+                             std::span<trajectory::Segment> segments) const {
   const double begin = request.begin;
   double length = converged_length_of_all(segments);
   length = time_of_slip(request.min_duration, time_of_release(request.min_duration, length));
@@ -365,29 +374,30 @@ void ContactMotion::find_end(const SegmentRequest& request, std::span<Segment> s
   for (int m = 0; m < member_count_; ++m) {
     const int i = members_[m];
     const Grounding& g = grounding_[i];
-    Segment& s = segments[i];
+    trajectory::Segment& s = segments[i];
     s.end = begin + length;
-    double ends = never;
+    double ends = trajectory::never;
     bool reverses = false;
     if (g.ground == Ground::slides) {
       ends = time_of_grip(s, slip_sign_[i]);
     } else if (g.ground == Ground::ball) {
-      ends =
-          time_of_braking_change(rolling_deceleration(world_.parameters), s, braking_[i], length);
+      ends = time_of_braking_change(trajectory::rolling_deceleration(world_.parameters), s,
+                                    braking_[i], length);
       reverses = ends < request.min_duration;
       if (reverses) ends = request.min_duration;
     }
     if (ends > length) continue;
     length = ends;
     const bool goes_on =
-        reverses || (world_.is_ball(i) && rolling_deceleration(world_.parameters).is_per_axis());
+        reverses ||
+        (world_.is_ball(i) && trajectory::rolling_deceleration(world_.parameters).is_per_axis());
     settles = goes_on ? no_body : i;
   }
   for (int m = 0; m < member_count_; ++m) segments[members_[m]].end = begin + length;
   if (settles != no_body) {
-    segments[settles].settles =
-        world_.is_ball(settles) ? TerminalState::everything : TerminalState::sideways;
+    segments[settles].settles = world_.is_ball(settles) ? trajectory::TerminalState::everything
+                                                        : trajectory::TerminalState::sideways;
   }
 }
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::resting_contact

@@ -16,7 +16,7 @@
 #include <span>
 #include <vector>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::resting_contact {
 
 // How long a curve is wanted, s.
 struct SegmentRequest {
@@ -29,14 +29,15 @@ struct SegmentRequest {
 class ContactMotion {
  public:
   // Allocates its scratch; moving does not allocate. The arena outlives it.
-  explicit ContactMotion(const StaticWorld& world);
+  explicit ContactMotion(const collision::StaticWorld& world);
 
   // Moves a cluster of bodies that hold each other: sets the segments of its bodies, all with the
   // same end. What their gaps and velocities are off by rounding is put right first. Sets `is_kept`
   // of the cluster's contacts.
-  void move(const BodySet& cluster, const ContactForces& forces, std::span<Contact> contacts,
-            std::span<const DriveReference> drives, const SegmentRequest& request,
-            std::span<BodyState> bodies, std::span<Segment> segments);
+  void move(const BodySet& cluster, const ContactForces& forces,
+            std::span<collision::Contact> contacts,
+            std::span<const trajectory::DriveReference> drives, const SegmentRequest& request,
+            std::span<BodyState> bodies, std::span<trajectory::Segment> segments);
 
  private:
   // The equations of a cluster: first the contacts that press, then the wheels that hold sideways.
@@ -44,54 +45,57 @@ class ContactMotion {
   int wheel_state(int equation) const { return wheels_[equation - held_count_]; }
   // What the ground gives wheels sideways at most, N.
   double max_grip() const {
-    return lateral_acceleration_limit(world_.parameters) * world_.parameters.robot_mass;
+    return trajectory::lateral_acceleration_limit(world_.parameters) * world_.parameters.robot_mass;
   }
 
   void set_members(const BodySet& cluster, const ContactForces& forces);
-  void select_active(std::span<const Contact> contacts);
-  bool arrest_marginal_slip(const SegmentRequest& request, std::span<const Contact> contacts,
-                            std::span<const Segment> segments);
-  void extend_until_converged(const SegmentRequest& request, std::span<Segment> segments);
-  void mark_persistent(std::span<Contact> contacts) const;
+  void select_active(std::span<const collision::Contact> contacts);
+  bool arrest_marginal_slip(const SegmentRequest& request,
+                            std::span<const collision::Contact> contacts,
+                            std::span<const trajectory::Segment> segments);
+  void extend_until_converged(const SegmentRequest& request,
+                              std::span<trajectory::Segment> segments);
+  void mark_persistent(std::span<collision::Contact> contacts) const;
   void start_series(const SegmentRequest& request, std::span<BodyState> bodies,
-                    std::span<Segment> segments);
+                    std::span<trajectory::Segment> segments);
   void close_gaps(std::span<BodyState> bodies);
   void project_velocities(std::span<BodyState> bodies);
   void factorise();
-  void extend(int k, std::span<Segment> segments);
-  void extend_twists(int k, std::span<Segment> segments);
-  void solve_for_forces(int k, std::span<Segment> segments);
-  void add_force(int i, int k, std::span<Segment> segments) const;
-  void add_to_twists(const ConstraintRow& row, double amount, int term,
-                     std::span<Segment> segments) const;
-  bool is_at_rest(std::span<const Segment> segments) const;
-  void set_terms_of_all(int terms, std::span<Segment> segments);
-  double converged_length_of_all(std::span<const Segment> segments) const;
-  void find_end(const SegmentRequest& request, std::span<Segment> segments) const;
+  void extend(int k, std::span<trajectory::Segment> segments);
+  void extend_twists(int k, std::span<trajectory::Segment> segments);
+  void solve_for_forces(int k, std::span<trajectory::Segment> segments);
+  void add_force(int i, int k, std::span<trajectory::Segment> segments) const;
+  void add_to_twists(const solver::ConstraintRow& row, double amount, int term,
+                     std::span<trajectory::Segment> segments) const;
+  bool is_at_rest(std::span<const trajectory::Segment> segments) const;
+  void set_terms_of_all(int terms, std::span<trajectory::Segment> segments);
+  double converged_length_of_all(std::span<const trajectory::Segment> segments) const;
+  void find_end(const SegmentRequest& request, std::span<trajectory::Segment> segments) const;
   double time_of_release(double min_duration, double length) const;
   double time_of_slip(double min_duration, double length) const;
 
-  const StaticWorld& world_;
+  const collision::StaticWorld& world_;
   double slip_threshold_ = 0.0;
-  std::span<const DriveReference> drives_;
+  std::span<const trajectory::DriveReference> drives_;
 
   std::array<int, max_bodies> members_;
   int member_count_ = 0;
-  std::array<InverseMass, max_bodies> mass_;
-  std::array<Braking, max_bodies> braking_;
+  std::array<solver::InverseMass, max_bodies> mass_;
+  std::array<trajectory::Braking, max_bodies> braking_;
   std::array<double, max_bodies> slip_sign_;
   std::array<Grounding, max_bodies> grounding_;
 
-  std::array<Contact, max_unknowns> held_;
-  std::array<int, max_unknowns> held_index_;  // of held_, among all contacts
+  std::array<collision::Contact, solver::max_unknowns> held_;
+  std::array<int, solver::max_unknowns> held_index_;  // of held_, among all contacts
   int held_count_ = 0;
   std::vector<ContactSeries> rows_;  // of held_
   std::array<int, max_bodies> wheels_;
   int wheel_count_ = 0;
-  std::array<Series, max_bodies> lateral_force_;  // N to the left, of wheels_
+  std::array<trajectory::Series, max_bodies> lateral_force_;  // N to the left, of wheels_
 
-  PivotedCholesky cholesky_;  // where equations follow from others, their forces stay as they are
-  std::array<double, max_unknowns> rhs_;
+  solver::PivotedCholesky
+      cholesky_;  // where equations follow from others, their forces stay as they are
+  std::array<double, solver::max_unknowns> rhs_;
 };
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::resting_contact

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::resting_contact {
 
 namespace {
 
 // Both series times q: the sum of p[j] q[k - j] from j = first.
-Vec2 product_term(const TwoSeries& p, const Series& q, int k, int first) {
+Vec2 product_term(const TwoSeries& p, const trajectory::Series& q, int k, int first) {
   double x = 0.0;
   double y = 0.0;
   for (int j = first; j <= k; ++j) {
@@ -30,13 +30,14 @@ Vec2 turned_term(const TwoSeries& p, const TwoSeries& q, int k, int first) {
 }
 
 // The outline of an obstacle that has corners, or null for a plane wall.
-const geometry::Outline* end_wall_of(const StaticWorld& world, const Pair& pair) {
+const geometry::Outline* end_wall_of(const collision::StaticWorld& world, const Pair& pair) {
   return pair.obstacle() < plane_walls ? nullptr
                                        : &world.end_wall_outlines[pair.obstacle() - plane_walls];
 }
 
 // The outline of the side with the edge or corner that is pressed on; null: a plane wall.
-const geometry::Outline* pressed_shape(const StaticWorld& world, const Contact& c) {
+const geometry::Outline* pressed_shape(const collision::StaticWorld& world,
+                                       const collision::Contact& c) {
   return c.b != no_body ? &world.shape(c.b) : end_wall_of(world, c.pair);
 }
 
@@ -44,15 +45,15 @@ Vec2 along_edge(const Vec2& normal) {
   return {-normal.y(), normal.x()};
 }
 
-Heading first_heading(const Segment& s) {
+Heading first_heading(const trajectory::Segment& s) {
   return {s.cos[0], s.sin[0]};
 }
 
-void start_on_edge(const StaticWorld& world, const Contact& c, std::span<const Segment> segments,
-                   ContactSeries& rows) {
-  const Segment* a = c.a == no_body ? nullptr : &segments[c.a];
-  const Segment* b = c.b == no_body ? nullptr : &segments[c.b];
-  const bool is_ball = c.point.kind == Touching::circle_on_edge;
+void start_on_edge(const collision::StaticWorld& world, const collision::Contact& c,
+                   std::span<const trajectory::Segment> segments, ContactSeries& rows) {
+  const trajectory::Segment* a = c.a == no_body ? nullptr : &segments[c.a];
+  const trajectory::Segment* b = c.b == no_body ? nullptr : &segments[c.b];
+  const bool is_ball = c.point.kind == collision::Touching::circle_on_edge;
   const Heading heading_a = a == nullptr || is_ball ? Heading{} : first_heading(*a);
   const Heading heading_b = b == nullptr ? Heading{} : first_heading(*b);
   const geometry::Outline* shape = pressed_shape(world, c);
@@ -78,7 +79,7 @@ void start_on_edge(const StaticWorld& world, const Contact& c, std::span<const S
   rows.first_b = {rows.normal.x(), rows.normal.y(), rows.lever_b[0]};
 }
 
-void set_point_velocity(const Segment& a, int k, ContactSeries& rows) {
+void set_point_velocity(const trajectory::Segment& a, int k, ContactSeries& rows) {
   rows.velocity.c[k] = {a.forward[k] - rows.point.y() * a.omega[k],
                         a.left[k] + rows.point.x() * a.omega[k]};
 }
@@ -89,8 +90,8 @@ Vec2 point_velocity(const ContactSeries& rows, int k) {
   return rows.later_velocity + heading.to_world({rows.velocity.c[k][0], rows.velocity.c[k][1]});
 }
 
-void extend_on_edge(const Contact& c, std::span<const Segment> segments, int k,
-                    ContactSeries& rows) {
+void extend_on_edge(const collision::Contact& c, std::span<const trajectory::Segment> segments,
+                    int k, ContactSeries& rows) {
   Vec2 velocity{0.0, 0.0};
   rows.omega[k] = 0.0;
   const Vec2 along = along_edge(rows.normal);
@@ -102,7 +103,7 @@ void extend_on_edge(const Contact& c, std::span<const Segment> segments, int k,
     forwards = along.dot(velocity);
   }
   if (c.b != no_body) {
-    const Segment& b = segments[c.b];
+    const trajectory::Segment& b = segments[c.b];
     rows.omega[k] -= b.omega[k];
     forwards -= along.x() * b.forward[k] + along.y() * b.left[k] + rows.distance * b.omega[k];
   }
@@ -112,8 +113,8 @@ void extend_on_edge(const Contact& c, std::span<const Segment> segments, int k,
   rows.heading.c[k + 1] = {-turning.y() / next, turning.x() / next};
 }
 
-double gap_rate_on_edge(const Contact& c, std::span<const Segment> segments, int k,
-                        ContactSeries& rows) {
+double gap_rate_on_edge(const collision::Contact& c, std::span<const trajectory::Segment> segments,
+                        int k, ContactSeries& rows) {
   double rate = 0.0;
   if (c.a != no_body) {
     set_point_velocity(segments[c.a], k, rows);
@@ -121,7 +122,7 @@ double gap_rate_on_edge(const Contact& c, std::span<const Segment> segments, int
     rate = rows.normal.dot(point_velocity(rows, k));
   }
   if (c.b != no_body) {
-    const Segment& b = segments[c.b];
+    const trajectory::Segment& b = segments[c.b];
     rate -= rows.normal.x() * b.forward[k] + rows.normal.y() * b.left[k] +
             product_term(rows.lever_b, b.omega, k);
   }
@@ -129,11 +130,11 @@ double gap_rate_on_edge(const Contact& c, std::span<const Segment> segments, int
 }
 
 // Where the ball presses on a corner, of a robot or of the outline behind a goal post.
-void set_on_corner(const StaticWorld& world, const Contact& c, std::span<const Segment> segments,
-                   int k, ContactSeries& rows) {
+void set_on_corner(const collision::StaticWorld& world, const collision::Contact& c,
+                   std::span<const trajectory::Segment> segments, int k, ContactSeries& rows) {
   const geometry::Outline& shape = *pressed_shape(world, c);
   const double radius = world.ball_outline.radius;
-  const Segment& ball = segments[c.a];
+  const trajectory::Segment& ball = segments[c.a];
   const Vec2 corner = shape.corner[c.point.corner];
   Vec2 from_corner;  // to the ball, in the field's frame, and in that of the corner's side
   Vec2 seen;
@@ -142,7 +143,7 @@ void set_on_corner(const StaticWorld& world, const Contact& c, std::span<const S
     if (k == 0) from_corner -= corner;
     seen = from_corner;
   } else {
-    const Segment& b = segments[c.b];
+    const trajectory::Segment& b = segments[c.b];
     rows.dx[k] = ball.x[k] - b.x[k];
     rows.dy[k] = ball.y[k] - b.y[k];
     rows.x[k] = product_term(b.cos, rows.dx, k) + product_term(b.sin, rows.dy, k);
@@ -165,34 +166,35 @@ void set_on_corner(const StaticWorld& world, const Contact& c, std::span<const S
   rows.inside[1][k] = cross(normal_b, shape.normal[c.point.corner]);
 }
 
-double gap_rate_on_corner(const Contact& c, std::span<const Segment> segments, int k,
+double gap_rate_on_corner(const collision::Contact& c,
+                          std::span<const trajectory::Segment> segments, int k,
                           const ContactSeries& rows) {
-  const Segment& ball = segments[c.a];
+  const trajectory::Segment& ball = segments[c.a];
   double rate =
       product_term(rows.row_a[0], ball.forward, k) + product_term(rows.row_a[1], ball.left, k);
   if (c.b == no_body) return rate;
-  const Segment& b = segments[c.b];
+  const trajectory::Segment& b = segments[c.b];
   rate -= product_term(rows.row_b[0], b.forward, k) + product_term(rows.row_b[1], b.left, k) +
           product_term(rows.row_b[2], b.omega, k);
   return rate;
 }
 
-bool is_on_corner(const Contact& c) {
-  return c.point.kind == Touching::circle_on_corner;
+bool is_on_corner(const collision::Contact& c) {
+  return c.point.kind == collision::Touching::circle_on_corner;
 }
 
 }  // namespace
 
-void start_rows(const StaticWorld& world, const Contact& c, std::span<const Segment> segments,
-                ContactSeries& rows) {
+void start_rows(const collision::StaticWorld& world, const collision::Contact& c,
+                std::span<const trajectory::Segment> segments, ContactSeries& rows) {
   if (!is_on_corner(c)) return start_on_edge(world, c, segments, rows);
   set_on_corner(world, c, segments, 0, rows);
   rows.first_a = {rows.row_a[0][0], rows.row_a[1][0], 0.0};
   rows.first_b = {rows.row_b[0][0], rows.row_b[1][0], rows.row_b[2][0]};
 }
 
-void extend_rows(const StaticWorld& world, const Contact& c, std::span<const Segment> segments,
-                 int k, ContactSeries& rows) {
+void extend_rows(const collision::StaticWorld& world, const collision::Contact& c,
+                 std::span<const trajectory::Segment> segments, int k, ContactSeries& rows) {
   if (is_on_corner(c)) {
     set_on_corner(world, c, segments, k + 1, rows);
   } else {
@@ -200,32 +202,36 @@ void extend_rows(const StaticWorld& world, const Contact& c, std::span<const Seg
   }
 }
 
-double gap_rate_term(const Contact& c, std::span<const Segment> segments, int k,
-                     ContactSeries& rows) {
+double gap_rate_term(const collision::Contact& c, std::span<const trajectory::Segment> segments,
+                     int k, ContactSeries& rows) {
   return is_on_corner(c) ? gap_rate_on_corner(c, segments, k, rows)
                          : gap_rate_on_edge(c, segments, k, rows);
 }
 
-ConstraintRow later_force_term(const Contact& c, const ContactSeries& rows, int k) {
+solver::ConstraintRow later_force_term(const collision::Contact& c, const ContactSeries& rows,
+                                       int k) {
   if (is_on_corner(c)) {
-    const auto term = [&](const Series& row) { return product_term(row, rows.force, k, 1); };
-    return difference_row(c.a, c.b, {term(rows.row_a[0]), term(rows.row_a[1]), 0.0},
-                          {term(rows.row_b[0]), term(rows.row_b[1]), term(rows.row_b[2])});
+    const auto term = [&](const trajectory::Series& row) {
+      return product_term(row, rows.force, k, 1);
+    };
+    return solver::difference_row(c.a, c.b, {term(rows.row_a[0]), term(rows.row_a[1]), 0.0},
+                                  {term(rows.row_b[0]), term(rows.row_b[1]), term(rows.row_b[2])});
   }
-  JacobianRow on_a{}, on_b{};
+  solver::JacobianRow on_a{}, on_b{};
   if (c.a != no_body) {
     const Vec2 turning = product_term(rows.heading, rows.force, k, 1);
     const Vec2 seen_from_a = Heading{turning.x(), turning.y()}.to_body(rows.normal);
     on_a = {seen_from_a.x(), seen_from_a.y(), cross(rows.point, seen_from_a)};
   }
   if (c.b != no_body) on_b[2] = product_term(rows.lever_b, rows.force, k, 1);
-  return difference_row(c.a, c.b, on_a, on_b);
+  return solver::difference_row(c.a, c.b, on_a, on_b);
 }
 
-double time_on_edge(const Contact& c, const ContactSeries& rows, double margin, double length) {
+double time_on_edge(const collision::Contact& c, const ContactSeries& rows, double margin,
+                    double length) {
   // A little above the level: a search that ended there must not end there again at once.
-  const auto until = [&](const Series& inside, double level) {
-    if (inside[0] <= level + 10.0 * root_tolerance) return;
+  const auto until = [&](const trajectory::Series& inside, double level) {
+    if (inside[0] <= level + 10.0 * trajectory::root_tolerance) return;
     length = std::min(length, first_crossing(inside, level, 0.0, length));
   };
   if (is_on_corner(c)) {
@@ -240,7 +246,7 @@ double time_on_edge(const Contact& c, const ContactSeries& rows, double margin, 
 
 void set_terms(ContactSeries& rows, int terms) {
   rows.force.terms = rows.lever_b.terms = terms;
-  for (Series& inside : rows.inside) inside.terms = terms;
+  for (trajectory::Series& inside : rows.inside) inside.terms = terms;
 }
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::resting_contact

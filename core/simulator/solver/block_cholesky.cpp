@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::solver {
 
 namespace {
 
@@ -171,4 +171,4 @@ void BlockCholesky::solve(BodyVector& rhs) const {
   }
 }
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::solver

@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::solver {
 
 using BodyVector = std::array<Vec3, max_bodies>;  // of the bodies that there are
 
@@ -57,4 +57,4 @@ class BlockCholesky {
   int count_ = 0;
 };
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::solver

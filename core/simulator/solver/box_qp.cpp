@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::solver {
 
 namespace {
 // A pivot smaller than this against its diagonal says that the unknown depends on the others: two
@@ -233,4 +233,4 @@ void BoxQp::solve() {
   }
 }
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::solver

@@ -19,7 +19,7 @@
 #include <array>
 #include <memory>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::solver {
 
 // Kept and reused: making one allocates, solving does not.
 class BoxQp {
@@ -78,4 +78,4 @@ class BoxQp {
   RegularizedQp warm_start_qp_;  // if it has the unknowns
 };
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::solver

@@ -8,7 +8,7 @@
 
 #include <array>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::solver {
 
 // Contacts, tangents and wheels of one problem.
 inline constexpr int max_unknowns = 192;
@@ -49,4 +49,4 @@ inline ConstraintRow difference_row(int a, int b, const JacobianRow& row_a,
   return {.a = a, .b = b, .on_a = row_a, .on_b = on_b};
 }
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::solver

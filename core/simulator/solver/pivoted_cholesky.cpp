@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::solver {
 
 namespace {
 
@@ -96,4 +96,4 @@ void PivotedCholesky::solve(std::array<double, max_unknowns>& rhs) const {
   }
 }
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::solver

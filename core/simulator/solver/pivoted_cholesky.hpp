@@ -9,7 +9,7 @@
 #include <array>
 #include <memory>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::solver {
 
 class PivotedCholesky {
  public:
@@ -44,4 +44,4 @@ class PivotedCholesky {
   std::array<bool, max_unknowns> redundant_;
 };
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::solver

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::solver {
 
 namespace {
 
@@ -213,4 +213,4 @@ double RegularizedQp::try_fraction(double part) {
   return promised;
 }
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::solver

@@ -16,7 +16,7 @@
 #include <array>
 #include <span>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::solver {
 
 // Kept and reused: making one allocates, solving does not.
 class RegularizedQp {
@@ -66,4 +66,4 @@ class RegularizedQp {
   bool system_current_ = false;  // the rows and the free ones as they are
 };
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::solver

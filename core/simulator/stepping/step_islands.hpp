@@ -8,7 +8,7 @@
 
 #include <array>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::stepping {
 
 class StepIslands {
  public:
@@ -46,4 +46,4 @@ class StepIslands {
   std::array<double, max_bodies> start_{};  // of that
 };
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::stepping

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::stepping {
 
 namespace {
 
@@ -22,18 +22,18 @@ constexpr double correction_tolerance = 1e-3;
 constexpr double length_safety = 0.8;
 constexpr double step_growth = 2.0;
 
-bool any_presses(std::span<const Contact> contacts) {
+bool any_presses(std::span<const collision::Contact> contacts) {
   return std::any_of(contacts.begin(), contacts.end(),
-                     [](const Contact& c) { return c.impact.impulse != 0.0; });
+                     [](const collision::Contact& c) { return c.impact.impulse != 0.0; });
 }
 
 // Was a corner of the pair, one that presses if any does, behind its edge when the step began, by more
 // than what counts as touching?
-bool was_behind_edge(const StepTrajectories::Step& step, std::span<const Contact> contacts,
-                     bool presses, double touch) {
-  return std::any_of(contacts.begin(), contacts.end(), [&](const Contact& c) {
+bool was_behind_edge(const StepTrajectories::Step& step,
+                     std::span<const collision::Contact> contacts, bool presses, double touch) {
+  return std::any_of(contacts.begin(), contacts.end(), [&](const collision::Contact& c) {
     if (presses && c.impact.impulse == 0.0) return false;
-    return c.point.gap < row_rate(c.row, step.end) * step.length - touch;
+    return c.point.gap < collision::row_rate(c.row, step.end) * step.length - touch;
   });
 }
 
@@ -41,24 +41,24 @@ bool was_behind_edge(const StepTrajectories::Step& step, std::span<const Contact
 
 BodyState along_corrected_arc(const BodyState& begin, const Vec2& correction, double length,
                               double span) {
-  BodyState body = along_arc(begin, span);
+  BodyState body = trajectory::along_arc(begin, span);
   const double part = span / length;
   body.position += (4.0 * part * (1.0 - part)) * correction;
   return body;
 }
 
-MotionBound bound_of_corrected_arc(const BodyState& begin, const Vec2& end, const Vec2& correction,
-                                   double t, double length) {
+trajectory::MotionBound bound_of_corrected_arc(const BodyState& begin, const Vec2& end,
+                                               const Vec2& correction, double t, double length) {
   const Twist& v = begin.twist;
   const double speed = std::sqrt(v.forward * v.forward + v.left * v.left);
   const double off_diagonal = 8.0 * std::sqrt(correction.squaredNorm()) / (length * length);
-  return bound_between(begin.position, end, t, length, speed * std::abs(v.omega) + off_diagonal,
-                       std::abs(v.omega));
+  return trajectory::bound_between(begin.position, end, t, length,
+                                   speed * std::abs(v.omega) + off_diagonal, std::abs(v.omega));
 }
 
-Segment corrected_segment(const BodyState& now, const Vec2& correction, double step_begin,
-                          double begin, double end) {
-  Segment s = steady_segment(now, begin, end);
+trajectory::Segment corrected_segment(const BodyState& now, const Vec2& correction,
+                                      double step_begin, double begin, double end) {
+  trajectory::Segment s = trajectory::steady_segment(now, begin, end);
   const double length = end - step_begin;
   const double speed = 4.0 * (1.0 - 2.0 * (begin - step_begin) / length) / length;
   const double half_acceleration = -4.0 / (length * length);
@@ -69,7 +69,8 @@ Segment corrected_segment(const BodyState& now, const Vec2& correction, double s
   return s;
 }
 
-StepTrajectories::StepTrajectories(const StaticWorld& world, RegularizedQp& problem)
+StepTrajectories::StepTrajectories(const collision::StaticWorld& world,
+                                   solver::RegularizedQp& problem)
     : world_(world), qp_(problem), arcs_(max_bodies) {
   correction_.fill({0.0, 0.0});
   for (int i = 0; i < world.bodies(); ++i) {
@@ -81,7 +82,7 @@ StepTrajectories::StepTrajectories(const StaticWorld& world, RegularizedQp& prob
 bool StepTrajectories::is_clear(const Step& step) {
   near_contact_count_ = 0;
   bool clear = true;
-  for_each_pair(step.contacts, [&](std::span<const Contact> contacts) {
+  for_each_pair(step.contacts, [&](std::span<const collision::Contact> contacts) {
     const bool presses = any_presses(contacts);
     const Pair& pair = contacts.front().pair;
     bool is_near = presses;
@@ -90,17 +91,18 @@ bool StepTrajectories::is_clear(const Step& step) {
       clear = clear && (is_near || !tunnels(step, pair));
     }
     if (!is_near && !presses) return;
-    for (const Contact& c : contacts) near_contacts_[near_contact_count_++] = &c;
+    for (const collision::Contact& c : contacts) near_contacts_[near_contact_count_++] = &c;
   });
   return clear;
 }
 
 bool StepTrajectories::tunnels(const Step& step, const Pair& pair) {
-  for_each_body(bodies_of(pair),
-                [&](int i) { arcs_[i] = steady_segment(step.begin[i], 0.0, step.length); });
+  for_each_body(bodies_of(pair), [&](int i) {
+    arcs_[i] = trajectory::steady_segment(step.begin[i], 0.0, step.length);
+  });
   const double overlaps =
       first_time_below(world_, pair, -world_.tolerances.intermediate_penetration, arcs_, 0.0);
-  return overlaps > 0.0 && overlaps != never;
+  return overlaps > 0.0 && overlaps != trajectory::never;
 }
 
 void StepTrajectories::clear_corrections(const BodySet& members) {
@@ -151,7 +153,7 @@ double StepTrajectories::overlap_at(const Step& step, double part) {
 }
 
 // A corner that is still beside the edge is behind its line, and overlaps nothing.
-double StepTrajectories::sampled_gap(const Contact& c) const {
+double StepTrajectories::sampled_gap(const collision::Contact& c) const {
   return clamped_gap(world_, sampled_, c, world_.tolerances.intermediate_penetration);
 }
 
@@ -160,7 +162,7 @@ double StepTrajectories::sampled_gap(const Contact& c) const {
 double StepTrajectories::project_middle(const Step& step) {
   qp_.reset(translation_mass_);
   near_contact_count_ = 0;
-  for (const Contact& c : step.contacts) {
+  for (const collision::Contact& c : step.contacts) {
     const double apart = sampled_gap(c);
     if (apart > max_correction) continue;
     qp_.add(c.row);
@@ -168,10 +170,10 @@ double StepTrajectories::project_middle(const Step& step) {
     near_contacts_[near_contact_count_++] = &c;
   }
   qp_.solve(correction_tolerance);
-  std::array<Displacement, max_bodies> displacements{};
+  std::array<impact::Displacement, max_bodies> displacements{};
   for (int i = 0; i < near_contact_count_; ++i) {
     if (qp_.x[i] != 0.0)
-      add_displacement(near_contacts_[i]->row, qp_.x[i], translation_mass_, displacements);
+      impact::add_displacement(near_contacts_[i]->row, qp_.x[i], translation_mass_, displacements);
   }
   double farthest = 0.0;
   for (int i = 0; i < world_.bodies(); ++i) {
@@ -183,4 +185,4 @@ double StepTrajectories::project_middle(const Step& step) {
   return farthest;
 }
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::stepping

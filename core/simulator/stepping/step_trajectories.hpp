@@ -15,7 +15,7 @@
 #include <span>
 #include <vector>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::stepping {
 
 // A step of `length` seconds along an arc, in the middle of which the body is `bend` (m, in the field's
 // frame) beside it: where it is `span` seconds after the begin.
@@ -23,24 +23,24 @@ BodyState along_corrected_arc(const BodyState& begin, const Vec2& correction, do
                               double span);
 
 // The way that such a step of `length` seconds takes from its begin, at time t, to where it ends.
-MotionBound bound_of_corrected_arc(const BodyState& begin, const Vec2& end, const Vec2& correction,
-                                   double t, double length);
+trajectory::MotionBound bound_of_corrected_arc(const BodyState& begin, const Vec2& end,
+                                               const Vec2& correction, double t, double length);
 
 // The rest of such a step, which began at `step_begin`, s of the tick, from where the body is now.
-Segment corrected_segment(const BodyState& now, const Vec2& correction, double step_begin,
-                          double begin, double end);
+trajectory::Segment corrected_segment(const BodyState& now, const Vec2& correction,
+                                      double step_begin, double begin, double end);
 
 class StepTrajectories {
  public:
   // Both outlive it. Looking at a step resets the problem.
-  StepTrajectories(const StaticWorld& world, RegularizedQp& problem);
+  StepTrajectories(const collision::StaticWorld& world, solver::RegularizedQp& problem);
 
   // What a step is judged by: its members, each at the begin with the twist of the step, its contacts
   // at the end with their impulses.
   struct Step {
     BodySet members;
     std::span<const BodyState> begin, end;
-    std::span<const Contact> contacts;
+    std::span<const collision::Contact> contacts;
     double length;  // s
   };
 
@@ -64,21 +64,21 @@ class StepTrajectories {
  private:
   bool tunnels(const Step& step, const Pair& pair);
   double overlap_at(const Step& step, double part);
-  double sampled_gap(const Contact& contact) const;
+  double sampled_gap(const collision::Contact& contact) const;
   double project_middle(const Step& step);
 
-  const StaticWorld& world_;
-  RegularizedQp& qp_;
-  std::array<InverseMass, max_bodies> translation_mass_;  // bodies that do not turn
+  const collision::StaticWorld& world_;
+  solver::RegularizedQp& qp_;
+  std::array<solver::InverseMass, max_bodies> translation_mass_;  // bodies that do not turn
   bool is_corrected_ = false;
   double largest_correction_ =
       0.0;  // m: how far the last bend() wanted to take somebody beside an arc
   std::array<Vec2, max_bodies> correction_;    // m, of each member
   std::array<BodyState, max_bodies> sampled_;  // at the part of the step that is looked at
-  std::array<const Contact*, max_unknowns>
+  std::array<const collision::Contact*, solver::max_unknowns>
       near_contacts_;  // contacts of pairs that may overlap there
   int near_contact_count_ = 0;
-  std::vector<Segment> arcs_;  // of two that may pass through each other
+  std::vector<trajectory::Segment> arcs_;  // of two that may pass through each other
 };
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::stepping

@@ -11,7 +11,7 @@
 #include <bitset>
 #include <cmath>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::stepping {
 
 namespace {
 
@@ -46,11 +46,11 @@ constexpr double min_informative_share = 0.5;
 constexpr int friction_rounds = 10;
 
 // The twist after a step without any contact and without the ground's sideways force.
-Twist unconstrained_robot_twist(const Parameters& p, const DriveReference& drive, const Twist& v,
-                                double step) {
+Twist unconstrained_robot_twist(const Parameters& p, const trajectory::DriveReference& drive,
+                                const Twist& v, double step) {
   // The frame turns; the velocity does not, unless wheels that roll turn it.
   const Heading turned = Heading::from_angle(v.omega * step);
-  const bool rolls = std::abs(v.left) <= slip_round_off;
+  const bool rolls = std::abs(v.left) <= trajectory::slip_round_off;
   const Vec2 kept =
       rolls ? Vec2{v.forward, -v.forward * turned.sin} : turned.to_body({v.forward, v.left});
   Twist next{kept.x(), kept.y(), v.omega};
@@ -63,7 +63,7 @@ Twist unconstrained_robot_twist(const Parameters& p, const DriveReference& drive
 }
 
 Twist unconstrained_ball_twist(const Parameters& p, const Twist& v, double step) {
-  const RollingDeceleration d = rolling_deceleration(p);
+  const trajectory::RollingDeceleration d = trajectory::rolling_deceleration(p);
   const auto part_left = [&](double speed) {
     return speed == 0.0 ? 1.0 : std::max(0.0, 1.0 - step * (d.constant / speed + d.linear));
   };
@@ -75,7 +75,7 @@ Twist unconstrained_ball_twist(const Parameters& p, const Twist& v, double step)
   return {v.forward * left, v.left * left, 0.0};
 }
 
-bool is_same_place(const ContactPoint& p, const ContactPoint& q) {
+bool is_same_place(const collision::ContactPoint& p, const collision::ContactPoint& q) {
   return p.kind == q.kind && p.point_on_a == q.point_on_a && p.corner == q.corner &&
          p.edge == q.edge;
 }
@@ -87,7 +87,7 @@ double speed_at_most(const geometry::Outline& shape, const Twist& v) {
 
 // The fastest that a point of some body is with the twist that twist_of(body) says, m/s.
 template <class TwistOf>
-double fastest_point(const StaticWorld& world, const BodySet& some, TwistOf twist_of) {
+double fastest_point(const collision::StaticWorld& world, const BodySet& some, TwistOf twist_of) {
   double fastest = 0.0;
   for_each_body(some, [&](int i) {
     fastest = std::max(fastest, speed_at_most(world.shape(i), twist_of(i)));
@@ -97,16 +97,16 @@ double fastest_point(const StaticWorld& world, const BodySet& some, TwistOf twis
 
 }  // namespace
 
-TimeStepper::TimeStepper(const StaticWorld& world, RegularizedQp& problem)
+TimeStepper::TimeStepper(const collision::StaticWorld& world, solver::RegularizedQp& problem)
     : world_(world), qp_(problem), trajectories_(world, problem) {
   forget_forces();
-  for (int i = 0; i < world.robots; ++i) wheel_rows_[i] = lateral_wheel_row(i);
+  for (int i = 0; i < world.robots; ++i) wheel_rows_[i] = collision::lateral_wheel_row(i);
 }
 
 TimeStepper::Step TimeStepper::take_step(const BodySet& candidates,
-                                         std::span<const Contact> touching,
-                                         std::span<const DriveReference> drives,
-                                         std::span<const InverseMass> mass, double longest,
+                                         std::span<const collision::Contact> touching,
+                                         std::span<const trajectory::DriveReference> drives,
+                                         std::span<const solver::InverseMass> mass, double longest,
                                          std::span<BodyState> bodies) {
   const double length = std::min(max_step_length(candidates, bodies), proposed_length(candidates));
   double parts = std::ceil(longest / length * count_round_off);
@@ -141,10 +141,10 @@ void TimeStepper::remember_forces(const Step& step) {
       remembered_.begin(), remembered_.begin() + remembered_count_,
       [&](const RememberedForce& known) { return (bodies_of(known.pair) & step.members).any(); });
   remembered_count_ = static_cast<int>(last - remembered_.begin());
-  contacts_.keep_if([](const Contact& c) { return c.impact.impulse != 0.0; });
-  for (Contact& c : contacts_.contacts()) {
+  contacts_.keep_if([](const collision::Contact& c) { return c.impact.impulse != 0.0; });
+  for (collision::Contact& c : contacts_.contacts()) {
     c.resting = {.is_active = true, .force = c.impact.impulse / step.length};
-    if (remembered_count_ == max_unknowns) continue;
+    if (remembered_count_ == solver::max_unknowns) continue;
     remembered_[remembered_count_++] = {
         .pair = c.pair, .point = c.point, .force = c.resting.force, .impulse = c.impact.impulse};
   }
@@ -169,7 +169,7 @@ void TimeStepper::begin_tick() {
 // The impulses of a step like the last one.
 void TimeStepper::warm_start(const BodySet& members, double length) {
   int next = 0;
-  for (Contact& c : contacts_.contacts()) {
+  for (collision::Contact& c : contacts_.contacts()) {
     c.impact.impulse = 0.0;
     for (int tried = 0; tried < remembered_count_; ++tried) {
       const RememberedForce& known = remembered_[next];
@@ -212,9 +212,10 @@ double TimeStepper::proposed_length(const BodySet& some) const {
 }
 
 // A step of that length. False if overlaps remain at its end, or if it turns out to be too long.
-bool TimeStepper::attempt(const BodySet& candidates, std::span<const Contact> touching,
-                          std::span<const DriveReference> drives, std::span<const InverseMass> mass,
-                          double length, std::span<const BodyState> bodies, Step& step) {
+bool TimeStepper::attempt(const BodySet& candidates, std::span<const collision::Contact> touching,
+                          std::span<const trajectory::DriveReference> drives,
+                          std::span<const solver::InverseMass> mass, double length,
+                          std::span<const BodyState> bodies, Step& step) {
   for (int i = 0; i < world_.bodies(); ++i) {
     if (!candidates[i]) continue;
     unconstrained_[i].twist =
@@ -225,8 +226,8 @@ bool TimeStepper::attempt(const BodySet& candidates, std::span<const Contact> to
   predict_contacts(candidates, touching, length, bodies);
   step = {{}, length};
   if (contacts_.count == 0) return true;
-  step.members = islands_of(bodies_of(contacts_.list[0].pair), contacts_.contacts());
-  contacts_.keep_if([&](const Contact& c) { return step.members[c.pair.a]; });
+  step.members = impact::islands_of(bodies_of(contacts_.list[0].pair), contacts_.contacts());
+  contacts_.keep_if([&](const collision::Contact& c) { return step.members[c.pair.a]; });
   return solve_until_settled(step.members, drives, mass, length, bodies) &&
          length <= travel_overrun * max_step_length(step.members, end_);
 }
@@ -243,19 +244,20 @@ double TimeStepper::motor_reach(const BodySet& candidates, double length,
 }
 
 // Where the candidates would be if they kept their twists, and what is close to what there.
-void TimeStepper::predict_contacts(const BodySet& candidates, std::span<const Contact> touching,
-                                   double length, std::span<const BodyState> bodies) {
+void TimeStepper::predict_contacts(const BodySet& candidates,
+                                   std::span<const collision::Contact> touching, double length,
+                                   std::span<const BodyState> bodies) {
   for (int i = 0; i < world_.bodies(); ++i) {
-    if (candidates[i]) end_[i] = along_arc(bodies[i], length);
+    if (candidates[i]) end_[i] = trajectory::along_arc(bodies[i], length);
   }
   const double margin =
       max_point_speed(candidates, bodies) * length + motor_reach(candidates, length, bodies);
   contacts_.count = 0;
   add_contacts_among(world_, candidates, end_, margin, boxes_, contacts_);
   std::array<std::bitset<max_partners>, max_bodies> found;
-  for (const Contact& c : contacts_.contacts()) found[c.pair.a].set(c.pair.partner);
+  for (const collision::Contact& c : contacts_.contacts()) found[c.pair.a].set(c.pair.partner);
   // Who touches may part faster than anybody goes, and yet not part once the others are heard.
-  for (const Contact& c : touching) {
+  for (const collision::Contact& c : touching) {
     if (!candidates[c.pair.a] || found[c.pair.a][c.pair.partner]) continue;
     found[c.pair.a].set(c.pair.partner);
     add_contacts(world_, c.pair, end_, infinity, contacts_);
@@ -266,8 +268,8 @@ void TimeStepper::predict_contacts(const BodySet& candidates, std::span<const Co
 // Solves until what was solved for is what is found, along the normals of the look ahead. False if that
 // does not come about.
 bool TimeStepper::solve_until_settled(const BodySet& members,
-                                      std::span<const DriveReference> drives,
-                                      std::span<const InverseMass> mass, double length,
+                                      std::span<const trajectory::DriveReference> drives,
+                                      std::span<const solver::InverseMass> mass, double length,
                                       std::span<const BodyState> bodies) {
   next_length_ = length;
   trajectories_.clear_corrections(members);
@@ -282,9 +284,10 @@ bool TimeStepper::solve_until_settled(const BodySet& members,
     for (int i = 0; i < world_.bodies(); ++i) {
       if (!members[i]) continue;
       start_[i].twist = end_[i].twist;
-      end_[i] = along_arc(start_[i], length);
+      end_[i] = trajectory::along_arc(start_[i], length);
     }
-    for (Contact& c : contacts_.contacts()) refresh_contact(world_, end_, c.pair, c.point);
+    for (collision::Contact& c : contacts_.contacts())
+      refresh_contact(world_, end_, c.pair, c.point);
     const Tolerances& t = world_.tolerances;
     if (has_settled(look < strict_refinements ? t.step_gap : t.step_gap_in_conflict)) {
       return check_trajectories(members, length);
@@ -317,7 +320,7 @@ void TimeStepper::allow_initial_overlaps(double length, std::span<const BodyStat
 
 bool TimeStepper::has_settled(double touch) const {
   for (int i = 0; i < contacts_.count; ++i) {
-    const Contact& c = contacts_.list[i];
+    const collision::Contact& c = contacts_.list[i];
     const double gap = c.point.gap + allowed_overlap_[i];
     if (gap < -touch || (c.impact.impulse > 0.0 && gap > touch)) return false;
   }
@@ -325,19 +328,20 @@ bool TimeStepper::has_settled(double touch) const {
 }
 
 // What impulses the step asks for: of contacts, along their tangents, of wheels.
-void TimeStepper::build_problem(const BodySet& members, std::span<const DriveReference> drives,
-                                std::span<const InverseMass> mass, double length) {
+void TimeStepper::build_problem(const BodySet& members,
+                                std::span<const trajectory::DriveReference> drives,
+                                std::span<const solver::InverseMass> mass, double length) {
   const Parameters& p = world_.parameters;
   int count = 0;
-  const auto add = [&](const ConstraintRow& row, double& impulse) {
+  const auto add = [&](const solver::ConstraintRow& row, double& impulse) {
     row_[count] = &row;
     impulse_[count++] = &impulse;
   };
-  for (Contact& c : contacts_.contacts()) add(c.row, c.impact.impulse);
+  for (collision::Contact& c : contacts_.contacts()) add(c.row, c.impact.impulse);
   tangent_count_ = 0;
-  for (const Contact& c : contacts_.contacts()) {
-    if (c.material.friction == 0.0 || count == max_unknowns - max_bodies) continue;
-    tangent_rows_[tangent_count_] = tangent_row(c, end_);
+  for (const collision::Contact& c : contacts_.contacts()) {
+    if (c.material.friction == 0.0 || count == solver::max_unknowns - max_bodies) continue;
+    tangent_rows_[tangent_count_] = impact::tangent_row(c, end_);
     tangent_impulse_[tangent_count_] = c.impact.impulse;
     add(tangent_rows_[tangent_count_], tangent_impulse_[tangent_count_]);
     ++tangent_count_;
@@ -345,16 +349,17 @@ void TimeStepper::build_problem(const BodySet& members, std::span<const DriveRef
   const int with_tangents = count;
   for (int i = 0; i < world_.robots; ++i) {
     const bool holds = members[i] && drives[i].wheels_on_ground && p.grip != infinite_grip;
-    if (holds && count < max_unknowns) add(wheel_rows_[i], wheel_impulse_[i]);
+    if (holds && count < solver::max_unknowns) add(wheel_rows_[i], wheel_impulse_[i]);
   }
   qp_.reset(mass);
   for (int i = 0; i < count; ++i) qp_.add(*row_[i]);
   for (int i = with_tangents; i < count; ++i) set_bounds(i, max_grip(length));
-  for (int i = 0; i < count; ++i) unconstrained_rate_[i] = row_rate(*row_[i], unconstrained_);
+  for (int i = 0; i < count; ++i)
+    unconstrained_rate_[i] = collision::row_rate(*row_[i], unconstrained_);
 }
 
 // These impulses, from where the last look ended. Sets the twists of end_.
-void TimeStepper::solve_impulses(const BodySet& members, std::span<const InverseMass> mass,
+void TimeStepper::solve_impulses(const BodySet& members, std::span<const solver::InverseMass> mass,
                                  double length) {
   const int normals = contacts_.count;
   const int with_tangents = normals + tangent_count_;
@@ -364,8 +369,8 @@ void TimeStepper::solve_impulses(const BodySet& members, std::span<const Inverse
     qp_.b[i] = unconstrained_rate_[i];
     // The gap at the end of the step, from what it is with the twists of the last look.
     if (i >= normals) continue;
-    qp_.b[i] +=
-        (contacts_.list[i].point.gap + allowed_overlap_[i]) / length - row_rate(*row_[i], end_);
+    qp_.b[i] += (contacts_.list[i].point.gap + allowed_overlap_[i]) / length -
+                collision::row_rate(*row_[i], end_);
   }
   for (int i = normals; i < with_tangents; ++i) set_bounds(i, 0.0);
   qp_.solve(impulse_tolerance);
@@ -382,7 +387,7 @@ void TimeStepper::solve_impulses(const BodySet& members, std::span<const Inverse
   }
   for (int i = 0; i < count; ++i) {
     *impulse_[i] = qp_.x[i];
-    apply_impulse(*row_[i], qp_.x[i], mass, end_);
+    collision::apply_impulse(*row_[i], qp_.x[i], mass, end_);
   }
   for (int i = with_tangents; i < count; ++i) {
     if (std::abs(qp_.x[i]) < max_grip(length)) end_[row_[i]->a].twist.left = 0.0;
@@ -399,4 +404,4 @@ double TimeStepper::max_grip(double length) const {
   return p.grip * p.robot_mass * gravity * length;
 }
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::stepping

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::trajectory {
 
 namespace {
 
@@ -78,4 +78,4 @@ BodyState closed_form_state(const BodyState& robot, const DriveReference& drive,
            drive.omega + turn_to_lose * decay.at_end}};
 }
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::trajectory

@@ -17,7 +17,7 @@
 #include <array>
 #include <cmath>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::trajectory {
 
 inline constexpr int gauss_nodes = angles_at_once;
 
@@ -74,4 +74,4 @@ inline MotionBound closed_form_bound(const BodyState& robot, const BodyState& en
   return bound_between(robot.position, end.position, begin, decay.span, acceleration, turn);
 }
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::trajectory

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::trajectory {
 
 namespace {
 
@@ -109,4 +109,4 @@ Segment drive(const Parameters& p, const BodyState& robot, const DriveReference&
   return s;
 }
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::trajectory

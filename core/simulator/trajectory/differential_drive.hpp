@@ -15,7 +15,7 @@
 #include "core/simulator/model/parameters.hpp"
 #include "core/simulator/trajectory/segment.hpp"
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::trajectory {
 
 // What the motors aim at until the next command.
 struct DriveReference {
@@ -59,4 +59,4 @@ double time_of_grip(const Segment& segment, double slide);
 Segment drive(const Parameters& parameters, const BodyState& robot, const DriveReference& drive,
               double begin, double horizon, double preferred_duration);
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::trajectory

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::trajectory {
 
 namespace {
 
@@ -49,4 +49,4 @@ Box box_around(const MotionBound& way, double span) {
           std::max(way.from.y(), to.y()) + way.max_deviation};
 }
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::trajectory

@@ -6,7 +6,7 @@
 
 #include "core/simulator/trajectory/segment.hpp"
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::trajectory {
 
 struct MotionBound {
   double begin = 0.0;          // s of the tick
@@ -38,4 +38,4 @@ inline MotionBound bound_between(const Vec2& from, const Vec2& to, double begin,
 // A box that holds the reference point for `span` seconds from the way's begin.
 Box box_around(const MotionBound& way, double span);
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::trajectory

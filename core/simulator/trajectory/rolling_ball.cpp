@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::trajectory {
 
 namespace {
 
@@ -152,4 +152,4 @@ Segment roll(const RollingDeceleration& d, const BodyState& ball, double begin, 
   return s;
 }
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::trajectory

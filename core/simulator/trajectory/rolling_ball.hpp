@@ -15,7 +15,7 @@
 #include "core/simulator/model/parameters.hpp"
 #include "core/simulator/trajectory/segment.hpp"
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::trajectory {
 
 // The constants of ds/dt = -constant - linear * s.
 struct RollingDeceleration {
@@ -61,4 +61,4 @@ void extend_ball_twist(const RollingDeceleration& d, int k, Segment& ball, Braki
 // `horizon`.
 Segment roll(const RollingDeceleration& d, const BodyState& ball, double begin, double horizon);
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::trajectory

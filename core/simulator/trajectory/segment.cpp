@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::trajectory {
 
 Segment still_segment(const BodyState& body, double begin, double end) {
   Segment s;
@@ -176,4 +176,4 @@ Box swept_box(const Segment& segment) {
   return {segment.x[0] + x.low, segment.x[0] + x.high, segment.y[0] + y.low, segment.y[0] + y.high};
 }
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::trajectory

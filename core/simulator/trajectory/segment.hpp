@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::trajectory {
 
 // What is exactly zero at the end of a segment although its series leave a rounding error there.
 enum class TerminalState { nothing, sideways, everything };
@@ -90,4 +90,4 @@ struct Box {
 };
 Box swept_box(const Segment& segment);
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::trajectory

@@ -6,7 +6,7 @@
 #include <functional>
 #include <utility>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::trajectory {
 
 Series operator+(const Series& a, const Series& b) {
   return with_terms(std::max(a.terms, b.terms), [&](auto n) {
@@ -208,4 +208,4 @@ double first_crossing(const Series& p, double level, double begin, double end) {
   return origin;  // p is that close to the level for that long: the caller looks again from here
 }
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::trajectory

@@ -13,7 +13,7 @@
 #include <limits>
 #include <type_traits>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::trajectory {
 
 // How many coefficients, t^0 .. t^(n-1), a series may have: few of a short curve.
 inline constexpr std::array<int, 4> term_counts{6, 8, 10, 14};
@@ -105,4 +105,4 @@ inline double segment_length(double rate) {
   return rate > 0.0 ? 0.6 / rate : never;
 }
 
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::trajectory

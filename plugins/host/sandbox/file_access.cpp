@@ -15,14 +15,14 @@ namespace mirocup::plugins {
 
 namespace {
 
-// The structure as of version 6, which is newer than the system's header may be.
+// The structure of version 6, which may be newer than the system's header.
 struct Rules {
   std::uint64_t files;
   std::uint64_t network;
   std::uint64_t scopes;
 };
 
-// Numbers of rights on files that each version knows: of version 1, then of the later ones.
+// The number of file rights that each version knows; the index is the version.
 constexpr int file_rights[] = {0, 13, 14, 15, 15, 16};
 constexpr std::uint64_t bind_and_connect_tcp = 3;
 constexpr std::uint64_t abstract_sockets_and_signals = 3;
@@ -44,7 +44,7 @@ Descriptor make_rules() {
   return Descriptor(static_cast<int>(syscall(SYS_landlock_create_ruleset, &rules, size, 0)));
 }
 
-// What does not exist needs no rule.
+// Adds a rule that allows reading below `path`. A path that does not exist needs no rule.
 bool allow_reading(const Descriptor& rules, const char* path) {
   const Descriptor file(open(path, O_PATH | O_CLOEXEC));
   if (file.get() < 0) return errno == ENOENT;

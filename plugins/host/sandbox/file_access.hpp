@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
-// What a team's process may do to files, by Landlock: read libraries while it loads, then nothing.
-// It also may not use the network, or signal anybody outside, where the kernel's Landlock can that.
+// Limits a team's process with Landlock: it may read libraries while it loads, then no files at
+// all. Where the kernel's Landlock can forbid it, the process may also not use the network or send
+// signals to other processes.
 #pragma once
 
 namespace mirocup::plugins {
 
-// Of the kernel's Landlock; 0 or less: it has none.
+// Returns the version of the kernel's Landlock; 0 or less if it has none.
 int landlock_version();
 
-// From here on this process may only read below the library folders, and `entry_path` if that is
-// not null; or nothing at all. Both last; the second goes on top of the first. False: errno says
-// why.
+// From here on this process may only read files below the library folders and, if it is not null,
+// `entry_path`; or no files at all. Neither can be undone; the second is applied on top of the
+// first. They return false on failure; errno says why.
 bool allow_libraries_only(const char* entry_path);
 bool allow_no_files();
 

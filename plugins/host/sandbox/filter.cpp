@@ -17,7 +17,7 @@ namespace mirocup::plugins {
 
 namespace {
 
-// Calls without a condition, by what they are for.
+// Calls that are allowed without a condition, grouped by purpose.
 constexpr const char* memory[] = {"brk", "mmap", "munmap", "mremap", "mprotect", "madvise"};
 constexpr const char* time_and_waiting[] = {
     "clock_gettime",   "clock_getres", "gettimeofday",   "time", "nanosleep",
@@ -58,7 +58,7 @@ constexpr const char* open_files[] = {"read",  "write", "readv",       "writev",
 constexpr const char* loading[] = {"openat", "landlock_create_ruleset", "landlock_restrict_self"};
 constexpr const char* end[] = {"exit", "exit_group"};
 
-// Calls that are answered with an error.
+// Calls that return an error, grouped by the error.
 constexpr const char* not_permitted[] = {
     "sched_setaffinity", "sched_setscheduler", "sched_setparam", "sched_setattr", "setpriority",
     "ioprio_set",        "setrlimit",          "mlock",          "mlock2",        "mlockall",
@@ -77,17 +77,17 @@ constexpr int futex_operations[] = {FUTEX_WAIT,       FUTEX_WAKE,        FUTEX_R
                                     FUTEX_WAKE_OP,    FUTEX_CMP_REQUEUE, FUTEX_WAIT_BITSET,
                                     FUTEX_WAKE_BITSET};
 
-// Any of these in the flags of openat() would change something.
+// Flags of openat() that would let a process change something.
 constexpr unsigned writing_flags[] = {O_WRONLY, O_RDWR, O_CREAT, O_TRUNC, O_APPEND, O_PATH};
 
-// A filter under construction. Rules that a kernel or architecture does not know are left out:
-// nothing is allowed by that.
+// A filter under construction. Rules for calls that the kernel or the architecture does not know
+// are left out, which allows nothing.
 class Filter {
  public:
   explicit Filter(std::uint32_t otherwise) : context_(seccomp_init(otherwise), seccomp_release) {
     if (context_ == nullptr) return;
     seccomp_attr_set(context_.get(), SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS);
-    seccomp_attr_set(context_.get(), SCMP_FLTATR_CTL_NNP, 0);       // is set already
+    seccomp_attr_set(context_.get(), SCMP_FLTATR_CTL_NNP, 0);  // limit_this_process() has set it
     seccomp_attr_set(context_.get(), SCMP_FLTATR_CTL_OPTIMIZE, 2);  // a tree, not a list
   }
 
@@ -130,7 +130,8 @@ void allow_some_forms(Filter& filter) {
     filter.add(SCMP_ACT_ALLOW, "futex",
                scmp_arg_cmp{1, SCMP_CMP_MASKED_EQ, mask, static_cast<scmp_datum_t>(operation)});
   }
-  // abort() and raise(), but neither stopping nor SIGKILL: that looks as if the host had done it.
+  // For abort() and raise(). Stop signals and SIGKILL are not allowed: their effect looks as if the
+  // host had caused it.
   for (int signal = 1; signal < 32; ++signal) {
     if (signal == SIGKILL || signal == SIGSTOP || signal == SIGTSTP || signal == SIGTTIN ||
         signal == SIGTTOU) {
@@ -139,7 +140,7 @@ void allow_some_forms(Filter& filter) {
     filter.add(SCMP_ACT_ALLOW, "tgkill", is(0, static_cast<scmp_datum_t>(getpid())),
                is(2, static_cast<scmp_datum_t>(signal)));
   }
-  // SIGSYS is what the filter itself speaks with.
+  // The filter itself uses SIGSYS.
   filter.add(SCMP_ACT_ALLOW, "rt_sigaction", scmp_arg_cmp{0, SCMP_CMP_NE, SIGSYS, 0});
   filter.add(SCMP_ACT_ERRNO(EPERM), "rt_sigaction", is(0, SIGSYS));
   for (const int command : {F_GETFD, F_SETFD, F_GETFL}) {
@@ -155,12 +156,14 @@ void allow_some_forms(Filter& filter) {
   filter.add(SCMP_ACT_ALLOW, "prctl", is(0, PR_GET_NAME));
   filter.add(SCMP_ACT_ERRNO(EPERM), "prctl", scmp_arg_cmp{0, SCMP_CMP_LT, PR_SET_NAME, 0});
   filter.add(SCMP_ACT_ERRNO(EPERM), "prctl", scmp_arg_cmp{0, SCMP_CMP_GT, PR_GET_NAME, 0});
-  // For phase 2; without the flags that would hand out a listener or fill the kernel's log.
+  // Allowed for phase 2, but without the flags that would return a listener or fill the kernel's
+  // log.
   filter.add(SCMP_ACT_ALLOW, "seccomp", is(0, SECCOMP_SET_MODE_FILTER), is(1, 0));
   filter.add(SCMP_ACT_ERRNO(EFAULT), "seccomp", is(0, SECCOMP_GET_ACTION_AVAIL));
 }
 
-// A second filter can only take away: files are opened for reading, whatever the first allows.
+// A filter of its own, because a second filter can only take rights away: whatever the other one
+// allows, files can be opened for reading only.
 bool open_for_reading_only() {
   Filter filter(SCMP_ACT_ALLOW);
   for (const unsigned flag : writing_flags) {

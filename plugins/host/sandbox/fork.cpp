@@ -3,6 +3,7 @@
 
 #include "plugins/host/descriptor.hpp"
 
+#include <cassert>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -19,11 +20,11 @@ namespace mirocup::plugins {
 
 namespace {
 
-// What a team's process calls itself in its own namespace.
+// The user of a team's process inside its own namespace.
 constexpr uid_t inner_user = 1000;
 
-// Outside, if the server is root: users that own nothing, one for each process, so that limits and
-// signals of one team reach no other.
+// The users outside, if the server is root: they own nothing, and each process gets one of its own,
+// so that limits and signals of one team reach no other.
 constexpr uid_t first_outer_user = 61000;
 constexpr uid_t outer_users = 1000;
 
@@ -36,7 +37,7 @@ bool write_to(const std::string& path, const std::string& text) {
   return write(file.get(), text.data(), text.size()) == static_cast<ssize_t>(text.size());
 }
 
-// Maps one user and one group of the child's namespace to one outside.
+// Maps the one user and group of the child's namespace to a user and a group outside.
 bool write_id_maps(pid_t pid) {
   const std::string folder = "/proc/" + std::to_string(pid) + "/";
   if (!write_to(folder + "setgroups", "deny")) return false;
@@ -45,29 +46,30 @@ bool write_id_maps(pid_t pid) {
     return write_to(folder + "gid_map", inner + std::to_string(group) + " 1\n") &&
            write_to(folder + "uid_map", inner + std::to_string(user) + " 1\n");
   };
-  // Root of a container may not have the other users.
+  // Fails for the root of a container that has no other users.
   if (geteuid() == 0 && map_to(outer_user(pid), outer_user(pid))) return true;
   return map_to(geteuid(), getegid());
 }
 
-// In the child. The C library's own calls would tell the threads of the parent, which the child does
-// not have, and wait for their answer for ever.
+// In the child. Not the C library's functions: they would signal the parent's other threads, which
+// the child does not have, and wait for them for ever.
 bool set_user(uid_t user) {
   return syscall(SYS_setresgid, user, user, user) == 0 &&
          syscall(SYS_setresuid, user, user, user) == 0;
 }
 
-// In the child: stops being root, and dies with the parent from here on. In T2 it becomes the only
-// user of its namespace.
+// In the child of tier T2: becomes the only user of its namespace, and from here on dies with the
+// parent.
 bool become_inner_user() {
   return set_user(inner_user) && prctl(PR_SET_PDEATHSIG, SIGKILL) == 0;
 }
 
+// In the child of tier T1: stops being root, and from here on dies with the parent.
 bool become_other_user() {
   if (geteuid() == 0) {
     const uid_t user = outer_user(getpid());
     const bool is_other = syscall(SYS_setgroups, 0, nullptr) == 0 && set_user(user);
-    // Root of a container that has no other users: at least it loses root's privileges with exec.
+    // The root of a container without other users at least loses its privileges with exec.
     if (!is_other &&
         prctl(PR_SET_SECUREBITS, SECBIT_NOROOT | SECBIT_NOROOT_LOCKED | SECBIT_NO_SETUID_FIXUP |
                                      SECBIT_NO_SETUID_FIXUP_LOCKED) != 0) {
@@ -81,11 +83,12 @@ tl::unexpected<Error> no_sandbox(const char* what) {
   return fail(Errc::unavailable, std::string(what) + ": " + std::strerror(errno));
 }
 
-// A byte over the line that the two have; false: the other one is gone.
-bool say(const Descriptor& line) {
+// Parent and child send each other single bytes to keep in step. Both functions return false if the
+// other side is gone.
+bool send_byte(const Descriptor& line) {
   return send(line.get(), "", 1, MSG_NOSIGNAL) == 1;
 }
-bool hear(const Descriptor& line) {
+bool receive_byte(const Descriptor& line) {
   char byte = 0;
   ssize_t n = 0;
   while ((n = read(line.get(), &byte, 1)) < 0 && errno == EINTR) {
@@ -95,10 +98,12 @@ bool hear(const Descriptor& line) {
 
 }  // namespace
 
-// A parent that dies while the child becomes another user is not noticed, so the child goes on only
-// when it has heard of its parent again afterwards.
+// Becoming another user clears the signal that the child gets when its parent dies. So the child
+// asks for it again and then goes on only after another byte from its parent, which proves that the
+// parent still lives.
 Result<pid_t> fork_isolated(Isolation isolation, const std::function<void()>& run) {
-  const bool is_inner = isolation == Isolation::T2;
+  assert(isolation != Isolation::none);
+  const bool has_namespaces = isolation == Isolation::T2;
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
     return no_sandbox("a pair of sockets cannot be made");
@@ -106,19 +111,21 @@ Result<pid_t> fork_isolated(Isolation isolation, const std::function<void()>& ru
   Descriptor child_line(ends[1]);
   const int namespaces = CLONE_NEWUSER | CLONE_NEWPID | CLONE_NEWNS | CLONE_NEWNET | CLONE_NEWIPC |
                          CLONE_NEWUTS | CLONE_NEWCGROUP;
-  const long flags = SIGCHLD | (is_inner ? namespaces : 0);
+  const long flags = SIGCHLD | (has_namespaces ? namespaces : 0);
   const auto pid = static_cast<pid_t>(syscall(SYS_clone, flags, 0, 0, 0, 0));
   if (pid < 0) return no_sandbox("a process cannot be started");
   if (pid == 0) {
     line.reset();
-    if (hear(child_line) && (is_inner ? become_inner_user() : become_other_user()) &&
-        say(child_line) && hear(child_line)) {
+    if (receive_byte(child_line) && (has_namespaces ? become_inner_user() : become_other_user()) &&
+        send_byte(child_line) && receive_byte(child_line)) {
       run();
     }
     _exit(127);
   }
   child_line.reset();
-  if ((!is_inner || write_id_maps(pid)) && say(line) && hear(line) && say(line)) return pid;
+  if ((!has_namespaces || write_id_maps(pid)) && send_byte(line) && receive_byte(line) &&
+      send_byte(line))
+    return pid;
   const auto error = no_sandbox("a team's process cannot have a user of its own");
   kill(pid, SIGKILL);
   waitpid(pid, nullptr, 0);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The fork that a team's process starts with: as another user, and in tier T2 in namespaces of its
-// own.
+// Forks a team's process: as another user, and in tier T2 in namespaces of its own.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -12,9 +11,9 @@
 
 namespace mirocup::plugins {
 
-// Forks; `run` is called in the child and must not return, allocate or take locks. There the child
-// is no longer the server's user, if that is root, and dies with the thread that called, whenever
-// that dies. Errors: Errc::unavailable.
+// Forks and calls `run` in the child, where it must not return, allocate or take locks. By then the
+// child is no longer root, if the server is, and it dies as soon as the calling thread dies.
+// Returns the child's process number. Errors: Errc::unavailable.
 Result<pid_t> fork_isolated(Isolation isolation, const std::function<void()>& run);
 
 }  // namespace mirocup::plugins

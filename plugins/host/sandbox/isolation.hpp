@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// How well a team's process is shut in. README.md beside this folder says what each tier means.
+// The tiers of isolation of a team's process. plugins/host/README.md describes each.
 #pragma once
 
-#include "core/base/error.hpp"
 #include "core/base/names.hpp"
 
 namespace mirocup::plugins {
@@ -13,10 +12,6 @@ enum class Isolation {
   T1,    // limits, system-call filter, Landlock
   T2,    // T1 in namespaces of its own, with an empty root
 };
-
-// The strongest that this machine allows, found by trying it. An error, Errc::unavailable, says
-// what is missing below T1.
-Result<Isolation> strongest_isolation();
 
 }  // namespace mirocup::plugins
 

@@ -14,11 +14,11 @@ struct Limit {
   rlim_t value;
 };
 
-// The server's own budgets end a team long before RLIMIT_CPU: that is for a server that cannot.
+// The server's budgets end a team long before RLIMIT_CPU, which is for a server that cannot.
 constexpr Limit limits[] = {
-    {RLIMIT_AS, most_memory}, {RLIMIT_STACK, 8u << 20}, {RLIMIT_CPU, 3600}, {RLIMIT_FSIZE, 0},
-    {RLIMIT_NOFILE, 16},      {RLIMIT_NPROC, 1},        {RLIMIT_CORE, 0},   {RLIMIT_MEMLOCK, 0},
-    {RLIMIT_MSGQUEUE, 0},     {RLIMIT_SIGPENDING, 16},  {RLIMIT_LOCKS, 0},
+    {RLIMIT_AS, max_memory}, {RLIMIT_STACK, 8u << 20}, {RLIMIT_CPU, 3600}, {RLIMIT_FSIZE, 0},
+    {RLIMIT_NOFILE, 16},     {RLIMIT_NPROC, 1},        {RLIMIT_CORE, 0},   {RLIMIT_MEMLOCK, 0},
+    {RLIMIT_MSGQUEUE, 0},    {RLIMIT_SIGPENDING, 16},  {RLIMIT_LOCKS, 0},
 };
 
 }  // namespace

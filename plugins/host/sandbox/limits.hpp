@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// What a team's process may use of the machine.
+// The resource limits of a team's process.
 #pragma once
 
 #include <cstddef>
 
 namespace mirocup::plugins {
 
-inline constexpr std::size_t most_memory = std::size_t{1} << 30;  // bytes of addresses
+inline constexpr std::size_t max_memory = std::size_t{1} << 30;  // bytes of address space
 
-// Sets the resource limits of this process; no new privileges from here on; nobody may look into
-// it; it dies with its parent. False: errno says why.
+// Limits the resources of this process. From here on it can gain no new privileges, no other
+// process can trace it, and it dies with its parent. Returns false on failure; errno says why.
 bool limit_this_process();
 
 }  // namespace mirocup::plugins

@@ -17,10 +17,10 @@ namespace mirocup::plugins {
 
 namespace {
 
-// Where the tree is put together, over what is there: the namespace is the child's own.
+// The mount point where the tree is built. It hides the folder only in the child's own namespace.
 constexpr const char* workshop = "/tmp";
 
-// Room for the largest entry.
+// Enough room for the largest entry.
 constexpr const char* root_options = "size=40m,mode=755";
 
 bool make_read_only(const char* path) {
@@ -30,12 +30,12 @@ bool make_read_only(const char* path) {
          0;
 }
 
-// `path` + 1 is where it goes, relative to the workshop.
+// Binds `path` to the same path, without its leading slash, below the workshop.
 bool bind(const char* path) {
   return mount(path, path + 1, nullptr, MS_BIND | MS_REC, nullptr) == 0 && make_read_only(path + 1);
 }
 
-// A folder is bound; a link, as /lib is on most systems, stays one.
+// Binds a folder. A symbolic link, as /lib is on most systems, stays a link.
 bool add_folder(const char* path) {
   struct stat status {};
   if (lstat(path, &status) != 0) return errno == ENOENT;
@@ -90,7 +90,7 @@ const char* enter_private_root(int entry) {
   }
   if (!add_loader_cache()) return loader_cache;
   if (entry != no_entry && !add_entry(entry)) return "the copy of the library";
-  // The old root is put over the new one and taken off at once, which leaves the new one.
+  // Puts the old root on top of the new one and detaches it, which leaves the new one.
   if (syscall(SYS_pivot_root, ".", ".") != 0 || umount2(".", MNT_DETACH) != 0 || chdir("/") != 0) {
     return "the change of root";
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A team in C++: derive from Team, and export it.
+// A team in C++: derive a class from Team and export it.
 //
 //   class Mine : public mirocup::strategy::Team {
 //    public:
@@ -13,26 +13,34 @@
 //   };
 //   MIROCUP_EXPORT_TEAM(Mine, "mine")
 //
-// Frames, units, delays and limits are those of strategy.h, which says all of them. This header has
-// no other dependency; everything in it is inline, and none of it keeps anything between two calls.
+// Frames, units, delays and limits are those of strategy.h. This header depends on nothing else.
+// All functions are inline and keep nothing between two calls.
 //
 //   points      Point, + - *, dot, length, unit, inside, wrapped
-//   what is     ball, ball_velocity, position, ball_after, meeting_point, must_kick_off
+//   observation ball, ball_velocity, position, ball_after, meeting_point, must_kick_off
 //   one robot   wheels_for, turn_to, drive_to, drive_to_pose, drive_round, drive_clear
 //   the laws    keep_out (of the goal area), without_pushing, keep_laws
 //   roles       kick_to (behind the ball, then through it), keep_goal, kick_off
-//   a team      Team: decide(), place(), setup(), random(), log("form", values...)
+//   a team      Team: decide(), place(), setup(), random(), log("format", values...)
 //
-// All that drive return wheel speeds for this tick; call them anew in every tick. They are good
-// enough to start from, and meant to be copied and bettered.
+// The functions that drive return the wheel speeds of one robot for this tick; call them again in
+// every tick. They are good enough to start from, and meant to be copied and improved.
 #pragma once
 
 #include "mirocup/strategy.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdarg>
 #include <cstdint>
 #include <cstdio>
+
+// Lets the compiler check the arguments of a function against its format, as it does for printf().
+#if defined(__GNUC__)
+#define MIROCUP_PRINTF(form, first) __attribute__((format(printf, form, first)))
+#else
+#define MIROCUP_PRINTF(form, first)
+#endif
 
 namespace mirocup::strategy {
 
@@ -80,15 +88,14 @@ inline Point position(const Robot& robot) {
   return {robot.x, robot.y};
 }
 
-// The same angle in (-pi, pi].
+// Returns the same angle in (-pi, pi], rad; NaN for an angle that is infinite or NaN.
 inline double wrapped(double angle) {
-  while (angle > pi) angle -= 2.0 * pi;
-  while (angle <= -pi) angle += 2.0 * pi;
-  return angle;
+  const double rest = std::remainder(angle, 2.0 * pi);  // exact, in [-pi, pi]
+  return rest <= -pi ? pi : rest;
 }
 
-// Wheel speeds for a forward speed (m/s) and a turn rate (rad/s). If a wheel would be too fast both
-// are slowed alike, so the robot keeps to its curve.
+// Returns the wheel speeds for a forward speed (m/s) and an angular velocity (rad/s). If one wheel
+// would be too fast, both are slowed by the same factor, so that the robot keeps to its curve.
 inline Wheels wheels_for(const Setup& setup, double forward, double turn) {
   const double side = turn * setup.wheel_distance / 2.0;
   Wheels w{(forward - side) / setup.wheel_radius, (forward + side) / setup.wheel_radius};
@@ -101,13 +108,13 @@ inline Wheels wheels_for(const Setup& setup, double forward, double turn) {
   return w;
 }
 
-// Turns on the spot towards a heading.
+// Turns on the spot towards a heading, rad.
 inline Wheels turn_to(const Setup& setup, const Robot& robot, double heading) {
   return wheels_for(setup, 0.0, 8.0 * wrapped(heading - robot.heading));
 }
 
-// Drives to a point, front or back first, whichever is nearer, and passes it at `arrival` m/s (0:
-// stops there).
+// Drives to a point, forwards or backwards, whichever needs the smaller turn, and passes the point
+// at `arrival` m/s (0: stops there). `fastest`: m/s.
 inline Wheels drive_to(const Setup& setup, const Robot& robot, Point target, double arrival = 0.0,
                        double fastest = 1.5) {
   const Point to = target - position(robot);
@@ -119,18 +126,19 @@ inline Wheels drive_to(const Setup& setup, const Robot& robot, Point target, dou
     error = wrapped(error + pi);
     direction = -1.0;
   }
-  // As fast as the distance allows, slower while it still has to turn.
+  // As fast as the distance allows, and slower while the robot still has to turn.
   const double wanted = std::min(fastest, arrival + 5.0 * distance);
   const double turn = 9.0 * error;
   double speed = wanted * std::max(0.0, std::cos(error));
-  // Wheels that slide do not steer.
+  // Sliding wheels do not steer, so the robot keeps below 0.8 of the grip.
   const double steady = 0.8 * setup.grip * 9.81;
   if (std::abs(speed * turn) > steady) speed = steady / std::abs(turn);
   return wheels_for(setup, direction * speed, turn);
 }
 
-// Drives to a point and turns to a heading there. From far off it aims at a place before the point,
-// so that it arrives facing the right way; a robot that stands beside the point backs off first.
+// Drives to a point and turns to a heading there. From far off the robot aims at a place before the
+// point, so that it arrives with the right heading; if it stands beside the point, it backs off
+// first.
 inline Wheels drive_to_pose(const Setup& setup, const Robot& robot, Point target, double heading,
                             double fastest = 1.5) {
   const Point forward{std::cos(heading), std::sin(heading)};
@@ -143,22 +151,23 @@ inline Wheels drive_to_pose(const Setup& setup, const Robot& robot, Point target
   return drive_to(setup, robot, target - run_up * forward, 0.2, fastest);
 }
 
-// Where the ball will be in some seconds if nobody touches it and there were no walls: it slows down
-// a little.
+// Returns the place of the ball after some seconds, if no robot touches it and there were no walls.
+// The ball slows down a little.
 inline Point ball_after(const Observation& now, double seconds) {
   return ball(now) + (seconds * (1.0 - 0.1 * seconds)) * ball_velocity(now);
 }
 
-// Between the middle of a robot and a wall that it can still turn beside, m.
+// The distance of a robot's centre from a wall beside which it can still turn, m.
 inline constexpr double elbow_room = 0.045;
 
-// The nearest point of the field that is `margin` off its walls (the corners are left out).
+// Returns the nearest point of the field that is at least `margin` (m) away from the walls. Ignores
+// the triangles in the corners.
 inline Point inside(const Setup& setup, Point p, double margin = elbow_room) {
   return {std::clamp(p.x, -setup.half_length + margin, setup.half_length - margin),
           std::clamp(p.y, -setup.half_width + margin, setup.half_width - margin)};
 }
 
-// Where a robot that drives at `pace` m/s meets the ball.
+// Returns the place where a robot that drives at `pace` m/s meets the ball.
 inline Point meeting_point(const Setup& setup, const Observation& now, const Robot& robot,
                            double pace = 1.2) {
   Point p = ball(now);
@@ -168,38 +177,40 @@ inline Point meeting_point(const Setup& setup, const Observation& now, const Rob
   return inside(setup, p, setup.ball_radius);
 }
 
-// Where a robot other than the keeper may go: not into its own goal area, which is the keeper's,
-// and from the third on not into the penalty area either.
+// Moves a target of robot `i` out of the areas that the laws forbid: the own goal area, where only
+// the keeper may be, and for the robots from 3 on the penalty area, too. Do not use it for the
+// keeper.
 inline Point keep_out(const Setup& setup, int i, Point p) {
-  const double margin = 0.095;  // the arc in front of the area, and half a robot
-  const bool crowd = i >= 3 && setup.penalty_area_depth > 0.0;
-  const double depth = (crowd ? setup.penalty_area_depth : setup.goal_area_depth) + margin;
+  const double margin = 0.095;  // for the arc in front of the area and half a robot, m
+  const bool is_crowd = i >= 3 && setup.penalty_area_depth > 0.0;
+  const double depth = (is_crowd ? setup.penalty_area_depth : setup.goal_area_depth) + margin;
   const double half_width =
-      (crowd ? setup.penalty_area_half_width : setup.goal_area_half_width) + margin;
+      (is_crowd ? setup.penalty_area_half_width : setup.goal_area_half_width) + margin;
   if (p.x < -setup.half_length + depth && std::abs(p.y) < half_width) {
     p.x = -setup.half_length + depth;
   }
   return p;
 }
 
-// The same wheels, unless they would push an opponent without playing the ball: then the robot
-// slows down before it and backs off.
+// Returns the same wheel speeds, unless the robot would push an opponent without playing the ball:
+// then speeds at which it slows down before the opponent and backs off.
 inline Wheels without_pushing(const Setup& setup, const Observation& now, const Robot& robot,
                               Wheels wheels) {
   const Point here = position(robot);
   const Point nose{std::cos(robot.heading), std::sin(robot.heading)};
   const double forward = setup.wheel_radius * (wheels.left + wheels.right) / 2.0;
   const double turn = setup.wheel_radius * (wheels.right - wheels.left) / setup.wheel_distance;
-  const Point way = (forward < 0.0 ? -1.0 : 1.0) * nose;
+  const Point direction = (forward < 0.0 ? -1.0 : 1.0) * nose;
   const Point to_ball = ball(now) - here;
-  const bool ball_ahead =
-      dot(to_ball, way) > 0.0 && std::abs(to_ball.x * way.y - to_ball.y * way.x) < 0.055;
+  const bool ball_ahead = dot(to_ball, direction) > 0.0 &&
+                          std::abs(to_ball.x * direction.y - to_ball.y * direction.x) < 0.055;
   double allowed = std::abs(forward);
   for (int j = 0; j < now.robots; ++j) {
     const Point to = position(now.opponent[j]) - here;
-    if (dot(to, way) <= 0.0 || std::abs(to.x * way.y - to.y * way.x) > 0.09) continue;
-    // The ball before it and the opponent behind that: to push both is playing.
-    if (ball_ahead && dot(to_ball, way) < dot(to, way)) continue;
+    if (dot(to, direction) <= 0.0 || std::abs(to.x * direction.y - to.y * direction.x) > 0.09)
+      continue;
+    // The ball is between the robot and the opponent: pushing both is playing the ball.
+    if (ball_ahead && dot(to_ball, direction) < dot(to, direction)) continue;
     const double gap = length(to) - 0.1;
     allowed = std::min(allowed, gap > 0.0 ? 0.1 + 4.0 * gap : -0.2);
   }
@@ -207,35 +218,35 @@ inline Wheels without_pushing(const Setup& setup, const Observation& now, const 
   return wheels_for(setup, forward < 0.0 ? -allowed : allowed, turn);
 }
 
-// All robots of a command but the keeper, which holds its place.
+// Applies without_pushing() to all robots of a command but the keeper, which holds its place.
 inline void keep_laws(const Setup& setup, const Observation& now, Command& command) {
   for (int i = 1; i < now.robots; ++i) {
     command.wheels[i] = without_pushing(setup, now, now.own[i], command.wheels[i]);
   }
 }
 
-// Drives to a point, and round a place that is in the way.
+// Drives to a point, around an obstacle on the line to it.
 inline Wheels drive_round(const Setup& setup, const Robot& robot, Point target, Point obstacle,
                           double arrival, double fastest) {
   const double berth = 0.11;
   const Point here = position(robot);
-  const Point way = target - here;
+  const Point path = target - here;
   const Point to = obstacle - here;
-  const Point along = unit(way);
+  const Point along = unit(path);
   const double ahead = dot(to, along);
   const double aside = along.x * to.y - along.y * to.x;
-  if (ahead <= 0.0 || ahead >= length(way) || std::abs(aside) >= berth) {
+  if (ahead <= 0.0 || ahead >= length(path) || std::abs(aside) >= berth) {
     return drive_to(setup, robot, target, arrival, fastest);
   }
-  // Too near to turn past it: back off first.
+  // Too near to turn past the obstacle: back off first.
   if (length(to) < 0.115) return drive_to(setup, robot, here - 0.1 * unit(to), 0.0, fastest);
   const double side = aside > 0.0 ? -1.0 : 1.0;
   const Point beside = obstacle + (side * berth * 1.2) * Point{-along.y, along.x};
   return drive_to(setup, robot, beside, 0.3, std::min(fastest, 0.9));
 }
 
-// Drives to a point, and round what is in the way: a robot on its way home must not push the ball
-// there, and nobody may push an opponent.
+// Drives to a point, around the ball or an opponent that is on the line to it: a robot that returns
+// home must not push the ball there, and no robot may push an opponent.
 inline Wheels drive_clear(const Setup& setup, const Observation& now, const Robot& robot,
                           Point target, double arrival = 0.0, double fastest = 1.5) {
   const Point here = position(robot);
@@ -250,8 +261,8 @@ inline Wheels drive_clear(const Setup& setup, const Observation& now, const Robo
   return drive_round(setup, robot, target, obstacle, arrival, fastest);
 }
 
-// Kicks the ball towards a point: first to a place behind it, then through it. `point` may lie
-// behind the goal line; the other goal's middle is {half_length, 0}.
+// Kicks the ball towards a point: drives to a place behind the ball first, and then through it. The
+// point may lie behind the goal line; the middle of the opponents' goal is {half_length, 0}.
 inline Wheels kick_to(const Setup& setup, const Observation& now, const Robot& robot, Point point,
                       double pace = 1.5) {
   const Point meet = meeting_point(setup, now, robot);
@@ -266,18 +277,20 @@ inline Wheels kick_to(const Setup& setup, const Observation& now, const Robot& r
   return drive_clear(setup, now, robot, inside(setup, meet - 0.11 * along), 0.3, pace);
 }
 
-// Is the ball still on the spot of a kick-off of yours? It has to go backwards first.
+// True if the ball is still on the spot of your own kick-off. It has to go backwards first.
 inline bool must_kick_off(const Observation& now) {
   return now.restart == MIROCUP_KICK_OFF && now.own_restart != 0 &&
          std::hypot(now.ball_x, now.ball_y) < 0.055;
 }
 
-// Nudges it home and aside, so slowly that it does not roll to the own goal.
+// Takes a kick-off: nudges the ball back and aside, so slowly that it does not roll to the own
+// goal.
 inline Wheels kick_off(const Setup& setup, const Robot& robot) {
   return drive_to(setup, robot, {-0.2, 0.1}, 0.2, 0.2);
 }
 
-// Stays on a line before the goal where the ball will cross it, and kicks out what lies near.
+// Keeps the goal: stays on a line before it, where the ball will cross that line, and kicks away a
+// slow ball in the goal area.
 inline Wheels keep_goal(const Setup& setup, const Observation& now, const Robot& robot) {
   const double line = -setup.half_length + 0.055;
   const Point here = position(robot);
@@ -288,7 +301,7 @@ inline Wheels keep_goal(const Setup& setup, const Observation& now, const Robot&
                            now.ball_x < -setup.half_length + setup.goal_area_depth + 0.02;
   if (is_slow && is_in_reach) return drive_to(setup, robot, ball(now) + 0.2 * unit(away), 1.0);
 
-  // Where the ball will cross the line, if it comes.
+  // The place where the ball will cross the line, if it comes.
   double y = now.ball_y;
   if (now.ball_vx < -0.1) {
     const double seconds = (line - now.ball_x) / now.ball_vx;
@@ -301,12 +314,12 @@ inline Wheels keep_goal(const Setup& setup, const Observation& now, const Robot&
   return drive_round(setup, robot, post, ball(now), 0.0, 1.5);
 }
 
-// Random numbers that a leg can be repeated with (splitmix64).
+// Random numbers (splitmix64) that are the same whenever the same leg is played again.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
 
-  // In [0, 1).
+  // Returns a number in [0, 1).
   double uniform() {
     state_ += 0x9e3779b97f4a7c15ULL;
     std::uint64_t z = state_;
@@ -319,15 +332,17 @@ class Random {
   std::uint64_t state_;
 };
 
+// The base class of a team in C++. It keeps the setup and has random numbers from its seed.
 class Team {
  public:
   explicit Team(const Setup& setup) : setup_(setup), random_(setup.seed) {}
   virtual ~Team() = default;
 
+  // Sets the wheel speeds of this tick; they are 0 when it is called.
   virtual void decide(const Observation& now, Command& command) = 0;
 
-  // At a restart: where the robots, and at an own kick-off or goal kick the ball, are to stand.
-  // strategy.h says where they may; what is left as it is stays.
+  // Chooses the places of the robots at a restart, and of the ball at an own kick-off or goal kick.
+  // strategy.h says which places are allowed. A pose that is left as it is stays.
   virtual void place(const Observation& now, Placement& placement) {
     (void)now;
     (void)placement;
@@ -337,12 +352,19 @@ class Team {
   const Setup& setup() const { return setup_; }
   Random& random() { return random_; }
 
-  // A line in the log of the leg, in the form of printf(): log("ball at %.2f", now.ball_x).
+  // Writes a line to the log of the leg. With values, the first argument is a format as that of
+  // printf(), log("ball at %.2f", now.ball_x), which the compiler checks, and the line is cut after
+  // 255 bytes. Without values the text is written as it is, percent signs included.
   void log(const char* text) const { setup_.log(text); }
-  template <class... Values>
-  void log(const char* form, Values... values) const {
+  // A template only so that a call without values means the other one.
+  template <int = 0>
+  MIROCUP_PRINTF(2, 3)
+  void log(const char* format, ...) const {
     char line[256];
-    std::snprintf(line, sizeof line, form, values...);
+    std::va_list values;
+    va_start(values, format);
+    std::vsnprintf(line, sizeof line, format, values);
+    va_end(values);
     setup_.log(line);
   }
 
@@ -353,7 +375,7 @@ class Team {
 
 }  // namespace mirocup::strategy
 
-// Makes a class the library's team. Its constructor takes the setup.
+// Exports a class as the team of the library. Its constructor takes the setup.
 #define MIROCUP_EXPORT_TEAM(Class, Name)                                               \
   extern "C" MIROCUP_PUBLIC const mirocup_strategy* mirocup_entry(void) {              \
     static const mirocup_strategy entry = {                                            \

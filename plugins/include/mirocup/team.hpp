@@ -13,7 +13,7 @@
 //     }
 //   }
 //
-// team.h says what everything means.
+// team.h describes every call.
 #pragma once
 
 #include "mirocup/team.h"
@@ -23,6 +23,7 @@
 
 namespace mirocup::team {
 
+// The match to join; an empty text stands for the default.
 struct Call {
   std::string match;
   int team = MIROCUP_BLUE;
@@ -46,7 +47,7 @@ class Connection {
     why_ = why;
   }
 
-  // False if there was no way onto the network; then why() has the reason, and nothing else may be
+  // False if the network cannot be used. Then why() has the reason, and no other function may be
   // called.
   bool is_open() const { return connection_ != nullptr; }
   const std::string& why() const { return why_; }

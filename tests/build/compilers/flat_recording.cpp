@@ -95,17 +95,17 @@ void visit(File& file, R& r) {
     f.value(d.taker);
     f.value(d.robots);
   });
-  file.value(r.result.score);
-  file.value(r.result.played);
-  file.value(r.result.winner);
-  file.value(r.result.shoot_out);
-  file.value(r.result.end);
-  file.list(r.result.faults, [](File& f, auto& fault) {
+  file.value(r.outcome.score);
+  file.value(r.outcome.played);
+  file.value(r.outcome.winner);
+  file.value(r.outcome.shoot_out);
+  file.value(r.outcome.kind);
+  file.list(r.outcome.faults, [](File& f, auto& fault) {
     f.value(fault.team);
     f.value(fault.fault.code);
     f.text(fault.fault.text);
   });
-  file.text(r.result.why_void);
+  file.text(r.outcome.why_void);
   file.value(r.state_hash);
 }
 

@@ -3,7 +3,7 @@
 // Plays fixed legs of all three leagues without any foreign code and prints one hash of all their
 // ticks. Every compiler, optimisation level and machine must print the same; core/golden_hash.txt holds it.
 #include "core/base/random.hpp"
-#include "core/match/match.hpp"
+#include "core/match/leg.hpp"
 #include "tests/support/controllers.hpp"
 
 #include <cstdio>
@@ -13,7 +13,7 @@ using namespace mirocup;
 int main() {
   StateHash all;
   for (const League league : {League::small, League::middle, League::large}) {
-    match::Match match(test_support::short_setup(7, league == League::large ? 6.0 : 20.0, league));
+    match::Leg match(test_support::short_setup(7, league == League::large ? 6.0 : 20.0, league));
     auto hunters = test_support::ball_hunter();
     auto others = test_support::random_team(11);
     test_support::play(match, hunters, others);

@@ -29,7 +29,7 @@ T need(Result<T> made) {
   std::_Exit(1);
 }
 
-constexpr double longest_silence = 1.0;  // s
+constexpr double max_silence = 1.0;  // s
 
 // One appearance on the network.
 struct Stranger {
@@ -52,15 +52,15 @@ struct Stranger {
 
   bool take_state() {
     if (!take(state_reader, state)) return false;
-    heard = Clock::now();
+    heard = WallClock::now();
     return true;
   }
 
   // Its own changed packets, or somebody else's, can make it deaf.
-  bool is_cut_off() const { return seconds_since(heard) > longest_silence; }
+  bool is_cut_off() const { return seconds_since(heard) > max_silence; }
 
   mirocup_v2_WorldState state{};
-  Clock::time_point heard = Clock::now();
+  WallClock::time_point heard = WallClock::now();
   Entity participant, all, team, publisher, states, events, state_reader, event_reader;
 };
 
@@ -92,9 +92,9 @@ void say_hellos(Stranger& s, const char* name) {
   const Entity writer = need(make_writer(s.publisher, topic, idl::hello));
   s.wait_for_match();
   mirocup_v2_Hello hello{};
-  put_text(hello.name, std::string(name) + " or not");
+  copy_text(hello.name, std::string(name) + " or not");
   while (true) {
-    hello.nonce = draw_number();
+    hello.nonce = random_nonce();
     dds_write(writer.get(), &hello);
     dds_sleepfor(DDS_USECS(200));
   }

@@ -119,10 +119,20 @@ TEST(MatchCommand, SaysWhatIsWrongWithWhatItIsGiven) {
   fails({program("mirocup")}, "subcommand");
 }
 
+// True once the match is played: it prints the address of its page when both teams are ready.
+bool is_played(const Running& running) {
+  constexpr int max_polls = 6000;
+  for (int i = 0; i < max_polls; ++i) {
+    if (running.err().find("watch at") != std::string::npos) return true;
+    usleep(10'000);
+  }
+  return false;
+}
+
 TEST(MatchCommand, WritesNoRecordWhenItIsInterrupted) {
   const TemporaryFolder folder;
-  Running running(match("idle", "idle", {"--speed", "1", "--record", folder / "leg.json"}));
-  usleep(700'000);
+  Running running(match("idle", "idle", {"--watch", "--record", folder / "leg.json"}));
+  ASSERT_TRUE(is_played(running)) << running.err();
   running.signal(SIGINT);
   EXPECT_EQ(running.wait().exit_code, 130);
   EXPECT_EQ(access((folder / "leg.json").c_str(), F_OK), -1);

@@ -8,24 +8,24 @@ namespace mirocup::test_support {
 namespace {
 
 using match::Answer;
-using match::EndKind;
 using match::Observation;
+using match::OutcomeKind;
 
 constexpr std::uint32_t last_tick = 20;  // of a team that ends the leg itself
 constexpr std::uint64_t most_tries = 100;
 
-match::Setup setup_for(EndKind end, std::uint64_t seed) {
+match::Setup setup_for(OutcomeKind end, std::uint64_t seed) {
   match::Setup setup = short_setup(seed, 1.0);
   switch (end) {
-    case EndKind::mercy:
+    case OutcomeKind::mercy:
       setup.rules.half_s = 30.0;
       setup.rules.mercy_goal_diff = 1;
       break;
-    case EndKind::golden_goal:
+    case OutcomeKind::golden_goal:
       setup.stage = referee::Stage::knockout;
       setup.rules.golden_goal_s = 60.0;
       break;
-    case EndKind::shoot_out:
+    case OutcomeKind::shoot_out:
       setup.stage = referee::Stage::knockout;
       setup.rules.golden_goal_s = 0.0;
       setup.rules.attempt_s = 1.0;
@@ -37,33 +37,34 @@ match::Setup setup_for(EndKind end, std::uint64_t seed) {
   return setup;
 }
 
-Scripted team_for(EndKind end, Team team, std::uint64_t seed) {
-  const bool both = end == EndKind::double_forfeit;
-  if (end == EndKind::void_ || both || (end == EndKind::forfeit && team == Team::yellow)) {
+Scripted team_for(OutcomeKind end, Team team, std::uint64_t seed) {
+  const bool both = end == OutcomeKind::double_forfeit;
+  if (end == OutcomeKind::void_ || both || (end == OutcomeKind::forfeit && team == Team::yellow)) {
     return Scripted([end](const Observation& o) -> Answer {
       if (o.tick < last_tick) return both_wheels(10.0, 12.0);
-      if (end == EndKind::void_) return match::HostFailure{"the disk is full"};
+      if (end == OutcomeKind::void_) return match::HostFailure{"the disk is full"};
       return match::Fault{match::FaultCode::crash, "died of a \"signal\"\n"};
     });
   }
   if (team == Team::blue) return ball_hunter();
   // Beside a team that stands all seeds would play the same leg.
-  return end == EndKind::golden_goal || end == EndKind::mercy ? random_team(seed) : standing();
+  return end == OutcomeKind::golden_goal || end == OutcomeKind::mercy ? random_team(seed)
+                                                                      : idle_team();
 }
 
 }  // namespace
 
-replay::Recording leg_that_ends(EndKind end) {
+replay::Recording leg_that_ends(OutcomeKind end) {
   for (std::uint64_t seed = 1;; ++seed) {
-    match::Match match(setup_for(end, seed));
+    match::Leg match(setup_for(end, seed));
     Scripted blue = team_for(end, Team::blue, seed);
     Scripted yellow = team_for(end, Team::yellow, seed);
-    replay::Trace trace;
+    replay::StateTrace trace;
     while (!match.is_over()) {
       match.advance(blue, yellow);
       trace.add(match);
     }
-    if (match.result().end == end || seed == most_tries) return replay::record(match, trace);
+    if (match.outcome().kind == end || seed == most_tries) return replay::record(match, trace);
   }
 }
 

@@ -7,6 +7,6 @@
 
 namespace mirocup::test_support {
 
-replay::Recording leg_that_ends(match::EndKind end);
+replay::Recording leg_that_ends(match::OutcomeKind end);
 
 }  // namespace mirocup::test_support

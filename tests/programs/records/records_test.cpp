@@ -32,7 +32,8 @@ record::MatchRecord record_of(replay::Recording recording) {
                   record::TeamInfo{"others <b>", record::TeamKind::dds, std::nullopt}};
   record.isolation = "network";
   record::NetworkReport network;
-  network.absences = {{1, 2, std::nullopt, true}, {5, 6, 7U, false}};
+  network.absences = {{.tick = 1, .noticed = 2, .back = std::nullopt, .has_left = true},
+                      {.tick = 5, .noticed = 6, .back = 7U, .has_left = false}};
   network.answers.add(0.004);
   record.network[1] = network;
   record.pace = record::PaceReport{0.033, {}};
@@ -67,11 +68,11 @@ TEST(Records, OfEveryEndingFitTheSchemaAndVerify) {
   const TemporaryFolder folder;
   system::Disk disk;
   std::vector<std::string> paths;
-  for (std::size_t i = 0; i < enum_names<match::EndKind>.size(); ++i) {
-    const auto end = static_cast<match::EndKind>(i);
+  for (std::size_t i = 0; i < enum_names<match::OutcomeKind>.size(); ++i) {
+    const auto end = static_cast<match::OutcomeKind>(i);
     paths.push_back(folder / (std::string(to_string(end)) + ".json"));
     const record::MatchRecord record = record_of(leg_that_ends(end));
-    ASSERT_EQ(record.recording.result.end, end) << to_string(end);
+    ASSERT_EQ(record.recording.outcome.kind, end) << to_string(end);
     ASSERT_TRUE(record::save(disk, paths.back(), record));
     const Outcome verified = verify(paths.back());
     EXPECT_EQ(verified.exit_code, 0) << paths.back() << verified.out << verified.err;
@@ -79,9 +80,25 @@ TEST(Records, OfEveryEndingFitTheSchemaAndVerify) {
   expect_valid(paths);
 }
 
+// Catches a key that schema.md or record.schema.json does not describe, one that they describe but no
+// record has, and an example in schema.md that no record looks like.
+TEST(Records, HaveTheKeysThatTheirDocumentationDescribes) {
+  const TemporaryFolder folder;
+  system::Disk disk;
+  std::vector<std::string> words{source + "/tests/programs/records/documented.py",
+                                 source + "/server/record/record.schema.json",
+                                 source + "/server/record/schema.md", source + "/docs/laws.md"};
+  for (const auto end : {match::EndKind::shoot_out, match::EndKind::forfeit}) {
+    words.push_back(folder / (std::string(to_string(end)) + ".json"));
+    ASSERT_TRUE(record::save(disk, words.back(), record_of(leg_that_ends(end))));
+  }
+  const Outcome outcome = run(words);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+}
+
 // As the other compilers get them.
 TEST(Records, LoseNothingWhenTheyAreMadeFlat) {
-  for (const auto end : {match::EndKind::shoot_out, match::EndKind::double_forfeit}) {
+  for (const auto end : {match::OutcomeKind::shoot_out, match::OutcomeKind::double_forfeit}) {
     const std::string flat = test_support::flat(leg_that_ends(end));
     auto recording = test_support::recording_from(flat);
     ASSERT_TRUE(recording);
@@ -95,14 +112,14 @@ TEST(Records, LoseNothingWhenTheyAreMadeFlat) {
 
 TEST(Records, OfEarlierVersionsAreRead) {
   system::Disk disk;
-  const std::string game = record::this_software().game;
+  const std::string behaviour_hash = record::this_software().behaviour_hash;
   ASSERT_FALSE(samples().empty());
   for (const std::string& path : samples()) {
     const auto loaded = record::load(disk, path);
     ASSERT_TRUE(loaded) << loaded.error().what;
     const Outcome verified = verify(path);
     if (verified.exit_code == 0) continue;
-    EXPECT_NE(loaded->software.game, game) << verified.out << verified.err;
+    EXPECT_NE(loaded->software.behaviour_hash, behaviour_hash) << verified.out << verified.err;
     EXPECT_EQ(verified.exit_code, 4) << path;
     EXPECT_NE(verified.err.find("another version of the game"), std::string::npos) << verified.err;
   }
@@ -113,12 +130,12 @@ TEST(Records, OfAnotherGameAreNotCalledWrong) {
   const TemporaryFolder folder;
   const std::string path = folder / "leg.json";
   system::Disk disk;
-  record::MatchRecord record = record_of(leg_that_ends(match::EndKind::full_time));
+  record::MatchRecord record = record_of(leg_that_ends(match::OutcomeKind::full_time));
   record.recording.ticks[30].hash ^= 1;
   ASSERT_TRUE(record::save(disk, path, record));
   EXPECT_EQ(verify(path).exit_code, 1) << "this game's";
 
-  record.software.game = "0123456789abcdef";
+  record.software.behaviour_hash = "0123456789abcdef";
   record.software.version = "0.0.9";
   ASSERT_TRUE(record::save(disk, path, record));
   const Outcome verified = verify(path);

@@ -6,7 +6,7 @@
 // placement.
 //
 // MIROCUP_SOAK_MATCHES says how many; without it as many as an ordinary test run can afford.
-#include "core/referee/standing_rules.hpp"
+#include "core/referee/placement_rules.hpp"
 #include "core/referee/touches.hpp"
 #include "tests/support/offenders.hpp"
 
@@ -27,7 +27,7 @@ test_support::Scripted controller(std::uint64_t kind, std::uint64_t seed, const 
   const double goal_line = field::make_field(setup.league).half_length;
   switch (kind) {
     case 0:
-      return test_support::standing();
+      return test_support::idle_team();
     case 1:
       return test_support::random_team(seed);
     case 2:
@@ -52,14 +52,14 @@ test_support::Scripted restless(test_support::Scripted team, std::uint64_t seed,
         Answer answer = team.collect();
         auto* command = std::get_if<Command>(&answer);
         if (command == nullptr || (!o.placing && random.below(300) > 0)) return answer;
-        command->poses = standing(o);
+        command->placement = unchanged_request(o);
         const auto within = [&random](double size) { return random.uniform(-1.1, 1.1) * size; };
         for (int i = 0; i < o.robots; ++i) {
           if (random.coin()) continue;
-          command->poses->robots[i] = {within(field.half_length), within(field.half_width),
-                                       within(3.0)};
+          command->placement->robots[i] = {within(field.half_length), within(field.half_width),
+                                           within(3.0)};
         }
-        if (random.coin()) command->poses->ball_y += within(0.2);
+        if (random.coin()) command->placement->ball_y += within(0.2);
         return answer;
       });
 }
@@ -85,14 +85,14 @@ Setup setup_of(int number) {
   return setup;
 }
 
-void expect_legal(const Match& match) {
-  const Setup& setup = match.setup();
-  const referee::Pitch pitch{match.field(), setup.rules, setup.parameters.ball_radius,
+void expect_legal(const Leg& leg) {
+  const Setup& setup = leg.setup();
+  const referee::Pitch pitch{leg.field(), setup.rules, setup.parameters.ball_radius,
                              setup.parameters.robot_side};
-  const Scene scene = match.scene();
+  const Snapshot scene = leg.snapshot();
   std::vector<Pose> placed;
   for (const Team team : both_teams) {
-    for (int i = 0; i < match.field().robots_per_team; ++i) {
+    for (int i = 0; i < leg.field().robots_per_team; ++i) {
       const simulator::BodyState& r = scene.robots[index_of(team)][i];
       const Pose pose{r.position, r.heading};
       EXPECT_TRUE(is_inside_walls(pitch, pose)) << to_string(team) << " " << i;
@@ -109,15 +109,15 @@ void expect_legal(const Match& match) {
 void soak(int number, std::map<std::string, int>& laws) {
   const Setup setup = setup_of(number);
   Random random(mix_seed(setup.seed));
-  Match match(setup);
+  Leg leg(setup);
   auto blue = controller(random.below(7), random.next(), setup);
   auto yellow = controller(random.below(7), random.next(), setup);
   if (random.coin()) blue = restless(blue, random.next(), setup);
   if (random.coin()) yellow = restless(yellow, random.next(), setup);
-  while (!match.is_over() && match.tick() * setup.control_period < longest) {
-    const Scene before = match.scene();
-    match.advance(blue, yellow);
-    const Scene after = match.scene();
+  while (!leg.is_over() && leg.tick() * setup.control_period < longest) {
+    const Snapshot before = leg.snapshot();
+    leg.advance(blue, yellow);
+    const Snapshot after = leg.snapshot();
     const double passed = after.clock - before.clock;
     if (after.phase == before.phase && after.left == before.left) {
       const double expected = before.state == State::PLAY ? setup.control_period : 0.0;
@@ -125,23 +125,24 @@ void soak(int number, std::map<std::string, int>& laws) {
     }
     const bool was_placed = before.placing || before.state == State::PLAY;
     if (after.state != State::END && was_placed && after.placing != before.placing) {
-      expect_legal(match);
+      expect_legal(leg);
     }
   }
-  ASSERT_TRUE(match.is_over()) << "it hangs in " << to_string(match.scene().phase)
-                               << ", last: " << match.decisions().back().decision.reason;
-  const Result& result = match.result();
+  ASSERT_TRUE(leg.is_over()) << "it hangs in " << to_string(leg.snapshot().phase)
+                             << ", last: " << leg.decisions().back().decision.reason;
+  const Outcome& result = leg.outcome();
   ByTeam<int> goals{};
-  for (const LoggedDecision& d : match.decisions()) {
+  for (const LoggedDecision& d : leg.decisions()) {
     ++laws[std::string(to_string(d.decision.law)) + " " +
            std::string(to_string(d.decision.verdict))];
     if (d.decision.verdict == referee::Verdict::GOAL) ++goals[index_of(*d.team)];
   }
   EXPECT_EQ(goals, result.played);
-  EXPECT_EQ(match.decisions().back().decision.verdict, referee::Verdict::MATCH_END);
+  EXPECT_EQ(leg.decisions().back().decision.verdict, referee::Verdict::MATCH_END);
   EXPECT_TRUE(result.winner || setup.stage == referee::Stage::group) << "knock-out has a winner";
   const bool level = goals[0] == goals[1];
-  EXPECT_EQ(result.end == EndKind::shoot_out, level && setup.stage == referee::Stage::knockout);
+  EXPECT_EQ(result.kind == OutcomeKind::shoot_out,
+            level && setup.stage == referee::Stage::knockout);
 }
 
 TEST(Soak, EveryMatchEndsByALawAndAddsUp) {

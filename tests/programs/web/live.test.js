@@ -9,6 +9,24 @@ import { closeBrowser, evil, folder, openPage, readJson, watched } from './suppo
 
 after(closeBrowser);
 
+// Resolves when a frame of the match at `place` has at least that tick; rejects if the match ends before.
+function tickReached(place, tick) {
+  return new Promise((resolve, reject) => {
+    http.get(`${place}events`, (response) => {
+      let text = '';
+      response.on('data', (part) => {
+        text += part;
+        const ticks = [...text.matchAll(/^data: \{"tick":(\d+)/gm)].map((found) => Number(found[1]));
+        if (Math.max(...ticks) < tick) return;
+        resolve();
+        response.destroy();
+      });
+      response.on('error', () => {});
+      response.on('end', () => reject(new Error(`the match ended before tick ${tick}`)));
+    }).on('error', reject);
+  });
+}
+
 test('who joins in the middle sees the match to its end, with fifty others who do not read', async () => {
   const record = join(folder, 'watched.json');
   const { url, ended } = watched('--half', '6', '--seed', '2', '--record', record);
@@ -20,7 +38,7 @@ test('who joins in the middle sees the match to its end, with fifty others who d
     request.on('error', () => {});
     return request;
   });
-  await new Promise((resolve) => { setTimeout(resolve, 2000); });
+  await tickReached(place, 21);
 
   const page = await openPage(place);
   const tick = () => page.evaluate(() => Number(/tick (\d+)|$/.exec(document.getElementById('time').textContent)[1] ?? 0));

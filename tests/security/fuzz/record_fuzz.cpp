@@ -10,6 +10,6 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   mirocup::test_support::MemoryFiles files;
   (void)files.write("leg.json", {reinterpret_cast<const char*>(data), size});
-  (void)mirocup::record::load(files, "leg.json", mirocup::record::Seal::ignored);
+  (void)mirocup::record::load(files, "leg.json", mirocup::record::ChecksumPolicy::ignored);
   return 0;
 }

@@ -88,19 +88,19 @@ TEST(Referee, BelievesWhatItWillCall) {
   s.robots[index_of(End::right)][0] = {{0.70, 0.0}, Heading{}};
   s.robots[index_of(End::right)][1] = {{0.66, 0.25}, Heading{}};
   for (int i = 0; i < 11; ++i) EXPECT_FALSE(referee.judge(s).decision);
-  const TeamCounts right = referee.belief().teams[index_of(End::right)];
+  const TeamCounts right = referee.pending_counts().teams[index_of(End::right)];
   EXPECT_EQ(right.defenders, 2);
   EXPECT_NEAR(right.two_defenders_s, 0.33, 1e-9);
   EXPECT_EQ(right.keeper, 0);
   EXPECT_FALSE(right.advantage_against);
-  EXPECT_NEAR(referee.belief().stalemate_s, 0.363, 1e-9);
+  EXPECT_NEAR(referee.pending_counts().stalemate_s, 0.363, 1e-9);
   for (int i = 0; i < 10; ++i) EXPECT_FALSE(referee.judge(s).decision);
-  EXPECT_TRUE(referee.belief().teams[index_of(End::right)].advantage_against);
-  EXPECT_GT(referee.belief().advantage_s, 0.0);
+  EXPECT_TRUE(referee.pending_counts().teams[index_of(End::right)].advantage_against);
+  EXPECT_GT(referee.pending_counts().advantage_s, 0.0);
 
   referee.resume({});
-  EXPECT_EQ(referee.belief().stalemate_s, 0.0);
-  EXPECT_FALSE(referee.belief().teams[index_of(End::right)].advantage_against);
+  EXPECT_EQ(referee.pending_counts().stalemate_s, 0.0);
+  EXPECT_FALSE(referee.pending_counts().teams[index_of(End::right)].advantage_against);
 }
 
 TEST(Referee, ChangesScoresAndTimeOutsWithTheEnds) {

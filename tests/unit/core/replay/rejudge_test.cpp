@@ -14,17 +14,17 @@ namespace mirocup::replay {
 namespace {
 
 Recording played() {
-  match::Match match(test_support::short_setup(4, 20.0));
-  auto blue = test_support::raiders(match.field().half_length);
-  auto yellow = test_support::standing();
-  test_support::play(match, blue, yellow);
-  return record(match);
+  match::Leg leg(test_support::short_setup(4, 20.0));
+  auto blue = test_support::raiders(leg.field().half_length);
+  auto yellow = test_support::idle_team();
+  test_support::play(leg, blue, yellow);
+  return record(leg);
 }
 
 TEST(Appeal, FindsNothingWithTheSameRules) {
   const Recording recording = played();
   ASSERT_GT(recording.decisions.size(), 5u);
-  EXPECT_TRUE(appeal(recording, recording.setup.rules).empty());
+  EXPECT_TRUE(rejudge(recording, recording.setup.rules).empty());
 }
 
 TEST(Appeal, FindsEveryCallOfALawThatIsOff) {
@@ -40,7 +40,7 @@ TEST(Appeal, FindsEveryCallOfALawThatIsOff) {
   rules.att_max = 0;
   rules.charge_s = referee::off;
   rules.charge_speed_mps = referee::off;
-  const auto differences = appeal(recording, rules);
+  const auto differences = rejudge(recording, rules);
   const auto missed =
       std::count_if(differences.begin(), differences.end(),
                     [&](const Difference& d) { return d.given && is_foul(*d.given); });
@@ -52,7 +52,7 @@ TEST(Appeal, FindsAShorterHalfOnce) {
   referee::Rules rules = recording.setup.rules;
   rules.half_s = 15.0;
   int ends = 0;
-  for (const Difference& d : appeal(recording, rules)) {
+  for (const Difference& d : rejudge(recording, rules)) {
     ends += d.would_be && d.would_be->decision.verdict == referee::Verdict::HALF_END ? 1 : 0;
   }
   EXPECT_EQ(ends, 1);

@@ -15,15 +15,15 @@ using test_support::random_team;
 using test_support::Scripted;
 
 Recording played(std::uint64_t seed, double half_s = 10.0) {
-  match::Match match(test_support::short_setup(seed, half_s));
+  match::Leg leg(test_support::short_setup(seed, half_s));
   Scripted blue = ball_hunter();
   Scripted yellow = random_team(seed);
-  Trace trace;
-  while (!match.is_over()) {
-    match.advance(blue, yellow);
-    trace.add(match);
+  StateTrace trace;
+  while (!leg.is_over()) {
+    leg.advance(blue, yellow);
+    trace.add(leg);
   }
-  return record(match, trace);
+  return record(leg, trace);
 }
 
 TEST(Verification, ReproducesALeg) {
@@ -96,7 +96,7 @@ TEST(Verification, FindsAChangedHash) {
 
 TEST(Verification, FindsAForgedScoreAndAForgedDecision) {
   Recording score = played(2);
-  ++score.result.score[0];
+  ++score.outcome.score[0];
   EXPECT_TRUE(verify(score));
   Recording decision = played(2);
   decision.decisions.back().decision.reason += "!";
@@ -118,15 +118,15 @@ TEST(Verification, FindsMissingAndAddedTicks) {
 TEST(Verification, ReproducesForfeitsAndVoidLegs) {
   for (const std::uint32_t when : {0u, 50u}) {
     for (const bool host : {false, true}) {
-      match::Match match(test_support::short_setup(4));
+      match::Leg leg(test_support::short_setup(4));
       Scripted blue([&](const match::Observation& o) -> match::Answer {
         if (o.tick < when) return test_support::both_wheels(10.0, 12.0);
         if (host) return match::HostFailure{"killed"};
         return match::Fault{match::FaultCode::crash, "died"};
       });
       Scripted yellow = random_team(2);
-      test_support::play(match, blue, yellow);
-      const auto divergence = verify(record(match));
+      test_support::play(leg, blue, yellow);
+      const auto divergence = verify(record(leg));
       EXPECT_FALSE(divergence) << divergence->what;
     }
   }

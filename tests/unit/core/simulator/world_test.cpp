@@ -105,7 +105,7 @@ TEST(World, PostsPushRobotsOutAndNothingElse) {
   const double reach = parameters.robot_side / 2.0 - overlap;
   const BodyState start{post + reach * outwards, {diagonal, diagonal}, {}};
   world.set_robot(0, start);
-  const InverseMass before = world.static_world().grounded_robot;
+  const solver::InverseMass before = world.static_world().grounded_robot;
   const WheelCommand standing = WheelSpeeds{};
   world.advance({&standing, 1}, 0.033);
   EXPECT_NEAR(outwards.dot(world.robot(0).position - start.position), overlap, 1e-9);

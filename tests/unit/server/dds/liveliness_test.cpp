@@ -6,8 +6,8 @@
 namespace mirocup::dds {
 namespace {
 
-TEST(Attendance, ForgivesASilenceThatIsShort) {
-  Attendance a(0.3);
+TEST(Liveliness, ForgivesASilenceThatIsShort) {
+  Liveliness a(0.3);
   a.asked(1.0);
   EXPECT_FALSE(a.silent(5, 1.2, false));
   EXPECT_FALSE(a.answered(5, 1.25));
@@ -16,8 +16,8 @@ TEST(Attendance, ForgivesASilenceThatIsShort) {
   EXPECT_TRUE(a.absences().empty());
 }
 
-TEST(Attendance, CountsSilenceFromTheFirstTickWithoutAnswer) {
-  Attendance a(0.3);
+TEST(Liveliness, CountsSilenceFromTheFirstTickWithoutAnswer) {
+  Liveliness a(0.3);
   a.asked(1.0);
   a.answered(4, 1.0);
   for (int i = 0; i < 10; ++i) {
@@ -32,16 +32,16 @@ TEST(Attendance, CountsSilenceFromTheFirstTickWithoutAnswer) {
   EXPECT_FALSE(a.absences()[0].back);
 }
 
-TEST(Attendance, NoticesAtOnceWhoHasLeft) {
-  Attendance a(0.3);
+TEST(Liveliness, NoticesAtOnceWhoHasLeft) {
+  Liveliness a(0.3);
   a.asked(1.0);
   EXPECT_TRUE(a.silent(0, 1.0, true));
   EXPECT_FALSE(a.silent(0, 1.1, true));  // once
   EXPECT_TRUE(a.absences()[0].has_left);
 }
 
-TEST(Attendance, AddsUpAllAbsences) {
-  Attendance a(0.3);
+TEST(Liveliness, AddsUpAllAbsences) {
+  Liveliness a(0.3);
   for (int i = 0; i < 3; ++i) {
     a.asked(10.0 * i);
     EXPECT_TRUE(a.silent(2, 10.0 * i, true));
@@ -52,8 +52,8 @@ TEST(Attendance, AddsUpAllAbsences) {
   EXPECT_EQ(a.absences().size(), 3U);
 }
 
-TEST(Attendance, KeepsAListThatIsBounded) {
-  Attendance a(0.3);
+TEST(Liveliness, KeepsAListThatIsBounded) {
+  Liveliness a(0.3);
   for (int i = 0; i < 1000; ++i) {
     a.asked(i);
     a.silent(0, i, true);

@@ -23,10 +23,10 @@ constexpr int few = 300;
 class Damage : public testing::Test {
  protected:
   void SetUp() override {
-    match::Match match(test_support::short_setup(7, 4.0));
+    match::Leg match(test_support::short_setup(7, 4.0));
     auto blue = test_support::ball_hunter();
     auto yellow = test_support::random_team(7);
-    replay::Trace trace;
+    replay::StateTrace trace;
     while (!match.is_over()) {
       match.advance(blue, yellow);
       trace.add(match);
@@ -89,7 +89,7 @@ TEST_F(Damage, ThatTheDigestsLetThroughBreaksNoReader) {
   int readable = 0;
   for (int i = 0; i < tries(few / 5); ++i) {
     ASSERT_TRUE(files_.write("leg.json", damaged(whole)));
-    const auto loaded = load(files_, "leg.json", Seal::ignored);
+    const auto loaded = load(files_, "leg.json", ChecksumPolicy::ignored);
     if (!loaded) continue;
     ++readable;
     (void)replay::verify(loaded->recording);

@@ -18,10 +18,10 @@ namespace {
 using test_support::MemoryFiles;
 
 MatchRecord played(std::uint64_t seed, League league = League::small) {
-  match::Match match(test_support::short_setup(seed, 8.0, league));
+  match::Leg match(test_support::short_setup(seed, 8.0, league));
   auto blue = test_support::ball_hunter();
   auto yellow = test_support::random_team(seed);
-  replay::Trace trace;
+  replay::StateTrace trace;
   while (!match.is_over()) {
     match.advance(blue, yellow);
     trace.add(match);
@@ -31,7 +31,11 @@ MatchRecord played(std::uint64_t seed, League league = League::small) {
   record.isolation = "none";
   record.teams = {TeamInfo{"hunters", TeamKind::plugin, std::string(64, 'a')},
                   TeamInfo{"\"random\" <b>", TeamKind::dds, std::nullopt}};
-  record.budget[0] = {1.25, 3.5, 2, 7};
+  record.budget[0] = {.cpu_seconds = 1.25,
+                      .slowest_tick_ms = 3.5,
+                      .bank_seconds = 2.75,
+                      .late_ticks = 2,
+                      .bad_commands = 7};
   record.recording = replay::record(match, trace);
   return record;
 }
@@ -50,6 +54,51 @@ TEST_P(Leagues, ARecordReadsBackAsItWasAndVerifies) {
   EXPECT_EQ(loaded->recording.trace.ticks, record.recording.trace.ticks);
   EXPECT_EQ(loaded->recording.trace.checkpoints.size(), record.recording.trace.checkpoints.size());
   EXPECT_FALSE(replay::verify(loaded->recording));
+}
+
+// Catches a field that is written under another key, or read from one, than its own.
+TEST(MatchRecord, ReadsBackEveryFieldOfABudget) {
+  MemoryFiles files;
+  ASSERT_TRUE(save(files, "leg.json", played(1)));
+  const Json written = Json::parse(*files.read("leg.json"))["budget"]["blue"];
+  EXPECT_EQ(written["cpu_seconds"], 1.25);
+  EXPECT_EQ(written["slowest_tick_ms"], 3.5);
+  EXPECT_EQ(written["bank_seconds"], 2.75);
+  EXPECT_EQ(written["late_ticks"], 2);
+  EXPECT_EQ(written["bad_commands"], 7);
+  EXPECT_EQ(written.size(), 5u);
+  const auto loaded = load(files, "leg.json");
+  ASSERT_TRUE(loaded) << loaded.error().what;
+  const BudgetReport& read = loaded->budget[0];
+  EXPECT_EQ(read.cpu_seconds, 1.25);
+  EXPECT_EQ(read.slowest_tick_ms, 3.5);
+  EXPECT_EQ(read.bank_seconds, 2.75);
+  EXPECT_EQ(read.late_ticks, 2);
+  EXPECT_EQ(read.bad_commands, 7);
+}
+
+// Catches a reader that takes what no leg can have.
+TEST(MatchRecord, NamesTheKeyThatIsWrong) {
+  MemoryFiles files;
+  ASSERT_TRUE(save(files, "leg.json", played(1)));
+  const Json whole = Json::parse(*files.read("leg.json"));
+  const auto error_with = [&](const char* pointer, const Json& value) -> std::string {
+    Json changed = whole;
+    changed[Json::json_pointer(pointer)] = value;
+    (void)files.write("leg.json", changed.dump());
+    const auto loaded = load(files, "leg.json", ChecksumPolicy::ignored);
+    return loaded ? "" : loaded.error().what;
+  };
+  EXPECT_EQ(error_with("/seed", 7), "");
+  EXPECT_EQ(error_with("/seed", -1), "leg.json: /seed: -1 is not at least 0");
+  EXPECT_EQ(error_with("/control_period", 0), "leg.json: /control_period: 0 is not at least 0.001");
+  EXPECT_EQ(error_with("/rules/half_s", nullptr), "leg.json: /rules/half_s: no half is that long");
+  EXPECT_EQ(error_with("/state_hash", "x"),
+            "leg.json: /state_hash: 16 hexadecimal digits are expected, not \"x\"");
+  EXPECT_EQ(error_with("/decisions/0/robots/blue", Json::array({11})),
+            "leg.json: /decisions/0/robots/blue/0: 11 is not at most 10");
+  EXPECT_EQ(error_with("/teams/blue/kind", "human"),
+            "leg.json: /teams/blue/kind: one of plugin, house, dds is expected, not \"human\"");
 }
 
 TEST(MatchRecord, HasTheKeysThatOthersRelyOn) {
@@ -133,10 +182,10 @@ TEST(MatchRecord, IsWrittenAfterItsReplayOrNotAtAll) {
 
 TEST(MatchRecord, StaysSmall) {
   MemoryFiles files;
-  match::Match match(test_support::short_setup(5, 60.0, League::large));
+  match::Leg match(test_support::short_setup(5, 60.0, League::large));
   auto blue = test_support::random_team(1);
   auto yellow = test_support::random_team(2);
-  replay::Trace trace;
+  replay::StateTrace trace;
   while (!match.is_over()) {
     match.advance(blue, yellow);
     trace.add(match);

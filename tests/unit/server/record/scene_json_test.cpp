@@ -78,9 +78,9 @@ INSTANTIATE_TEST_SUITE_P(
     All, SceneMistakes,
     testing::Values(
         Mistake{"/schema", "\"mirocup/scene/2\"", "/schema: \"mirocup/scene/1\""},
-        Mistake{"/surprise", "1", "/surprise: unknown key"},
-        Mistake{"/parameters/mass", "1", "/parameters/mass: unknown key"},
-        Mistake{"/robots/0/colour", "1", "/robots/0/colour: unknown key"},
+        Mistake{"/surprise", "1", "/surprise: there is no such key"},
+        Mistake{"/parameters/mass", "1", "/parameters/mass: there is no such key"},
+        Mistake{"/robots/0/colour", "1", "/robots/0/colour: there is no such key"},
         Mistake{"/league", "\"huge\"", "/league: one of small, middle, large"},
         Mistake{"/walls", "1", "/walls: true or false"},
         Mistake{"/duration", "-1", "/duration: -1 is not at least 0"},

@@ -19,7 +19,7 @@ int times(const std::string& text, const std::string& part) {
 }
 
 TEST(LiveFeed, TellsEveryCallOnceToWhoeverComesWhenever) {
-  match::Match match(test_support::short_setup(3, 20.0));
+  match::Leg match(test_support::short_setup(3, 20.0));
   auto blue = test_support::ball_hunter();
   auto yellow = test_support::random_team(3);
   LiveFeed feed(match);

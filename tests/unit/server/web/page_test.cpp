@@ -13,7 +13,7 @@ namespace mirocup::web {
 namespace {
 
 record::MatchRecord played(double half_s, League league = League::small) {
-  match::Match match(test_support::short_setup(3, half_s, league));
+  match::Leg match(test_support::short_setup(3, half_s, league));
   auto blue = test_support::ball_hunter();
   auto yellow = test_support::random_team(3);
   test_support::play(match, blue, yellow);

@@ -4,15 +4,15 @@
 #include "server/web/picture.hpp"
 
 #include "server/web/markings.hpp"
-#include "server/web/path.hpp"
+#include "server/web/svg_path.hpp"
 
 #include <gtest/gtest.h>
 
 namespace mirocup::web {
 namespace {
 
-TEST(Path, IsInMillimetresWithYDownwards) {
-  EXPECT_EQ(Path().move_to({0.1, 0.2}).line_to({-0.03217, 0.0}).text(), "M100 -200L-32.2 0");
+TEST(SvgPath, IsInMillimetresWithYDownwards) {
+  EXPECT_EQ(SvgPath().move_to({0.1, 0.2}).line_to({-0.03217, 0.0}).text(), "M100 -200L-32.2 0");
   EXPECT_EQ(millimetres(-0.00004), "0");
   EXPECT_EQ(millimetres(-0.0001), "-0.1");
 }

@@ -3,7 +3,7 @@
 // Catches numbers that do not come from what was played.
 #include "server/web/statistics.hpp"
 
-#include "server/web/track.hpp"
+#include "server/web/track_encoder.hpp"
 #include "tests/support/controllers.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace mirocup::web {
 namespace {
 
-Statistics of(match::Match& match, match::Controller& blue, match::Controller& yellow) {
+Statistics of(match::Leg& match, match::Controller& blue, match::Controller& yellow) {
   Statistics statistics(match.field());
   statistics.add(match);
   while (!match.is_over()) {
@@ -28,13 +28,13 @@ Statistics of(match::Match& match, match::Controller& blue, match::Controller& y
 TEST(Statistics, AreThoseOfTheTeamThatPlays) {
   match::Setup setup = test_support::short_setup(1, 20.0);
   setup.rules.mercy_goal_diff = 0;
-  match::Match match(setup);
+  match::Leg match(setup);
   auto blue = test_support::ball_hunter();
-  auto yellow = test_support::standing();
+  auto yellow = test_support::idle_team();
   const Statistics s = of(match, blue, yellow);
-  const TeamNumbers& hunter = s.of(Team::blue);
-  const TeamNumbers& idler = s.of(Team::yellow);
-  const auto total = [](const TeamNumbers& n) {
+  const TeamStatistics& hunter = s.of(Team::blue);
+  const TeamStatistics& idler = s.of(Team::yellow);
+  const auto total = [](const TeamStatistics& n) {
     return std::accumulate(n.distance.begin(), n.distance.end(), 0.0);
   };
   EXPECT_GT(total(hunter), 5.0);
@@ -46,21 +46,13 @@ TEST(Statistics, AreThoseOfTheTeamThatPlays) {
   EXPECT_NEAR(ticks_of_play * setup.control_period, 40.0, 40.0 * 0.1);
 }
 
-TEST(Track, LetsAHeadingGoOnWhereItPassesAHalfTurn) {
+TEST(TrackEncoder, LetsAHeadingGoOnWhereItPassesAHalfTurn) {
   match::Scene scene;
   scene.robots[0][0].heading = Heading::from_angle(3.1);
   const Frame before = frame_of(scene, 1, {});
   scene.robots[0][0].heading = Heading::from_angle(-3.1);
   const Frame after = frame_of(scene, 1, before);
   EXPECT_LT(std::abs(after[5] - before[5]), 40) << "a turn is 2048";
-}
-
-TEST(Track, WritesBase64) {
-  EXPECT_EQ(base64(""), "");
-  EXPECT_EQ(base64("a"), "YQ==");
-  EXPECT_EQ(base64("ab"), "YWI=");
-  EXPECT_EQ(base64("abc"), "YWJj");
-  EXPECT_EQ(base64("\xff\xfe\xfd"), "//79");
 }
 
 }  // namespace

@@ -17,10 +17,10 @@
 namespace mirocup::league {
 namespace {
 
-std::vector<Slot> seeds(int teams) {
-  std::vector<Slot> slots;
-  for (int i = 0; i < teams; ++i) slots.push_back({Slot::From::team, i, 0});
-  return slots;
+std::vector<TeamSource> seeds(int teams) {
+  std::vector<TeamSource> sources;
+  for (int i = 0; i < teams; ++i) sources.push_back({TeamSource::Kind::team, i, 0});
+  return sources;
 }
 
 class Formats : public testing::TestWithParam<int> {};
@@ -30,14 +30,14 @@ INSTANTIATE_TEST_SUITE_P(Sizes, Formats, all_sizes());
 template <class Winner>
 std::vector<TieOutcome> play(std::vector<Fixture>& ties, Winner winner) {
   std::vector<TieOutcome> outcomes;
-  const auto taken = [&outcomes](const Slot& slot) {
-    if (slot.from == Slot::From::team) return slot.index;
-    const TieOutcome& before = outcomes.at(slot.index);  // throws if it comes later
-    return slot.from == Slot::From::winner ? before.winner : before.loser;
+  const auto taken = [&outcomes](const TeamSource& source) {
+    if (source.kind == TeamSource::Kind::team) return source.index;
+    const TieOutcome& before = outcomes.at(source.index);  // throws if it comes later
+    return source.kind == TeamSource::Kind::winner ? before.winner : before.loser;
   };
   for (Fixture& tie : ties) {
-    tie.home = taken(tie.home_from);
-    tie.away = taken(tie.away_from);
+    tie.home = taken(tie.home_source);
+    tie.away = taken(tie.away_source);
     const int won = winner(tie.home, tie.away);
     outcomes.push_back({won, won == tie.home ? tie.away : tie.home});
   }
@@ -124,18 +124,18 @@ TEST_P(Formats, GroupsAreAlikeAndTheirFirstGoOn) {
         EXPECT_TRUE(pairs.insert({f.home, f.away}).second);
         continue;
       }
-      for (const Slot& slot : {f.home_from, f.away_from}) {
-        if (slot.from == Slot::From::place) {
-          EXPECT_TRUE(places.insert({slot.index, slot.place}).second);
+      for (const TeamSource& source : {f.home_source, f.away_source}) {
+        if (source.kind == TeamSource::Kind::place) {
+          EXPECT_TRUE(places.insert({source.index, source.place}).second);
         } else {
-          EXPECT_LT(slot.index, static_cast<int>(i)) << "follows from a later tie";
-          EXPECT_EQ(fixtures[slot.index].part, Part::knockout);
+          EXPECT_LT(source.index, static_cast<int>(i)) << "follows from a later tie";
+          EXPECT_EQ(fixtures[source.index].part, Part::knockout);
         }
       }
-      const bool both =
-          f.home_from.from == Slot::From::place && f.away_from.from == Slot::From::place;
+      const bool both = f.home_source.kind == TeamSource::Kind::place &&
+                        f.away_source.kind == TeamSource::Kind::place;
       if (both && groups > 1) {
-        EXPECT_NE(f.home_from.index, f.away_from.index) << f.id();
+        EXPECT_NE(f.home_source.index, f.away_source.index) << f.id();
       }
     }
     EXPECT_EQ(static_cast<int>(places.size()), 2 * groups);
@@ -145,7 +145,7 @@ TEST_P(Formats, GroupsAreAlikeAndTheirFirstGoOn) {
 TEST_P(Formats, SwissPairsNobodyTwiceAndGivesOneByeAtMost) {
   const int n = GetParam();
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
-    const int rounds = std::min(usual_swiss_rounds(n) + 2, most_swiss_rounds(n));
+    const int rounds = std::min(usual_swiss_rounds(n) + 2, max_swiss_rounds(n));
     Random random(seed);
     std::vector<int> points(n, 0);
     std::vector<Fixture> before;
@@ -160,10 +160,10 @@ TEST_P(Formats, SwissPairsNobodyTwiceAndGivesOneByeAtMost) {
       for (const Fixture& f : fixtures) {
         EXPECT_TRUE(pairs.insert({f.home, f.away}).second) << f.id() << " seed " << seed;
         EXPECT_TRUE(play.insert(f.home).second);
-        if (f.away != nobody) {
+        if (f.away != no_team) {
           EXPECT_TRUE(play.insert(f.away).second);
         }
-        points[f.away == nobody || random.coin() ? f.home : f.away] += 3;
+        points[f.away == no_team || random.coin() ? f.home : f.away] += 3;
       }
       ASSERT_EQ(static_cast<int>(play.size()), n) << "round " << round << " seed " << seed;
       before.insert(before.end(), fixtures.begin(), fixtures.end());
@@ -177,7 +177,7 @@ TEST(Swiss, BringsLikeTogetherAndGivesTheLowestTheBye) {
   EXPECT_EQ((std::set<int>{fixtures[0].home, fixtures[0].away}), (std::set<int>{4, 2}));
   EXPECT_EQ((std::set<int>{fixtures[1].home, fixtures[1].away}), (std::set<int>{0, 3}));
   EXPECT_EQ(fixtures[2].home, 1);
-  EXPECT_EQ(fixtures[2].away, nobody);
+  EXPECT_EQ(fixtures[2].away, no_team);
 }
 
 TEST_P(Formats, RoundRobinRepeatsItselfWithHomesSwapped) {

@@ -11,7 +11,7 @@
 namespace mirocup::league {
 namespace {
 
-bool has(const Command& command, const std::string& word) {
+bool has(const CommandLine& command, const std::string& word) {
   return std::find(command.begin(), command.end(), word) != command.end();
 }
 
@@ -36,12 +36,12 @@ TEST(Slurm, FindsTheTasksOfItsLeagueInTheQueue) {
 }
 
 TEST(Slurm, IsToldWhatToRunAndWhere) {
-  const Command command = sbatch_command({.league = "0123456789ab",
-                                          .plan = 2,
-                                          .tasks = 7,
-                                          .at_once = 3,
-                                          .log = "/l/100%/cluster/2",
-                                          .shard = {"shard.sh", "a b"}});
+  const CommandLine command = sbatch_command({.league = "0123456789ab",
+                                              .plan = 2,
+                                              .tasks = 7,
+                                              .max_running = 3,
+                                              .log = "/l/100%/cluster/2",
+                                              .shard = {"shard.sh", "a b"}});
   EXPECT_TRUE(has(command, "--requeue"));
   EXPECT_TRUE(has(command, "--job-name=mirocup-0123456789ab-2"));
   EXPECT_TRUE(has(command, "--array=1-7%3"));
@@ -50,9 +50,9 @@ TEST(Slurm, IsToldWhatToRunAndWhere) {
 }
 
 TEST(Slurm, IsInterruptedOnlyWhereALegMayComeToItsEnd) {
-  EXPECT_TRUE(has(scancel_command({"17_3"}, TakeBack::after_the_leg), "--signal=INT"));
-  EXPECT_TRUE(has(scancel_command({"17_3"}, TakeBack::waiting), "--state=PENDING"));
-  EXPECT_EQ(scancel_command({"17_3"}, TakeBack::all), (Command{"scancel", "17_3"}));
+  EXPECT_TRUE(has(scancel_command({"17_3"}, CancelScope::after_leg), "--signal=INT"));
+  EXPECT_TRUE(has(scancel_command({"17_3"}, CancelScope::pending), "--state=PENDING"));
+  EXPECT_EQ(scancel_command({"17_3"}, CancelScope::all), (CommandLine{"scancel", "17_3"}));
 }
 
 TEST(Slurm, SaysHowManyProcessorsCanPlay) {

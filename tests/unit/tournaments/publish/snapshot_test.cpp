@@ -6,6 +6,7 @@
 
 #include "core/base/random.hpp"
 #include "tests/support/memory_files.hpp"
+#include "tournaments/league/apply.hpp"
 #include "tournaments/publish/site.hpp"
 
 #include <gtest/gtest.h>
@@ -22,22 +23,19 @@ std::string round_of(const Fixture& f) {
   return (f.part == Part::knockout ? "k" : "r") + std::to_string(f.round);
 }
 
-Json made_up_leg(const LeagueState& state, const Fixture& f, int leg) {
+LegPlayed made_up_leg(const LeagueState& state, const Fixture& f, int leg) {
   Random random(fixture_seed(state.file.seed, f) + static_cast<std::uint64_t>(leg));
   const int home = static_cast<int>(random.below(4));
-  return {{"fixture", f.id()},
-          {"leg", leg},
-          {"attempt", 1},
-          {"home", state.name(f.home)},
-          {"away", state.name(f.away)},
-          {"blue", state.name(f.home)},
-          {"score", {{"home", home}, {"away", random.below(4)}}},
-          {"winner", nullptr},
-          {"end", "full_time"},
-          {"fault", nullptr},
-          {"penalties", {{"home", 0}, {"away", 0}}},
-          {"record", "records/" + f.id() + ".json"},
-          {"state_hash", "0"}};
+  LegPlayed played;
+  played.fixture = f.id();
+  played.leg = leg;
+  played.home = state.name(f.home);
+  played.away = state.name(f.away);
+  played.blue = state.name(f.home);
+  played.score = {.home = home, .away = static_cast<int>(random.below(4))};
+  played.record = "records/" + f.id() + ".json";
+  played.state_hash = "0";
+  return played;
 }
 
 // Somebody plays a league round by round and looks at the pages after each.
@@ -49,24 +47,24 @@ struct Season {
 
   explicit Season(const LeagueFile& file)
       : journal(std::move(*Journal::open(files, "journal.jsonl"))), state(new_league(file)) {
-    write("start", {{"config_sha256", "x"}});
-    for (const TeamEntry& team : file.teams)
-      write("entry", {{"team", team.name}, {"entry", 1}, {"sha256", "s"}});
+    write(Started{.config_sha256 = "x", .version = ""});
+    for (const TeamConfig& team : file.teams)
+      write(EntryBooked{.team = team.name, .entry = 1, .sha256 = "s"});
     // Fixtures are added while it is played.
     for (std::size_t i = 0; i < state.fixtures.size(); ++i) {
       for (int leg = 1; leg <= state.fixtures[i].needed(); ++leg) {
         if (!state.fixtures[i].legs[leg - 1].played)
-          write("leg", made_up_leg(state, state.fixtures[i].fixture, leg));
+          write(made_up_leg(state, state.fixtures[i].fixture, leg));
       }
       after[round_of(state.fixtures[i].fixture)] = make_site(state);
     }
   }
 
-  void write(const std::string& kind, Json fields) {
-    EXPECT_TRUE(journal.append(kind, std::move(fields)));
-    const auto admitted = admit(state, journal.lines().back());
-    EXPECT_TRUE(admitted) << admitted.error().what;
-    apply(state, journal.lines().back());
+  void write(const Event& event) {
+    EXPECT_TRUE(journal.append(std::string(kind_of(event)), fields_of(event)));
+    const auto valid = validate(state, event);
+    EXPECT_TRUE(valid) << valid.error().what;
+    league::apply(state, event);
   }
 };
 
@@ -78,7 +76,7 @@ LeagueFile nine_teams(FormatKind kind) {
   return file;
 }
 
-TEST(Release, ShowsALeagueAsItWasAfterARound) {
+TEST(Snapshot, ShowsALeagueAsItWasAfterARound) {
   for (const auto kind : {FormatKind::double_round_robin, FormatKind::groups, FormatKind::knockout,
                           FormatKind::swiss}) {
     const Season season(nine_teams(kind));
@@ -96,7 +94,7 @@ TEST(Release, ShowsALeagueAsItWasAfterARound) {
   }
 }
 
-TEST(Release, KnowsWhichRoundsThereAre) {
+TEST(Snapshot, KnowsWhichRoundsThereAre) {
   const Season season(nine_teams(FormatKind::knockout));
   for (const char* round : {"", "k", "k0", "k9", "r1", "k1x", "k-1", "x1"}) {
     const auto shown = state_through(season.state, season.journal, round);

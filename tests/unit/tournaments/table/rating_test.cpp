@@ -88,9 +88,9 @@ TEST(Comparison, IsWrongAsSeldomAsItSays) {
   for (int trial = 0; trial < trials; ++trial) {
     int first = 0;
     int second = 0;
-    while (verdict(first, second, options) == Verdict::undecided)
+    while (verdict(first, second, options) == ComparisonVerdict::undecided)
       ++(random.uniform() < options.share ? first : second);
-    wrong += verdict(first, second, options) == Verdict::second ? 1 : 0;
+    wrong += verdict(first, second, options) == ComparisonVerdict::second ? 1 : 0;
   }
   EXPECT_LT(wrong, trials * 0.06);
   EXPECT_EQ(deciding_lead({.share = 0.6, .error = 0.05}), 8);

@@ -14,9 +14,9 @@
 namespace mirocup::league {
 namespace {
 
-std::vector<int> order(const std::vector<Row>& rows) {
+std::vector<int> order(const std::vector<TableRow>& rows) {
   std::vector<int> teams;
-  for (const Row& row : rows) teams.push_back(row.team);
+  for (const TableRow& row : rows) teams.push_back(row.team);
   return teams;
 }
 
@@ -82,7 +82,8 @@ TEST(Table, GoesByGoalsThenByTheirOwnMeeting) {
                                        leg_result(B, C, 2, 2)};
   const auto rows = make_table(all_teams(3), results, {});
   const auto at = [&](int team) {
-    return *std::find_if(rows.begin(), rows.end(), [team](const Row& r) { return r.team == team; });
+    return *std::find_if(rows.begin(), rows.end(),
+                         [team](const TableRow& r) { return r.team == team; });
   };
   ASSERT_EQ(at(A).points, at(B).points);
   ASSERT_EQ(at(A).difference(), at(B).difference());

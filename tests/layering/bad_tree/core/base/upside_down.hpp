@@ -2,7 +2,7 @@
 //
 // What the layering check must not let pass: the lowest room includes a higher one, knows time, and
 // asks the C library.
-#include "core/match/match.hpp"
+#include "core/match/leg.hpp"
 
 #include <chrono>
 

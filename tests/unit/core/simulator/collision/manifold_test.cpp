@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::collision {
 namespace {
 
 std::vector<double> gaps_of(const ContactPoints& found) {
@@ -44,4 +44,4 @@ TEST(Contact, MarginOnlyLeavesOutWhatIsFarther) {
 }
 
 }  // namespace
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::collision

@@ -11,7 +11,7 @@
 #include <array>
 #include <cmath>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::collision {
 namespace {
 
 // Robot 1 has one corner on the front of robot 0, which stands still at the origin; its edge is
@@ -19,12 +19,12 @@ namespace {
 // front at `slide`, m/s.
 struct Tilted {
   StaticWorld world = make_static_world(nullptr, Parameters{}, Tolerances{}, 2, false);
-  std::array<Segment, 2> segments;
+  std::array<trajectory::Segment, 2> segments;
   Contact contact;
 
   Tilted(double tilt, double rate, double slide, double length) {
     const double half = world.parameters.robot_side / 2.0;
-    segments[0] = still_segment(BodyState{}, 0.0, length);
+    segments[0] = trajectory::still_segment(BodyState{}, 0.0, length);
     // Corner 2 of a square is its left end behind, where its edge at the back begins.
     const geometry::Outline& shape = world.robot_outline;
     const Vec2 corner = shape.corner[2];
@@ -33,13 +33,13 @@ struct Tilted {
     BodyState body;
     body.heading = heading;
     body.position = touching - heading.to_world(corner);
-    Segment s = moving_segment(body, 0.0, length);
+    trajectory::Segment s = trajectory::moving_segment(body, 0.0, length);
     s.omega[0] = rate;
     // The centre's speed in its own frame: the corner's, minus what turning gives the corner.
     double cos = std::cos(tilt);
     double sin = std::sin(tilt);
     double factor = 1.0;
-    for (int k = 0; k < max_terms; ++k) {
+    for (int k = 0; k < trajectory::max_terms; ++k) {
       s.forward[k] = factor * slide * sin;
       s.left[k] = factor * slide * cos;
       const double turned_cos = -sin;  // derivatives of cos(tilt + rate t), sin(tilt + rate t)
@@ -49,7 +49,7 @@ struct Tilted {
     }
     s.forward[0] += rate * corner.y();
     s.left[0] -= rate * corner.x();
-    for (int k = 0; k + 1 < max_terms; ++k) integrate_pose(s, k);
+    for (int k = 0; k + 1 < trajectory::max_terms; ++k) integrate_pose(s, k);
     segments[1] = s;
 
     contact.pair = pair_of(0, 1);
@@ -62,8 +62,8 @@ struct Tilted {
                      .point_on_a = true,
                      .corner = 2,
                      .edge = 0};
-    contact.row = difference_row(contact.a, contact.b, contact_row(body, contact.point),
-                                 contact_row(BodyState{}, contact.point));
+    contact.row = solver::difference_row(contact.a, contact.b, contact_row(body, contact.point),
+                                         contact_row(BodyState{}, contact.point));
     contact.resting = {.is_active = true, .is_persistent = true};
   }
 
@@ -76,19 +76,19 @@ TEST(Pressing, FindsTheOtherCornerComingDown) {
   for (const double rate : {0.5, 4.0, 20.0}) {
     const Tilted down(0.02, -rate, 0.0, 0.05);
     ASSERT_TRUE(is_separating_edge(down.world, down.contact));
-    EXPECT_NEAR(down.next(), 0.02 / rate < 0.05 ? 0.02 / rate : never, 1e-9) << rate;
-    EXPECT_EQ(Tilted(0.02, rate, 0.0, 0.01).next(), never) << rate;
+    EXPECT_NEAR(down.next(), 0.02 / rate < 0.05 ? 0.02 / rate : trajectory::never, 1e-9) << rate;
+    EXPECT_EQ(Tilted(0.02, rate, 0.0, 0.01).next(), trajectory::never) << rate;
   }
 }
 
 TEST(Pressing, IsNotMisledBySliding) {
   EXPECT_NEAR(Tilted(0.02, -4.0, 0.3, 0.02).next(), 0.005, 1e-9);
-  EXPECT_EQ(Tilted(0.02, 0.0, 0.3, 0.02).next(), never);
+  EXPECT_EQ(Tilted(0.02, 0.0, 0.3, 0.02).next(), trajectory::never);
 }
 
 // With two contacts between the same two nothing turns: rounding must not be taken for a touch.
 TEST(Pressing, FlushEdgesStayFlush) {
-  EXPECT_EQ(Tilted(0.0, -1e-9, 0.0, 0.02).next(true), never);
+  EXPECT_EQ(Tilted(0.0, -1e-9, 0.0, 0.02).next(true), trajectory::never);
 }
 
 TEST(Pressing, KnowsNothingOfContactsThatDoNotPress) {
@@ -110,12 +110,12 @@ TEST(ContactSeries, FollowACornerAlongAnEdge) {
   constexpr double rate = -4.0;
   constexpr double slide = 0.3;
   const Tilted t(tilt, rate, slide, 0.02);
-  ContactSeries rows;
+  resting_contact::ContactSeries rows;
   start_rows(t.world, t.contact, t.segments, rows);
   EXPECT_NEAR(rows.first_a[2], t.contact.row.on_a[2], 1e-15);
   EXPECT_NEAR(rows.first_b[2], -t.contact.row.on_b[2], 1e-15);
   double factor = 1.0;  // of term k of a function of the angle: its derivative times this
-  for (int k = 0; k + 1 < max_terms; ++k) {
+  for (int k = 0; k + 1 < trajectory::max_terms; ++k) {
     EXPECT_NEAR(rows.heading.c[k][0], factor * std::cos(tilt + k * pi / 2.0), 1e-12) << k;
     EXPECT_NEAR(rows.heading.c[k][1], factor * std::sin(tilt + k * pi / 2.0), 1e-12) << k;
     extend_rows(t.world, t.contact, t.segments, k, rows);
@@ -123,7 +123,7 @@ TEST(ContactSeries, FollowACornerAlongAnEdge) {
     EXPECT_NEAR(gap_rate_term(t.contact, t.segments, k + 1, rows), 0.0, 1e-12) << k;
     factor *= rate / (k + 1);
   }
-  set_terms(rows, max_terms);
+  set_terms(rows, trajectory::max_terms);
   // From y = -0.01 at 0.3 m/s to the end of the edge.
   EXPECT_EQ(time_on_edge(t.contact, rows, 0.0, 0.02), 0.02);
   const double way = 0.01 + t.world.parameters.robot_side / 2.0;
@@ -131,4 +131,4 @@ TEST(ContactSeries, FollowACornerAlongAnEdge) {
 }
 
 }  // namespace
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::collision

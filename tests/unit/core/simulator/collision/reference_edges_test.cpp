@@ -10,7 +10,7 @@
 #include <array>
 #include <cmath>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::collision {
 namespace {
 
 // Two squares, of which one is on the other's left side as seen from `turned` (rad), and beside it by
@@ -72,4 +72,4 @@ INSTANTIATE_TEST_SUITE_P(Of, FirstEdges,
                          testing::Values(0.0, 0.5 * pi, 0.3, 0.3 + pi, -0.9, -0.5 * pi));
 
 }  // namespace
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::collision

@@ -9,7 +9,7 @@
 
 #include <array>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::collision {
 namespace {
 
 constexpr double whole_tick = 0.033;
@@ -25,14 +25,14 @@ geometry::Outline regular_polygon(int corners, double radius) {
 
 TEST(FirstTouch, IsThatOfWhicheverCornerLeads) {
   const geometry::Outline cube = geometry::square(0.08);
-  const Segment still = still_segment(BodyState{}, 0.0, whole_tick);
+  const trajectory::Segment still = trajectory::still_segment(BodyState{}, 0.0, whole_tick);
   for (int corners = 3; corners <= geometry::max_corners; ++corners) {
     const geometry::Outline shape = regular_polygon(corners, 0.05);
     for (int leading = 0; leading < corners; ++leading) {
       // It points to the cube's front, 10 mm away, and comes at 1 m/s.
       const Heading heading = Heading::from_angle(pi - 2.0 * pi * leading / corners);
       const BodyState body{{0.1, 0.01}, heading, {-heading.cos, heading.sin, 0.0}};
-      const Segment segment = steady_segment(body, 0.0, whole_tick);
+      const trajectory::Segment segment = trajectory::steady_segment(body, 0.0, whole_tick);
       const MovingOutline mover{shape, segment};
       EXPECT_NEAR(time_of_impact(mover, {cube, still}, 0.0, 0.0, whole_tick), 0.01, 1e-12)
           << leading;
@@ -46,11 +46,11 @@ TEST(FirstTouch, IsThatOfWhicheverCornerLeads) {
 
 TEST(FirstTouch, OfTwoThatTouchIsWhenTheyHaveSunkIn) {
   const geometry::Outline cube = geometry::square(0.08);
-  const Segment still = still_segment(BodyState{}, 0.0, whole_tick);
+  const trajectory::Segment still = trajectory::still_segment(BodyState{}, 0.0, whole_tick);
   constexpr double sink = 1e-6;
   for (const double gap : {0.0, -1e-9, 0.5 * sink}) {
     const BodyState body{{0.08 + gap, 0.0}, Heading{}, {-1.0, 0.0, 0.0}};
-    const Segment segment = steady_segment(body, 0.0, whole_tick);
+    const trajectory::Segment segment = trajectory::steady_segment(body, 0.0, whole_tick);
     const double from = std::max(gap, 0.0);
     EXPECT_NEAR(
         time_of_impact_or_penetration({cube, segment}, {cube, still}, sink, 0.0, whole_tick),
@@ -61,7 +61,7 @@ TEST(FirstTouch, OfTwoThatTouchIsWhenTheyHaveSunkIn) {
 
 TEST(Pose, IsThatOfTheBodyThere) {
   const BodyState body{{0.3, -0.2}, Heading::from_angle(0.7), {0.9, -0.1, 5.0}};
-  const Segment segment = steady_segment(body, 0.001, whole_tick);
+  const trajectory::Segment segment = trajectory::steady_segment(body, 0.001, whole_tick);
   for (const double t : {0.001, 0.01, whole_tick}) {
     const BodyState there = body_at(segment, t);
     const Pose pose = pose_at(segment, t);
@@ -72,4 +72,4 @@ TEST(Pose, IsThatOfTheBodyThere) {
 }
 
 }  // namespace
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::collision

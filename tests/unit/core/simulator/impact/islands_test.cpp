@@ -7,24 +7,25 @@
 #include <utility>
 #include <vector>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::impact {
 namespace {
 
 using Two = std::pair<int, int>;
 
-std::unique_ptr<ContactList> contacts_of(const std::vector<Two>& pairs) {
-  auto list = std::make_unique<ContactList>();
+std::unique_ptr<collision::ContactList> contacts_of(const std::vector<Two>& pairs) {
+  auto list = std::make_unique<collision::ContactList>();
   for (const auto& [i, j] : pairs) list->list[list->count++].pair = pair_of(i, j);
   return list;
 }
 
-std::vector<std::vector<Two>> groups_of(ContactList& list) {
+std::vector<std::vector<Two>> groups_of(collision::ContactList& list) {
   const auto groups = std::make_unique<Islands>();
   groups->sort(list);
   std::vector<std::vector<Two>> found;
-  groups->for_each(list, [&](std::span<const Contact> contacts) {
+  groups->for_each(list, [&](std::span<const collision::Contact> contacts) {
     found.emplace_back();
-    for (const Contact& c : contacts) found.back().emplace_back(c.pair.a, c.pair.partner);
+    for (const collision::Contact& c : contacts)
+      found.back().emplace_back(c.pair.a, c.pair.partner);
   });
   return found;
 }
@@ -62,4 +63,4 @@ TEST(Cluster, OnlyContactsConnect) {
 }
 
 }  // namespace
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::impact

@@ -11,20 +11,20 @@
 #include <cmath>
 #include <memory>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::impact {
 namespace {
 
 constexpr double overlap = 1e-6;
 
 struct Row {
-  StaticWorld world;
+  collision::StaticWorld world;
   std::array<BodyState, 4> bodies{};
-  std::array<InverseMass, 4> mass{};
-  ContactList list;
+  std::array<solver::InverseMass, 4> mass{};
+  collision::ContactList list;
 
   // Robots beside each other, `by` too close.
   Row(int robots, double by, double side)
-      : world(make_static_world(nullptr, {}, {}, robots, false)) {
+      : world(collision::make_static_world(nullptr, {}, {}, robots, false)) {
     for (int i = 0; i < robots; ++i) {
       bodies[i].position = {side * i * (world.parameters.robot_side - by), 0.0};
       mass[i] = world.free_robot;
@@ -34,7 +34,7 @@ struct Row {
 };
 
 TEST(PushApart, TakesOverlapsAway) {
-  const auto problem = std::make_unique<RegularizedQp>();
+  const auto problem = std::make_unique<solver::RegularizedQp>();
   for (const double side : {1.0, -1.0}) {
     Row row(4, overlap, side);
     project_positions(row.list.contacts(), row.mass, row.bodies, *problem);
@@ -50,7 +50,7 @@ TEST(PushApart, TakesOverlapsAway) {
 // A robot between two that cannot be moved, with less room than it needs. Catches shifts that grow
 // until something gives in: bodies were thrown about by a hundred times what they overlapped.
 TEST(PushApart, DoesNotMoveFarWhereThereIsNoRoom) {
-  const auto problem = std::make_unique<RegularizedQp>();
+  const auto problem = std::make_unique<solver::RegularizedQp>();
   for (const double side : {1.0, -1.0}) {
     Row row(3, overlap, side);
     row.mass[0] = row.mass[2] = {};
@@ -65,4 +65,4 @@ TEST(PushApart, DoesNotMoveFarWhereThereIsNoRoom) {
 }
 
 }  // namespace
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::impact

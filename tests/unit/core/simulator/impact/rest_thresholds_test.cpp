@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::impact {
 namespace {
 
 const Tolerances tolerances;
@@ -140,7 +140,7 @@ TEST(RestThresholds, StopsFasterSlidesTheLongerATickTakes) {
 // burst that is over.
 TEST(RestThresholds, AsksForLongerCurvesAfterABurst) {
   RestThresholds thresholds = fresh();
-  EXPECT_EQ(thresholds.preferred_duration(1e-3), never);
+  EXPECT_EQ(thresholds.preferred_duration(1e-3), trajectory::never);
   for (int i = 1; i <= 10; ++i) thresholds.note_touch(pair_of(0, 1), 1e-5 * i);
   EXPECT_LT(thresholds.preferred_duration(1e-4), 1e-4);
   EXPECT_GT(thresholds.preferred_duration(5e-3), 5e-3);
@@ -216,4 +216,4 @@ TEST(RestThresholds, IsFreshInEachTick) {
 }
 
 }  // namespace
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::impact

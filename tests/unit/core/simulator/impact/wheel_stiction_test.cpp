@@ -5,21 +5,21 @@
 
 #include <array>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::impact {
 namespace {
 
 // Two robots at the origin and at x = 0.075 m, which touch in the middle between them.
 struct Side {
   Parameters parameters;
   std::array<BodyState, 2> bodies;
-  std::array<InverseMass, 2> mass;
-  std::array<Contact, 1> contacts;
-  BoxQp problem;
+  std::array<solver::InverseMass, 2> mass;
+  std::array<collision::Contact, 1> contacts;
+  solver::BoxQp problem;
 
   Side() {
     bodies[1].position = {0.075, 0.0};
-    mass.fill(free_robot_mass(parameters));
-    Contact& c = contacts[0];
+    mass.fill(collision::free_robot_mass(parameters));
+    collision::Contact& c = contacts[0];
     c.pair = pair_of(0, 1);
     c.a = 1;
     c.b = 0;
@@ -52,9 +52,9 @@ TEST(StopSlides, LetsNoContactApproach) {
   side.bodies[0].twist.forward = 1e-4;
   side.bodies[1].twist.left = -1e-4;  // away from the first one, as fast as that follows
   side.stop(1, 1e-3);
-  EXPECT_GE(row_rate(side.contacts[0].row, side.bodies), -1e-15);
+  EXPECT_GE(collision::row_rate(side.contacts[0].row, side.bodies), -1e-15);
   EXPECT_GE(side.contacts[0].impact.impulse, 0.0);
 }
 
 }  // namespace
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::impact

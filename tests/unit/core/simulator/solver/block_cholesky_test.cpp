@@ -10,7 +10,7 @@
 
 #include <vector>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::solver {
 namespace {
 
 JacobianRow random_row(Random& random) {
@@ -99,4 +99,4 @@ TEST(BlockCholesky, HoldsWhatHasNoInverseMass) {
 }
 
 }  // namespace
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::solver

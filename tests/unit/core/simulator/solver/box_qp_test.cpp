@@ -13,7 +13,7 @@
 #include <cmath>
 #include <vector>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::solver {
 namespace {
 
 double worst_violation(const BoxQp& p) {
@@ -163,4 +163,4 @@ TEST(BoxQp, ContradictionGoesToTheBound) {
 }
 
 }  // namespace
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::solver

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::solver {
 namespace {
 
 // The Gram matrix of `rows`.
@@ -63,4 +63,4 @@ TEST(PivotedCholesky, NamesAnEquationThatFollowsFromOthers) {
 }
 
 }  // namespace
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::solver

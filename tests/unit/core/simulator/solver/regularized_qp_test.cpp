@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::solver {
 namespace {
 
 // Rows between bodies at random, more than the bodies can be moved in; every third is boxed, the
@@ -161,4 +161,4 @@ TEST(RegularizedQp, LeavesGivenUnknowns) {
 }
 
 }  // namespace
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::solver

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::stepping {
 namespace {
 
 // Catches a rest of a step that is bent as if it were all of it, or the other way.
@@ -18,7 +18,8 @@ TEST(StepTrajectories, TheRestOfAStepGoesOnAsItBegan) {
     for (const double part : {0.0, 0.3, 0.8}) {
       const double t = step_begin + part * length;
       const BodyState now = along_corrected_arc(begin, correction, length, part * length);
-      const Segment rest = corrected_segment(now, correction, step_begin, t, step_begin + length);
+      const trajectory::Segment rest =
+          corrected_segment(now, correction, step_begin, t, step_begin + length);
       for (const double later : {part, 0.5 * (part + 1.0), 1.0}) {
         const BodyState there = body_at(rest, step_begin + later * length);
         const BodyState expected = along_corrected_arc(begin, correction, length, later * length);
@@ -26,9 +27,9 @@ TEST(StepTrajectories, TheRestOfAStepGoesOnAsItBegan) {
       }
     }
     const BodyState end = along_corrected_arc(begin, correction, length, length);
-    EXPECT_EQ(end.position, along_arc(begin, length).position);
+    EXPECT_EQ(end.position, trajectory::along_arc(begin, length).position);
   }
 }
 
 }  // namespace
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::stepping

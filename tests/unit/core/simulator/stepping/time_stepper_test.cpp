@@ -11,24 +11,25 @@
 #include <cmath>
 #include <optional>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::stepping {
 namespace {
 
 // Two robots on their corners, one on its way past the other at 1 m/s, from `before` metres before it,
 // so that the corners would pass 0.05 mm deep through each other. Their gap is looked at on the way.
 void expect_apart_past_a_corner(double side, double before) {
   const Parameters p;
-  const StaticWorld world = make_static_world(nullptr, p, Tolerances{}, 2, false);
-  RegularizedQp problem;
+  const collision::StaticWorld world =
+      collision::make_static_world(nullptr, p, Tolerances{}, 2, false);
+  solver::RegularizedQp problem;
   TimeStepper steps(world, problem);
   const double reach = world.robot_outline.radius;
   std::array<BodyState, 2> bodies{BodyState{{0.0, 0.0}, Heading::from_angle(pi / 4.0), {}},
                                   BodyState{{side * (2.0 * reach - 5e-5), -side * before},
                                             Heading::from_angle(pi / 4.0),
                                             {side * std::sqrt(0.5), side * std::sqrt(0.5), 0.0}}};
-  const std::array<DriveReference, 2> lifted{drive_reference(p, std::nullopt),
-                                             drive_reference(p, std::nullopt)};
-  const std::array<InverseMass, 2> mass{world.free_robot, world.free_robot};
+  const std::array<trajectory::DriveReference, 2> lifted{
+      trajectory::drive_reference(p, std::nullopt), trajectory::drive_reference(p, std::nullopt)};
+  const std::array<solver::InverseMass, 2> mass{world.free_robot, world.free_robot};
   const auto [members, length] =
       steps.take_step(BodySet(3), {}, lifted, mass, world.tolerances.max_step, bodies);
   ASSERT_EQ(members, BodySet(3));
@@ -58,11 +59,13 @@ TEST(TimeStepper, CornersAreNotPushedOutOnTheOtherSide) {
 // same. Catches one whose frame turns away from its velocity: a ten thousandth slower after a step.
 TEST(TimeStepper, RoundingIsNoSliding) {
   const Parameters p;
-  const StaticWorld world = make_static_world(nullptr, p, Tolerances{}, 2, false);
-  RegularizedQp problem;
-  const std::array<DriveReference, 2> drives{drive_reference(p, WheelSpeeds{10.0, 14.0}),
-                                             drive_reference(p, WheelSpeeds{10.0, 14.0})};
-  const std::array<InverseMass, 2> mass{world.grounded_robot, world.grounded_robot};
+  const collision::StaticWorld world =
+      collision::make_static_world(nullptr, p, Tolerances{}, 2, false);
+  solver::RegularizedQp problem;
+  const std::array<trajectory::DriveReference, 2> drives{
+      trajectory::drive_reference(p, WheelSpeeds{10.0, 14.0}),
+      trajectory::drive_reference(p, WheelSpeeds{10.0, 14.0})};
+  const std::array<solver::InverseMass, 2> mass{world.grounded_robot, world.grounded_robot};
   const auto speed = [&](double left) {
     TimeStepper steps(world, problem);
     std::array<BodyState, 2> bodies{BodyState{{0.0, 0.0}, Heading{}, {0.3, left, 5.0}},
@@ -81,17 +84,19 @@ TEST(TimeStepper, AShortStepsForceIsNotThatOfALongOne) {
   Parameters p;
   p.robot_side = 2.0 * field.half_width;
   p.robot_corners = {};
-  const StaticWorld world = make_static_world(&field, p, Tolerances{}, 1, false);
-  RegularizedQp problem;
+  const collision::StaticWorld world =
+      collision::make_static_world(&field, p, Tolerances{}, 1, false);
+  solver::RegularizedQp problem;
   TimeStepper steps(world, problem);
   std::array<BodyState, 1> bodies{BodyState{{0.0, 0.0}, Heading{}, {0.0, 0.0, 0.01}}};
-  const std::array<DriveReference, 1> lifted{drive_reference(p, std::nullopt)};
-  const std::array<InverseMass, 1> mass{world.free_robot};
+  const std::array<trajectory::DriveReference, 1> lifted{
+      trajectory::drive_reference(p, std::nullopt)};
+  const std::array<solver::InverseMass, 1> mass{world.free_robot};
   const auto impulse_of_step = [&](double length) {
     EXPECT_EQ(steps.take_step(BodySet(1), {}, lifted, mass, length, bodies).members, BodySet(1));
     bodies[0] = steps.end(0);
     double sum = 0.0;
-    for (const Contact& c : steps.pressing()) sum += c.impact.impulse;
+    for (const collision::Contact& c : steps.pressing()) sum += c.impact.impulse;
     return sum;
   };
   const double stopped = impulse_of_step(1e-7);
@@ -105,8 +110,9 @@ TEST(TimeStepper, AShortStepsForceIsNotThatOfALongOne) {
 // steps that are short instead.
 TEST(TimeStepper, TurningRobotsStayTogetherWithinAStep) {
   const Parameters p;
-  const StaticWorld world = make_static_world(nullptr, p, Tolerances{}, 2, false);
-  RegularizedQp problem;
+  const collision::StaticWorld world =
+      collision::make_static_world(nullptr, p, Tolerances{}, 2, false);
+  solver::RegularizedQp problem;
   TimeStepper steps(world, problem);
   std::array<BodyState, 2> bodies;
   for (const double side : {1.0, -1.0}) {
@@ -114,9 +120,9 @@ TEST(TimeStepper, TurningRobotsStayTogetherWithinAStep) {
     const double out = side > 0.0 ? 0.0 : pi;
     bodies[0] = {{0.0, 0.0}, Heading::from_angle(out), {}};
     bodies[1] = {{side * reach, 0.0}, Heading::from_angle(out + pi / 4.0), {-0.2, 0.2, 20.0}};
-    const std::array<DriveReference, 2> lifted{drive_reference(p, std::nullopt),
-                                               drive_reference(p, std::nullopt)};
-    const std::array<InverseMass, 2> mass{world.free_robot, world.free_robot};
+    const std::array<trajectory::DriveReference, 2> lifted{
+        trajectory::drive_reference(p, std::nullopt), trajectory::drive_reference(p, std::nullopt)};
+    const std::array<solver::InverseMass, 2> mass{world.free_robot, world.free_robot};
     const auto [members, length] = steps.take_step(BodySet(3), {}, lifted, mass, 2e-3, bodies);
     ASSERT_EQ(members, BodySet(3));
     EXPECT_EQ(length, 2e-3);
@@ -134,16 +140,18 @@ TEST(TimeStepper, TurningRobotsStayTogetherWithinAStep) {
 // thrown apart within it. Catches a step that undoes all overlap at once: 0.3 m/s here.
 TEST(TimeStepper, ShortStepsDoNotThrowApart) {
   const Parameters p;
-  const StaticWorld world = make_static_world(nullptr, p, Tolerances{}, 2, false);
-  RegularizedQp problem;
+  const collision::StaticWorld world =
+      collision::make_static_world(nullptr, p, Tolerances{}, 2, false);
+  solver::RegularizedQp problem;
   TimeStepper steps(world, problem);
   for (const double overlap : {1e-12, -1e-12, 5e-7, -5e-7}) {
     const double side = overlap > 0.0 ? 1.0 : -1.0;
     std::array<BodyState, 2> bodies{
         BodyState{}, BodyState{{side * p.robot_side - overlap, 0.01}, Heading{}, {}}};
-    const std::array<DriveReference, 2> drives{drive_reference(p, WheelSpeeds{}),
-                                               drive_reference(p, WheelSpeeds{})};
-    const std::array<InverseMass, 2> mass{world.grounded_robot, world.grounded_robot};
+    const std::array<trajectory::DriveReference, 2> drives{
+        trajectory::drive_reference(p, WheelSpeeds{}),
+        trajectory::drive_reference(p, WheelSpeeds{})};
+    const std::array<solver::InverseMass, 2> mass{world.grounded_robot, world.grounded_robot};
     const auto [members, length] = steps.take_step(BodySet(3), {}, drives, mass, 3e-12, bodies);
     ASSERT_EQ(members, BodySet(3));
     EXPECT_EQ(length, 3e-12);
@@ -154,23 +162,24 @@ TEST(TimeStepper, ShortStepsDoNotThrowApart) {
 // The ball rolls round a robot's corner: the contact is looked at again on the other side. Catches a
 // ball that is still held off the corner when the edge is nearer.
 TEST(StaticWorld, LooksAgainRoundACorner) {
-  const StaticWorld world = make_static_world(nullptr, Parameters{}, Tolerances{}, 1, true);
+  const collision::StaticWorld world =
+      collision::make_static_world(nullptr, Parameters{}, Tolerances{}, 1, true);
   const double half = 0.5 * world.parameters.robot_side;
   const double radius = world.parameters.ball_radius;
   std::array<BodyState, 2> bodies{BodyState{{0.0, 0.0}, Heading{}, {}}, BodyState{}};
   const Pair pair = pair_of(1, 0);
   for (const double end : {1.0, -1.0}) {
     bodies[1].position = {end * (half + 0.6 * radius), end * (half + 0.8 * radius)};
-    ContactList list;
+    collision::ContactList list;
     add_contacts(world, pair, bodies, 1e-3, list);
     ASSERT_EQ(list.count, 1);
-    ASSERT_EQ(list.list[0].point.kind, Touching::circle_on_corner);
+    ASSERT_EQ(list.list[0].point.kind, collision::Touching::circle_on_corner);
     bodies[1].position = {end * (half - 0.001), end * (half + radius - 1e-6)};
     refresh_contact(world, bodies, pair, list.list[0].point);
-    EXPECT_EQ(list.list[0].point.kind, Touching::circle_on_edge);
+    EXPECT_EQ(list.list[0].point.kind, collision::Touching::circle_on_edge);
     EXPECT_NEAR(list.list[0].point.gap, -1e-6, 1e-15);
   }
 }
 
 }  // namespace
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::stepping

@@ -11,7 +11,7 @@
 
 #include <algorithm>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::trajectory {
 namespace {
 
 constexpr double tick = 0.033;
@@ -69,7 +69,7 @@ TEST(MotionBound, RulesOutNoTouch) {
     const geometry::Separation at_first = separation(shape, a.body, shape, b.body);
     if (at_first.gap <= margin) continue;
     const double end = std::min(a.segment.end, b.segment.end);
-    const ApproachQuery encounter{a.way, b.way, 2.0 * shape.radius + margin, 0.0, end};
+    const collision::ApproachQuery encounter{a.way, b.way, 2.0 * shape.radius + margin, 0.0, end};
     const bool apart = stays_out_of_reach(encounter);
     const double earliest =
         earliest_contact_time(encounter, at_first, shape.radius, shape.radius, margin);
@@ -93,4 +93,4 @@ TEST(MotionBound, RulesOutNoTouch) {
 }
 
 }  // namespace
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::trajectory

@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace mirocup::simulator {
+namespace mirocup::simulator::trajectory {
 namespace {
 
 // (t - root) (t - root) ... as a series.
@@ -96,4 +96,4 @@ TEST(FirstFall, AgreesWithAFineScanOnRandomPolynomials) {
 }
 
 }  // namespace
-}  // namespace mirocup::simulator
+}  // namespace mirocup::simulator::trajectory

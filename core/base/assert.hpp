@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+//
+// MIROCUP_ASSERT(condition): states a precondition or an invariant that a caller can only break by
+// a programming error.
+//
+// In Debug builds a false condition prints file, line and condition to standard error and aborts.
+// In Release builds (NDEBUG) the condition is compiled but never evaluated, so it costs nothing and
+// must have no side effect. What can go wrong at run time, such as a bad file or a bad command, is
+// not asserted: it is an Error or a value (error.hpp).
+#pragma once
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace mirocup {
+
+// Prints where and which assertion failed, and aborts. Called by MIROCUP_ASSERT only.
+[[noreturn]] inline void assertion_failed(const char* file, int line, const char* condition) {
+  std::fprintf(stderr, "%s:%d: assertion failed: %s\n", file, line, condition);
+  std::abort();
+}
+
+}  // namespace mirocup
+
+// A macro, because it needs the text of the condition and must vanish from Release builds.
+#ifndef NDEBUG
+#define MIROCUP_ASSERT(condition) \
+  ((condition) ? static_cast<void>(0) : ::mirocup::assertion_failed(__FILE__, __LINE__, #condition))
+#else
+#define MIROCUP_ASSERT(condition) static_cast<void>(sizeof((condition) ? 1 : 0))
+#endif

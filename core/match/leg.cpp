@@ -1,0 +1,401 @@
+// SPDX-License-Identifier: MIT
+#include "core/match/leg.hpp"
+
+#include "core/referee/placement_check.hpp"
+#include "core/referee/touches.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace mirocup::match {
+
+namespace {
+
+// A team that answers late goes on with its last command for so many ticks, then stands.
+constexpr int max_repeated_ticks = 3;
+
+// Both teams have a tick to place in before the whistle.
+constexpr int min_ready_ticks = 2;
+
+void add(StateHash& hash, const Vec2& v) {
+  hash.add(v.x());
+  hash.add(v.y());
+}
+
+}  // namespace
+
+Leg::Leg(const Setup& setup)
+    : setup_(setup),
+      field_(field::make_field(setup.league)),
+      pitch_{field_, setup_.rules, setup.parameters.ball_radius, setup.parameters.robot_side},
+      rng_(mix_seed(setup.seed)) {
+  // The toss: who defends the left end, and who kicks off (MiroSot law 6.1).
+  left_ = rng_.coin() ? Team::blue : Team::yellow;
+  const Team kick_off = rng_.coin() ? Team::blue : Team::yellow;
+  referee_ = std::make_unique<referee::Referee>(
+      pitch_, referee::LegProgress{.stage = setup.stage, .first = end_of(kick_off)});
+  world_ = std::make_unique<simulator::World>(&field_, setup_.parameters, setup_.tolerances,
+                                              2 * field_.robots_per_team, true);
+  log_.reserve(static_cast<std::size_t>(2.2 * setup_.rules.half_s / setup_.control_period));
+  apply(referee_->opening());
+  place();
+}
+
+Briefing Leg::briefing(Team team) const {
+  return {.field = &field_,
+          .parameters = &setup_.parameters,
+          .rules = &setup_.rules,
+          .control_period = setup_.control_period,
+          .team = team,
+          .seed = mix_seed(setup_.seed + 1 + static_cast<std::uint64_t>(index_of(team)))};
+}
+
+void Leg::advance(Controller& blue, Controller& yellow) {
+  const Snapshot now = snapshot();
+  blue.post(observe(now, Team::blue, field_.robots_per_team));
+  yellow.post(observe(now, Team::yellow, field_.robots_per_team));
+  advance({blue.collect(), yellow.collect()});
+}
+
+void Leg::advance(const ByTeam<Answer>& answers) {
+  if (!accept_answers(answers)) return;
+  simulate();
+  judge();
+  place();
+  record();
+}
+
+// False if one of the answers ends the match.
+bool Leg::accept_answers(const ByTeam<Answer>& given) {
+  std::vector<TeamFault> faults;
+  hands_ = {};
+  for (const Team team : both_teams) {
+    const int i = index_of(team);
+    if (const auto* failure = std::get_if<HostFailure>(&given[i])) {
+      declare_void(failure->text);
+      return false;
+    }
+    if (const auto* fault = std::get_if<Fault>(&given[i])) {
+      faults.push_back({team, *fault});
+    } else if (const auto* command = std::get_if<Command>(&given[i])) {
+      const CheckedCommand checked =
+          check(*command, field_.robots_per_team, setup_.parameters.wheel_speed_limit);
+      answers_[i] = checked.command;
+      if (command->placement) on_placement_request(team, *command->placement);
+      bad_values_[i] += checked.bad_values > 0 ? 1 : 0;
+      late_in_a_row_[i] = 0;
+    } else {
+      ++late_ticks_[i];
+      if (++late_in_a_row_[i] > max_repeated_ticks) answers_[i] = {};
+    }
+  }
+  if (faults.empty()) return true;
+  forfeit(std::move(faults));
+  return false;
+}
+
+// What the team asks for is granted at the end of the tick. Out of its turn it may be an offence.
+void Leg::on_placement_request(Team team, const PlacementRequest& poses) {
+  if (placing_ != team) {
+    const bool counts = setup_.rules.hand_penalty && state_ == State::PLAY &&
+                        referee_->phase() != referee::Phase::SHOOT_OUT;
+    hands_[index_of(end_of(team))] = counts;
+    if (counts) placement_requests_.push_back({tick_, team, poses});
+    return;
+  }
+  const int robots = field_.robots_per_team;
+  const Snapshot now = snapshot();
+  const PlacementRequest shown = unchanged_request(observe(now, team, robots));
+  if (bit_equal(poses, shown, robots)) return;
+  requested_ = poses;
+  requested_placement_ = requested_placement(now, team, shown, poses, robots);
+}
+
+void Leg::simulate() {
+  std::array<simulator::WheelCommand, simulator::max_robots> wheels;
+  for (const Team team : both_teams) {
+    for (int i = 0; i < field_.robots_per_team; ++i) {
+      const int body = body_of(team, i);
+      wheels[body] =
+          is_active(team, i) ? pending_[index_of(team)].speeds(i) : simulator::WheelSpeeds{};
+      const simulator::BodyState robot = world_->robot(body);
+      velocity_before_[index_of(team)][i] =
+          robot.heading.to_world({robot.twist.forward, robot.twist.left});
+    }
+  }
+  ball_before_ = world_->ball().position;
+  events_ = &world_->advance({wheels.data(), static_cast<std::size_t>(world_->robots())},
+                             setup_.control_period);
+}
+
+// Do the robot's commands count? In a shoot-out the kicker and the keeper are alone; the others
+// stand in the kicker's half, where an attempt ends.
+bool Leg::is_active(Team team, int robot) const {
+  if (state_ != State::PLAY) return false;
+  if (referee_->phase() != referee::Phase::SHOOT_OUT) return true;
+  return robot == (team_at(restart_.taker) == team ? referee::kicker : referee::keeper);
+}
+
+void Leg::judge() {
+  judged_.reset();
+  if (state_ != State::PLAY) {
+    if (--ready_ticks_left_ <= 0) state_ = State::PLAY;
+    return;
+  }
+  const referee::Judgement judgement = referee_->judge(judged_.emplace(situation()));
+  for (const referee::Decision& note : judgement.notes) log_decision(note);
+  if (judgement.decision) apply(*judgement.decision);
+}
+
+void Leg::apply(const referee::Decision& decision) {
+  log_decision(decision);
+  if (decision.verdict == referee::Verdict::MATCH_END) {
+    end(decision);
+  } else if (const auto next = referee_->follow_up(decision)) {
+    apply(*next);
+  } else if (decision.verdict == referee::Verdict::HALF_END ||
+             decision.verdict == referee::Verdict::PHASE) {
+    start_phase(decision.phase);
+    apply(referee_->opening());
+  } else {
+    restart_ = decision;
+    placement_is_due_ = true;
+  }
+}
+
+// Ends change between halves; extra time and the shoot-out begin with a toss of their own.
+void Leg::start_phase(referee::Phase phase) {
+  const bool next_half = phase == referee::Phase::SECOND_HALF ||
+                         (phase == referee::Phase::EXTRA && referee_->phase() == phase);
+  if (next_half) {
+    left_ = opponent_of(left_);
+    referee_->start_half(phase);
+    return;
+  }
+  const Team first = rng_.coin() ? Team::blue : Team::yellow;
+  if (phase == referee::Phase::EXTRA) {
+    referee_->start_extra_time(end_of(first));
+  } else {
+    const Team lots = rng_.coin() ? Team::blue : Team::yellow;
+    referee_->start_shoot_out(end_of(first), end_of(lots));
+  }
+}
+
+void Leg::place() {
+  using referee::first_placer;
+  const Team first = team_at(first_placer(restart_.restart, restart_.taker));
+  if (std::exchange(placement_is_due_, false)) {
+    place_bodies(
+        referee::default_placement(pitch_, restart_.restart, restart_.taker, restart_.spot));
+    placing_ = first;
+    state_ = State::READY;
+    ready_ticks_left_ =
+        std::max(min_ready_ticks,
+                 static_cast<int>(std::nearbyint(setup_.rules.ready_s / setup_.control_period)));
+  } else if (placing_) {
+    if (requested_) grant_placement();
+    placing_ = placing_ == first ? std::optional(opponent_of(first)) : std::nullopt;
+  }
+}
+
+void Leg::grant_placement() {
+  placement_requests_.push_back({tick_, *placing_, *std::exchange(requested_, std::nullopt)});
+  const referee::Placement& wanted = requested_placement_;
+  const End end = end_of(*placing_);
+  const auto roles =
+      referee_->phase() == referee::Phase::SHOOT_OUT ? referee::Roles::fixed : referee::Roles::any;
+  const referee::CheckedPlacement granted = check_turn(pitch_, restart_, end, roles, wanted);
+  if (granted.any_moved()) {
+    referee::Decision fixed;
+    fixed.verdict = referee::Verdict::PLACEMENT_FIXED;
+    fixed.law = referee::Law::placement;
+    fixed.clock = referee_->clock();
+    if (granted.ball_moved || granted.moved[index_of(end)].any()) fixed.team = end;
+    fixed.robots = granted.moved;
+    fixed.reason = reason_of(pitch_, wanted, granted);
+    fixed.ball = granted.placement.ball;
+    log_decision(fixed);
+  }
+  place_bodies(granted.placement);
+}
+
+void Leg::place_bodies(const referee::Placement& placement) {
+  for (const Team team : both_teams) {
+    for (int i = 0; i < field_.robots_per_team; ++i) {
+      const Pose& pose = placement.robots[index_of(end_of(team))][i];
+      world_->set_robot(body_of(team, i), {pose.position, pose.heading, {}});
+    }
+  }
+  world_->set_ball({placement.ball, {0.0, 0.0}});
+  restart_.spot = placement.ball;
+  referee_->resume(restart_);
+}
+
+void Leg::record() {
+  hash_.add(static_cast<std::uint64_t>(tick_));
+  hash_.add(static_cast<std::uint64_t>(state_));
+  hash_.add(referee_->clock());
+  for (const int score : referee_->score()) hash_.add(static_cast<std::uint64_t>(score));
+  const simulator::BallState ball = world_->ball();
+  add(hash_, ball.position);
+  add(hash_, ball.velocity);
+  for (int i = 0; i < world_->robots(); ++i) {
+    const simulator::BodyState robot = world_->robot(i);
+    add(hash_, robot.position);
+    hash_.add(robot.heading.cos);
+    hash_.add(robot.heading.sin);
+    hash_.add(robot.twist.forward);
+    hash_.add(robot.twist.left);
+    hash_.add(robot.twist.omega);
+  }
+  log_.push_back({answers_, hash_.value()});
+  pending_ = answers_;
+  ++tick_;
+}
+
+void Leg::end(OutcomeKind kind) {
+  state_ = State::END;
+  Outcome outcome;
+  outcome.kind = kind;
+  for (const Team team : both_teams) {
+    outcome.played[index_of(team)] = referee_->score()[index_of(end_of(team))];
+  }
+  outcome.score = outcome.played;
+  if (outcome.score[0] != outcome.score[1]) {
+    outcome.winner = outcome.score[0] > outcome.score[1] ? Team::blue : Team::yellow;
+  }
+  outcome_ = std::move(outcome);
+}
+
+void Leg::end(const referee::Decision& decision) {
+  using referee::Law;
+  switch (decision.law) {
+    case Law::mercy:
+      end(OutcomeKind::mercy);
+      break;
+    case Law::golden_goal:
+      end(OutcomeKind::golden_goal);
+      break;
+    case Law::shoot_out:
+    case Law::lots:
+      end(OutcomeKind::shoot_out);
+      outcome_->winner = team_at(*decision.team);
+      outcome_->shoot_out.emplace();
+      for (const Team team : both_teams) {
+        (*outcome_->shoot_out)[index_of(team)] =
+            referee_->shoot_out().scored[index_of(end_of(team))];
+      }
+      break;
+    default:
+      end(OutcomeKind::full_time);
+  }
+}
+
+void Leg::forfeit(std::vector<TeamFault> faults) {
+  const bool both = faults.size() > 1;
+  end(both ? OutcomeKind::double_forfeit : OutcomeKind::forfeit);
+  outcome_->score = {0, 0};
+  outcome_->winner.reset();
+  if (!both) {
+    const Team winner = opponent_of(faults.front().team);
+    outcome_->winner = winner;
+    outcome_->score[index_of(winner)] = setup_.rules.forfeit_goals;
+  }
+  outcome_->faults = std::move(faults);
+}
+
+void Leg::declare_void(std::string why) {
+  end(OutcomeKind::void_);
+  outcome_->winner.reset();
+  outcome_->why_void = std::move(why);
+}
+
+void Leg::log_decision(const referee::Decision& decision) {
+  LoggedDecision logged;
+  logged.tick = tick_;
+  logged.decision = decision;
+  if (decision.team) logged.team = team_at(*decision.team);
+  logged.taker = team_at(decision.taker);
+  for (const Team team : both_teams) {
+    logged.robots[index_of(team)] = decision.robots[index_of(end_of(team))];
+  }
+  decisions_.push_back(std::move(logged));
+}
+
+referee::Situation Leg::situation() const {
+  referee::Situation s;
+  s.duration = setup_.control_period;
+  s.ball_before = ball_before_;
+  s.ball = world_->ball().position;
+  s.hand = hands_;
+  for (const Team team : both_teams) {
+    const int e = index_of(end_of(team));
+    for (int i = 0; i < field_.robots_per_team; ++i) {
+      const simulator::BodyState robot = world_->robot(body_of(team, i));
+      s.robots[e][i] = {robot.position, robot.heading};
+      s.velocity[e][i] = velocity_before_[index_of(team)][i];
+      if (!is_active(team, i)) continue;
+      const simulator::WheelSpeeds wheels = pending_[index_of(team)].speeds(i);
+      s.commanded[e][i] =
+          setup_.parameters.speed_reference(wheels.left, wheels.right) * robot.heading.forward();
+    }
+  }
+  add_touches(*events_, s);
+  referee::add_near_touches(pitch_, s);
+  return s;
+}
+
+std::optional<Touch> Leg::last_touch() const {
+  if (events_ == nullptr || events_->last_to_touch_ball == simulator::no_body) return std::nullopt;
+  const int body = events_->last_to_touch_ball;
+  const int robots = field_.robots_per_team;
+  return Touch{body < robots ? Team::blue : Team::yellow, body % robots};
+}
+
+void Leg::add_touches(const simulator::TickEvents& events, referee::Situation& s) const {
+  const int ball = world_->robots();
+  const auto robot_of = [&](int body) {
+    const Team team = body < field_.robots_per_team ? Team::blue : Team::yellow;
+    return referee::RobotId{end_of(team), body - body_of(team, 0)};
+  };
+  for (int body = 0; body < ball; ++body) {
+    const simulator::BodySet& touched = events.touched[body];
+    if (touched.none()) continue;
+    const referee::RobotId robot = robot_of(body);
+    if (touched[ball]) s.touched_ball[index_of(robot.end)].set(robot.index);
+    for (int other = 0; other < body; ++other) {
+      if (touched[other]) referee::set_touch(s, robot, robot_of(other));
+    }
+  }
+  if (events.last_to_touch_ball != simulator::no_body) {
+    s.last_touch = robot_of(events.last_to_touch_ball);
+  }
+}
+
+Snapshot Leg::snapshot() const {
+  Snapshot s;
+  s.tick = tick_;
+  s.time = tick_ * setup_.control_period;
+  s.clock = referee_->clock();
+  s.state = state_;
+  s.phase = referee_->phase();
+  s.restart = restart_.restart;
+  s.taker = team_at(restart_.taker);
+  s.left = left_;
+  s.placing = placing_;
+  s.ball = world_->ball();
+  const referee::PendingCounts pending = referee_->pending_counts();
+  s.stalemate_s = pending.stalemate_s;
+  s.advantage_s = pending.advantage_s;
+  for (const Team team : both_teams) {
+    s.counts[index_of(team)] = pending.teams[index_of(end_of(team))];
+    s.score[index_of(team)] = referee_->score()[index_of(end_of(team))];
+    for (int i = 0; i < field_.robots_per_team; ++i) {
+      s.robots[index_of(team)][i] = world_->robot(body_of(team, i));
+    }
+  }
+  return s;
+}
+
+}  // namespace mirocup::match

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+//
+// Finds out how well this machine can isolate a team's process.
+#pragma once
+
+#include "core/base/error.hpp"
+#include "plugins/host/sandbox/isolation.hpp"
+
+namespace mirocup::plugins {
+
+// Returns the strongest tier that this machine allows, T1 or T2. T2 is tried by forking a process
+// that sets up its namespaces and ends. An error, Errc::unavailable, says what is missing below T1.
+Result<Isolation> strongest_isolation();
+
+}  // namespace mirocup::plugins

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+//
+// A team's library as it was handed in, copied once into sealed memory.
+//
+// The copy is hashed, inspected and played, so a file that changes later has no effect. The server
+// never loads the library; only a sandboxed process does.
+#pragma once
+
+#include "core/base/error.hpp"
+#include "plugins/host/descriptor.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace mirocup::plugins {
+
+// The size of the largest file that is accepted as a strategy.
+inline constexpr std::size_t max_entry_size = 32u << 20;  // bytes
+
+class SealedEntry {
+ public:
+  // Copies the file. Errors: Errc::unavailable if the file cannot be read; Errc::input if it is a
+  // symbolic link, a folder, a device, empty or too large.
+  static Result<SealedEntry> open(const std::string& path);
+
+  SealedEntry(SealedEntry&& other) noexcept;
+  SealedEntry& operator=(SealedEntry&& other) noexcept;
+  ~SealedEntry();
+
+  // Returns the contents, which are valid as long as this object.
+  std::string_view bytes() const { return bytes_; }
+
+  // Returns the descriptor of the sealed copy, open for reading; this object keeps owning it.
+  int descriptor() const { return descriptor_.get(); }
+
+ private:
+  SealedEntry(Descriptor descriptor, std::string_view bytes)
+      : descriptor_(std::move(descriptor)), bytes_(bytes) {}
+
+  Descriptor descriptor_;
+  std::string_view bytes_;
+};
+
+}  // namespace mirocup::plugins

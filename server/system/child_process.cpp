@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "server/system/child_process.hpp"
+
+#include <cassert>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <fcntl.h>
+#include <sched.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace mirocup::system {
+
+namespace {
+
+// Pointers into `words`, with the null that ends them, as exec wants them.
+std::vector<char*> pointers_to(std::vector<std::string>& words) {
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+// In the child, between fork and exec: only functions that are safe there if there are threads.
+[[noreturn]] void become_child(char* const* arguments, int cpu, const char* log, pid_t parent) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(not_found);
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+  if (cpu >= 0) {
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    CPU_SET(cpu, &one);
+    sched_setaffinity(0, sizeof one, &one);
+  }
+  if (*log != '\0') {
+    setpgid(0, 0);
+    const int nothing = open("/dev/null", O_RDONLY);
+    const int out = open(log, O_WRONLY | O_CREAT | O_TRUNC, 0644);
+    dup2(nothing, STDIN_FILENO);
+    dup2(out, STDOUT_FILENO);
+    dup2(out, STDERR_FILENO);
+  }
+  close_range(3, ~0U, 0);
+  execvp(arguments[0], arguments);
+  _exit(not_found);
+}
+
+}  // namespace
+
+Result<pid_t> start_child(const ChildOptions& options) {
+  assert(!options.arguments.empty());
+  std::vector<std::string> words = options.arguments;
+  const std::vector<char*> arguments = pointers_to(words);
+  const pid_t parent = getpid();
+  const pid_t pid = fork();
+  if (pid == 0) become_child(arguments.data(), options.cpu, options.log.c_str(), parent);
+  if (pid > 0) return pid;
+  return fail(Errc::unavailable,
+              std::string("a process cannot be started: ") + std::strerror(errno));
+}
+
+Result<int> run_child(const ChildOptions& options) {
+  const auto pid = start_child(options);
+  if (!pid) return tl::unexpected(pid.error());
+  int status = 0;
+  while (waitpid(*pid, &status, 0) < 0) {
+    if (errno == EINTR) continue;
+    return fail(Errc::unavailable,
+                options.arguments[0] + " cannot be waited for: " + std::strerror(errno));
+  }
+  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+}
+
+Error become_program(std::vector<std::string> arguments) {
+  assert(!arguments.empty());
+  execv(arguments[0].c_str(), pointers_to(arguments).data());
+  return {Errc::unavailable, arguments[0] + " cannot be run: " + std::strerror(errno)};
+}
+
+}  // namespace mirocup::system

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+//
+// Starts programs: as child processes, or in the place of this one. ProcessSet
+// (server/system/process_set.hpp) waits for several children.
+//
+// A child is killed when the thread that started it ends, and with it this process. It inherits no
+// descriptor but standard input, output and error, and no blocked signal.
+#pragma once
+
+#include "core/base/error.hpp"
+
+#include <string>
+#include <sys/types.h>
+#include <vector>
+
+namespace mirocup::system {
+
+// The exit code of a child that could not become its program.
+inline constexpr int not_found = 127;
+
+// What a child process runs and how.
+struct ChildOptions {
+  std::vector<std::string> arguments;  // [0]: the program, a path or a name on the PATH
+  int cpu = -1;                        // the one processor that it may use; -1: any
+  // The file that its output and errors go to. Then it has no input and a process group of its
+  // own, so that an interrupt at the terminal reaches this process alone. "": it shares input,
+  // output, errors and process group with this process.
+  std::string log;
+};
+
+// Starts a child and returns its process id, for which somebody must wait. A program that is not
+// there ends with the code not_found. Errc::unavailable if no process can be started.
+Result<pid_t> start_child(const ChildOptions& options);
+
+// Starts a child and waits for its end. Returns its exit code, or 128 + the number of the signal
+// that ended it.
+Result<int> run_child(const ChildOptions& options);
+
+// Runs the program arguments[0], a path, in the place of this process. Returns only if that fails,
+// with the reason.
+Error become_program(std::vector<std::string> arguments);
+
+}  // namespace mirocup::system

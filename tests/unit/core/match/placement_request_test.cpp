@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: MIT
+//
+// Catches a team that is asked out of its turn, poses that are taken for another end's or leave
+// bits behind, an illegal pose that is granted or not told of, and a replay without the poses.
+#include "core/referee/placement_rules.hpp"
+#include "core/referee/touches.hpp"
+#include "core/replay/verification.hpp"
+#include "tests/support/controllers.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace mirocup::match {
+namespace {
+
+using test_support::idle_team;
+using test_support::play;
+using test_support::Scripted;
+using test_support::short_setup;
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+// Asks for what a function makes of what it sees, whenever it is its turn.
+template <class Change>
+Scripted placer(Change change) {
+  return Scripted([change](const Observation& o) mutable -> Answer {
+    Command command;
+    if (!o.placing) return command;
+    command.placement = unchanged_request(o);
+    change(o, *command.placement);
+    return command;
+  });
+}
+
+// The seed of a match whose first kick-off that team has, from that end.
+Setup with_kick_off(Team team, Team left) {
+  for (std::uint64_t seed = 1;; ++seed) {
+    const Setup setup = short_setup(seed);
+    const Snapshot scene = Leg(setup).snapshot();
+    if (scene.taker == team && scene.left == left) return setup;
+  }
+}
+
+int fixes(const Leg& leg) {
+  int count = 0;
+  for (const LoggedDecision& d : leg.decisions()) {
+    if (d.decision.verdict == referee::Verdict::PLACEMENT_FIXED) ++count;
+  }
+  return count;
+}
+
+TEST(Placing, AsksTheTakerOfAKickOffFirstAndTheOthersWhenTheySeeIt) {
+  for (const Team taker : both_teams) {
+    for (const Team left : both_teams) {
+      Leg leg(with_kick_off(taker, left));
+      std::vector<Team> turns;
+      double seen = 0.0;
+      Scripted takes = placer([&](const Observation&, PlacementRequest& poses) {
+        turns.push_back(taker);
+        poses.robots[2] = {-0.2, 0.3, 0.5};
+      });
+      Scripted waits = placer([&](const Observation& o, PlacementRequest& poses) {
+        turns.push_back(opponent_of(taker));
+        seen = o.opponent[2].position.x();
+        poses.robots[1] = {-0.5, -0.4, -1.0};
+      });
+      const bool is_blue = taker == Team::blue;
+      for (int i = 0; i < 3; ++i) leg.advance(is_blue ? takes : waits, is_blue ? waits : takes);
+      EXPECT_EQ(turns, (std::vector<Team>{taker, opponent_of(taker)}));
+      EXPECT_EQ(seen, 0.2) << "its own -0.2, from the other end";
+      const Observation own = observe(leg.snapshot(), taker, 3);
+      EXPECT_EQ(own.own[2].position, (Vec2{-0.2, 0.3}));
+      EXPECT_NEAR(own.own[2].heading, 0.5, 1e-15);
+      const Observation other = observe(leg.snapshot(), opponent_of(taker), 3);
+      EXPECT_EQ(other.own[1].position, (Vec2{-0.5, -0.4}));
+      EXPECT_EQ(fixes(leg), 0);
+    }
+  }
+}
+
+TEST(Placing, LeavesNoTraceOfATeamThatAsksForNothing) {
+  Leg plain(short_setup(4));
+  Leg asked(short_setup(4));
+  Scripted a = idle_team(), b = idle_team();
+  Scripted c = placer([](const Observation&, PlacementRequest&) {});
+  Scripted d = placer([](const Observation&, PlacementRequest&) {});
+  play(plain, a, b);
+  play(asked, c, d);
+  EXPECT_EQ(plain.state_hash(), asked.state_hash());
+  EXPECT_TRUE(asked.placement_requests().empty());
+}
+
+TEST(Placing, MovesOnlyWhatMayNotStandThereAndSaysWhy) {
+  Leg leg(with_kick_off(Team::blue, Team::blue));
+  Scripted blue = placer([](const Observation&, PlacementRequest& poses) {
+    poses.robots[0] = {not_a_number, 0.0, 0.0};
+    poses.robots[1] = {0.3, 0.0, 0.0};   // beyond the circle
+    poses.robots[2] = {-0.3, 0.2, 0.0};  // this one is fine
+  });
+  Scripted yellow = idle_team();
+  leg.advance(blue, yellow);
+  ASSERT_EQ(fixes(leg), 1);
+  const LoggedDecision& fix = leg.decisions().back();
+  EXPECT_EQ(fix.team, Team::blue);
+  EXPECT_EQ(fix.robots[0].to_ulong(), 0b011u);
+  EXPECT_EQ(fix.decision.reason,
+            "left robot 0 from nowhere to (-0.700, 0.000) m: not inside the walls; "
+            "left robot 1 from (0.300, 0.000) m to (0.080, 0.000) m: not allowed at this restart");
+  EXPECT_EQ(leg.snapshot().robots[0][2].position, (Vec2{-0.3, 0.2}));
+}
+
+TEST(Placing, MovesTheBallForTheTakerOnly) {
+  for (const Team asker : both_teams) {
+    Leg leg(with_kick_off(Team::blue, Team::blue));
+    const auto with_ball = placer([](const Observation&, PlacementRequest& poses) {
+      poses.ball_x = -0.1;
+      poses.ball_y = 0.05;
+    });
+    Scripted blue = asker == Team::blue ? with_ball : idle_team();
+    Scripted yellow = asker == Team::blue ? idle_team() : with_ball;
+    for (int i = 0; i < 3; ++i) leg.advance(blue, yellow);
+    const bool is_taker = asker == Team::blue;
+    EXPECT_EQ(leg.snapshot().ball.position, (is_taker ? Vec2{-0.1, 0.05} : Vec2{0.0, 0.0}));
+    EXPECT_EQ(fixes(leg), is_taker ? 0 : 1);
+    EXPECT_EQ(leg.restart().spot, leg.snapshot().ball.position) << "where the law counts from";
+  }
+}
+
+TEST(Placing, IsNotForWhoseTurnItIsNot) {
+  Leg leg(with_kick_off(Team::blue, Team::blue));
+  Scripted blue = idle_team();
+  Scripted always([](const Observation& o) -> Answer {
+    Command command;
+    command.placement = unchanged_request(o);
+    command.placement->robots[1].y = o.placing ? o.own[1].position.y() : 0.5;
+    return command;
+  });
+  const Vec2 before = leg.snapshot().robots[1][1].position;
+  for (int i = 0; i < 20; ++i) leg.advance(blue, always);
+  EXPECT_EQ(leg.snapshot().robots[1][1].position, before);
+}
+
+TEST(Placing, LeavesATeamThatIsLateInItsDefaultPlaces) {
+  Leg plain(short_setup(4));
+  Leg late(short_setup(4));
+  Scripted a = idle_team(), b = idle_team();
+  const auto sleeper = [] {
+    return Scripted([](const Observation& o) -> Answer {
+      if (o.placing) return Late{};
+      return Command{};
+    });
+  };
+  Scripted c = sleeper(), d = sleeper();
+  play(plain, a, b);
+  play(late, c, d);
+  EXPECT_EQ(plain.state_hash(), late.state_hash());
+  EXPECT_TRUE(late.placement_requests().empty());
+  EXPECT_GT(late.late_ticks()[0], 0);
+}
+
+// Where the league calls it. Catches one that is called while play stands, one against the wrong
+// team, and a record that does not say what happened.
+TEST(Placing, OutOfTurnIsAHandOnTheField) {
+  for (const Team offender : both_teams) {
+    for (const bool is_called : {false, true}) {
+      match::Setup setup = short_setup(6);
+      setup.rules.hand_penalty = is_called;
+      Leg leg(setup);
+      Scripted reaches([](const Observation& o) -> Answer {
+        Command command;
+        if (o.state == State::READY || o.tick == 20) command.placement = unchanged_request(o);
+        return command;
+      });
+      Scripted stands = idle_team();
+      const bool is_blue = offender == Team::blue;
+      play(leg, is_blue ? reaches : stands, is_blue ? stands : reaches);
+      int called = 0;
+      for (const LoggedDecision& logged : leg.decisions()) {
+        if (logged.decision.law != referee::Law::hand) continue;
+        ++called;
+        EXPECT_EQ(logged.tick, 20u);
+        EXPECT_EQ(logged.team, offender);
+        EXPECT_EQ(logged.taker, opponent_of(offender));
+        EXPECT_EQ(logged.decision.verdict, referee::Verdict::PENALTY_KICK);
+      }
+      EXPECT_EQ(called, is_called ? 1 : 0);
+      EXPECT_EQ(leg.placement_requests().size(), is_called ? 1u : 0u);
+      EXPECT_FALSE(replay::verify(replay::record(leg)));
+    }
+  }
+}
+
+// Both in one tick: what each of them did is played again from the record.
+TEST(Placing, OutOfTurnByBothTeamsIsRecordedOfBoth) {
+  match::Setup setup = short_setup(6);
+  setup.rules.hand_penalty = true;
+  Leg leg(setup);
+  const auto reaching = [] {
+    return Scripted([](const Observation& o) -> Answer {
+      Command command;
+      if (o.tick == 20) command.placement = unchanged_request(o);
+      return command;
+    });
+  };
+  Scripted blue = reaching(), yellow = reaching();
+  play(leg, blue, yellow);
+  const replay::Recording recording = replay::record(leg);
+  for (const Team team : both_teams)
+    EXPECT_TRUE(requested_in(recording, 20, team)) << to_string(team);
+  EXPECT_FALSE(replay::verify(recording));
+}
+
+// Any numbers at all, in all leagues and at many restarts: everything stands legally, the leg goes
+// on, and plays again from its record alone.
+TEST(Placing, SurvivesAnything) {
+  for (const League league : {League::small, League::middle, League::large}) {
+    match::Setup setup = short_setup(5, league == League::large ? 4.0 : 10.0, league);
+    setup.rules.stalemate_s = 0.5;
+    Leg leg(setup);
+    const auto wild = [](std::uint64_t seed) {
+      return placer([random = Random(seed)](const Observation& o, PlacementRequest& poses) mutable {
+        const auto number = [&]() -> double {
+          switch (random.below(8)) {
+            case 0:
+              return not_a_number;
+            case 1:
+              return std::numeric_limits<double>::infinity();
+            case 2:
+              return -1e300;
+            default:
+              return random.uniform(-1.0, 1.0);
+          }
+        };
+        for (int i = 0; i < o.robots; ++i) poses.robots[i] = {number(), number(), number()};
+        poses.ball_x = number();
+        poses.ball_y = number();
+      });
+    };
+    Scripted blue = wild(1), yellow = wild(2);
+    const referee::Pitch pitch{leg.field(), setup.rules, setup.parameters.ball_radius,
+                               setup.parameters.robot_side};
+    while (!leg.is_over()) {
+      leg.advance(blue, yellow);
+      const Snapshot scene = leg.snapshot();
+      if (scene.state != State::READY) continue;
+      std::vector<Pose> placed;
+      for (const Team team : both_teams) {
+        for (int i = 0; i < leg.field().robots_per_team; ++i) {
+          const simulator::BodyState& r = scene.robots[index_of(team)][i];
+          const Pose pose{r.position, r.heading};
+          ASSERT_TRUE(is_inside_walls(pitch, pose)) << to_string(team) << " " << i;
+          ASSERT_GT(ball_gap(pitch, scene.ball.position, pose), 0.0);
+          for (const Pose& other : placed) ASSERT_GE(robot_gap(pitch, pose, other, 0.004), 0.004);
+          placed.push_back(pose);
+        }
+      }
+    }
+    EXPECT_GT(fixes(leg), 5);
+    replay::Recording recording = replay::record(leg);
+    EXPECT_FALSE(replay::verify(recording));
+    recording.placement_requests.pop_back();
+    EXPECT_TRUE(replay::verify(recording)) << "the poses are a part of the leg";
+  }
+}
+
+TEST(Placing, HasTimeForBothTeamsHoweverShortTheBreak) {
+  match::Setup setup = short_setup(1);
+  setup.rules.ready_s = 0.0;
+  Leg leg(setup);
+  int turns = 0;
+  Scripted blue = placer([&](const Observation&, PlacementRequest&) { ++turns; });
+  Scripted yellow = placer([&](const Observation&, PlacementRequest&) { ++turns; });
+  while (leg.snapshot().state == State::READY) leg.advance(blue, yellow);
+  EXPECT_EQ(turns, 2);
+}
+
+}  // namespace
+}  // namespace mirocup::match

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+//
+// The parts of strategy.hpp that do not show in how a house team plays.
+#include "mirocup/strategy.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace mirocup::strategy {
+namespace {
+
+TEST(WrappedAngle, IsTheSameDirectionInOneTurn) {
+  for (int i = -700; i <= 700; ++i) {
+    const double angle = 0.01 * i;
+    const double w = wrapped(angle);
+    EXPECT_GT(w, -pi) << angle;
+    EXPECT_LE(w, pi) << angle;
+    EXPECT_NEAR(std::cos(w), std::cos(angle), 1e-14) << angle;
+    EXPECT_NEAR(std::sin(w), std::sin(angle), 1e-14) << angle;
+  }
+  EXPECT_EQ(wrapped(pi), pi);
+  EXPECT_EQ(wrapped(-pi), pi);
+  EXPECT_EQ(wrapped(2.0 * pi), 0.0);
+  EXPECT_EQ(wrapped(0.5), 0.5);
+}
+
+// Catches a loop that takes one turn off at a time: at 1e16 it takes off nothing any more, and the
+// team hangs.
+TEST(WrappedAngle, EndsForHugeAndInfiniteAngles) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (const double angle : {1e9, -1e16, 1e17, -1e300, std::numeric_limits<double>::max()}) {
+    EXPECT_GT(wrapped(angle), -pi) << angle;
+    EXPECT_LE(wrapped(angle), pi) << angle;
+  }
+  EXPECT_TRUE(std::isnan(wrapped(infinity)));
+  EXPECT_TRUE(std::isnan(wrapped(-infinity)));
+  EXPECT_TRUE(std::isnan(wrapped(std::nan(""))));
+}
+
+std::string last_line;
+
+class Talker : public Team {
+ public:
+  using Team::Team;
+  void decide(const Observation& now, Command&) override {
+    log("50% of what is said, %d and %s");
+    EXPECT_EQ(last_line, "50% of what is said, %d and %s");
+    log("tick %u, ball at %.2f, %s", now.tick, now.ball_x, "so far");
+    EXPECT_EQ(last_line, "tick 7, ball at 0.25, so far");
+    log("%s", std::string(1000, 'x').c_str());
+    EXPECT_EQ(last_line, std::string(255, 'x'));
+  }
+};
+
+TEST(TeamInCpp, FormatsItsLogOnlyIfThereAreValues) {
+  mirocup_setup setup{};
+  setup.log = [](const char* text) { last_line = text; };
+  Observation now{};
+  now.tick = 7;
+  now.ball_x = 0.25;
+  Command command{};
+  Talker(setup).decide(now, command);
+}
+
+}  // namespace
+}  // namespace mirocup::strategy

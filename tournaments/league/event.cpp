@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/league/event.hpp"
+
+#include "server/record/json_reader.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <iterator>
+
+namespace mirocup::league {
+
+namespace {
+
+using record::JsonReader;
+
+// Old lines lack keys that were added later, so these have defaults.
+template <class T>
+T value_or(const JsonReader& object, const std::string& key, T fallback) {
+  object.read_if_present(key, fallback);
+  return fallback;
+}
+
+HomeAway read_home_away(const JsonReader& json) {
+  return {.home = json.at("home").integer<int>(), .away = json.at("away").integer<int>()};
+}
+
+std::optional<LegFault> read_fault(const JsonReader& json) {
+  if (json.is_null()) return std::nullopt;
+  return LegFault{.team = json.at("team").text(),
+                  .code = json.at("code").text(),
+                  .text = json.at("text").text()};
+}
+
+Event read_started(const JsonReader& line) {
+  return Started{.config_sha256 = line.at("config_sha256").text(),
+                 .version = value_or<std::string>(line, "version", "")};
+}
+
+Event read_entry(const JsonReader& line) {
+  return EntryBooked{.team = line.at("team").text(),
+                     .entry = line.at("entry").integer<int>(),
+                     .sha256 = line.at("sha256").text()};
+}
+
+Event read_leg(const JsonReader& line) {
+  const JsonReader winner = line.at("winner");
+  return LegPlayed{
+      .fixture = line.at("fixture").text(),
+      .leg = line.at("leg").integer<int>(),
+      .attempt = value_or(line, "attempt", 1),
+      .home = line.at("home").text(),
+      .away = line.at("away").text(),
+      .blue = value_or<std::string>(line, "blue", ""),
+      .score = read_home_away(line.at("score")),
+      .winner = winner.is_null() ? std::nullopt : std::optional(winner.text()),
+      .end = line.at("end").name<LegEnd>(),
+      .fault = read_fault(line.at("fault")),
+      .penalties = read_home_away(line.at("penalties")),
+      .record = line.at("record").text(),
+      .state_hash = line.at("state_hash").text(),
+  };
+}
+
+Event read_void(const JsonReader& line) {
+  return LegVoided{.fixture = line.at("fixture").text(),
+                   .leg = line.at("leg").integer<int>(),
+                   .attempt = value_or(line, "attempt", 1),
+                   .cause = value_or(line, "cause", VoidCause::host),
+                   .why = line.at("why").text(),
+                   .by = value_or<std::string>(line, "by", "")};
+}
+
+Event read_ruling(const JsonReader& line) {
+  return Ruled{.fixture = line.at("fixture").text(),
+               .leg = line.at("leg").integer<int>(),
+               .score = read_home_away(line.at("score")),
+               .why = line.at("why").text(),
+               .by = value_or<std::string>(line, "by", "")};
+}
+
+Event read_withdrawal(const JsonReader& line) {
+  return Withdrawn{.team = line.at("team").text(),
+                   .results = line.at("results").name<WithdrawnResults>(),
+                   .why = line.at("why").text(),
+                   .by = value_or<std::string>(line, "by", "")};
+}
+
+template <class PausedOrResumed>
+Event read_pause(const JsonReader& line) {
+  return PausedOrResumed{.team = line.at("team").text(),
+                         .why = line.at("why").text(),
+                         .by = value_or<std::string>(line, "by", "")};
+}
+
+struct Kind {
+  std::string_view name;
+  Event (*read)(const JsonReader& line);
+};
+
+constexpr Kind kinds[] = {
+    {Started::kind, read_started},      {EntryBooked::kind, read_entry},
+    {LegPlayed::kind, read_leg},        {LegVoided::kind, read_void},
+    {Ruled::kind, read_ruling},         {Withdrawn::kind, read_withdrawal},
+    {Paused::kind, read_pause<Paused>}, {Resumed::kind, read_pause<Resumed>},
+};
+static_assert(std::size(kinds) == std::variant_size_v<Event>, "every kind of event can be read");
+
+Event read_any(const JsonReader& line) {
+  const JsonReader name = line.at("kind");
+  const auto kind = std::find_if(std::begin(kinds), std::end(kinds),
+                                 [&name](const Kind& k) { return name.json() == k.name; });
+  if (kind != std::end(kinds)) return kind->read(line);
+  name.complain("no kind of line is called " + name.quoted());
+  return Event();
+}
+
+Json to_json(const HomeAway& numbers) {
+  return {{"home", numbers.home}, {"away", numbers.away}};
+}
+
+Json to_json(const std::optional<LegFault>& fault) {
+  if (!fault) return Json();
+  return {{"team", fault->team}, {"code", fault->code}, {"text", fault->text}};
+}
+
+// Adds why a person decided so and, if it is known, which person.
+Json signed_by(Json fields, const std::string& why, const std::string& by) {
+  fields["why"] = why;
+  if (!by.empty()) fields["by"] = by;
+  return fields;
+}
+
+Json fields(const Started& e) {
+  return {{"config_sha256", e.config_sha256}, {"version", e.version}};
+}
+
+Json fields(const EntryBooked& e) {
+  return {{"team", e.team}, {"entry", e.entry}, {"sha256", e.sha256}};
+}
+
+Json fields(const LegPlayed& e) {
+  return {{"fixture", e.fixture},
+          {"leg", e.leg},
+          {"attempt", e.attempt},
+          {"home", e.home},
+          {"away", e.away},
+          {"blue", e.blue},
+          {"score", to_json(e.score)},
+          {"winner", e.winner ? Json(*e.winner) : Json()},
+          {"end", to_string(e.end)},
+          {"fault", to_json(e.fault)},
+          {"penalties", to_json(e.penalties)},
+          {"record", e.record},
+          {"state_hash", e.state_hash}};
+}
+
+Json fields(const LegVoided& e) {
+  const Json place{{"fixture", e.fixture},
+                   {"leg", e.leg},
+                   {"attempt", e.attempt},
+                   {"cause", to_string(e.cause)}};
+  return signed_by(place, e.why, e.by);
+}
+
+Json fields(const Ruled& e) {
+  const Json place{{"fixture", e.fixture}, {"leg", e.leg}, {"score", to_json(e.score)}};
+  return signed_by(place, e.why, e.by);
+}
+
+Json fields(const Withdrawn& e) {
+  const Json what{{"results", to_string(e.results)}, {"team", e.team}};
+  return signed_by(what, e.why, e.by);
+}
+
+Json fields(const Paused& e) {
+  return signed_by({{"team", e.team}}, e.why, e.by);
+}
+
+Json fields(const Resumed& e) {
+  return signed_by({{"team", e.team}}, e.why, e.by);
+}
+
+// "line 7" from the number that the journal gave it.
+std::string name_of(const Json& line) {
+  return line.is_object() && line.contains("n") ? "line " + line["n"].dump() : "a line";
+}
+
+}  // namespace
+
+Result<Event> read_event(const Json& line) {
+  std::optional<record::JsonProblem> problem;
+  Event event = read_any(JsonReader(line, "", problem));
+  if (problem) return tl::unexpected(record::error_of(*problem, name_of(line), Errc::damaged));
+  return event;
+}
+
+std::string_view kind_of(const Event& event) {
+  return std::visit([](const auto& e) { return e.kind; }, event);
+}
+
+Json fields_of(const Event& event) {
+  return std::visit([](const auto& e) { return fields(e); }, event);
+}
+
+const std::string* fixture_of(const Event& event) {
+  return std::visit(
+      [](const auto& e) -> const std::string* {
+        if constexpr (requires { e.fixture; }) {
+          return &e.fixture;
+        } else {
+          return nullptr;
+        }
+      },
+      event);
+}
+
+}  // namespace mirocup::league

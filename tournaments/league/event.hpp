@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+//
+// What can happen in a league: one type for each kind of journal line, and their variant, Event.
+// read_event() decodes a line once, so that the league's decisions are made on typed values;
+// fields_of() encodes an event for Journal::append(). journal/format.md describes the lines.
+//
+// An event is what a line says, and nothing more: teams and fixtures are names and ids. Whether a
+// league has them is checked by validate() (apply.hpp).
+#pragma once
+
+#include "core/base/error.hpp"
+#include "core/base/names.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+namespace mirocup::league {
+
+using Json = nlohmann::ordered_json;
+
+// One number for each of the two teams of a fixture: goals, or penalties given against them.
+struct HomeAway {
+  int home = 0;
+  int away = 0;
+
+  bool operator==(const HomeAway&) const = default;
+};
+
+// How the score of a leg came about. The match server ends a leg in one of the first six ways; the
+// last two are results of legs that were not played.
+enum class LegEnd {
+  full_time,
+  golden_goal,
+  shoot_out,
+  forfeit,
+  double_forfeit,
+  mercy,
+  awarded,    // by a ruling
+  withdrawn,  // a walkover: a team has left. Derived from a Withdrawn event, never in the journal
+};
+
+// The fault that ended a leg early, as in a match record.
+struct LegFault {
+  std::string team;
+  std::string code;  // name of a match::FaultCode
+  std::string text;  // for people
+
+  // "TEAM: CODE: TEXT", as pages and exports print a fault.
+  std::string summary() const { return team + ": " + code + ": " + text; }
+  bool operator==(const LegFault&) const = default;
+};
+
+// The league started: league.json, of this SHA-256, may not change any more.
+struct Started {
+  static constexpr std::string_view kind = "start";
+
+  std::string config_sha256;
+  std::string version;  // of the program; "" if the line has none
+
+  bool operator==(const Started&) const = default;
+};
+
+// From here on the team plays with this entry.
+struct EntryBooked {
+  static constexpr std::string_view kind = "entry";
+
+  std::string team;
+  int entry = 1;       // the number of the entry, from 1
+  std::string sha256;  // of the library
+
+  bool operator==(const EntryBooked&) const = default;
+};
+
+// A leg was played, and its result counts.
+struct LegPlayed {
+  static constexpr std::string_view kind = "leg";
+
+  std::string fixture;  // its id
+  int leg = 1;          // from 1
+  int attempt = 1;      // from 1; attempts that were void come before
+  std::string home;
+  std::string away;
+  std::string blue;  // the team that played in blue
+  HomeAway score;
+  std::optional<std::string> winner;  // of goals or of a shoot-out; none after a draw
+  LegEnd end = LegEnd::full_time;
+  std::optional<LegFault> fault;
+  HomeAway penalties;  // given against the team
+  std::string record;  // path of the match record inside the league folder
+  std::string state_hash;
+
+  bool operator==(const LegPlayed&) const = default;
+};
+
+// Why an attempt counts for nothing.
+enum class VoidCause {
+  host,     // the machine failed
+  confirm,  // a team lost by a clock for the first time; the next attempt decides
+  ruling,   // a person decided so
+};
+
+// An attempt counts for nothing; the leg is played again with the same seed.
+struct LegVoided {
+  static constexpr std::string_view kind = "void";
+
+  std::string fixture;
+  int leg = 1;
+  int attempt = 1;
+  VoidCause cause = VoidCause::host;
+  std::string why;
+  std::string by;  // the person who decided; "" if not given
+
+  bool operator==(const LegVoided&) const = default;
+};
+
+// A person decided the score of a leg, played or not.
+struct Ruled {
+  static constexpr std::string_view kind = "ruling";
+
+  std::string fixture;
+  int leg = 1;
+  HomeAway score;
+  std::string why;
+  std::string by;
+
+  bool operator==(const Ruled&) const = default;
+};
+
+// What a withdrawal does with the results of the team.
+enum class WithdrawnResults {
+  keep,   // its results stay, and its opponents win the legs that are not played
+  annul,  // its legs outside a knockout count for nothing
+};
+
+// A team left the league.
+struct Withdrawn {
+  static constexpr std::string_view kind = "withdraw";
+
+  std::string team;
+  WithdrawnResults results = WithdrawnResults::keep;
+  std::string why;
+  std::string by;
+
+  bool operator==(const Withdrawn&) const = default;
+};
+
+// No leg of the team is started until it is resumed.
+struct Paused {
+  static constexpr std::string_view kind = "pause";
+
+  std::string team;
+  std::string why;
+  std::string by;
+
+  bool operator==(const Paused&) const = default;
+};
+
+struct Resumed {
+  static constexpr std::string_view kind = "resume";
+
+  std::string team;
+  std::string why;
+  std::string by;
+
+  bool operator==(const Resumed&) const = default;
+};
+
+using Event =
+    std::variant<Started, EntryBooked, LegPlayed, LegVoided, Ruled, Withdrawn, Paused, Resumed>;
+
+// Decodes a line of a journal. Keys that a later version may have added are ignored. The error
+// (Errc::damaged) names the line's number, the key and the reason: "line 7: /score/home: missing".
+Result<Event> read_event(const Json& line);
+
+// The value of the key "kind" of the event's line.
+std::string_view kind_of(const Event& event);
+
+// The other fields of the line, in the order in which the journal has them.
+Json fields_of(const Event& event);
+
+// The id of the fixture that the event is about; null if it is about none. Valid as long as the
+// event.
+const std::string* fixture_of(const Event& event);
+
+}  // namespace mirocup::league
+
+namespace mirocup {
+
+template <>
+inline constexpr std::array<std::string_view, 8> enum_names<league::LegEnd>{
+    "full_time",      "golden_goal", "shoot_out", "forfeit",
+    "double_forfeit", "mercy",       "awarded",   "withdrawn"};
+static_assert(to_string(league::LegEnd::withdrawn) == "withdrawn");
+
+template <>
+inline constexpr std::array<std::string_view, 3> enum_names<league::VoidCause>{"host", "confirm",
+                                                                               "ruling"};
+static_assert(to_string(league::VoidCause::ruling) == "ruling");
+
+template <>
+inline constexpr std::array<std::string_view, 2> enum_names<league::WithdrawnResults>{"keep",
+                                                                                      "annul"};
+static_assert(to_string(league::WithdrawnResults::annul) == "annul");
+
+}  // namespace mirocup

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/play/leg_record.hpp"
+
+#include "core/field/frames.hpp"
+#include "server/record/json_reader.hpp"
+
+namespace mirocup::league {
+
+namespace {
+
+using record::JsonReader;
+
+// The names of a leg's teams by the colours that they played in.
+struct Colours {
+  std::string blue;
+  std::string yellow;
+
+  const std::string& operator[](Team team) const { return team == Team::blue ? blue : yellow; }
+};
+
+// The team whose colour the value names; nothing for null.
+std::optional<std::string> team_named(const JsonReader& colour, const Colours& names) {
+  if (colour.is_null()) return std::nullopt;
+  return names[colour.name<Team>()];
+}
+
+std::optional<LegFault> read_fault(const JsonReader& fault, const Colours& names) {
+  if (fault.is_null()) return std::nullopt;
+  return LegFault{.team = names[fault.at("team").name<Team>()],
+                  .code = fault.at("code").text(),
+                  .text = fault.at("text").text()};
+}
+
+// Penalty kicks that were given against the home team and the away team.
+HomeAway count_penalties(const JsonReader& decisions, bool is_home_blue) {
+  HomeAway count;
+  for (const JsonReader& decision : decisions.elements()) {
+    if (decision.at("decision").text() != "PENALTY_KICK") continue;
+    const JsonReader team = decision.at("team");
+    if (team.is_null()) continue;
+    const bool against_home = (team.name<Team>() == Team::blue) == is_home_blue;
+    ++(against_home ? count.home : count.away);
+  }
+  return count;
+}
+
+LegPlayed read_record(const LeagueFile& file, const LegId& id, const JsonReader& record,
+                      const std::string& record_path) {
+  const bool is_home_blue = blue_team(id.fixture, id.leg) == id.fixture.home;
+  const std::string& home = file.teams[id.fixture.home].name;
+  const std::string& away = file.teams[id.fixture.away].name;
+  const Colours names{.blue = is_home_blue ? home : away, .yellow = is_home_blue ? away : home};
+  const JsonReader result = record.at("result");
+  const int blue_goals = result.at("score").at("blue").integer<int>();
+  const int yellow_goals = result.at("score").at("yellow").integer<int>();
+  return {
+      .fixture = id.fixture.id(),
+      .leg = id.leg,
+      .attempt = id.attempt,
+      .home = home,
+      .away = away,
+      .blue = names.blue,
+      .score = {.home = is_home_blue ? blue_goals : yellow_goals,
+                .away = is_home_blue ? yellow_goals : blue_goals},
+      .winner = team_named(result.at("winner"), names),
+      .end = result.at("end").name<LegEnd>(),
+      .fault = read_fault(result.at("fault"), names),
+      .penalties = count_penalties(record.at("decisions"), is_home_blue),
+      .record = record_path,
+      .state_hash = record.at("state_hash").text(),
+  };
+}
+
+// Complains unless the record is of the seed and the teams, with the entries that they play with now.
+void expect_same_leg(const LeagueState& state, const LegId& id, const JsonReader& record) {
+  const JsonReader seed = record.at("seed");
+  if (seed.integer<std::uint64_t>() != leg_seed(state, id)) seed.complain("another leg's seed");
+  const int blue = blue_team(id.fixture, id.leg);
+  const int yellow = blue == id.fixture.home ? id.fixture.away : id.fixture.home;
+  for (const Team colour : both_teams) {
+    const int team = colour == Team::blue ? blue : yellow;
+    const JsonReader seat = record.at("teams").at(std::string(to_string(colour)));
+    if (seat.at("name").text() != state.name(team)) seat.complain("another team");
+    // A team over DDS loads its library itself, and the match server does not know it.
+    if (state.file.teams[team].over_dds) continue;
+    if (seat.at("sha256").text() != state.teams[team].sha256) seat.complain("another entry");
+  }
+}
+
+}  // namespace
+
+Result<LegPlayed> leg_played(const LeagueFile& file, const LegId& id, const Json& record,
+                             const std::string& record_path) {
+  std::optional<record::JsonProblem> problem;
+  LegPlayed leg = read_record(file, id, JsonReader(record, "", problem), record_path);
+  if (problem) return tl::unexpected(record::error_of(*problem, record_path, Errc::damaged));
+  return leg;
+}
+
+std::optional<LegPlayed> find_played_leg(system::Files& files, const Folder& folder,
+                                         const LeagueState& state, const LegId& id) {
+  const std::string path = folder.record(id.fixture, id.leg, id.version);
+  if (!files.exists(path)) return std::nullopt;
+  const auto text = files.read(path);
+  if (!text) return std::nullopt;
+  const auto leg =
+      record::read_json<LegPlayed>(*text, path, Errc::damaged, [&](const JsonReader& record) {
+        expect_same_leg(state, id, record);
+        return read_record(state.file, id, record,
+                           Folder::record_name(id.fixture, id.leg, id.version));
+      });
+  return leg ? std::optional(*leg) : std::nullopt;
+}
+
+}  // namespace mirocup::league
