@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a real pitch has in place of a simulator, and all that pitch.cpp asks of it. Metres, radians
-// and seconds in the frame of the field: origin at its centre, x towards the right goal.
+// The interfaces of a real pitch, which pitch.cpp uses in place of a simulator. Metres, radians and
+// seconds in the frame of the field: the origin is its centre, x points to the right goal.
 #pragma once
 
 #include "core/match/command.hpp"
@@ -16,7 +16,7 @@ struct Place {
   double heading = 0.0;
 };
 
-// A camera knows where things are, and neither their speeds nor their spin.
+// One picture of the camera: places only, without speeds.
 struct Picture {
   Place ball;
   std::array<std::array<Place, mirocup::max_robots_per_team>, 2> robots;  // blue, yellow
@@ -25,14 +25,14 @@ struct Picture {
 class Camera {
  public:
   virtual ~Camera() = default;
-  // The next picture, once for each tick.
+  // Returns the next picture. Called once for each tick.
   virtual Picture next_picture() = 0;
 };
 
 class Radio {
  public:
   virtual ~Radio() = default;
-  // Wheel speeds for a team's robots. They drive so until the next word.
+  // Sends wheel speeds to the robots of a team, which keep them until the next call.
   virtual void send(int colour, const mirocup::match::Command& command) = 0;
 };
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// A real pitch behind the topics of a match: what a camera sees goes out, what teams answer goes to
-// the radio. Usage: pitch MATCH SECONDS BLUE [YELLOW]: the names of the teams that are to play.
+// A real pitch behind the topics of a match: publishes the pictures of a camera as states and sends
+// the answers of the teams to the radio. Usage: pitch MATCH SECONDS BLUE [YELLOW], with the names of
+// the teams.
 //
-// It does what a match server does (server/dds/README.md) for a practice: everybody may come and go,
+// It replaces a match server (server/dds/README.md) for practice: teams may come and go at any time,
 // and the referee is a person beside the pitch.
 #include "server/dds/convert.hpp"
 #include "server/dds/domain.hpp"
@@ -23,11 +24,11 @@ namespace {
 using namespace mirocup;
 using WallClock = std::chrono::steady_clock;
 
-constexpr double period = 1.0 / 30.0;  // s: of the camera's pictures
-// Robots whose team has not answered for so many ticks are stopped.
+constexpr double period = 1.0 / 30.0;  // s between two pictures
+// The robots of a team that has not answered for more ticks than this are stopped.
 constexpr std::uint32_t max_silence = 4;
 
-// Speeds from two pictures. With a camera that trembles, put a filter here.
+// Computes speeds from two pictures. For a noisy camera put a filter here.
 simulator::BodyState robot_state(const Place& now, const Place& before) {
   const Vec2 speed{(now.x - before.x) / period, (now.y - before.y) / period};
   const double c = std::cos(now.heading);
@@ -51,18 +52,18 @@ match::Snapshot scene_of(const Picture& now, const Picture& before) {
   return scene;
 }
 
-// One team's topics, and what it said last.
+// The topics of one team and its last answer.
 struct Side {
   Team team = Team::blue;
   dds::Entity publisher, subscriber, hello_topic, welcome_topic, command_topic;
   dds::Entity hellos, welcomes, commands;
-  std::uint64_t nonce = 0;  // 0: nobody is there
+  std::uint64_t nonce = 0;  // 0: no process has joined
   std::uint64_t heard = 0;
   std::uint32_t answered = 0;
   match::Command wheels;
 };
 
-// What must be there: without it the example ends.
+// Returns the value, or ends the example with the error.
 template <class T>
 T need(Result<T> made) {
   if (made) return std::move(*made);
@@ -156,8 +157,8 @@ void Pitch::show(const Picture& now, const Picture& before, std::uint32_t tick,
   dds_write(states_.get(), &sample);
 }
 
-// As a match server does it: the answers to one tick are driven in the next. The clock stands at
-// tick 0 until everybody is there.
+// As on a match server, the answers to one tick are driven in the next. Time stands at tick 0 until
+// all teams have answered.
 void Pitch::play(double seconds) {
   Picture before = camera_.next_picture();
   const auto step =
@@ -184,7 +185,7 @@ void Pitch::say_that_it_is_over(std::uint32_t tick) {
   event.tick = tick;
   event.ends_match = true;
   dds::copy_text(event.decision, "MATCH_END");
-  dds::copy_text(event.reason, to_string(match::EndKind::full_time));
+  dds::copy_text(event.reason, to_string(match::OutcomeKind::full_time));
   dds_write(events_.get(), &event);
   dds_wait_for_acks(events_.get(), DDS_SECS(1));
 }

@@ -8,8 +8,8 @@ namespace pitch {
 
 namespace {
 
-constexpr double rolling = 0.98;         // of its speed the ball keeps so much from tick to tick
-constexpr double pixel = 0.001;          // m: what the camera can tell apart
+constexpr double rolling = 0.98;         // share of its speed that the ball keeps in a tick
+constexpr double pixel = 0.001;          // m, resolution of the camera
 constexpr double smallest_angle = 0.01;  // rad
 
 double rounded(double value, double step) {

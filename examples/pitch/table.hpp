@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A stand-in for both, so that the example runs without a pitch: dots that drive on a table. Time
-// passes from one picture to the next. It knows no laws and hardly any physics.
+// A stand-in for camera and radio, so that the example runs without a pitch: robots that drive on a
+// table, without laws and with hardly any physics. Each picture advances its time by one period.
 #pragma once
 
 #include "camera_and_radio.hpp"

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""A team in Python: all get behind the ball and push it, but robot 0, which stays in goal.
+"""A team in Python: robot 0 keeps the goal, all others get behind the ball and push it.
 
     mirocup match --blue dds:snake --yellow keeper --match final &
     examples/python/chaser.py final blue snake [SERVER [CREDENTIALS]]
 
-The library is found by $MIROCUP_TEAM_LIBRARY, for example build/libmirocup_team.so, or where it is
-installed.
+$MIROCUP_TEAM_LIBRARY names the library, for example build/libmirocup_team.so; without it the
+installed one is used.
 """
 
 import math
@@ -16,13 +16,13 @@ import mirocup_team
 
 
 def wheels_for(setup, forward, turn):
-    """Wheel speeds for a forward speed (m/s) and a turn rate (rad/s)."""
+    """Returns the wheel speeds for a forward speed (m/s) and an angular velocity (rad/s)."""
     side = turn * setup.wheel_distance / 2.0
     return (forward - side) / setup.wheel_radius, (forward + side) / setup.wheel_radius
 
 
 def drive_to(setup, robot, x, y):
-    """Front or back first, whichever is nearer."""
+    """Drives to a point, forwards or backwards, whichever needs the smaller turn."""
     distance = math.hypot(x - robot.x, y - robot.y)
     if distance < 0.01:
         return 0.0, 0.0
@@ -36,7 +36,7 @@ def drive_to(setup, robot, x, y):
 
 
 def behind_ball(setup, now, robot, aside):
-    """Where to drive to so that the ball goes to the opponent's goal."""
+    """Returns the place to drive to so that the ball goes to the opponents' goal."""
     to_x, to_y = setup.half_length - now.ball_x, -now.ball_y
     distance = math.hypot(to_x, to_y)
     ux, uy = to_x / distance, to_y / distance

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""libmirocup_team from Python, with nothing but the standard library.
+"""libmirocup_team for Python, with the standard library alone.
 
 The structures mirror mirocup/strategy.h and mirocup/team.h, which say what every number means:
 metres, radians, seconds; the team always attacks +x.
@@ -26,7 +26,7 @@ COLOURS = {"blue": 0, "yellow": 1}
 
 
 class Error(Exception):
-    """There is no way onto the network, or into the match."""
+    """The network cannot be used, or the server does not admit the team."""
 
 
 class Robot(ctypes.Structure):
@@ -84,7 +84,7 @@ class Call(ctypes.Structure):
 
 
 def load(path=None):
-    """The library: from `path`, from $MIROCUP_TEAM_LIBRARY, or where the system has it."""
+    """Loads the library from `path`, from $MIROCUP_TEAM_LIBRARY, or from where it is installed."""
     library = ctypes.CDLL(path or os.environ.get("MIROCUP_TEAM_LIBRARY", "libmirocup_team.so"))
     library.mirocup_team_open.restype = c_void_p
     library.mirocup_team_open.argtypes = [ctypes.POINTER(Call), c_char_p, c_size_t]
@@ -107,7 +107,7 @@ def load(path=None):
 
 
 def standing(now):
-    """The placement that leaves everything where it is."""
+    """Returns the placement that leaves everything where it is."""
     placement = Placement(now.ball_x, now.ball_y)
     for i in range(now.robots):
         placement.robots[i] = Pose(now.own[i].x, now.own[i].y, now.own[i].heading)

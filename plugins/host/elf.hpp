@@ -4,8 +4,8 @@
 // machine, and what it exports and needs.
 //
 // The bytes come from a stranger: every offset is checked before it is followed, and none of the
-// code is run. A library that passes here can still fail to load, which the sandbox finds out.
-// libelf is not used, because it was not made for hostile input.
+// code is run. This is a reader of our own rather than libelf, so that all of these checks are
+// here. A library that passes can still fail to load, which the sandbox finds out.
 #pragma once
 
 #include <tl/expected.hpp>

@@ -33,7 +33,7 @@ constexpr std::chrono::milliseconds slice{20};
 // The team's output pipe is emptied every 32 ticks, because a full pipe refuses further output.
 constexpr std::uint32_t ticks_between_readings = 32;
 
-// The time limit for building the sandbox, s; generous, because it fails only on a broken machine.
+// The time limit for building the sandbox, s. Only a machine in great trouble needs that long.
 constexpr double max_setup_time = 60.0;
 
 // Sizes the memory file and maps it here for writing.

@@ -231,7 +231,7 @@ Result<bool> Examination::examine_play() {
 }
 
 Result<Examination::TrialLeg> Examination::play(Team team, std::uint32_t max_ticks) {
-  match::Match match(setup_);
+  match::Leg match(setup_);
   Seats seats;
   const auto bell = std::make_shared<plugins::Doorbell>();
   for (const Team seat : both_teams) {

@@ -82,8 +82,8 @@ class Session {
   Interrupt interrupt_;
   system::Disk disk_;
   pace::SteadyWallClock clock_;
-  match::Match match_;
-  replay::Trace trace_;
+  match::Leg match_;
+  replay::StateTrace trace_;
   pace::Pacer pacer_;
   std::unique_ptr<dds::MatchServer> network_;  // if a team plays over it
   std::unique_ptr<web::LiveServer> live_;      // if it is watched

@@ -71,7 +71,7 @@ std::string wheels_text(const match::DrivenCommand& command, int robot) {
 }
 
 std::optional<CommandDifference> compare_commands(const replay::Recording& recording,
-                                                  const match::Match& again) {
+                                                  const match::Leg& again) {
   const std::uint32_t tick = again.tick() - 1;
   if (tick >= recording.ticks.size()) {
     return CommandDifference{tick, std::nullopt, "the record ends here, the teams play on"};
@@ -96,7 +96,7 @@ std::optional<CommandDifference> compare_commands(const replay::Recording& recor
                          ? std::optional(again.placement_requests().back().request)
                          : std::nullopt;
     if (!recorded && !now) continue;
-    if (recorded && now && is_same(*recorded, *now, robots)) continue;
+    if (recorded && now && bit_equal(*recorded, *now, robots)) continue;
     return CommandDifference{tick, team, "it asks for other poses at a restart than in the record"};
   }
   return std::nullopt;
@@ -111,9 +111,9 @@ std::string end_text(const match::Outcome& result) {
 }
 
 std::optional<CommandDifference> compare_ends(const replay::Recording& recording,
-                                              const match::Match& again) {
-  const std::string recorded = end_text(recording.result);
-  const std::string now = end_text(again.result());
+                                              const match::Leg& again) {
+  const std::string recorded = end_text(recording.outcome);
+  const std::string now = end_text(again.outcome());
   if (recorded == now && again.log().size() == recording.ticks.size()) return std::nullopt;
   CommandDifference difference{again.tick(), std::nullopt,
                                "the record ends " + recorded + " after " +

@@ -62,7 +62,7 @@ E enumerator(std::uint8_t value) {
 
 }  // namespace
 
-mirocup_v2_WorldState to_sample(const match::Scene& scene, int robots, std::uint64_t leg) {
+mirocup_v2_WorldState to_sample(const match::Snapshot& scene, int robots, std::uint64_t leg) {
   assert(robots >= 0 && robots <= max_robots_per_team);
   mirocup_v2_WorldState s{};
   s.leg = leg;

@@ -12,9 +12,9 @@
 namespace mirocup::dds {
 
 // `robots`: of each team. `leg`: the number that the server drew for the leg.
-mirocup_v2_WorldState to_sample(const match::Scene& scene, int robots, std::uint64_t leg);
+mirocup_v2_WorldState to_sample(const match::Snapshot& scene, int robots, std::uint64_t leg);
 // An octet that stands for no enumerator becomes the first one: the sample is a stranger's.
-match::Scene to_scene(const mirocup_v2_WorldState& sample);
+match::Snapshot to_scene(const mirocup_v2_WorldState& sample);
 
 // The answer of a Welcome to a Hello.
 enum class Admission : std::uint8_t { accepted, not_now, refused };

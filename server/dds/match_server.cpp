@@ -97,17 +97,17 @@ void MatchServer::publish_decisions(const match::Leg& match) {
   }
 }
 
-void MatchServer::close(const match::Leg& match) {
-  publish(match);
+void MatchServer::close(const match::Leg& leg) {
+  publish(leg);
   mirocup_v2_MatchEvent last{};
   last.leg = leg_;
   last.number = static_cast<std::uint32_t>(events_);
-  last.tick = match.tick();
+  last.tick = leg.tick();
   last.ends_match = true;
   copy_text(last.decision, "MATCH_END");
-  copy_text(last.reason, to_string(match.result().end));
-  last.score[0] = match.result().score[0];
-  last.score[1] = match.result().score[1];
+  copy_text(last.reason, to_string(leg.outcome().kind));
+  last.score[0] = leg.outcome().score[0];
+  last.score[1] = leg.outcome().score[1];
   dds_write(event_writer_.get(), &last);
   dds_wait_for_acks(event_writer_.get(), farewell_timeout);
 }

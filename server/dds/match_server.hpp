@@ -27,14 +27,14 @@ class MatchServer {
                          const JoinTerms& terms);
 
   // Publishes the state at the start of a tick and the decisions since the last call.
-  void publish(const match::Match& match);
+  void publish(const match::Leg& match);
 
   // Receives the samples that have arrived for all seats. Waits at most `seconds` if there is none.
   // Sends the state again every 10 ms while it waits, because a team may have missed it.
   void listen(double seconds);
 
   // Publishes the end of the match and waits, at most 1 s, until all readers have it.
-  void close(const match::Match& match);
+  void close(const match::Leg& match);
 
   // Returns the last messages of DDS as the end of a sentence; "" if there was none.
   std::string last_error() const;

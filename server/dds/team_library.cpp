@@ -13,7 +13,7 @@ struct mirocup_connection {
   mirocup::Team team = mirocup::Team::blue;
   mirocup_setup setup{};
   mirocup_observation observation{};
-  std::optional<mirocup::match::Poses> poses;  // for the answer to the present tick
+  std::optional<mirocup::match::PlacementRequest> poses;  // for the answer to the present tick
   mirocup::match::ByTeam<std::int32_t> score{};
   std::string text;
   bool is_finished = false;  // `text` says how the match ended

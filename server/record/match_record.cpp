@@ -158,18 +158,18 @@ match::TeamFault read_fault(const JsonReader& json) {
       .fault = {.code = json.at("code").name<match::FaultCode>(), .text = json.at("text").text()}};
 }
 
-match::Result read_result(const JsonReader& json) {
-  match::Result result;
-  result.score = read_score(json.at("score"));
-  result.played = read_score(json.at("played"));
-  if (const auto score = json.find("shoot_out")) result.shoot_out = read_score(*score);
-  result.winner = read_optional_team(json.at("winner"));
-  result.end = json.at("end").name<match::EndKind>();
+match::Outcome read_outcome(const JsonReader& json) {
+  match::Outcome outcome;
+  outcome.score = read_score(json.at("score"));
+  outcome.played = read_score(json.at("played"));
+  if (const auto score = json.find("shoot_out")) outcome.shoot_out = read_score(*score);
+  outcome.winner = read_optional_team(json.at("winner"));
+  outcome.kind = json.at("end").name<match::OutcomeKind>();
   for (const JsonReader& fault : json.at("faults").elements()) {
-    result.faults.push_back(read_fault(fault));
+    outcome.faults.push_back(read_fault(fault));
   }
-  if (const JsonReader why = json.at("why_void"); !why.is_null()) result.why_void = why.text();
-  return result;
+  if (const JsonReader why = json.at("why_void"); !why.is_null()) outcome.why_void = why.text();
+  return outcome;
 }
 
 match::LoggedDecision read_decision(const JsonReader& json) {
@@ -269,7 +269,7 @@ RecordFile read_record_file(const JsonReader& json) {
   }
   record.isolation = json.at("isolation").text();
   record.recording.setup = read_setup(json);
-  record.recording.result = read_result(json.at("result"));
+  record.recording.outcome = read_outcome(json.at("result"));
   for (const JsonReader& decision : json.at("decisions").elements()) {
     record.recording.decisions.push_back(read_decision(decision));
   }
@@ -408,7 +408,7 @@ Result<MatchRecord> load(system::Files& files, const std::string& path, Checksum
   }
   record.recording.ticks = std::move(unpacked->ticks);
   record.recording.trace = std::move(unpacked->trace);
-  record.recording.asked = std::move(unpacked->asked);
+  record.recording.placement_requests = std::move(unpacked->asked);
   return record;
 }
 

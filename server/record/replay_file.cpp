@@ -158,7 +158,7 @@ std::string decompressed(std::string_view bytes, const Counts& largest) {
 
 std::string pack_replay(const replay::Recording& recording, int robots) {
   const std::vector<match::TickLog>& ticks = recording.ticks;
-  const replay::Trace& trace = recording.trace;
+  const replay::StateTrace& trace = recording.trace;
   const Counts counts{.ticks = ticks.size(),
                       .robots = static_cast<std::size_t>(robots),
                       .fingerprints = trace.ticks.size(),

@@ -49,7 +49,7 @@ void LiveFeed::close(const match::Leg& match) {
   const std::lock_guard lock(mutex_);
   copy(match);
   assert(match.is_over());
-  result_ = match.result();
+  result_ = match.outcome();
 }
 
 std::string LiveFeed::news(Viewer& viewer) const {

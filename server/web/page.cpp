@@ -92,7 +92,7 @@ Json teams_json(const match::ByTeam<std::string>& names) {
 // A leg as a page holds it: the track, what changed when, and the numbers.
 class LegTimeline {
  public:
-  explicit LegTimeline(const match::Match& match)
+  explicit LegTimeline(const match::Leg& match)
       : track_(match.field().robots_per_team), statistics_(match.field()) {
     add(match);
   }
@@ -132,9 +132,9 @@ std::string about(const record::MatchRecord& record) {
 tl::expected<std::string, replay::Divergence> replay_page(const record::MatchRecord& record,
                                                           Times times) {
   replay::Playback playback(record.recording);
-  const match::Match begin(record.recording.setup);
-  LegTimeline timeline(playback.match());
-  while (playback.advance()) timeline.add(playback.match());
+  const match::Leg begin(record.recording.setup);
+  LegTimeline timeline(playback.leg());
+  while (playback.advance()) timeline.add(playback.leg());
   if (playback.divergence()) return tl::unexpected(*playback.divergence());
 
   const Json whole = record::to_json(record);

@@ -40,7 +40,7 @@ void put(std::string& column, std::int32_t value) {
 
 }  // namespace
 
-Frame frame_of(const match::Scene& scene, int robots, const Frame& before) {
+Frame frame_of(const match::Snapshot& scene, int robots, const Frame& before) {
   assert(robots >= 0 && robots <= max_robots_per_team);
   assert(before.empty() || before.size() == frame_size(robots));
   Frame frame;
@@ -61,7 +61,7 @@ Frame frame_of(const match::Scene& scene, int robots, const Frame& before) {
   return frame;
 }
 
-void TrackEncoder::add(const match::Scene& scene) {
+void TrackEncoder::add(const match::Snapshot& scene) {
   const Frame frame = frame_of(scene, robots_, last_);
   if (frames_ == 0) {
     last_.assign(frame.size(), 0);

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
- * A network that loses and garbles packets, for processes that are started with this library in LD_PRELOAD:
- *   BAD_NETWORK_LOSS=P    of the packets that the process sends, a share of P is lost
- *   BAD_NETWORK_GARBAGE=N before each packet it sends N changed copies: bits, lengths, ends, strangers' names
- *   BAD_NETWORK_LIMIT=N   no more than so many changed copies; says on standard error when it is there
- *   BAD_NETWORK_JUMP=N    before its packet number N with a sample for others, it sends a copy that claims to be far ahead:
- *                         who believes it takes all true ones for old
+ * Simulates a network that loses and changes packets, for processes that load this library with
+ * LD_PRELOAD:
+ *   BAD_NETWORK_LOSS=P    loses each packet that the process sends with probability P
+ *   BAD_NETWORK_GARBAGE=N sends N changed copies before each packet: other bits, lengths, ends, senders
+ *   BAD_NETWORK_LIMIT=N   sends at most N changed copies, and writes to standard error when it has
+ *   BAD_NETWORK_JUMP=N    sends a copy with a far higher sequence number before its packet N with a
+ *                         sample: a receiver that believes it takes all true samples for old
  * The random numbers are the same in each run. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
@@ -44,7 +45,7 @@ static size_t change(unsigned char* packet, size_t size) {
       case 1: /* a byte behind the header */
         packet[20 + next() % (size - 20)] = (unsigned char)next();
         break;
-      case 2: /* a length, a count, a number of a sequence */
+      case 2: /* a length, a count, a sequence number */
         memset(packet + 20 + (next() % (size - 20)) / 4 * 4, next() % 2 ? 0xff : 0x00,
                size >= 24 ? 1 + next() % 2 : 1);
         break;
@@ -62,7 +63,8 @@ static size_t change(unsigned char* packet, size_t size) {
   return size;
 }
 
-/* The number of the sample in a packet of RTPS with one from a writer of the application, or null. */
+/* The number of the sample in a packet of RTPS with one from a writer of the application, or
+ * null. */
 static unsigned char* sample_number(unsigned char* packet, size_t size) {
   const unsigned char data = 0x15, user_writer = 0x03;
   size_t at = 20;

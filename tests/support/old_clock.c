@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * A clock that is behind, for processes that are started with this library in LD_PRELOAD: OLD_CLOCK says by how many
- * seconds. Only the time of day is: what measures intervals goes on as ever. */
+ * Simulates a clock that is OLD_CLOCK seconds behind, for processes that load this library with
+ * LD_PRELOAD. Only the time of day is behind; clocks that measure intervals are as ever. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <pthread.h>
@@ -39,7 +39,7 @@ int gettimeofday(struct timeval* now, void* zone) {
   return result;
 }
 
-/* Who waits until a time of day means its own. */
+/* A caller that waits until a time of day means the time of its own clock. */
 int pthread_cond_timedwait(pthread_cond_t* condition, pthread_mutex_t* mutex,
                            const struct timespec* until) {
   int (*real)(pthread_cond_t*, pthread_mutex_t*, const struct timespec*) = NULL;

@@ -70,6 +70,14 @@ Outcome run(const std::vector<std::string>& arguments) {
   return Running(arguments).wait();
 }
 
+bool wait_until(const std::function<bool()>& holds) {
+  for (int i = 0; i < 3000; ++i) {
+    if (holds()) return true;
+    usleep(10'000);
+  }
+  return false;
+}
+
 std::string program(const std::string& name) {
   return std::string(MIROCUP_BUILD_FOLDER) + "/" + name;
 }

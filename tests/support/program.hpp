@@ -1,35 +1,38 @@
 // SPDX-License-Identifier: MIT
 //
-// Runs the programs as their users do: arguments in, exit code and text out.
+// Runs the programs as their users do: with arguments, an exit code and text.
 #pragma once
 
 #include "tests/support/temporary_folder.hpp"
 
 #include <nlohmann/json.hpp>
 
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace mirocup::test_support {
 
 struct Outcome {
-  int exit_code = 0;  // 128 + signal if it died of one
+  int exit_code = 0;  // 128 + signal if a signal ended it
   std::string out;
   std::string err;
 };
 
-// A program that runs while the test does something else.
+// A program that runs while the test does something else. Its standard output and error go to
+// files.
 class Running {
  public:
   explicit Running(const std::vector<std::string>& arguments);
   Running(const Running&) = delete;
   Running& operator=(const Running&) = delete;
-  ~Running();  // kills it
+  ~Running();  // kills the program if it still runs
 
   int pid() const { return pid_; }
   void signal(int number) const;
+  // Waits until the program ends, without a limit.
   Outcome wait();
-  // What it has written to standard error so far.
+  // Returns the standard error so far.
   std::string err() const;
 
  private:
@@ -37,9 +40,15 @@ class Running {
   std::string out_, err_;  // files
 };
 
+// Runs a program and waits until it ends.
 Outcome run(const std::vector<std::string>& arguments);
 
-// build/NAME of the build that the tests belong to.
+// Waits until something holds that another process brings about. Returns false if that takes more
+// than half a minute, so that a test fails with a message instead of running into its own time
+// limit.
+bool wait_until(const std::function<bool()>& holds);
+
+// Returns the path build/NAME of the build that the tests belong to.
 std::string program(const std::string& name);
 
 std::string read_file(const std::string& path);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/play/leg_record.hpp"
 
-#include "core/field/frames.hpp"
+#include "core/field/team.hpp"
 #include "server/record/json_reader.hpp"
 
 namespace mirocup::league {

@@ -137,7 +137,7 @@ def main():
     parser.add_argument("--seconds", type=float, default=60.0, help="of each round trip and eight")
     parser.add_argument("--rounds", type=int, default=3)
     arguments = parser.parse_args()
-    print(f"{os.cpu_count()} cores, load {os.getloadavg()[0]:.2f} at the begin")
+    print(f"{os.cpu_count()} cores, load {os.getloadavg()[0]:.2f} at the start")
     with tempfile.TemporaryDirectory() as folder:
         round_trips(arguments.build, folder, arguments.seconds, arguments.rounds)
         lateness(arguments.build, folder, arguments.rounds)

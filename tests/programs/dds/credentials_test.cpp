@@ -105,8 +105,8 @@ TEST_F(Credentials, DetectForgedPackets) {
   EXPECT_EQ(state_hash("leg.json"), state_hash("so.json"));
 }
 
-TEST_F(Credentials, CanBeRevoked) {
-  std::filesystem::copy(of("teams/remote"), folder_ / "kept");  // the team has it all the same
+TEST_F(Credentials, RevokedOnesAreRefused) {
+  std::filesystem::copy(of("teams/remote"), folder_ / "kept");  // the team keeps its copy
   const Outcome revoked =
       run({program("mirocup"), "league", "credentials", folder_ / "league", "--revoke", "remote"});
   ASSERT_EQ(revoked.exit_code, 0) << revoked.err;
@@ -118,9 +118,9 @@ TEST_F(Credentials, CanBeRevoked) {
   EXPECT_NE(fault["text"].get<std::string>().find("revoked"), std::string::npos) << fault;
 }
 
-// The team's own library knows when it looks at the clock. If the team turns its clock back, the
-// server still knows.
-TEST_F(Credentials, Expire) {
+// The team's own side refuses expired credentials by its clock. If the team turns its clock back,
+// the server still refuses them.
+TEST_F(Credentials, ExpiredOnesAreRefused) {
   constexpr int then = 100;  // hours ago
   const std::string league = folder_ / "old";
   for (const auto& more : {std::vector<std::string>{"--team", "other"},
@@ -146,7 +146,7 @@ TEST_F(Credentials, Expire) {
 }
 
 // Clocks differ: new credentials are valid at once on a computer that is behind.
-TEST_F(Credentials, CountOnAComputerWhoseClockIsBehind) {
+TEST_F(Credentials, AreValidOnAComputerWhoseClockIsBehind) {
   const std::string id = match_id("behind");
   Running remote(behind(1, join(id, of("teams/remote"))));
   const Outcome played = run(match(id));
@@ -155,7 +155,7 @@ TEST_F(Credentials, CountOnAComputerWhoseClockIsBehind) {
   EXPECT_EQ(record["result"]["end"], "full_time") << record["result"];
 }
 
-TEST_F(Credentials, OfSomebodyElseAreToldApart) {
+TEST_F(Credentials, OfAnotherTeamAreRefused) {
   const Outcome other = run(join("x", of("teams/other")));
   EXPECT_EQ(other.exit_code, 3);
   EXPECT_NE(other.err.find("somebody else's"), std::string::npos) << other.err;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Packets that nobody would send who means well. A long run:
+// Packets that no honest program sends. A long run:
 // MIROCUP_STORM=100000 build/dds_tests --gtest_filter='*Storm*'
 #include "tests/programs/dds/network.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 
 using namespace test_support;
 
-// Peak of a running process, MB.
+// Returns the peak of the memory of a running process, MB.
 [[maybe_unused]] double peak_memory(int pid) {
   std::istringstream status(read_file("/proc/" + std::to_string(pid) + "/status"));
   std::string line;
@@ -24,9 +24,9 @@ using namespace test_support;
   return 0.0;
 }
 
-// A stranger's packets of every kind, changed; as many as asked for before the match goes on.
-// Catches topics whose types are described on the network: one announcement with a changed
-// description, and nobody can be matched with WorldState any more.
+// A stranger sends changed packets of every kind before the team joins. Catches topics that
+// describe their types on the network: after one announcement with a changed description no process
+// matches WorldState any more.
 TEST(DdsHostile, PlaysTheSameLegAfterAStormOfChangedPackets) {
   const char* asked = std::getenv("MIROCUP_STORM");
   const std::string packets = asked != nullptr ? asked : "2000";
@@ -53,8 +53,8 @@ TEST(DdsHostile, PlaysTheSameLegAfterAStormOfChangedPackets) {
             read_json(folder / "so.json")["state_hash"]);
 }
 
-// In open mode one forged packet can make the server deaf to a team. The team notices that nobody
-// hears it, and appears anew.
+// In open mode one forged packet can make the server deaf to a team. The team notices that the
+// server does not count its commands, and joins again as a new process.
 TEST(DdsHostile, PlaysOnAfterAForgedPacketHasMadeTheServerDeaf) {
   const TemporaryFolder folder;
   const std::string id = match_id("jump");
@@ -69,8 +69,8 @@ TEST(DdsHostile, PlaysOnAfterAForgedPacketHasMadeTheServerDeaf) {
   EXPECT_EQ(run({program("mirocup"), "verify", folder / "leg.json"}).exit_code, 0);
 }
 
-// A team that answers nonsense: driven as zero, counted.
-TEST(DdsHostile, TakesNumbersThatAreNoneAsZero) {
+// A team that answers with numbers that are not finite: they are driven as zero and counted.
+TEST(DdsHostile, DrivesNonFiniteNumbersAsZero) {
   const TemporaryFolder folder;
   const std::string id = match_id("nan");
   Running remote(join(id, "blue", "remote", program("teams/nonsense.so")));
@@ -84,7 +84,7 @@ TEST(DdsHostile, TakesNumbersThatAreNoneAsZero) {
   EXPECT_EQ(run({program("mirocup"), "verify", folder / "leg.json"}).exit_code, 0);
 }
 
-// What was sent to another address of the host is not heard, although Cyclone binds to all.
+// Packets to another address of the host are dropped, although Cyclone binds to all addresses.
 TEST(DdsHostile, HearsOnlyItsInterface) {
   Running leg({program("mirocup"), "match", "--blue", "dds:nobody", "--yellow", "idle", "--match",
                match_id("interface")});

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// A process that has no business in a match: intruder KIND MATCH NAME. It does to the blue team,
-// called NAME, what an ordinary program on the network can do; until it is killed.
-//   imitate      writes the team's commands with the team's nonce; appears anew when it hears nothing
+// A process that does not belong to a match: intruder KIND MATCH NAME. It does to the blue team
+// NAME what any program on the network can do, until it is killed.
+//   imitate      writes the team's commands with the team's nonce; joins again when it hears nothing
 //   flood        the same, ten thousand a second
-//   hellos       asks for the seat all the time, each time as another one
+//   hellos       asks for the seat all the time, each time as another process
 //   wrong_types  writes other types under the names of the topics
 //   stuck        reads everything, and then stops
 #include "server/dds/convert.hpp"
@@ -20,8 +20,8 @@
 namespace mirocup::dds {
 namespace {
 
-// Whatever cannot be had ends the test, loudly; at once, for Cyclone's threads still use what
-// std::exit() would take away.
+// Returns the value, or ends the program with the error. Not by std::exit(), which would destroy
+// objects that Cyclone's threads still use.
 template <typename T>
 T need(Result<T> made) {
   if (made) return std::move(*made);
@@ -31,7 +31,7 @@ T need(Result<T> made) {
 
 constexpr double max_silence = 1.0;  // s
 
-// One appearance on the network.
+// One participant on the network.
 struct Stranger {
   Stranger(const Domain& domain, const std::string& match_id, const std::string& name) {
     participant = need(make_participant(domain));
@@ -56,7 +56,7 @@ struct Stranger {
     return true;
   }
 
-  // Its own changed packets, or somebody else's, can make it deaf.
+  // Changed packets, its own or another process's, can make it deaf.
   bool is_cut_off() const { return seconds_since(heard) > max_silence; }
 
   mirocup_v2_WorldState state{};

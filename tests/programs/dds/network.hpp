@@ -16,12 +16,12 @@
 
 namespace mirocup::test_support {
 
-// Matches of tests that run at the same time must not meet.
+// Returns an ID of its own for each test process, because tests may run at the same time.
 inline std::string match_id(const std::string& name) {
   return name + "-" + std::to_string(getpid());
 }
 
-// The command line of a house team, or the library at a path, that joins a match.
+// Returns the command line with which a house team, or the library at a path, joins a match.
 inline std::vector<std::string> join(const std::string& id, const std::string& colour,
                                      const std::string& name, const std::string& team) {
   const std::string library =
@@ -29,20 +29,12 @@ inline std::vector<std::string> join(const std::string& id, const std::string& c
   return {program("mirocup"), "join", "--match", id, "--team", colour, "--name", name, library};
 }
 
-// Until something holds that another process brings about; false if it never does.
-inline bool wait_until(const std::function<bool()>& holds) {
-  for (int i = 0; i < 3000; ++i) {
-    if (holds()) return true;
-    usleep(10'000);
-  }
-  return false;
-}
-
+// Waits until the process has written `text` to standard error. False if it never does.
 inline bool has_said(const Running& process, const std::string& text) {
   return wait_until([&] { return process.err().find(text) != std::string::npos; });
 }
 
-// UDP sockets of a process: how many, and how many packets they have dropped.
+// The UDP sockets of a process: their number, and the number of packets that they have dropped.
 struct Sockets {
   int open = 0;
   long dropped = 0;
@@ -68,13 +60,13 @@ inline Sockets sockets_of(int pid) {
   return sockets;
 }
 
-// The process has appeared on the network.
+// Waits until the process has opened a UDP socket. False if it never does.
 inline bool is_there(const Running& process) {
   return wait_until([&] { return sockets_of(process.pid()).open > 0; });
 }
 
-// Runs something with more and more patience, until it says what is expected: a busy machine needs
-// longer to know.
+// Runs an attempt with a longer and longer patience until it prints the expected text: a busy
+// machine needs longer to find out.
 inline Outcome run_until_said(const std::string& what,
                               const std::function<Outcome(const std::string& patience)>& attempt) {
   Outcome last;
@@ -85,7 +77,8 @@ inline Outcome run_until_said(const std::string& what,
   return last;
 }
 
-// A program with a library of tests/support loaded first; `how` are variables of the environment.
+// Returns the command line of a program that loads a library of tests/support first. `how`:
+// variables of its environment.
 inline std::vector<std::string> preloaded(const std::string& library,
                                           const std::vector<std::string>& arguments,
                                           std::vector<std::string> how) {
@@ -95,13 +88,13 @@ inline std::vector<std::string> preloaded(const std::string& library,
   return how;
 }
 
-// Whose packets get lost or are garbled, as tests/support/bad_network.c says.
+// The packets that the program sends are lost or changed, as tests/support/bad_network.c describes.
 inline std::vector<std::string> on_bad_network(const std::vector<std::string>& arguments,
                                                const std::vector<std::string>& how) {
   return preloaded("bad_network.so", arguments, how);
 }
 
-// On a computer whose clock is so many hours behind; so are those of the processes that it starts.
+// The program and the processes that it starts see a clock that is this many hours behind.
 inline std::vector<std::string> behind(int hours, const std::vector<std::string>& arguments) {
   return preloaded("old_clock.so", arguments, {"OLD_CLOCK=" + std::to_string(3600L * hours)});
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Where the system allows it, each run of these tests is on a host of its own: a network namespace
-// with a loopback interface and nothing else. So they disturb nobody and nobody disturbs them: other
-// tests at the same time (a host has ports for ten matches), or a league on this computer, which
-// their storms of packets would reach. Elsewhere they run on the computer itself.
+// with a loopback interface and nothing else. So these tests and other programs do not disturb each
+// other: tests that run at the same time (a host has ports for ten matches), or a league on this
+// computer, which storms of packets would reach. Elsewhere they run on the computer itself.
 #include <gtest/gtest.h>
 
 #include <cerrno>
@@ -20,7 +20,8 @@
 namespace mirocup {
 namespace {
 
-// As an administrator; as a user, who has to become one for it, and stays himself.
+// Enters a network namespace of its own. A user who is not root needs a user namespace for it, in
+// which his number stays the same.
 bool leave_network() {
   if (unshare(CLONE_NEWNET) == 0) return true;
   const std::string user = std::to_string(getuid());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Teams on the network that die, stop, come back, or are not what they say. Real processes.
+// Teams on the network that die, stop, come back or are impostors, as real processes.
 #include "tests/programs/dds/network.hpp"
 
 #include <gtest/gtest.h>
@@ -25,8 +25,8 @@ std::vector<std::string> match(const std::string& id, const std::string& record,
   return arguments;
 }
 
-// That of a team whose process is stopped in tick 30. On a busy machine the team may have been late
-// a little before, or have had another absence.
+// Returns the absence of a team whose process is stopped in tick 30. On a busy machine the team may
+// have been late a little earlier, or may have had another absence before.
 nlohmann::ordered_json absence_of_tick_30(const nlohmann::ordered_json& record) {
   for (const auto& absence : record["network"]["blue"]["absences"]) {
     if (absence["noticed"] < 30) continue;
@@ -36,7 +36,7 @@ nlohmann::ordered_json absence_of_tick_30(const nlohmann::ordered_json& record) 
   return nullptr;
 }
 
-// A team that vanishes in real time: noticed within ten ticks, lost after the limit.
+// A team that vanishes in real time is noticed within ten ticks and loses after the limit.
 TEST(DdsSession, NoticesWithinTenTicksThatATeamWasKilled) {
   const TemporaryFolder folder;
   const std::string id = match_id("killed");
@@ -85,7 +85,7 @@ TEST(DdsSession, LetsAStoppedTeamGoOn) {
   EXPECT_GT(network["answers"]["p50"], 0.0);
 }
 
-// The whole of a team's life by hand: killed, started again, in real time and where time waits.
+// A team is killed and started again, in real time and in lockstep.
 // `earliest`: the first tick from which the killed process may have owed an answer.
 void expect_restart_works(const std::vector<std::string>& pace, int earliest) {
   const TemporaryFolder folder;
@@ -112,11 +112,11 @@ TEST(DdsSession, TakesATeamBackInRealTime) {
   expect_restart_works({"--speed", "1", "--half", "1.5"}, 20);
 }
 
-TEST(DdsSession, TakesATeamBackWhereTimeWaits) {
+TEST(DdsSession, TakesATeamBackInLockstep) {
   expect_restart_works({"--half", "5"}, 30);
 }
 
-// The team's process stays and plays the new leg from its begin.
+// The team's process stays and plays the new leg from its start.
 TEST(DdsSession, PlaysOnWhenTheServerIsStartedAgain) {
   const TemporaryFolder folder;
   const std::string id = match_id("server");
@@ -153,7 +153,7 @@ TEST(DdsSession, KeepsTheSeatForTheProcessThatPlays) {
   EXPECT_EQ(leg.err().find("takes its seat"), std::string::npos) << leg.err();
 }
 
-// The state hash of a leg in which strangers have done what they could, against that of one without.
+// Compares the state hash of a leg with an intruder to that of a leg without one.
 void expect_no_effect(const std::string& kind) {
   const TemporaryFolder folder;
   const std::string id = match_id(kind);
@@ -171,12 +171,13 @@ void expect_no_effect(const std::string& kind) {
   }
 }
 
-// In open mode everybody can read a team's nonce and write its commands; the process is what counts.
-TEST(DdsSession, PinsASecondWriterOut) {
+// In open mode every process can read a team's nonce and write its commands, but only those of the
+// seated process count.
+TEST(DdsSession, IgnoresASecondWriter) {
   expect_no_effect("imitate");
 }
 
-TEST(DdsSession, IsNotImpressedByAFlood) {
+TEST(DdsSession, IgnoresAFloodOfCommands) {
   expect_no_effect("flood");
 }
 

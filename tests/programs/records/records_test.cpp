@@ -88,7 +88,7 @@ TEST(Records, HaveTheKeysThatTheirDocumentationDescribes) {
   std::vector<std::string> words{source + "/tests/programs/records/documented.py",
                                  source + "/server/record/record.schema.json",
                                  source + "/server/record/schema.md", source + "/docs/laws.md"};
-  for (const auto end : {match::EndKind::shoot_out, match::EndKind::forfeit}) {
+  for (const auto end : {match::OutcomeKind::shoot_out, match::OutcomeKind::forfeit}) {
     words.push_back(folder / (std::string(to_string(end)) + ".json"));
     ASSERT_TRUE(record::save(disk, words.back(), record_of(leg_that_ends(end))));
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What honest students write plays unchanged in the sandbox, and plays the same leg in every tier
-// and in the server's own process. A server that lets a library keep its floating-point mode, or a
-// sandbox that forbids what a run-time library needs, fails here.
+// Honest teams play unchanged in the sandbox, and play the same leg in every tier and in the
+// server's own process. Catches a server that lets a library keep its floating-point mode, and a
+// sandbox that forbids a call that a run-time library needs.
 #include "tests/support/program.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ using test_support::TemporaryFolder;
 
 struct HonestTeam {
   std::string name;
-  std::string says;  // part of its log
+  std::string says;  // a part of its log
 };
 
 class Honest : public testing::TestWithParam<HonestTeam> {};

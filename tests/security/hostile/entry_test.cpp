@@ -1,19 +1,28 @@
 // SPDX-License-Identifier: MIT
 //
-// The file that is handed in, and the machine that it is played on, can be hostile too.
+// Catches a server that trusts the file of an entry, and one that misjudges a fault of its own
+// machine.
 #include "tests/support/program.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
 #include <csignal>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <poll.h>
 #include <sstream>
+#include <sys/prctl.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <thread>
+#include <unistd.h>
+#include <vector>
 
 namespace mirocup {
 namespace {
@@ -26,6 +35,7 @@ using test_support::read_json;
 using test_support::run;
 using test_support::Running;
 using test_support::TemporaryFolder;
+using test_support::wait_until;
 using test_support::write_file;
 using Json = nlohmann::ordered_json;
 
@@ -45,7 +55,7 @@ void expect_no_load(const std::string& library, const std::string& why) {
       << result.dump();
 }
 
-TEST(HostileEntry, ThatIsNoLibraryDoesNotLoad) {
+TEST(HostileEntry, FileThatIsNoLibraryDoesNotLoad) {
   const TemporaryFolder folder;
   write_file(folder / "text.so", "not a library\n");
   expect_no_load(folder / "text.so", "not an ELF file");
@@ -57,14 +67,14 @@ TEST(HostileEntry, ThatIsNoLibraryDoesNotLoad) {
   expect_no_load(program("mirocup-plugin-host"), "not a library");
 }
 
-// Opening a pipe waits for its other end, unless one takes care.
-TEST(HostileEntry, ThatIsAPipeDoesNotHoldTheServer) {
+// Catches an open() that waits for the other end of the pipe.
+TEST(HostileEntry, PipeDoesNotHoldTheServer) {
   const TemporaryFolder folder;
   mkfifo((folder / "pipe.so").c_str(), 0644);
   expect_no_load(folder / "pipe.so", "not a regular file");
 }
 
-TEST(HostileEntry, ThatIsALinkIsNotFollowed) {
+TEST(HostileEntry, SymbolicLinkIsNotFollowed) {
   const TemporaryFolder folder;
   fs::create_symlink(program("house/chaser.so"), folder / "link.so");
   expect_no_load(folder / "link.so", "symbolic link");
@@ -72,7 +82,7 @@ TEST(HostileEntry, ThatIsALinkIsNotFollowed) {
   expect_no_load(folder / "shadow.so", "symbolic link");
 }
 
-TEST(HostileEntry, ThatIsHugeIsNotRead) {
+TEST(HostileEntry, HugeFileIsNotRead) {
   const TemporaryFolder folder;
   std::ofstream(folder / "huge.so") << "\x7f"
                                        "ELF";
@@ -80,7 +90,7 @@ TEST(HostileEntry, ThatIsHugeIsNotRead) {
   expect_no_load(folder / "huge.so", "larger than 32 MiB");
 }
 
-TEST(HostileEntry, ThatIsCutOffDoesNotLoad) {
+TEST(HostileEntry, TruncatedLibraryDoesNotLoad) {
   const TemporaryFolder folder;
   const std::string whole = read_file(program("house/chaser.so"));
   for (const std::size_t size :
@@ -90,8 +100,8 @@ TEST(HostileEntry, ThatIsCutOffDoesNotLoad) {
   }
 }
 
-// What is hashed is what plays, though the file changes all the time.
-TEST(HostileEntry, ThatChangesWhileItIsReadPlaysAsItWasHashed) {
+// The hashed bytes are those that play, even if the file changes all the time.
+TEST(HostileEntry, FileThatChangesPlaysAsItWasHashed) {
   const TemporaryFolder folder;
   const std::string good = read_file(program("house/chaser.so"));
   const std::string bad = read_file(program("hostile/crash_segv.so"));
@@ -122,48 +132,62 @@ TEST(HostileEntry, ThatChangesWhileItIsReadPlaysAsItWasHashed) {
   EXPECT_NE(hash_of_good, hash_of_bad);
 }
 
-// The process of a team that somebody else kills: the leg is void, nobody loses.
-TEST(Host, ThatKillsATeamVoidsTheLeg) {
+// The numbers of the processes that a server has started and that still run.
+std::vector<int> children_of(const Running& server) {
+  const std::string pid = std::to_string(server.pid());
+  std::istringstream list(read_file("/proc/" + pid + "/task/" + pid + "/children"));
+  return {std::istream_iterator<int>(list), {}};
+}
+
+// True if the process has become the host of a plugin, so it is not the probe that tries
+// namespaces.
+bool is_plugin_host(int pid) {
+  const std::string name = read_file("/proc/" + std::to_string(pid) + "/comm");
+  return name.rfind("mirocup-plugin", 0) == 0 || name.rfind("memfd", 0) == 0;
+}
+
+bool are_both_teams_there(const Running& server) {
+  const std::vector<int> teams = children_of(server);
+  return teams.size() == 2 && std::all_of(teams.begin(), teams.end(), is_plugin_host);
+}
+
+TEST(TeamProcess, KilledFromOutsideVoidsTheLeg) {
   const TemporaryFolder folder;
   Running server(match("chaser", folder / "leg.json", "36000"));
-  const std::string children = "/proc/" + std::to_string(server.pid()) + "/task/" +
-                               std::to_string(server.pid()) + "/children";
-  int team = 0;
-  // Until it has left the probe behind and plays.
-  for (int seen = 0; seen < 100;) {
-    int pid = 0;
-    if (std::ifstream(children) >> pid && pid == team) ++seen;
-    team = pid;
-    std::this_thread::yield();
-    std::string name;
-    std::ifstream("/proc/" + std::to_string(team) + "/comm") >> name;
-    if (name.rfind("mirocup-plugin", 0) != 0 && name.rfind("memfd", 0) != 0) seen = 0;
-  }
-  kill(team, SIGKILL);
+  ASSERT_TRUE(wait_until([&] { return are_both_teams_there(server); })) << server.err();
+  kill(children_of(server).front(), SIGKILL);
   EXPECT_EQ(server.wait().exit_code, 5);
   const Json result = read_json(folder / "leg.json")["result"];
   EXPECT_EQ(result["end"], "void");
   EXPECT_TRUE(result["fault"].is_null());
 }
 
-// A server that dies takes its teams along.
-TEST(Host, ThatIsKilledLeavesNoTeamBehind) {
+TEST(TeamProcess, EndsWhenItsServerIsKilled) {
   const TemporaryFolder folder;
-  std::string pids;
+  // Orphans become children of this process, so that none of them stays a zombie elsewhere.
+  prctl(PR_SET_CHILD_SUBREAPER, 1);
+  std::vector<int> teams;
+  std::vector<int> handles;  // a handle is readable once its process has ended
   {
     Running server(match("chaser", folder / "leg.json", "36000"));
-    const std::string children = "/proc/" + std::to_string(server.pid()) + "/task/" +
-                                 std::to_string(server.pid()) + "/children";
-    while (std::count(pids.begin(), pids.end(), ' ') < 2) pids = read_file(children);
+    ASSERT_TRUE(wait_until([&] { return are_both_teams_there(server); })) << server.err();
+    teams = children_of(server);
+    for (const int pid : teams) {
+      handles.push_back(static_cast<int>(syscall(SYS_pidfd_open, pid, 0)));
+      ASSERT_GE(handles.back(), 0) << std::strerror(errno);
+    }
   }
-  std::istringstream each(pids);
-  for (int pid = 0; each >> pid;) {
-    // Or the test never ends.
-    while (kill(pid, 0) == 0) waitpid(pid, nullptr, WNOHANG);
+  for (std::size_t i = 0; i < teams.size(); ++i) {
+    pollfd ended{handles[i], POLLIN, 0};
+    EXPECT_EQ(poll(&ended, 1, 60'000), 1)
+        << "process " << teams[i] << " of a team runs a minute after its server was killed";
+    close(handles[i]);
+    kill(teams[i], SIGKILL);
+    waitpid(teams[i], nullptr, 0);
   }
 }
 
-TEST(Host, WithoutNamespacesPlaysInT1) {
+TEST(HostWithoutNamespaces, PlaysInT1) {
   const TemporaryFolder folder;
   auto words = match("chaser", folder / "leg.json");
   words.insert(words.begin(), {program("hostile/without"), "namespaces"});
@@ -175,7 +199,7 @@ TEST(Host, WithoutNamespacesPlaysInT1) {
   EXPECT_NE(refused.err.find("T1 only"), std::string::npos) << refused.err;
 }
 
-TEST(Host, BelowT1RefusesUnlessTrusted) {
+TEST(HostWithoutLandlock, RefusesToPlayUnlessTrusted) {
   const TemporaryFolder folder;
   auto words = match("chaser", folder / "leg.json");
   words.insert(words.begin(), {program("hostile/without"), "landlock"});

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The frame of a test strategy: it behaves until the tick in which it does what its file is called.
+ * The frame of a hostile strategy: it behaves until hostile_tick, in which it does what the name of
+ * its file says.
  */
 #ifndef MIROCUP_TESTS_HOSTILE_H
 #define MIROCUP_TESTS_HOSTILE_H
@@ -23,8 +24,8 @@
 
 enum { hostile_tick = 25 };
 
-/* MIROCUP_TARGET is a folder outside with a file that must not be read and one that must not
- * change. */
+/* MIROCUP_TARGET is a folder outside the sandbox with a file that must not be read and one that
+ * must not change. */
 #define SECRET MIROCUP_TARGET "/secret"
 #define RECORD MIROCUP_TARGET "/record"
 
@@ -36,11 +37,11 @@ static inline void expect_failure(long result, const char* what) {
   if (result >= 0) got_through(what);
 }
 
-/* Where the compiler cannot see what a loop or an address is. */
+/* Values that the compiler cannot know. */
 static volatile uintptr_t hostile_nowhere = 16;
 static volatile int hostile_for_ever = 1;
 
-/* Of processor time. */
+/* Uses that much processor time, s. */
 static inline void burn(double seconds) {
   struct timespec begin, now;
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &begin);
@@ -69,7 +70,7 @@ static void hostile_decide(void* team, const mirocup_observation* now, mirocup_c
   if (now->tick >= hostile_tick) misbehave(command);
 }
 
-/* For those that do it at a restart: HOSTILE_PLACE is the name of their function. */
+/* For strategies that misbehave in place(): HOSTILE_PLACE is the name of their function. */
 #ifdef HOSTILE_PLACE
 static void HOSTILE_PLACE(void* team, const mirocup_observation* now, mirocup_placement* placement);
 #else
@@ -83,7 +84,7 @@ const mirocup_strategy* mirocup_entry(void) {
   return &entry;
 }
 
-/* For those that do it while they are loaded. */
+/* For strategies that misbehave while they are loaded. */
 #define BEHAVES_LATER                               \
   static void misbehave(mirocup_command* command) { \
     (void)command;                                  \

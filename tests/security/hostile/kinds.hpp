@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Every kind of hostile strategy (kinds/NAME.c) and what becomes of it.
+// Every kind of hostile strategy (kinds/NAME.c) and the outcome of its leg.
 //
-// "plays": the leg goes to its end; whatever was tried was answered with an error, or harms only
-// the team. Else the code of the fault, and after a colon a part of its sentence.
+// "plays": the leg goes to its end, because the attempt returned an error or harms only the team.
+// Any other outcome is the code of the fault and, after a colon, a part of its sentence.
 #pragma once
 
 #include <string>
@@ -14,17 +14,17 @@ namespace mirocup {
 struct Kind {
   std::string name;
   std::string outcome;  // in tier T2
-  std::string in_t1;    // if it is another there: an attack on what T2 does not even show
+  std::string in_t1;    // in T1 if it differs: an attack on something that T2 hides
 };
 
-// A team that burns processor time is stopped by that budget, or on a busy machine by the limit of
-// waiting, whichever ends first.
+// A team that burns processor time is stopped by the budget of processor time or, on a busy
+// machine, by the limit of wall time.
 inline const std::string burns_tick = "hang: processor time|hang: more than 10 s on one tick";
 inline const std::string burns_start =
     "start_timeout: 10 s of processor time|start_timeout: more than 30 s";
 
 inline const std::vector<Kind> kinds{
-    // Ends by itself.
+    // Strategies that end their process.
     {"crash_abort", "crash: signal 6", ""},
     {"crash_fpe", "crash: signal 8", ""},
     {"crash_heap", "crash: signal 6", ""},
@@ -47,7 +47,7 @@ inline const std::vector<Kind> kinds{
     {"sig_stop_self", "illegal_call: tgkill", ""},
     {"sig_own_handler", "illegal_call: kill", ""},
     {"sig_blocked", "illegal_call", ""},
-    // Takes time.
+    // Strategies that take time.
     {"loop_forever", burns_tick, ""},
     {"sleep_forever", "hang: 10 s", ""},
     {"sleep_often", "hang: slept more than 10 s", ""},
@@ -58,18 +58,18 @@ inline const std::vector<Kind> kinds{
     {"slow_every_tick", "plays", ""},
     {"slow_bank", "budget: processor time", ""},
     {"clock_random", "plays", ""},
-    // Does it at a restart.
+    // Strategies that misbehave in place().
     {"place_loop", burns_tick, ""},
     {"place_crash", "crash: signal 11", ""},
     {"place_nonsense", "plays", ""},
-    // Takes memory.
+    // Strategies that take memory.
     {"mem_bomb", burns_tick + "|plays", ""},
     {"mem_leak", "plays", ""},
     {"mem_shared", "illegal_call: memfd_create", ""},
     {"mem_new", "crash: bad_alloc", ""},
     {"mem_locked", "plays", ""},
     {"mem_code", "plays", ""},
-    // Plays with the mailbox.
+    // Strategies that attack the mailbox.
     {"shm_mprotect", "plays", ""},
     {"shm_write", "crash: signal 11", ""},
     {"shm_scribble", "crash", ""},
@@ -91,7 +91,7 @@ inline const std::vector<Kind> kinds{
     {"env_peek", "plays", ""},
     {"ld_runpath", "no_load: libevil.so", ""},
     {"ld_exec_stack", "plays", ""},
-    // Before it is asked for anything.
+    // Strategies that misbehave while they are loaded.
     {"ctor_attack", "plays", "illegal_call: kill"},
     {"ctor_read", "plays", ""},
     {"ctor_write", "plays", ""},
@@ -135,7 +135,7 @@ inline const std::vector<Kind> kinds{
     {"call_32_bit", "illegal_call", ""},
     {"call_x32", "illegal_call", ""},
     {"net_loopback", "plays", ""},
-    // What it says.
+    // Strategies that abuse their answer or their log.
     {"log_flood", "plays", ""},
     {"log_escape", "plays", ""},
     {"out_nan", "plays", ""},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// without WHAT PROGRAM ARGUMENT...: runs a program as if the system lacked "landlock" or
-// "namespaces".
+// without WHAT PROGRAM ARGUMENT...: runs a program as if the system had no WHAT, which is
+// "landlock" or "namespaces".
 #include <cerrno>
 #include <sched.h>
 #include <seccomp.h>

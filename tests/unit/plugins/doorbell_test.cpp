@@ -26,7 +26,8 @@ struct Sleeper {
   }
 };
 
-// Rings again and again, for who rings too early wakes nobody. False after ten seconds.
+// Rings again and again, because a ring before the sleepers sleep wakes none of them. Returns false
+// after ten seconds.
 bool wakes(const std::function<void()>& ring, std::initializer_list<const Sleeper*> sleepers) {
   const auto is_asleep = [](const Sleeper* sleeper) { return !sleeper->is_awake; };
   for (int i = 0; i < 10'000; ++i) {
@@ -39,7 +40,7 @@ bool wakes(const std::function<void()>& ring, std::initializer_list<const Sleepe
 
 }  // namespace
 
-TEST(Doorbell, WakesBothWhenBothAreAsked) {
+TEST(Doorbell, WakesBothMembersWhenBothHaveAsked) {
   Sleeper blue;
   Sleeper yellow;
   Doorbell bell;
@@ -53,14 +54,14 @@ TEST(Doorbell, WakesBothWhenBothAreAsked) {
   EXPECT_EQ(yellow.word, 1u);
 }
 
-TEST(Doorbell, WakesAtOnceWhoIsAlone) {
+TEST(Doorbell, WakesASingleMemberAtOnce) {
   Sleeper blue;
   Doorbell bell;
   bell.join();
   EXPECT_TRUE(wakes([&] { bell.ask(blue.word); }, {&blue}));
 }
 
-TEST(Doorbell, WakesOneAtTheRingIfTheOtherIsNotAsked) {
+TEST(Doorbell, WakesOneMemberAtTheRingIfTheOtherDidNotAsk) {
   Sleeper blue;
   Doorbell bell;
   bell.join();
@@ -72,7 +73,7 @@ TEST(Doorbell, WakesOneAtTheRingIfTheOtherIsNotAsked) {
   EXPECT_TRUE(wakes(ask_one, {&blue}));
 }
 
-TEST(Doorbell, ForgetsWhoHasLeft) {
+TEST(Doorbell, DoesNotWaitForAMemberThatHasLeft) {
   Sleeper blue;
   Doorbell bell;
   bell.join();

@@ -6,18 +6,18 @@
 namespace mirocup::plugins {
 namespace {
 
-TEST(Escaped, KeepsWhatPeopleRead) {
+TEST(EscapeUnprintable, KeepsReadableText) {
   EXPECT_EQ(escape_unprintable("plain\ttext\nGrüße 日本 \U0001F916"),
             "plain\ttext\nGrüße 日本 \U0001F916");
 }
 
-TEST(Escaped, WritesOutWhatTerminalsObey) {
+TEST(EscapeUnprintable, EscapesControlCharacters) {
   EXPECT_EQ(escape_unprintable("\x1b[31m\a\r\x7f"), "\\x1b[31m\\x07\\x0d\\x7f");
   EXPECT_EQ(escape_unprintable("\xc2\x9b"), "\\xc2\\x9b") << "the same as ESC [ in one character";
   EXPECT_EQ(escape_unprintable("\u202e"), "\\xe2\\x80\\xae") << "turns the direction of writing";
 }
 
-TEST(Escaped, WritesOutWhatIsNotUtf8) {
+TEST(EscapeUnprintable, EscapesBytesThatAreNotUtf8) {
   EXPECT_EQ(escape_unprintable("\xff"), "\\xff");
   EXPECT_EQ(escape_unprintable("\xc3"), "\\xc3") << "cut off";
   EXPECT_EQ(escape_unprintable("\xc0\xaf"), "\\xc0\\xaf") << "too long a form";
@@ -36,13 +36,13 @@ TEST(TeamLog, KeepsTheBeginningAndTheEnd) {
   EXPECT_NE(text.find("bytes are left out here"), std::string::npos);
 }
 
-TEST(TeamLog, OfControlCharactersIsNotLarger) {
+TEST(TeamLog, StaysBoundedWhenEveryByteIsEscaped) {
   TeamLog log;
   log.append(std::string(1 << 20, '\x1b'));
   EXPECT_LE(log.text().size(), 65536u);
 }
 
-TEST(TeamLog, ThatFitsIsWhole) {
+TEST(TeamLog, KeepsAShortLogWhole) {
   TeamLog log;
   log.append("all of it");
   EXPECT_EQ(log.text(), "all of it");

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * A library from before there was place(): its structure ends earlier, and what lies behind it is
- * something else.
+ * A library that was built before place() existed: its structure ends earlier, and the memory
+ * behind it holds something else.
  */
 #include "mirocup/strategy.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * A team in plain C that chooses where it stands at restarts.
+ * A team in plain C that chooses its places at restarts.
  */
 #include "mirocup/strategy.h"
 

@@ -1,29 +1,21 @@
 // SPDX-License-Identifier: MIT
-#include "mirocup/strategy.hpp"
+#include "tests/security/honest/honest.hpp"
 
 #include <cfenv>
 
 namespace {
 
-using namespace mirocup::strategy;
-
 __attribute__((constructor)) void at_load() {
   std::fesetround(FE_DOWNWARD);
 }
 
-class Honest : public Team {
- public:
-  using Team::Team;
-  void decide(const Observation& now, Command& command) override {
-    std::fesetround(now.tick % 2 == 0 ? FE_UPWARD : FE_TOWARDZERO);
-    command.wheels[0] = {20.0, 15.0 + 0.01 * (now.tick % 100)};
-    if (now.tick == 0) setup().log("with rounding of its own");
-#if defined(__x86_64__)
-    asm volatile("fldpi\n\tfldpi\n\tstd");  // leaves its numbers behind, and copies backwards
-#endif
-  }
-};
-
 }  // namespace
 
-MIROCUP_EXPORT_TEAM(Honest, "honest")
+void Honest::decide(const Observation& now, Command& command) {
+  std::fesetround(now.tick % 2 == 0 ? FE_UPWARD : FE_TOWARDZERO);
+  command.wheels[0] = {20.0, 15.0 + 0.01 * (now.tick % 100)};
+  if (now.tick == 0) setup().log("with rounding of its own");
+#if defined(__x86_64__)
+  asm volatile("fldpi\n\tfldpi\n\tstd");  // leaves its numbers behind, and copies backwards
+#endif
+}

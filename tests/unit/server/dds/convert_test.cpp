@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Catches a Welcome that a team reads other numbers from than the server wrote, and a briefing whose
-// pointers lead out of the object that owns it.
+// Catches a Welcome that a team reads other numbers from than the server wrote, and a briefing
+// whose pointers lead out of the object that owns it.
 #include "server/dds/convert.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What is kept of what Cyclone DDS says: why a team could not join must be in the record, also when
-// others make it talk.
+// Catches a log that loses the reason why a team could not join, because strangers made Cyclone log
+// other messages.
 #include "server/dds/cyclone_log.hpp"
 
 #include <dds/ddsrt/log.h>
@@ -12,7 +12,8 @@
 namespace mirocup::dds {
 namespace {
 
-void say(const std::string& text) {  // as Cyclone does
+// Logs a message as Cyclone does.
+void say(const std::string& text) {
   dds_log(DDS_LC_WARNING, __FILE__, __LINE__, __func__, "%s\n", text.c_str());
 }
 
@@ -36,9 +37,9 @@ TEST(CycloneLog, IsNotFloodedWithMalformedPackets) {
   EXPECT_EQ(log.last_error(), "certificate revoked");
 }
 
-// Matches and leagues that run on the same host at the same time. Catches a log that strangers push
-// the reason out of, each with a number or a name of his own.
-TEST(CycloneLog, KeepsATeamsTroubleAmongManyStrangers) {
+// Other matches and leagues on the same host cause messages, each with a number or a name of its
+// own.
+TEST(CycloneLog, KeepsTheTeamsOwnErrorAmongManyStrangers) {
   const CycloneLog log;
   say("certificate revoked; subject: team ours");
   for (int i = 0; i < 10; ++i) {

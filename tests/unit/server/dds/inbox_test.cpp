@@ -18,7 +18,7 @@ TEST(Inbox, TakesTheFirstAnswerToThePresentTick) {
   EXPECT_EQ(inbox.counts().duplicate, 2U);
 }
 
-TEST(Inbox, CountsByKindWhatComesLateOrTooSoon) {
+TEST(Inbox, CountsLateAndEarlyCommandsByKind) {
   Inbox inbox;
   inbox.expect(7);
   EXPECT_FALSE(inbox.accept(6));

@@ -6,12 +6,12 @@
 namespace mirocup::dds {
 namespace {
 
-TEST(Liveliness, ForgivesASilenceThatIsShort) {
+TEST(Liveliness, ForgivesAShortSilence) {
   Liveliness a(0.3);
   a.asked(1.0);
   EXPECT_FALSE(a.silent(5, 1.2, false));
   EXPECT_FALSE(a.answered(5, 1.25));
-  a.asked(9.0);  // silence counts from the next question on, however long nobody asked
+  a.asked(9.0);  // silence counts from this question on, however long ago the last one was
   EXPECT_FALSE(a.silent(6, 9.2, false));
   EXPECT_TRUE(a.absences().empty());
 }
@@ -32,7 +32,7 @@ TEST(Liveliness, CountsSilenceFromTheFirstTickWithoutAnswer) {
   EXPECT_FALSE(a.absences()[0].back);
 }
 
-TEST(Liveliness, NoticesAtOnceWhoHasLeft) {
+TEST(Liveliness, NoticesAtOnceThatAProcessHasLeft) {
   Liveliness a(0.3);
   a.asked(1.0);
   EXPECT_TRUE(a.silent(0, 1.0, true));
@@ -52,7 +52,7 @@ TEST(Liveliness, AddsUpAllAbsences) {
   EXPECT_EQ(a.absences().size(), 3U);
 }
 
-TEST(Liveliness, KeepsAListThatIsBounded) {
+TEST(Liveliness, KeepsABoundedList) {
   Liveliness a(0.3);
   for (int i = 0; i < 1000; ++i) {
     a.asked(i);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Catches topics that describe their types on the network: there anybody can add to the description
-// of WorldState a part that nobody has, and no team is matched with it any more (idl/CMakeLists.txt).
+// Catches topics that describe their types on the network: a forged announcement could add to the
+// description of WorldState a part that no process has, and no team would match it any more
+// (idl/CMakeLists.txt).
 #include <gtest/gtest.h>
 
 #include <mirocup.h>
@@ -9,7 +10,7 @@
 namespace mirocup::dds {
 namespace {
 
-TEST(Topics, AreToldApartByTheNamesOfTheirTypesAlone) {
+TEST(Topics, DoNotDescribeTheirTypesOnTheNetwork) {
   for (const auto* topic :
        {&mirocup_v2_WorldState_desc, &mirocup_v2_TeamCommand_desc, &mirocup_v2_Hello_desc,
         &mirocup_v2_Welcome_desc, &mirocup_v2_MatchEvent_desc}) {

@@ -47,7 +47,7 @@ TEST(Statistics, AreThoseOfTheTeamThatPlays) {
 }
 
 TEST(TrackEncoder, LetsAHeadingGoOnWhereItPassesAHalfTurn) {
-  match::Scene scene;
+  match::Snapshot scene;
   scene.robots[0][0].heading = Heading::from_angle(3.1);
   const Frame before = frame_of(scene, 1, {});
   scene.robots[0][0].heading = Heading::from_angle(-3.1);
