@@ -1,4 +1,4 @@
-# What a prefix holds, and find_package(mirocup) from it and from the build tree. Programs find their parts relative to
+# The files of a prefix, and find_package(mirocup) from a prefix and from the build tree. Programs find their parts relative to
 # themselves (server/system/locations.hpp), so a prefix can be moved.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -11,7 +11,7 @@ install(PROGRAMS ${PROJECT_BINARY_DIR}/mirocup-credentials DESTINATION libexec/m
 install(TARGETS house_idle house_chaser house_keeper house_striker LIBRARY DESTINATION lib/mirocup/house)
 install(DIRECTORY plugins/include/ TYPE INCLUDE)
 install(FILES server/record/record.schema.json DESTINATION share/mirocup)
-install(DIRECTORY examples DESTINATION share/mirocup USE_SOURCE_PERMISSIONS PATTERN pitch EXCLUDE)  # it needs the tree
+install(DIRECTORY examples DESTINATION share/mirocup USE_SOURCE_PERMISSIONS PATTERN pitch EXCLUDE)  # it needs the source tree
 install(DIRECTORY plugins/template/ DESTINATION share/mirocup/team)
 install(EXPORT mirocup NAMESPACE mirocup:: FILE mirocup-targets.cmake DESTINATION ${package_folder})
 

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# Installs those of Debian's packages that are missing. Usage: install_packages.sh LIST... (files, one package a line).
-# Touches neither the network nor sudo where everything is there already. Exit 3 if it can't install.
+# Installs the Debian packages that are missing. Usage: install_packages.sh LIST... (files with one package a line).
+# Uses neither the network nor sudo if all of them are installed. Exit 3 if it cannot install.
 set -euo pipefail
 
-# Some packages bring others with them: NodeSource's nodejs, for example, is npm, too.
+# Some packages provide others: NodeSource's nodejs, for example, provides npm.
 there=$(dpkg-query --show --showformat='${db:Status-Status} ${Package}, ${Provides}\n' | sed -n 's/^installed //p' |
   tr ',' '\n' | sed 's/(.*//; s/ //g')
 missing=()

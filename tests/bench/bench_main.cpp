@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // mirocup-bench: speed against error of the simulator and of the engines that people would use
-// instead. What `mirocup bench` runs; docs/bench.md says what is compared and how.
+// instead. `mirocup bench` runs it; docs/bench.md describes the comparison.
 #include "tests/bench/report.hpp"
 
 #include <algorithm>
@@ -78,7 +78,7 @@ std::vector<Contender> contenders(const Options& options) {
   return all;
 }
 
-// All of it on one core: what runs beside it disturbs every contender alike.
+// Everything runs on one core, so that other programs disturb every contender alike.
 void stay_on_this_core() {
   cpu_set_t one;
   CPU_ZERO(&one);

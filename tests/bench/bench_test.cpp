@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The comparison runs and says what it must: figures of the simulator itself, with and without
-// peers. How fast anything was is no matter of tests.
+// The comparison runs and prints the figures of the simulator itself, with and without peers. No
+// test looks at how fast anything was.
 #include "tests/support/program.hpp"
 
 #include <gtest/gtest.h>

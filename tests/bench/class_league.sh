@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# How long a class league takes: house teams with other numbers in them, a double round robin of legs of two minutes.
+# The time of a class league: house teams with changed numbers play a double round robin of legs of two minutes.
 # Usage: class_league.sh BUILD [TEAMS]; 30 teams play 870 legs, 8 play 56. Prints time on the clock, processor time of a leg, and
-# where it goes: start and end (a leg of almost no play), play in this process (--trusted), and what the sandbox adds.
+# its parts: start and end (a leg of almost no play), play in this process (--trusted), and what the sandbox adds.
 set -euo pipefail
 build=$(realpath "$1")
 teams=${2:-30}
@@ -11,7 +11,7 @@ source=$(realpath "$(dirname "$0")/../..")
 base=$(mktemp -d)
 trap 'rm -rf "$base"' EXIT
 
-# Every number below 1 of a house team's source, some percent larger or smaller.
+# Makes every number below 1 in a house team's source some percent larger or smaller.
 variant() {
   awk -v by="$2" '{ while (match($0, /[^0-9.]0\.[0-9]+/)) {
       printf "%s%.4f", substr($0, 1, RSTART), by * substr($0, RSTART + 1, RLENGTH - 1)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the comparison asks of an engine: to play ticks of a scene under wheel commands. One file
-// for each engine; the laws of wheels and rolling that a peer lacks are in kicks.hpp.
+// The interface of an engine in the comparison: it plays ticks of a scene under wheel commands.
+// Each engine has a file; the laws of wheels and rolling that a peer lacks are in kicks.hpp.
 #pragma once
 
 #include "core/field/league.hpp"
@@ -19,9 +19,9 @@ namespace mirocup::bench {
 
 inline constexpr double tick = 0.033;  // s: the control period
 
-// What a scene begins with. Every scene has a ball.
+// The state at the start of a scene. Every scene has a ball.
 struct Start {
-  std::optional<League> league;  // whose walls stand around; none: a plane
+  std::optional<League> league;  // of the walls around the field; none: a plane without walls
   simulator::Parameters parameters;
   std::vector<simulator::BodyState> robots;
   simulator::BallState ball;
@@ -43,7 +43,7 @@ class Engine {
 // An engine with its settings at one point of its scale from fast to exact.
 struct Contender {
   std::string engine;
-  std::string settings;    // how it is set up, for those who read the results
+  std::string settings;    // a sentence for readers of the results
   std::string point;       // "standard", "1 ms"
   int steps_per_tick = 0;  // 0: it has no steps
   std::function<std::unique_ptr<Engine>(const Start&)> make;
@@ -53,7 +53,7 @@ struct Contender {
 inline constexpr int step_counts[] = {66, 33, 16, 8, 4, 2, 1};
 inline constexpr int millisecond_steps = 33;
 
-// Each engine's contenders; a peer that this program was built without has none.
+// Return the contenders of each engine; none for a peer that this program was built without.
 std::vector<Contender> own_contenders();
 std::vector<Contender> box2d_contenders();
 std::vector<Contender> chipmunk_contenders();
@@ -66,11 +66,11 @@ struct WallBox {
   Vec2 half;           // of its length and width
   double angle = 0.0;  // of its length, rad
 };
-// What a user of a general engine would build: the corner cuts are small, because the box of axes
-// around a large tilted wall would meet every body on the field.
+// Returns the walls that a user of a general engine would build. The corner cuts are small, because
+// the axis-aligned box around a large tilted wall would meet every body on the field.
 std::vector<WallBox> walls_of(League league);
 
-// Half the length and half the width of a robot: its outline is a rectangle in every scene.
+// Returns half the length and half the width of a robot: its outline is a rectangle in every scene.
 Vec2 half_size(const simulator::Parameters& parameters);
 
 }  // namespace mirocup::bench

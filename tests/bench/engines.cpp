@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The simulator itself as an engine, and what stands for peers that are not there.
+// The simulator itself as an engine, and empty lists for the peers that are not installed.
 #include "core/simulator/world.hpp"
 #include "tests/bench/engine.hpp"
 

@@ -49,7 +49,7 @@ void add_commands(Random& random, Moment& moment) {
   }
 }
 
-// Closer than this (m) no two things begin.
+// True if two bodies start closer to each other than 0.1 mm.
 bool is_crowded_out(const Start& start, const std::vector<Outline>& solids) {
   constexpr double apart = 1e-4;
   std::vector<Outline> bodies;
@@ -136,8 +136,8 @@ Spread spread(std::vector<double> values) {
   return {at(0.5), at(0.9)};
 }
 
-// Which share of shots at the thing at the origin is beyond it at the end. Each shot begins a
-// little farther away, so that steps end at other places of the way.
+// Returns the share of shots at the body at the origin that end beyond it. Each shot starts a
+// little farther away, so that its steps end at other places of its path.
 double share_through(const Contender& contender, const simulator::Parameters& parameters,
                      double speed) {
   constexpr int phases = 40;

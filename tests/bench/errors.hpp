@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What engines get wrong, against yardsticks that are none of them: closed forms and extended
-// precision for what moves alone (tests/support/exact_motion.hpp), tiny steps for crowds
-// (tests/support/tiny_world.hpp).
+// The errors of engines, measured with yardsticks that share no code with them: closed forms and
+// extended precision for bodies that move alone (tests/support/exact_motion.hpp), tiny steps for
+// crowds (tests/support/tiny_world.hpp).
 #pragma once
 
 #include "tests/bench/engine.hpp"
@@ -11,13 +11,13 @@
 
 namespace mirocup::bench {
 
-// Of errors in position over many moments, m.
+// Quantiles of errors in position over many moments, m.
 struct Spread {
   double p50 = 0.0;
   double p90 = 0.0;
 };
 
-// Moments of a scene with what the yardstick makes of them.
+// A short piece of a scene, and where the yardstick puts its bodies.
 struct Moment {
   Start start;
   std::vector<Commands> commands;              // of each tick
@@ -26,7 +26,8 @@ struct Moment {
 
 struct Moments {
   std::vector<Moment> all;
-  // The yardstick against itself with steps of twice the length: errors below this mean nothing.
+  // Difference of the yardstick from itself at steps of twice the length: smaller errors mean
+  // nothing.
   Spread after_one, after_all;
 };
 
@@ -38,13 +39,13 @@ Moments free_motion(int count);
 Moments crowds(int count, double step);
 
 struct MomentErrors {
-  Spread one_tick;      // of whichever body is worst
+  Spread one_tick;      // of the body with the largest error
   Spread five_ticks;    // the same
   Spread robots, ball;  // after five ticks
 };
 MomentErrors errors(const Moments& moments, const Contender& contender);
 
-// Shots at a robot that stands, and at a plate of 5 mm: the share that got through.
+// The shares of shots that pass through a robot that stands, and through a plate of 5 mm.
 inline constexpr double shot_speeds[] = {3.0, 6.0, 10.0, 30.0};  // m/s
 struct Shots {
   std::array<double, 4> through_robot{};

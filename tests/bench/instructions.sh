@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# Instructions of a tick by callgrind: unlike time, they do not depend on what else the machine does.
+# Instructions of a tick, counted by callgrind: unlike time, they do not depend on the load of the machine.
 # Usage: tests/bench/instructions.sh [BUILD [SCENE...]]; prints thousands a tick, a row for each engine and point.
 set -euo pipefail
 build=$(realpath "${1:-build}")

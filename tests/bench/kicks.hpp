@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What a user of a general engine adds to make it drive robots and roll a ball: changes of velocity
-// around its steps. Half a kick before the first and after the last step of a tick, whole ones
-// between: that makes free motion second order and costs next to nothing.
+// Kicks: changes of velocity around an engine's steps, by which a user of a general engine makes it
+// drive robots and roll a ball. A tick has half a kick before the first and after the last step and
+// whole kicks between: free motion is then of second order, and they cost next to nothing.
 #pragma once
 
 #include "tests/bench/engine.hpp"
@@ -13,18 +13,20 @@
 
 namespace mirocup::bench {
 
-// Velocity in the field's frame, and which way the robot points.
+// Velocity in the field's frame, and the heading of the robot.
 struct RobotMotion {
   Vec2 velocity;
   double turn;  // rad/s
   Heading heading;
 };
 
-// Exact over its time for the motors and for the rolling ball. Sideways the wheels take away what
-// their grip can, so that the robot moves along its heading in the middle of the step that follows.
+// Exact over its duration for the motors and for the rolling ball. The wheels remove as much of the
+// sideways velocity as their grip can, so that the robot moves along its heading in the middle of
+// the step that follows.
 class Kick {
  public:
-  // Over `duration` seconds, before a step of that length, or of none.
+  // `duration` (s) is the time that the kick stands for; a step of `step` seconds follows it, or no
+  // step if that is 0.
   Kick(const simulator::Parameters& p, double duration, double step)
       : approach_(1.0 - std::exp(-duration / p.motor_time_constant)),
         grip_(p.grip * simulator::gravity * duration),
@@ -54,8 +56,8 @@ class Kick {
   double rest_;
 };
 
-// An engine of equal steps. Physics(start, step) is a peer: robot_motion(i), set_robot_motion(i,
-// motion), ball_velocity(), set_ball_velocity(v), step(), robot(i), ball().
+// An engine that divides a tick into equal steps. Physics(start, step) is a peer: robot_motion(i),
+// set_robot_motion(i, motion), ball_velocity(), set_ball_velocity(v), step(), robot(i), ball().
 template <class Physics>
 class Stepped final : public Engine {
  public:
@@ -116,7 +118,7 @@ inline simulator::BodyState state_of(const Vec2& position, const RobotMotion& m)
   return {position, m.heading, {v.x(), v.y(), m.turn}};
 }
 
-// A contender for each step size.
+// Returns a contender for each step size.
 template <class Physics, class... Options>
 std::vector<Contender> stepped_contenders(const std::string& engine, const std::string& settings,
                                           const Options&... options) {

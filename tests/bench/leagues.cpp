@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array<const char*, 3> houses{"striker", "chaser", "keeper"};
 
-// Seconds on the wall from the first leg to the last page.
+// Wall time from the first leg to the last page, s.
 std::optional<double> play_league(const std::string& program, const std::string& folder, int jobs) {
   std::vector<std::string> init{program, "league", "init", folder, "--half", "300", "--seed", "1"};
   for (int i = 0; i < league_teams; ++i) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A whole league by `mirocup league start`, by one job and by two: a double round robin of eight
-// house teams, 56 legs of ten minutes and their pages.
+// A whole league, played by `mirocup league start` with one job and with two: a double round robin
+// of eight house teams, 56 legs of ten minutes and their pages.
 #pragma once
 
 #include <optional>
@@ -17,8 +17,8 @@ struct LeagueTimes {
   double gain() const { return one_job_seconds / two_jobs_seconds; }
 };
 
-// Takes half a minute. Nothing where there is one core only, where the program `mirocup` and the
-// house teams are not beside this one, or where a league cannot be played.
+// Takes half a minute. Returns nothing if there is one core only, if the program `mirocup` and the
+// house teams are not beside this one, or if a league cannot be played.
 std::optional<LeagueTimes> play_leagues();
 
 }  // namespace mirocup::bench

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double half = 300.0;  // s
 
-// Nothing if the match could not be played.
+// Returns nothing if the leg could not be played.
 std::optional<Leg> play_leg(const std::string& program, const std::string& record, bool trusted) {
   std::vector<std::string> words{program,    "match",
                                  "--blue",   "striker",

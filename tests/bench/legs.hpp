@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Whole legs of ten minutes, played by `mirocup match` as users do it.
+// Whole legs of ten minutes, played by `mirocup match` as users play them.
 #pragma once
 
 #include <string>
@@ -14,12 +14,12 @@ struct Leg {
   double cpu_seconds = 0.0;  // of the server and both teams; they share one core
   double played_seconds = 0.0;
 
-  // How many times as fast as the game itself, if the core were theirs alone.
+  // Played time divided by processor time: 1 is real time.
   double speed() const { return played_seconds / cpu_seconds; }
 };
 
-// Sandboxed and trusted by turns, so many rounds; of each the fastest. Empty where the program
-// `mirocup` is not beside this one or a leg cannot be played.
+// Plays the legs sandboxed and trusted by turns, `rounds` times, and returns the fastest of each.
+// Empty if the program `mirocup` is not beside this one or a leg cannot be played.
 std::vector<Leg> play_legs(int rounds);
 
 }  // namespace mirocup::bench

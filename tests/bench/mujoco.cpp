@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// MuJoCo held to the plane: bodies on two slides, robots with a hinge. Its contacts are springs with
-// dampers, soft on purpose; a bounce is half a period of one, over some steps.
+// MuJoCo held to the plane: bodies on two slides, robots with a hinge. Its contacts are springs
+// with dampers, soft on purpose; a bounce is half a period of one and takes some steps.
 #include "core/base/math.hpp"
 #include "tests/bench/kicks.hpp"
 
@@ -154,7 +154,7 @@ class MuJoCo {
             inertia, inertia, inertia);
   }
 
-  // x'' = -b x' - k x comes back after half a period, pi / omega, with e^(-b/2 of that) of its speed.
+  // x'' = -b x' - k x returns after half a period, t = pi / omega, with e^(-b t / 2) of its speed.
   static void add_pair(const std::string& one, const std::string& other, double restitution,
                        double step, Xml& xml) {
     const double half_period = steps_of_bounce * step;

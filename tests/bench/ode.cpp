@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// ODE held to the plane: spheres and boxes, each with a joint that keeps it there. Of the mirrored
-// contacts above and below the plane one is kept, in the plane.
+// ODE held to the plane: spheres and boxes, each with a joint that keeps it there. The contacts
+// above and below the plane mirror each other; one of them is kept, in the plane.
 #include "tests/bench/kicks.hpp"
 
 #include <ode/ode.h>
@@ -19,7 +19,7 @@ constexpr double slowest_bounce = 0.05;  // m/s
 constexpr double height = 0.05;          // m, of all boxes
 constexpr int most_contacts = 8;         // of a pair
 
-// Denormal numbers make ODE up to twice as slow: they are taken as zero while it works.
+// Denormal numbers make ODE up to twice as slow: they count as zero while it works.
 class WithoutDenormals {
 #ifdef __SSE2__
  public:

@@ -52,7 +52,7 @@ std::string line(double x1, double y1, double x2, double y2) {
          "\" y2=\"" + number(y2) + "\" stroke=\"#ddd\"/>\n";
 }
 
-// A decade range that holds all values, and where a value lies in it.
+// A range of whole decades that holds all values, and the place of a value in it.
 class Scale {
  public:
   Scale(const std::vector<double>& values, double begin, double end) : begin_(begin), end_(end) {

@@ -16,7 +16,7 @@ double seconds(const timeval& t) {
   return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
 }
 
-// The kernel leaves out those that are not there.
+// The kernel leaves out cores that do not exist.
 void go_to_any_core() {
   cpu_set_t all;
   CPU_ZERO(&all);

@@ -9,7 +9,7 @@
 
 namespace mirocup::bench {
 
-// A bench keeps itself to one core; what it runs may have the others, too.
+// A bench binds itself to one core; the programs that it runs may use the others, too.
 enum class Cores { this_one, all };
 
 struct ProgramTimes {
@@ -17,7 +17,7 @@ struct ProgramTimes {
   double cpu_seconds = 0.0;  // with what it ran and waited for
 };
 
-// Waits for the program, whose standard output nobody sees. Nothing if it failed.
+// Waits for the program and discards its standard output. Returns nothing if it failed.
 std::optional<ProgramTimes> run(std::vector<std::string> words, Cores cores);
 
 }  // namespace mirocup::bench

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# What part of a tick the referee costs, in instructions: legs between house teams are played, then verified under
-# valgrind's callgrind, where a tick is the match alone. Its tick is observing, simulating, judging, placing and hashing;
-# the referee's part is judging with all that it takes to make a situation of the world. Fails above the bar.
+# The referee's share of a tick, in instructions: legs between house teams are played, then verified under valgrind's
+# callgrind, where a tick is the match alone. Its tick is observing, simulating, judging, placing and hashing;
+# the referee's share is judging, including the work to make a situation of the world. Fails above the bar.
 # Usage: referee_share.sh BUILD_FOLDER [HALF_SECONDS]; needs valgrind.
 set -euo pipefail
 build=$(realpath "$1")
@@ -12,7 +12,7 @@ bar=15  # percent of a tick
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
-# Instructions of a function and all that it calls.
+# Prints the instructions of a function and of all functions that it calls.
 instructions() {
   awk -v name="$1" 'index($0, name) { gsub(",", "", $1); print $1; exit }' "$folder/costs"
 }

@@ -14,7 +14,7 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-// What Debian's build of Chipmunk costs with its assertions, times a release build (measured with
+// The cost of Debian's build of Chipmunk with its assertions, times a release build (measured with
 // both, in instructions: 400 and 249 thousand for a tick of the game, 912 and 746 in jams).
 double assertions_of_chipmunk(SceneKind kind) {
   return kind == SceneKind::jam || kind == SceneKind::scrum ? 1.2 : 1.6;
@@ -67,7 +67,7 @@ class Judge {
  private:
   const Row* peer(const char* engine) const { return report_.find(engine, "1 ms"); }
 
-  // The ratio of the peer's cost to that of one of our own.
+  // The ratio of the peer's cost to that of one of our contenders.
   double gain(const Row& peer, SceneKind kind, const Row& own, SceneKind own_kind) const {
     const double factor = peer.contender.engine == "Chipmunk" ? assertions_of_chipmunk(kind) : 1.0;
     return report_.ratio(peer, kind, own, own_kind) / factor;
@@ -78,7 +78,7 @@ class Judge {
     return {name + ": deepest overlap, mm", 1e3 * deepest, deepest_in_jams};
   }
 
-  // Of our levels of accuracy, the cheapest that keeps overlaps of this scene as small as asked.
+  // The cheapest of our levels of accuracy that keeps overlaps in this scene below the limit.
   const Row& cheapest_in(SceneKind kind) const {
     const Row* cheapest = &own_;
     for (const Row& row : report_.rows) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a run of the comparison found, and how it is shown.
+// The results of a run of the comparison, as JSON, as text and as plots.
 #pragma once
 
 #include "tests/bench/errors.hpp"
@@ -39,13 +39,13 @@ struct Report {
   double cost(const Row& row, SceneKind kind) const;
   double ratio(const Row& row, SceneKind kind, const Row& other, SceneKind other_kind) const;
   const Timing& timing(const Row& row, SceneKind kind) const;
-  // Null if there is none.
+  // Returns null if there is no such row.
   const Row* find(const std::string& engine, const std::string& point) const;
-  // What ratios are given to: Box2D at 1 ms, or the next best that is there.
+  // The row that ratios refer to: Box2D at 1 ms, or the next best peer that is installed.
   const Row& base() const;
 };
 
-// Error against cost, one figure for each pair of what is asked.
+// A figure of error against cost.
 struct Plot {
   std::string title;
   std::string error_name;
@@ -55,7 +55,7 @@ struct Plot {
 };
 const std::vector<Plot>& plots();
 
-// What is asked of the simulator, and what this run says of it.
+// A requirement on the simulator, and the value that this run measured.
 struct Bar {
   std::string name;
   double measured = 0.0;

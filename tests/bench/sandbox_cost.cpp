@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// sandbox_cost: what the sandbox costs, everything pinned to one core. Measures, does not judge.
+// sandbox_cost: the cost of the sandbox, with everything pinned to one core. It judges nothing.
 //
-// The same leg is played by turns in process and in each tier. Of every piece of it the fastest
-// round counts, so that other work on the machine disturbs little. Printed are microseconds of a
+// The same leg is played by turns in process and in each tier. The fastest round of each piece of
+// the leg counts, so that other work on the machine disturbs little. Printed are microseconds of a
 // tick (simulation and two teams), the same less the tick in process, and milliseconds from nothing
 // to a team that is ready (median).
 #include "core/match/leg.hpp"

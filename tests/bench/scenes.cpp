@@ -44,7 +44,7 @@ std::vector<BodyState> spread_out(const field::Field& field, Random& random) {
   return all;
 }
 
-// Who drives how, tick by tick.
+// The wheel commands of all robots, tick by tick.
 class Steering {
  public:
   Steering(const Scene& scene, const Start& start)
@@ -90,7 +90,7 @@ class Steering {
     return {x, random_.uniform(-0.9, 0.9) * field_.half_width};
   }
 
-  // A new place when the robot is there, and now and then when it is not.
+  // A new target when the robot has reached the last one, and sometimes before.
   Vec2 way_point(const Engine& engine, int i) {
     const bool is_there = (engine.robot(i).position - goals_[i]).norm() < 0.1;
     if (is_there || random_.below(120) == 0) goals_[i] = random_place();
@@ -145,7 +145,7 @@ double cpu_seconds() {
 
 }  // namespace
 
-// What tests/bench/instructions.sh counts the instructions of: it looks for this name.
+// tests/bench/instructions.sh counts the instructions of this function and looks for its name.
 [[gnu::noinline]] void play_timed(Engine& engine, const std::vector<Commands>& commands) {
   for (const Commands& c : commands) engine.advance(c);
 }

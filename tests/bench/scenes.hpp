@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Scenes that cost time: what they begin with and who steers. A steered scene is played once with
-// each contender to write its commands down; the timed rounds play those again, so that no steering
-// is timed. Engines that are deterministic then do the same each time.
+// Scenes that cost time: their starts and their steering. A steered scene is played once with each
+// contender to record its commands; the timed rounds play these commands again, so that no steering
+// is timed. Deterministic engines then do the same each time.
 #pragma once
 
 #include "core/base/random.hpp"
@@ -12,7 +12,7 @@ namespace mirocup::bench {
 
 enum class SceneKind {
   quiet,    // six robots drive circles, the ball rolls; nothing touches
-  game,     // 3 a side, wheels at random within 1 m/s, anew each tick: a contact in some ticks
+  game,     // 3 a side, new random wheel speeds within 1 m/s each tick: a contact in some ticks
   game_5,   // the same, 5 a side on the middle field
   game_11,  // the same, 11 a side on the large field
   jam,      // one chaser a side, the others on their way to random places: mostly jams
@@ -23,15 +23,15 @@ enum class SceneKind {
 struct Scene {
   SceneKind kind = SceneKind::quiet;
   int ticks = 0;
-  int repeats = 1;  // in a round, of a scene that is short
+  int repeats = 1;  // in a round; more for a short scene
 };
 
-// Each of them, long enough to be timed; shorter if `quick`.
+// Returns all scenes, long enough to be timed; shorter ones if `quick`.
 std::vector<Scene> scenes(bool quick);
 
 Start start_of(const Scene& scene);
 
-// A scene as one contender plays it.
+// A scene that one contender has played.
 struct Play {
   std::vector<Commands> commands;  // of each tick
   double deepest_overlap = 0.0;    // m, at the end of a tick, by the tests' own geometry
@@ -41,7 +41,7 @@ struct Play {
 };
 Play play(const Scene& scene, const Contender& contender);
 
-// Processor time of one round of it, in microseconds for each tick.
+// Plays one round of a scene and returns its processor time in microseconds a tick.
 double time_round(const Scene& scene, const Play& play, const Contender& contender);
 
 }  // namespace mirocup::bench

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# Dependencies point one way (README.md, "The tree"). Fails on an include, a link or a library call against that order.
+# Dependencies point in one direction (README.md, "The tree"). Fails on an include, a link or a library call against it.
 # Run from anywhere: tests/layering/check.sh [ROOT]
 set -euo pipefail
 cd "${1:-$(dirname "$0")/../..}"
@@ -58,7 +58,7 @@ may tournaments/play 'core/|server/(system|record)/|tournaments/(format|table|jo
 may tournaments/publish 'core/|server/(system|record)/|tournaments/(format|table|journal|league|publish)/'
 may tournaments/app 'core/|server/(system|record|web)/|tournaments/'
 
-# only PATTERN ROOM...: the system's or a library's headers that match PATTERN appear in these rooms only.
+# only PATTERN ROOM...: only these rooms include headers of the system or of a library that match PATTERN.
 only() {
   local pattern=$1 line
   shift
@@ -81,12 +81,38 @@ while IFS= read -r line; do
   complain "$line: a source is compiled, not included"
 done < <(grep -rnE '^#include ["<].*\.(c|cpp)[">]' core plugins idl server tournaments || true)
 
-# Whatever the C library rounds in its own way would change a state hash: core has functions of its own.
+# No two folders include each other, directly or through others. A folder in this list counts as one room with its parent:
+# the referee calls the laws, which share its tools; the host builds the sandbox, which shares its descriptors.
+with_parent='core/referee/laws|plugins/host/sandbox'
+while IFS= read -r line; do
+  complain "$line: these folders include each other"
+done < <(grep -rE '^#include "[^"]*/' core plugins idl server tournaments \
+  --include='*.hpp' --include='*.cpp' --include='*.h' --include='*.c' 2>/dev/null |
+  sed -nE 's|^(.*)/[^/]+:#include "(.*)/[^/]+".*$|\1 \2|p' |
+  sed -E "s#\\b($with_parent)\\b#\\1/..#g; s#/[^/ ]+/\\.\\.##g" |
+  awk '$1 != $2' | sort -u | { tsort 2>&1 >/dev/null || true; } | grep -v 'contains a loop' |
+  sed 's/^tsort: //' | paste -sd ' ' | grep .)
+
+# A room of the simulator can be read in one sitting. A unit is a header and a source of one name.
+max_units=16
+while IFS= read -r room; do
+  units=$(find "$room" -maxdepth 1 -name '*.[hc]pp' | sed 's/\.[hc]pp$//' | sort -u | wc -l)
+  [[ $units -le $max_units ]] || complain "$room has $units units, but at most $max_units are allowed"
+done < <(find core/simulator -type d 2>/dev/null)
+
+# The product is built without the tests: it may name them in comments only.
+while IFS= read -r line; do
+  complain "$line: the product reads nothing from tests/"
+done < <(grep -rnE '\btests/' core plugins idl server tournaments --include=CMakeLists.txt --include='*.cmake' \
+  --include='*.hpp' --include='*.cpp' --include='*.h' --include='*.c' --include='*.idl' --include='*.js' \
+  --include='*.sh' 2>/dev/null | grep -vE '^[^:]*:[0-9]+:([^#/]|/[^/])*(//|#).*tests/' || true)
+
+# A function that each C library rounds differently would change a state hash: core has functions of its own.
 while IFS= read -r line; do
   complain "$line: core computes this itself (core/base/math.hpp)"
 done < <(grep -rnE 'std::(sin|cos|tan|exp|expm1|log|log1p|pow|hypot|cbrt|asin|acos|atan|atan2|fma|rand)\(' core || true)
 
-# links ROOM REGEX: the room's CMakeLists.txt names no target that matches.
+# links_not ROOM REGEX: the room's CMakeLists.txt names no target that matches.
 links_not() {
   local room=$1 forbidden=$2 line
   while IFS= read -r line; do

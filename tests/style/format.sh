@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# Fails on a file that clang-format would write in another way. Usage: format.sh; to mend: clang-format -i FILE.
+# Fails on a file that clang-format would write differently. Usage: format.sh; to mend: clang-format -i FILE
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 find core plugins idl server tournaments tests -name '*.cpp' -o -name '*.hpp' -o -name '*.c' -o -name '*.h' |

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 #
 # Bit for bit: the golden leg of this build, and of core built by other compilers and at other levels, must print the
-# hash in core/golden_hash.txt, and reproduce the flat recordings that are named. Usage: check.sh GOLDEN_LEG [FLAT...]
+# hash in core/golden_hash.txt and reproduce the given flat recordings. Usage: check.sh GOLDEN_LEG [FLAT...]
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../../.." && pwd)

@@ -33,7 +33,7 @@ class Writer {
   std::string bytes_;
 };
 
-// After bytes that are too few, all that is read is a default.
+// If the bytes end too early, every later value that is read is a default.
 class Reader {
  public:
   explicit Reader(const std::string& bytes) : bytes_(bytes) {}
@@ -73,7 +73,7 @@ class Reader {
   bool is_good_ = true;
 };
 
-// Visits everything that verify() looks at, the same way for writing and reading.
+// Visits everything that verify() compares, in one order for writing and reading.
 template <class File, class R>
 void visit(File& file, R& r) {
   file.value(r.setup.league);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Plays fixed legs of all three leagues without any foreign code and prints one hash of all their
-// ticks. Every compiler, optimisation level and machine must print the same; core/golden_hash.txt holds it.
+// ticks. Every compiler, optimisation level and machine must print the hash in
+// core/golden_hash.txt.
 #include "core/base/random.hpp"
 #include "core/match/leg.hpp"
 #include "tests/support/controllers.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Verifies flat recordings with core alone. Usage: verify_flat FLAT...; one line each; exit 1 if one
-// is not reproduced.
+// Verifies flat recordings with core alone. Usage: verify_flat FLAT...; prints a line for each;
+// exit 1 if one is not reproduced.
 #include "core/replay/verification.hpp"
 #include "tests/build/compilers/flat_recording.hpp"
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# What a new user does with an installed mirocup and nothing else: a team from an empty folder, built, tested, played. The
-# sources and the build folder are hidden where the system allows it. Usage: install.sh ROOT BUILD
+# A new user has an installed mirocup and nothing else: makes a team in an empty folder, builds, tests and plays it. The sources
+# and the build folder are hidden where the system allows it. Usage: install.sh ROOT BUILD
 set -euo pipefail
 root=$(realpath "$1")
 build=$(realpath "$2")

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# What the README tells a newcomer to do works as written: its team is built with its one line, beats idle, and the record
-# verifies. Usage: own_team.sh ROOT BUILD
+# The README's instructions for a newcomer work as written: its team is built with its one line, beats idle, and the record can
+# be verified. Usage: own_team.sh ROOT BUILD
 set -euo pipefail
 root=$(realpath "$1")
 build=$(realpath "$2")

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// strategy.hpp compiles alone, with every warning, and log() with every kind of call that teams make.
-// With WRONG_FORMAT it must not compile: a value of another type than its format says.
+// strategy.hpp compiles alone, with every warning, and log() with every kind of call that teams
+// make. With WRONG_FORMAT it must not compile: a value has another type than its format says.
 #include "mirocup/strategy.hpp"
 
 namespace {

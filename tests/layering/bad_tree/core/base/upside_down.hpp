@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the layering check must not let pass: the lowest room includes a higher one, knows time, and
-// asks the C library.
+// The layering check must not accept this file: the lowest room includes a higher one, knows time,
+// and calls the C library.
 #include "core/match/leg.hpp"
 
 #include <chrono>

@@ -1,0 +1,52 @@
+# The headers of the large libraries, parsed once for all sources that include them.
+#
+# mirocup_precompile(TARGET) gives a target these headers; mirocup_precompile(TARGET TESTS) gives it GoogleTest's, too, and
+# expects that the target links mirocup_unoptimized. The option is off by default if the compiler has a launcher, because ccache
+# does not cache sources that use precompiled headers, and in the preset clang, which is there to find missing includes.
+if(CMAKE_UNITY_BUILD AND NOT CMAKE_CXX_COMPILER_LAUNCHER AND NOT MIROCUP_CORE_ONLY)
+  set(precompile_by_default ON)
+else()
+  set(precompile_by_default OFF)
+endif()
+option(MIROCUP_PRECOMPILED_HEADERS "Precompile the headers of the large libraries" ${precompile_by_default})
+
+function(mirocup_add_precompiled name)
+  find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+  find_package(nlohmann_json REQUIRED)
+  find_package(tl-expected REQUIRED)
+  add_library(${name} OBJECT ${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp)
+  target_link_libraries(${name} PRIVATE
+    mirocup_options Eigen3::Eigen nlohmann_json::nlohmann_json tl::expected)
+  target_precompile_headers(${name} PRIVATE
+    <Eigen/Core> <algorithm> <array> <charconv> <chrono> <cmath> <filesystem> <fstream> <functional> <iostream> <map>
+    <memory> <nlohmann/json.hpp> <numeric> <optional> <set> <span> <sstream> <string> <string_view> <thread>
+    <tl/expected.hpp> <unordered_map> <utility> <variant> <vector>)
+endfunction()
+
+if(MIROCUP_PRECOMPILED_HEADERS)
+  mirocup_add_precompiled(mirocup_precompiled)
+  if(MIROCUP_TESTS)
+    find_package(GTest REQUIRED)
+    mirocup_add_precompiled(mirocup_precompiled_tests)
+    target_link_libraries(mirocup_precompiled_tests PRIVATE GTest::gtest mirocup_unoptimized)
+    target_precompile_headers(mirocup_precompiled_tests PRIVATE <gtest/gtest.h>)
+  endif()
+endif()
+
+function(mirocup_precompile target)
+  if(NOT MIROCUP_PRECOMPILED_HEADERS)
+    return()
+  endif()
+  # Programs, too, are compiled as libraries are (by default they get -fPIE): one set of headers for both.
+  target_compile_options(${target} PRIVATE -fPIC)
+  # In a precompiled std::string g++ 12 finds copies of 2^63 bytes that do not exist, as for -Wno-restrict in options.cmake. Builds
+  # without precompiled headers keep these warnings.
+  target_compile_options(${target} PRIVATE
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overread>)
+  if("TESTS" IN_LIST ARGN)
+    target_precompile_headers(${target} REUSE_FROM mirocup_precompiled_tests)
+  else()
+    target_precompile_headers(${target} REUSE_FROM mirocup_precompiled)
+  endif()
+endfunction()

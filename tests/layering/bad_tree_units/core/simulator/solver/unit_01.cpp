@@ -1,0 +1,2 @@
+// SPDX-License-Identifier: MIT
+// The source of a header is no unit of its own.

@@ -1,0 +1,12 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# Fails on a line of a source that has more than 100 columns; clang-format leaves comments as they are. Usage: columns.sh
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+export LC_ALL=C.UTF-8  # characters, not bytes
+if find core plugins idl server tournaments tests examples -type f -name '*.[hc]pp' -o -name '*.[hc]' -o -name '*.idl' |
+  sort | xargs grep -nE '^.{101,}$' /dev/null; then
+  echo "these lines have more than 100 columns" >&2
+  exit 1
+fi
