@@ -24,7 +24,7 @@ constexpr Team opponent_of(Team team) {
 constexpr int index_of(Team team) {
   return static_cast<int>(team);
 }
-static_assert(index_of(Team::blue) == 0 && index_of(Team::yellow) == 1);
+static_assert(is_numbered_in_order<Team::blue, Team::yellow>());
 
 inline constexpr std::array<Team, 2> both_teams{Team::blue, Team::yellow};
 

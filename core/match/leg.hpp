@@ -91,6 +91,7 @@ class Leg {
 
   const Setup& setup() const { return setup_; }
   const field::Field& field() const { return field_; }
+  const referee::Pitch& pitch() const { return pitch_; }  // what the leg is judged on
   Briefing briefing(Team team) const;
 
   std::uint32_t tick() const { return tick_; }

@@ -50,5 +50,7 @@ namespace mirocup {
 
 template <>
 inline constexpr std::array<std::string_view, 3> enum_names<match::State>{"READY", "PLAY", "END"};
+// Messages to teams hold these numbers.
+static_assert(is_numbered_in_order<match::State::READY, match::State::PLAY, match::State::END>());
 
 }  // namespace mirocup

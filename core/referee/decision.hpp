@@ -118,8 +118,14 @@ inline constexpr std::array<std::string_view, 32> enum_names<referee::Law>{
 template <>
 inline constexpr std::array<std::string_view, 4> enum_names<referee::Phase>{
     "FIRST_HALF", "SECOND_HALF", "EXTRA", "SHOOT_OUT"};
+// Messages to teams hold the numbers of phases and restarts.
+static_assert(is_numbered_in_order<referee::Phase::FIRST_HALF, referee::Phase::SECOND_HALF,
+                                   referee::Phase::EXTRA, referee::Phase::SHOOT_OUT>());
 template <>
 inline constexpr std::array<std::string_view, 6> enum_names<referee::Restart>{
     "none", "KICK_OFF", "GOAL_KICK", "PENALTY_KICK", "FREE_BALL", "FREE_KICK"};
+static_assert(is_numbered_in_order<referee::Restart::none, referee::Restart::KICK_OFF,
+                                   referee::Restart::GOAL_KICK, referee::Restart::PENALTY_KICK,
+                                   referee::Restart::FREE_BALL, referee::Restart::FREE_KICK>());
 
 }  // namespace mirocup

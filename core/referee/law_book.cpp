@@ -60,8 +60,9 @@ Judgement judge_attackers(const Pitch& pitch, const Situation& s,
   Judgement judgement;
   judgement.call(judge_keeper_charge(pitch, s, book.occupancy, book.keeper_charge));
   judgement.call(judge_keeper_push_in(pitch, s, book.occupancy, goal_at, book.keeper_push_in));
-  judgement.call(judge_two_attackers(pitch, s, book.occupancy, goal_at, book.two_attackers));
-  judgement.call(judge_four_attackers(pitch, s, book.occupancy, goal_at, book.four_attackers));
+  for (const CrowdingLaw law : {CrowdingLaw::two_attackers, CrowdingLaw::four_attackers}) {
+    judgement.call(judge_crowding(law, pitch, s, book.occupancy, goal_at, book.crowding));
+  }
   if (judgement.decision && goal && goal->team == judgement.decision->team) {
     judgement.decision->goal_cancelled = true;
     judgement.decision->reason += "; the goal does not count";
@@ -84,11 +85,11 @@ Judgement judge_play(const Pitch& pitch, const Situation& s, const std::optional
   if (goal && !(judgement.decision && judgement.decision->goal_cancelled)) judgement.call(goal);
   judgement.call(judge_kick_off(pitch, s, book.kick_off));
 
-  auto crowd = judge_two_defenders(pitch, s, book.occupancy, book.two_defenders);
-  auto large_crowd = judge_four_defenders(pitch, s, book.occupancy, book.four_defenders);
+  for (const CrowdingLaw law : {CrowdingLaw::two_defenders, CrowdingLaw::four_defenders}) {
+    wait_for_goal(judge_crowding(law, pitch, s, book.occupancy, std::nullopt, book.crowding),
+                  advantage, judgement);
+  }
   auto push = judge_push(pitch, s, book.occupancy, book.push);
-  wait_for_goal(std::move(crowd), advantage, judgement);
-  wait_for_goal(std::move(large_crowd), advantage, judgement);
   // Defenders who crowd their goal are given time in any case, a push only if the ball rolls there.
   if (push && push->law == Law::push && may_come_in(pitch, s, *push->team)) {
     wait_for_goal(std::exchange(push, std::nullopt), advantage, judgement);

@@ -4,9 +4,8 @@
 #pragma once
 
 #include "core/referee/laws/collision.hpp"
+#include "core/referee/laws/crowding.hpp"
 #include "core/referee/laws/fallen.hpp"
-#include "core/referee/laws/four_attackers.hpp"
-#include "core/referee/laws/four_defenders.hpp"
 #include "core/referee/laws/hand.hpp"
 #include "core/referee/laws/holding.hpp"
 #include "core/referee/laws/keeper_block.hpp"
@@ -18,8 +17,6 @@
 #include "core/referee/laws/penalty_attempt.hpp"
 #include "core/referee/laws/push.hpp"
 #include "core/referee/laws/stalemate.hpp"
-#include "core/referee/laws/two_attackers.hpp"
-#include "core/referee/laws/two_defenders.hpp"
 #include "core/referee/laws/wall_push.hpp"
 
 #include <vector>
@@ -49,8 +46,7 @@ struct LawBook {
   PenaltyAttemptMemory attempt;
 
   CollisionMemory collision;
-  FourAttackersMemory four_attackers;
-  FourDefendersMemory four_defenders;
+  CrowdingMemory crowding;
   HoldingMemory holding;
   KeeperBlockMemory keeper_block;
   KeeperCatchMemory keeper_catch;
@@ -60,8 +56,6 @@ struct LawBook {
   KickOffMemory kick_off;
   PushMemory push;
   StalemateMemory stalemate;
-  TwoAttackersMemory two_attackers;
-  TwoDefendersMemory two_defenders;
   WallPushMemory wall_push;
 };
 

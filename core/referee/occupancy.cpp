@@ -2,6 +2,7 @@
 #include "core/referee/occupancy.hpp"
 
 #include "core/field/coverage.hpp"
+#include "core/referee/predicates.hpp"
 
 #include <algorithm>
 

@@ -9,7 +9,7 @@
 #pragma once
 
 #include "core/referee/decision.hpp"
-#include "core/referee/laws/law.hpp"
+#include "core/referee/pitch.hpp"
 
 #include <array>
 

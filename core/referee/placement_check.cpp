@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/referee/placement_check.hpp"
 
+#include "core/referee/decide.hpp"
 #include "core/referee/placement_rules.hpp"
 #include "core/referee/touches.hpp"
 

@@ -4,7 +4,6 @@
 // 11, 12 and 13 and their figures.
 #pragma once
 
-#include "core/referee/laws/law.hpp"
 #include "core/referee/placement.hpp"
 
 namespace mirocup::referee {

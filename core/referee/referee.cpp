@@ -340,12 +340,12 @@ PendingCounts Referee::pending_counts() const {
     const int other = index_of(opposite(end));
     TeamCounts& team = pending.teams[e];
     const auto count = [](const RobotSet& set) { return static_cast<int>(set.count()); };
-    team.defenders = count(counted(occupancy, occupancy.goal_area, end, end));
-    team.two_defenders_s = book_.two_defenders.crowded[e].for_s;
-    team.area_defenders = count(counted(occupancy, occupancy.penalty_area, end, end));
-    team.four_defenders_s = book_.four_defenders.crowded[e].for_s;
-    team.attackers = count(counted(occupancy, occupancy.goal_area, opposite(end), end));
-    team.two_attackers_s = book_.two_attackers.crowded[other].for_s;
+    team.defenders = count(not_pushed(occupancy, occupancy.goal_area, end, end));
+    team.two_defenders_s = book_.crowding.of(CrowdingLaw::two_defenders)[e].for_s;
+    team.area_defenders = count(not_pushed(occupancy, occupancy.penalty_area, end, end));
+    team.four_defenders_s = book_.crowding.of(CrowdingLaw::four_defenders)[e].for_s;
+    team.attackers = count(not_pushed(occupancy, occupancy.goal_area, opposite(end), end));
+    team.two_attackers_s = book_.crowding.of(CrowdingLaw::two_attackers)[other].for_s;
     team.keeper_hold_s = book_.keeper_hold.held[e].for_s;
     team.keeper = occupancy.keeper[e] ? occupancy.keeper[e]->index : -1;
     team.advantage_against = book_.advantage.foul && book_.advantage.foul->team == end;

@@ -4,7 +4,8 @@
 // are within the touching distance at its end, so that pushing with a hair's gap is pushing.
 #pragma once
 
-#include "core/referee/laws/law.hpp"
+#include "core/referee/pitch.hpp"
+#include "core/referee/situation.hpp"
 
 namespace mirocup::referee {
 

@@ -3,7 +3,8 @@
 // Situations for the laws' tests: a ball and some robots, everybody else out of the way.
 #pragma once
 
-#include "core/referee/laws/law.hpp"
+#include "core/referee/pitch.hpp"
+#include "core/referee/situation.hpp"
 
 #include <vector>
 
@@ -14,7 +15,7 @@ struct TestPitch {
                      referee::Preset preset = referee::Preset::mirosot)
       : field(field::make_field(league)), rules(referee::make_rules(preset)) {}
 
-  referee::Pitch pitch() const { return {field, rules, 0.02135, 0.075}; }
+  referee::Pitch pitch() const { return {.field = field, .rules = rules, .ball_radius = 0.02135, .robot_side = 0.075}; }
 
   field::Field field;
   referee::Rules rules;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "core/referee/dwell.hpp"
+#include "core/referee/laws/law.hpp"
 #include "core/referee/occupancy.hpp"
 
 namespace mirocup::referee {

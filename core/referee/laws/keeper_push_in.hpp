@@ -6,6 +6,7 @@
 // and the keeper is at the ball or over the line when it falls.
 #pragma once
 
+#include "core/referee/laws/law.hpp"
 #include "core/referee/occupancy.hpp"
 
 #include <array>

@@ -6,6 +6,7 @@
 // the ball. The keeper in its goal area has laws of its own.
 #pragma once
 
+#include "core/referee/laws/law.hpp"
 #include "core/referee/occupancy.hpp"
 
 #include <array>
