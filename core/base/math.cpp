@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/base/math.hpp"
 
+#include "core/base/assert.hpp"
+
 #include <array>
 #include <bit>
 #include <cmath>
@@ -129,7 +131,10 @@ SinCos sincos(double x) {
 // kernel() with low = 0, arranged so that a compiler can do several angles at a time.
 SinCosOfSome sincos_of_small(const std::array<double, angles_at_once>& x) {
   std::array<double, angles_at_once> z;
-  for (int i = 0; i < angles_at_once; ++i) z[i] = x[i] * x[i];
+  for (int i = 0; i < angles_at_once; ++i) {
+    MIROCUP_ASSERT(std::abs(x[i]) <= small_angle);
+    z[i] = x[i] * x[i];
+  }
   const auto tail = tails(z);
   SinCosOfSome some;
   for (int i = 0; i < angles_at_once; ++i) {
@@ -158,6 +163,7 @@ double expm1(double x) {
 }
 
 double log1p(double x) {
+  MIROCUP_ASSERT(x > -1.0);
   // ln(1 + x) = 2 artanh(x / (2 + x)); larger arguments come down by exact halvings of 1 + x first.
   double extra = 0.0;
   if (std::abs(x) > 0.25) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/base/random.hpp"
 
+#include "core/base/assert.hpp"
+
 namespace mirocup {
 
 namespace {
@@ -34,6 +36,7 @@ double Random::uniform() {
 }
 
 std::uint64_t Random::below(std::uint64_t bound) {
+  MIROCUP_ASSERT(bound > 0);
   // Numbers under 2^64 mod bound would favour the small remainders: draw again.
   const std::uint64_t unfair = (0 - bound) % bound;
   std::uint64_t x = next();

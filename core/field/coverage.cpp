@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/field/coverage.hpp"
 
+#include "core/base/assert.hpp"
 #include "core/base/math.hpp"
 
 #include <algorithm>
@@ -16,7 +17,10 @@ struct Polygon {
   std::array<Vec2, 8> corner;
   int count = 0;
 
-  void add(const Vec2& p) { corner[count++] = p; }
+  void add(const Vec2& p) {
+    MIROCUP_ASSERT(count < static_cast<int>(corner.size()));
+    corner[count++] = p;
+  }
   const Vec2& next(int i) const { return corner[i + 1 == count ? 0 : i + 1]; }
 };
 

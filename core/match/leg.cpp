@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/match/leg.hpp"
 
+#include "core/base/assert.hpp"
 #include "core/referee/placement_check.hpp"
 #include "core/referee/touches.hpp"
 
@@ -28,7 +29,10 @@ void add(StateHash& hash, const Vec2& v) {
 Leg::Leg(const Setup& setup)
     : setup_(setup),
       field_(field::make_field(setup.league)),
-      pitch_{field_, setup_.rules, setup.parameters.ball_radius, setup.parameters.robot_side},
+      pitch_{.field = field_,
+             .rules = setup_.rules,
+             .ball_radius = setup.parameters.ball_radius,
+             .robot_side = setup.parameters.robot_side},
       rng_(mix_seed(setup.seed)) {
   // The toss: who defends the left end, and who kicks off (MiroSot law 6.1).
   left_ = rng_.coin() ? Team::blue : Team::yellow;
@@ -59,6 +63,7 @@ void Leg::advance(Controller& blue, Controller& yellow) {
 }
 
 void Leg::advance(const ByTeam<Answer>& answers) {
+  MIROCUP_ASSERT(!is_over());
   if (!accept_answers(answers)) return;
   simulate();
   judge();
@@ -293,6 +298,8 @@ void Leg::end(const referee::Decision& decision) {
 }
 
 void Leg::forfeit(std::vector<TeamFault> faults) {
+  MIROCUP_ASSERT(!is_over());
+  MIROCUP_ASSERT(faults.size() == 1 || faults.size() == 2);
   const bool both = faults.size() > 1;
   end(both ? OutcomeKind::double_forfeit : OutcomeKind::forfeit);
   outcome_->score = {0, 0};
@@ -306,6 +313,7 @@ void Leg::forfeit(std::vector<TeamFault> faults) {
 }
 
 void Leg::declare_void(std::string why) {
+  MIROCUP_ASSERT(!is_over());
   end(OutcomeKind::void_);
   outcome_->winner.reset();
   outcome_->why_void = std::move(why);

@@ -11,6 +11,7 @@
 // where the first stands.
 #pragma once
 
+#include "core/base/assert.hpp"
 #include "core/base/random.hpp"
 #include "core/base/state_hash.hpp"
 #include "core/match/controller.hpp"
@@ -96,7 +97,10 @@ class Leg {
 
   std::uint32_t tick() const { return tick_; }
   bool is_over() const { return outcome_.has_value(); }
-  const Outcome& outcome() const { return *outcome_; }  // once over
+  const Outcome& outcome() const {
+    MIROCUP_ASSERT(is_over());
+    return *outcome_;
+  }
 
   // Plays one tick. The controllers steer blue and yellow; not to be called once over.
   void advance(Controller& blue, Controller& yellow);

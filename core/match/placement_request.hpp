@@ -6,8 +6,8 @@
 // that a recorded leg can be played again without the team.
 #pragma once
 
-#include "core/field/team.hpp"
 #include "core/field/league.hpp"
+#include "core/field/team.hpp"
 #include "core/referee/placement.hpp"
 
 #include <array>

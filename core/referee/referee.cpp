@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/referee/referee.hpp"
 
+#include "core/base/assert.hpp"
 #include "core/referee/laws/goal.hpp"
 #include "core/referee/laws/mercy.hpp"
 
@@ -304,6 +305,7 @@ void Referee::resume(const Decision& restart, double since) {
 }
 
 void Referee::start_half(Phase phase) {
+  MIROCUP_ASSERT(phase == Phase::SECOND_HALF || phase == Phase::EXTRA);
   now_.is_second_extra_half = phase == Phase::EXTRA;
   now_.phase = phase;
   now_.clock = 0.0;

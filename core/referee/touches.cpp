@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/referee/touches.hpp"
 
+#include "core/base/assert.hpp"
 #include "core/geometry/separation.hpp"
 
 namespace mirocup::referee {
@@ -31,6 +32,7 @@ double ball_gap(const Pitch& pitch, const Vec2& ball, const Pose& robot) {
 }
 
 void set_touch(Situation& s, const RobotId& a, const RobotId& b) {
+  MIROCUP_ASSERT(!(a == b));
   auto& sets = a.end == b.end ? s.touched_mates : s.touched_opponents;
   sets[index_of(a.end)][a.index].set(b.index);
   sets[index_of(b.end)][b.index].set(a.index);

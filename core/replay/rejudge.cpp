@@ -47,8 +47,10 @@ class SecondReferee {
  public:
   SecondReferee(const match::Leg& leg, const referee::Rules& rules)
       : leg_(leg),
-        pitch_{leg.field(), rules, leg.setup().parameters.ball_radius,
-               leg.setup().parameters.robot_side},
+        pitch_{.field = leg.field(),
+               .rules = rules,
+               .ball_radius = leg.pitch().ball_radius,
+               .robot_side = leg.pitch().robot_side},
         referee_(std::in_place, pitch_, leg.referee().progress()) {
     referee_->resume(leg.restart());
   }

@@ -24,8 +24,8 @@ bool is_moved(const Pitch& pitch, const Situation& s, const RobotId& pusher, con
   const Vec2 moved = s.pose(pushed).position - from;
   const double limit = pitch.rules.push_dist_m;
   if (moved.squaredNorm() < limit * limit) return false;
-  const Vec2 way = s.pose(pushed).position - s.pose(pusher).position;
-  return std::abs(atan2(cross(way, moved), way.dot(moved))) <= pitch.rules.push_angle_rad;
+  const Vec2 offset = s.pose(pushed).position - s.pose(pusher).position;
+  return std::abs(atan2(cross(offset, moved), offset.dot(moved))) <= pitch.rules.push_angle_rad;
 }
 
 }  // namespace
