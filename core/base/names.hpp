@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Converts enumerators to text and back. Every enum that is written to a file or read from a command
-// line lists its names once, as a specialisation of enum_names, in the order of its values from 0.
+// Converts enumerators to text and back. Every enum that is written to a file or read from a
+// command line lists its names once, as a specialisation of enum_names, in the order of its values
+// from 0.
 #pragma once
 
 #include "core/base/assert.hpp"
@@ -25,8 +26,9 @@ constexpr std::string_view to_string(E value) {
   return enum_names<E>[static_cast<std::size_t>(value)];
 }
 
-// True if these enumerators have the values 0, 1, 2, … in this order and are all that the enum names.
-// For a static_assert beside an enum whose numbers leave the program, in a message or a file.
+// True if these enumerators have the values 0, 1, 2, … in this order and are all that the enum
+// names. For a static_assert beside an enum whose numbers leave the program, in a message or a
+// file.
 template <auto first, decltype(first)... others>
 constexpr bool is_numbered_in_order() {
   int next = 0;

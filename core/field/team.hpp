@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The two teams of a leg. A team keeps its colour for the whole leg; the end that it defends changes
-// at half-time (frames.hpp).
+// The two teams of a leg. A team keeps its colour for the whole leg; the end that it defends
+// changes at half-time (frames.hpp).
 #pragma once
 
 #include "core/base/names.hpp"
@@ -20,7 +20,8 @@ constexpr Team opponent_of(Team team) {
   return team == Team::blue ? Team::yellow : Team::blue;
 }
 
-// 0 for blue, 1 for yellow: as an index of arrays, and as the number that records and messages hold.
+// 0 for blue, 1 for yellow: as an index of arrays, and as the number that records and messages
+// hold.
 constexpr int index_of(Team team) {
   return static_cast<int>(team);
 }

@@ -17,8 +17,8 @@ Decision decide(Verdict verdict, Law law, const Situation& situation, std::strin
 // Returns the decision with `offender` as its team and a restart that the other team takes.
 Decision against(Decision decision, End offender, Restart restart);
 
-// Makes the restart of a decision a free ball in the quarter of the point `where`. Its team stays as
-// it is: a free ball need not be anybody's fault.
+// Makes the restart of a decision a free ball in the quarter of the point `where`. Its team stays
+// as it is: a free ball need not be anybody's fault.
 void give_free_ball(const Pitch& pitch, const Vec2& where, Decision& decision);
 
 // Texts for reasons: "3.20" with two decimals, "left robot 2".

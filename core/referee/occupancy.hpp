@@ -23,8 +23,8 @@ struct Occupancy {
   // lowest index first. Nothing if no robot of the team is there.
   ByEnd<std::optional<RobotId>> keeper;
 
-  // How much longer each robot is excused for where it is, s. An opponent that drives at it while it
-  // does not drive back sets this to `shoved_s` of the rules; from then on it runs down to 0.
+  // How much longer each robot is excused for where it is, s. An opponent that drives at it while
+  // it does not drive back sets this to `shoved_s` of the rules; from then on it runs down to 0.
   ByRobot<double> excused_s{};
   ByEnd<RobotSet> shoved;  // the robots with time left
 };

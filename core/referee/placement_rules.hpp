@@ -31,7 +31,8 @@ bool is_inside_walls(const Pitch& pitch, const Pose& robot);
 bool may_stand(const PlacementRules& standing, End team, const Pose& robot);
 
 // Does the robot stand where one robot of its team may, or must, stand alone: the kicker behind the
-// ball, the keeper on its line (in a shoot-out anywhere in its goal area), a contender at its place?
+// ball, the keeper on its line (in a shoot-out anywhere in its goal area), a contender at its
+// place?
 bool has_special_place(const PlacementRules& standing, End team, const Pose& robot);
 
 // The robot that takes the special place if nobody stands there of its own will; -1: nobody has to.

@@ -3,15 +3,15 @@
 // Crowded areas: four laws that are one rule with different numbers. Too many robots of one team
 // stand in a goal area or a penalty area for too long while the ball is near that goal.
 //
-// | law              | source                      | robots           | area         | restart      |
-// | two_defenders    | MiroSot laws 8.4 and 11.1   | of the owner     | goal area    | penalty kick |
-// | four_defenders   | MiroSot laws 8.9 and 11.4   | of the owner     | penalty area | penalty kick |
-// | two_attackers    | MiroSot laws 8.3 and 12.2   | of the opponents | goal area    | goal kick    |
-// | four_attackers   | practice, simulated leagues | of the opponents | penalty area | goal kick    |
+// | law            | source             | robots of     | area         | restart      |
+// | two_defenders  | MiroSot 8.4, 11.1  | the owner     | goal area    | penalty kick |
+// | four_defenders | MiroSot 8.9, 11.4  | the owner     | penalty area | penalty kick |
+// | two_attackers  | MiroSot 8.3, 12.2  | the opponents | goal area    | goal kick    |
+// | four_attackers | simulated leagues  | the opponents | penalty area | goal kick    |
 //
 // The rules say how many robots may be there (a limit of 0 switches the law off) and for how long
-// one more is forgiven. Two attackers too many in the goal area are called at once. The small league
-// has no penalty area, so the laws of four never apply to it.
+// one more is forgiven. Two attackers too many in the goal area are called at once. The small
+// league has no penalty area, so the laws of four never apply to it.
 //
 // The time is counted wherever the ball is, so that robots cannot park in an area; the call comes
 // when the ball is in the zone of that goal. A robot that was pushed into the area does not count.
