@@ -32,10 +32,10 @@ bool is_inside_walls(const Pitch& pitch, const Pose& robot);
 // True if any robot of the team may stand like this.
 bool may_stand(const PlacementRules& rules, End team, const Pose& robot);
 
-// Does the robot stand where one robot of its team may, or must, stand alone: the kicker behind the
-// ball, the keeper on its line (in a shoot-out anywhere in its goal area), a contender at its
-// place?
-bool has_special_place(const PlacementRules& standing, End team, const Pose& robot);
+// True if the robot stands in the special place of its team, where one robot alone may or must
+// stand: the kicker behind the ball, the keeper on its line (in a shoot-out anywhere in its goal
+// area), a contender at its mark.
+bool has_special_place(const PlacementRules& rules, End team, const Pose& robot);
 
 // Returns the robot that must take the special place if no robot of the team stands there; -1 if
 // the place may stay empty.
