@@ -113,7 +113,7 @@ void add_walls(Field& f) {
 }  // namespace
 
 bool Field::inside(const Area& area, End end, const Vec2& point, double tolerance) const {
-  const double x = -attack_sign(end) * point.x();  // as if at the right end
+  const double x = -attack_sign(end) * point.x();  // seen from the right end
   const double y = std::abs(point.y());
   const double front = half_length - area.depth;
   if (x >= front - tolerance) {

@@ -18,7 +18,7 @@ Decision decide(Verdict verdict, Law law, const Situation& situation, std::strin
 Decision against(Decision decision, End offender, Restart restart);
 
 // Makes the restart of a decision a free ball in the quarter of the point `where`. Its team stays
-// as it is: a free ball need not be anybody's fault.
+// as it is: a free ball need not be the fault of a team.
 void give_free_ball(const Pitch& pitch, const Vec2& where, Decision& decision);
 
 // Texts for reasons: "3.20" with two decimals, "left robot 2".

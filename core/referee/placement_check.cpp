@@ -13,20 +13,20 @@ namespace {
 
 constexpr double search_step = 0.05;  // m, of the last resort
 
-// Puts robots one after the other.
+// Places robots one after the other.
 class Placer {
  public:
   Placer(const PlacementRules& rules, CheckedPlacement& result)
       : rules_(rules), pitch_(rules.pitch), result_(result) {}
 
-  // Leaves a team where it stands.
+  // Keeps a team where it stands.
   void keep(End team, const Placement& standing) {
     for (int i = 0; i < pitch_.field.robots_per_team; ++i) {
       put(team, i, standing.robots[index_of(team)][i]);
     }
   }
 
-  // Accepts what a team asked for and may have.
+  // Places the robots of a team that may have the pose that was asked for.
   void accept(End team, const Placement& asked) {
     const auto& poses = asked.robots[index_of(team)];
     const int holder = special_robot(team, poses);
@@ -37,7 +37,7 @@ class Placer {
     }
   }
 
-  // Finds a place for the robots of a team that have none.
+  // Finds a place for the robots of a team that have none yet.
   void move_the_others(End team) {
     for (int i = 0; i < pitch_.field.robots_per_team; ++i) {
       if (placed_[index_of(team)][i]) continue;
@@ -47,7 +47,7 @@ class Placer {
   }
 
  private:
-  // The robot that stands in the team's special place, or the one that has to.
+  // Returns the robot that stands in the team's special place, or the one that has to.
   int special_robot(End team, const std::array<Pose, max_robots_per_team>& poses) const {
     if (rules_.roles == Roles::fixed) return holder_of_special_place(rules_, team);
     for (int i = 0; i < pitch_.field.robots_per_team; ++i) {
@@ -128,7 +128,7 @@ class Placer {
   int in_other_goal_area_ = 0;
 };
 
-// Where the ball is put: a kick-off and a goal kick leave a choice.
+// True if the taker may put the ball there. Only a kick-off and a goal kick leave a choice.
 bool may_lie(const Pitch& pitch, Restart restart, End taker, const Vec2& ball) {
   const field::Field& field = pitch.field;
   if (restart == Restart::KICK_OFF) {

@@ -15,12 +15,12 @@ constexpr double tolerance = 1e-6;       // m, of every comparison
 constexpr double line_tolerance = 2e-3;  // m, for "touches the line"
 constexpr double mark_tolerance = 0.01;  // m, for "stands on the mark"
 
-// How far the body reaches from its centre along x and along y.
+// Returns how far the body reaches from its centre along x and along y, m.
 double reach_of(const Pitch& pitch, const Pose& robot) {
   return pitch.robot_side / 2.0 * (std::abs(robot.heading.cos) + std::abs(robot.heading.sin));
 }
 
-// As the team sees it: it attacks +x.
+// Returns the position in the team's frame.
 Vec2 seen(End team, const Pose& robot) {
   return team_frame(team, robot.position);
 }
@@ -46,7 +46,7 @@ bool in_own_half_or_circle(const Pitch& pitch, End team, const Pose& robot) {
   return std::all_of(all.begin(), all.end(), allowed);
 }
 
-// The nearest point of the square to the field's centre.
+// Tests the point of the robot that is nearest to the centre of the field.
 bool outside_circle(const Pitch& pitch, const Pose& robot) {
   const double h = pitch.robot_side / 2.0;
   const Vec2 centre = robot.heading.to_body(-robot.position);
@@ -86,7 +86,8 @@ bool behind_ball(const PlacementRules& rules, End team, const Pose& robot) {
   return seen(team, robot).x() + reach_of(rules.pitch, robot) <= team_frame(team, rules.ball).x();
 }
 
-// One of the default places of the team's wall at a free kick, whoever holds it.
+// True if the robot stands on one of the default places of the team's wall at a free kick, no
+// matter which robot's place it is.
 bool on_wall_mark(const PlacementRules& rules, End team, const Pose& robot) {
   for (int i = 0; i < rules.pitch.field.robots_per_team; ++i) {
     if (i != keeper && near(robot, rules.defaults.robots[index_of(team)][i])) return true;

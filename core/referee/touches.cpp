@@ -8,12 +8,12 @@ namespace mirocup::referee {
 
 namespace {
 
-// Could squares or a ball of these half extents come this near?
+// True if two points are at most `distance` apart: a cheap test before gaps are computed.
 bool within(const Vec2& a, const Vec2& b, double distance) {
   return (a - b).squaredNorm() <= distance * distance;
 }
 
-// Half a diagonal of a robot.
+// Returns half the diagonal of a robot.
 double reach_of(const Pitch& pitch) {
   return pitch.robot_side * std::sqrt(0.5);
 }

@@ -8,7 +8,7 @@ namespace mirocup::referee {
 
 namespace {
 
-// Does the ball lie between the two, touching one of them?
+// True if the ball lies between the two and touches one of them.
 bool ball_is_between(const Pitch& pitch, const Situation& s, const RobotId& a, const RobotId& b) {
   if (!s.touches_ball(a) && !s.touches_ball(b)) return false;
   const Vec2 from = s.pose(a).position;
@@ -20,8 +20,8 @@ bool ball_is_between(const Pitch& pitch, const Situation& s, const RobotId& a, c
   return (s.ball - nearest).squaredNorm() <= reach * reach;
 }
 
-// How fast the attacker came at the keeper, m/s: both speeds along the line of centres. Nothing if
-// it was the keeper that ran into the attacker.
+// Returns the closing speed along the line of centres, m/s; 0 if the keeper came at the attacker
+// faster than the attacker at the keeper.
 double closing_speed(const Situation& s, const RobotId& attacker, const RobotId& keeper) {
   const Vec2 offset = s.pose(keeper).position - s.pose(attacker).position;
   const double length = std::sqrt(offset.squaredNorm());

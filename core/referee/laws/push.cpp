@@ -18,7 +18,7 @@ bool is_pushing(const Pitch& pitch, const Situation& s, const Occupancy& occupan
          !drives_at(pitch, s, pushed, pusher);
 }
 
-// Was the pushed one moved far enough, and away from the pusher?
+// True if the pushed robot was moved far enough, and away from the pusher.
 bool is_moved(const Pitch& pitch, const Situation& s, const RobotId& pusher, const RobotId& pushed,
               const Vec2& from) {
   const Vec2 moved = s.pose(pushed).position - from;
