@@ -25,8 +25,8 @@ struct Area {
   double depth = 0.0;       // from the goal line into the field
   double half_width = 0.0;  // |y| is at most this
   double arc_radius = 0.0;  // 0: no arc
-  // |x| of the arc's centre, which is at y = 0. The part of the disc in front of the rectangle belongs
-  // to the area.
+  // |x| of the arc's centre, at y = 0. The part of the disc in front of the rectangle belongs to
+  // the area.
   double arc_centre = 0.0;
 };
 
