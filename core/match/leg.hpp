@@ -133,14 +133,14 @@ class Leg {
   // The situation that the referee judged in the last tick; nothing if play was stopped in it.
   const std::optional<referee::Situation>& judged() const { return judged_; }
 
-  // The log so far: decisions in their order, one entry for each tick, requests in their order.
+  // The log up to now: decisions in their order, one entry for each tick, requests in their order.
   const std::vector<LoggedDecision>& decisions() const { return decisions_; }
   const std::vector<TickLog>& log() const { return log_; }
   const std::vector<LoggedPlacementRequest>& placement_requests() const {
     return placement_requests_;
   }
 
-  // The hash of the states of all ticks played so far.
+  // The hash of the states of all ticks played until now.
   std::uint64_t state_hash() const { return hash_.value(); }
   // The robot that touched the ball last in the tick played last, if any robot did.
   std::optional<Touch> last_touch() const;

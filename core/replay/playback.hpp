@@ -30,7 +30,7 @@ class Playback {
   // hashes differ.
   bool advance();
 
-  // The first difference found so far: a tick's hash, or the number of ticks.
+  // The first difference found, if any: a tick's hash, or the number of ticks.
   const std::optional<Divergence>& divergence() const { return divergence_; }
 
  private:
