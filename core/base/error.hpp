@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// What can go wrong outside the game, and how it is told.
+// Errors: what can go wrong outside of the game, and how it is reported.
 //
-// A function that can fail for a reason outside the program returns Result<T>. A forfeit, a crash
-// of a strategy or a void leg is not an error: it is a value of the match. Once constructed, core
-// does not fail at all: a bad command is zeroed or clamped and counted.
+// A function that can fail for a reason outside the program returns Result<T>. A forfeit, the crash
+// of a strategy or a void leg is not an error but a value of the leg. Once constructed, core does
+// not fail at all: a bad command is zeroed or clamped, and counted.
 #pragma once
 
 #include <tl/expected.hpp>
@@ -14,35 +14,37 @@
 
 namespace mirocup {
 
-// Why something failed, as far as a script has to know. One exit code belongs to each: see
-// exit_code().
+// The kinds of failure that a script has to tell apart. Each has an exit code: see exit_code().
 enum class Errc {
   input,        // wrong usage, or a file that a person wrote says something impossible
-  unavailable,  // a file, a child process or the network cannot be had
-  damaged,      // data that a program wrote is not what it wrote, or is of another version
-  host,         // the machine failed; nothing was decided; run again
-  interrupted,  // asked to stop; the same command goes on later
+  unavailable,  // a file, a child process or the network is not available
+  damaged,      // data that a program wrote was changed, or is of another version
+  host,         // the machine failed and nothing was decided: run it again
+  interrupted,  // stopped on request: the same command continues later
 };
 
-// `what` is a sentence for the person who must act: it names the file, the key, the symbol.
+// A failure. `what` is a sentence for the person who must act: it names the file, the key, the
+// symbol.
 struct Error {
   Errc code;
   std::string what;
 };
 
+// A value or the reason why there is none.
 template <class T>
 using Result = tl::expected<T, Error>;
 
+// Returns a failure, to be returned by a function with a Result.
 inline tl::unexpected<Error> fail(Errc code, std::string what) {
   return tl::unexpected<Error>(Error{code, std::move(what)});
 }
 
-// Exit codes that say "done": 0 where the answer is yes, 1 where it is no (diverged, rejected, left
-// over).
+// The exit codes of a program that did its work: 0 if the answer is yes, 1 if it is no (diverged,
+// rejected, fixtures left).
 inline constexpr int exit_yes = 0;
 inline constexpr int exit_no = 1;
 
-// The exit code of each error, the same in every program.
+// Returns the exit code of an error; it is the same in every program.
 constexpr int exit_code(Errc code) {
   switch (code) {
     case Errc::input:

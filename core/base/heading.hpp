@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Which way a robot points, as a unit vector.
+// The heading of a robot, as a unit vector.
 //
-// An angle would make a half-turn of the field inexact (x + pi rounds); a unit vector is negated,
-// bit for bit, so both ends of the field play the same game (core/README.md, "Fair ends").
+// With an angle a half-turn of the field would be inexact, because x + pi rounds. A unit vector is
+// negated, which is exact to the last bit, so both ends of the field play the same game
+// (core/README.md, "Fair ends").
 #pragma once
 
 #include "core/base/math.hpp"
@@ -13,24 +14,25 @@
 
 namespace mirocup {
 
+// The cosine and sine of the angle from +x, counter-clockwise.
 struct Heading {
   double cos = 1.0;
   double sin = 0.0;
 
-  // Counter-clockwise from +x, in radians.
+  // The heading of an angle in radians, counter-clockwise from +x.
   static Heading from_angle(double angle) {
     const SinCos sc = sincos(angle);
     return {sc.cos, sc.sin};
   }
 
-  // In (-pi, pi].
+  // Returns the angle in radians, in (-pi, pi].
   double angle() const { return atan2(sin, cos); }
 
   // Unit vectors of the body frame in the field's frame.
   Vec2 forward() const { return {cos, sin}; }
   Vec2 left() const { return {-sin, cos}; }
 
-  // From the body frame to the field's, and back.
+  // Rotate a vector from the body frame to the field's frame, and back.
   Vec2 to_world(const Vec2& v) const {
     return {cos * v.x() - sin * v.y(), sin * v.x() + cos * v.y()};
   }
@@ -38,19 +40,20 @@ struct Heading {
     return {cos * v.x() + sin * v.y(), cos * v.y() - sin * v.x()};
   }
 
+  // Returns the opposite heading, exactly.
   Heading half_turned() const { return {-cos, -sin}; }
 
-  // In the frame of another one.
+  // Returns this heading in the frame of a body with the heading `frame`.
   Heading seen_from(const Heading& frame) const {
     return {frame.cos * cos + frame.sin * sin, frame.cos * sin - frame.sin * cos};
   }
 
-  // Turned by an angle given as its sine and cosine.
+  // Returns the heading turned counter-clockwise by an angle, given as its sine and cosine.
   Heading turned(const SinCos& by) const {
     return Heading{cos * by.cos - sin * by.sin, sin * by.cos + cos * by.sin}.normalised();
   }
 
-  // Length 1 again after rounding; for vectors that are nearly of length 1 already.
+  // Returns the heading with length 1, for a vector whose length differs from 1 by rounding only.
   Heading normalised() const {
     const double length = std::sqrt(cos * cos + sin * sin);
     return {cos / length, sin / length};

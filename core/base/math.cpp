@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/base/math.hpp"
 
+#include "core/base/assert.hpp"
+
 #include <array>
 #include <bit>
 #include <cmath>
@@ -11,8 +13,8 @@ namespace mirocup {
 
 namespace {
 
-// pi/2 and ln 2 in pieces whose first ones end in zeros, so that small multiples of them are exact
-// (Cody and Waite): the reduced argument loses nothing to cancellation.
+// pi/2 and ln 2 as sums of pieces (Cody and Waite). The first pieces end in zero bits, so small
+// multiples of them are exact and the reduced argument loses nothing to cancellation.
 constexpr double half_pi_1 = 0x1.921fb544p+0;
 constexpr double half_pi_2 = 0x1.0b4611a6p-34;
 constexpr double half_pi_3 = 0x1.3198a2e037073p-69;
@@ -55,8 +57,8 @@ constexpr auto inverse_factorial = [] {
   return table;
 }();
 
-// (sin(x)/x - 1)/z and (cos(x) - 1 + z/2)/z^2 for squares z of angles |x| <= pi/4: one, or some,
-// which a compiler does together.
+// Returns (sin(x)/x - 1)/z and (cos(x) - 1 + z/2)/z^2 for the squares z of n angles |x| <= pi/4.
+// The loops over i are such that a compiler can vectorise them.
 template <std::size_t n>
 struct Tails {
   std::array<double, n> sin{};
@@ -76,7 +78,8 @@ Tails<n> tails(const std::array<double, n>& z) {
   return t;
 }
 
-// For |x| <= pi/4, plus the part `low` of x that its double cannot hold.
+// Returns sine and cosine of x + low for |x| <= pi/4, where `low` is the part of the angle that the
+// double x cannot hold.
 SinCos kernel(double x, double low) {
   const double z = x * x;
   const Tails<1> tail = tails<1>({z});
@@ -84,19 +87,19 @@ SinCos kernel(double x, double low) {
   const double c = tail.cos[0];
   const double half = 0.5 * z;
   const double one_minus_half = 1.0 - half;
-  // The bits that 1 - z/2 dropped are put back, and the derivative carries `low` in.
+  // Adds the bits that 1 - z/2 dropped, and `low` times the derivative.
   const double cosine = one_minus_half + (((1.0 - one_minus_half) - half) + (z * z * c - x * low));
   return {x + (x * z * s + low * (1.0 - half)), cosine};
 }
 
-// e^r - 1 for |r| <= ln(2)/2.
+// Returns e^r - 1 for |r| <= ln(2)/2.
 double expm1_kernel(double r) {
   double p = 0.0;
   for (int k = exp_terms; k >= 2; --k) p = p * r + inverse_factorial[k];
   return r + r * r * p;
 }
 
-// 2^k for -1022 <= k <= 1023.
+// Returns 2^k for -1022 <= k <= 1023.
 double power_of_two(int k) {
   return std::bit_cast<double>(static_cast<std::uint64_t>(k + 1023) << 52);
 }
@@ -126,10 +129,13 @@ SinCos sincos(double x) {
   }
 }
 
-// kernel() with low = 0, arranged so that a compiler can do several angles at a time.
+// The same operations as kernel() with low = 0, arranged so that a compiler can vectorise them.
 SinCosOfSome sincos_of_small(const std::array<double, angles_at_once>& x) {
   std::array<double, angles_at_once> z;
-  for (int i = 0; i < angles_at_once; ++i) z[i] = x[i] * x[i];
+  for (int i = 0; i < angles_at_once; ++i) {
+    MIROCUP_ASSERT(std::abs(x[i]) <= small_angle);
+    z[i] = x[i] * x[i];
+  }
   const auto tail = tails(z);
   SinCosOfSome some;
   for (int i = 0; i < angles_at_once; ++i) {
@@ -158,7 +164,9 @@ double expm1(double x) {
 }
 
 double log1p(double x) {
-  // ln(1 + x) = 2 artanh(x / (2 + x)); larger arguments come down by exact halvings of 1 + x first.
+  MIROCUP_ASSERT(x > -1.0);
+  // ln(1 + x) = 2 artanh(x / (2 + x)). Larger arguments are reduced first by exact halvings of 1 +
+  // x.
   double extra = 0.0;
   if (std::abs(x) > 0.25) {
     int exponent = 0;
@@ -179,7 +187,7 @@ double log1p(double x) {
 
 double atan2(double y, double x) {
   if (x == 0.0 && y == 0.0) return 0.0;
-  // The octant is taken off first, then the nearest sixteenth: atan(t) = atan(c) + atan(r).
+  // Reduces the angle to an octant, then by the nearest sixteenth: atan(t) = atan(c) + atan(r).
   const double ax = std::abs(x);
   const double ay = std::abs(y);
   const bool steep = ay > ax;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Elementary functions that give the same bits everywhere.
+// Elementary functions that give the same bits on every machine.
 //
 // The C library may round sin, cos, exp and atan2 differently from one version or machine to the
-// next; a match must not. These use only + - * / and sqrt, which IEEE 754 fixes to the last bit.
-// Errors, held against a 64-bit mantissa in tests/unit/core/base/math_test.cpp: at most 1 ulp of
-// the result for sine and cosine up to 1000 rad (below 0.01: of 0.01) and for exp, 5 ulp for the
-// others.
+// next; a match must not depend on that. These functions use only + - * / and sqrt, which IEEE 754
+// fixes to the last bit. Errors, measured against a 64-bit mantissa in
+// tests/unit/core/base/math_test.cpp: at most 1 ulp of the result for exp, and for sine and cosine
+// up to 1000 rad (results below 0.01: 1 ulp of 0.01); at most 5 ulp for the others.
 #pragma once
 
 #include <array>
@@ -22,10 +22,11 @@ struct SinCos {
   double cos;
 };
 
-// Sine and cosine of x in radians; |x| up to 1e5 keeps the accuracy above.
+// Returns sine and cosine of x in radians. The accuracy above holds for |x| up to 1e5.
 SinCos sincos(double x);
 
-// The same bits for some angles at once, none beyond pi/4, in less than half of the instructions.
+// Returns sines and cosines of eight angles, with the same bits as sincos() in less than half of
+// the instructions. No |x| may exceed small_angle.
 inline constexpr int angles_at_once = 8;
 inline constexpr double small_angle = 0.25 * pi;
 struct SinCosOfSome {
@@ -34,16 +35,16 @@ struct SinCosOfSome {
 };
 SinCosOfSome sincos_of_small(const std::array<double, angles_at_once>& x);
 
-// e^x. Overflows to infinity above 709.8, is 0 below -745.2.
+// Returns e^x. Overflows to infinity above 709.8, is 0 below -745.2.
 double exp(double x);
 
-// e^x - 1, accurate near 0.
+// Returns e^x - 1, accurate near 0.
 double expm1(double x);
 
-// ln(1 + x) for x > -1, accurate near 0.
+// Returns ln(1 + x) for x > -1, accurate near 0.
 double log1p(double x);
 
-// The angle of (x, y) in (-pi, pi], counter-clockwise from +x; 0 for the null vector.
+// Returns the angle of (x, y) in (-pi, pi], counter-clockwise from +x; 0 for the null vector.
 double atan2(double y, double x);
 
 }  // namespace mirocup

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// The text of an enumerator and back. Every enum that is written to a file or read from a command
-// line says its names once, as a specialisation of enum_names, in the order of its values from 0.
+// Converts enumerators to text and back. Every enum that is written to a file or read from a
+// command line lists its names once, as a specialisation of enum_names, in the order of its values
+// from 0.
 #pragma once
+
+#include "core/base/assert.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,16 +16,27 @@
 
 namespace mirocup {
 
-// Specialise for an enum E: an std::array of std::string_view, one name per enumerator.
+// The names of an enum E, one for each enumerator. To be specialised for E.
 template <class E>
 inline constexpr std::array<std::string_view, 0> enum_names{};
 
 template <class E>
 constexpr std::string_view to_string(E value) {
+  MIROCUP_ASSERT(static_cast<std::size_t>(value) < enum_names<E>.size());
   return enum_names<E>[static_cast<std::size_t>(value)];
 }
 
-// The enumerator of that name, or nothing.
+// True if these enumerators have the values 0, 1, 2, … in this order and are all that the enum
+// names. For a static_assert beside an enum whose numbers leave the program, in a message or a
+// file.
+template <auto first, decltype(first)... others>
+constexpr bool is_numbered_in_order() {
+  int next = 0;
+  return static_cast<int>(first) == next++ && ((static_cast<int>(others) == next++) && ...) &&
+         enum_names<decltype(first)>.size() == 1 + sizeof...(others);
+}
+
+// Returns the enumerator of that name, or nothing.
 template <class E>
 constexpr std::optional<E> from_string(std::string_view name) {
   const auto& names = enum_names<E>;
@@ -31,7 +45,7 @@ constexpr std::optional<E> from_string(std::string_view name) {
   return static_cast<E>(found - names.begin());
 }
 
-// All names, for an error message: "small, middle, large".
+// Returns all names of E for an error message: "small, middle, large".
 template <class E>
 std::string list_of_names() {
   std::string text;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/base/random.hpp"
 
+#include "core/base/assert.hpp"
+
 namespace mirocup {
 
 namespace {
@@ -10,7 +12,8 @@ constexpr std::uint64_t rotate_left(std::uint64_t x, int k) {
 }  // namespace
 
 Random::Random(std::uint64_t seed) : state_{} {
-  // splitmix64 of consecutive inputs; never all zero, which xoshiro could not leave.
+  // splitmix64 of consecutive inputs is never zero for all four words, a state that xoshiro cannot
+  // leave.
   for (auto& word : state_) {
     word = mix_seed(seed);
     seed += 0x9e3779b97f4a7c15ULL;
@@ -34,7 +37,8 @@ double Random::uniform() {
 }
 
 std::uint64_t Random::below(std::uint64_t bound) {
-  // Numbers under 2^64 mod bound would favour the small remainders: draw again.
+  MIROCUP_ASSERT(bound > 0);
+  // Numbers below 2^64 mod bound would make small remainders more likely, so they are drawn again.
   const std::uint64_t unfair = (0 - bound) % bound;
   std::uint64_t x = next();
   while (x < unfair) x = next();

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// A 64-bit fingerprint of a run. Every tick the whole state is folded in, bit by bit, so that two
-// runs agree in the last hash only if they agreed in every bit of every tick. It guards against
-// differences, not against forgery: records carry SHA-256 for that.
+// A 64-bit fingerprint of a run.
+//
+// In every tick the whole state is folded in, bit by bit, so that two runs agree in the last hash
+// only if they agreed in every bit of every tick. It guards against differences, not against
+// forgery: records carry SHA-256 for that.
 #pragma once
 
 #include <bit>
@@ -16,6 +18,7 @@ class StateHash {
   StateHash() = default;
   explicit StateHash(std::uint64_t value) : value_(value) {}
 
+  // Folds a word in.
   void add(std::uint64_t word) {
     // Multiply-xorshift: each step is a bijection of the running value, so no difference is ever
     // lost.
@@ -32,7 +35,7 @@ class StateHash {
   std::uint64_t value_ = 0x6d69726f63757031ULL;  // "mirocup1"
 };
 
-// Sixteen lower-case hexadecimal digits, as in records.
+// Returns sixteen lower-case hexadecimal digits, as in records.
 inline std::string to_hex(std::uint64_t value) {
   constexpr char digits[] = "0123456789abcdef";
   std::string text(16, '0');

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/field/coverage.hpp"
 
+#include "core/base/assert.hpp"
 #include "core/base/math.hpp"
 
 #include <algorithm>
@@ -16,7 +17,10 @@ struct Polygon {
   std::array<Vec2, 8> corner;
   int count = 0;
 
-  void add(const Vec2& p) { corner[count++] = p; }
+  void add(const Vec2& p) {
+    MIROCUP_ASSERT(count < static_cast<int>(corner.size()));
+    corner[count++] = p;
+  }
   const Vec2& next(int i) const { return corner[i + 1 == count ? 0 : i + 1]; }
 };
 
@@ -29,7 +33,7 @@ Polygon outline(const Pose& robot, double side) {
   return square;
 }
 
-// What lies where normal . x <= offset.
+// Returns the part of a polygon in the half-plane normal . x <= offset.
 Polygon clip(const Polygon& from, const Vec2& normal, double offset) {
   Polygon kept;
   for (int i = 0; i < from.count; ++i) {
@@ -58,8 +62,8 @@ double size_of(const Polygon& p) {
   return twice / 2.0;
 }
 
-// The common part of a disc around the origin and the triangle (origin, a, b), with the sign of
-// a x b.
+// Returns the size of the common part of a disc around the origin and the triangle (origin, a, b),
+// with the sign of a x b.
 double disc_under_edge(const Vec2& a, const Vec2& b, double radius) {
   const auto sector = [radius](const Vec2& from, const Vec2& to) {
     return radius * radius / 2.0 * atan2(cross(from, to), from.dot(to));
@@ -91,7 +95,7 @@ double size_in_disc(const Polygon& p, const Vec2& centre, double radius) {
 }  // namespace
 
 double covered_part(const Field& field, const Area& area, End end, const Pose& robot, double side) {
-  // As if at the right end.
+  // Computed for the right end.
   const Pose seen = team_frame(opposite(end), robot);
   const double reach = side * std::sqrt(0.5);
   const double x = seen.position.x();

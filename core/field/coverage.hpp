@@ -2,18 +2,19 @@
 //
 // How much of a robot stands in an area, exactly.
 //
-// The rules ask for "more than 50 %" of a robot. The place of its centre does not answer that at an
-// area's corner or at its arc: a centre just inside a corner can mean a third of the body. So the
-// square is clipped against the area's parts (rectangle, arc, inside of the goal) and what is left
-// is added up.
+// The rules ask for "more than 50 %" of a robot. The position of its centre does not answer that at
+// a corner or an arc of an area: with its centre just inside a corner, a third of the body may be
+// inside. So the square is clipped against the parts of the area (rectangle, arc, inside of the
+// goal), and the sizes of the clipped polygons are added up.
 #pragma once
 
 #include "core/field/field.hpp"
 
 namespace mirocup::field {
 
-// The part, from 0 to 1, of a square robot that lies in the area of that end, the goal's interior
-// included. `side` in metres. The same bits for a robot and an end turned by 180 degrees.
+// Returns the part, from 0 to 1, of a square robot that lies in the area of that end. The inside of
+// the goal belongs to the area. `side` is in metres. A robot and an end turned by 180 degrees give
+// the same bits.
 double covered_part(const Field& field, const Area& area, End end, const Pose& robot, double side);
 
 }  // namespace mirocup::field

@@ -2,70 +2,88 @@
 #include "core/field/field.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace mirocup::field {
 
 namespace {
 
-// Radius of the circle through the ends of a chord with the given height over it.
+// Returns the radius of the circle whose arc over a chord has the given height.
 double radius_of_arc(double chord, double height) {
   return (chord * chord / 4.0 + height * height) / (2.0 * height);
 }
 
-void add_arc(Area& area, double half_length, double chord, double height) {
-  area.arc_radius = radius_of_arc(chord, height);
-  area.arc_centre = half_length - (area.depth + height - area.arc_radius);
-}
+// An area as the rule book draws it, in metres: a rectangle at the goal line, and an arc over the
+// middle of its front line.
+struct AreaDrawing {
+  double depth;
+  double half_width;
+  double arc_chord = 0.0;  // on the front line; 0: no arc
+  double arc_height = 0.0;
+};
 
-Field dimensions(League league) {
-  Field f;
-  f.league = league;
-  f.corner_leg = 0.07;
-  switch (league) {
-    case League::small:
-      f.robots_per_team = 3;
-      f.half_length = 0.75;
-      f.half_width = 0.65;
-      f.goal_half_width = 0.20;
-      f.goal_depth = 0.10;
-      f.centre_circle_radius = 0.20;
-      f.goal_area = {.depth = 0.15, .half_width = 0.35};
-      add_arc(f.goal_area, f.half_length, 0.20, 0.05);
-      f.penalty_mark_x = 0.375;
-      f.free_ball_mark = {0.375, 0.40};
-      f.free_ball_offset = 0.20;
-      break;
-    case League::middle:
-      f.robots_per_team = 5;
-      f.half_length = 1.10;
-      f.half_width = 0.90;
-      f.goal_half_width = 0.20;
-      f.goal_depth = 0.15;
-      f.centre_circle_radius = 0.25;
-      f.goal_area = {.depth = 0.15, .half_width = 0.25};
-      f.penalty_area = Area{.depth = 0.35, .half_width = 0.40};
-      add_arc(*f.penalty_area, f.half_length, 0.25, 0.05);
-      f.penalty_mark_x = 0.725;
-      f.free_ball_mark = {0.55, 0.60};
-      f.free_ball_offset = 0.25;
-      break;
-    case League::large:
-      f.robots_per_team = 11;
-      f.half_length = 2.00;
-      f.half_width = 1.40;
-      f.goal_half_width = 0.30;
-      f.goal_depth = 0.15;
-      f.centre_circle_radius = 0.75;
-      f.goal_area = {.depth = 0.25, .half_width = 0.425};
-      f.penalty_area = Area{.depth = 0.70, .half_width = 0.60};
-      add_arc(*f.penalty_area, f.half_length, 0.447214, 0.10);
-      f.penalty_mark_x = 1.50;
-      f.free_ball_mark = {1.00, 2.80 / 3.0};
-      f.free_ball_offset = 0.30;
-      break;
-  }
-  return f;
+// The numbers of a league, in metres; the sources are named in the header. The penalty area of the
+// small league has depth 0: it has none.
+struct Dimensions {
+  int robots_per_team;
+  double half_length, half_width;
+  double goal_half_width, goal_depth;
+  double centre_circle_radius;
+  AreaDrawing goal_area, penalty_area;
+  double penalty_mark_x;
+  double free_ball_mark_x, free_ball_mark_y;
+  double free_ball_offset;
+};
+
+constexpr double corner_leg = 0.07;  // in all leagues
+
+// In the order of League.
+constexpr std::array<Dimensions, 3> dimensions{{
+    {.robots_per_team = 3,
+     .half_length = 0.75,
+     .half_width = 0.65,
+     .goal_half_width = 0.20,
+     .goal_depth = 0.10,
+     .centre_circle_radius = 0.20,
+     .goal_area = {.depth = 0.15, .half_width = 0.35, .arc_chord = 0.20, .arc_height = 0.05},
+     .penalty_area = {.depth = 0.0, .half_width = 0.0},
+     .penalty_mark_x = 0.375,
+     .free_ball_mark_x = 0.375,
+     .free_ball_mark_y = 0.40,
+     .free_ball_offset = 0.20},
+    {.robots_per_team = 5,
+     .half_length = 1.10,
+     .half_width = 0.90,
+     .goal_half_width = 0.20,
+     .goal_depth = 0.15,
+     .centre_circle_radius = 0.25,
+     .goal_area = {.depth = 0.15, .half_width = 0.25},
+     .penalty_area = {.depth = 0.35, .half_width = 0.40, .arc_chord = 0.25, .arc_height = 0.05},
+     .penalty_mark_x = 0.725,
+     .free_ball_mark_x = 0.55,
+     .free_ball_mark_y = 0.60,
+     .free_ball_offset = 0.25},
+    {.robots_per_team = 11,
+     .half_length = 2.00,
+     .half_width = 1.40,
+     .goal_half_width = 0.30,
+     .goal_depth = 0.15,
+     .centre_circle_radius = 0.75,
+     .goal_area = {.depth = 0.25, .half_width = 0.425},
+     .penalty_area = {.depth = 0.70, .half_width = 0.60, .arc_chord = 0.447214, .arc_height = 0.10},
+     .penalty_mark_x = 1.50,
+     .free_ball_mark_x = 1.00,
+     .free_ball_mark_y = 2.80 / 3.0,
+     .free_ball_offset = 0.30},
+}};
+
+Area area_of(const AreaDrawing& drawing, double half_length) {
+  Area area{.depth = drawing.depth, .half_width = drawing.half_width};
+  if (drawing.arc_chord == 0.0) return area;
+  area.arc_radius = radius_of_arc(drawing.arc_chord, drawing.arc_height);
+  area.arc_centre = half_length - (area.depth + drawing.arc_height - area.arc_radius);
+  return area;
 }
 
 void add_walls(Field& f) {
@@ -95,7 +113,7 @@ void add_walls(Field& f) {
 }  // namespace
 
 bool Field::inside(const Area& area, End end, const Vec2& point, double tolerance) const {
-  const double x = -attack_sign(end) * point.x();  // as if at the right end
+  const double x = -attack_sign(end) * point.x();  // seen from the right end
   const double y = std::abs(point.y());
   const double front = half_length - area.depth;
   if (x >= front - tolerance) {
@@ -122,7 +140,23 @@ double Field::clearance(const Vec2& point) const {
 }
 
 Field make_field(League league) {
-  Field f = dimensions(league);
+  const Dimensions& d = dimensions[static_cast<std::size_t>(league)];
+  Field f{.league = league,
+          .robots_per_team = d.robots_per_team,
+          .half_length = d.half_length,
+          .half_width = d.half_width,
+          .corner_leg = corner_leg,
+          .goal_half_width = d.goal_half_width,
+          .goal_depth = d.goal_depth,
+          .centre_circle_radius = d.centre_circle_radius,
+          .goal_area = area_of(d.goal_area, d.half_length),
+          .penalty_area = {},
+          .penalty_mark_x = d.penalty_mark_x,
+          .free_ball_mark = {d.free_ball_mark_x, d.free_ball_mark_y},
+          .free_ball_offset = d.free_ball_offset,
+          .walls = {},
+          .posts = {}};
+  if (d.penalty_area.depth > 0.0) f.penalty_area = area_of(d.penalty_area, d.half_length);
   add_walls(f);
   return f;
 }

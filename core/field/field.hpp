@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// The playground of a league: its dimensions, its markings and the solid things around it.
+// The field of a league: its dimensions, its markings and the solid things around it.
 //
 // Frame: origin at the centre, x towards the right goal, y towards the upper wall, metres. Every
-// field is symmetric under a half-turn, and the walls are listed so that the half-turn swaps
-// neighbours 2i and 2i+1: sums over walls then have the same order at both ends (core/README.md,
-// "Fair ends").
+// field is symmetric under a half-turn. The walls are listed so that the half-turn swaps neighbours
+// 2i and 2i+1: sums over walls then have the same order at both ends (core/README.md, "Fair ends").
 //
 // Sources of the numbers: FIRA MiroSot rule texts and their dimensioned figures for all three
-// leagues; the small league's free-ball marks and the large league's goal depth and free-ball marks
-// have no official source and follow common practice.
+// leagues. The free-ball marks of the small league, and the goal depth and free-ball marks of the
+// large league, have no official source and follow common practice.
 #pragma once
 
 #include "core/base/vec2.hpp"
@@ -24,10 +23,11 @@ namespace mirocup::field {
 // A rectangle at a goal line (given for the right end) with an optional arc on its front line.
 struct Area {
   double depth = 0.0;       // from the goal line into the field
-  double half_width = 0.0;  // |y| at most
+  double half_width = 0.0;  // |y| is at most this
   double arc_radius = 0.0;  // 0: no arc
-  double arc_centre =
-      0.0;  // |x| of the arc's centre, y = 0; the part in front of the rectangle belongs to it
+  // |x| of the arc's centre, at y = 0. The part of the disc in front of the rectangle belongs to
+  // the area.
+  double arc_centre = 0.0;
 };
 
 // A solid half-plane: points x with normal . x < offset are inside the wall. The unit normal points
@@ -46,6 +46,7 @@ struct GoalPost {
   Vec2 side;
 };
 
+// Lengths in metres.
 struct Field {
   League league = League::small;
   int robots_per_team = 3;
@@ -66,15 +67,15 @@ struct Field {
   std::array<Wall, 8> walls;      // side walls, goal backs, corner cuts
   std::array<GoalPost, 4> posts;  // end walls
 
-  // Is the point on or inside the area of that end, the goal's interior included? `tolerance` in
-  // metres.
+  // True if the point is on or inside the area of that end. The inside of the goal belongs to the
+  // area. `tolerance` is in metres.
   bool inside(const Area& area, End end, const Vec2& point, double tolerance = 1e-6) const;
 
-  // Distance of a point to the nearest solid thing; negative inside one.
+  // Returns the distance of a point to the nearest solid thing, m; negative inside one.
   double clearance(const Vec2& point) const;
 };
 
-// The field of a league.
+// Returns the field of a league.
 Field make_field(League league);
 
 }  // namespace mirocup::field

@@ -4,8 +4,8 @@
 //
 // The field's frame has its origin at the centre of the pitch, x towards the right goal and y
 // towards the upper wall. The frame of a team is the field's frame for the team that defends the
-// left end, and the field's frame turned by 180 degrees for the other team: it is a half-turn, never
-// a mirror, and every team sees itself attack +x. Positions are in metres, headings are unit
+// left end, and the field's frame turned by 180 degrees for the other team: it is a half-turn,
+// never a mirror, and every team sees itself attack +x. Positions are in metres, headings are unit
 // vectors.
 #pragma once
 
@@ -32,8 +32,9 @@ constexpr int index_of(End end) {
 }
 inline constexpr std::array<End, 2> both_ends{End::left, End::right};
 
-// Returns the sign of x in the direction of attack: +1 for the defender of left, -1 for the defender
-// of right. A vector in the field's frame times this sign is the vector in the team's frame.
+// Returns the sign of x in the direction of attack: +1 for the defender of left, -1 for the
+// defender of right. A vector in the field's frame times this sign is the vector in the team's
+// frame.
 constexpr double attack_sign(End defended) {
   return defended == End::left ? 1.0 : -1.0;
 }
@@ -44,8 +45,8 @@ struct Pose {
   Heading heading;
 };
 
-// Converts from the field's frame to the frame of the team that defends `end`. The conversion is its
-// own inverse, so the same functions convert back, and it is exact to the last bit.
+// Converts from the field's frame to the frame of the team that defends `end`. The conversion is
+// its own inverse, so the same functions convert back, and it is exact to the last bit.
 inline Vec2 team_frame(End end, const Vec2& v) {
   return attack_sign(end) * v;
 }

@@ -14,8 +14,10 @@ enum class League { small, middle, large };
 
 template <>
 inline constexpr std::array<std::string_view, 3> enum_names<League>{"small", "middle", "large"};
+// Messages to teams hold these numbers.
+static_assert(is_numbered_in_order<League::small, League::middle, League::large>());
 
-// The largest league's number of robots of one team; arrays of robots have this size.
+// The number of robots of a team in the largest league. Arrays of robots have this size.
 inline constexpr int max_robots_per_team = 11;
 
 }  // namespace mirocup

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The two teams of a leg. A team keeps its colour for the whole leg; the end that it defends changes
-// at half-time (frames.hpp).
+// The two teams of a leg. A team keeps its colour for the whole leg; the end that it defends
+// changes at half-time (frames.hpp).
 #pragma once
 
 #include "core/base/names.hpp"
@@ -20,11 +20,12 @@ constexpr Team opponent_of(Team team) {
   return team == Team::blue ? Team::yellow : Team::blue;
 }
 
-// 0 for blue, 1 for yellow: as an index of arrays, and as the number that records and messages hold.
+// 0 for blue, 1 for yellow: as an index of arrays, and as the number that records and messages
+// hold.
 constexpr int index_of(Team team) {
   return static_cast<int>(team);
 }
-static_assert(index_of(Team::blue) == 0 && index_of(Team::yellow) == 1);
+static_assert(is_numbered_in_order<Team::blue, Team::yellow>());
 
 inline constexpr std::array<Team, 2> both_teams{Team::blue, Team::yellow};
 

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "core/match/command.hpp"
 
+#include "core/base/assert.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 namespace mirocup::match {
 
 CheckedCommand check(const Command& command, int robots, double limit) {
+  MIROCUP_ASSERT(0 <= robots && robots <= max_robots_per_team);
+  MIROCUP_ASSERT(0.0 <= limit && limit <= max_wheel_speed);
   CheckedCommand result;
   const auto driven = [&](double speed) -> std::int16_t {
     if (!std::isfinite(speed)) {

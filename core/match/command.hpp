@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// What a team answers to an observation: the speeds of all its wheels, and at a restart where it
-// wants to stand.
+// The answer of a team to an observation: the speeds of all its wheels and, at a restart, the
+// places that it asks for.
 //
-// A command is checked once, where it enters the match: what is not finite becomes 0, what is out
-// of range is clamped, both are counted; then it is rounded to the resolution of the radio. From
-// there on it is a small integer, so that a record holds exactly what was driven.
+// A command is checked once, where it enters the leg. A speed that is not finite becomes 0, a speed
+// out of range is clamped, and both are counted; then it is rounded to the resolution of the radio.
+// From there on it is a small integer, so that a record holds exactly what was driven.
 #pragma once
 
 #include "core/field/league.hpp"
@@ -18,17 +18,19 @@
 
 namespace mirocup::match {
 
-// Resolution of a wheel speed, rad/s, and the largest one that a record can hold.
+// The resolution of a wheel speed and the largest wheel speed that a record can hold, rad/s.
 inline constexpr double wheel_speed_step = 1.0 / 256.0;
 inline constexpr double max_wheel_speed = 127.0;
 
+// A command as the team gave it.
 struct Command {
   std::array<simulator::WheelSpeeds, max_robots_per_team> wheels{};  // rad/s
-  std::optional<PlacementRequest>
-      placement;  // counts while it is the team's turn to place (Snapshot::placing)
+  // Counts only in the team's turn to place (Snapshot::placing).
+  std::optional<PlacementRequest> placement;
 };
 
-// As driven and as recorded: left and right of each robot in units of wheel_speed_step.
+// A command as it is driven and recorded: left and right wheel of each robot, in units of
+// wheel_speed_step.
 struct DrivenCommand {
   std::array<std::array<std::int16_t, 2>, max_robots_per_team> wheels{};
 
@@ -44,7 +46,8 @@ struct CheckedCommand {
   int bad_values = 0;  // not finite, or out of range
 };
 
-// `limit`: of the wheel speed, rad/s.
+// Checks the commands of the first `robots` robots. `limit` is that of the wheel speed, rad/s, at
+// most max_wheel_speed.
 CheckedCommand check(const Command& command, int robots, double limit);
 
 }  // namespace mirocup::match

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The seam between the match and whoever steers a team: a plugin in its own process, a program
-// across the network, a recording.
+// The interface between a leg and what steers a team: a plugin in its own process, a program on the
+// network, or a recording.
 #pragma once
 
 #include "core/match/command.hpp"
@@ -14,7 +14,7 @@
 
 namespace mirocup::match {
 
-// How a team can lose the leg by itself.
+// The faults by which a team loses the leg.
 enum class FaultCode {
   no_load,
   bad_abi,
@@ -23,7 +23,7 @@ enum class FaultCode {
   hang,
   budget,
   illegal_call,
-  bad_command,
+  bad_command,  // reserved: no controller reports it, bad values are clamped and counted
   disconnected,
 };
 
@@ -37,20 +37,23 @@ struct HostFailure {
   std::string text;
 };
 
-// No answer in time (only where time counts): the last command goes on for a while.
+// No answer in time, which only happens where real time counts. The last command is repeated for a
+// few ticks.
 struct Late {};
 
 using Answer = std::variant<Command, Late, Fault, HostFailure>;
 
+// Steers one team. A leg calls post() and collect() in turn, once a tick, from one thread; both
+// teams are asked before either answer is collected.
 class Controller {
  public:
   virtual ~Controller() = default;
 
-  // Hands over an observation. Does not wait.
+  // Hands an observation over, without waiting.
   virtual void post(const Observation& observation) = 0;
 
-  // The answer to the last posted observation; waits for it as long as the controller's own limits
-  // say.
+  // Returns the answer to the observation posted last. Waits for it, as long as the controller's
+  // own limits allow.
   virtual Answer collect() = 0;
 };
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Copies between structures of different rooms that give the same things the same names: the
-// match's own, those of strategy.h, those of the topics. What is added here must be added to all.
+// Copies between structs of different rooms that give the same things the same names: those of the
+// match, of strategy.h and of the DDS topics. A field that is added here must be added to all of
+// them.
 #pragma once
 
 namespace mirocup::match {
 
-// What a team is told about robots and ball.
+// Copies what a team is told about robots and ball.
 template <class From, class To>
 void copy_bodies(const From& from, To& to) {
   to.robot_side = from.robot_side;
@@ -20,7 +21,7 @@ void copy_bodies(const From& from, To& to) {
   to.ball_mass = from.ball_mass;
 }
 
-// What the referee counts about a team.
+// Copies what the referee counts about a team.
 template <class From, class To>
 void copy_counts(const From& from, To& to) {
   to.defenders = from.defenders;

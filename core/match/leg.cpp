@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/match/leg.hpp"
 
+#include "core/base/assert.hpp"
 #include "core/referee/placement_check.hpp"
 #include "core/referee/touches.hpp"
 
@@ -12,10 +13,10 @@ namespace mirocup::match {
 
 namespace {
 
-// A team that answers late goes on with its last command for so many ticks, then stands.
+// The last command of a late team is repeated for this many ticks; then its robots stop.
 constexpr int max_repeated_ticks = 3;
 
-// Both teams have a tick to place in before the whistle.
+// Each team has one tick to place in before the whistle.
 constexpr int min_ready_ticks = 2;
 
 void add(StateHash& hash, const Vec2& v) {
@@ -28,9 +29,12 @@ void add(StateHash& hash, const Vec2& v) {
 Leg::Leg(const Setup& setup)
     : setup_(setup),
       field_(field::make_field(setup.league)),
-      pitch_{field_, setup_.rules, setup.parameters.ball_radius, setup.parameters.robot_side},
+      pitch_{.field = field_,
+             .rules = setup_.rules,
+             .ball_radius = setup.parameters.ball_radius,
+             .robot_side = setup.parameters.robot_side},
       rng_(mix_seed(setup.seed)) {
-  // The toss: who defends the left end, and who kicks off (MiroSot law 6.1).
+  // The toss decides which team defends the left end and which kicks off (MiroSot law 6.1).
   left_ = rng_.coin() ? Team::blue : Team::yellow;
   const Team kick_off = rng_.coin() ? Team::blue : Team::yellow;
   referee_ = std::make_unique<referee::Referee>(
@@ -59,6 +63,7 @@ void Leg::advance(Controller& blue, Controller& yellow) {
 }
 
 void Leg::advance(const ByTeam<Answer>& answers) {
+  MIROCUP_ASSERT(!is_over());
   if (!accept_answers(answers)) return;
   simulate();
   judge();
@@ -66,7 +71,7 @@ void Leg::advance(const ByTeam<Answer>& answers) {
   record();
 }
 
-// False if one of the answers ends the match.
+// Returns false if one of the answers ends the leg.
 bool Leg::accept_answers(const ByTeam<Answer>& given) {
   std::vector<TeamFault> faults;
   hands_ = {};
@@ -95,7 +100,8 @@ bool Leg::accept_answers(const ByTeam<Answer>& given) {
   return false;
 }
 
-// What the team asks for is granted at the end of the tick. Out of its turn it may be an offence.
+// A request in the team's turn is granted at the end of the tick. Out of its turn it may be an
+// offence.
 void Leg::on_placement_request(Team team, const PlacementRequest& poses) {
   if (placing_ != team) {
     const bool counts = setup_.rules.hand_penalty && state_ == State::PLAY &&
@@ -129,7 +135,7 @@ void Leg::simulate() {
                              setup_.control_period);
 }
 
-// Do the robot's commands count? In a shoot-out the kicker and the keeper are alone; the others
+// True if the robot's commands count. In a shoot-out only kicker and keeper play; the other robots
 // stand in the kicker's half, where an attempt ends.
 bool Leg::is_active(Team team, int robot) const {
   if (state_ != State::PLAY) return false;
@@ -164,7 +170,7 @@ void Leg::apply(const referee::Decision& decision) {
   }
 }
 
-// Ends change between halves; extra time and the shoot-out begin with a toss of their own.
+// The ends change between halves. Extra time and the shoot-out start with a toss of their own.
 void Leg::start_phase(referee::Phase phase) {
   const bool next_half = phase == referee::Phase::SECOND_HALF ||
                          (phase == referee::Phase::EXTRA && referee_->phase() == phase);
@@ -293,6 +299,8 @@ void Leg::end(const referee::Decision& decision) {
 }
 
 void Leg::forfeit(std::vector<TeamFault> faults) {
+  MIROCUP_ASSERT(!is_over());
+  MIROCUP_ASSERT(faults.size() == 1 || faults.size() == 2);
   const bool both = faults.size() > 1;
   end(both ? OutcomeKind::double_forfeit : OutcomeKind::forfeit);
   outcome_->score = {0, 0};
@@ -306,6 +314,7 @@ void Leg::forfeit(std::vector<TeamFault> faults) {
 }
 
 void Leg::declare_void(std::string why) {
+  MIROCUP_ASSERT(!is_over());
   end(OutcomeKind::void_);
   outcome_->winner.reset();
   outcome_->why_void = std::move(why);

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
 //
-// One leg from the toss to the result, tick by tick.
+// One leg from the toss to the outcome, tick by tick.
 //
-// A tick is one control period. Both teams get the observation of its begin; their answers take
-// effect in the next tick: a fixed decision delay, like camera and radio. Simulated time is the
-// only time there is; how fast it passes is the caller's business.
+// A tick is one control period. Both teams observe its start, and their answers take effect in the
+// next tick: a fixed decision delay, like that of camera and radio. Simulated time is the only time
+// in here; how fast it passes is the caller's business.
 //
-// At a restart everybody is put in the default places in the tick of the decision. In the next tick
-// the team that places first may ask for others, in the one after it the other team, which sees
-// where the first stands.
+// At a restart every body is put in its default place in the tick of the decision. In the next tick
+// the team that places first may ask for other places; in the tick after that the other team may,
+// which by then sees where the first team stands.
+//
+// Threads: none of its own; one thread at a time may call it.
 #pragma once
 
+#include "core/base/assert.hpp"
 #include "core/base/random.hpp"
 #include "core/base/state_hash.hpp"
 #include "core/match/controller.hpp"
@@ -36,30 +39,33 @@ struct Setup {
   simulator::Tolerances tolerances;
 };
 
+// How a leg ended.
 enum class OutcomeKind { full_time, golden_goal, shoot_out, forfeit, double_forfeit, mercy, void_ };
 
+// A fault and the team that made it.
 struct TeamFault {
   Team team = Team::blue;
   Fault fault;
 };
 
+// The outcome of a leg.
 struct Outcome {
-  ByTeam<int> score{};   // the official one: a forfeit is 0 to forfeit_goals
-  ByTeam<int> played{};  // goals until the end, those of extra time with them
+  ByTeam<int> score{};   // the official score: a forfeit is 0 to forfeit_goals
+  ByTeam<int> played{};  // goals scored, those of extra time included
   std::optional<Team> winner;
-  std::optional<ByTeam<int>> shoot_out;  // attempts scored, if there was one; not goals
+  std::optional<ByTeam<int>> shoot_out;  // attempts scored, if there was one; they are not goals
   OutcomeKind kind = OutcomeKind::full_time;
-  std::vector<TeamFault> faults;
-  std::string why_void;
+  std::vector<TeamFault> faults;  // of a forfeit: one, or one of each team
+  std::string why_void;           // a sentence, if the leg is void
 };
 
-// A decision with the tick that it was made in, and colours in place of ends.
+// A decision with its tick, and with colours in place of ends.
 struct LoggedDecision {
   std::uint32_t tick = 0;
   referee::Decision decision;
   std::optional<Team> team;
   Team taker = Team::blue;
-  ByTeam<referee::RobotSet> robots;  // who had a part in it
+  ByTeam<referee::RobotSet> robots;  // the robots involved
 };
 
 // A robot that touched the ball.
@@ -68,14 +74,15 @@ struct Touch {
   int robot = 0;
 };
 
-// What the match writes down of each tick.
+// The log of one tick.
 struct TickLog {
-  ByTeam<DrivenCommand> commands;  // the answers to this tick's observation, driven in the next
-  std::uint64_t hash = 0;          // of all ticks up to the end of this one
+  ByTeam<DrivenCommand>
+      commands;            // the answers to this tick's observation, driven in the next tick
+  std::uint64_t hash = 0;  // of all ticks up to the end of this one
 };
 
-// Where a team asked to stand, other than where it stood, in the tick that was its turn; or out of
-// its turn, where that is an offence.
+// A request for places other than those where the team stood: made in the team's turn, or out of
+// its turn where that is an offence.
 struct LoggedPlacementRequest {
   std::uint32_t tick = 0;
   Team team = Team::blue;
@@ -84,47 +91,61 @@ struct LoggedPlacementRequest {
 
 class Leg {
  public:
-  // Makes the toss and places the first kick-off.
+  // Tosses for ends and kick-off and places the bodies for the kick-off.
   explicit Leg(const Setup& setup);
   Leg(const Leg&) = delete;
   Leg& operator=(const Leg&) = delete;
 
   const Setup& setup() const { return setup_; }
   const field::Field& field() const { return field_; }
+  const referee::Pitch& pitch() const { return pitch_; }  // what the leg is judged on
+
+  // Returns what the team is told before the first tick. It points into the leg.
   Briefing briefing(Team team) const;
 
   std::uint32_t tick() const { return tick_; }
   bool is_over() const { return outcome_.has_value(); }
-  const Outcome& outcome() const { return *outcome_; }  // once over
+  const Outcome& outcome() const {
+    MIROCUP_ASSERT(is_over());
+    return *outcome_;
+  }
 
-  // Plays one tick. The controllers steer blue and yellow; not to be called once over.
+  // Plays one tick with the answers of two controllers. Not to be called once the leg is over.
   void advance(Controller& blue, Controller& yellow);
 
-  // The same with answers that are known already: nobody has to see anything.
+  // Plays one tick with answers that are known already, such as recorded ones; nothing is observed.
   void advance(const ByTeam<Answer>& answers);
 
-  // Ends the leg without a result: the machine failed.
+  // Ends the leg without a winner, because the machine failed.
   void declare_void(std::string why);
 
-  // Ends the leg because of what teams did before the first tick.
+  // Ends the leg because of one or two faults, such as a team that did not start. With two it has
+  // no winner.
   void forfeit(std::vector<TeamFault> faults);
 
+  // The state between two ticks.
   Snapshot snapshot() const;
-  // What it holds of one body: cheaper than the scene where nothing else is asked for.
+  // The state of one body; cheaper than a snapshot where nothing else is needed.
   simulator::BodyState robot(Team team, int i) const { return world_->robot(body_of(team, i)); }
   simulator::BallState ball() const { return world_->ball(); }
   const referee::Referee& referee() const { return *referee_; }
-  const referee::Decision& restart() const { return restart_; }  // the last one
-  // What the referee was shown in the last tick, or nothing while play stood.
+  const referee::Decision& restart() const { return restart_; }  // the last restart
+  // The situation that the referee judged in the last tick; nothing if play was stopped in it.
   const std::optional<referee::Situation>& judged() const { return judged_; }
+
+  // The log up to now: decisions in their order, one entry for each tick, requests in their order.
   const std::vector<LoggedDecision>& decisions() const { return decisions_; }
   const std::vector<TickLog>& log() const { return log_; }
   const std::vector<LoggedPlacementRequest>& placement_requests() const {
     return placement_requests_;
   }
+
+  // The hash of the states of all ticks played until now.
   std::uint64_t state_hash() const { return hash_.value(); }
-  // Who touched the ball last in the tick that was played, if anybody did.
+  // The robot that touched the ball last in the tick played last, if any robot did.
   std::optional<Touch> last_touch() const;
+
+  // Counted for each team: commands with a value that was zeroed or clamped, and late answers.
   const ByTeam<int>& bad_values() const { return bad_values_; }
   const ByTeam<int>& late_ticks() const { return late_ticks_; }
 
@@ -155,7 +176,7 @@ class Leg {
   Setup setup_;
   field::Field field_;
   referee::Pitch pitch_;
-  Random rng_;  // of every toss and lot
+  Random rng_;  // decides every toss and lot
   Team left_ = Team::blue;
   std::unique_ptr<simulator::World> world_;
   std::unique_ptr<referee::Referee> referee_;
@@ -163,21 +184,21 @@ class Leg {
   std::uint32_t tick_ = 0;
   State state_ = State::READY;
   int ready_ticks_left_ = 0;
-  referee::Decision restart_;  // the last one
+  referee::Decision restart_;  // the last restart
   bool placement_is_due_ = false;
-  std::optional<Team> placing_;  // whose turn it is
-  std::optional<PlacementRequest>
-      requested_;  // what it asked for in this tick, and the same in the field's frame
+  std::optional<Team> placing_;  // the team whose turn it is to place
+  // What that team asked for in this tick, in its own frame and in the field's.
+  std::optional<PlacementRequest> requested_;
   referee::Placement requested_placement_;
-  referee::ByEnd<bool> hands_{};  // who asked out of its turn in this tick
+  referee::ByEnd<bool> hands_{};  // true for a team that asked out of its turn in this tick
   std::vector<LoggedPlacementRequest> placement_requests_;
   Vec2 ball_before_{0.0, 0.0};
   ByTeam<std::array<Vec2, max_robots_per_team>> velocity_before_;  // in the field's frame
   const simulator::TickEvents* events_ = nullptr;
   std::optional<referee::Situation> judged_;
 
-  ByTeam<DrivenCommand> pending_;  // answers of the last tick, driven in this one
-  ByTeam<DrivenCommand> answers_;  // of this tick
+  ByTeam<DrivenCommand> pending_;  // the answers of the last tick, driven in this one
+  ByTeam<DrivenCommand> answers_;  // the answers of this tick
   ByTeam<int> late_in_a_row_{};
   ByTeam<int> late_ticks_{};
   ByTeam<int> bad_values_{};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/match/observation.hpp"
 
+#include "core/base/assert.hpp"
+
 namespace mirocup::match {
 
 namespace {
@@ -16,26 +18,28 @@ ObservedRobot observed(End end, const simulator::BodyState& robot) {
 }  // namespace
 
 Observation observe(const Snapshot& scene, Team team, int robots) {
+  MIROCUP_ASSERT(0 <= robots && robots <= max_robots_per_team);
   const Team other = opponent_of(team);
   const End end = scene.left == team ? End::left : End::right;
-  Observation o;
-  o.tick = scene.tick;
-  o.time = scene.time;
-  o.clock = scene.clock;
-  o.state = scene.state;
-  o.phase = scene.phase;
-  o.restart = scene.restart;
-  o.own_restart = scene.taker == team;
-  o.placing = scene.placing == team;
-  o.own_score = scene.score[index_of(team)];
-  o.opponent_score = scene.score[index_of(other)];
-  o.robots = robots;
-  o.stalemate_s = scene.stalemate_s;
-  o.advantage_s = scene.advantage_s;
-  o.own_counts = scene.counts[index_of(team)];
-  o.opponent_counts = scene.counts[index_of(other)];
-  o.ball = team_frame(end, scene.ball.position);
-  o.ball_velocity = team_frame(end, scene.ball.velocity);
+  Observation o{.tick = scene.tick,
+                .time = scene.time,
+                .clock = scene.clock,
+                .state = scene.state,
+                .phase = scene.phase,
+                .restart = scene.restart,
+                .own_restart = scene.taker == team,
+                .placing = scene.placing == team,
+                .own_score = scene.score[index_of(team)],
+                .opponent_score = scene.score[index_of(other)],
+                .robots = robots,
+                .stalemate_s = scene.stalemate_s,
+                .advantage_s = scene.advantage_s,
+                .own_counts = scene.counts[index_of(team)],
+                .opponent_counts = scene.counts[index_of(other)],
+                .ball = team_frame(end, scene.ball.position),
+                .ball_velocity = team_frame(end, scene.ball.velocity),
+                .own = {},
+                .opponent = {}};
   for (int i = 0; i < robots; ++i) {
     o.own[i] = observed(end, scene.robots[index_of(team)][i]);
     o.opponent[i] = observed(end, scene.robots[index_of(other)][i]);

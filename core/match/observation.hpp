@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a team sees of one tick: everything, exactly, in its own frame. It always attacks +x;
-// metres, radians counter-clockwise, m/s, rad/s.
+// What a team observes at the start of a tick: everything, exactly, in the team's own frame, in
+// which it attacks +x. Metres, radians counter-clockwise, m/s, rad/s.
 #pragma once
 
 #include "core/match/snapshot.hpp"
@@ -21,17 +21,17 @@ struct ObservedRobot {
 
 struct Observation {
   std::uint32_t tick = 0;
-  double time = 0.0;   // simulated time since the match began, s
-  double clock = 0.0;  // of the half, s
+  double time = 0.0;   // simulated time since the start of the leg, s
+  double clock = 0.0;  // of the current phase, s
   State state = State::READY;
   referee::Phase phase = referee::Phase::FIRST_HALF;
-  referee::Restart restart = referee::Restart::none;  // the last one
-  bool own_restart = false;                           // it is the observer's
-  bool placing = false;                               // the observer may say where it stands
+  referee::Restart restart = referee::Restart::none;  // the last restart
+  bool own_restart = false;                           // the observing team takes it
+  bool placing = false;  // the team may ask for a placement in its answer
   int own_score = 0;
   int opponent_score = 0;
-  int robots = 0;  // of a team
-  // What the referee counts, so that nobody is surprised by a whistle.
+  int robots = 0;  // of each team
+  // What the referee counts, so that a team can tell that a call is near.
   double stalemate_s = 0.0;
   double advantage_s = 0.0;
   referee::TeamCounts own_counts;
@@ -42,17 +42,19 @@ struct Observation {
   std::array<ObservedRobot, max_robots_per_team> opponent;
 };
 
-// The scene as a team sees it; `robots` of a team on the field.
+// Returns the snapshot as a team observes it. `robots` is the number of robots of each team, at
+// most max_robots_per_team.
 Observation observe(const Snapshot& scene, Team team, int robots);
 
-// What a team is told once, before the first observation.
+// What a team is told once, before the first observation. The pointers stay valid as long as the
+// leg.
 struct Briefing {
   const field::Field* field = nullptr;
   const simulator::Parameters* parameters = nullptr;
   const referee::Rules* rules = nullptr;
   double control_period = 0.0;  // s
   Team team = Team::blue;
-  std::uint64_t seed = 0;  // of the team's own random numbers; differs between the two teams
+  std::uint64_t seed = 0;  // for the team's own random numbers; different for the two teams
 };
 
 }  // namespace mirocup::match

@@ -12,7 +12,7 @@ namespace mirocup::match {
 
 namespace {
 
-// Far more than anybody who adds up angles gets to, and few enough turns to be reduced exactly.
+// Larger than any angle that a team accumulates in a leg, and small enough to be reduced exactly.
 constexpr double max_heading = 1e6;  // rad
 
 Pose to_pose(const RequestedPose& pose, End end) {

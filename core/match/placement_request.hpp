@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Where a team asks to stand at a restart, in its own frame: metres, radians counter-clockwise.
+// What a team asks for at a restart: places for its robots and, where it has the choice, for the
+// ball. In the team's own frame: metres, radians counter-clockwise.
 //
-// Like a command it is input from outside: any number may be in it, and it is kept as it came, so
-// that a recorded leg can be played again without the team.
+// Like a command it is input from outside: it may hold any number, infinities and NaN included. It
+// is kept as it came, so that a recorded leg can be played again without the team.
 #pragma once
 
-#include "core/field/team.hpp"
 #include "core/field/league.hpp"
+#include "core/field/team.hpp"
 #include "core/referee/placement.hpp"
 
 #include <array>
@@ -17,28 +18,33 @@ namespace mirocup::match {
 struct Observation;
 struct Snapshot;
 
+// One robot's place.
 struct RequestedPose {
   double x = 0.0;
   double y = 0.0;
   double heading = 0.0;
 };
 
+// The places of all robots of a team, and of the ball.
 struct PlacementRequest {
   double ball_x = 0.0;
   double ball_y = 0.0;
   std::array<RequestedPose, max_robots_per_team> robots;
 };
 
-// What a team asks for that asks for nothing: everything where it is.
+// Returns the request that changes nothing: everything stays where it is observed.
 PlacementRequest unchanged_request(const Observation& observation);
 
-// The same numbers, bit for bit: what is not a number equals itself.
+// True if both hold the same numbers, bit for bit; unlike with ==, NaN equals itself. `robots` is
+// the number of robots compared.
 bool bit_equal(double a, double b);
 bool bit_equal(const RequestedPose& a, const RequestedPose& b);
 bool bit_equal(const PlacementRequest& a, const PlacementRequest& b, int robots);
 
-// The scene with what one team asks for in it, in the field's frame. What is as it was `shown`
-// stays bit for bit. A heading that is no angle makes a pose that is nowhere.
+// Returns the placement, in the field's frame, in which one team stands as it asks and all else as
+// in the snapshot. A number that is as it was `shown` to the team keeps its bits, so that a request
+// that changes nothing changes nothing. A heading that is not a sensible angle makes a pose of
+// NaNs, which no check accepts.
 referee::Placement requested_placement(const Snapshot& scene, Team team,
                                        const PlacementRequest& shown, const PlacementRequest& asked,
                                        int robots);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The whole of a leg at one instant, in the field's frame and with its colours: what spectators
-// get, and what a team's view of it is made of.
+// The state of a leg at one instant, in the field's frame and by colour: what spectators get, and
+// what the observations of the teams are made from.
 #pragma once
 
 #include "core/field/team.hpp"
@@ -15,28 +15,28 @@
 namespace mirocup::match {
 
 template <class T>
-using ByTeam = std::array<T, 2>;  // [index_of(Team)]
+using ByTeam = std::array<T, 2>;  // one value for each team: [index_of(team)]
 
 enum class State {
-  READY,  // placed for a restart; robots stand until the whistle
+  READY,  // placed for a restart; robots stand still until the whistle
   PLAY,
   END,
 };
 
-// At the begin of the tick.
+// Taken at the start of a tick. Metres, seconds, m/s, rad/s.
 struct Snapshot {
   std::uint32_t tick = 0;
-  double time = 0.0;
-  double clock = 0.0;
+  double time = 0.0;   // simulated time since the start of the leg
+  double clock = 0.0;  // of the current phase
   State state = State::READY;
   referee::Phase phase = referee::Phase::FIRST_HALF;
   referee::Restart restart = referee::Restart::none;
   Team taker = Team::blue;  // of the last restart
-  Team left = Team::blue;   // who defends x < 0
-  // Whose turn it is to say where its robots stand; its answer to this tick counts.
+  Team left = Team::blue;   // the team that defends x < 0
+  // The team whose turn it is to place; its answer to this tick may hold a placement request.
   std::optional<Team> placing;
   ByTeam<int> score{};
-  // What the referee counts (referee.hpp).
+  // What the referee counts (referee::PendingCounts).
   double stalemate_s = 0.0;
   double advantage_s = 0.0;
   ByTeam<referee::TeamCounts> counts;
@@ -50,5 +50,7 @@ namespace mirocup {
 
 template <>
 inline constexpr std::array<std::string_view, 3> enum_names<match::State>{"READY", "PLAY", "END"};
+// Messages to teams hold these numbers.
+static_assert(is_numbered_in_order<match::State::READY, match::State::PLAY, match::State::END>());
 
 }  // namespace mirocup

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the referee says. Every decision names its law, the team, the robots, the place, the time
-// and the reason with the numbers that decided it.
+// The decisions of the referee. Every decision names its law, the team, the robots, the place, the
+// time, and the reason with the numbers that decided it.
 #pragma once
 
 #include "core/base/names.hpp"
@@ -24,7 +24,7 @@ enum class Verdict {
   FREE_KICK,
   FREE_BALL,
   HALF_END,
-  PHASE,  // extra time or the shoot-out begins
+  PHASE,  // extra time or the shoot-out starts
   ATTEMPT_END,
   PLACEMENT_FIXED,
   RESTART,
@@ -35,7 +35,8 @@ enum class Verdict {
   MATCH_END,
 };
 
-// One file each in laws/; `forfeit` is the match's.
+// The laws of play have a file each in laws/ (the four about crowded areas share one). The others
+// are applied by the referee and by placement, `forfeit` by the match.
 enum class Law {
   toss,
   kick_off,
@@ -73,24 +74,25 @@ enum class Law {
 
 enum class Phase { FIRST_HALF, SECOND_HALF, EXTRA, SHOOT_OUT };
 
-// How play goes on.
+// How play is resumed.
 enum class Restart { none, KICK_OFF, GOAL_KICK, PENALTY_KICK, FREE_BALL, FREE_KICK };
 
 struct Decision {
   Verdict verdict = Verdict::NONE;
   Law law = Law::goal;
-  double clock = 0.0;       // match clock, s
-  std::optional<End> team;  // who scored, offended, won, or nobody
-  ByEnd<RobotSet> robots;   // who had a part in it
-  std::string reason;
-  Vec2 ball{0.0, 0.0};  // where it was, m
+  double clock = 0.0;       // of the phase, s
+  std::optional<End> team;  // the team that scored, offended or won; nothing if there is none
+  ByEnd<RobotSet> robots;   // the robots involved
+  std::string reason;       // a clause with numbers, for records and spectators
+  Vec2 ball{0.0, 0.0};      // where the ball was, m
   Restart restart = Restart::none;
-  End taker = End::left;            // of the restart; of a free ball, the defender of that half
-  Vec2 spot{0.0, 0.0};              // where a free ball is put, m
-  Phase phase = Phase::FIRST_HALF;  // that begins: HALF_END, PHASE
-  bool goal_cancelled = false;
-  bool scored = false;  // ATTEMPT_END
+  End taker = End::left;            // takes the restart; at a free ball, the defender of that half
+  Vec2 spot{0.0, 0.0};              // where the ball is put, m
+  Phase phase = Phase::FIRST_HALF;  // the next phase: HALF_END, PHASE
+  bool goal_cancelled = false;      // the foul came before a goal in the same tick
+  bool scored = false;              // ATTEMPT_END
 
+  // Adds a robot to those involved.
   void add_robot(const RobotId& robot) { robots[index_of(robot.end)].set(robot.index); }
 };
 
@@ -118,8 +120,14 @@ inline constexpr std::array<std::string_view, 32> enum_names<referee::Law>{
 template <>
 inline constexpr std::array<std::string_view, 4> enum_names<referee::Phase>{
     "FIRST_HALF", "SECOND_HALF", "EXTRA", "SHOOT_OUT"};
+// Messages to teams hold the numbers of phases and restarts.
+static_assert(is_numbered_in_order<referee::Phase::FIRST_HALF, referee::Phase::SECOND_HALF,
+                                   referee::Phase::EXTRA, referee::Phase::SHOOT_OUT>());
 template <>
 inline constexpr std::array<std::string_view, 6> enum_names<referee::Restart>{
     "none", "KICK_OFF", "GOAL_KICK", "PENALTY_KICK", "FREE_BALL", "FREE_KICK"};
+static_assert(is_numbered_in_order<referee::Restart::none, referee::Restart::KICK_OFF,
+                                   referee::Restart::GOAL_KICK, referee::Restart::PENALTY_KICK,
+                                   referee::Restart::FREE_BALL, referee::Restart::FREE_KICK>());
 
 }  // namespace mirocup

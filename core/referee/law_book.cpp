@@ -7,8 +7,8 @@ namespace mirocup::referee {
 
 namespace {
 
-// A foul that may have to wait for a goal. A second one in the same tick is noted; while one waits,
-// others change nothing.
+// Lets a foul wait for a goal. A second foul in the same tick becomes a note; later ones are
+// dropped while the first waits.
 void wait_for_goal(std::optional<Decision> foul, Advantage& advantage, Judgement& judgement) {
   if (!foul) return;
   if (!advantage.foul) {
@@ -18,13 +18,14 @@ void wait_for_goal(std::optional<Decision> foul, Advantage& advantage, Judgement
   }
 }
 
-// Could the ball, as it rolls, cross the goal line of that end within the advantage?
+// True if the ball, at its present velocity, could cross the goal line of that end within the time
+// of the advantage.
 bool may_come_in(const Pitch& pitch, const Situation& s, End end) {
   if (s.duration <= 0.0) return false;
   const double out = -attack_sign(end);
-  const double way = pitch.field.half_length + pitch.ball_radius - out * s.ball.x();
+  const double distance = pitch.field.half_length + pitch.ball_radius - out * s.ball.x();
   const double speed = out * (s.ball.x() - s.ball_before.x()) / s.duration;
-  return speed * pitch.rules.advantage_s >= way;
+  return speed * pitch.rules.advantage_s >= distance;
 }
 
 }  // namespace
@@ -60,8 +61,9 @@ Judgement judge_attackers(const Pitch& pitch, const Situation& s,
   Judgement judgement;
   judgement.call(judge_keeper_charge(pitch, s, book.occupancy, book.keeper_charge));
   judgement.call(judge_keeper_push_in(pitch, s, book.occupancy, goal_at, book.keeper_push_in));
-  judgement.call(judge_two_attackers(pitch, s, book.occupancy, goal_at, book.two_attackers));
-  judgement.call(judge_four_attackers(pitch, s, book.occupancy, goal_at, book.four_attackers));
+  for (const CrowdingLaw law : {CrowdingLaw::two_attackers, CrowdingLaw::four_attackers}) {
+    judgement.call(judge_crowding(law, pitch, s, book.occupancy, goal_at, book.crowding));
+  }
   if (judgement.decision && goal && goal->team == judgement.decision->team) {
     judgement.decision->goal_cancelled = true;
     judgement.decision->reason += "; the goal does not count";
@@ -75,7 +77,7 @@ Judgement judge_play(const Pitch& pitch, const Situation& s, const std::optional
   advantage.for_s += s.duration;
 
   Judgement judgement = judge_attackers(pitch, s, goal, book);
-  // The earlier foul wins: the attackers had their advantage and spoilt it.
+  // The earlier foul of the defenders counts: the attackers had their advantage and spoilt it.
   if (judgement.decision && advantage.foul) {
     Decision earlier = advantage_is_over(s, advantage);
     earlier.goal_cancelled = judgement.decision->goal_cancelled;
@@ -84,12 +86,13 @@ Judgement judge_play(const Pitch& pitch, const Situation& s, const std::optional
   if (goal && !(judgement.decision && judgement.decision->goal_cancelled)) judgement.call(goal);
   judgement.call(judge_kick_off(pitch, s, book.kick_off));
 
-  auto crowd = judge_two_defenders(pitch, s, book.occupancy, book.two_defenders);
-  auto large_crowd = judge_four_defenders(pitch, s, book.occupancy, book.four_defenders);
+  for (const CrowdingLaw law : {CrowdingLaw::two_defenders, CrowdingLaw::four_defenders}) {
+    wait_for_goal(judge_crowding(law, pitch, s, book.occupancy, std::nullopt, book.crowding),
+                  advantage, judgement);
+  }
   auto push = judge_push(pitch, s, book.occupancy, book.push);
-  wait_for_goal(std::move(crowd), advantage, judgement);
-  wait_for_goal(std::move(large_crowd), advantage, judgement);
-  // Defenders who crowd their goal are given time in any case, a push only if the ball rolls there.
+  // A crowd of defenders always waits for the advantage, a push only if the ball may reach the
+  // goal.
   if (push && push->law == Law::push && may_come_in(pitch, s, *push->team)) {
     wait_for_goal(std::exchange(push, std::nullopt), advantage, judgement);
   }

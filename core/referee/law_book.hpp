@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// All laws of play, what each remembers, and their order within a tick.
+// The laws of play, what each of them remembers, and their order within a tick.
 #pragma once
 
 #include "core/referee/laws/collision.hpp"
+#include "core/referee/laws/crowding.hpp"
 #include "core/referee/laws/fallen.hpp"
-#include "core/referee/laws/four_attackers.hpp"
-#include "core/referee/laws/four_defenders.hpp"
 #include "core/referee/laws/hand.hpp"
 #include "core/referee/laws/holding.hpp"
 #include "core/referee/laws/keeper_block.hpp"
@@ -18,39 +17,39 @@
 #include "core/referee/laws/penalty_attempt.hpp"
 #include "core/referee/laws/push.hpp"
 #include "core/referee/laws/stalemate.hpp"
-#include "core/referee/laws/two_attackers.hpp"
-#include "core/referee/laws/two_defenders.hpp"
 #include "core/referee/laws/wall_push.hpp"
 
 #include <vector>
 
 namespace mirocup::referee {
 
-// What comes of a tick: at most one decision, and what else was seen and has no effect.
+// The result of a tick: at most one decision, and notes of what else was seen, without effect.
 struct Judgement {
   std::optional<Decision> decision;
   std::vector<Decision> notes;
 
-  // The first call of a tick is the decision; the later ones, and those without effect, are notes.
+  // Adds what a law called, if anything. The first call of a tick is the decision; later calls, and
+  // those with the verdict NONE, become notes.
   void call(std::optional<Decision> decision);
+
+  // Adds a note: the decision without its verdict and restart.
   void note(Decision decision);
 };
 
-// A foul by the defenders that waits whether a goal comes all the same.
+// The advantage: a foul of the defenders that is not called yet, because a goal may still come.
 struct Advantage {
   std::optional<Decision> foul;
-  double for_s = 0.0;
+  double for_s = 0.0;  // how long it has waited
 };
 
-// Everything here begins anew after each stoppage.
+// The memory of all laws. It is reset after each stoppage.
 struct LawBook {
   Occupancy occupancy;
   Advantage advantage;
   PenaltyAttemptMemory attempt;
 
   CollisionMemory collision;
-  FourAttackersMemory four_attackers;
-  FourDefendersMemory four_defenders;
+  CrowdingMemory crowding;
   HoldingMemory holding;
   KeeperBlockMemory keeper_block;
   KeeperCatchMemory keeper_catch;
@@ -60,21 +59,19 @@ struct LawBook {
   KickOffMemory kick_off;
   PushMemory push;
   StalemateMemory stalemate;
-  TwoAttackersMemory two_attackers;
-  TwoDefendersMemory two_defenders;
   WallPushMemory wall_push;
 };
 
-// One tick of play, the watch brought up to it. `goal`: what the goal law says of it; it is the
-// decision unless the attackers' foul cancels it.
+// Judges one tick of play. The book's occupancy is already up to date. `goal` is what the goal law
+// called in this tick; it becomes the decision unless a foul of the attackers cancels it.
 Judgement judge_play(const Pitch& pitch, const Situation& situation,
                      const std::optional<Decision>& goal, LawBook& book);
 
-// The attackers' fouls that cancel a goal, in their order; at most the first.
+// Judges only the fouls of the attackers that cancel a goal. The first one is the decision.
 Judgement judge_attackers(const Pitch& pitch, const Situation& situation,
                           const std::optional<Decision>& goal, LawBook& book);
 
-// The foul that waited, called now.
+// Returns the foul that waited, called now, and ends the advantage.
 Decision advantage_is_over(const Situation& situation, Advantage& advantage);
 
 }  // namespace mirocup::referee

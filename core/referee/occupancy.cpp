@@ -2,6 +2,7 @@
 #include "core/referee/occupancy.hpp"
 
 #include "core/field/coverage.hpp"
+#include "core/referee/predicates.hpp"
 
 #include <algorithm>
 
@@ -24,7 +25,8 @@ void update_areas(const Pitch& pitch, const Situation& s, Occupancy& occupancy) 
       const int t = index_of(team);
       for (int i = 0; i < pitch.field.robots_per_team; ++i) {
         const Pose& robot = s.robots[t][i];
-        // Every area is in its own half, and nobody has half a body across the half line in it.
+        // Every area is well inside its own half, so a robot with its centre in the other half is
+        // not in it.
         if (attack_sign(owner) * robot.position.x() >= 0.0) continue;
         occupancy.goal_area[area][t][i] = stands_in(pitch, pitch.field.goal_area, owner, robot);
         if (!pitch.field.penalty_area) continue;

@@ -1,30 +1,41 @@
 // SPDX-License-Identifier: MIT
 //
-// What the referee keeps an eye on because several laws ask for it: who stands in which area, who
-// keeps goal, who is being pushed about.
+// The occupancy tracker: what several laws need to know about a tick and the ticks before it. Which
+// robots stand in which area, which robot keeps goal, and which robots are pushed about by
+// opponents.
 #pragma once
 
-#include "core/referee/laws/law.hpp"
+#include "core/referee/pitch.hpp"
+#include "core/referee/situation.hpp"
+
+#include <optional>
 
 namespace mirocup::referee {
 
 struct Occupancy {
-  // Robots with more than half of their body in an area, by whose end the area is and by team:
-  // goal_area[index_of(end)][index_of(team)].
+  // The robots that have more than half of their body in an area, by the end that owns the area and
+  // by team: goal_area[index_of(owner)][index_of(team)].
   ByEnd<ByEnd<RobotSet>> goal_area, penalty_area;
 
-  ByRobot<double> at_home_s{};           // without a break in their own goal area
-  ByEnd<std::optional<RobotId>> keeper;  // the robot that is longest in its own goal area
-  ByRobot<double> excused_s{};           // for so long yet, because it is or was pushed
-  ByEnd<RobotSet> shoved;                // those with time left
+  // How long each robot has been in its own goal area without a break, s.
+  ByRobot<double> at_home_s{};
+  // The keeper of each end: the robot that has been in its own goal area for the longest time, the
+  // lowest index first. Nothing if no robot of the team is there.
+  ByEnd<std::optional<RobotId>> keeper;
+
+  // How much longer each robot is excused for where it is, s. An opponent that drives at it while
+  // it does not drive back sets this to `shoved_s` of the rules; from then on it runs down to 0.
+  ByRobot<double> excused_s{};
+  ByEnd<RobotSet> shoved;  // the robots with time left
 };
 
-// Brings it up to the end of the tick.
+// Brings the occupancy up to the end of the situation's tick. Called once a tick, before the laws.
 void update_occupancy(const Pitch& pitch, const Situation& situation, Occupancy& occupancy);
 
-// Robots of `team` in the area, without those that were pushed there.
-inline RobotSet counted(const Occupancy& occupancy, const ByEnd<ByEnd<RobotSet>>& area, End owner,
-                        End team) {
+// Returns the robots of `team` in the owner's area, without those that were pushed there. `area` is
+// the occupancy's goal_area or penalty_area.
+inline RobotSet not_pushed(const Occupancy& occupancy, const ByEnd<ByEnd<RobotSet>>& area,
+                           End owner, End team) {
   return area[index_of(owner)][index_of(team)] & ~occupancy.shoved[index_of(team)];
 }
 

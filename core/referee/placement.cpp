@@ -1,192 +1,222 @@
 // SPDX-License-Identifier: MIT
 #include "core/referee/placement.hpp"
 
-#include <vector>
+#include <array>
 
 namespace mirocup::referee {
 
 namespace {
 
-enum class Facing { forward, home, along };  // in the taker's frame: +x, -x, +y
-
-struct Stand {
-  double x, y;
-  Facing facing;
-};
-
-// Of one restart, in the frame of the team that takes it: its own robots, then the opponents.
-// Keeper, kicker or contender, others.
-struct Table {
-  Vec2 ball;
-  std::vector<Stand> takers, opponents;
-};
+enum class Facing { forward, home, along };  // +x, -x, +y in the taker's frame
 
 constexpr Facing forward = Facing::forward;
 constexpr Facing home = Facing::home;
 constexpr Facing along = Facing::along;
 
-Table small_table(Restart restart) {
-  switch (restart) {
-    case Restart::none:
-    case Restart::KICK_OFF:
-      return {{0.0, 0.0},
-              {{-0.7, 0.0, along}, {0.08, 0.0, home}, {-0.3, 0.0, forward}},
-              {{0.7, 0.0, along}, {0.3, 0.0, home}, {0.45, 0.2, home}}};
-    case Restart::PENALTY_KICK:
-      return {{0.375, 0.0},
-              {{-0.7, 0.0, along}, {0.3, 0.0, forward}, {-0.1, 0.25, forward}},
-              {{0.7125, 0.0, along}, {-0.1, -0.25, forward}, {-0.1, -0.5, forward}}};
-    case Restart::FREE_KICK:
-      return {{0.375, 0.0},
-              {{-0.7, 0.0, along}, {0.3, 0.0, forward}, {-0.1, 0.25, forward}},
-              {{0.7125, 0.0, along}, {0.5625, 0.1375, home}, {0.5625, -0.1375, home}}};
-    case Restart::GOAL_KICK:
-      return {{-0.62, 0.2},
-              {{-0.7, 0.2, forward}, {-0.45, 0.32, forward}, {-0.3, -0.47, forward}},
-              {{0.7, 0.0, along}, {0.225, 0.1, home}, {0.15, -0.32, home}}};
-    case Restart::FREE_BALL:
-      return {{0.375, 0.4},
-              {{-0.7, 0.0, along}, {0.175, 0.4, forward}, {-0.1, 0.2, forward}},
-              {{0.7, 0.0, along}, {0.575, 0.4, home}, {0.3, -0.15, home}}};
-  }
-  return {};
+// The place of one robot, in metres.
+struct Stand {
+  double x = 0.0;
+  double y = 0.0;
+  Facing facing = Facing::forward;
+};
+
+using Stands = std::array<Stand, max_robots_per_team>;
+
+// The places at one restart, in the frame of the team that takes it. The first robot of a team is
+// its keeper, the second its kicker or contender. Leagues with smaller teams use the first places.
+struct Formation {
+  double ball_x, ball_y;
+  Stands takers, opponents;
+};
+
+// The formations of a league. A free ball is drawn for the quarter x > 0, y > 0.
+struct Formations {
+  Formation kick_off, penalty_kick, free_kick, goal_kick, free_ball;
+};
+
+constexpr Formations small_formations{
+    .kick_off = {.ball_x = 0.0,
+                 .ball_y = 0.0,
+                 .takers = {{{-0.7, 0.0, along}, {0.08, 0.0, home}, {-0.3, 0.0, forward}}},
+                 .opponents = {{{0.7, 0.0, along}, {0.3, 0.0, home}, {0.45, 0.2, home}}}},
+    .penalty_kick =
+        {.ball_x = 0.375,
+         .ball_y = 0.0,
+         .takers = {{{-0.7, 0.0, along}, {0.3, 0.0, forward}, {-0.1, 0.25, forward}}},
+         .opponents = {{{0.7125, 0.0, along}, {-0.1, -0.25, forward}, {-0.1, -0.5, forward}}}},
+    .free_kick =
+        {.ball_x = 0.375,
+         .ball_y = 0.0,
+         .takers = {{{-0.7, 0.0, along}, {0.3, 0.0, forward}, {-0.1, 0.25, forward}}},
+         .opponents = {{{0.7125, 0.0, along}, {0.5625, 0.1375, home}, {0.5625, -0.1375, home}}}},
+    .goal_kick =
+        {.ball_x = -0.62,
+         .ball_y = 0.2,
+         .takers = {{{-0.7, 0.2, forward}, {-0.45, 0.32, forward}, {-0.3, -0.47, forward}}},
+         .opponents = {{{0.7, 0.0, along}, {0.225, 0.1, home}, {0.15, -0.32, home}}}},
+    .free_ball = {.ball_x = 0.375,
+                  .ball_y = 0.4,
+                  .takers = {{{-0.7, 0.0, along}, {0.175, 0.4, forward}, {-0.1, 0.2, forward}}},
+                  .opponents = {{{0.7, 0.0, along}, {0.575, 0.4, home}, {0.3, -0.15, home}}}},
+};
+
+constexpr Formations middle_formations{
+    .kick_off = {.ball_x = 0.0,
+                 .ball_y = 0.0,
+                 .takers = {{{-1.05, 0.0, along},
+                             {0.08, 0.0, home},
+                             {-0.35, 0.0, forward},
+                             {-0.35, 0.45, forward},
+                             {-0.35, -0.45, forward}}},
+                 .opponents = {{{1.05, 0.0, along},
+                                {0.35, 0.25, home},
+                                {0.35, -0.25, home},
+                                {0.6, 0.0, home},
+                                {0.7, 0.45, home}}}},
+    .penalty_kick = {.ball_x = 0.725,
+                     .ball_y = 0.0,
+                     .takers = {{{-1.03, 0.0, along},
+                                 {0.65, 0.0, forward},
+                                 {-0.083, 0.6, forward},
+                                 {-0.083, 0.0, forward},
+                                 {-0.083, -0.6, forward}}},
+                     .opponents = {{{1.0625, 0.0, along},
+                                    {-0.083, 0.31, forward},
+                                    {-0.083, 0.81, forward},
+                                    {-0.083, -0.31, forward},
+                                    {-0.083, -0.81, forward}}}},
+    .free_kick = {.ball_x = 0.725,
+                  .ball_y = 0.0,
+                  .takers = {{{-1.05, 0.0, along},
+                              {0.65, 0.0, forward},
+                              {-0.1, 0.4, forward},
+                              {-0.1, -0.4, forward},
+                              {-0.3, 0.0, forward}}},
+                  .opponents = {{{1.0625, 0.0, along},
+                                 {0.9125, 0.2125, home},
+                                 {0.9125, -0.2125, home},
+                                 {0.9125, 0.4375, home},
+                                 {0.9125, -0.4375, home}}}},
+    .goal_kick = {.ball_x = -0.98,
+                  .ball_y = 0.0,
+                  .takers = {{{-1.06, 0.0, forward},
+                              {-0.45, 0.45, forward},
+                              {-0.45, -0.45, forward},
+                              {-0.15, 0.7, forward},
+                              {-0.15, -0.7, forward}}},
+                  .opponents = {{{1.05, 0.0, along},
+                                 {0.2, 0.3, home},
+                                 {0.2, -0.3, home},
+                                 {0.5, 0.0, home},
+                                 {0.7, 0.5, home}}}},
+    .free_ball = {.ball_x = 0.55,
+                  .ball_y = 0.6,
+                  .takers = {{{-1.05, 0.0, along},
+                              {0.3, 0.6, forward},
+                              {-0.2, 0.4, forward},
+                              {-0.2, -0.4, forward},
+                              {0.3, -0.2, forward}}},
+                  .opponents = {{{1.05, 0.0, along},
+                                 {0.8, 0.6, home},
+                                 {0.6, -0.15, home},
+                                 {0.2, -0.6, home},
+                                 {0.85, -0.4, home}}}},
+};
+
+// Returns the places of keeper and kicker, and of nine robots in columns of five and four.
+constexpr Stands in_columns(const Stand& keeper_stand, const Stand& kicker_stand, double first_x,
+                            double second_x, Facing facing, double shift_y) {
+  return {{keeper_stand,
+           kicker_stand,
+           {first_x, -1.0 + shift_y, facing},
+           {first_x, -0.5 + shift_y, facing},
+           {first_x, 0.0 + shift_y, facing},
+           {first_x, 0.5 + shift_y, facing},
+           {first_x, 1.0 + shift_y, facing},
+           {second_x, -0.75 + shift_y, facing},
+           {second_x, -0.25 + shift_y, facing},
+           {second_x, 0.25 + shift_y, facing},
+           {second_x, 0.75 + shift_y, facing}}};
 }
 
-Table middle_table(Restart restart) {
-  switch (restart) {
-    case Restart::none:
-    case Restart::KICK_OFF:
-      return {{0.0, 0.0},
-              {{-1.05, 0.0, along},
-               {0.08, 0.0, home},
-               {-0.35, 0.0, forward},
-               {-0.35, 0.45, forward},
-               {-0.35, -0.45, forward}},
-              {{1.05, 0.0, along},
-               {0.35, 0.25, home},
-               {0.35, -0.25, home},
-               {0.6, 0.0, home},
-               {0.7, 0.45, home}}};
-    case Restart::PENALTY_KICK:
-      return {{0.725, 0.0},
-              {{-1.03, 0.0, along},
-               {0.65, 0.0, forward},
-               {-0.083, 0.6, forward},
-               {-0.083, 0.0, forward},
-               {-0.083, -0.6, forward}},
-              {{1.0625, 0.0, along},
-               {-0.083, 0.31, forward},
-               {-0.083, 0.81, forward},
-               {-0.083, -0.31, forward},
-               {-0.083, -0.81, forward}}};
-    case Restart::FREE_KICK:
-      return {{0.725, 0.0},
-              {{-1.05, 0.0, along},
-               {0.65, 0.0, forward},
-               {-0.1, 0.4, forward},
-               {-0.1, -0.4, forward},
-               {-0.3, 0.0, forward}},
-              {{1.0625, 0.0, along},
-               {0.9125, 0.2125, home},
-               {0.9125, -0.2125, home},
-               {0.9125, 0.4375, home},
-               {0.9125, -0.4375, home}}};
-    case Restart::GOAL_KICK:
-      return {{-0.98, 0.0},
-              {{-1.06, 0.0, forward},
-               {-0.45, 0.45, forward},
-               {-0.45, -0.45, forward},
-               {-0.15, 0.7, forward},
-               {-0.15, -0.7, forward}},
-              {{1.05, 0.0, along},
-               {0.2, 0.3, home},
-               {0.2, -0.3, home},
-               {0.5, 0.0, home},
-               {0.7, 0.5, home}}};
-    case Restart::FREE_BALL:
-      return {{0.55, 0.6},
-              {{-1.05, 0.0, along},
-               {0.3, 0.6, forward},
-               {-0.2, 0.4, forward},
-               {-0.2, -0.4, forward},
-               {0.3, -0.2, forward}},
-              {{1.05, 0.0, along},
-               {0.8, 0.6, home},
-               {0.6, -0.15, home},
-               {0.2, -0.6, home},
-               {0.85, -0.4, home}}};
-  }
-  return {};
-}
+constexpr Formations large_formations{
+    .kick_off = {.ball_x = 0.0,
+                 .ball_y = 0.0,
+                 .takers =
+                     in_columns({-1.95, 0.0, along}, {0.08, 0.0, home}, -0.5, -1.1, forward, 0.0),
+                 .opponents =
+                     in_columns({1.95, 0.0, along}, {0.85, 0.25, home}, 1.0, 1.5, home, 0.0)},
+    .penalty_kick = {.ball_x = 1.5,
+                     .ball_y = 0.0,
+                     .takers = in_columns({-1.95, 0.0, along}, {1.42, 0.0, forward}, -0.3, -0.6,
+                                          forward, 0.1),
+                     .opponents = in_columns({1.9625, 0.0, along}, {-0.1, 0.25, forward}, -0.3,
+                                             -0.6, forward, -0.1)},
+    .free_kick = {.ball_x = 1.5,
+                  .ball_y = 0.0,
+                  .takers = in_columns({-1.95, 0.0, along}, {1.42, 0.0, forward}, -0.3, -0.6,
+                                       forward, 0.1),
+                  .opponents = {{{1.9625, 0.0, along},
+                                 {1.7125, 0.3875, home},
+                                 {1.7125, -0.3875, home},
+                                 {1.7125, 0.6375, home},
+                                 {1.7125, -0.6375, home},
+                                 {0.6, -1.0, home},
+                                 {0.6, -0.6, home},
+                                 {0.6, -0.2, home},
+                                 {0.6, 0.2, home},
+                                 {0.6, 0.6, home},
+                                 {0.6, 1.0, home}}}},
+    .goal_kick = {.ball_x = -1.8,
+                  .ball_y = 0.0,
+                  .takers = in_columns({-1.9, 0.0, forward}, {-1.1, 0.25, forward}, -0.9, -0.4,
+                                       forward, 0.0),
+                  .opponents =
+                      in_columns({1.95, 0.0, along}, {0.3, 0.25, home}, 0.5, 1.1, home, 0.0)},
+    .free_ball = {.ball_x = 1.0,
+                  .ball_y = 2.80 / 3.0,
+                  .takers = in_columns({-1.95, 0.0, along}, {0.7, 2.80 / 3.0, forward}, -0.3, -0.9,
+                                       forward, 0.0),
+                  .opponents = {{{1.95, 0.0, along},
+                                 {1.3, 2.80 / 3.0, home},
+                                 {0.4, -0.2, home},
+                                 {0.9, -0.2, home},
+                                 {1.5, -0.2, home},
+                                 {0.4, -0.6, home},
+                                 {0.9, -0.6, home},
+                                 {1.5, -0.6, home},
+                                 {0.4, -1.0, home},
+                                 {0.9, -1.0, home},
+                                 {1.5, -1.0, home}}}},
+};
 
-// Nine robots in a column of five and one of four.
-void add_columns(std::vector<Stand>& stands, double first, double second, Facing facing,
-                 double shift) {
-  for (const double y : {-1.0, -0.5, 0.0, 0.5, 1.0}) stands.push_back({first, y + shift, facing});
-  for (const double y : {-0.75, -0.25, 0.25, 0.75}) stands.push_back({second, y + shift, facing});
-}
-
-Table large_table(Restart restart) {
-  Table table;
-  switch (restart) {
-    case Restart::none:
-    case Restart::KICK_OFF:
-      table = {{0.0, 0.0},
-               {{-1.95, 0.0, along}, {0.08, 0.0, home}},
-               {{1.95, 0.0, along}, {0.85, 0.25, home}}};
-      add_columns(table.takers, -0.5, -1.1, forward, 0.0);
-      add_columns(table.opponents, 1.0, 1.5, home, 0.0);
-      break;
-    case Restart::PENALTY_KICK:
-      table = {{1.5, 0.0},
-               {{-1.95, 0.0, along}, {1.42, 0.0, forward}},
-               {{1.9625, 0.0, along}, {-0.1, 0.25, forward}}};
-      add_columns(table.takers, -0.3, -0.6, forward, 0.1);
-      add_columns(table.opponents, -0.3, -0.6, forward, -0.1);
-      break;
-    case Restart::FREE_KICK:
-      table = {{1.5, 0.0},
-               {{-1.95, 0.0, along}, {1.42, 0.0, forward}},
-               {{1.9625, 0.0, along},
-                {1.7125, 0.3875, home},
-                {1.7125, -0.3875, home},
-                {1.7125, 0.6375, home},
-                {1.7125, -0.6375, home}}};
-      add_columns(table.takers, -0.3, -0.6, forward, 0.1);
-      for (const double y : {-1.0, -0.6, -0.2, 0.2, 0.6, 1.0}) {
-        table.opponents.push_back({0.6, y, home});
-      }
-      break;
-    case Restart::GOAL_KICK:
-      table = {{-1.8, 0.0},
-               {{-1.9, 0.0, forward}, {-1.1, 0.25, forward}},
-               {{1.95, 0.0, along}, {0.3, 0.25, home}}};
-      add_columns(table.takers, -0.9, -0.4, forward, 0.0);
-      add_columns(table.opponents, 0.5, 1.1, home, 0.0);
-      break;
-    case Restart::FREE_BALL:
-      table = {{1.0, 2.80 / 3.0},
-               {{-1.95, 0.0, along}, {0.7, 2.80 / 3.0, forward}},
-               {{1.95, 0.0, along}, {1.3, 2.80 / 3.0, home}}};
-      add_columns(table.takers, -0.3, -0.9, forward, 0.0);
-      for (const double y : {-0.2, -0.6, -1.0}) {
-        for (const double x : {0.4, 0.9, 1.5}) table.opponents.push_back({x, y, home});
-      }
-      break;
-  }
-  return table;
-}
-
-Table table_of(League league, Restart restart) {
+constexpr const Formations& formations_of(League league) {
   switch (league) {
     case League::small:
-      return small_table(restart);
+      return small_formations;
     case League::middle:
-      return middle_table(restart);
+      return middle_formations;
     case League::large:
-      return large_table(restart);
+      return large_formations;
   }
-  return {};
+  return small_formations;
+}
+
+constexpr const Formation& formation_of(const Formations& formations, Restart restart) {
+  switch (restart) {
+    case Restart::none:
+    case Restart::KICK_OFF:
+      return formations.kick_off;
+    case Restart::PENALTY_KICK:
+      return formations.penalty_kick;
+    case Restart::FREE_KICK:
+      return formations.free_kick;
+    case Restart::GOAL_KICK:
+      return formations.goal_kick;
+    case Restart::FREE_BALL:
+      return formations.free_ball;
+  }
+  return formations.kick_off;
 }
 
 Pose pose_of(const Stand& stand) {
@@ -205,16 +235,12 @@ Pose pose_of(const Stand& stand) {
 
 Placement default_placement(const Pitch& pitch, Restart restart, End taker, const Vec2& spot) {
   const field::Field& field = pitch.field;
-  Table table = table_of(field.league, restart);
-  if (restart == Restart::KICK_OFF && pitch.rules.kickoff_behind) {
-    Stand& stand = table.takers[kicker];
-    stand = {-stand.x, stand.y, Facing::forward};
-  }
-  // The tables show a free ball in the quarter x > 0, y > 0 with the attacker of that half on the
-  // left. A quarter with y < 0 is that one mirrored, which keeps the headings.
-  const bool free_ball = restart == Restart::FREE_BALL;
-  const End first = free_ball ? (spot.x() > 0.0 ? End::left : End::right) : taker;
-  const bool flip = free_ball && team_frame(first, spot).y() < 0.0;
+  const Formation& formation = formation_of(formations_of(field.league), restart);
+  // A formation shows a free ball in the quarter x > 0, y > 0 with the attacker of that half on the
+  // left. For a quarter with y < 0 it is mirrored, which keeps the headings.
+  const bool is_free_ball = restart == Restart::FREE_BALL;
+  const End first = is_free_ball ? (spot.x() > 0.0 ? End::left : End::right) : taker;
+  const bool flip = is_free_ball && team_frame(first, spot).y() < 0.0;
 
   const auto place = [&](const Stand& stand) {
     Pose pose = pose_of(stand);
@@ -222,10 +248,15 @@ Placement default_placement(const Pitch& pitch, Restart restart, End taker, cons
     return team_frame(first, pose);
   };
   Placement placement;
-  placement.ball = team_frame(first, Vec2{table.ball.x(), flip ? -table.ball.y() : table.ball.y()});
+  placement.ball =
+      team_frame(first, Vec2{formation.ball_x, flip ? -formation.ball_y : formation.ball_y});
   for (int i = 0; i < field.robots_per_team; ++i) {
-    placement.robots[index_of(first)][i] = place(table.takers[i]);
-    placement.robots[index_of(opposite(first))][i] = place(table.opponents[i]);
+    placement.robots[index_of(first)][i] = place(formation.takers[i]);
+    placement.robots[index_of(opposite(first))][i] = place(formation.opponents[i]);
+  }
+  if (restart == Restart::KICK_OFF && pitch.rules.kickoff_behind) {
+    const Stand& stand = formation.takers[kicker];
+    placement.robots[index_of(first)][kicker] = place({-stand.x, stand.y, forward});
   }
   return placement;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/referee/placement_check.hpp"
 
+#include "core/referee/decide.hpp"
 #include "core/referee/placement_rules.hpp"
 #include "core/referee/touches.hpp"
 
@@ -12,20 +13,20 @@ namespace {
 
 constexpr double search_step = 0.05;  // m, of the last resort
 
-// Puts robots one after the other.
+// Places robots one after the other.
 class Placer {
  public:
-  Placer(const PlacementRules& standing, CheckedPlacement& result)
-      : s_(standing), pitch_(standing.pitch), result_(result) {}
+  Placer(const PlacementRules& rules, CheckedPlacement& result)
+      : rules_(rules), pitch_(rules.pitch), result_(result) {}
 
-  // Leaves a team where it stands.
+  // Keeps a team where it stands.
   void keep(End team, const Placement& standing) {
     for (int i = 0; i < pitch_.field.robots_per_team; ++i) {
       put(team, i, standing.robots[index_of(team)][i]);
     }
   }
 
-  // Accepts what a team asked for and may have.
+  // Places the robots of a team that may have the pose that was asked for.
   void accept(End team, const Placement& asked) {
     const auto& poses = asked.robots[index_of(team)];
     const int holder = special_robot(team, poses);
@@ -36,7 +37,7 @@ class Placer {
     }
   }
 
-  // Finds a place for the robots of a team that have none.
+  // Finds a place for the robots of a team that have none yet.
   void move_the_others(End team) {
     for (int i = 0; i < pitch_.field.robots_per_team; ++i) {
       if (placed_[index_of(team)][i]) continue;
@@ -46,42 +47,42 @@ class Placer {
   }
 
  private:
-  // The robot that stands in the team's special place, or the one that has to.
+  // Returns the robot that stands in the team's special place, or the one that has to.
   int special_robot(End team, const std::array<Pose, max_robots_per_team>& poses) const {
-    if (s_.roles == Roles::fixed) return holder_of_special_place(s_, team);
+    if (rules_.roles == Roles::fixed) return holder_of_special_place(rules_, team);
     for (int i = 0; i < pitch_.field.robots_per_team; ++i) {
-      if (has_special_place(s_, team, poses[i])) return i;
+      if (has_special_place(rules_, team, poses[i])) return i;
     }
-    return holder_of_special_place(s_, team);
+    return holder_of_special_place(rules_, team);
   }
 
   Misplaced misplaced(End team, int robot, const Pose& pose, bool holds_special_place) {
     if (!is_inside_walls(pitch_, pose)) return Misplaced::outside_walls;
-    const bool special = holds_special_place && has_special_place(s_, team, pose);
+    const bool special = holds_special_place && has_special_place(rules_, team, pose);
     if (!special && !exempt(team, robot, pose)) {
       if (holds_special_place) return Misplaced::special_place_empty;
-      if (!may_stand(s_, team, pose)) return Misplaced::not_allowed;
+      if (!may_stand(rules_, team, pose)) return Misplaced::not_allowed;
       if (second_in_goal_area(team, pose)) return Misplaced::second_in_goal_area;
     }
-    if (ball_gap(pitch_, s_.ball, pose) <= 0.0) return Misplaced::too_near_ball;
+    if (ball_gap(pitch_, rules_.ball, pose) <= 0.0) return Misplaced::too_near_ball;
     return is_free(pose) ? Misplaced::no : Misplaced::too_near_robot;
   }
 
   // At a free ball a keeper may stay in its goal area, wherever the ball is.
   bool exempt(End team, int robot, const Pose& pose) const {
-    return s_.restart == Restart::FREE_BALL && robot == keeper &&
+    return rules_.restart == Restart::FREE_BALL && robot == keeper &&
            pitch_.field.inside(pitch_.field.goal_area, team, pose.position);
   }
 
   // At a goal kick the taker's team may have one robot in the other goal area.
   bool second_in_goal_area(End team, const Pose& pose) {
-    if (s_.restart != Restart::GOAL_KICK || team != s_.taker) return false;
+    if (rules_.restart != Restart::GOAL_KICK || team != rules_.taker) return false;
     if (!pitch_.field.inside(pitch_.field.goal_area, opposite(team), pose.position)) return false;
     return ++in_other_goal_area_ > 1;
   }
 
   bool is_free(const Pose& pose) const {
-    if (ball_gap(pitch_, s_.ball, pose) <= 0.0) return false;
+    if (ball_gap(pitch_, rules_.ball, pose) <= 0.0) return false;
     for (const End end : both_ends) {
       for (int i = 0; i < pitch_.field.robots_per_team; ++i) {
         if (!placed_[index_of(end)][i]) continue;
@@ -95,7 +96,7 @@ class Placer {
   }
 
   Pose free_pose(End team, int robot) const {
-    const auto& defaults = s_.defaults.robots[index_of(team)];
+    const auto& defaults = rules_.defaults.robots[index_of(team)];
     if (is_free(defaults[robot])) return defaults[robot];
     for (int i = 0; i < pitch_.field.robots_per_team; ++i) {
       if (is_free(defaults[i])) return defaults[i];
@@ -106,7 +107,7 @@ class Placer {
       for (double y = 0.0; y < field.half_width; y += search_step) {
         for (const double side : {1.0, -1.0}) {
           const Pose pose = team_frame(team, Pose{{x - field.half_length, side * y}, Heading{}});
-          if (is_inside_walls(pitch_, pose) && may_stand(s_, team, pose) && is_free(pose)) {
+          if (is_inside_walls(pitch_, pose) && may_stand(rules_, team, pose) && is_free(pose)) {
             return pose;
           }
         }
@@ -120,14 +121,14 @@ class Placer {
     placed_[index_of(team)].set(robot);
   }
 
-  const PlacementRules& s_;
+  const PlacementRules& rules_;
   const Pitch& pitch_;
   CheckedPlacement& result_;
   ByEnd<RobotSet> placed_;
   int in_other_goal_area_ = 0;
 };
 
-// Where the ball is put: a kick-off and a goal kick leave a choice.
+// True if the taker may put the ball there. Only a kick-off and a goal kick leave a choice.
 bool may_lie(const Pitch& pitch, Restart restart, End taker, const Vec2& ball) {
   const field::Field& field = pitch.field;
   if (restart == Restart::KICK_OFF) {
@@ -180,10 +181,14 @@ CheckedPlacement check_placement(const Pitch& pitch, const Decision& restart, Ro
   if (ball_is_fine) result.placement.ball = asked.ball;
   result.ball_moved = !ball_is_fine;
 
-  const PlacementRules standing{pitch, restart.restart, taker,
-                                roles, defaults,        result.placement.ball};
+  const PlacementRules rules{.pitch = pitch,
+                             .restart = restart.restart,
+                             .taker = taker,
+                             .roles = roles,
+                             .defaults = defaults,
+                             .ball = result.placement.ball};
   const End first = first_placer(restart.restart, taker);
-  Placer placer(standing, result);
+  Placer placer(rules, result);
   for (const End team : {first, opposite(first)}) placer.accept(team, asked);
   for (const End team : {first, opposite(first)}) placer.move_the_others(team);
   return result;
@@ -203,9 +208,13 @@ CheckedPlacement check_turn(const Pitch& pitch, const Decision& restart, End tea
     if (!result.ball_moved) result.placement.ball = asked.ball;
   }
 
-  const PlacementRules standing{pitch, restart.restart, restart.taker,
-                                roles, defaults,        result.placement.ball};
-  Placer placer(standing, result);
+  const PlacementRules rules{.pitch = pitch,
+                             .restart = restart.restart,
+                             .taker = restart.taker,
+                             .roles = roles,
+                             .defaults = defaults,
+                             .ball = result.placement.ball};
+  Placer placer(rules, result);
   if (!is_first) placer.keep(opposite(team), asked);
   placer.accept(team, asked);
   placer.move_the_others(team);

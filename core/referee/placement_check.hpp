@@ -1,53 +1,56 @@
 // SPDX-License-Identifier: MIT
 //
-// What teams may ask for at a restart, and what becomes of a pose that they may not have.
+// The check of the placement that a team asks for at a restart.
 //
-// Both teams may say where they want to stand, one after the other in a match, both at once in a
-// recorded situation. A robot keeps its pose if it is inside the walls,
-// where the law of the restart allows it, and clear of the ball and of everybody who was accepted
-// before it; the team that places first goes first. Only the others are moved: to the default pose
-// of their role if that is free, else to the first free default pose of their team, else to the
-// first free place that the law allows.
+// Both teams may ask for places: one after the other in a match, both at once in a recorded
+// situation. A robot keeps the pose that was asked for if it is inside the walls, if the law of the
+// restart allows it, and if it is clear of the ball and of every robot accepted before it; the team
+// that places first is checked first. Only the other robots are moved: to the default pose of their
+// role if that is free, else to the first free default pose of their team, else to the first free
+// place that the law allows.
 #pragma once
 
 #include "core/referee/placement_rules.hpp"
 
 namespace mirocup::referee {
 
-// Who says first where its robots stand.
+// Returns the end whose team places first.
 End first_placer(Restart restart, End taker);
 
-// Why a robot may not stand where it was asked for.
+// Why a robot may not have the pose that was asked for.
 enum class Misplaced {
   no,
-  outside_walls,        // or nowhere: a pose that is not finite
+  outside_walls,        // or not finite
   not_allowed,          // by the law of the restart
-  special_place_empty,  // somebody has to stand in the special place, and this robot is the one
-  second_in_goal_area,  // of the opponents, at a goal kick
+  special_place_empty,  // this robot has to stand in the special place and does not
+  second_in_goal_area,  // of the other end, at a goal kick
   too_near_ball,
   too_near_robot,
 };
 
+// The placement that is granted.
 struct CheckedPlacement {
   Placement placement;
-  ByEnd<RobotSet> moved;
+  ByEnd<RobotSet> moved;  // the robots that did not get what was asked for
   ByRobot<Misplaced> why{};
   bool ball_moved = false;
 
   bool any_moved() const { return ball_moved || moved[0].any() || moved[1].any(); }
 };
 
-// What both teams ask for at once.
+// Checks what both teams ask for at once.
 CheckedPlacement check_placement(const Pitch& pitch, const Decision& restart, Roles roles,
                                  const Placement& asked);
 
-// What one team asks for when it is its turn: `asked` has its poses, and the others as they stand.
-// The robots of the team that places second make way if they have to; those of the first stay.
-// Only the taker who places first has a choice of the ball's place.
+// Checks what one team asks for in its turn: `asked` holds the poses that it asks for, and the
+// others where they stand. In the first team's turn robots of the second team are moved if they are
+// in its way; in the second team's turn the first team's robots stay. The ball may be moved only in
+// the turn of a taker who places first.
 CheckedPlacement check_turn(const Pitch& pitch, const Decision& restart, End team, Roles roles,
                             const Placement& asked);
 
-// A sentence: who was moved from where to where, and why. `asked` as it was checked.
+// Returns a sentence that says which bodies were moved, from where to where, and why. `asked` is
+// the placement that was checked.
 std::string reason_of(const Pitch& pitch, const Placement& asked, const CheckedPlacement& checked);
 
 }  // namespace mirocup::referee

@@ -15,12 +15,12 @@ constexpr double tolerance = 1e-6;       // m, of every comparison
 constexpr double line_tolerance = 2e-3;  // m, for "touches the line"
 constexpr double mark_tolerance = 0.01;  // m, for "stands on the mark"
 
-// How far the body reaches from its centre along x and along y.
+// Returns how far the body reaches from its centre along x and along y, m.
 double reach_of(const Pitch& pitch, const Pose& robot) {
   return pitch.robot_side / 2.0 * (std::abs(robot.heading.cos) + std::abs(robot.heading.sin));
 }
 
-// As the team sees it: it attacks +x.
+// Returns the position in the team's frame.
 Vec2 seen(End team, const Pose& robot) {
   return team_frame(team, robot.position);
 }
@@ -46,7 +46,7 @@ bool in_own_half_or_circle(const Pitch& pitch, End team, const Pose& robot) {
   return std::all_of(all.begin(), all.end(), allowed);
 }
 
-// The nearest point of the square to the field's centre.
+// Tests the point of the robot that is nearest to the centre of the field.
 bool outside_circle(const Pitch& pitch, const Pose& robot) {
   const double h = pitch.robot_side / 2.0;
   const Vec2 centre = robot.heading.to_body(-robot.position);
@@ -82,14 +82,15 @@ bool on_goal_line(const Pitch& pitch, End team, const Pose& robot) {
   return std::abs(gap) <= line_tolerance && std::abs(p.y()) <= pitch.field.goal_half_width;
 }
 
-bool behind_ball(const PlacementRules& s, End team, const Pose& robot) {
-  return seen(team, robot).x() + reach_of(s.pitch, robot) <= team_frame(team, s.ball).x();
+bool behind_ball(const PlacementRules& rules, End team, const Pose& robot) {
+  return seen(team, robot).x() + reach_of(rules.pitch, robot) <= team_frame(team, rules.ball).x();
 }
 
-// One of the default places of the team's wall at a free kick, whoever holds it.
-bool on_wall_mark(const PlacementRules& s, End team, const Pose& robot) {
-  for (int i = 0; i < s.pitch.field.robots_per_team; ++i) {
-    if (i != keeper && near(robot, s.defaults.robots[index_of(team)][i])) return true;
+// True if the robot stands on one of the default places of the team's wall at a free kick, no
+// matter which robot's place it is.
+bool on_wall_mark(const PlacementRules& rules, End team, const Pose& robot) {
+  for (int i = 0; i < rules.pitch.field.robots_per_team; ++i) {
+    if (i != keeper && near(robot, rules.defaults.robots[index_of(team)][i])) return true;
   }
   return false;
 }
@@ -106,50 +107,50 @@ bool is_inside_walls(const Pitch& pitch, const Pose& robot) {
   });
 }
 
-bool may_stand(const PlacementRules& s, End team, const Pose& robot) {
-  const bool takes = team == s.taker;
-  switch (s.restart) {
+bool may_stand(const PlacementRules& rules, End team, const Pose& robot) {
+  const bool takes = team == rules.taker;
+  switch (rules.restart) {
     case Restart::none:
       return true;
     case Restart::KICK_OFF:
-      return takes ? in_own_half_or_circle(s.pitch, team, robot)
-                   : in_own_half(s.pitch, team, robot) && outside_circle(s.pitch, robot);
+      return takes ? in_own_half_or_circle(rules.pitch, team, robot)
+                   : in_own_half(rules.pitch, team, robot) && outside_circle(rules.pitch, robot);
     case Restart::PENALTY_KICK:
-      return in_own_half(s.pitch, s.taker, robot);
+      return in_own_half(rules.pitch, rules.taker, robot);
     case Restart::GOAL_KICK:
-      return takes ? outside_area(s.pitch, team, robot) : in_own_half(s.pitch, team, robot);
+      return takes ? outside_area(rules.pitch, team, robot) : in_own_half(rules.pitch, team, robot);
     case Restart::FREE_KICK:
-      return takes ? in_own_half(s.pitch, team, robot) : on_wall_mark(s, team, robot);
+      return takes ? in_own_half(rules.pitch, team, robot) : on_wall_mark(rules, team, robot);
     case Restart::FREE_BALL:
-      return outside_quarter(s.pitch, s.ball, robot);
+      return outside_quarter(rules.pitch, rules.ball, robot);
   }
   return false;
 }
 
-bool has_special_place(const PlacementRules& s, End team, const Pose& robot) {
-  const bool takes = team == s.taker;
-  switch (s.restart) {
+bool has_special_place(const PlacementRules& rules, End team, const Pose& robot) {
+  const bool takes = team == rules.taker;
+  switch (rules.restart) {
     case Restart::none:
     case Restart::KICK_OFF:
       return false;
     case Restart::PENALTY_KICK:
-      if (takes) return behind_ball(s, team, robot) && !in_own_half(s.pitch, team, robot);
-      return on_goal_line(s.pitch, team, robot) ||
-             (s.roles == Roles::fixed && in_goal_area(s.pitch, team, robot));
+      if (takes) return behind_ball(rules, team, robot) && !in_own_half(rules.pitch, team, robot);
+      return on_goal_line(rules.pitch, team, robot) ||
+             (rules.roles == Roles::fixed && in_goal_area(rules.pitch, team, robot));
     case Restart::GOAL_KICK:
-      return takes && in_goal_area(s.pitch, team, robot);
+      return takes && in_goal_area(rules.pitch, team, robot);
     case Restart::FREE_KICK:
-      return takes ? behind_ball(s, team, robot) && !in_own_half(s.pitch, team, robot)
-                   : in_goal_area(s.pitch, team, robot);
+      return takes ? behind_ball(rules, team, robot) && !in_own_half(rules.pitch, team, robot)
+                   : in_goal_area(rules.pitch, team, robot);
     case Restart::FREE_BALL:
-      return near(robot, s.defaults.robots[index_of(team)][kicker]);
+      return near(robot, rules.defaults.robots[index_of(team)][kicker]);
   }
   return false;
 }
 
-int holder_of_special_place(const PlacementRules& s, End team) {
-  const bool takes = team == s.taker;
-  switch (s.restart) {
+int holder_of_special_place(const PlacementRules& rules, End team) {
+  const bool takes = team == rules.taker;
+  switch (rules.restart) {
     case Restart::none:
     case Restart::KICK_OFF:
       return -1;

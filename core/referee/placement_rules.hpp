@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: MIT
 //
-// Where a robot may stand at a restart, by the law of that restart. Sources: MiroSot laws 6.2, 10,
-// 11, 12 and 13 and their figures.
+// Where a robot may stand at a restart, by the law of that restart.
+//
+// Sources: MiroSot laws 6.2, 10, 11, 12 and 13 and their figures.
 #pragma once
 
-#include "core/referee/laws/law.hpp"
 #include "core/referee/placement.hpp"
 
 namespace mirocup::referee {
 
-// The robots that may stand in a special place.
+// Which robot of a team may stand in its special place.
 enum class Roles {
-  any,    // whoever is sent there
+  any,    // any one robot
   fixed,  // in a shoot-out, where only two robots move: robot 1 as kicker, robot 0 as keeper
 };
 
-// The restart that is placed. Positions in it are in the field's frame.
+// What the rules of a placement depend on. Positions are in the field's frame, in metres. Pitch and
+// defaults belong to the caller and outlive this.
 struct PlacementRules {
   const Pitch& pitch;
   Restart restart = Restart::none;
@@ -25,17 +26,19 @@ struct PlacementRules {
   Vec2 ball{0.0, 0.0};
 };
 
-// Inside the walls, with its whole body?
+// True if the pose is finite and the robot's whole body is inside the walls.
 bool is_inside_walls(const Pitch& pitch, const Pose& robot);
 
-// May any robot of that team stand so?
-bool may_stand(const PlacementRules& standing, End team, const Pose& robot);
+// True if any robot of the team may stand like this.
+bool may_stand(const PlacementRules& rules, End team, const Pose& robot);
 
-// Does the robot stand where one robot of its team may, or must, stand alone: the kicker behind the
-// ball, the keeper on its line (in a shoot-out anywhere in its goal area), a contender at its place?
-bool has_special_place(const PlacementRules& standing, End team, const Pose& robot);
+// True if the robot stands in the special place of its team, where one robot alone may or must
+// stand: the kicker behind the ball, the keeper on its line (in a shoot-out anywhere in its goal
+// area), a contender at its mark.
+bool has_special_place(const PlacementRules& rules, End team, const Pose& robot);
 
-// The robot that takes the special place if nobody stands there of its own will; -1: nobody has to.
-int holder_of_special_place(const PlacementRules& standing, End team);
+// Returns the robot that must take the special place if no robot of the team stands there; -1 if
+// the place may stay empty.
+int holder_of_special_place(const PlacementRules& rules, End team);
 
 }  // namespace mirocup::referee

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/referee/referee.hpp"
 
+#include "core/base/assert.hpp"
 #include "core/referee/laws/goal.hpp"
 #include "core/referee/laws/mercy.hpp"
 
@@ -75,9 +76,9 @@ double Referee::phase_length() const {
   return is_length(rules.golden_goal_s) ? rules.golden_goal_s : rules.extra_halves_s;
 }
 
-// A goal whose ball crossed the line before the end counts; a penalty that was given before the end
-// is still taken. Defenders who foul again then get another one against them, but not for ever: a
-// phase is prolonged by the length of one attempt at most.
+// A goal counts if the ball crossed the line before the end, and a penalty given before the end is
+// still taken. A new foul of the defenders then gives another penalty, but a phase is prolonged by
+// the length of one attempt at most.
 bool Referee::is_time_up(const Situation& s, const std::optional<Decision>& goal) {
   const bool prolonged = book_.attempt.is_on;
   if (prolonged) {
@@ -124,7 +125,7 @@ Decision Referee::end_of_phase(const Situation& s) {
 Judgement Referee::judge_attempt(const Situation& s) {
   const std::optional<Decision> goal = judge_goal(pitch_, s);
   Judgement judgement = judge_attackers(pitch_, s, goal, book_);
-  // It counts the stillness; what it would give in play has no place here.
+  // Called for its count only: in an attempt it does not decide.
   judge_stalemate(pitch_, s, book_.stalemate);
   const bool still = is_stalemate(pitch_, book_.stalemate, s.duration);
   const auto over = judge_penalty_attempt(pitch_, s, book_.occupancy, still, book_.attempt);
@@ -189,7 +190,8 @@ std::optional<Decision> Referee::follow_up(const Decision& decision) {
   return end_after(decision);
 }
 
-// Time was up when this was decided, and only a penalty would still be taken.
+// Ends the phase after a decision made when time was up, unless it is a penalty, which is still
+// taken.
 std::optional<Decision> Referee::end_after(const Decision& decision) {
   if (now_.phase == Phase::SHOOT_OUT || decision.restart == Restart::none ||
       decision.restart == Restart::PENALTY_KICK || now_.clock < phase_length()) {
@@ -304,10 +306,11 @@ void Referee::resume(const Decision& restart, double since) {
 }
 
 void Referee::start_half(Phase phase) {
+  MIROCUP_ASSERT(phase == Phase::SECOND_HALF || phase == Phase::EXTRA);
   now_.is_second_extra_half = phase == Phase::EXTRA;
   now_.phase = phase;
   now_.clock = 0.0;
-  // The ends are swapped and the other team kicks off: the same end as before.
+  // The ends are swapped and the other team kicks off, so the same end kicks off as before.
   std::swap(now_.score[0], now_.score[1]);
   std::swap(now_.time_outs_taken[0], now_.time_outs_taken[1]);
   std::swap(time_outs_wanted_[0], time_outs_wanted_[1]);
@@ -340,12 +343,12 @@ PendingCounts Referee::pending_counts() const {
     const int other = index_of(opposite(end));
     TeamCounts& team = pending.teams[e];
     const auto count = [](const RobotSet& set) { return static_cast<int>(set.count()); };
-    team.defenders = count(counted(occupancy, occupancy.goal_area, end, end));
-    team.two_defenders_s = book_.two_defenders.crowded[e].for_s;
-    team.area_defenders = count(counted(occupancy, occupancy.penalty_area, end, end));
-    team.four_defenders_s = book_.four_defenders.crowded[e].for_s;
-    team.attackers = count(counted(occupancy, occupancy.goal_area, opposite(end), end));
-    team.two_attackers_s = book_.two_attackers.crowded[other].for_s;
+    team.defenders = count(not_pushed(occupancy, occupancy.goal_area, end, end));
+    team.two_defenders_s = book_.crowding.of(CrowdingLaw::two_defenders)[e].for_s;
+    team.area_defenders = count(not_pushed(occupancy, occupancy.penalty_area, end, end));
+    team.four_defenders_s = book_.crowding.of(CrowdingLaw::four_defenders)[e].for_s;
+    team.attackers = count(not_pushed(occupancy, occupancy.goal_area, opposite(end), end));
+    team.two_attackers_s = book_.crowding.of(CrowdingLaw::two_attackers)[other].for_s;
     team.keeper_hold_s = book_.keeper_hold.held[e].for_s;
     team.keeper = occupancy.keeper[e] ? occupancy.keeper[e]->index : -1;
     team.advantage_against = book_.advantage.foul && book_.advantage.foul->team == end;

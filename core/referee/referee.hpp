@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: MIT
 //
-// The referee of one match: clock, phase, score, and the laws in their order.
+// The referee of one leg: clock, phase, score, and the laws in their order.
 //
-// It is asked once a tick while play is on and answers with at most one decision. It knows ends,
-// not colours; who defends which end is the match's business, and so are the coins: whoever starts
-// a phase says who won the toss.
+// It is called once a tick while play is on and returns at most one decision. It knows ends, not
+// colours, and tosses no coin: which team defends which end, and who wins a toss, is the business
+// of the leg, which tells it when a phase starts. core/referee/README.md is the map of this folder.
+//
+// Threads: none of its own; one thread at a time may call it.
 #pragma once
 
 #include "core/referee/law_book.hpp"
 
 namespace mirocup::referee {
 
-// Penalty attempts of the shoot-out, and who wins if lots have to be drawn.
+// The attempts of the shoot-out, and the winner if lots are drawn.
 struct ShootOut {
   ByEnd<int> taken{};
   ByEnd<int> scored{};
   End lots = End::left;
 };
 
-// How far a match has come. The default is its begin.
+// The progress of a leg. The default is its start.
 struct LegProgress {
   Stage stage = Stage::group;
   Phase phase = Phase::FIRST_HALF;
@@ -26,28 +28,29 @@ struct LegProgress {
   double clock = 0.0;  // s, of the current phase
   ByEnd<int> score{};
   ShootOut shoot_out{};
-  End first = End::left;  // who begins the phase: kicks off, takes the first attempt
+  End first = End::left;  // starts the phase: kicks off, or takes the first attempt
   ByEnd<int> time_outs_taken{};
   ByEnd<int> substitutions_made{};  // while play was on
 };
 
-// What the referee counts about one team, for those who want to know before the whistle. Seconds
-// are those of the laws' limits.
+// What the referee counts about one team, published so that a team knows of a call before it comes.
+// Each time runs towards the limit of its law, in seconds.
 struct TeamCounts {
-  int defenders = 0;  // in its own goal area, and for how long that is too many
-  double two_defenders_s = 0.0;
-  int area_defenders = 0;  // in its own penalty area
-  double four_defenders_s = 0.0;
-  int attackers = 0;  // in the opponents' goal area
-  double two_attackers_s = 0.0;
-  double keeper_hold_s = 0.0;      // the ball is uncontested in its goal area
-  int keeper = -1;                 // its robot that counts as keeper, -1: none
-  bool advantage_against = false;  // it fouled; a goal of the others comes first, or the call
+  int defenders = 0;               // its robots in its own goal area
+  double two_defenders_s = 0.0;    // how long these are too many
+  int area_defenders = 0;          // its robots in its own penalty area
+  double four_defenders_s = 0.0;   // how long these are too many
+  int attackers = 0;               // its robots in the opponents' goal area
+  double two_attackers_s = 0.0;    // how long these are too many
+  double keeper_hold_s = 0.0;      // how long the ball is uncontested in its goal area
+  int keeper = -1;                 // the index of its keeper, -1: none
+  bool advantage_against = false;  // its foul waits whether the opponents score
 };
 
+// The counts that may lead to a call.
 struct PendingCounts {
-  double stalemate_s = 0.0;  // the ball gets nowhere
-  double advantage_s = 0.0;  // the time a foul has waited, if one does
+  double stalemate_s = 0.0;  // how long the ball has been getting nowhere
+  double advantage_s = 0.0;  // how long a foul has waited for a goal, 0 if none does
   ByEnd<TeamCounts> teams;
 };
 
@@ -64,37 +67,41 @@ class Referee {
   const LegProgress& progress() const { return now_; }
   PendingCounts pending_counts() const;
 
-  // The restart that opens the phase.
+  // Returns the decision with the restart that opens the current phase.
   Decision opening() const;
 
-  // Judges one tick of play. The situation's begin and last_touch are filled in by the referee.
+  // Judges one tick of play and advances the clock by it. The referee fills in the situation's
+  // `begin`, and `last_touch` if the tick had none.
   Judgement judge(Situation situation);
 
-  // What follows from a decision in the same tick: the end of the match after a goal too many, the
-  // end of a half whose time was over, a time-out that was asked for.
+  // Returns what follows from a decision in the same tick: the end of the match after the goal that
+  // decides it, the end of a half whose time is over, or a time-out that a team asked for.
   std::optional<Decision> follow_up(const Decision& decision);
 
-  // The restart of a decision has been placed and play goes on: every count begins anew. `since`:
-  // of a situation that is looked at later, for how long play has gone on, s.
+  // Resets every count, because the restart of a decision has been placed. `since` is the time that
+  // play has already been on, s; it is not 0 only for a recorded trace that starts later.
   void resume(const Decision& restart, double since = 0.0);
 
-  // After HALF_END: ends are swapped and the other team kicks off.
+  // Starts the half after HALF_END, SECOND_HALF or EXTRA: the ends are swapped and the other team
+  // kicks off.
   void start_half(Phase phase);
 
-  // After PHASE: `first` won the toss. `lots` wins if the shoot-out ends in a draw of lots.
+  // Start extra time or the shoot-out after PHASE. `first` won the toss; `lots` wins the shoot-out
+  // if lots decide it.
   void start_extra_time(End first);
   void start_shoot_out(End first, End lots);
 
-  // A team wants a pause. Granted at the next stoppage, or rejected at once: the decision.
+  // Asks for a time-out, which is granted at the next stoppage. Returns a decision only if it is
+  // rejected.
   std::optional<Decision> ask_for_time_out(End team);
   int time_outs_left(End team) const;
 
-  // A team wants another robot in the place of this one: in a time-out, which is asked for with it
-  // if none is. The decision if it is rejected.
+  // Asks to replace a robot in the team's next time-out; asks for a time-out as well if the team
+  // has not done so. Returns a decision only if it is rejected.
   std::optional<Decision> ask_for_substitution(const RobotId& robot);
   int substitutions_left(End team) const;
 
-  // The same in the break between the halves, where everybody may.
+  // Replaces a robot in the break between the halves, where any number is allowed.
   Decision substitute_in_break(const RobotId& robot) const;
 
  private:
@@ -113,7 +120,7 @@ class Referee {
   LawBook book_;
   std::optional<RobotId> last_touch_;
   ByEnd<int> time_outs_wanted_{};
-  ByEnd<RobotSet> to_replace_;  // in the next time-out of the team
+  ByEnd<RobotSet> to_replace_;  // robots to replace in the team's next time-out
 };
 
 }  // namespace mirocup::referee

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// One tick as the laws see it. Ends, not colours: the defender of left attacks +x. A situation is
-// plain data: it comes from a simulated world, from a film of a real pitch, or from a test.
+// One tick as the laws see it.
+//
+// A situation is plain data: it comes from a simulated world, from a recorded trace of a real
+// pitch, or from a test. It knows ends, not colours: the team that defends the left end attacks +x.
+// Everything is in the field's frame; metres, seconds, m/s.
 #pragma once
 
 #include "core/field/field.hpp"
@@ -21,34 +24,35 @@ struct RobotId {
   bool operator==(const RobotId&) const = default;
 };
 
-// By end: [index_of(End::left)] is the team that defends x < 0.
+// A value for each end, or for the team that defends it: [index_of(End::left)] is at x < 0.
 template <class T>
 using ByEnd = std::array<T, 2>;
 
+// A value for each robot: [index_of(end)][index].
 template <class T>
 using ByRobot = ByEnd<std::array<T, max_robots_per_team>>;
 
 struct Situation {
-  double begin = 0.0;     // match clock at the begin of the tick, s
-  double duration = 0.0;  // of the tick, s; 0 for what a camera sees first
+  double begin = 0.0;     // clock of the phase at the start of the tick, s; set by the referee
+  double duration = 0.0;  // of the tick, s; 0 for the first frame of a camera
 
-  Vec2 ball_before{0.0, 0.0};  // m, at the begin; between them the ball moves on a straight line
+  Vec2 ball_before{0.0, 0.0};  // at the start; until the end it moves on a straight line
   Vec2 ball{0.0, 0.0};         // at the end
   ByRobot<Pose> robots;        // at the end
 
-  // m/s: before anything was hit in this tick, and as asked of the wheels.
+  // At the start of the tick, before any impact in it; and what the wheels were commanded.
   ByRobot<Vec2> velocity{};
   ByRobot<Vec2> commanded{};
 
-  // Touches at some time of the tick, or within the touching distance at its end (touches.hpp).
+  // Touches during the tick, or within the touching distance at its end (touches.hpp).
   ByEnd<RobotSet> touched_ball;
   ByRobot<RobotSet> touched_opponents;  // symmetric: the set of each robot's opponents
-  ByRobot<RobotSet> touched_mates;      // symmetric, too
+  ByRobot<RobotSet> touched_mates;      // symmetric, likewise
   // The last robot that touched the ball, in this tick or before.
   std::optional<RobotId> last_touch;
 
-  ByEnd<bool> hand{};      // somebody of the team reached onto the field in this tick
-  ByEnd<RobotSet> fallen;  // robots that lie on their side: in films only
+  ByEnd<bool> hand{};      // true if the team reached onto the field in this tick
+  ByEnd<RobotSet> fallen;  // robots that lie on their side: in recorded traces only
 
   const Pose& pose(const RobotId& id) const { return robots[index_of(id.end)][id.index]; }
   bool touches_ball(const RobotId& id) const { return touched_ball[index_of(id.end)][id.index]; }

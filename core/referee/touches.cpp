@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "core/referee/touches.hpp"
 
+#include "core/base/assert.hpp"
 #include "core/geometry/separation.hpp"
 
 namespace mirocup::referee {
 
 namespace {
 
-// Could squares or a ball of these half extents come this near?
+// True if two points are at most `distance` apart: a cheap test before gaps are computed.
 bool within(const Vec2& a, const Vec2& b, double distance) {
   return (a - b).squaredNorm() <= distance * distance;
 }
 
-// Half a diagonal of a robot.
+// Returns half the diagonal of a robot.
 double reach_of(const Pitch& pitch) {
   return pitch.robot_side * std::sqrt(0.5);
 }
@@ -31,6 +32,7 @@ double ball_gap(const Pitch& pitch, const Vec2& ball, const Pose& robot) {
 }
 
 void set_touch(Situation& s, const RobotId& a, const RobotId& b) {
+  MIROCUP_ASSERT(!(a == b));
   auto& sets = a.end == b.end ? s.touched_mates : s.touched_opponents;
   sets[index_of(a.end)][a.index].set(b.index);
   sets[index_of(b.end)][b.index].set(a.index);

@@ -1,23 +1,27 @@
 // SPDX-License-Identifier: MIT
 //
-// Who is how near to whom. A contact counts if the physics reported it in the tick or if the bodies
-// are within the touching distance at its end, so that pushing with a hair's gap is pushing.
+// Distances between bodies, and which bodies touch.
+//
+// Two bodies touch in a tick if the physics reported a contact in it, or if they are within
+// `touch_m` of each other at its end: a push across a hair's breadth is a push.
 #pragma once
 
-#include "core/referee/laws/law.hpp"
+#include "core/referee/pitch.hpp"
+#include "core/referee/situation.hpp"
 
 namespace mirocup::referee {
 
-// Adds the touches of all pairs that are within the rules' touching distance.
+// Adds to the situation the touches of all pairs of bodies that are within `touch_m` at its end.
 void add_near_touches(const Pitch& pitch, Situation& situation);
 
-// Two opponents touched: both sets.
+// Adds the touch of two different robots, opponents or team-mates, to the sets of both.
 void set_touch(Situation& situation, const RobotId& a, const RobotId& b);
 
-// The gap between two robots, m; exact up to `reach`, anything larger beyond.
+// Returns the gap between two robots, m. Beyond `reach` the result is only known to be larger than
+// it.
 double robot_gap(const Pitch& pitch, const Pose& a, const Pose& b, double reach);
 
-// The gap between the ball and a robot, m; negative by the depth inside it.
+// Returns the gap between the ball and a robot, m; negative by its depth if the ball overlaps it.
 double ball_gap(const Pitch& pitch, const Vec2& ball, const Pose& robot);
 
 }  // namespace mirocup::referee

@@ -9,8 +9,8 @@ namespace mirocup::replay {
 
 namespace {
 
-// The bodies that differ after the tick, and both states of the first of them at the next checkpoint.
-// Played once more for it: what is equal, as nearly all is, needs no trace.
+// Returns which bodies differ after the tick, and both states of the first of them at the next
+// checkpoint. Plays the leg once more for it, because a playback that does not differ needs no trace.
 std::string what_differs(const Recording& recording, std::uint32_t tick) {
   const std::size_t checkpoint = (tick + checkpoint_ticks - 1) / checkpoint_ticks;
   match::Leg leg(recording.setup);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Plays a recording again, tick by tick, without the teams: the recorded commands go in, the
-// simulator and the referee do the rest.
+// Plays a recording again, tick by tick, without the teams: the recorded commands go in, and
+// simulator and referee do the rest.
 //
-// Threads: none. The recording outlives its playback.
+// Threads: none of its own. The recording belongs to the caller and outlives its playback.
 #pragma once
 
 #include "core/replay/recording.hpp"
@@ -26,10 +26,11 @@ class Playback {
   // The leg as it stands: before the first tick, or after the last one that advance() played.
   const match::Leg& leg() const { return leg_; }
 
-  // Plays the next tick and compares its hash; false when there is none, or once they differ.
+  // Plays the next tick and compares its hash. Returns false when there is no next tick, or if the
+  // hashes differ.
   bool advance();
 
-  // Set once a tick, or the number of ticks, was not the recorded one.
+  // The first difference found, if any: a tick's hash, or the number of ticks.
   const std::optional<Divergence>& divergence() const { return divergence_; }
 
  private:

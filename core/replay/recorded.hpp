@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Both teams' answers as they were recorded.
+// The recorded answers of both teams.
 #pragma once
 
 #include "core/replay/recording.hpp"
 
 namespace mirocup::replay {
 
-// The answers to the observations of a tick; after the last recorded one, what ended the leg.
+// Returns the answers to the observations of a tick. After the last recorded tick these are what
+// ended the leg: a fault, a failure of the host, or commands of 0.
 match::ByTeam<match::Answer> recorded_answers(const Recording& recording, std::uint32_t tick);
 
 }  // namespace mirocup::replay

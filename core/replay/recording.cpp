@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "core/replay/recording.hpp"
 
+#include "core/base/assert.hpp"
+
 #include <algorithm>
 #include <utility>
 
 namespace mirocup::replay {
 
 Recording record(const match::Leg& leg, StateTrace trace) {
+  MIROCUP_ASSERT(leg.is_over());
   return {.setup = leg.setup(),
           .ticks = leg.log(),
           .placement_requests = leg.placement_requests(),

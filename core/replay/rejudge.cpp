@@ -12,7 +12,7 @@ namespace {
 using match::LoggedDecision;
 using referee::Decision;
 
-// The first decision about play among those from an index on.
+// Returns the first decision about play, starting at an index.
 std::optional<LoggedDecision> decision_since(const match::Leg& leg, std::size_t from) {
   using referee::Verdict;
   for (std::size_t i = from; i < leg.decisions().size(); ++i) {
@@ -42,18 +42,21 @@ bool is_same_call(const LoggedDecision& a, const LoggedDecision& b) {
          a.taker == b.taker;
 }
 
-// The second referee.
+// The second referee, which judges the situations of a leg without acting on it.
 class SecondReferee {
  public:
   SecondReferee(const match::Leg& leg, const referee::Rules& rules)
       : leg_(leg),
-        pitch_{leg.field(), rules, leg.setup().parameters.ball_radius,
-               leg.setup().parameters.robot_side},
+        pitch_{.field = leg.field(),
+               .rules = rules,
+               .ball_radius = leg.pitch().ball_radius,
+               .robot_side = leg.pitch().robot_side},
         referee_(std::in_place, pitch_, leg.referee().progress()) {
     referee_->resume(leg.restart());
   }
 
-  // After a tick of the match, before which it had so many decisions and this team at the left end.
+  // Compares the two referees after a tick. Before the tick the leg had `decisions_before`
+  // decisions and the team `left` at the left end.
   std::optional<Difference> compare_tick(std::uint32_t tick, std::size_t decisions_before,
                                          Team left) {
     Difference difference;
@@ -61,7 +64,7 @@ class SecondReferee {
     difference.given = decision_since(leg_, decisions_before);
     std::optional<Decision> would_be;
     if (leg_.judged()) would_be = referee_->judge(*leg_.judged()).decision;
-    // A phase that is over for it goes on in the match: to say so once is enough.
+    // A phase that it has ended goes on in the leg: that is reported once.
     const bool ends_phase = would_be && would_be->restart == referee::Restart::none;
     if (ends_phase && std::exchange(said_phase_is_over_, true)) would_be.reset();
     if (would_be) difference.would_be = logged(*would_be, tick, left);
@@ -84,7 +87,7 @@ class SecondReferee {
  private:
   const match::Leg& leg_;
   referee::Pitch pitch_;
-  std::optional<referee::Referee> referee_;  // made anew at every stoppage
+  std::optional<referee::Referee> referee_;  // replaced at every stoppage
   bool said_phase_is_over_ = false;
 };
 

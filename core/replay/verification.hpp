@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Does a recording tell what happened? The simulator and the referee play it again from the
-// commands alone.
+// Verification of a recording: simulator and referee play it again from the commands alone.
 #pragma once
 
 #include "core/replay/playback.hpp"
@@ -10,7 +9,8 @@
 
 namespace mirocup::replay {
 
-// Nothing if every hash, decision and the result are reproduced.
+// Returns the first difference, or nothing if every hash, every decision and the outcome are
+// reproduced.
 std::optional<Divergence> verify(const Recording& recording);
 
 }  // namespace mirocup::replay

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/traces/trace.hpp"
 
-#include "core/referee/laws/law.hpp"
+#include "core/referee/decide.hpp"
 #include "server/record/json_reader.hpp"
 #include "server/record/rules_json.hpp"
 

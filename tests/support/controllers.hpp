@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Teams for the match's tests that live in the test itself.
+// Teams that live in the test itself.
 #pragma once
 
 #include "core/base/random.hpp"
@@ -11,7 +11,7 @@
 
 namespace mirocup::test_support {
 
-// Answers whatever a function says.
+// A controller whose answers are those of a function of the observation.
 class Scripted final : public match::Controller {
  public:
   using Script = std::function<match::Answer(const match::Observation&)>;
@@ -25,17 +25,19 @@ class Scripted final : public match::Controller {
   match::Observation observation_;
 };
 
+// The same wheel speeds for all robots, rad/s.
 inline match::Command both_wheels(double left, double right) {
   match::Command command;
   for (auto& wheels : command.wheels) wheels = {left, right};
   return command;
 }
 
+// Never moves.
 inline Scripted idle_team() {
   return Scripted([](const match::Observation&) { return match::Command{}; });
 }
 
-// Runs about at random; the same seed gives the same run whatever it sees.
+// Drives at random, whatever it observes; the same seed gives the same commands.
 inline Scripted random_team(std::uint64_t seed) {
   return Scripted([random = Random(seed), command = match::Command{}](
                       const match::Observation& o) mutable -> match::Answer {

@@ -17,7 +17,7 @@ inline simulator::WheelSpeeds towards(const match::ObservedRobot& robot, const V
   return {ahead * speed - turn, ahead * speed + turn};
 }
 
-// Where each robot wants to be, of what it sees.
+// A team whose robots drive to the places that `where(observation, robot)` returns.
 template <class Where>
 Scripted team_of(Where where, double speed = 40.0) {
   return Scripted([where, speed](const match::Observation& o) -> match::Answer {
@@ -29,21 +29,21 @@ Scripted team_of(Where where, double speed = 40.0) {
   });
 }
 
-// All robots into the own goal area: parking.
+// All robots drive into their own goal area and park there.
 inline Scripted goal_parkers(double goal_line) {
   return team_of([goal_line](const match::Observation&, int i) {
     return Vec2{-goal_line + 0.06, 0.09 * (i - 1)};
   });
 }
 
-// All robots into the other goal area, at the keeper.
+// All robots drive into the other goal area, at the keeper.
 inline Scripted raiders(double goal_line) {
   return team_of([goal_line](const match::Observation& o, int i) {
     return i == 0 ? o.ball : Vec2{goal_line - 0.06, 0.09 * (i - 1)};
   });
 }
 
-// Every robot at the opponent of its number, never at the ball.
+// Every robot drives at the opponent with its own number, never at the ball.
 inline Scripted man_hunters() {
   return team_of([](const match::Observation& o, int i) { return o.opponent[i].position; });
 }

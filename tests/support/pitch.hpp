@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Situations for the laws' tests: a ball and some robots, everybody else out of the way.
+// Situations for the tests of the laws: a ball and some robots, all others out of the way.
 #pragma once
 
-#include "core/referee/laws/law.hpp"
+#include "core/referee/pitch.hpp"
+#include "core/referee/situation.hpp"
 
 #include <vector>
 
@@ -14,13 +15,16 @@ struct TestPitch {
                      referee::Preset preset = referee::Preset::mirosot)
       : field(field::make_field(league)), rules(referee::make_rules(preset)) {}
 
-  referee::Pitch pitch() const { return {field, rules, 0.02135, 0.075}; }
+  referee::Pitch pitch() const {
+    return {.field = field, .rules = rules, .ball_radius = 0.02135, .robot_side = 0.075};
+  }
 
   field::Field field;
   referee::Rules rules;
 };
 
-// Robots stand along the upper wall of the half of the team's own, far from the ball.
+// Returns a situation in which the ball lies still and the robots stand along the upper wall of
+// their own half.
 inline referee::Situation empty_situation(const field::Field& field, const Vec2& ball) {
   referee::Situation s;
   s.duration = 0.033;
@@ -34,7 +38,8 @@ inline referee::Situation empty_situation(const field::Field& field, const Vec2&
   return s;
 }
 
-// The same situation turned by 180 degrees: what happened to left happens to right.
+// Returns the situation turned by 180 degrees: what happened to the left team happens to the right
+// one.
 inline referee::Situation half_turned(const referee::Situation& s) {
   referee::Situation t = s;
   t.ball_before = -s.ball_before;
@@ -44,9 +49,14 @@ inline referee::Situation half_turned(const referee::Situation& s) {
     const int to = index_of(end);
     for (int i = 0; i < max_robots_per_team; ++i) {
       t.robots[to][i] = {-s.robots[from][i].position, s.robots[from][i].heading.half_turned()};
+      t.velocity[to][i] = -s.velocity[from][i];
       t.commanded[to][i] = -s.commanded[from][i];
     }
     t.touched_ball[to] = s.touched_ball[from];
+    t.touched_opponents[to] = s.touched_opponents[from];
+    t.touched_mates[to] = s.touched_mates[from];
+    t.hand[to] = s.hand[from];
+    t.fallen[to] = s.fallen[from];
   }
   if (s.last_touch)
     t.last_touch = referee::RobotId{opposite(s.last_touch->end), s.last_touch->index};

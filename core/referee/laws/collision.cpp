@@ -14,11 +14,11 @@ struct Meeting {
 };
 
 Meeting meeting_of(const Situation& s, const RobotId& left, const RobotId& right) {
-  const Vec2 way = s.pose(right).position - s.pose(left).position;
-  const double length = std::sqrt(way.squaredNorm());
+  const Vec2 offset = s.pose(right).position - s.pose(left).position;
+  const double length = std::sqrt(offset.squaredNorm());
   const Vec2& a = s.velocity[index_of(left.end)][left.index];
   const Vec2& b = s.velocity[index_of(right.end)][right.index];
-  return {length > 0.0 ? (a - b).dot(way) / length : 0.0,
+  return {length > 0.0 ? (a - b).dot(offset) / length : 0.0,
           std::sqrt(a.squaredNorm()) - std::sqrt(b.squaredNorm())};
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// A dangerous collision. Source: MiroSot law 8.1, "potential to harm"; simulated robots do not
-// break, so it is off unless the parameter is set: two robots meet faster than that and one is
-// clearly the faster. It is only noted, or, where a second parameter says so, called like a push by
-// the faster one.
+// Dangerous collisions. Source: MiroSot law 8.1, "potential to harm".
+//
+// Simulated robots do not break, so the law is off unless `collision_mps` is set. It applies when
+// two opponents start to touch, close at more than that speed, and one of them is faster than the
+// other by more than `collision_differ_mps`. The collision is only noted or, with `collision_foul`,
+// called like a push by the faster robot.
 #pragma once
 
 #include "core/referee/laws/push.hpp"
@@ -13,10 +15,11 @@
 namespace mirocup::referee {
 
 struct CollisionMemory {
-  ByRobot<double> muted_s{};  // after a robot was noted
-  ByRobot<RobotSet> touched;  // in the last tick
+  ByRobot<double> muted_s{};  // time for which a robot is not called again, s
+  ByRobot<RobotSet> touched;  // the opponents that each robot touched in the last tick
 };
 
+// Finds at most one collision in a tick; the first pair counts, by index of the left robot.
 std::optional<Decision> judge_collision(const Pitch& pitch, const Situation& situation,
                                         CollisionMemory& memory);
 

@@ -9,7 +9,7 @@ namespace mirocup::referee {
 
 namespace {
 
-// Is there no way for the ball between the robot and that goal's line?
+// True if the ball cannot pass between the robot and the line of that goal.
 bool blocks(const Pitch& pitch, const Pose& robot, End goal) {
   const field::Field& field = pitch.field;
   const Vec2 on_line{-attack_sign(goal) * field.half_length,

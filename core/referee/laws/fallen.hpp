@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// A robot that fell over and blocks the goal. Source: MiroSot law 9: play is stopped, the robot is
-// set upright, and play goes on from the same positions. Only a film can show it: simulated robots
-// are squares in a plane. It blocks the goal if a ball on the goal line would touch it where it is
-// nearest.
+// Fallen robots. Source: MiroSot law 9: play stops, the robot is set upright, and play continues
+// from the same positions.
+//
+// Applies to a robot that lies on its side and blocks a goal: a ball on the goal line, at the point
+// nearest to the robot, would touch it. Simulated robots are squares in a plane and cannot fall, so
+// only a recorded trace of a real pitch can show this. The law has no memory.
 #pragma once
 
 #include "core/referee/laws/law.hpp"

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// A goal. Source: MiroSot law 7.1, "the whole of the ball passes over the goal line": its centre
-// crosses the line that lies one ball radius behind the goal line, between the posts.
+// Goals. Source: MiroSot law 7.1, "the whole of the ball passes over the goal line": the centre of
+// the ball crosses, between the posts, the line that is one ball radius behind the goal line.
 #pragma once
 
 #include "core/referee/laws/law.hpp"
 
 namespace mirocup::referee {
 
-// Remembers nothing. The decision's clock is the moment of the crossing, interpolated within the
-// tick.
+// Returns a goal for the end at which the ball crosses in this tick. The decision's clock is the
+// moment of the crossing, interpolated within the tick. The law has no memory.
 std::optional<Decision> judge_goal(const Pitch& pitch, const Situation& situation);
 
 }  // namespace mirocup::referee

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// Holding the ball. Source: MiroSot laws 8.5 and 2.(b)4: a robot hides at most 30 % of the ball.
-// Measured as the depth of the ball inside the robot's outline, for some time. The texts name no
-// restart: a free ball. The keeper in its goal or penalty area is exempt. Square robots can never
-// do it; a filmed one can.
+// Holding the ball. Sources: MiroSot laws 8.5 and 2.(b)4, a robot may hide at most 30 % of the
+// ball.
+//
+// Applies when the ball is more than `hide_m` inside a robot's outline for `hide_s`. The texts name
+// no restart, so it is a free ball. The keeper in its goal area and robot 0 in its penalty area are
+// exempt. Square robots cannot hold a ball; a robot in a recorded trace can.
 #pragma once
 
 #include "core/referee/dwell.hpp"
+#include "core/referee/laws/law.hpp"
 #include "core/referee/occupancy.hpp"
 
 #include <array>
@@ -14,10 +17,11 @@
 namespace mirocup::referee {
 
 struct HoldingMemory {
-  ByEnd<std::array<Dwell, max_robots_per_team>> hides;
+  ByEnd<std::array<Dwell, max_robots_per_team>> hides;  // how long each robot has hidden the ball
 };
 
-// How deep the ball is inside each robot's outline counts for this law and for the keeper's catch.
+// True if the robot touches the ball and hides more of it than the rules allow. The law about the
+// keeper's catch uses it, too.
 bool hides_ball(const Pitch& pitch, const Situation& situation, const RobotId& robot);
 
 std::optional<Decision> judge_holding(const Pitch& pitch, const Situation& situation,

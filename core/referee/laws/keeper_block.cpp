@@ -7,7 +7,7 @@ namespace mirocup::referee {
 
 namespace {
 
-// Is the attacker kept there by a team-mate of the keeper?
+// True if a team-mate of the keeper pushes the attacker, which does not push back.
 bool is_kept_there(const Pitch& pitch, const Situation& s, const RobotId& attacker,
                    const RobotId& keeper) {
   for (int j = 0; j < pitch.field.robots_per_team; ++j) {

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: MIT
 //
-// Blocking the goalkeeper. Source: MiroSot laws 8.7 and 12.3, a goal kick. Intent is standing in
-// front of the keeper, which wants to pass, with no business with the ball.
+// Blocking the goalkeeper. Source: MiroSot laws 8.7 and 12.3, a goal kick.
+//
+// Intent is judged by what can be measured: for `block_s` an attacker is within `block_gap_m` of a
+// keeper that drives at it, while the ball is farther than `block_ball_m` from both and in that
+// half. An attacker that a team-mate of the keeper holds there does not offend.
 #pragma once
 
 #include "core/referee/dwell.hpp"
+#include "core/referee/laws/law.hpp"
 #include "core/referee/occupancy.hpp"
 
 namespace mirocup::referee {
 
 struct KeeperBlockMemory {
-  ByEnd<std::array<Dwell, max_robots_per_team>> blocks;  // by attacker
+  ByEnd<std::array<Dwell, max_robots_per_team>> blocks;  // how long, by attacker
 };
 
 std::optional<Decision> judge_keeper_block(const Pitch& pitch, const Situation& situation,

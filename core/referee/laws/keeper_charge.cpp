@@ -8,26 +8,26 @@ namespace mirocup::referee {
 
 namespace {
 
-// Does the ball lie between the two, touching one of them?
+// True if the ball lies between the two and touches one of them.
 bool ball_is_between(const Pitch& pitch, const Situation& s, const RobotId& a, const RobotId& b) {
   if (!s.touches_ball(a) && !s.touches_ball(b)) return false;
   const Vec2 from = s.pose(a).position;
-  const Vec2 way = s.pose(b).position - from;
-  const double length = way.squaredNorm();
-  const double along = length > 0.0 ? (s.ball - from).dot(way) / length : 0.0;
-  const Vec2 nearest = from + std::clamp(along, 0.0, 1.0) * way;
+  const Vec2 offset = s.pose(b).position - from;
+  const double length = offset.squaredNorm();
+  const double along = length > 0.0 ? (s.ball - from).dot(offset) / length : 0.0;
+  const Vec2 nearest = from + std::clamp(along, 0.0, 1.0) * offset;
   const double reach = pitch.robot_side / 2.0 + pitch.ball_radius;
   return (s.ball - nearest).squaredNorm() <= reach * reach;
 }
 
-// How fast the attacker came at the keeper, m/s: both speeds along the line of centres. Nothing if
-// it was the keeper that ran into the attacker.
+// Returns the closing speed along the line of centres, m/s; 0 if the keeper came at the attacker
+// faster than the attacker at the keeper.
 double closing_speed(const Situation& s, const RobotId& attacker, const RobotId& keeper) {
-  const Vec2 way = s.pose(keeper).position - s.pose(attacker).position;
-  const double length = std::sqrt(way.squaredNorm());
+  const Vec2 offset = s.pose(keeper).position - s.pose(attacker).position;
+  const double length = std::sqrt(offset.squaredNorm());
   if (length == 0.0) return 0.0;
-  const double own = s.velocity[index_of(attacker.end)][attacker.index].dot(way) / length;
-  const double other = -s.velocity[index_of(keeper.end)][keeper.index].dot(way) / length;
+  const double own = s.velocity[index_of(attacker.end)][attacker.index].dot(offset) / length;
+  const double other = -s.velocity[index_of(keeper.end)][keeper.index].dot(offset) / length;
   return own >= other ? own + other : 0.0;
 }
 

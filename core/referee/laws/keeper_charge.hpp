@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: MIT
 //
-// Charging the goalkeeper. Source: MiroSot laws 8.2 and 12.1, a goal kick; allowed through the
-// ball. A brush is part of play: it takes a driven contact of some length, or a hard first impact.
+// Charging the goalkeeper. Source: MiroSot laws 8.2 and 12.1, a goal kick.
+//
+// A brush is part of play, so it takes a contact during which the attacker drives at the keeper for
+// `charge_s`, or a first impact at `charge_speed_mps` or more. A charge through the ball, which
+// lies between the two and touches one of them, is allowed.
 #pragma once
 
 #include "core/referee/dwell.hpp"
+#include "core/referee/laws/law.hpp"
 #include "core/referee/occupancy.hpp"
 
 namespace mirocup::referee {
 
 struct KeeperChargeMemory {
-  ByEnd<std::array<Dwell, max_robots_per_team>> driven;  // by attacker
-  ByRobot<bool> touched{};  // the keeper, in the last tick, by attacker
+  ByEnd<std::array<Dwell, max_robots_per_team>> driven;  // how long, by attacker
+  ByRobot<bool> touched{};  // true if it touched the keeper in the last tick, by attacker
 };
 
 std::optional<Decision> judge_keeper_charge(const Pitch& pitch, const Situation& situation,

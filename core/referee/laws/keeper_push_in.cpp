@@ -24,7 +24,7 @@ PushInTick tick_of(const Pitch& pitch, const Situation& s, const RobotId& keeper
   return tick;
 }
 
-// Is any corner of the robot behind the goal line of its end?
+// True if any corner of the robot is behind the goal line of that end.
 bool is_over_line(const Pitch& pitch, const Pose& robot, End end) {
   const double h = pitch.robot_side / 2.0;
   const double corner = h * (std::abs(robot.heading.cos) + std::abs(robot.heading.sin));
@@ -35,7 +35,7 @@ void remember(const Pitch& pitch, const Situation& s, const Occupancy& occupancy
               KeeperPushInMemory& memory) {
   for (const End end : both_ends) {
     const int e = index_of(end);
-    // A keeper that is pushed out of its area, behind the line, is still the one that was pushed.
+    // A keeper that was pushed out of its area, over the line, still counts as the keeper.
     const std::optional<RobotId> keeper =
         occupancy.keeper[e] ? occupancy.keeper[e] : memory.keeper[e];
     PushInTick& tick = memory.ticks[e][memory.next];

@@ -1,36 +1,40 @@
 // SPDX-License-Identifier: MIT
 //
-// The goalkeeper is pushed into its goal along with the ball. Source: MiroSot law 8.2, the goal
-// does not count and a goal kick is given. Judged by looking back from the goal: an attacker
-// pressed on the keeper, itself or through the ball, while the keeper was moved towards its line,
-// and the keeper is at the ball or over the line when it falls.
+// The goalkeeper is pushed into its goal along with the ball. Source: MiroSot law 8.2: the goal
+// does not count and a goal kick is given.
+//
+// Judged by looking back `push_in_s` from the goal: an attacker pressed on the keeper, directly or
+// through the ball, while the keeper was moved `push_in_m` towards its goal line; and at the moment
+// of the goal the keeper touches the ball or is over the line. A keeper whose own commands took it
+// there was not pushed.
 #pragma once
 
+#include "core/referee/laws/law.hpp"
 #include "core/referee/occupancy.hpp"
 
 #include <array>
 
 namespace mirocup::referee {
 
-// One tick of a push: how far the keeper was moved towards its goal line, m.
+// One tick of a keeper's recent past.
 struct PushInTick {
-  double moved = 0.0;
-  double duration = 0.0;
-  bool pressed = false;       // attacker to keeper, or attacker to ball to keeper
-  bool backs_itself = false;  // the keeper's own command takes it there
+  double moved = 0.0;         // towards its goal line, m
+  double duration = 0.0;      // s
+  bool pressed = false;       // by an attacker, or by an attacker through the ball
+  bool backs_itself = false;  // its own command takes it towards its line
   RobotSet attackers;
 };
 
 struct KeeperPushInMemory {
-  // The last ticks of each end, in a ring; as many as any control period has in the time looked
-  // back.
+  // The last ticks of each end's keeper, in a ring. 64 ticks are more than `push_in_s` has at any
+  // control period in use.
   ByEnd<std::array<PushInTick, 64>> ticks{};
-  int next = 0;
+  int next = 0;  // where the next tick goes
   ByEnd<std::optional<RobotId>> keeper;
   ByEnd<double> keeper_x{};
 };
 
-// Looks at every tick; calls it only if the ball crosses the goal at `goal_at`.
+// Called in every tick. It decides only in a tick in which the ball crosses the goal of `goal_at`.
 std::optional<Decision> judge_keeper_push_in(const Pitch& pitch, const Situation& situation,
                                              const Occupancy& occupancy, std::optional<End> goal_at,
                                              KeeperPushInMemory& memory);

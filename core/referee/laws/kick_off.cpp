@@ -8,7 +8,7 @@ namespace mirocup::referee {
 
 namespace {
 
-// Where on its way through the tick the ball was first as far from the spot as `distance`.
+// Returns the point of the ball's path in this tick that is the first at `distance` from the spot.
 Vec2 leaves_circle(const Vec2& spot, double distance, const Vec2& from, const Vec2& to) {
   const Vec2 start = from - spot;
   const Vec2 step = to - from;

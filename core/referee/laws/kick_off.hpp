@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// The kick-off goes backwards. Source: MiroSot law 6.2, the ball is kicked towards the own side
-// first; the text names no sanction, so the kick-off passes to the opponents, as for one that is
-// not taken in time.
+// The kick-off goes backwards. Source: MiroSot law 6.2: the ball is kicked towards the taker's own
+// side first.
+//
+// The text names no sanction. The kick-off passes to the opponents, as does one that is not taken
+// within `kickoff_limit_s`. The side is judged where the ball is first `kickoff_move_m` from its
+// spot.
 #pragma once
 
 #include "core/referee/laws/law.hpp"
@@ -10,11 +13,11 @@
 namespace mirocup::referee {
 
 struct KickOffMemory {
-  bool is_pending = false;  // a kick-off was given and the ball has not moved off its spot
-  bool was_touched = false;
+  bool is_pending = false;   // a kick-off was given and its side has not been judged yet
+  bool was_touched = false;  // by any robot
   End taker = End::left;
   Vec2 spot{0.0, 0.0};
-  double waited_s = 0.0;
+  double waited_s = 0.0;  // since play was released
 };
 
 std::optional<Decision> judge_kick_off(const Pitch& pitch, const Situation& situation,

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// A lead of ten ends the match. Source: league practice (the MiroSot texts do not state it); off
-// where the parameter is 0.
+// A large lead ends the match. Source: practice of leagues; the MiroSot texts do not state it. Off
+// where `mercy_goal_diff` is 0.
 #pragma once
 
 #include "core/referee/laws/law.hpp"
 
 namespace mirocup::referee {
 
-// Remembers nothing. Asked after a goal, which it follows in the same tick.
+// Called after a goal, with the score that includes it. The end of the match follows the goal in
+// the same tick. The law has no memory.
 std::optional<Decision> judge_mercy(const Pitch& pitch, const ByEnd<int>& score,
                                     const Decision& goal);
 

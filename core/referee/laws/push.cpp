@@ -18,14 +18,14 @@ bool is_pushing(const Pitch& pitch, const Situation& s, const Occupancy& occupan
          !drives_at(pitch, s, pushed, pusher);
 }
 
-// Was the pushed one moved far enough, and away from the pusher?
+// True if the pushed robot was moved far enough, and away from the pusher.
 bool is_moved(const Pitch& pitch, const Situation& s, const RobotId& pusher, const RobotId& pushed,
               const Vec2& from) {
   const Vec2 moved = s.pose(pushed).position - from;
   const double limit = pitch.rules.push_dist_m;
   if (moved.squaredNorm() < limit * limit) return false;
-  const Vec2 way = s.pose(pushed).position - s.pose(pusher).position;
-  return std::abs(atan2(cross(way, moved), way.dot(moved))) <= pitch.rules.push_angle_rad;
+  const Vec2 offset = s.pose(pushed).position - s.pose(pusher).position;
+  return std::abs(atan2(cross(offset, moved), offset.dot(moved))) <= pitch.rules.push_angle_rad;
 }
 
 }  // namespace

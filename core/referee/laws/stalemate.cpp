@@ -23,7 +23,8 @@ std::optional<Decision> judge_stalemate(const Pitch& pitch, const Situation& s,
       "the ball stayed within " + fixed(radius, 3) + " m for " + fixed(memory.still_s, 1) + " s";
   for (const End end : both_ends) {
     if (!field.inside(field.goal_area, end, s.ball)) continue;
-    // Alone in it, the keeper is to kick out: another law's business, where that law is in force.
+    // An uncontested ball must be kicked out by the keeper; the law keeper_hold judges that, if it
+    // is on.
     if (!is_contested(pitch, s, end) && pitch.rules.keeper_hold_s != off) return std::nullopt;
     Decision d = decide(Verdict::GOAL_KICK, Law::stalemate, s,
                         reason + " in the " + std::string(to_string(end)) + " goal area");

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Stalemate: the ball gets nowhere for 10 s. Sources: MiroSot law 13 (free ball), 12.5 (in a goal
-// area: goal kick). "Nowhere" is a window of one robot side around where it was: robots that shake
-// the ball do not restart it.
+// Stalemate: the ball gets nowhere for `stalemate_s`. Sources: MiroSot law 13, a free ball, and
+// 12.5, in a goal area a goal kick.
+//
+// "Nowhere" is a circle of `stalemate_radius_m` around the place where the count started: robots
+// that shake the ball do not restart the count.
 #pragma once
 
 #include "core/referee/laws/law.hpp"
@@ -10,11 +12,12 @@
 namespace mirocup::referee {
 
 struct StalemateMemory {
-  std::optional<Vec2> anchor;  // where the ball was when the count began
-  double still_s = 0.0;
+  std::optional<Vec2> anchor;  // where the ball was when the count started
+  double still_s = 0.0;        // since then
 };
 
-// Has it been still for the time of the rules?
+// True if the ball has stayed there for as long as the rules allow. `duration` is that of a tick,
+// s.
 bool is_stalemate(const Pitch& pitch, const StalemateMemory& memory, double duration);
 
 std::optional<Decision> judge_stalemate(const Pitch& pitch, const Situation& situation,

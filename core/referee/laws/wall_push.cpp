@@ -23,7 +23,7 @@ RobotSet at_ball(const Pitch& pitch, const Situation& s, End team) {
   return near;
 }
 
-// The robot that shoves the ball along the wall with a team-mate at it, or nothing.
+// Returns the robot that shoves the ball along the wall while a team-mate touches it, or nothing.
 std::optional<RobotId> shover(const Pitch& pitch, const Situation& s, End team, RobotSet near,
                               bool away_from_mouth) {
   const double from_mouth = (s.ball.y() > 0.0 ? 1.0 : -1.0) * (s.ball.y() - s.ball_before.y());

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // Pushing the ball along an end wall. Source: practice of a simulated league that banned it because
-// it wastes time; off unless the parameter is set. Either a robot with a team-mate behind it shoves
-// the ball along the wall (a defender away from the goal, an attacker towards it), or robots of
-// both teams press on it there for some time. A free ball; for an attacker's offence in the
-// mirrored quarter of the other half.
+// it wastes time. Off unless `wall_push` is set.
+//
+// Applies when a robot with a team-mate in touch with it shoves the ball along the wall (a defender
+// away from the goal, an attacker towards it), or when robots of both teams press on the ball there
+// for `wall_s`. The restart is a free ball; for an attacker's offence it is in the mirrored quarter
+// of the other half.
 #pragma once
 
 #include "core/referee/dwell.hpp"
@@ -13,7 +15,7 @@
 namespace mirocup::referee {
 
 struct WallPushMemory {
-  ByEnd<Dwell> pressed;  // by the end whose wall it is
+  ByEnd<Dwell> pressed;  // how long both teams have pressed, by the end whose wall it is
 };
 
 std::optional<Decision> judge_wall_push(const Pitch& pitch, const Situation& situation,

@@ -31,7 +31,9 @@ const std::map<std::string, std::string> impossible{
     {"keeper_catch", "nor can a square keeper"},
     {"time_out", "teams have no way to ask, and nothing to do in a pause"},
     {"substitution", "nor anything to exchange"},
-    {"hand", "a library is only asked for poses in its turn; Placing.OutOfTurnIsAHandOnTheField"},
+    {"hand",
+     "a library is only asked for poses in its turn; "
+     "PlacementRequests.ARequestOutOfTurnIsAHandOnTheField"},
     {"fallen", "a square in a plane cannot fall"},
     {"forfeit", "is no decision of the referee but an end: what a team did outside play"},
 };

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Many short matches in all leagues, presets and stages, between teams that play, teams that run
-// about and teams that foul. Catches a match that never ends, a result no law gives, a score that
-// is not the goals, a clock that does not add up, and robots or a ball that overlap after a
+// Many short legs in all leagues, presets and stages, between teams that play, teams that run at
+// random and teams that foul. Catches a leg that never ends, an outcome that no law gives, a score
+// that is not the number of goals, a clock that does not add up, and bodies that overlap after a
 // placement.
 //
-// MIROCUP_SOAK_MATCHES says how many; without it as many as an ordinary test run can afford.
+// MIROCUP_SOAK_MATCHES is the number of legs; without it there are as many as a test run can
+// afford.
 #include "core/referee/placement_rules.hpp"
 #include "core/referee/touches.hpp"
 #include "tests/support/offenders.hpp"
@@ -20,8 +21,8 @@
 namespace mirocup::match {
 namespace {
 
-constexpr int matches_of_a_test_run = 36;
-constexpr double longest = 3000.0;  // s of simulated time, stoppages included
+constexpr int default_legs = 36;
+constexpr double max_seconds = 3000.0;  // s of simulated time, stoppages included
 
 test_support::Scripted controller(std::uint64_t kind, std::uint64_t seed, const Setup& setup) {
   const double goal_line = field::make_field(setup.league).half_length;
@@ -41,8 +42,8 @@ test_support::Scripted controller(std::uint64_t kind, std::uint64_t seed, const 
   }
 }
 
-// The same team, which asks for places at restarts, too: some legal, some not; and sometimes when it
-// is not its turn.
+// The same team, which also asks for places at restarts, legal ones and others, and sometimes out
+// of its turn.
 test_support::Scripted restless(test_support::Scripted team, std::uint64_t seed,
                                 const Setup& setup) {
   const field::Field field = field::make_field(setup.league);
@@ -73,7 +74,7 @@ Setup setup_of(int number) {
   setup.stage = random.coin() ? referee::Stage::knockout : referee::Stage::group;
   setup.seed = random.next();
   if (preset == referee::Preset::simurosot) setup.control_period = 1.0 / 60.0;
-  // Short, so that every phase is reached; patience to match.
+  // Short phases, so that every phase is reached, and short limits of time to match.
   setup.rules.half_s = setup.league == League::large ? 3.0 : random.uniform(5.0, 15.0);
   setup.rules.golden_goal_s = setup.rules.golden_goal_s > 0.0 ? 4.0 : 0.0;
   setup.rules.extra_halves_s = setup.rules.extra_halves_s > 0.0 ? 3.0 : 0.0;
@@ -86,9 +87,7 @@ Setup setup_of(int number) {
 }
 
 void expect_legal(const Leg& leg) {
-  const Setup& setup = leg.setup();
-  const referee::Pitch pitch{leg.field(), setup.rules, setup.parameters.ball_radius,
-                             setup.parameters.robot_side};
+  const referee::Pitch& pitch = leg.pitch();
   const Snapshot scene = leg.snapshot();
   std::vector<Pose> placed;
   for (const Team team : both_teams) {
@@ -105,7 +104,7 @@ void expect_legal(const Leg& leg) {
   }
 }
 
-// Plays it and looks at every tick; counts the decisions by law.
+// Plays a leg, checks every tick, and counts the decisions by law.
 void soak(int number, std::map<std::string, int>& laws) {
   const Setup setup = setup_of(number);
   Random random(mix_seed(setup.seed));
@@ -114,7 +113,7 @@ void soak(int number, std::map<std::string, int>& laws) {
   auto yellow = controller(random.below(7), random.next(), setup);
   if (random.coin()) blue = restless(blue, random.next(), setup);
   if (random.coin()) yellow = restless(yellow, random.next(), setup);
-  while (!leg.is_over() && leg.tick() * setup.control_period < longest) {
+  while (!leg.is_over() && leg.tick() * setup.control_period < max_seconds) {
     const Snapshot before = leg.snapshot();
     leg.advance(blue, yellow);
     const Snapshot after = leg.snapshot();
@@ -128,7 +127,7 @@ void soak(int number, std::map<std::string, int>& laws) {
       expect_legal(leg);
     }
   }
-  ASSERT_TRUE(leg.is_over()) << "it hangs in " << to_string(leg.snapshot().phase)
+  ASSERT_TRUE(leg.is_over()) << "the leg hangs in " << to_string(leg.snapshot().phase)
                              << ", last: " << leg.decisions().back().decision.reason;
   const Outcome& result = leg.outcome();
   ByTeam<int> goals{};
@@ -145,12 +144,12 @@ void soak(int number, std::map<std::string, int>& laws) {
             level && setup.stage == referee::Stage::knockout);
 }
 
-TEST(Soak, EveryMatchEndsByALawAndAddsUp) {
+TEST(Soak, EveryLegEndsByALawAndItsScoreAddsUp) {
   const char* wanted = std::getenv("MIROCUP_SOAK_MATCHES");
-  const int matches = wanted != nullptr ? std::atoi(wanted) : matches_of_a_test_run;
+  const int legs = wanted != nullptr ? std::atoi(wanted) : default_legs;
   std::map<std::string, int> laws;
-  for (int number = 0; number < matches; ++number) {
-    SCOPED_TRACE("match " + std::to_string(number));
+  for (int number = 0; number < legs; ++number) {
+    SCOPED_TRACE("leg " + std::to_string(number));
     soak(number, laws);
     if (HasFatalFailure()) return;
   }
@@ -159,8 +158,8 @@ TEST(Soak, EveryMatchEndsByALawAndAddsUp) {
     std::printf("%-32s %6d\n", law.c_str(), count);
     decisions += count;
   }
-  std::printf("%d matches, %.1f decisions a match\n", matches,
-              static_cast<double>(decisions) / std::max(matches, 1));
+  std::printf("%d legs, %.1f decisions a leg\n", legs,
+              static_cast<double>(decisions) / std::max(legs, 1));
   // Teams that foul on purpose are called for what they do.
   for (const char* law :
        {"goal GOAL", "own_goal GOAL", "kick_off KICK_OFF_VIOLATION", "two_defenders PENALTY_KICK",

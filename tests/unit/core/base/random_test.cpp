@@ -11,14 +11,14 @@
 namespace mirocup {
 namespace {
 
-TEST(Random, GivesTheSameNumbersForEver) {
+TEST(Random, ASeedAlwaysGivesTheSameNumbers) {
   Random random(42);
   EXPECT_EQ(random.next(), 1546998764402558742ULL);
   EXPECT_EQ(random.next(), 6990951692964543102ULL);
   EXPECT_EQ(random.next(), 12544586762248559009ULL);
 }
 
-TEST(Random, SeedsThatDifferInOneBitShareNothing) {
+TEST(Random, SeedsWithOneDifferentBitGiveUnrelatedNumbers) {
   Random a(6);
   Random b(7);
   int equal_bits = 0;
@@ -26,7 +26,7 @@ TEST(Random, SeedsThatDifferInOneBitShareNothing) {
   EXPECT_NEAR(equal_bits, 32000, 600);
 }
 
-TEST(Random, DrawsBelowABoundWithoutFavour) {
+TEST(Random, EveryNumberBelowABoundIsEquallyLikely) {
   Random random(3);
   std::array<int, 6> seen{};
   for (int i = 0; i < 60000; ++i) ++seen[random.below(6)];

@@ -13,7 +13,7 @@ INSTANTIATE_TEST_SUITE_P(Leagues, EveryField,
                          testing::Values(League::small, League::middle, League::large),
                          [](const auto& league) { return std::string(to_string(league.param)); });
 
-TEST_P(EveryField, IsItsOwnHalfTurn) {
+TEST_P(EveryField, IsSymmetricUnderAHalfTurn) {
   const Field f = make_field(GetParam());
   for (std::size_t i = 0; i < f.walls.size(); i += 2) {
     EXPECT_EQ(f.walls[i].normal, -f.walls[i + 1].normal);
@@ -26,7 +26,7 @@ TEST_P(EveryField, IsItsOwnHalfTurn) {
   }
 }
 
-TEST_P(EveryField, HasRoomInsideItsWallsOnly) {
+TEST_P(EveryField, ClearanceIsTheDistanceToTheNearestSolid) {
   const Field f = make_field(GetParam());
   const double x = f.half_length;
   const double y = f.half_width;

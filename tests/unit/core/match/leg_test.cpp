@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Catches a command that acts a tick too early or too late, robots that move while play is stopped,
-// an end that is better than the other, a fault that costs the wrong team.
+// an end that is better than the other, and a fault that costs the wrong team.
 #include "core/match/leg.hpp"
 
 #include "tests/support/controllers.hpp"
@@ -21,7 +21,7 @@ using test_support::random_team;
 using test_support::Scripted;
 using test_support::short_setup;
 
-TEST(Match, CommandsActOneTickAfterTheirObservation) {
+TEST(Leg, CommandsActOneTickAfterTheirObservation) {
   Leg leg(short_setup(1));
   Scripted yellow = idle_team();
   std::uint32_t first_play = 0;
@@ -37,7 +37,7 @@ TEST(Match, CommandsActOneTickAfterTheirObservation) {
   EXPECT_GT(speed(), 0.0) << "the tick after";
 }
 
-TEST(Match, RobotsStandUntilTheWhistle) {
+TEST(Leg, RobotsStandUntilTheWhistle) {
   Leg leg(short_setup(1));
   Scripted blue = random_team(1);
   Scripted yellow = random_team(2);
@@ -51,7 +51,7 @@ TEST(Match, RobotsStandUntilTheWhistle) {
   EXPECT_EQ(leg.snapshot().clock, 0.0);
 }
 
-TEST(Match, LastsTwoHalvesWithSwappedEndsAndKickOffs) {
+TEST(Leg, TwoHalvesSwapEndsAndKickOffs) {
   Leg leg(short_setup(3));
   Scripted blue = idle_team();
   Scripted yellow = idle_team();
@@ -67,9 +67,8 @@ TEST(Match, LastsTwoHalvesWithSwappedEndsAndKickOffs) {
   EXPECT_NEAR(leg.tick() * 0.033, 6.0 + stoppages, 2 * 0.033 + 1e-9);
 }
 
-TEST(Match, SeesGoalsOfBothTeams) {
-  // Everybody hunts the ball; over a few seeds both teams score, and the score is the number of
-  // goal decisions.
+TEST(Leg, TheScoreIsTheNumberOfGoalDecisions) {
+  // Blue hunts the ball and yellow runs at random; over a few seeds there are goals.
   ByTeam<int> total{};
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     Leg leg(short_setup(seed, 30.0));
@@ -87,10 +86,10 @@ TEST(Match, SeesGoalsOfBothTeams) {
   EXPECT_GT(total[0], 3);
 }
 
-// Which end a team has must not matter: the same leg with the toss for ends turned round is the
-// same leg turned by 180 degrees, bit for bit. The rules know one exception, which is ruled out here:
-// a free ball for a ball that lay on a centre line, whose quarter counts as negative at both ends.
-TEST(Match, IsTheSameFromBothEnds) {
+// Which end a team has must not matter: with the toss for ends reversed the leg is the same, turned
+// by 180 degrees, bit for bit. The rules have one exception, which is ruled out here: a free ball
+// for a ball on a centre line, whose quarter counts as negative at both ends.
+TEST(Leg, SwappedEndsPlayTheSameLegBitForBit) {
   std::uint64_t seed = 1;
   std::uint64_t other = 1;
   const auto toss = [](std::uint64_t s) {
@@ -132,7 +131,7 @@ TEST(Match, IsTheSameFromBothEnds) {
   }
 }
 
-TEST(Match, AFaultCostsTheTeamThatMadeIt) {
+TEST(Leg, AFaultCostsTheTeamThatMadeIt) {
   for (const Team offender : both_teams) {
     Leg leg(short_setup(1));
     Scripted fails([](const Observation& o) -> Answer {
@@ -151,7 +150,7 @@ TEST(Match, AFaultCostsTheTeamThatMadeIt) {
   }
 }
 
-TEST(Match, TwoFaultsInOneTickCostBoth) {
+TEST(Leg, TwoFaultsInOneTickCostBoth) {
   Leg leg(short_setup(1));
   const auto fail = [](const Observation&) -> Answer { return Fault{FaultCode::hang, "stuck"}; };
   Scripted blue(fail), yellow(fail);
@@ -160,7 +159,7 @@ TEST(Match, TwoFaultsInOneTickCostBoth) {
   EXPECT_FALSE(leg.outcome().winner);
 }
 
-TEST(Match, AFailureOfTheHostIsNobodysLoss) {
+TEST(Leg, AHostFailureMakesTheLegVoidAndCostsNoTeam) {
   Leg leg(short_setup(1));
   Scripted blue([](const Observation&) -> Answer { return HostFailure{"disk full"}; });
   Scripted yellow([](const Observation&) -> Answer { return Fault{FaultCode::crash, "died"}; });
@@ -169,7 +168,7 @@ TEST(Match, AFailureOfTheHostIsNobodysLoss) {
   EXPECT_TRUE(leg.outcome().faults.empty());
 }
 
-TEST(Match, ALateTeamGoesOnForAWhileThenStands) {
+TEST(Leg, ALateTeamRepeatsItsLastCommandForThreeTicksThenStands) {
   Leg leg(short_setup(1));
   Scripted yellow = idle_team();
   Scripted blue([](const Observation& o) -> Answer {
@@ -183,7 +182,7 @@ TEST(Match, ALateTeamGoesOnForAWhileThenStands) {
   EXPECT_EQ(leg.late_ticks()[0], 10);
 }
 
-TEST(Match, BadNumbersAreZeroedOrClampedAndCounted) {
+TEST(Leg, BadNumbersAreZeroedOrClampedAndCounted) {
   Leg leg(short_setup(1));
   Scripted yellow = idle_team();
   Scripted blue([](const Observation&) -> Answer {

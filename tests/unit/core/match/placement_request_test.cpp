@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Catches a team that is asked out of its turn, poses that are taken for another end's or leave
-// bits behind, an illegal pose that is granted or not told of, and a replay without the poses.
+// Catches a team that may place out of its turn, poses taken for those of the other end, a request
+// that changes bits although it changes nothing, an illegal pose that is granted or moved without a
+// word, and a replay without the requests.
 #include "core/referee/placement_rules.hpp"
 #include "core/referee/touches.hpp"
 #include "core/replay/verification.hpp"
@@ -21,7 +22,7 @@ using test_support::short_setup;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-// Asks for what a function makes of what it sees, whenever it is its turn.
+// A team that, in its turn, asks for the places that a function makes of its observation.
 template <class Change>
 Scripted placer(Change change) {
   return Scripted([change](const Observation& o) mutable -> Answer {
@@ -33,7 +34,7 @@ Scripted placer(Change change) {
   });
 }
 
-// The seed of a match whose first kick-off that team has, from that end.
+// Returns the setup of a leg in which that team kicks off first and that team is at the left end.
 Setup with_kick_off(Team team, Team left) {
   for (std::uint64_t seed = 1;; ++seed) {
     const Setup setup = short_setup(seed);
@@ -50,7 +51,7 @@ int fixes(const Leg& leg) {
   return count;
 }
 
-TEST(Placing, AsksTheTakerOfAKickOffFirstAndTheOthersWhenTheySeeIt) {
+TEST(PlacementRequests, TheTakerOfAKickOffPlacesFirstAndTheOpponentsSeeIt) {
   for (const Team taker : both_teams) {
     for (const Team left : both_teams) {
       Leg leg(with_kick_off(taker, left));
@@ -79,7 +80,7 @@ TEST(Placing, AsksTheTakerOfAKickOffFirstAndTheOthersWhenTheySeeIt) {
   }
 }
 
-TEST(Placing, LeavesNoTraceOfATeamThatAsksForNothing) {
+TEST(PlacementRequests, ARequestThatChangesNothingLeavesNoTrace) {
   Leg plain(short_setup(4));
   Leg asked(short_setup(4));
   Scripted a = idle_team(), b = idle_team();
@@ -91,7 +92,7 @@ TEST(Placing, LeavesNoTraceOfATeamThatAsksForNothing) {
   EXPECT_TRUE(asked.placement_requests().empty());
 }
 
-TEST(Placing, MovesOnlyWhatMayNotStandThereAndSaysWhy) {
+TEST(PlacementRequests, OnlyIllegalPosesAreMovedAndTheReasonIsGiven) {
   Leg leg(with_kick_off(Team::blue, Team::blue));
   Scripted blue = placer([](const Observation&, PlacementRequest& poses) {
     poses.robots[0] = {not_a_number, 0.0, 0.0};
@@ -110,7 +111,7 @@ TEST(Placing, MovesOnlyWhatMayNotStandThereAndSaysWhy) {
   EXPECT_EQ(leg.snapshot().robots[0][2].position, (Vec2{-0.3, 0.2}));
 }
 
-TEST(Placing, MovesTheBallForTheTakerOnly) {
+TEST(PlacementRequests, OnlyTheTakerMayMoveTheBall) {
   for (const Team asker : both_teams) {
     Leg leg(with_kick_off(Team::blue, Team::blue));
     const auto with_ball = placer([](const Observation&, PlacementRequest& poses) {
@@ -127,7 +128,7 @@ TEST(Placing, MovesTheBallForTheTakerOnly) {
   }
 }
 
-TEST(Placing, IsNotForWhoseTurnItIsNot) {
+TEST(PlacementRequests, RequestsOutOfTurnMoveNothing) {
   Leg leg(with_kick_off(Team::blue, Team::blue));
   Scripted blue = idle_team();
   Scripted always([](const Observation& o) -> Answer {
@@ -141,7 +142,7 @@ TEST(Placing, IsNotForWhoseTurnItIsNot) {
   EXPECT_EQ(leg.snapshot().robots[1][1].position, before);
 }
 
-TEST(Placing, LeavesATeamThatIsLateInItsDefaultPlaces) {
+TEST(PlacementRequests, ALateTeamKeepsItsDefaultPlaces) {
   Leg plain(short_setup(4));
   Leg late(short_setup(4));
   Scripted a = idle_team(), b = idle_team();
@@ -159,9 +160,9 @@ TEST(Placing, LeavesATeamThatIsLateInItsDefaultPlaces) {
   EXPECT_GT(late.late_ticks()[0], 0);
 }
 
-// Where the league calls it. Catches one that is called while play stands, one against the wrong
+// Only where the rules say so. Catches one that is called while play stands, one against the wrong
 // team, and a record that does not say what happened.
-TEST(Placing, OutOfTurnIsAHandOnTheField) {
+TEST(PlacementRequests, ARequestOutOfTurnIsAHandOnTheField) {
   for (const Team offender : both_teams) {
     for (const bool is_called : {false, true}) {
       match::Setup setup = short_setup(6);
@@ -191,8 +192,8 @@ TEST(Placing, OutOfTurnIsAHandOnTheField) {
   }
 }
 
-// Both in one tick: what each of them did is played again from the record.
-TEST(Placing, OutOfTurnByBothTeamsIsRecordedOfBoth) {
+// Both in one tick: the recording holds what each of them did.
+TEST(PlacementRequests, RequestsOutOfTurnByBothTeamsAreRecorded) {
   match::Setup setup = short_setup(6);
   setup.rules.hand_penalty = true;
   Leg leg(setup);
@@ -211,9 +212,9 @@ TEST(Placing, OutOfTurnByBothTeamsIsRecordedOfBoth) {
   EXPECT_FALSE(replay::verify(recording));
 }
 
-// Any numbers at all, in all leagues and at many restarts: everything stands legally, the leg goes
-// on, and plays again from its record alone.
-TEST(Placing, SurvivesAnything) {
+// Any numbers at all, in all leagues and at many restarts: every body stands legally, the leg goes
+// on, and it can be played again from its recording alone.
+TEST(PlacementRequests, AnyNumbersGiveALegalPlacement) {
   for (const League league : {League::small, League::middle, League::large}) {
     match::Setup setup = short_setup(5, league == League::large ? 4.0 : 10.0, league);
     setup.rules.stalemate_s = 0.5;
@@ -238,8 +239,7 @@ TEST(Placing, SurvivesAnything) {
       });
     };
     Scripted blue = wild(1), yellow = wild(2);
-    const referee::Pitch pitch{leg.field(), setup.rules, setup.parameters.ball_radius,
-                               setup.parameters.robot_side};
+    const referee::Pitch& pitch = leg.pitch();
     while (!leg.is_over()) {
       leg.advance(blue, yellow);
       const Snapshot scene = leg.snapshot();
@@ -264,7 +264,7 @@ TEST(Placing, SurvivesAnything) {
   }
 }
 
-TEST(Placing, HasTimeForBothTeamsHoweverShortTheBreak) {
+TEST(PlacementRequests, BothTeamsHaveATurnHoweverShortTheBreak) {
   match::Setup setup = short_setup(1);
   setup.rules.ready_s = 0.0;
   Leg leg(setup);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Catches a phase that comes in the wrong order, a shoot-out that is counted as goals or ends too
-// early, lots that are never drawn, a count that outlives its restart.
+// Catches phases in the wrong order, a shoot-out that is counted as goals or ends too early, lots
+// that are never drawn, and a count that outlives its restart.
 #include "core/referee/referee.hpp"
 
 #include "tests/support/pitch.hpp"
@@ -21,7 +21,7 @@ class ShootOutCourse : public testing::TestWithParam<End> {
     referee_.resume(referee_.opening());
   }
 
-  // One attempt by whoever is on; what follows from it.
+  // Plays one attempt of the team whose turn it is. Returns what follows from it.
   std::optional<Decision> attempt(bool scored) {
     Situation s = empty_situation(test_.field, {scored ? 0.80 : 0.4, 0.0});
     s.ball_before = {scored ? 0.76 : 0.4, 0.0};
@@ -45,7 +45,7 @@ class ShootOutCourse : public testing::TestWithParam<End> {
 INSTANTIATE_TEST_SUITE_P(BegunBy, ShootOutCourse, testing::Values(End::left, End::right),
                          [](const auto& end) { return std::string(to_string(end.param)); });
 
-TEST_P(ShootOutCourse, EndsAfterThreeAttemptsEachIfSomebodyLeads) {
+TEST_P(ShootOutCourse, EndsAfterThreeAttemptsEachIfOneTeamLeads) {
   for (int round = 0; round < 2; ++round) {
     EXPECT_FALSE(attempt(true));
     EXPECT_FALSE(attempt(false));
@@ -80,7 +80,7 @@ TEST_P(ShootOutCourse, IsDecidedByLotsAtLast) {
   EXPECT_EQ(end->team, opposite(GetParam()));
 }
 
-TEST(Referee, BelievesWhatItWillCall) {
+TEST(Referee, PublishesTheCountsThatLeadToACall) {
   const TestPitch test;
   const Pitch pitch = test.pitch();
   Referee referee(pitch, {});

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Catches an appeal that finds differences where nothing was changed, and one that finds none where
-// a law was.
+// Catches a difference where no rule was changed, and a changed law without one.
 #include "core/replay/rejudge.hpp"
 
 #include "tests/support/offenders.hpp"
@@ -21,13 +20,13 @@ Recording played() {
   return record(leg);
 }
 
-TEST(Appeal, FindsNothingWithTheSameRules) {
+TEST(Rejudging, TheSameRulesGiveNoDifference) {
   const Recording recording = played();
   ASSERT_GT(recording.decisions.size(), 5u);
   EXPECT_TRUE(rejudge(recording, recording.setup.rules).empty());
 }
 
-TEST(Appeal, FindsEveryCallOfALawThatIsOff) {
+TEST(Rejudging, EveryCallOfALawSwitchedOffIsADifference) {
   const Recording recording = played();
   const auto is_foul = [](const match::LoggedDecision& d) {
     return (d.decision.law == referee::Law::keeper_charge ||
@@ -47,7 +46,7 @@ TEST(Appeal, FindsEveryCallOfALawThatIsOff) {
   EXPECT_EQ(missed, calls);
 }
 
-TEST(Appeal, FindsAShorterHalfOnce) {
+TEST(Rejudging, AShorterHalfIsReportedOnce) {
   const Recording recording = played();
   referee::Rules rules = recording.setup.rules;
   rules.half_s = 15.0;

@@ -26,7 +26,7 @@ Recording played(std::uint64_t seed, double half_s = 10.0) {
   return record(leg, trace);
 }
 
-TEST(Verification, ReproducesALeg) {
+TEST(Verification, ReproducesLegs) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     const auto divergence = verify(played(seed));
     EXPECT_FALSE(divergence) << divergence->what;
@@ -44,7 +44,7 @@ TEST(Verification, FindsAChangedCommandInTheTickAfterIt) {
 // Catches a trace of another tick or body than it says.
 TEST(Verification, NamesTheBodyThatDiffersAndBothItsStates) {
   Recording r = played(1);
-  r.ticks[14].commands[1].wheels[2][1] ^= 256;  // nobody has met anybody yet
+  r.ticks[14].commands[1].wheels[2][1] ^= 256;  // no two bodies have met yet
   const auto divergence = verify(r);
   ASSERT_TRUE(divergence);
   EXPECT_EQ(divergence->tick, 15u);
@@ -69,7 +69,7 @@ TEST(Verification, ShowsTheStateOfTheVeryTickAtACheckpoint) {
       << divergence->what;
 }
 
-TEST(Verification, DoesWithoutATrace) {
+TEST(Verification, WorksWithoutAStateTrace) {
   Recording r = played(1);
   r.trace = {};
   EXPECT_FALSE(verify(r));

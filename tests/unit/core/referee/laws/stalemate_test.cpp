@@ -18,16 +18,17 @@ using test_support::empty_situation;
 using test_support::half_turned;
 using test_support::TestPitch;
 
-// Judges a ball that lies (or shakes) at a place until somebody decides; in seconds.
-struct Verdicted {
+// A decision and how long the ball had lain until then, s.
+struct TimedDecision {
   std::optional<Decision> decision;
   double after = 0.0;
 };
 
-class BallThatLies : public testing::TestWithParam<End> {
+class RestingBall : public testing::TestWithParam<End> {
  protected:
-  Verdicted wait(const Vec2& ball, double shake = 0.0,
-                 std::optional<Vec2> opponent = std::nullopt) {
+  // Judges a ball that lies, or shakes, at a place until a law calls it; nothing after 33 s.
+  TimedDecision wait(const Vec2& ball, double shake = 0.0,
+                     std::optional<Vec2> opponent = std::nullopt) {
     StalemateMemory stalemate;
     KeeperHoldMemory hold;
     for (int tick = 0; tick < 1000; ++tick) {
@@ -45,11 +46,11 @@ class BallThatLies : public testing::TestWithParam<End> {
 
   TestPitch pitch_;
 };
-INSTANTIATE_TEST_SUITE_P(SeenBy, BallThatLies, testing::Values(End::left, End::right),
+INSTANTIATE_TEST_SUITE_P(SeenBy, RestingBall, testing::Values(End::left, End::right),
                          [](const auto& end) { return std::string(to_string(end.param)); });
 
-TEST_P(BallThatLies, GivesAFreeBallInItsQuarter) {
-  const Verdicted v = wait({0.30, 0.50});
+TEST_P(RestingBall, GivesAFreeBallInItsQuarter) {
+  const TimedDecision v = wait({0.30, 0.50});
   ASSERT_TRUE(v.decision);
   EXPECT_EQ(v.decision->verdict, Verdict::FREE_BALL);
   EXPECT_NEAR(v.after, 10.0, 0.04);
@@ -58,13 +59,13 @@ TEST_P(BallThatLies, GivesAFreeBallInItsQuarter) {
   EXPECT_EQ(v.decision->taker, opposite(me())) << "the defender of that half places first";
 }
 
-TEST_P(BallThatLies, MayShakeWithinOneRobotSide) {
+TEST_P(RestingBall, MayShakeWithinOneRobotSide) {
   EXPECT_NEAR(wait({0.30, 0.50}, 0.03).after, 10.0, 0.04);
   EXPECT_FALSE(wait({0.30, 0.50}, 0.10).decision);
 }
 
-TEST_P(BallThatLies, UncontestedInTheOwnGoalAreaCostsAPenalty) {
-  const Verdicted v = wait({-0.67, 0.0});
+TEST_P(RestingBall, UncontestedInTheOwnGoalAreaCostsAPenalty) {
+  const TimedDecision v = wait({-0.67, 0.0});
   ASSERT_TRUE(v.decision);
   EXPECT_EQ(v.decision->verdict, Verdict::PENALTY_KICK);
   EXPECT_EQ(v.decision->team, me());
@@ -72,26 +73,26 @@ TEST_P(BallThatLies, UncontestedInTheOwnGoalAreaCostsAPenalty) {
   EXPECT_NEAR(v.after, 10.0, 0.04);
 }
 
-TEST_P(BallThatLies, ContestedInAGoalAreaGivesAGoalKick) {
-  const Verdicted v = wait({-0.67, 0.0}, 0.0, Vec2{-0.60, 0.0});
+TEST_P(RestingBall, ContestedInAGoalAreaGivesAGoalKick) {
+  const TimedDecision v = wait({-0.67, 0.0}, 0.0, Vec2{-0.60, 0.0});
   ASSERT_TRUE(v.decision);
   EXPECT_EQ(v.decision->verdict, Verdict::GOAL_KICK);
   EXPECT_EQ(v.decision->taker, me());
 }
 
-TEST_P(BallThatLies, IsContestedByOpponentsWithinOneAndAHalfSides) {
+TEST_P(RestingBall, IsContestedByOpponentsWithinOneAndAHalfSides) {
   EXPECT_EQ(wait({-0.67, 0.0}, 0.0, Vec2{-0.67 + 0.1124, 0.0}).decision->verdict,
             Verdict::GOAL_KICK);
   EXPECT_EQ(wait({-0.67, 0.0}, 0.0, Vec2{-0.67 + 0.1126, 0.0}).decision->verdict,
             Verdict::PENALTY_KICK);
 }
 
-TEST_P(BallThatLies, UncontestedWithoutThatLawGivesAGoalKick) {
+TEST_P(RestingBall, UncontestedWithoutThatLawGivesAGoalKick) {
   pitch_.rules = make_rules(Preset::simurosot);
   EXPECT_EQ(wait({-0.67, 0.0}).decision->verdict, Verdict::GOAL_KICK);
 }
 
-TEST(Stalemate, BeginsAnewWhenTheBallHasMovedOn) {
+TEST(Stalemate, StartsAgainWhenTheBallHasMovedOn) {
   const TestPitch pitch;
   StalemateMemory memory;
   for (int tick = 0; tick < 363; ++tick) {  // 12 s

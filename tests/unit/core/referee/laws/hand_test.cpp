@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+//
+// Catches a hand that is called where the rules allow it, and one that is called against the wrong
+// team.
+#include "core/referee/laws/hand.hpp"
+
+#include "tests/support/law_test.hpp"
+
+#include <gtest/gtest.h>
+
+namespace mirocup::referee {
+namespace {
+
+using test_support::empty_situation;
+
+class HandOnTheField : public test_support::LawTest {
+ protected:
+  std::optional<Decision> judge(bool left, bool right) {
+    Situation s = empty_situation(pitch_.field, {-0.3, 0.0});
+    s.hand = {left, right};
+    return judge_hand(pitch_.pitch(), seen(s));
+  }
+};
+INSTANTIATE_TEST_SUITE_P(BothEnds, HandOnTheField, testing::ValuesIn(both_ends),
+                         test_support::end_name);
+
+TEST_P(HandOnTheField, CostsAPenaltyWhereTheRulesSaySo) {
+  EXPECT_FALSE(judge(true, false)) << "off by default";
+  pitch_.rules.hand_penalty = true;
+  EXPECT_FALSE(judge(false, false));
+  const auto called = judge(true, false);
+  ASSERT_TRUE(called);
+  EXPECT_EQ(called->verdict, Verdict::PENALTY_KICK);
+  EXPECT_EQ(called->team, at(End::left));
+  EXPECT_EQ(called->taker, at(End::right));
+}
+
+TEST_P(HandOnTheField, ByBothTeamsIsCalledAgainstTheOneNearerToTheBall) {
+  pitch_.rules.hand_penalty = true;
+  EXPECT_EQ(judge(true, true)->team, at(End::left));
+}
+
+}  // namespace
+}  // namespace mirocup::referee

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+//
+// Catches a goal that counts although the keeper was shoved over its line, and one that does not
+// although the keeper went there by itself.
+#include "core/referee/laws/keeper_push_in.hpp"
+
+#include "core/referee/touches.hpp"
+#include "tests/support/law_test.hpp"
+
+#include <gtest/gtest.h>
+
+namespace mirocup::referee {
+namespace {
+
+using test_support::empty_situation;
+
+class KeeperPushIn : public test_support::LawTest {
+ protected:
+  // For ten ticks the right keeper moves 5 mm a tick to its line; then the ball is in.
+  std::optional<Decision> push_in(bool is_pressed, double keeper_commanded, double step = 0.005) {
+    occupancy_.keeper[index_of(at(End::right))] = RobotId{at(End::right), 0};
+    std::optional<Decision> called;
+    for (int tick = 0; tick <= 10; ++tick) {
+      EXPECT_FALSE(called) << "there is no goal yet";
+      Situation s = empty_situation(pitch_.field, {0.76, 0.0});
+      s.robots[index_of(End::right)][0] = {{0.66 + step * tick, 0.0}, Heading{}};
+      s.commanded[index_of(End::right)][0] = {keeper_commanded, 0.0};
+      s.touched_ball[index_of(End::right)].set(0);
+      if (is_pressed) set_touch(s, {End::left, 1}, {End::right, 0});
+      const auto goal_at = tick == 10 ? std::optional(at(End::right)) : std::nullopt;
+      called = judge_keeper_push_in(pitch_.pitch(), seen(s), occupancy_, goal_at, memory_);
+    }
+    return called;
+  }
+
+  Occupancy occupancy_;
+  KeeperPushInMemory memory_;
+};
+INSTANTIATE_TEST_SUITE_P(BothEnds, KeeperPushIn, testing::ValuesIn(both_ends),
+                         test_support::end_name);
+
+TEST_P(KeeperPushIn, CancelsTheGoalAndNamesTheAttacker) {
+  const auto called = push_in(true, 0.0);
+  ASSERT_TRUE(called);
+  EXPECT_EQ(called->verdict, Verdict::GOAL_KICK);
+  EXPECT_EQ(called->team, at(End::left));
+  EXPECT_EQ(called->robots[index_of(at(End::left))].to_ulong(), 0b010u);
+}
+
+TEST_P(KeeperPushIn, IsNoneWithoutAnAttackerAtTheKeeper) {
+  EXPECT_FALSE(push_in(false, 0.0));
+}
+
+TEST_P(KeeperPushIn, IsNoneIfTheKeeperDroveThereItself) {
+  EXPECT_FALSE(push_in(true, 0.1));
+}
+
+TEST_P(KeeperPushIn, IsNoneIfTheKeeperWasHardlyMoved) {
+  EXPECT_FALSE(push_in(true, 0.0, 0.0019));
+}
+
+}  // namespace
+}  // namespace mirocup::referee

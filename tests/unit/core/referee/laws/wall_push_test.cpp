@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+//
+// Catches a shove in the allowed direction that is called, pressing that is called too early, and
+// the law where it is off.
+#include "core/referee/laws/wall_push.hpp"
+
+#include "core/referee/touches.hpp"
+#include "tests/support/law_test.hpp"
+
+#include <gtest/gtest.h>
+
+namespace mirocup::referee {
+namespace {
+
+using test_support::empty_situation;
+
+class WallPush : public test_support::LawTest {
+ protected:
+  WallPush() { pitch_.rules.wall_push = true; }
+
+  // The ball at the right end wall, above the goal, where it moved by `step` along the wall.
+  Situation at_wall(double step) const {
+    Situation s = empty_situation(pitch_.field, {0.70, 0.40});
+    s.ball_before = {0.70, 0.40 - step};
+    return s;
+  }
+
+  // A robot of `team` moves the ball along the wall with a team-mate behind it.
+  std::optional<Decision> shove(End team, double step) {
+    Situation s = at_wall(step);
+    s.robots[index_of(team)][0] = {{0.64, 0.40}, Heading{}};
+    s.touched_ball[index_of(team)].set(0);
+    set_touch(s, {team, 0}, {team, 1});
+    return judge_wall_push(pitch_.pitch(), seen(s), memory_);
+  }
+
+  WallPushMemory memory_;
+};
+INSTANTIATE_TEST_SUITE_P(BothEnds, WallPush, testing::ValuesIn(both_ends), test_support::end_name);
+
+TEST_P(WallPush, ByADefenderAwayFromTheGoalGivesAFreeBall) {
+  EXPECT_FALSE(shove(End::right, -0.01));
+  const auto called = shove(End::right, 0.01);
+  ASSERT_TRUE(called);
+  EXPECT_EQ(called->verdict, Verdict::FREE_BALL);
+  EXPECT_EQ(called->team, at(End::right));
+  EXPECT_EQ(called->spot, attack_sign(GetParam()) * Vec2(0.375, 0.40));
+}
+
+TEST_P(WallPush, ByAnAttackerTowardsTheGoalGivesAFreeBallInTheOtherHalf) {
+  EXPECT_FALSE(shove(End::left, 0.01));
+  const auto called = shove(End::left, -0.01);
+  ASSERT_TRUE(called);
+  EXPECT_EQ(called->team, at(End::left));
+  EXPECT_EQ(called->spot, attack_sign(GetParam()) * Vec2(-0.375, 0.40));
+}
+
+TEST_P(WallPush, ByBothTeamsIsCalledAfterATime) {
+  Situation s = at_wall(0.0);
+  s.robots[index_of(End::left)][0] = {{0.64, 0.40}, Heading{}};
+  s.robots[index_of(End::right)][0] = {{0.70, 0.46}, Heading{}};
+  const auto judge = [&](const Situation& turned) {
+    return judge_wall_push(pitch_.pitch(), turned, memory_);
+  };
+  std::optional<Decision> called;
+  EXPECT_EQ(ticks_until_called(s, judge, &called), 26) << "0.825 s after the first";
+  EXPECT_FALSE(called->team) << "neither is to blame";
+}
+
+TEST_P(WallPush, IsAllowedByDefault) {
+  pitch_.rules.wall_push = false;
+  EXPECT_FALSE(shove(End::right, 0.01));
+}
+
+}  // namespace
+}  // namespace mirocup::referee
