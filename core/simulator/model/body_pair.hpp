@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Two things that can touch: two bodies, or a body and an obstacle.
+// Pairs that can touch: two bodies, or a body and an obstacle of the field.
 #pragma once
 
 #include "core/simulator/model/state.hpp"
@@ -9,29 +9,32 @@
 
 namespace mirocup::simulator::inline model {
 
-// Bodies are the robots by index, then the ball. Obstacles are the eight half-plane walls, side walls
-// first, then the four end walls beside the goal mouths.
+// The obstacles are the eight half-plane walls, the two side walls first, then the four end walls
+// beside the goal mouths. A partner's index is that of a body, or max_bodies plus an obstacle's.
 inline constexpr int side_walls = 2;
 inline constexpr int plane_walls = 8;
 inline constexpr int end_walls = 4;
 inline constexpr int max_partners = max_bodies + plane_walls + end_walls;
 
-inline constexpr int no_body = -1;  // where a body's index is asked for: an obstacle
+inline constexpr int no_body = -1;  // instead of a body's index: an obstacle
 
-// BodyState a, and as its partner a body of lower index or an obstacle.
+// Body `a` and its partner: a body of lower index, or an obstacle. One pair has one representation.
 struct Pair {
   int a = 0;
   int partner = 0;
 
+  // True if the partner is an obstacle, or a half-plane wall.
   bool with_obstacle() const { return partner >= max_bodies; }
   bool with_plane() const { return with_obstacle() && obstacle() < plane_walls; }
+  // Returns the partner as the index of an obstacle (with_obstacle() must be true), or as that of a
+  // body, no_body for an obstacle.
   int obstacle() const { return partner - max_bodies; }
   int b() const { return with_obstacle() ? no_body : partner; }
 
   bool operator==(const Pair&) const = default;
 };
 
-// Calls visit(body) for each, in increasing order.
+// Calls visit(body) for each body of the set, in increasing order of the index.
 template <class Visit>
 void for_each_body(const BodySet& bodies, Visit visit) {
   for (unsigned long left = bodies.to_ulong(); left != 0; left &= left - 1UL) {
@@ -39,6 +42,7 @@ void for_each_body(const BodySet& bodies, Visit visit) {
   }
 }
 
+// Returns the one or two bodies of a pair.
 inline BodySet bodies_of(const Pair& pair) {
   BodySet bodies;
   bodies.set(pair.a);
@@ -46,9 +50,11 @@ inline BodySet bodies_of(const Pair& pair) {
   return bodies;
 }
 
+// Returns the pair of two bodies i != j, in either order.
 inline Pair pair_of(int i, int j) {
   return i > j ? Pair{i, j} : Pair{j, i};
 }
+// Returns the pair of body i and an obstacle, 0 <= obstacle < plane_walls + end_walls.
 inline Pair pair_with_obstacle(int i, int obstacle) {
   return {i, max_bodies + obstacle};
 }

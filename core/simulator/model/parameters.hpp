@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Every number of the physical model, said once. SI units. Equation numbers are those of Klančar et
-// al., "Robot Soccer Collision Modelling and Validation in Multi-Agent Simulator"; core/README.md
-// derives the model from the paper.
+// Every number of the physical model, stated once. SI units.
+//
+// Equation numbers are those of Klančar, Orqueda, Matko and Karba, "Robot Soccer Collision
+// Modelling and Validation in Multi-Agent Simulator". docs/model.md derives the model from the
+// paper and lists its errata.
 #pragma once
 
 #include "core/base/names.hpp"
@@ -15,7 +17,7 @@ namespace mirocup::simulator::inline model {
 
 inline constexpr double gravity = 9.81;  // m/s^2
 
-// What `grip` is for wheels that cannot slide sideways: equations (1) to (3) exactly.
+// The value of `grip` for wheels that cannot slide sideways: equations (1) to (3) exactly.
 inline constexpr double infinite_grip = std::numeric_limits<double>::infinity();
 
 // One value for each kind of pair that can touch.
@@ -26,35 +28,48 @@ struct PerPair {
   double robot_robot = 0.0;
 };
 
-// Along what a rolling ball brakes: its own direction, or, as the paper has it, x and y separately.
+// The direction in which a rolling ball brakes: against its motion (isotropic), or x and y
+// separately, as the paper prints it in (8).
 enum class RollingFriction { isotropic, per_axis };
 
+// The parameters of the model; the defaults are those of a match. All robots are alike. A plain
+// value: a world copies it, and it does not change while the world runs.
 struct Parameters {
-  double robot_side = 0.075;               // edge of the square, m
-  geometry::OutlineCorners robot_corners;  // instead of the square
-  double robot_mass = 0.50;                // M, kg
-  double wheel_distance = 0.068;           // L, m
-  double wheel_radius = 0.0225;            // r, m
-  double motor_time_constant = 0.06;       // T in (2), s
-  double wheel_speed_limit = 80.0;         // |u| at most, rad/s
-  double grip = 0.8;                       // sideways force of the wheels at most grip * M * g
-  double ball_radius = 0.02135;            // R, m
-  double ball_mass = 0.046;                // m, kg
-  double rolling_resistance = 0.01;        // K_c in (6)
-  double viscous_friction = 0.01;          // f_v in (7), kg/s
-  RollingFriction rolling_friction = RollingFriction::isotropic;
-  double k = 1e-3;  // m/s: per axis, rolling resistance falls linearly to zero below this, (9)
+  // ---- robot
+  double robot_side = 0.075;               // m: edge of the square outline
+  geometry::OutlineCorners robot_corners;  // m: a polygon instead of the square, if it has corners
+  double robot_mass = 0.50;                // kg: M in (3), (19)
+  double wheel_distance = 0.068;           // m: L in (1)
+  double wheel_radius = 0.0225;            // m: r, which the paper leaves out of (1)
+  double motor_time_constant = 0.06;       // s: T in (2)
+  double wheel_speed_limit = 80.0;         // rad/s: wheel speeds beyond +-limit are clamped
+  double grip = 0.8;                       // 1: lateral force of the wheels <= grip M g; see (3)
+
+  // ---- ball
+  double ball_radius = 0.02135;                                   // m: R
+  double ball_mass = 0.046;                                       // kg: m in (6)
+  double rolling_resistance = 0.01;                               // 1: K_c in (6)
+  double viscous_friction = 0.01;                                 // kg/s: f_v in (7)
+  RollingFriction rolling_friction = RollingFriction::isotropic;  // (8)
+  // m/s: k in (9). Per axis, rolling resistance falls linearly to zero below this speed.
+  double k = 1e-3;
+
+  // ---- contacts
+  // 1: the restitution coefficient of (21), 0 (plastic) to 1 (elastic).
   PerPair restitution{.ball_wall = 0.8, .ball_robot = 0.6, .robot_wall = 0.3, .robot_robot = 0.3};
+  // 1: Coulomb's friction coefficient between bodies; the paper's contacts have none.
+  PerPair contact_friction{};
 
-  PerPair contact_friction{};  // Coulomb's coefficient; the paper's contacts have none
-
-  // Of a uniform robot about its centre of mass, kg m^2. The square's is M a^2 / 6.
+  // Returns the moment of inertia of a uniform robot about its centre of mass, kg m^2: M a^2 / 6
+  // for a square of side a.
   double robot_inertia() const;
 
-  // A ball that rolls without slipping moves as if it had this mass: m' = m + J/R^2 = 7m/5.
+  // Returns the effective mass of the ball, kg. A ball that rolls without slipping moves as if it
+  // had the mass m' = m + J/R^2 = 7m/5.
   double effective_ball_mass() const { return 1.4 * ball_mass; }
 
-  // Speeds that wheel speeds in rad/s ask for, (1) with the wheel radius put back.
+  // Return the drive reference of two wheel speeds (rad/s), forward in m/s and angular in rad/s:
+  // equation (1) with the wheel radius.
   double speed_reference(double left, double right) const {
     return wheel_radius * (right + left) / 2.0;
   }
@@ -63,7 +78,7 @@ struct Parameters {
   }
 };
 
-// The robot of the parameters.
+// Returns the outline of the robot: robot_corners if there are any, else the square.
 geometry::Outline robot_outline(const Parameters& parameters);
 
 }  // namespace mirocup::simulator::inline model

@@ -1,17 +1,131 @@
 // SPDX-License-Identifier: MIT
 //
-// Every constant of the simulator's solvers that no caller chooses, in one table: name, unit, reason.
+// Every constant of the simulator's solvers that no caller chooses, in one table: name, unit,
+// reason.
 //
 // Tolerances (tolerances.hpp) are what an accuracy level chooses. The numbers here are the same at
 // every level. They were tuned on crowds of six and of twenty-two robots (build/physics_bars); a
-// change of any of them changes the state hash.
+// change of any of them changes the state hash. The unit stands in brackets; [1] is a share or a
+// factor without unit. Each struct has the name of the file that uses it.
 #pragma once
 
 namespace mirocup::simulator::settings {
 
 // ---- trajectory/
 
+inline constexpr struct TaylorSeriesSettings {
+  // [unit of the series] A value this close to the level has reached it: more than the rounding of
+  // a gap, and far less than any tolerance.
+  double root_tolerance = 1e-14;
+  // [1] Steps of the root search in one window before a smaller window is tried.
+  int steps_per_window = 8;
+  // [1] Windows of one search. Only a curve that stays within rounding of the level needs as many.
+  int max_windows = 256;
+  // [1] Growth of the window after one without a crossing, and shrinkage after one in which the
+  // curvature bound was too loose for the steps to get through.
+  double window_growth = 2.0;
+  double window_shrink = 0.25;
+  // [1] Length of a segment times its fastest rate. 14 terms of an exponential or of a steady turn
+  // are then exact to 1e-13 of the motion: 0.6^14 / 14! = 9e-15.
+  double length_times_rate = 0.6;
+} taylor_series;
+
+inline constexpr struct SegmentSettings {
+  // [m; 1 for headings] Most that the last two terms of a pose may add up to. The error of the
+  // truncation is a hundredth of that or less.
+  double free_truncation = 1e-10;
+  // [m; 1] The same for bodies in contact, looser because the contacts that press keep their gaps
+  // at zero whatever the truncation leaves out.
+  double contact_truncation = 4e-10;
+  // [m; 1] Terms that grow from one to the next but are smaller than this are ignored.
+  double min_growth = 1e-13;
+  // [1] Factor from one length to the next that is tried until the series have converged.
+  double length_shrink = 0.85;
+  // [rad] Below this turn, the first terms of sin(a)/a and (1 - cos(a))/a are exact to 1e-13.
+  double small_turn = 1e-4;
+} segment;
+
+inline constexpr struct DifferentialDriveSettings {
+  // [m/s] Slower lateral motion is the rounding of wheels that roll.
+  double slip_round_off = 1e-13;
+  // [1] Share by which the limit of the lateral acceleration lies above grip g. The slide that
+  // begins there has a direction in spite of rounding.
+  double grip_margin = 1e-7;
+} differential_drive;
+
+inline constexpr struct RollingBallSettings {
+  // [m/s] A ball that is slower lies still.
+  double roll_round_off = 1e-10;
+  // [m/s] Below this speed the direction in which a pushed ball brakes is kept fixed, because it
+  // is not smooth where the speed is zero.
+  double min_speed_with_direction = 1e-3;
+  // [1] Per axis: share of k by which rounding may leave a component above k although it is slow.
+  // A component that speeds up stays slow until it is twice this above, so no ball waits at k.
+  double k_margin = 1e-9;
+} rolling_ball;
+
+inline constexpr struct ClosedFormSettings {
+  // [1] Largest turn (rad) plus number of motor time constants. Up to here the quadrature rule of
+  // eight nodes is exact to 1e-16 of the path.
+  double max_angle = 2.5;
+  // [1] Share by which a box is larger than the path requires, for rounding.
+  double box_margin = 1e-9;
+} closed_form;
+
+inline constexpr struct MotionBoundSettings {
+  // [m] What rounding adds to the deviation from the chord.
+  double position_round_off = 1e-12;
+} motion_bound;
+
 // ---- solver/
+
+inline constexpr struct BoxQpSettings {
+  // [1] Smallest pivot, as a share of its diagonal entry. A smaller one says that the unknown
+  // depends on others, as of two contacts that push the same bodies the same way. It is replaced by
+  // this much compliance: the unknown hardly moves where the others leave it open, and goes to its
+  // bound where they contradict it.
+  double min_pivot = 1e-10;
+  // [1] Gradient that counts as zero, as a share of the largest |b|.
+  double gradient_tolerance = 1e-14;
+  // Where rows nearly contradict each other, rounding can release bounds in circles. From round
+  // [1] `exact_rounds` on the tolerance grows by [1] `tolerance_growth` each round, up to
+  // [1] `max_gradient_tolerance`; after [1] `max_rounds` the solver stops at what it has.
+  int exact_rounds = 8;
+  double tolerance_growth = 4.0;
+  double max_gradient_tolerance = 1e-6;
+  int max_rounds = 64;
+  // [unknowns] From this size on a warm start pays. Six robots around the ball have fewer.
+  int warm_start_size = 32;
+} box_qp;
+
+inline constexpr struct RegularizedQpSettings {
+  // [1] D as a share of A's diagonal: the compliance of a contact.
+  double regularization = 1e-5;
+  // [1] Rounds of Newton's method; few are needed.
+  int max_newton_rounds = 40;
+  // [1] Fractions 1, 1/2, 1/4, 1/8 of Newton's step that the line search tries.
+  int max_backtracks = 4;
+  // [1] Only where the first bound is nearer than this fraction of the step are fractions below 1
+  // tried before the step to that bound.
+  double near_bound = 0.1;
+  // [1] Armijo's constant: share of the decrease promised by the gradient that a step must reach.
+  double armijo_fraction = 0.1;
+  // [1] Rounding of the objective, as a share of it.
+  double value_round_off = 1e-14;
+  // [1] The step to the first bound is this much longer, because rounding could otherwise leave the
+  // unknown just inside its bound, round after round.
+  double bound_round_off = 1.0 + 1e-12;
+} regularized_qp;
+
+inline constexpr struct PivotedCholeskySettings {
+  // [1] An equation whose pivot is at most this share of its diagonal entry follows from the others
+  // and is dropped. Independent of BoxQpSettings::min_pivot, which does not drop an unknown but
+  // makes it compliant: an equation that is dropped by mistake leaves a contact without its force,
+  // so the limit is lower here.
+  double redundant_pivot = 1e-11;
+  // [1] An equation whose pivot is above this share is clearly independent and keeps its place.
+  double independent_pivot = 1e-3;
+} pivoted_cholesky;
 
 // ---- collision/
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Where everything is and how it moves: plain data, the whole memory of the physics between two
-// ticks.
+// Poses and twists of all bodies, and the commands of their wheels: plain data, the whole memory of
+// the physics between two ticks. SI units, angles in radians, counter-clockwise.
 #pragma once
 
 #include "core/field/frames.hpp"
@@ -16,18 +16,19 @@ namespace mirocup::simulator::inline model {
 inline constexpr int max_robots = 2 * max_robots_per_team;
 inline constexpr int max_bodies = max_robots + 1;  // and the ball
 
-// Some of the bodies, by index.
+// A set of bodies, by index: the robots from 0, then the ball.
 using BodySet = std::bitset<max_bodies>;
 
-// Velocities are those of the body frame: forward and to the left in m/s, turning in rad/s.
+// The velocities of a body in its own frame. For a robot, `left` differs from zero only while its
+// wheels slide sideways.
 struct Twist {
-  double forward = 0.0;  // v_f
-  double left = 0.0;     // v_l, not zero only while the wheels slide sideways
-  double omega = 0.0;    // omega
+  double forward = 0.0;  // m/s, v_f
+  double left = 0.0;     // m/s, v_l
+  double omega = 0.0;    // rad/s
 };
 
-// Where a robot or the ball is and how it moves. The ball's frame does not turn (heading +x), so its
-// twist is its velocity in the field's frame.
+// Pose and twist of a robot or the ball. The ball's frame does not turn (heading +x), so its twist
+// is its velocity in the field's frame.
 struct BodyState : Pose {
   Twist twist;
 
@@ -35,20 +36,23 @@ struct BodyState : Pose {
   BodyState(const Vec2& at, const Heading& towards, const Twist& moving)
       : Pose{at, towards}, twist(moving) {}
 
+  // Returns the velocity of the reference point in the field's frame, m/s.
   Vec2 velocity() const { return heading.to_world({twist.forward, twist.left}); }
 };
 
+// Position (m) and velocity (m/s) of the ball in the field's frame.
 struct BallState {
   Vec2 position{0.0, 0.0};
   Vec2 velocity{0.0, 0.0};
 };
 
-// What a robot's wheels are asked to do until the next command, rad/s. `nothing` lifts the wheels
-// off the ground: a free body without motor and grip.
+// Speeds of a robot's wheels, rad/s.
 struct WheelSpeeds {
   double left = 0.0;
   double right = 0.0;
 };
+// The command of a robot until the next one. An empty command lifts the wheels off the ground: the
+// robot is then a free body without motor and grip.
 using WheelCommand = std::optional<WheelSpeeds>;
 
 }  // namespace mirocup::simulator::inline model

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// How exactly bodies in lasting contact are followed: every threshold of the simulator.
+// The accuracy levels: how closely bodies in lasting contact are followed.
+//
+// Free motion and single impacts are exact to rounding at every level. The constants that do not
+// depend on the level are in solver_settings.hpp.
 #pragma once
 
 #include "core/base/names.hpp"
@@ -9,48 +12,63 @@
 
 namespace mirocup::simulator::inline model {
 
-// How exact the simulator is asked to be. Free motion and single impacts are exact to rounding at
-// every level; what differs is how closely bodies in lasting contact are followed. A match is always
-// played with the standard ones.
+// A level of accuracy and cost. A match is always played with `standard`. `coarse` steps every
+// contact in time; `reference` follows every event and is the yardstick of the other two.
 enum class Accuracy { coarse, standard, reference };
 
+// The thresholds of one level; the values here are those of `standard`. A contact of a body is
+// counted per tick, and thresholds that grow with that count make sure that a tick ends (see "Zeno
+// behaviour" in docs/algorithm.md).
 struct Tolerances {
+  // ---- gaps
   double contact_gap = 1e-10;  // m: bodies with a smaller gap are in contact
-  double penetration = 1e-12;  // m: bodies in contact that come closer by this hit each other anew
-  // m/s: an approach slower than this does not bounce, it rests. The first is for a body's first
-  // touch; the other, for bodies that are in company already, is more than what the motors can gain
-  // over `sink`, so that bouncing comes to an end.
+  double penetration = 1e-12;  // m: bodies in contact that overlap more than this collide again
+
+  // ---- restitution: an approach slower than the threshold does not bounce, it comes to rest
+  // m/s: the threshold for a body's first contact in a tick, so that this contact always bounces.
   double first_restitution_threshold = 1e-10;
+  // m/s: the threshold for bodies that were in contact before the tick. It exceeds the speed that
+  // motors can gain over `penetration`, so bouncing ends.
   double restitution_threshold = 2e-4;
-  // Within a tick patience wears off (patience.hpp). What counts as rest grows with each touch of a
-  // body; `sink` with each beyond the patient ones, up to `touch`. A touch is forgotten after a
-  // while, s, but where there are so many, bouncing has to end.
+  // Growth factor of `restitution_threshold` with each contact of a body in the tick.
   double restitution_growth_per_touch = 3.0;
-  double impact_memory = 2e-3;
-  int remembered_touches = 4;
+
+  // ---- the count of contacts within a tick
+  double impact_memory = 2e-3;  // s: one contact is forgotten after this time,
+  int remembered_touches = 4;   // unless a body has had as many: then bouncing has to end
+  // Growth factor of `penetration` with each contact beyond `free_touches`, up to `contact_gap`.
   double penetration_growth_per_touch = 4.0;
   int free_touches = 8;
-  // An impact stops wheels that it makes slide no faster than this, m/s: they would grip again
-  // within v / grip g.
+
+  // ---- wheels
+  // m/s: slip that an impact causes and that is at most this fast is removed at once. The wheels
+  // would grip again within v / (grip g).
   double min_slip_speed = 1e-6;
+  // Growth factor of `min_slip_speed` with each contact of a body in the tick.
   double min_slip_growth_per_touch = 8.0;
-  double min_contact_duration = 1e-8;  // s: the shortest that bodies press and wheels grip
-  // Of that and of the slowest rolling in contact, for each event; of the slowest sliding, up to
-  // `slip_threshold`, m/s, from where on it grows slowly.
+
+  // ---- events of contact clusters
+  double min_contact_duration = 1e-8;  // s: shortest time for which a contact or a grip holds
+  // Growth factor per event of `min_contact_duration` and of the rolling speed that counts as rest.
   double growth_per_event = 1.3;
+  // Growth factor per event of the slip that counts as rest, until it reaches `slow_slip`. Above
+  // that it grows by 5 % per event.
   double slip_growth_per_event = 2.0;
-  double slow_slip = 1e-7;
-  // What a body's events of a tick may cost, summed: of each the square of how many bodies it involves,
-  // times the square of how many these have met in the tick. 3 of four, 7 of three or 34 of two that meet
-  // nobody else. Beyond, the body and what it touches go on in small steps; five that still touch then do
-  // so from the next tick's begin.
+  double slow_slip = 1e-7;  // m/s
+  // Event budget of a body per tick. An event with n bodies that have met m bodies in this tick
+  // costs (n m)^2. The default allows 3 events of four bodies, 7 of three or 34 of two. A body over
+  // budget, and all that it touches, is time-stepped for the rest of the tick. An island of five or
+  // more that went over budget is time-stepped from the start of the next tick. 0: always.
   int event_budget = 540;
-  double max_step = 3e-3;              // s: the longest of those
-  double step_gap = 1e-10;             // m: what is left of gaps and overlaps at the end of one,
-  double step_gap_in_conflict = 1e-7;  // m: where contacts nearly contradict each other,
-  double intermediate_penetration = 8e-7;  // m: and between its ends
+
+  // ---- time stepping
+  double max_step = 3e-3;              // s: longest step
+  double step_gap = 1e-10;             // m: gaps and overlaps that may remain at the end of a step,
+  double step_gap_in_conflict = 1e-7;  // m: the same where contacts nearly contradict each other
+  double intermediate_penetration = 8e-7;  // m: overlap that is allowed between the ends of a step
 };
 
+// Returns the thresholds of a level.
 Tolerances tolerances_of(Accuracy accuracy);
 
 }  // namespace mirocup::simulator::inline model

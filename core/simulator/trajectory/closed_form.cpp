@@ -10,7 +10,8 @@ namespace mirocup::simulator::trajectory {
 
 namespace {
 
-// Gauss's rule on [0, 1]. Its error for a turn by a is below 2e-23 a^17 of the way.
+// Nodes and weights of Gauss-Legendre quadrature on [0, 1]. For a turn by a rad the error is below
+// 2e-23 a^17 of the path.
 constexpr std::array<double, gauss_nodes> node{
     0.019855071751231884, 0.10166676129318664, 0.2372337950418355, 0.4082826787521751,
     0.591717321247825,    0.7627662049581645,  0.8983332387068134, 0.9801449282487681};
@@ -18,9 +19,7 @@ constexpr std::array<double, gauss_nodes> weight{
     0.05061426814518813, 0.11119051722668724, 0.15685332293894363, 0.181341891689181,
     0.181341891689181,   0.15685332293894363, 0.11119051722668724, 0.05061426814518813};
 
-// Turn plus time constants that pass: at 2.5 the rule is exact to 1e-16.
-constexpr double farthest = 2.5;
-
+// Returns sine and cosine of the turns at the nodes, by the cheap function if all are small.
 SinCosOfSome headings(const std::array<double, gauss_nodes>& angle) {
   double farthest_turn = 0.0;
   for (const double a : angle) farthest_turn = std::max(farthest_turn, std::abs(a));
@@ -50,7 +49,7 @@ bool has_closed_form(const Parameters& p, const BodyState& robot, const DriveRef
                      double span) {
   if (!drive.wheels_on_ground || std::abs(robot.twist.left) > slip_round_off) return false;
   const double turn = fastest(robot.twist.omega, drive.omega);
-  if (span * (turn + 1.0 / p.motor_time_constant) > farthest) return false;
+  if (span * (turn + 1.0 / p.motor_time_constant) > settings::closed_form.max_angle) return false;
   return fastest(robot.twist.forward, drive.forward) * turn < p.grip * gravity;
 }
 
@@ -65,14 +64,14 @@ BodyState closed_form_state(const BodyState& robot, const DriveReference& drive,
   }
   const SinCosOfSome heading = headings(angle);
   double along = 0.0;
-  double aside = 0.0;
+  double across = 0.0;
   for (int i = 0; i < gauss_nodes; ++i) {
-    const double way = weight[i] * (drive.forward + speed_to_lose * decay.at_node[i]);
-    along += way * heading.cos[i];
-    aside += way * heading.sin[i];
+    const double distance = weight[i] * (drive.forward + speed_to_lose * decay.at_node[i]);
+    along += distance * heading.cos[i];
+    across += distance * heading.sin[i];
   }
   const double turned = drive.omega * decay.span + turned_by_motor * (1.0 - decay.at_end);
-  return {robot.position + robot.heading.to_world({along * decay.span, aside * decay.span}),
+  return {robot.position + robot.heading.to_world({along * decay.span, across * decay.span}),
           robot.heading.turned(sincos(turned)),
           {drive.forward + speed_to_lose * decay.at_end, 0.0,
            drive.omega + turn_to_lose * decay.at_end}};

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// A robot that can touch nothing and whose wheels cannot slide: where it will be, without a series.
+// Closed form: the motion of a robot that can touch nothing and whose wheels cannot slide.
 //
-// Speeds are exponentials and the heading is their integral, in closed form; the way is one smooth
-// integral, done by Gauss's rule, exact to rounding for the turns that are let in here. It costs a
-// tenth of the series that contacts need.
+// Its speeds are exponentials and its heading is their integral, in closed form. Its path is one
+// smooth integral, computed by Gauss-Legendre quadrature with eight nodes. The result is exact to
+// rounding for the turns that has_closed_form() allows, at a tenth of the cost of a series.
 #pragma once
 
 #include "core/base/math.hpp"
@@ -21,49 +21,51 @@ namespace mirocup::simulator::trajectory {
 
 inline constexpr int gauss_nodes = angles_at_once;
 
-// e^(-t/T) at the nodes of Gauss's rule over [0, span] and at its end: the same for all robots.
+// e^(-t/T) at the nodes of the quadrature over [0, span] and at its end: the same for all robots.
 struct MotorDecay {
-  double span = -1.0;  // s
-  double time_constant = 0.0;
+  double span = -1.0;          // s
+  double time_constant = 0.0;  // T, s
   std::array<double, gauss_nodes> at_node;
   double at_end = 1.0;
 };
+// Returns the decay over `span` seconds.
 MotorDecay motor_decay(const Parameters& parameters, double span);
 
-// Can the robot's motion over `span` seconds be had this way? The wheels roll and will roll, and it
-// does not turn too far for the rule.
+// True if the closed form holds for a robot over `span` seconds: its wheels roll and will roll, and
+// it does not turn too far for the quadrature. Contacts are the caller's concern.
 bool has_closed_form(const Parameters& parameters, const BodyState& robot,
                      const DriveReference& drive, double span);
 
-// The robot after decay.span seconds.
+// Returns the state of the robot after decay.span seconds. Precondition: has_closed_form().
 BodyState closed_form_state(const BodyState& robot, const DriveReference& drive,
                             const MotorDecay& decay);
 
-// The faster of a speed now and what the motors aim at.
+// Returns the larger size of a speed now and of the speed that the motors aim at. The speed goes
+// from one to the other monotonically, so it is never faster.
 inline double fastest(double now, double aim) {
   return std::max(std::abs(now), std::abs(aim));
 }
 
-// Where it is meanwhile. Every robot in every tick has these, so they are inline: what comes back by
-// memory is written by single numbers, read by twos, and has to be waited for.
+// The two functions below are inline because every robot needs them in every tick: returning their
+// structs through memory causes store-forwarding stalls (scalar stores, then vector loads).
 
-// A box that holds its centre on the way from `robot` to `end`, as moved() gave it: a way of length l
-// lies within l/2 of the middle between its ends.
+// Returns a box that holds the robot's centre from `robot` to `end`, the state that
+// closed_form_state() returned. A path of length l lies within l/2 of the middle between its ends.
 inline Box closed_form_box(const BodyState& robot, const BodyState& end,
                            const DriveReference& drive, const MotorDecay& decay) {
   const double now = robot.twist.forward;
   const double aim = drive.forward;
   const bool turns_back = now * aim < 0.0;
-  const double way =
+  const double length =
       turns_back
           ? decay.span * fastest(now, aim)
           : std::abs(aim * decay.span + (now - aim) * decay.time_constant * (1.0 - decay.at_end));
-  const double reach = 0.5 * way * (1.0 + 1e-9);
+  const double reach = 0.5 * length * (1.0 + settings::closed_form.box_margin);
   const Vec2 middle = 0.5 * (robot.position + end.position);
   return {middle.x() - reach, middle.x() + reach, middle.y() - reach, middle.y() + reach};
 }
 
-// The same as a way that begins at `begin`, s of the tick.
+// Returns the motion bound of the same motion, which starts at `begin`, s of the tick.
 inline MotionBound closed_form_bound(const BodyState& robot, const BodyState& end,
                                      const DriveReference& drive, const MotorDecay& decay,
                                      double begin) {

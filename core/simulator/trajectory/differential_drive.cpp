@@ -8,7 +8,7 @@ namespace mirocup::simulator::trajectory {
 
 namespace {
 
-// p(t) / t for a series that starts at zero.
+// Returns p(t) / t for a series that starts at zero.
 Series divided_by_time(const Series& p) {
   Series q;
   q.terms = p.terms;
@@ -16,11 +16,13 @@ Series divided_by_time(const Series& p) {
   return q;
 }
 
-// When rolling wheels lose their grip: |omega v_f| rises above the limit.
-double slide_begins(const Parameters& p, const Segment& s, const DriveReference& drive) {
+// Returns the time since the start of s at which rolling wheels lose their grip, because |omega
+// v_f| exceeds the limit, or `never`.
+double time_of_slip(const Parameters& p, const Segment& s, const DriveReference& drive) {
   if (p.grip == infinite_grip) return never;
   const double limit = lateral_acceleration_limit(p);
-  // Both speeds go monotonically from where they are to where the motors aim.
+  // Both speeds go monotonically from their values now to those of the drive reference, so each is
+  // fastest at one of the two.
   const double fastest = std::max(std::abs(s.forward[0]), std::abs(drive.forward));
   const double quickest = std::max(std::abs(s.omega[0]), std::abs(drive.omega));
   if (fastest * quickest <= limit) return never;
@@ -44,9 +46,11 @@ WheelState wheel_state(const Parameters& p, const BodyState& robot, const DriveR
   if (!drive.wheels_on_ground) return WheelState::lifted;
   if (p.grip == infinite_grip) return WheelState::rolling;
   const Twist& v = robot.twist;
-  // Half the margin of lateral_acceleration_limit(): a slide that began at the limit is seen to have begun.
+  // Half the margin of lateral_acceleration_limit(), so that a robot at whose limit a segment has
+  // ended is found to slide.
   const bool turns_too_hard =
-      std::abs(v.omega * v.forward) > p.grip * gravity * (1.0 + 0.5 * grip_margin);
+      std::abs(v.omega * v.forward) >
+      p.grip * gravity * (1.0 + 0.5 * settings::differential_drive.grip_margin);
   return std::abs(v.left) > slip_round_off || turns_too_hard ? WheelState::sliding
                                                              : WheelState::rolling;
 }
@@ -70,6 +74,7 @@ void extend_twist_lifted(int k, Segment& s) {
 }
 
 double time_of_grip(const Segment& s, double slide) {
+  // A slide that begins has v_l = 0 at the start. Divided by t, that root is left out.
   const Series sideways = slide * (s.left[0] == 0.0 ? divided_by_time(s.left) : s.left);
   return first_crossing(sideways, 0.0, 0.0, s.end - s.begin);
 }
@@ -98,7 +103,7 @@ Segment drive(const Parameters& p, const BodyState& robot, const DriveReference&
     integrate_pose(s, k, wheels != WheelState::rolling);
   });
 
-  if (wheels == WheelState::rolling) s.end = std::min(s.end, begin + slide_begins(p, s, drive));
+  if (wheels == WheelState::rolling) s.end = std::min(s.end, begin + time_of_slip(p, s, drive));
   if (wheels == WheelState::sliding) {
     const double ends = begin + time_of_grip(s, slide);
     if (ends <= s.end) {

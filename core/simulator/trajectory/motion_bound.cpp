@@ -13,7 +13,9 @@ struct Chord {
   double max_deviation;
 };
 
-// On [0, 1], s - s^2 is at most a quarter, s - s^k below one.
+// The deviation of p(t) from its chord over [0, length]. With s = t / length, term k of p deviates
+// from its own chord by p[k] length^k (s - s^k), where s - s^2 <= 1/4 and s - s^k < 1. Position and
+// deviation are divided by `length` up to the last line.
 Chord chord_of(const Series& p, double length) {
   double velocity = p[1];
   double power = 1.0;
@@ -37,16 +39,17 @@ MotionBound bound_of_segment(const Segment& s) {
   return {.begin = s.begin,
           .from = {s.x[0], s.y[0]},
           .velocity = {x.velocity, y.velocity},
-          .max_deviation = x.max_deviation + y.max_deviation + position_round_off,
+          .max_deviation =
+              x.max_deviation + y.max_deviation + settings::motion_bound.position_round_off,
           .max_omega = std::max(std::abs(s.omega[0] + turn.low), std::abs(s.omega[0] + turn.high))};
 }
 
-Box box_around(const MotionBound& way, double span) {
-  const Vec2 to = way.at(way.begin + span);
-  return {std::min(way.from.x(), to.x()) - way.max_deviation,
-          std::max(way.from.x(), to.x()) + way.max_deviation,
-          std::min(way.from.y(), to.y()) - way.max_deviation,
-          std::max(way.from.y(), to.y()) + way.max_deviation};
+Box box_around(const MotionBound& bound, double span) {
+  const Vec2 to = bound.at(bound.begin + span);
+  return {std::min(bound.from.x(), to.x()) - bound.max_deviation,
+          std::max(bound.from.x(), to.x()) + bound.max_deviation,
+          std::min(bound.from.y(), to.y()) - bound.max_deviation,
+          std::max(bound.from.y(), to.y()) + bound.max_deviation};
 }
 
 }  // namespace mirocup::simulator::trajectory

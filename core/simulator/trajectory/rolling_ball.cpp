@@ -8,11 +8,8 @@ namespace mirocup::simulator::trajectory {
 
 namespace {
 
-// A component that rounding has left a hair above k is slow already, and one that gains speed stays
-// slow until it is two hairs above: so a ball never waits at k.
-constexpr double k_margin = 1e-9;
 bool is_slow(const RollingDeceleration& d, double component) {
-  return std::abs(component) <= d.per_axis_below * (1.0 + k_margin);
+  return std::abs(component) <= d.per_axis_below * (1.0 + settings::rolling_ball.k_margin);
 }
 
 Segment roll_per_axis(const RollingDeceleration& d, const BodyState& ball, double begin,
@@ -29,7 +26,8 @@ Segment roll_per_axis(const RollingDeceleration& d, const BodyState& ball, doubl
     if (axis == 0 ? braking.x_is_slow : braking.y_is_slow) {
       rate = d.slow_rate();
     } else {
-      // Until it is as slow as k: as if it were to stop, from the resistance that it has at k.
+      // The time in which the component slows down to k is that in which a ball stops whose
+      // constant deceleration is the one at k.
       const double at_k = d.constant + d.linear * d.per_axis_below;
       end = std::min(end, begin + stopping_time({.constant = at_k, .linear = d.linear},
                                                 speed - d.per_axis_below));
@@ -71,7 +69,7 @@ Braking braking_along(const RollingDeceleration& d, const Vec2& velocity, const 
   }
   double speed = std::sqrt(velocity.squaredNorm());
   if (speed <= roll_round_off) speed = 0.0;
-  braking.is_fixed = speed < min_speed_with_direction;
+  braking.is_fixed = speed < settings::rolling_ball.min_speed_with_direction;
   const double force = std::sqrt(push.squaredNorm());
   Vec2 direction{0.0, 0.0};
   if (speed > 0.0) {
@@ -87,7 +85,8 @@ Braking braking_along(const RollingDeceleration& d, const Vec2& velocity, const 
 
 void extend_ball_twist(const RollingDeceleration& d, int k, Segment& ball, Braking& braking) {
   if (!braking.is_fixed && k > 0) {
-    // speed^2 = v.v and direction * speed = v, term by term.
+    // Term k of speed^2 = v.v, solved for the speed, and of direction * speed = v, solved for the
+    // direction.
     double square =
         product_term(ball.forward, ball.forward, k) + product_term(ball.left, ball.left, k);
     for (int j = 1; j < k; ++j) square -= braking.speed[j] * braking.speed[k - j];
@@ -117,7 +116,7 @@ double time_of_braking_change(const RollingDeceleration& d, const Segment& ball,
   }
   const auto passes = [&](const Series& v, bool slow, double sign) {
     if (!slow) return first_crossing(sign * v, d.per_axis_below, 0.0, length);
-    const double above = d.per_axis_below * (1.0 + 2.0 * k_margin);
+    const double above = d.per_axis_below * (1.0 + 2.0 * settings::rolling_ball.k_margin);
     return std::min(first_crossing(v, -above, 0.0, length),
                     first_crossing(-1.0 * v, -above, 0.0, length));
   };
@@ -135,7 +134,7 @@ Segment roll(const RollingDeceleration& d, const BodyState& ball, double begin, 
   const double stops = begin + stopping_time(d, speed);
   s.end = std::min({horizon, stops, begin + segment_length(d.linear)});
 
-  // Along the direction of motion: derivatives of the speed, each -linear times the one before.
+  // The direction stays. The coefficients of the speed follow from ds/dt = -constant - linear s.
   const double ux = velocity.x() / speed;
   const double uy = velocity.y() / speed;
   double along = speed;

@@ -4,12 +4,11 @@
 //
 //   ds/dt = -(f_v s + K_c m g) / m',  m' = 7m/5        (6), (7), (8) with the paper's errata
 //
-// The speed s is one exponential, so the time at which it is zero is known in closed form; from
-// there on the ball lies still.
+// The speed s is one exponential, so the time at which it is zero is known in closed form. From
+// then on the ball lies still.
 //
-// The paper's own form, RollingFriction::per_axis, brakes x and y separately (8), with a resistance
-// that falls linearly below the speed k (9), so the ball never quite stops. It is there for
-// comparison.
+// RollingFriction::per_axis is the paper's own form, for comparison: x and y brake separately (8),
+// with a resistance that falls linearly below the speed k (9), so the ball never quite stops.
 #pragma once
 
 #include "core/simulator/model/parameters.hpp"
@@ -24,41 +23,46 @@ struct RollingDeceleration {
   double per_axis_below = 0.0;  // k, m/s; 0: isotropic
 
   bool is_per_axis() const { return per_axis_below > 0.0; }
-  // Along an axis slower than k: dv/dt = -slow_rate() * v.
+  // Returns the rate, 1/s, of an axis that is slower than k: dv/dt = -slow_rate() v.
   double slow_rate() const { return linear + constant / per_axis_below; }
 };
+// Returns the constants of a ball with these parameters.
 RollingDeceleration rolling_deceleration(const Parameters& parameters);
 
-// Seconds until a ball of speed `speed` stops: ln(1 + linear s / constant) / linear, or never.
+// Returns the time, s, in which a ball of speed s >= 0 stops: ln(1 + linear s / constant) / linear,
+// or `never`. For isotropic braking.
 double stopping_time(const RollingDeceleration& d, double speed);
 
-// A ball in contact that is slower than this (m/s) lies still.
-inline constexpr double roll_round_off = 1e-10;
+// A ball that is slower, m/s, lies still.
+inline constexpr double roll_round_off = settings::rolling_ball.roll_round_off;
 
-// The direction in which a ball brakes while something pushes it, as series. Below
-// `min_speed_with_direction` it is kept fixed: it is not smooth where the speed is zero.
-inline constexpr double min_speed_with_direction = 1e-3;  // m/s
+// The direction in which a ball in contact brakes, as series in the time of its segment. Below
+// min_speed_with_direction (solver_settings.hpp) the direction is kept fixed, because it is not
+// smooth where the speed is zero.
 struct Braking {
   bool is_fixed = false;
-  Series x,
-      y;  // unit vector of the motion; per axis, the sign of each component that is at least k
-  Series speed;
-  bool x_is_slow = false, y_is_slow = false;  // per axis, below k
+  // The unit vector of the motion. Per axis: the sign of each component that is at least k, else 0.
+  Series x, y;
+  Series speed;                               // m/s; not used while the direction is fixed
+  bool x_is_slow = false, y_is_slow = false;  // per axis: the component is below k
 };
 
-// Unit vector of `velocity` if it is fast enough to have one of its own, else of `push`, else zero.
+// Returns the braking at the start of a segment. Its direction is that of `velocity`, m/s, if the
+// ball moves, else that of `push`, a force in any unit, else zero.
 Braking braking_along(const RollingDeceleration& d, const Vec2& velocity, const Vec2& push);
 
-// When a ball in contact has to be looked at again, in seconds from the begin of its segment and at
-// most `length`, or never: it stops, or, per axis, passes k.
+// Returns the time at which the braking of a ball in contact changes: the ball stops, or, per axis,
+// a component passes k. In s since the start of its segment and at most `length`, or `never`.
 double time_of_braking_change(const RollingDeceleration& d, const Segment& ball,
                               const Braking& braking, double length);
 
-// One more term of the ball's twist from the terms up to k, without contacts.
+// Adds term k + 1 of the ball's twist, from its terms up to k, without contact forces, and term k
+// of `braking`.
 void extend_ball_twist(const RollingDeceleration& d, int k, Segment& ball, Braking& braking);
 
-// The motion from `begin` (seconds of the tick) until the ball stops, the series ends, or
-// `horizon`.
+// Returns the motion of a ball without contacts from `begin`, s of the tick. It ends at
+// `horizon`, s of the tick, or before: where the ball stops, or where the series no longer
+// converge.
 Segment roll(const RollingDeceleration& d, const BodyState& ball, double begin, double horizon);
 
 }  // namespace mirocup::simulator::trajectory

@@ -38,8 +38,9 @@ BodyState along_arc(const BodyState& body, double span) {
   const Twist& v = body.twist;
   const double angle = v.omega * span;
   const SinCos turned = sincos(angle);
-  // sin(angle) / angle and (1 - cos(angle)) / angle, of which one series term is enough below this.
-  constexpr double small = 1e-4;
+  // The mean of the heading over the arc: sin(angle) / angle along it, (1 - cos(angle)) / angle
+  // across it. Both are 0/0 for a straight line.
+  constexpr double small = settings::segment.small_turn;
   const double square = angle * angle;
   const bool is_small = square < small * small;
   const double along = is_small ? 1.0 - square / 6.0 : turned.sin / angle;
@@ -52,7 +53,7 @@ BodyState along_arc(const BodyState& body, double span) {
 }
 
 void integrate_pose(Segment& s, int k, bool drifts) {
-  // Six product_term()s in one go.
+  // Six calls of product_term() in one loop.
   double cos = 0.0;
   double sin = 0.0;
   double x = 0.0;
@@ -81,12 +82,10 @@ void set_terms(Segment& s, int terms) {
 
 namespace {
 
-// Terms that grow but are smaller than this (m) are let be.
-constexpr double min_growth = 1e-13;
-
-// The sizes of the last two coefficients of position and heading.
+// The sizes of the last two coefficients of position and heading, which say how far the series
+// converge. The index of the last one is odd.
 struct LastTerms {
-  int last;  // odd
+  int last;
   std::array<double, 4> before_of, last_of;
   double largest_before = 0.0;
   double largest_last = 0.0;
@@ -102,18 +101,21 @@ struct LastTerms {
     }
   }
 
-  bool converge_over(double length, double to) const {
+  bool converge_over(double length, double truncation) const {
     const double square = length * length;
     double power = square * square;
     for (int k = 4; k < last - 1; k += 2) power *= square;
-    return power * (largest_before + length * largest_last) <= to && !grow_over(length, power);
+    return power * (largest_before + length * largest_last) <= truncation &&
+           !grow_over(length, power);
   }
 
-  // What is rounding at the begin, as the way sideways in a straight push, grows with each term
-  // beyond the length to which the series converges, and is no error of a tolerance's size yet.
+  // True if a series grows from its last term but one to its last. Beyond the length to which a
+  // series converges, a rounding error at the start is multiplied by each term: in a straight push,
+  // for example, the lateral motion. It is too small yet to fail the test of `truncation`.
   bool grow_over(double length, double power) const {
     for (int i = 0; i < 4; ++i) {
-      if (length * last_of[i] > before_of[i] && power * length * last_of[i] > min_growth)
+      if (length * last_of[i] > before_of[i] &&
+          power * length * last_of[i] > settings::segment.min_growth)
         return true;
     }
     return false;
@@ -122,14 +124,14 @@ struct LastTerms {
 
 }  // namespace
 
-bool has_converged(const Segment& s, double length, double to) {
-  return LastTerms(s).converge_over(length, to);
+bool has_converged(const Segment& s, double length, double truncation) {
+  return LastTerms(s).converge_over(length, truncation);
 }
 
-double converged_length(const Segment& s, double longest, double to) {
+double converged_length(const Segment& s, double longest, double truncation) {
   const LastTerms terms(s);
   double length = longest;
-  while (!terms.converge_over(length, to)) length *= 0.85;
+  while (!terms.converge_over(length, truncation)) length *= settings::segment.length_shrink;
   return length;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The smooth motion of one body between two events.
+// Segments: the smooth motion of one body between two events, as Taylor series.
 #pragma once
 
 #include "core/simulator/model/state.hpp"
@@ -10,56 +10,60 @@
 
 namespace mirocup::simulator::trajectory {
 
-// What is exactly zero at the end of a segment although its series leave a rounding error there.
+// Which part of the twist is exactly zero at the end of a segment, although its series leave a
+// rounding error there: the lateral slip of wheels that grip again, or all of a ball that stops.
 enum class TerminalState { nothing, sideways, everything };
 
-// Valid for begin <= t <= end, seconds since the begin of the tick. The series count from `begin`.
+// The trajectory of one body for begin <= t <= end, seconds since the start of the tick. The series
+// count from `begin`; all have the same number of terms.
 struct Segment {
   double begin = 0.0;
   double end = 0.0;
 
-  Series x, y;                  // m
+  Series x, y;                  // m, field's frame
   Series cos, sin;              // heading
-  Series forward, left, omega;  // twist
+  Series forward, left, omega;  // twist: m/s, m/s, rad/s in the body's frame
 
-  TerminalState settles =
-      TerminalState::nothing;  // sliding wheels that grip again, a ball that stops
+  TerminalState settles = TerminalState::nothing;  // at `end`
 };
 
-// A body that keeps its place: pose, and a twist of zero.
+// Returns the segment of a body that keeps its pose; its twist is zero.
 Segment still_segment(const BodyState& body, double begin, double end);
 
-// The first term of every series: pose and twist at the begin. The others are zero.
+// Returns a segment whose series have their first term only: pose and twist at `begin`. The caller
+// fills in the others, which are zero.
 Segment moving_segment(const BodyState& body, double begin, double end);
 
-// A body that keeps its twist: a straight line or an arc.
+// Returns the segment of a body that keeps its twist: a straight line or an arc.
 Segment steady_segment(const BodyState& body, double begin, double end);
 
-// Where such a body is after `span` seconds.
+// Returns the state of a body that has kept its twist for `span` seconds, in closed form.
 BodyState along_arc(const BodyState& body, double span);
 
-// One more term of the pose from the twist's terms up to k: dx/dt = v_f cos - v_l sin, d(cos)/dt =
-// -omega sin. Without `drifts`, v_l is zero throughout.
+// Adds term k + 1 of the pose, from the terms of pose and twist up to k: dx/dt = v_f cos - v_l
+// sin, dy/dt = v_f sin + v_l cos, d(cos)/dt = -omega sin, d(sin)/dt = omega cos. Without
+// `drifts`, v_l is zero throughout and is not read.
 void integrate_pose(Segment& segment, int k, bool drifts = true);
 
-// Says how many terms the segment's series have.
+// Sets the number of terms of all series of the segment, one of term_counts.
 void set_terms(Segment& segment, int terms);
 
-// What the last two terms of a pose's series may come to together, m or of 1; what they leave out
-// is a hundredth of that or less. Bodies that press on each other can do with less than one alone:
-// where they press, their gaps are zero whatever is left out.
-inline constexpr double free_truncation = 1e-10;
-inline constexpr double contact_truncation = 4e-10;
+// The truncation of free motion and of motion in contact (SegmentSettings).
+inline constexpr double free_truncation = settings::segment.free_truncation;
+inline constexpr double contact_truncation = settings::segment.contact_truncation;
 
-// Have the pose's series converged to that over that length? All terms must be there.
-bool has_converged(const Segment& segment, double length, double to);
+// True if the series of the pose have converged over `length` seconds: their last two terms add
+// up to at most `truncation` (free_truncation or contact_truncation of solver_settings.hpp), and
+// do not grow from one to the next. All terms must be there.
+bool has_converged(const Segment& segment, double length, double truncation);
 
-// The longest length, at most `longest`, over which they have, or 15 % less.
-double converged_length(const Segment& segment, double longest, double to);
+// Returns the longest length, s, at most `longest`, over which the series have converged, or a
+// length that is up to 15 % shorter.
+double converged_length(const Segment& segment, double longest, double truncation);
 
-// Fills the series of a segment of which only the first terms are there: extend(k) adds term k + 1.
-// As few terms as hold for `enough` seconds or the whole segment; the length is cut to what the
-// terms hold for.
+// Fills the series of a segment that has only its first terms. extend(k) adds term k + 1. The
+// series get as few terms as converge over `preferred_duration` seconds or the whole segment. The
+// segment is then shortened to the time over which they converge.
 template <class Extend>
 void fill_series(Segment& segment, double preferred_duration, Extend extend) {
   const double wanted = segment.end - segment.begin;
@@ -73,21 +77,23 @@ void fill_series(Segment& segment, double preferred_duration, Extend extend) {
   if (length < wanted) segment.end = segment.begin + length;
 }
 
-// The body at time t of the segment, with a heading of length 1; and the same with a twist of zero, for
-// which only half the work is done.
+// Return the state, or the pose alone at half the cost, at time t of the tick, begin <= t <= end.
+// The heading is normalised to length 1.
 BodyState body_at(const Segment& segment, double t);
 Pose pose_at(const Segment& segment, double t);
 
-// The same motion with its series counted from `origin` >= segment.begin.
+// The pose of a segment as series that count from another origin.
 struct Track {
   Series x, y, cos, sin;
 };
+// Returns the track of a segment from `origin`, s of the tick, origin >= segment.begin.
 Track track_from(const Segment& segment, double origin);
 
-// A box that holds the body's reference point over the whole segment.
+// An axis-parallel box in the field's frame, m.
 struct Box {
   double low_x, high_x, low_y, high_y;
 };
+// Returns a box that holds the body's reference point over the whole segment.
 Box swept_box(const Segment& segment);
 
 }  // namespace mirocup::simulator::trajectory

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/simulator/trajectory/taylor_series.hpp"
 
+#include "core/base/assert.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -28,8 +30,9 @@ Series operator-(const Series& a, const Series& b) {
 
 namespace {
 
-// The same sums in the same order as product_term(), arranged so that a compiler can do two at a
-// time, and keep them in registers: j is a constant in each line of what this comes to.
+// All coefficients of a * b: the sums of product_term(), added in the same order. The loops are
+// exchanged so that the compiler can compute two sums at a time and keep them in registers; j is a
+// constant in each unrolled line.
 template <int n>
 std::array<double, n> product(const Series& a, const Series& b) {
   std::array<double, n> sum{};
@@ -45,10 +48,10 @@ std::array<double, n> product(const Series& a, const Series& b) {
   return sum;
 }
 
-// Of a b and c d, term by term.
+// Combines the products a b and c d term by term.
 template <class Combine>
-Series of_products(const Series& a, const Series& b, const Series& c, const Series& d,
-                   Combine combine) {
+Series combined_products(const Series& a, const Series& b, const Series& c, const Series& d,
+                         Combine combine) {
   return with_terms(std::max({a.terms, b.terms, c.terms, d.terms}), [&](auto n) {
     Series s;
     s.terms = n;
@@ -72,11 +75,11 @@ Series operator*(const Series& a, const Series& b) {
 }
 
 Series sum_of_products(const Series& a, const Series& b, const Series& c, const Series& d) {
-  return of_products(a, b, c, d, std::plus<>{});
+  return combined_products(a, b, c, d, std::plus<>{});
 }
 
 Series difference_of_products(const Series& a, const Series& b, const Series& c, const Series& d) {
-  return of_products(a, b, c, d, std::minus<>{});
+  return combined_products(a, b, c, d, std::minus<>{});
 }
 
 Series operator*(double factor, const Series& a) {
@@ -116,7 +119,7 @@ Range change_over(const Series& p, double length) {
 
 namespace {
 
-// Range::low of change_over().
+// Range::low of change_over(), which costs half of the whole.
 double least_change(const Series& p, double length) {
   return with_terms(p.terms, [&](auto n) {
     double low = 0.0;
@@ -146,8 +149,8 @@ Value evaluate(const Series& p, double t) {
   });
 }
 
-// Half of the strongest downward curvature on [0, end]. Terms with positive coefficients bend
-// upwards for t >= 0 and may be left out.
+// Half of the largest -p'' on [0, end], or an upper bound of it. Terms with positive coefficients
+// curve upwards for t >= 0 and are left out.
 double downward_curvature(const Series& p, double end) {
   double sum = 0.0;
   double power = 1.0;
@@ -158,54 +161,73 @@ double downward_curvature(const Series& p, double end) {
   return sum;
 }
 
-// How far the parabola value + slope t - curvature t^2 stays above zero; value > 0.
+// The first positive root of value + slope t - curvature t^2, for value > 0 and curvature >= 0. Of
+// the two forms of the root, each branch uses the one without cancellation.
 double safe_step(double value, double slope, double curvature) {
   const double root = std::sqrt(slope * slope + 4.0 * curvature * value);
   if (slope < 0.0) return 2.0 * value / (root - slope);
   return curvature > 0.0 ? (slope + root) / (2.0 * curvature) : never;
 }
 
+// A search in a window: up to t the polynomial is above the level, and at t it has reached it if
+// `is_crossing`.
+struct WindowSearch {
+  double t;
+  bool is_crossing;
+};
+
+// Searches [0, window] of a polynomial whose time 0 is at `origin` of the segment.
+WindowSearch search_window(const Series& local, double level, double origin, double window) {
+  const double curvature = downward_curvature(local, window);
+  double t = 0.0;
+  for (int step = 0; step < settings::taylor_series.steps_per_window && t < window; ++step) {
+    const Value here = evaluate(local, t);
+    const double height = here.p - level;
+    if (height <= root_tolerance) return {t, true};
+    const double ahead = safe_step(height, here.slope, curvature);
+    // Two tolerances: above, in the value; here, in time. A step too short for the clock of the
+    // tick is a crossing, too: a steep curve can be within one tick of the clock of its root and
+    // still above root_tolerance.
+    if (origin + (t + ahead) <= origin + t) return {t, true};
+    t += ahead;
+  }
+  return {t, false};
+}
+
 }  // namespace
 
+// The interval is searched in windows. The bound of the curvature holds over a whole window: the
+// smaller the window, the tighter the bound and the longer the steps. So a window that the steps do
+// not get through is given up for a smaller one, which starts where they stopped. After a window
+// without a crossing a larger one follows.
 double first_crossing(const Series& p, double level, double begin, double end) {
+  MIROCUP_ASSERT(0.0 <= begin);
   if (p[0] + least_change(p, end) > level) return never;
 
-  // Looks at one window after the other; a window is made smaller where the bounds over it are too
-  // loose.
-  constexpr int steps_per_window = 8;
-  constexpr int most_windows = 256;
   double origin = begin;
   double window = end - begin;
-  bool may_fall = begin == 0.0;  // in the window; known of the whole of [0, end]
-  for (int i = 0; i < most_windows; ++i) {
+  // The first window is [0, end] if begin is 0: the line above has computed its bound already.
+  bool bound_is_known = begin == 0.0;
+  for (int i = 0; i < settings::taylor_series.max_windows; ++i) {
     const Series local = shifted(p, origin);
     window = std::min(window, end - origin);
-    double t = 0.0;
-    if (!may_fall && local[0] + least_change(local, window) > level) {
-      t = window;
-    } else {
-      may_fall = false;
-      const double curvature = downward_curvature(local, window);
-      for (int step = 0; step < steps_per_window && t < window; ++step) {
-        const Value here = evaluate(local, t);
-        const double height = here.p - level;
-        if (height <= root_tolerance) return origin + t;
-        const double ahead = safe_step(height, here.slope, curvature);
-        if (origin + (t + ahead) <= origin + t)
-          return origin + t;  // closer than the clock can tell
-        t += ahead;
-      }
+    double t = window;
+    if (bound_is_known || !(local[0] + least_change(local, window) > level)) {
+      bound_is_known = false;
+      const WindowSearch search = search_window(local, level, origin, window);
+      if (search.is_crossing) return origin + search.t;
+      t = search.t;
     }
     if (t >= window) {
       if (origin + window >= end) return never;
       origin += window;
-      window *= 2.0;
+      window *= settings::taylor_series.window_growth;
     } else {
       origin += t;
-      window *= 0.25;
+      window *= settings::taylor_series.window_shrink;
     }
   }
-  return origin;  // p is that close to the level for that long: the caller looks again from here
+  return origin;
 }
 
 }  // namespace mirocup::simulator::trajectory

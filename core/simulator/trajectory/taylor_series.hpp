@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: MIT
 //
-// Power series in time: how every motion of one tick is written down.
+// Truncated Taylor series in time: the form of every motion between two events.
 //
-// Between two events a robot or the ball follows a smooth differential equation whose Taylor
-// coefficients come one from the other by multiplications only. So a position is a polynomial, a
-// gap is a polynomial, and the first touch is the first root of one. Truncation: a segment is kept
-// so short that its series have converged (see converged_length()). Most of the work grows with the
-// square of the terms, so a curve that is soon over has few, and one between two bounces fewer.
+// Between two events a robot or the ball follows a smooth differential equation whose right-hand
+// side has products and sums only. So each Taylor coefficient follows from the earlier ones by a
+// recurrence (automatic differentiation; Moore 1966, "Interval Analysis"). A position is then a
+// polynomial, a gap is a polynomial, and the first contact is the first root of one.
+//
+// A segment is kept so short that its series have converged (see converged_length() in
+// segment.hpp). Most of the work grows with the square of the number of terms, so a short motion
+// has few terms.
+//
+// The room trajectory uses model, and below it base, field and geometry.
 #pragma once
+
+#include "core/simulator/model/solver_settings.hpp"
 
 #include <array>
 #include <limits>
@@ -15,25 +22,27 @@
 
 namespace mirocup::simulator::trajectory {
 
-// How many coefficients, t^0 .. t^(n-1), a series may have: few of a short curve.
+// The numbers of coefficients, t^0 .. t^(n-1), that a series may have.
 inline constexpr std::array<int, 4> term_counts{6, 8, 10, 14};
 inline constexpr int min_terms = term_counts.front();
 inline constexpr int max_terms = term_counts.back();
 
-// "Never", where a time is asked for.
+// A time that never comes.
 inline constexpr double never = std::numeric_limits<double>::infinity();
 
-// Values in any unit, t in seconds from the begin of the segment that the series belongs to.
+// A polynomial in t, in seconds since the start of the segment that the series belongs to. The unit
+// of its values is the owner's.
 struct Series {
   std::array<double, max_terms> c{};
-  int terms = max_terms;  // one of term_counts: all coefficients from there on are zero
+  int terms = max_terms;  // one of term_counts; all coefficients from there on are zero
 
   double operator[](int k) const { return c[k]; }
   double& operator[](int k) { return c[k]; }
 
+  // Returns the value at t, by Horner's rule.
   double at(double t) const;
 
-  // The same for a series of n terms.
+  // The same for a series that is known to have n terms.
   template <int n>
   double at(double t) const {
     double sum = c[n - 1];
@@ -41,6 +50,7 @@ struct Series {
     return sum;
   }
 
+  // Returns the series of a constant value.
   static Series constant(double value) {
     Series s;
     s.c[0] = value;
@@ -49,8 +59,8 @@ struct Series {
   }
 };
 
-// Calls f with a number of terms, one of term_counts, as a constant (an std::integral_constant): it
-// is what lets a compiler unroll loops over terms.
+// Calls f with `terms`, one of term_counts, as a compile-time constant (an std::integral_constant),
+// and returns its result. So the compiler can unroll loops over terms.
 template <class F>
 auto with_terms(int terms, F f) {
   if (terms == term_counts[0]) return f(std::integral_constant<int, term_counts[0]>{});
@@ -63,46 +73,54 @@ inline double Series::at(double t) const {
   return with_terms(terms, [&](auto n) { return at<n>(t); });
 }
 
+// Sum, difference and product, with the number of terms of the longer series. A product is
+// truncated to that number.
 Series operator+(const Series& a, const Series& b);
 Series operator-(const Series& a, const Series& b);
-Series operator*(const Series& a, const Series& b);  // truncated to the terms of the longer one
+Series operator*(const Series& a, const Series& b);
 Series operator*(double factor, const Series& a);
 
-// a b + c d and a b - c d: the same numbers, with less to store.
+// Return a b + c d and a b - c d: the same bits as the operators, with fewer intermediate series.
 Series sum_of_products(const Series& a, const Series& b, const Series& c, const Series& d);
 Series difference_of_products(const Series& a, const Series& b, const Series& c, const Series& d);
 
-// Coefficient k of a * b, from the coefficients 0 .. k of both: the step of every recurrence. From
-// `first` on, without what the coefficients of a before that give.
+// Returns coefficient k of a * b from the coefficients 0 .. k of both: the step of every
+// recurrence. With `first`, the coefficients of a before that are left out.
 inline double product_term(const Series& a, const Series& b, int k, int first = 0) {
   double sum = 0.0;
   for (int j = first; j <= k; ++j) sum += a[j] * b[k - j];
   return sum;
 }
 
-// The same polynomial counted from a later origin: shifted(p, d).at(t) = p.at(t + d).
+// Returns the same polynomial counted from another origin: shifted(p, d).at(t) = p.at(t + d).
 Series shifted(const Series& p, double by);
 
-// Bounds of p over [0, length]: p(t) - p(0) lies between `low` and `high`.
+// An interval that holds the change of a series.
 struct Range {
   double low;
   double high;
 };
+// Returns bounds of p(t) - p(0) for 0 <= t <= length. They are not sharp: terms of different sign
+// are bounded each by itself.
 Range change_over(const Series& p, double length);
 
-// The first t in [begin, end] at which p has fallen to `level` or below, or never; 0 <= begin.
+// A value this close to the level of a search has reached it, in the unit of the series.
+inline constexpr double root_tolerance = settings::taylor_series.root_tolerance;
+
+// Returns the first t in [begin, end] at which p is at most `level` + root_tolerance, or `never`.
+// Precondition: 0 <= begin <= end.
 //
-// It cannot skip a root: every step stays left of the first root of a parabola that lies below p,
-// and the parabola's curvature bounds that of p from below over the whole interval. Near a simple
-// root it converges quadratically; p at the result is at most `level` + `closeness`.
-inline constexpr double root_tolerance = 1e-14;
+// No root is skipped. Each step goes to the root of a parabola that lies below p: it has the value
+// and the slope of p here, and a curvature that bounds that of p from below. Near a simple root the
+// convergence is quadratic. A curve that stays within rounding of the level for very long yields
+// the time up to which it is known to be above it; the caller searches again from there.
 double first_crossing(const Series& p, double level, double begin, double end);
 
-// The longest segment worth trying for a motion with rates up to `rate` (1/s: turn rates and
-// reciprocal time constants added). One exponential, or a steady turn, is exact to 1e-13 of itself
-// over it; a turn that changes may converge more slowly.
+// Returns the longest segment, s, that is worth trying for a motion with rates up to `rate` (1/s:
+// turn rates and reciprocal time constants added). A turn whose rate changes may converge more
+// slowly; converged_length() then shortens the segment.
 inline double segment_length(double rate) {
-  return rate > 0.0 ? 0.6 / rate : never;
+  return rate > 0.0 ? settings::taylor_series.length_times_rate / rate : never;
 }
 
 }  // namespace mirocup::simulator::trajectory
