@@ -34,15 +34,15 @@ inline constexpr struct ImpactSettings {
 } impact;
 
 inline constexpr struct RestThresholdsSettings {
-  // [1] A curve is long enough if it holds for this many mean times between the collisions of the
+  // [1] A curve is long enough if it holds for this many mean times between the impacts of the
   // tick, or times since the last one.
-  double times_between_collisions = 2.0;
+  double times_between_impacts = 2.0;
   double forced_growth = 8.0;      // [1] of min_duration() where it forced the end of a curve
   double max_min_duration = 2e-3;  // [s]
-  // [1] Growth of slip_threshold() per event from Tolerances::slow_slip on. The slides of a large
-  // crowd may be a little faster than any limit, and come back as fast.
+  // [1] Growth of slip_threshold() per event, once it has reached Tolerances::slow_slip. The slides
+  // of a large crowd may be a little faster than any limit, and come back as fast.
   double late_slip_growth = 1.05;
-  int max_counted = 40;  // [1] collisions of a body in a tick; more count as this many
+  int max_counted = 40;  // [1] impacts of a body in a tick; more count as this many
 } rest_thresholds;
 
 // ---- resting_contact/
