@@ -141,7 +141,7 @@ World::Event World::next_event(double tick_end) {
 
 void World::play_event(const Event& event, double tick_end) {
   ++events_.events;
-  if (event.is_touch) thresholds_.note_touch(event.pair, event.time);
+  if (event.is_touch) thresholds_.note_impact(event.pair, event.time);
   const double t = event.time;
   BodySet involved = event.involved;
   grow_island(t, involved);

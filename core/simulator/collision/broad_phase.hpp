@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Which pairs can touch at all, judged by boxes that hold the bodies' reference points, and what
-// contacts they have. The first is asked for every body in every tick, so all of it is inline.
+// Broad phase: rules out most pairs by axis-aligned boxes that hold the bodies' reference points,
+// and lists the contacts of the pairs that remain. Every body asks in every tick, so all of it is
+// inline. Uses model, trajectory and solver.
+//
+// Bodies are few (at most 23), so every pair of boxes is compared; a sweep or a grid would not pay.
 #pragma once
 
 #include "core/simulator/collision/collision_queries.hpp"
@@ -11,20 +14,22 @@
 
 namespace mirocup::simulator::collision {
 
-// Is no point of one box within `reach` (m, along an axis) of the other?
+// True if no point of one box is within `reach`, m along an axis, of the other box.
 inline bool are_apart(const trajectory::Box& a, const trajectory::Box& b, double reach) {
   const double x = std::max(a.low_x - b.high_x, b.low_x - a.high_x);
   const double y = std::max(a.low_y - b.high_y, b.low_y - a.high_y);
   return std::max(x, y) > reach;
 }
 
+// True if no point of the box is within `reach`, m, of the wall.
 inline bool are_apart(const trajectory::Box& box, const field::Wall& wall, double reach) {
   const double nearest = std::min(wall.normal.x() * box.low_x, wall.normal.x() * box.high_x) +
                          std::min(wall.normal.y() * box.low_y, wall.normal.y() * box.high_y);
   return nearest - wall.offset > reach;
 }
 
-// An end wall is the quarter-plane behind its post.
+// True if no point of the box is within `reach`, m along an axis, of the end wall at a goal post,
+// which is the quarter-plane behind the post.
 inline bool are_apart(const trajectory::Box& box, const field::GoalPost& post, double reach) {
   const double face = std::min(post.face.x() * (box.low_x - post.post.x()),
                                post.face.x() * (box.high_x - post.post.x()));
@@ -33,22 +38,22 @@ inline bool are_apart(const trajectory::Box& box, const field::GoalPost& post, d
   return std::max(face, side) > reach;
 }
 
-// Do the coordinates from low to high leave [-inside, inside]? Of the obstacles, only side walls can be
-// reached where x stays that far from the ends, and all others only where it does not.
-inline bool is_beyond(double low, double high, double inside) {
-  return !(low > -inside && high < inside);
+// True if the interval from low to high is not strictly inside [-limit, limit], m.
+inline bool is_beyond(double low, double high, double limit) {
+  return !(low > -limit && high < limit);
 }
 
-// Bodies of an index below i, one bit each.
+// Returns the bodies with an index below i, one bit each.
 inline unsigned long bodies_below(int i) {
   return (1UL << i) - 1UL;
 }
 
-// Calls add(pair) for each pair of body i that can touch: with the others, one bit each, in
-// increasing order, then with obstacles.
+// Calls add(pair) for each pair of body i that the boxes do not rule out: first with the bodies in
+// `others` (one bit each) in increasing order, then with obstacles. `boxes` holds one box for each
+// body.
 template <class Add>
-void for_near_pairs(const StaticWorld& world, std::span<const trajectory::Box> boxes, int i,
-                    unsigned long others, Add add) {
+void for_each_candidate_pair(const StaticWorld& world, std::span<const trajectory::Box> boxes,
+                             int i, unsigned long others, Add add) {
   const trajectory::Box& box = boxes[i];
   for_each_body(others, [&](int j) {
     if (!are_apart(box, boxes[j], world.reach(i, j))) add(pair_of(i, j));
@@ -56,21 +61,23 @@ void for_near_pairs(const StaticWorld& world, std::span<const trajectory::Box> b
   if (world.field == nullptr) return;
   const field::Field& field = *world.field;
   const double reach = world.shape(i).radius + world.tolerances.contact_gap;
-  const auto add_near = [&](const auto& obstacle, int k) {
+  const auto add_obstacle = [&](const auto& obstacle, int k) {
     if (!are_apart(box, obstacle, reach)) add(pair_with_obstacle(i, k));
   };
+  // Side walls are near only where |y| is large; goal backs, corner cuts and end walls only where
+  // |x| is large.
   const double margin = field.corner_leg + reach;
   if (is_beyond(box.low_y, box.high_y, field.half_width - margin)) {
-    for (int k = 0; k < side_walls; ++k) add_near(field.walls[k], k);
+    for (int k = 0; k < side_walls; ++k) add_obstacle(field.walls[k], k);
   }
   if (is_beyond(box.low_x, box.high_x, field.half_length - margin)) {
-    for (int k = side_walls; k < plane_walls; ++k) add_near(field.walls[k], k);
-    for (int k = 0; k < end_walls; ++k) add_near(field.posts[k], plane_walls + k);
+    for (int k = side_walls; k < plane_walls; ++k) add_obstacle(field.walls[k], k);
+    for (int k = 0; k < end_walls; ++k) add_obstacle(field.posts[k], plane_walls + k);
   }
 }
 
-// The contacts with a gap of at most `margin`, m, of these bodies with each other and with obstacles,
-// appended. Uses the boxes of all bodies.
+// Appends the contacts, with a gap of at most `margin`, m, that the bodies in `some` have with each
+// other and with obstacles. `boxes` is scratch space for one box of each body.
 inline void add_contacts_among(const StaticWorld& world, const BodySet& some,
                                std::span<const BodyState> bodies, double margin,
                                std::span<trajectory::Box> boxes, ContactList& list) {
@@ -80,7 +87,9 @@ inline void add_contacts_among(const StaticWorld& world, const BodySet& some,
   }
   const auto add = [&](const Pair& pair) { add_contacts(world, pair, bodies, margin, list); };
   for (int i = 0; i < world.bodies(); ++i) {
-    if (some[i]) for_near_pairs(world, boxes, i, some.to_ulong() & bodies_below(i), add);
+    if (some[i]) {
+      for_each_candidate_pair(world, boxes, i, some.to_ulong() & bodies_below(i), add);
+    }
   }
 }
 

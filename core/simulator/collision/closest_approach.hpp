@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Whether and when two bodies can meet, from the bounds of their motions alone.
+// Closest approach: lower bounds of the time at which two bodies can touch, from the bounds of
+// their motions alone. No series is needed. Uses geometry and trajectory only.
 #pragma once
 
 #include "core/geometry/separation.hpp"
@@ -8,19 +9,21 @@
 
 namespace mirocup::simulator::collision {
 
-// Two bodies and their ways, over the times at which both hold. A wall has the default way.
+// Two bodies, their motion bounds, and a time span in which both bounds hold. A wall has the
+// default motion bound, which stays at the origin.
 struct ApproachQuery {
   trajectory::MotionBound a, b;
-  double reach;       // m: farther apart than this, the reference points' bodies cannot touch
+  double reach;       // m: outlines cannot touch if the reference points are farther apart
   double begin, end;  // s of the tick
 };
 
-// Do the reference points stay out of reach?
-bool stays_out_of_reach(const ApproachQuery& encounter);
+// True if the reference points stay farther apart than the reach from `begin` to `end`.
+bool stays_out_of_reach(const ApproachQuery& query);
 
-// Not before this (s of the tick), or never, can a gap have fallen to `margin`; the separation is
-// that at the begin. radius_a and radius_b: of the circles that hold the outlines.
-double earliest_contact_time(const ApproachQuery& encounter, const geometry::Separation& separation,
+// Returns a time, s of the tick, before which the gap cannot fall to `margin`, m; trajectory::never
+// if it cannot fall so low until `end`. `separation` is the one at query.begin; radius_a and
+// radius_b, m, are those of circles around the reference points that hold the outlines.
+double earliest_contact_time(const ApproachQuery& query, const geometry::Separation& separation,
                              double radius_a, double radius_b, double margin);
 
 }  // namespace mirocup::simulator::collision

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "core/simulator/collision/collision_queries.hpp"
 
-#include "core/geometry/separation.hpp"
 #include "core/simulator/collision/time_of_impact.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace mirocup::simulator::collision {
 
@@ -17,64 +15,19 @@ const trajectory::Segment& obstacle_segment() {
   return still;
 }
 
-double of_pair(const StaticWorld& world, const Pair& pair, const PerPair& value) {
-  const bool ball = world.is_ball(pair.a);
-  if (pair.with_obstacle()) return ball ? value.ball_wall : value.robot_wall;
-  return ball ? value.ball_robot : value.robot_robot;
-}
-
-const geometry::Outline& end_wall_of(const StaticWorld& world, int obstacle) {
-  return world.end_wall_outlines[obstacle - plane_walls];
-}
-
-// Calls f with the two of a pair, of which the second may be a wall, and the end of both segments.
+// Returns f(a, b, end): the pair's moving outlines, of which b may be a plane wall instead, and the
+// time at which the first of their segments ends.
 template <class F>
-double with_movers(const StaticWorld& world, const Pair& pair,
-                   std::span<const trajectory::Segment> segments, F f) {
+double with_moving_outlines(const StaticWorld& world, const Pair& pair,
+                            std::span<const trajectory::Segment> segments, F f) {
   const trajectory::Segment& a = segments[pair.a];
-  const MovingOutline mover{world.shape(pair.a), a};
-  if (pair.with_plane()) return f(mover, world.field->walls[pair.obstacle()], a.end);
+  const MovingOutline moving{world.shape(pair.a), a};
+  if (pair.with_plane()) return f(moving, world.field->walls[pair.obstacle()], a.end);
   const trajectory::Segment& b = pair.with_obstacle() ? obstacle_segment() : segments[pair.partner];
-  return f(mover, MovingOutline{partner_outline(world, pair), b}, std::min(a.end, b.end));
+  return f(moving, MovingOutline{partner_outline(world, pair), b}, std::min(a.end, b.end));
 }
 
 }  // namespace
-
-StaticWorld make_static_world(const field::Field* field, const Parameters& parameters,
-                              const Tolerances& tolerances, int robots, bool has_ball) {
-  StaticWorld world;
-  world.parameters = parameters;
-  world.tolerances = tolerances;
-  world.robots = robots;
-  world.has_ball = has_ball;
-  world.field = field;
-  world.robot_outline = robot_outline(parameters);
-  world.ball_outline = geometry::circle(parameters.ball_radius);
-  world.reach_of_robots =
-      world.robot_outline.radius + tolerances.contact_gap + world.robot_outline.radius;
-  world.reach_of_ball =
-      world.ball_outline.radius + tolerances.contact_gap + world.robot_outline.radius;
-  if (field != nullptr) {
-    for (int i = 0; i < end_walls; ++i)
-      world.end_wall_outlines[i] = geometry::end_wall(field->posts[i]);
-  }
-  world.free_robot = free_robot_mass(parameters);
-  world.grounded_robot = robot_mass(parameters, true);
-  world.ball = ball_mass(parameters);
-  return world;
-}
-
-double restitution(const StaticWorld& world, const Pair& pair) {
-  return of_pair(world, pair, world.parameters.restitution);
-}
-
-double contact_friction(const StaticWorld& world, const Pair& pair) {
-  return of_pair(world, pair, world.parameters.contact_friction);
-}
-
-const geometry::Outline& partner_outline(const StaticWorld& world, const Pair& pair) {
-  return pair.with_obstacle() ? end_wall_of(world, pair.obstacle()) : world.shape(pair.partner);
-}
 
 BodyState partner_body(const Pair& pair, std::span<const BodyState> bodies) {
   return pair.with_obstacle() ? BodyState{} : bodies[pair.partner];
@@ -103,7 +56,11 @@ void add_contacts(const StaticWorld& world, const Pair& pair, std::span<const Bo
 
 void add_points(const StaticWorld& world, const Pair& pair, std::span<const BodyState> bodies,
                 const ContactPoints& found, ContactList& list) {
-  for (int i = 0; i < found.count && !list.full(); ++i) {
+  for (int i = 0; i < found.count; ++i) {
+    if (list.full()) {
+      ++list.overflows;
+      continue;
+    }
     Contact& c = list.list[list.count++];
     c = Contact{.pair = pair, .point = found.points[i]};
     c.a = c.point.point_on_a ? pair.a : pair.b();
@@ -115,53 +72,56 @@ void add_points(const StaticWorld& world, const Pair& pair, std::span<const Body
 
 void refresh_contact(const StaticWorld& world, std::span<const BodyState> bodies, const Pair& pair,
                      ContactPoint& at) {
-  const int a = at.point_on_a ? pair.a : pair.b();
-  const int b = at.point_on_a ? pair.b() : pair.a;
-  const geometry::Outline* edges = b != no_body        ? &world.shape(b)
-                                   : pair.with_plane() ? nullptr
-                                                       : &end_wall_of(world, pair.obstacle());
-  const BodyState side = b != no_body ? bodies[b] : BodyState{};
-  if (a != no_body && world.is_ball(a)) {
+  const int point_side = at.point_on_a ? pair.a : pair.b();
+  const int edge_side = at.point_on_a ? pair.b() : pair.a;
+  const geometry::Outline* edges =
+      edge_side != no_body ? &world.shape(edge_side) : end_wall_outline(world, pair);
+  const BodyState edge_body = edge_side != no_body ? bodies[edge_side] : BodyState{};
+  if (point_side != no_body && world.is_ball(point_side)) {
     const geometry::Outline& ball = world.ball_outline;
+    const BodyState& body = bodies[point_side];
     at = (edges == nullptr
-              ? contact_points(ball, bodies[a], world.field->walls[pair.obstacle()], infinity)
-              : contact_points(ball, bodies[a], *edges, side, infinity))
+              ? contact_points(ball, body, world.field->walls[pair.obstacle()], infinity)
+              : contact_points(ball, body, *edges, edge_body, infinity))
              .points[0];
     return;
   }
-  if (a != no_body) {
-    at.point = bodies[a].position + bodies[a].heading.to_world(world.shape(a).corner[at.corner]);
+  if (point_side != no_body) {
+    const BodyState& body = bodies[point_side];
+    at.point = body.position + body.heading.to_world(world.shape(point_side).corner[at.corner]);
   }
   double offset = 0.0;
   if (edges == nullptr) {
     offset = world.field->walls[pair.obstacle()].offset;
   } else {
-    at.normal = side.heading.to_world(edges->normal[at.edge]);
-    offset = edges->offset[at.edge] + at.normal.dot(side.position);
+    at.normal = edge_body.heading.to_world(edges->normal[at.edge]);
+    offset = edges->offset[at.edge] + at.normal.dot(edge_body.position);
   }
   at.gap = at.normal.dot(at.point) - offset;
 }
 
 double clamped_gap(const StaticWorld& world, std::span<const BodyState> bodies, const Contact& c,
-                   double line) {
+                   double trusted_depth) {
   ContactPoint at = c.point;
   refresh_contact(world, bodies, c.pair, at);
-  if (at.gap >= -line) return at.gap;
+  if (at.gap >= -trusted_depth) return at.gap;
   return std::max(at.gap, gap(world, c.pair, bodies));
 }
 
 double first_time_below(const StaticWorld& world, const Pair& pair, double level,
                         std::span<const trajectory::Segment> segments, double t) {
-  return with_movers(world, pair, segments, [&](const MovingOutline& a, const auto& b, double end) {
-    return time_of_impact(a, b, level, t, end);
-  });
+  return with_moving_outlines(world, pair, segments,
+                              [&](const MovingOutline& a, const auto& b, double end) {
+                                return time_of_impact(a, b, level, t, end);
+                              });
 }
 
 double contact_time(const StaticWorld& world, const Pair& pair,
-                    std::span<const trajectory::Segment> segments, double t, double sink) {
-  return with_movers(world, pair, segments, [&](const MovingOutline& a, const auto& b, double end) {
-    return time_of_impact_or_penetration(a, b, sink, t, end);
-  });
+                    std::span<const trajectory::Segment> segments, double t, double penetration) {
+  return with_moving_outlines(world, pair, segments,
+                              [&](const MovingOutline& a, const auto& b, double end) {
+                                return time_of_impact_or_penetration(a, b, penetration, t, end);
+                              });
 }
 
 }  // namespace mirocup::simulator::collision

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// A contact as a constraint on velocities: its row of the Jacobian, the rate of its gap, and what an
-// impulse along it does to the bodies.
+// A contact as a constraint on velocities: its row of the contact Jacobian J, the rate of its gap,
+// and the effect of an impulse along it on the bodies (Catto 2005, "Iterative dynamics with
+// temporal coherence"). Positive rates open a gap; impulses and forces push the bodies apart.
+//
+// Rows are in the bodies' own frames, so they apply to twists. Uses model and solver (rows) only.
 #pragma once
 
 #include "core/simulator/collision/manifold.hpp"
@@ -14,53 +17,68 @@
 
 namespace mirocup::simulator::collision {
 
+// Return the inverse masses of a robot whose wheels are lifted; of a robot, whose wheels take all
+// sideways impulses if they are on the ground and the grip is infinite; and of the ball, which
+// rolls and has no spin of its own.
 solver::InverseMass free_robot_mass(const Parameters& parameters);
 solver::InverseMass robot_mass(const Parameters& parameters, bool wheels_on_ground);
 solver::InverseMass ball_mass(const Parameters& parameters);
 
-// One body's part of the row of a gap's rate.
+// Returns the velocity of the contact point along the normal, as a row on this body's twist.
 solver::JacobianRow contact_row(const BodyState& body, const ContactPoint& contact);
 
-// How a pair of surfaces answers an impact.
+// The coefficients of a pair of surfaces.
 struct ContactMaterial {
   double restitution = 0.0;  // e in (12)
   double friction = 0.0;     // Coulomb's coefficient
 };
 
-// One impact at a contact. The threshold is set before the impact is resolved, the others by it.
+// One impact at a contact. The threshold is set before the impact is resolved, the other fields by
+// resolve_impacts().
 struct ContactImpact {
   double restitution_threshold = 0.0;  // m/s: a slower approach does not bounce
-  double approach = 0.0;               // m/s before the impact, positive if the bodies close
+  double approach = 0.0;               // m/s before the impact, positive if the gap closes
   double impulse = 0.0;                // N s along the normal
 };
 
-// The force of a contact that lasts.
+// The force of a resting contact.
 struct RestingForce {
   bool is_active = false;      // the contact presses: its gap stays zero
   bool is_persistent = false;  // its gap is known to stay zero on the whole curve that follows
   double force = 0.0;          // N along the normal, while it is active
 };
 
+// A contact point of a pair with everything that the rooms above keep for it.
 struct Contact {
   Pair pair;
-  int a = no_body;              // the point's side, or no_body if that is a wall's corner
-  int b = no_body;              // the edge's side, or no_body if that is a wall
-  ContactPoint point;           // where
-  solver::ConstraintRow row{};  // the rate of the gap
+  int a = no_body;              // the point's side; no_body: an end wall's corner
+  int b = no_body;              // the edge's side; no_body: a wall
+  ContactPoint point;           // as of the last add_contacts() or refresh_contact()
+  solver::ConstraintRow row{};  // of the rate of the gap
   ContactMaterial material{};
   ContactImpact impact{};
   RestingForce resting{};
 };
 
-// Sets its row from where its bodies are.
+// Sets the contact's row from its point and the poses of its bodies.
 void set_row(std::span<const BodyState> bodies, Contact& contact);
 
+// Returns the bodies that have one of these contacts.
 BodySet bodies_of(std::span<const Contact> contacts);
 
-// The contacts of the bodies that touch at one instant.
+// Every contact is one unknown of a solver; the wheels or the rolling of each body are another one.
+inline constexpr int max_contacts = solver::max_unknowns - max_bodies;
+
+// Bodies that touch without overlapping form a planar graph, which has at most 3n - 6 edges, and a
+// pair has at most two contacts. The rest is for obstacles.
+static_assert(max_contacts >=
+              ContactPoints::max_points * (3 * max_bodies - 6) + plane_walls + end_walls);
+
+// The contacts of one instant. All contacts of a pair follow each other.
 struct ContactList {
-  std::array<Contact, solver::max_unknowns - max_bodies> list;
+  std::array<Contact, max_contacts> list;
   int count = 0;
+  int overflows = 0;  // contacts that were ignored because the list was full; never reset
 
   std::span<Contact> contacts() { return {list.data(), static_cast<std::size_t>(count)}; }
   std::span<const Contact> contacts() const {
@@ -68,7 +86,7 @@ struct ContactList {
   }
   bool full() const { return count == static_cast<int>(list.size()); }
 
-  // Drops those for which keep(contact) is false; the others stay in order.
+  // Removes the contacts for which keep(contact) is false; the others stay in order.
   template <class Keep>
   void keep_if(Keep keep) {
     int kept = 0;
@@ -81,7 +99,7 @@ struct ContactList {
   }
 };
 
-// Calls visit(contacts) for each pair, whose contacts all follow each other.
+// Calls visit(contacts) for each pair with its contacts, which follow each other.
 template <class Visit>
 void for_each_pair(std::span<const Contact> contacts, Visit visit) {
   for (std::size_t first = 0, last = 0; first < contacts.size(); first = last) {
@@ -90,21 +108,23 @@ void for_each_pair(std::span<const Contact> contacts, Visit visit) {
   }
 }
 
-// The row of a robot's sideways velocity v_l, along which the ground's force acts on its wheels.
+// Returns the row of a robot's lateral velocity v_l, along which the ground's force acts on its
+// wheels.
 solver::ConstraintRow lateral_wheel_row(int robot);
 
-// The rate of a row, m/s: of a contact's row that of its gap.
+// Returns J v of a row, m/s. For a contact's row it is the rate of the gap.
 double row_rate(const solver::ConstraintRow& row, std::span<const BodyState> bodies);
 
-// The inverse effective mass of a row, J M^-1 J', 1/kg: what an impulse of 1 N s along the row adds to its rate.
+// Returns the inverse effective mass of a row, J M^-1 J', 1/kg: the change of its rate for an
+// impulse of 1 N s along it.
 double inverse_effective_mass(const solver::ConstraintRow& row,
                               std::span<const solver::InverseMass> mass);
 
-// Adds to one body's twist what an impulse, N s, along its part of a row changes.
+// Adds M^-1 J' times an impulse, N s, to the twist of one body.
 void add_impulse(const solver::JacobianRow& row, double impulse, const solver::InverseMass& mass,
                  Twist& twist);
 
-// Adds an impulse, N s, along the row to the twists of its bodies.
+// Adds M^-1 J' times an impulse, N s, to the twists of the row's bodies.
 void apply_impulse(const solver::ConstraintRow& row, double impulse,
                    std::span<const solver::InverseMass> mass, std::span<BodyState> bodies);
 

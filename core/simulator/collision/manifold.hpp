@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Where two outlines touch or nearly touch at one instant.
+// Contact manifold: the one or two points at which two convex outlines touch or nearly touch at one
+// instant. Polygons are clipped against each other as in Box2D: the edge with the largest
+// separation is the reference edge, the edge of the other polygon that faces it is the incident
+// edge, and the contact points are the ends of their common part.
+//
+// Units are m; points and normals are in the field's frame. Pure functions. Uses geometry only.
 #pragma once
 
+#include "core/base/assert.hpp"
 #include "core/field/field.hpp"
 #include "core/geometry/outline.hpp"
 #include "core/geometry/separation.hpp"
@@ -11,38 +17,46 @@
 
 namespace mirocup::simulator::collision {
 
-// What rests on what. Of two polygons one has an edge and the other a corner on it; the ball rests
-// on an edge or on a corner. The one with the point (corner or ball) is called the point's side,
-// the other the edge's side.
+// The features that touch. Of two polygons one has an edge and the other a corner on it; the ball
+// touches an edge or a corner. The outline with the point (corner or ball) is called the point's
+// side, the other one the edge's side.
 enum class Touching { corner_on_edge, circle_on_edge, circle_on_corner };
 
-// A place where a and b touch or nearly touch, in the field's frame.
+// One point at which outlines a and b touch or nearly touch.
 struct ContactPoint {
-  Vec2 point{0.0, 0.0};
+  Vec2 point{0.0, 0.0};   // m, on the point's side
   Vec2 normal{0.0, 0.0};  // unit, from the edge's side to the point's side
-  double gap = 0.0;       // m, negative inside
+  double gap = 0.0;       // m, negative if they overlap
   Touching kind = Touching::corner_on_edge;
-  bool point_on_a = true;
-  int corner = 0;  // of the point's side, or of the edge's side for circle_on_corner
-  int edge = 0;    // of the edge's side
+  bool point_on_a = true;  // a is the point's side
+  int corner = 0;          // of the point's side, or of the edge's side for circle_on_corner
+  int edge = 0;            // of the edge's side; 0 for a plane wall
 };
 
+// The contact points of one pair of outlines.
 struct ContactPoints {
-  std::array<ContactPoint, 2> points;
+  static constexpr int max_points = 2;
+  std::array<ContactPoint, max_points> points;
   int count = 0;
 
-  void add(const ContactPoint& p) { points[count++] = p; }
+  void add(const ContactPoint& p) {
+    MIROCUP_ASSERT(count < max_points);
+    points[count++] = p;
+  }
 };
 
-// The contact points whose gap is at most `margin`: two where edges lie flush, else one, or none.
+// Returns the contact points with a gap of at most `margin`, m: two where an edge faces an edge,
+// one at a corner or for a circle, none if the outlines are farther apart. If one is a circle, it
+// is a.
 ContactPoints contact_points(const geometry::Outline& a, const Pose& body_a,
                              const geometry::Outline& b, const Pose& body_b, double margin);
 ContactPoints contact_points(const geometry::Outline& a, const Pose& body_a,
                              const field::Wall& wall, double margin);
 
-// Of two polygons, by the line of that edge, whichever separates them best now: as contact points the
-// two corners of the other one that face it.
-ContactPoints corners_over(const geometry::Reference& reference, const geometry::Outline& a,
-                           const Pose& body_a, const geometry::Outline& b, const Pose& body_b);
+// Returns both corners of the incident edge as contact points over the line of a given reference
+// edge of two polygons, at any gap and without clipping. The reference need not be the best one at
+// these poses.
+ContactPoints incident_corners(const geometry::Reference& reference, const geometry::Outline& a,
+                               const Pose& body_a, const geometry::Outline& b, const Pose& body_b);
 
 }  // namespace mirocup::simulator::collision

@@ -1,21 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include "core/simulator/collision/next_contact.hpp"
 
+#include "core/base/assert.hpp"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace mirocup::simulator::collision {
 
 namespace {
 
-// How a corner of a robot presses on an edge that turns with another body, or on a wall.
+// A robot's corner that presses on an edge of another body or on a wall: the robot can only slide
+// along the edge and turn around this corner.
 struct Pivot {
-  const geometry::Outline& shape;  // of the robot
-  Vec2 corner;                     // that presses, in the robot's frame
+  const geometry::Outline& shape;  // the robot's
+  Vec2 corner;                     // in the robot's frame
   int corner_index;
   const trajectory::Segment& robot;
-  const trajectory::Segment* edge;  // of the edge's body; null: a wall
-  Vec2 normal;                      // of the edge, in its body's frame or the field's
+  const trajectory::Segment* edge;  // the segment of the edge's body; null: a wall
+  Vec2 normal;                      // the edge's, in its body's frame, or a wall's in the field's
 
   double length() const {
     return edge == nullptr ? robot.end - robot.begin : std::min(robot.end, edge->end) - robot.begin;
@@ -34,8 +38,9 @@ Pivot pivot_of(const StaticWorld& world, const Contact& c,
           .normal = on_wall ? c.point.normal : world.shape(c.b).normal[c.point.edge]};
 }
 
-// By how much the robot turns against the edge, between these bounds.
-trajectory::Range turn_over(const Pivot& pivot) {
+// Returns bounds of the angle, rad, by which the robot turns against the edge: the integral of the
+// relative turn rate, term by term.
+trajectory::Range relative_rotation(const Pivot& pivot) {
   const trajectory::Series rate =
       pivot.edge == nullptr ? pivot.robot.omega : pivot.robot.omega - pivot.edge->omega;
   trajectory::Range turned{0.0, 0.0};
@@ -49,6 +54,7 @@ trajectory::Range turn_over(const Pivot& pivot) {
   return turned;
 }
 
+// Cosine and sine of the angle from the edge's frame to the robot's.
 struct RelativeHeading {
   trajectory::Series cos, sin;
 };
@@ -58,6 +64,24 @@ RelativeHeading relative_heading(const Pivot& pivot) {
   if (pivot.edge == nullptr) return {a.cos, a.sin};
   const trajectory::Segment& b = *pivot.edge;
   return {b.cos * a.cos + b.sin * a.sin, b.cos * a.sin - b.sin * a.cos};
+}
+
+// Returns a lower bound of the height above the edge's line, m, of a point of the robot while it
+// turns by an angle within the bounds. `arm` is the point seen from the pivot, `normal` the edge's
+// normal at the start, both in the robot's frame.
+//
+// With up = n . arm and across = arm x n the height after turning by q is
+//   h(q) = up cos q + across sin q.
+// Taylor's theorem gives |cos q - 1| <= q^2 / 2 and |sin q - q| <= |q|^3 / 6. So, with
+// max_q = max |q|,
+//   h(q) >= up + across q - max_q^2 (|up| / 2 + max_q |across| / 6),
+// and the linear term is smallest at one of the bounds of q.
+double lowest_height(const Vec2& arm, const Vec2& normal, const trajectory::Range& rotation) {
+  const double max_q = std::max(-rotation.low, rotation.high);
+  const double up = normal.dot(arm);
+  const double across = cross(arm, normal);
+  return up + std::min(across * rotation.low, across * rotation.high) -
+         max_q * max_q * (0.5 * std::abs(up) + max_q * std::abs(across) / 6.0);
 }
 
 }  // namespace
@@ -75,32 +99,31 @@ bool is_separating_edge(const StaticWorld& world, const Contact& c) {
 }
 
 double next_corner_contact(const StaticWorld& world, const Contact& contact, bool others,
-                           std::span<const trajectory::Segment> segments, double sink) {
+                           std::span<const trajectory::Segment> segments, double penetration) {
   if (others || contact.point.kind != Touching::corner_on_edge) return trajectory::never;
+  MIROCUP_ASSERT(contact.a != no_body);
   const Pivot pivot = pivot_of(world, contact, segments);
-  const trajectory::Range turned = turn_over(pivot);
-  const double most = std::max(-turned.low, turned.high);
-  const Vec2 n{contact.row.on_a[0], contact.row.on_a[1]};  // in the robot's frame, at the begin
+
+  // First the corners that the bound of their heights does not rule out. Most robots turn too
+  // little.
+  const trajectory::Range rotation = relative_rotation(pivot);
+  const Vec2 normal{contact.row.on_a[0], contact.row.on_a[1]};  // at the start, robot's frame
   std::array<Vec2, geometry::max_corners> arms;
-  int close = 0;
+  int count = 0;
   for (int i = 0; i < pivot.shape.corners; ++i) {
     if (i == pivot.corner_index) continue;
     const Vec2 arm = pivot.shape.corner[i] - pivot.corner;
-    // The height is up cos(turned) + across sin(turned), which is at least this.
-    const double up = n.dot(arm);
-    const double across = cross(arm, n);
-    const double least = up + std::min(across * turned.low, across * turned.high) -
-                         most * most * (0.5 * std::abs(up) + most * std::abs(across) / 6.0);
-    if (least <= world.tolerances.contact_gap) arms[close++] = arm;
+    if (lowest_height(arm, normal, rotation) <= world.tolerances.contact_gap) arms[count++] = arm;
   }
-  if (close == 0) return trajectory::never;
+  if (count == 0) return trajectory::never;
 
+  // Then the exact search among these.
   const RelativeHeading heading = relative_heading(pivot);
   double first = trajectory::never;
-  for (int i = 0; i < close; ++i) {
+  for (int i = 0; i < count; ++i) {
     const trajectory::Series height =
         pivot.normal.dot(arms[i]) * heading.cos + cross(arms[i], pivot.normal) * heading.sin;
-    const double level = std::min(height[0], 0.0) - sink;
+    const double level = std::min(height[0], 0.0) - penetration;
     first = std::min(first, first_crossing(height, level, 0.0, std::min(first, pivot.length())));
   }
   return pivot.robot.begin + first;
@@ -109,7 +132,7 @@ double next_corner_contact(const StaticWorld& world, const Contact& contact, boo
 std::optional<double> next_contact_time(const StaticWorld& world, const Pair& pair,
                                         std::span<const Contact> contacts,
                                         std::span<const trajectory::Segment> segments,
-                                        double sink) {
+                                        double penetration) {
   const Contact* pressing = nullptr;
   bool others = false;
   for (const Contact& c : contacts) {
@@ -118,7 +141,7 @@ std::optional<double> next_contact_time(const StaticWorld& world, const Pair& pa
     pressing = &c;
   }
   if (pressing == nullptr) return std::nullopt;
-  return next_corner_contact(world, *pressing, others, segments, sink);
+  return next_corner_contact(world, *pressing, others, segments, penetration);
 }
 
 }  // namespace mirocup::simulator::collision

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// When two that press on each other touch at one more place.
+// Next contact: when two bodies in resting contact touch at one more point.
 //
-// Where they press, their gap stays zero as long as their curves hold; so the line of that edge
-// keeps separating them until another corner comes down on it. How far that corner is above the
-// line depends on nothing but how the two are turned towards each other.
+// While a contact presses, its gap stays zero on the whole curve, so the line of its edge separates
+// the two bodies until another corner reaches that line. The height of that corner above the line
+// depends on the angle between the bodies alone, which makes the search much cheaper than
+// time_of_impact(). Uses model, trajectory and solver.
 #pragma once
 
 #include "core/simulator/collision/collision_queries.hpp"
@@ -14,20 +15,24 @@
 
 namespace mirocup::simulator::collision {
 
-// Is `contact` one of those that this is known of: is it kept pressing, with a body on a plane wall, or
-// with the ball or a robot's corner on a robot, and is no other corner beyond the line? (One can be
-// where corner presses on corner: there the edges' ends are what separates the two.)
+// True if the contact's edge is guaranteed to separate the pair until another corner reaches it.
+// Requires a persistent contact of a corner or the ball on a wall or robot edge, with no corner
+// beyond the edge's line (which happens for corner-corner contacts).
 bool is_separating_edge(const StaticWorld& world, const Contact& contact);
 
-// The first time, s of the tick, at which another corner of the contact's pair has come down on its
-// line, closer by `sink` (m) if it is there already; or never until the end of their segments,
-// which begin together. `others` of the same pair press, too: then nothing can turn.
+// Returns the first time, s of the tick, at which another corner of the point's side reaches the
+// contact's edge; trajectory::never if none does before the segments end. A corner that is on the
+// edge at the start counts once it has come closer by `penetration`, m. The segments of the pair
+// begin together. `others` says that another contact of the pair persists, too: then the bodies
+// cannot turn against each other, and the result is never.
 double next_corner_contact(const StaticWorld& world, const Contact& contact, bool others,
-                           std::span<const trajectory::Segment> segments, double sink);
+                           std::span<const trajectory::Segment> segments, double penetration);
 
-// The same of all contacts of a pair; nothing if none of them is known to keep it apart.
+// Returns next_corner_contact() of a pair from all contacts of its island; nothing if none of them
+// has a separating edge, so that the time must be found by contact_time().
 std::optional<double> next_contact_time(const StaticWorld& world, const Pair& pair,
                                         std::span<const Contact> contacts,
-                                        std::span<const trajectory::Segment> segments, double sink);
+                                        std::span<const trajectory::Segment> segments,
+                                        double penetration);
 
 }  // namespace mirocup::simulator::collision

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/simulator/collision/pair_list.hpp"
 
+#include "core/base/assert.hpp"
 #include "core/simulator/collision/broad_phase.hpp"
 
 namespace mirocup::simulator::collision {
@@ -19,15 +20,16 @@ std::span<CandidatePair> PairList::find(const StaticWorld& world,
   const unsigned long unchanged = bodies_below(world.bodies()) & ~changed.to_ulong();
   for (int i = 0; i < world.bodies(); ++i) {
     if (!changed[i]) continue;
-    // Of two that changed, the one with the higher index finds the pair.
-    for_near_pairs(world, boxes, i, unchanged | bodies_below(i),
-                   [this](const Pair& pair) { add(pair); });
+    // A pair of two changed bodies is found once, from the body with the higher index.
+    for_each_candidate_pair(world, boxes, i, unchanged | bodies_below(i),
+                            [this](const Pair& pair) { add(pair); });
   }
   return {list_.data() + kept, static_cast<std::size_t>(count_ - kept)};
 }
 
 void PairList::add(const Pair& pair) {
-  if (count_ < static_cast<int>(list_.size())) list_[count_++] = {.pair = pair};
+  MIROCUP_ASSERT(count_ < max_candidate_pairs);  // since no pair is in the list twice
+  list_[count_++] = {.pair = pair};
 }
 
 CandidatePair* PairList::earliest(double& t) {

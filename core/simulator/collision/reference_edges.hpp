@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Over which edge two robots came to overlap, or a robot and an end wall.
+// Reference edges: over which edge two robots, or a robot and an end wall, came to overlap within a
+// time step.
 //
-// Where bodies would be at the end of a step, if nothing stopped them, two may overlap deeper than a
-// corner is wide. The edge that is nearest to parting them there need not be the one over which they
-// came in, and would push them past each other's corner: however short the step, to where they were
-// not. So they are kept apart by the last edge that parted them on their way.
+// At the end of a step without contact forces two bodies may overlap deeper than the distance to
+// the nearest corner. The edge of least penetration there need not be the one that was crossed, and
+// correcting along it would push a body past the corner, however short the step. The last
+// separating edge is used instead: temporal coherence of the separating axis. Uses model and
+// solver.
 #pragma once
 
 #include "core/simulator/collision/collision_queries.hpp"
@@ -14,9 +16,10 @@
 
 namespace mirocup::simulator::collision {
 
-// The contacts in the list are of bodies that are at `end`, and were at `begin` without overlapping. Of
-// pairs that came in over another edge than their contacts have, the contacts are replaced: by both
-// corners that face that edge. All contacts of a pair still follow each other.
+// Replaces contacts of pairs that crossed another edge than the one their contacts have: by both
+// corners of the incident edge, over the line of the edge that was crossed. The contacts in the
+// list are those of the bodies at `end`; at `begin` the same bodies did not overlap. Both spans
+// hold all bodies. Afterwards all contacts of a pair still follow each other.
 void use_reference_edges(const StaticWorld& world, std::span<const BodyState> begin,
                          std::span<const BodyState> end, ContactList& list);
 

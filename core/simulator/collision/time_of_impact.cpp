@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "core/simulator/collision/time_of_impact.hpp"
 
+#include "core/base/assert.hpp"
 #include "core/geometry/separation.hpp"
+#include "core/simulator/model/solver_settings.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,10 +13,12 @@ namespace mirocup::simulator::collision {
 
 namespace {
 
-// Separating lines are tried at most this often; two or three are usual. Beyond, the time reached
-// is returned as if it were a touch: the caller finds none there and looks again from it.
-constexpr int max_axes = 64;
+// How far beyond the border of a corner's sector, m, the centre must be to have left it: rounding
+// must not end the search while the centre is on the border.
+constexpr double sector_round_off =
+    settings::time_of_impact.sector_round_off * trajectory::root_tolerance;
 
+// A vector whose components are series.
 struct SeriesPoint {
   trajectory::Series x, y;
 
@@ -25,7 +29,7 @@ SeriesPoint difference(const trajectory::Track& a, const trajectory::Track& b) {
   return {a.x - b.x, a.y - b.y};
 }
 
-// The components of v in a frame with that heading.
+// Return the components of v in a frame that turns: along its heading, and to its left.
 trajectory::Series forward_in(const trajectory::Track& frame, const SeriesPoint& v) {
   return sum_of_products(frame.cos, v.x, frame.sin, v.y);
 }
@@ -33,37 +37,41 @@ trajectory::Series left_in(const trajectory::Track& frame, const SeriesPoint& v)
   return difference_of_products(frame.cos, v.y, frame.sin, v.x);
 }
 
-// A body's motion seen from a line with the normal n: n . (q + R corner) for each of its corners,
-// where n . q is that of its centre and the heading of R is (cos, sin).
+// The distances of a body's corners along a fixed normal n: n . (q + R corner) as a series in time,
+// where q is the body's centre and R its rotation, with the heading (cos, sin). It refers to cos
+// and sin, which must outlive it.
 class DistanceAlong {
  public:
   DistanceAlong(const Vec2& n, const trajectory::Series& of_centre, const trajectory::Series& cos,
                 const trajectory::Series& sin)
       : n_(n), of_centre_(of_centre), cos_(cos), sin_(sin) {}
 
+  // Returns the distance of a corner, which is given in the body's frame.
   trajectory::Series operator()(const Vec2& corner) const {
     return of_centre_ + n_.dot(corner) * cos_ + cross(corner, n_) * sin_;
   }
 
-  // Of some corners at once, from the first of these on: over [0, end] none comes lower than this.
-  static constexpr int at_once = 4;
-  std::array<double, at_once> lowest(const geometry::Outline& shape, int from, double end) const {
-    std::array<double, at_once> of_cos, of_sin;
-    for (int i = 0; i < at_once; ++i) {
+  // Returns lower bounds of the distances over [0, end] for batch_size corners at once, from corner
+  // `from` on: the first coefficient plus all terms that can become negative.
+  static constexpr int batch_size = 4;  // doubles in two vector registers
+  std::array<double, batch_size> lower_bounds(const geometry::Outline& shape, int from,
+                                              double end) const {
+    std::array<double, batch_size> of_cos, of_sin;
+    for (int i = 0; i < batch_size; ++i) {
       const Vec2& corner = shape.corner[std::min(from + i, shape.corners - 1)];
       of_cos[i] = n_.dot(corner);
       of_sin[i] = cross(corner, n_);
     }
     return trajectory::with_terms(
         std::max({of_centre_.terms, cos_.terms, sin_.terms}), [&](auto n) {
-          std::array<double, at_once> low;
-          for (int i = 0; i < at_once; ++i) {
+          std::array<double, batch_size> low;
+          for (int i = 0; i < batch_size; ++i) {
             low[i] = of_centre_[0] + of_cos[i] * cos_[0] + of_sin[i] * sin_[0];
           }
           double power = 1.0;
           for (int k = 1; k < n; ++k) {
             power *= end;
-            for (int i = 0; i < at_once; ++i) {
+            for (int i = 0; i < batch_size; ++i) {
               const double term = of_centre_[k] + of_cos[i] * cos_[k] + of_sin[i] * sin_[k];
               low[i] += std::min(term * power, 0.0);
             }
@@ -79,8 +87,8 @@ class DistanceAlong {
   const trajectory::Series& sin_;
 };
 
-// A polygon's motion in the frame of another. Most edges lie along one of the frame's axes: the other
-// component of the position is made when it is needed.
+// A polygon's motion in the frame of another. Most edges are parallel to an axis of the frame, so
+// each component of the position is computed only when it is needed.
 class RelativeTrack {
  public:
   RelativeTrack(const trajectory::Track& moving, const trajectory::Track& frame)
@@ -94,25 +102,26 @@ class RelativeTrack {
  private:
   trajectory::Series position_along(const Vec2& n) {
     if (n.x() != 0.0 && !forward_) forward_ = forward_in(frame_, apart_);
-    if (n.y() != 0.0 && !allowed_overlap_) allowed_overlap_ = left_in(frame_, apart_);
-    if (n.x() == 0.0) return n.y() * *allowed_overlap_;
+    if (n.y() != 0.0 && !left_) left_ = left_in(frame_, apart_);
+    if (n.x() == 0.0) return n.y() * *left_;
     if (n.y() == 0.0) return n.x() * *forward_;
-    return n.x() * *forward_ + n.y() * *allowed_overlap_;
+    return n.x() * *forward_ + n.y() * *left_;
   }
 
   const trajectory::Track& frame_;
   SeriesPoint apart_;
   trajectory::Series cos_, sin_;
-  std::optional<trajectory::Series> forward_, allowed_overlap_;
+  std::optional<trajectory::Series> forward_, left_;
 };
 
-// From `begin` on, when the first corner of the shape comes down to `level`.
-double first_corner_contact(const DistanceAlong& distance, const geometry::Outline& shape,
-                            double level, double begin, double end) {
+// Returns the first time in [begin, end] at which a corner of the shape has come down to `level`.
+// Corners whose lower bound stays above it are ruled out without a search.
+double first_corner_crossing(const DistanceAlong& distance, const geometry::Outline& shape,
+                             double level, double begin, double end) {
   double first = trajectory::never;
-  for (int from = 0; from < shape.corners; from += DistanceAlong::at_once) {
-    const auto lowest = distance.lowest(shape, from, end);
-    for (int i = 0; i < DistanceAlong::at_once && from + i < shape.corners; ++i) {
+  for (int from = 0; from < shape.corners; from += DistanceAlong::batch_size) {
+    const auto lowest = distance.lower_bounds(shape, from, end);
+    for (int i = 0; i < DistanceAlong::batch_size && from + i < shape.corners; ++i) {
       if (lowest[i] > level) continue;
       const trajectory::Series d = distance(shape.corner[from + i]);
       first = std::min(first, first_crossing(d, level, begin, std::min(first, end)));
@@ -121,31 +130,33 @@ double first_corner_contact(const DistanceAlong& distance, const geometry::Outli
   return first;
 }
 
-// When the first corner of `other` comes down to `level` over one edge of `reference`.
-double first_corner_over(const geometry::Outline& reference, int edge,
-                         const geometry::Outline& other, RelativeTrack& motion, double level,
-                         double begin, double end) {
+// Returns the first time at which a corner of `other` is at most `level` above an edge of
+// `reference`. `motion` is that of `other` in the frame of `reference`.
+double first_crossing_of_edge(const geometry::Outline& reference, int edge,
+                              const geometry::Outline& other, RelativeTrack& motion, double level,
+                              double begin, double end) {
   const DistanceAlong distance = motion.distance_along(reference.normal[edge]);
-  return first_corner_contact(distance, other, reference.offset[edge] + level, begin, end);
+  return first_corner_crossing(distance, other, reference.offset[edge] + level, begin, end);
 }
 
-// From t on, the first time at which the centre comes within `reach` of a corner or leaves the
-// sector in which that corner is what it is nearest to.
+// Returns the first time from t on at which the centre comes within `reach` of a corner, or leaves
+// the sector between the normals of the corner's edges, in which the corner is the nearest feature.
 double first_change_at_corner(const geometry::Outline& polygon, int corner,
                               const SeriesPoint& centre, double reach, double t, double end) {
   SeriesPoint away = centre;
   away.x[0] -= polygon.corner[corner].x();
   away.y[0] -= polygon.corner[corner].y();
-  // (distance^2 - reach^2) / 2 reach: for small gaps, the gap.
-  const trajectory::Series gap = (0.5 / reach) * (away.x * away.x + away.y * away.y);
+  // (distance^2 - reach^2) / 2 reach is the gap where that is small; so distance^2 / 2 reach has to
+  // fall to reach / 2.
+  const trajectory::Series scaled = (0.5 / reach) * (away.x * away.x + away.y * away.y);
   const Vec2& before = polygon.normal[corner == 0 ? polygon.corners - 1 : corner - 1];
   const Vec2& after = polygon.normal[corner];
-  const double first = first_crossing(gap, 0.5 * reach, t, end);
-  const double over_before = first_crossing(before.x() * away.y - before.y() * away.x,
-                                            -4.0 * trajectory::root_tolerance, t, end);
-  const double over_after = first_crossing(after.y() * away.x - after.x() * away.y,
-                                           -4.0 * trajectory::root_tolerance, t, end);
-  return std::min({first, over_before, over_after});
+  const double touches = first_crossing(scaled, 0.5 * reach, t, end);
+  const double leaves_before =
+      first_crossing(before.x() * away.y - before.y() * away.x, -sector_round_off, t, end);
+  const double leaves_after =
+      first_crossing(after.y() * away.x - after.x() * away.y, -sector_round_off, t, end);
+  return std::min({touches, leaves_before, leaves_after});
 }
 
 double time_of_impact_of_circle(const MovingOutline& a, const MovingOutline& b, double level,
@@ -156,7 +167,7 @@ double time_of_impact_of_circle(const MovingOutline& a, const MovingOutline& b, 
   const double length = end - begin;
   const double reach = a.shape.radius + level;
   double t = 0.0;
-  for (int line = 0; line < max_axes; ++line) {
+  for (int axes = 0; axes < settings::time_of_impact.max_axes; ++axes) {
     const geometry::Axis axis = nearest_axis(b.shape, centre.at(t));
     if (axis.separation <= reach + trajectory::root_tolerance) break;
     if (axis.corner >= 0) {
@@ -174,46 +185,49 @@ geometry::Reference reference_at(const MovingOutline& a, const MovingOutline& b,
   return reference_of(a.shape, pose_at(a.segment, t), b.shape, pose_at(b.segment, t));
 }
 
-// The reference is that at the begin.
+// Like time_of_impact(). `reference` is the reference edge at `begin`.
 double time_of_impact_of_polygons(const MovingOutline& a, const MovingOutline& b,
                                   geometry::Reference reference, double level, double begin,
                                   double end) {
   if (reference.best.separation <= level + trajectory::root_tolerance) return begin;
   const trajectory::Track track_a = track_from(a.segment, begin);
   const trajectory::Track track_b = track_from(b.segment, begin);
-  // Made when an edge of that side is needed.
+  // Each is computed when an edge of that side is needed.
   std::optional<RelativeTrack> a_in_b, b_in_a;
   const double length = end - begin;
   double t = 0.0;
-  for (int line = 0; line < max_axes; ++line) {
-    if (line > 0) reference = reference_at(a, b, begin + t);
+  for (int axes = 0; axes < settings::time_of_impact.max_axes; ++axes) {
+    if (axes > 0) reference = reference_at(a, b, begin + t);
     if (reference.best.separation <= level + trajectory::root_tolerance) break;
     if (reference.is_a) {
       if (!b_in_a) b_in_a.emplace(track_b, track_a);
-      t = first_corner_over(a.shape, reference.best.edge, b.shape, *b_in_a, level, t, length);
+      t = first_crossing_of_edge(a.shape, reference.best.edge, b.shape, *b_in_a, level, t, length);
     } else {
       if (!a_in_b) a_in_b.emplace(track_a, track_b);
-      t = first_corner_over(b.shape, reference.best.edge, a.shape, *a_in_b, level, t, length);
+      t = first_crossing_of_edge(b.shape, reference.best.edge, a.shape, *a_in_b, level, t, length);
     }
     if (t == trajectory::never) return trajectory::never;
   }
   return begin + t;
 }
 
-// From the gap at the begin and what says when it has fallen to a level.
-template <class FirstTouch>
-double impact_or_penetration(double now, double sink, double begin, FirstTouch impact_at) {
-  if (now > std::max(trajectory::root_tolerance, sink)) {
-    const double touch = impact_at(0.0);
-    if (touch > begin) return touch;
+// Returns the time of impact or of penetration from the gap at `begin`. time_at_level(level) is the
+// first time at which the gap has fallen to a level.
+template <class TimeAtLevel>
+double impact_or_penetration(double gap_at_begin, double penetration, double begin,
+                             TimeAtLevel time_at_level) {
+  if (gap_at_begin > std::max(trajectory::root_tolerance, penetration)) {
+    const double impact = time_at_level(0.0);
+    if (impact > begin) return impact;
   }
-  return impact_at(std::min(now, 0.0) - sink);
+  return time_at_level(std::min(gap_at_begin, 0.0) - penetration);
 }
 
 }  // namespace
 
 double time_of_impact(const MovingOutline& a, const MovingOutline& b, double level, double begin,
                       double end) {
+  MIROCUP_ASSERT(!b.shape.is_circle());
   if (a.shape.is_circle()) return time_of_impact_of_circle(a, b, level, begin, end);
   return time_of_impact_of_polygons(a, b, reference_at(a, b, begin), level, begin, end);
 }
@@ -228,28 +242,29 @@ double time_of_impact(const MovingOutline& a, const field::Wall& wall, double le
     return begin + first_crossing(of_centre, target + a.shape.radius, 0.0, length);
   }
   const DistanceAlong distance(wall.normal, of_centre, track.cos, track.sin);
-  return begin + first_corner_contact(distance, a.shape, target, 0.0, length);
+  return begin + first_corner_crossing(distance, a.shape, target, 0.0, length);
 }
 
-double time_of_impact_or_penetration(const MovingOutline& a, const MovingOutline& b, double sink,
-                                     double begin, double end) {
+double time_of_impact_or_penetration(const MovingOutline& a, const MovingOutline& b,
+                                     double penetration, double begin, double end) {
   if (a.shape.is_circle()) {
     const double now = gap(a.shape, pose_at(a.segment, begin), b.shape, pose_at(b.segment, begin));
-    return impact_or_penetration(now, sink, begin, [&](double level) {
+    return impact_or_penetration(now, penetration, begin, [&](double level) {
       return time_of_impact_of_circle(a, b, level, begin, end);
     });
   }
   const geometry::Reference now = reference_at(a, b, begin);
-  return impact_or_penetration(now.best.separation, sink, begin, [&](double level) {
+  return impact_or_penetration(now.best.separation, penetration, begin, [&](double level) {
     return time_of_impact_of_polygons(a, b, now, level, begin, end);
   });
 }
 
-double time_of_impact_or_penetration(const MovingOutline& a, const field::Wall& wall, double sink,
-                                     double begin, double end) {
+double time_of_impact_or_penetration(const MovingOutline& a, const field::Wall& wall,
+                                     double penetration, double begin, double end) {
   const double now = gap(a.shape, pose_at(a.segment, begin), wall);
-  return impact_or_penetration(
-      now, sink, begin, [&](double level) { return time_of_impact(a, wall, level, begin, end); });
+  return impact_or_penetration(now, penetration, begin, [&](double level) {
+    return time_of_impact(a, wall, level, begin, end);
+  });
 }
 
 }  // namespace mirocup::simulator::collision

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// When two moving outlines first touch.
+// Time of impact: when two moving convex outlines first touch.
 //
-// Method: at a time when they are apart, an edge of one separates them, or the ball is nearest to a
-// corner. Seen from the body with that edge, the distance of each corner of the other one is a
-// power series; until the first of them has fallen to zero nothing can touch. At that time either
-// another edge still separates the two, and the search goes on with it, or this is the first touch.
-// Nothing is ever skipped, whatever the speed or the length of the tick.
+// Method: conservative advancement along separating axes (Mirtich 1996; b2TimeOfImpact of Box2D).
+// Two outlines are apart while a line separates them: an edge of one of them or, for the ball at a
+// corner, the line perpendicular to the direction between the two. Seen from the body with that
+// edge, the distance of each corner of the other body is a power series in time. Until the first of
+// these series falls to zero the bodies cannot touch. At that time either another edge separates
+// them, and the search continues with that edge, or they touch. No touch is ever missed, whatever
+// the speed or the length of the tick.
+//
+// Units are m and s of the tick. Pure functions. Uses geometry and trajectory only.
 #pragma once
 
 #include "core/field/field.hpp"
@@ -15,24 +19,25 @@
 
 namespace mirocup::simulator::collision {
 
-// A body on its way: its outline and its segment.
+// An outline that moves along a segment. It refers to both, which must outlive it.
 struct MovingOutline {
   const geometry::Outline& shape;
   const trajectory::Segment& segment;
 };
 
-// The first t in [begin, end] at which the gap has fallen to `level` (0, or negative for two that
-// touch already), or never. Both segments hold over [begin, end]; a circle comes first.
+// Returns the first time in [begin, end] at which the gap has fallen to `level`, m, or
+// trajectory::never. `level` is 0 for a touch, or negative for outlines that touch already. Both
+// segments hold over [begin, end]. If one outline is a circle, it is a.
 double time_of_impact(const MovingOutline& a, const MovingOutline& b, double level, double begin,
                       double end);
 double time_of_impact(const MovingOutline& a, const field::Wall& wall, double level, double begin,
                       double end);
 
-// The same to level 0; where they touch at the begin already, or are about to, until they have come
-// closer than then by `sink`, m.
-double time_of_impact_or_penetration(const MovingOutline& a, const MovingOutline& b, double sink,
-                                     double begin, double end);
-double time_of_impact_or_penetration(const MovingOutline& a, const field::Wall& wall, double sink,
-                                     double begin, double end);
+// Returns the time of impact at level 0; but if the outlines touch at `begin` already, or are
+// closer than `penetration`, m, the first time at which they are closer than then by `penetration`.
+double time_of_impact_or_penetration(const MovingOutline& a, const MovingOutline& b,
+                                     double penetration, double begin, double end);
+double time_of_impact_or_penetration(const MovingOutline& a, const field::Wall& wall,
+                                     double penetration, double begin, double end);
 
 }  // namespace mirocup::simulator::collision

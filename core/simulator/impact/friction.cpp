@@ -20,20 +20,20 @@ bool has_friction(const Parameters& p) {
 void resolve_friction(std::span<collision::Contact> contacts,
                       std::span<const solver::InverseMass> mass, std::span<BodyState> bodies,
                       solver::BoxQp& problem) {
-  bool some_slid = false;
+  bool some_changed = false;
   for (const collision::Contact& c : contacts) {
     const double friction = c.material.friction;
     if (friction == 0.0 || c.impact.impulse <= 0.0) continue;
     const solver::ConstraintRow tangent = tangent_row(c, bodies);
-    const double compliance = collision::inverse_effective_mass(tangent, mass);
-    if (compliance <= 0.0) continue;
-    const double most = friction * c.impact.impulse;
+    const double inverse_mass = collision::inverse_effective_mass(tangent, mass);
+    if (inverse_mass <= 0.0) continue;
+    const double max_impulse = friction * c.impact.impulse;
     const double impulse =
-        std::clamp(-collision::row_rate(tangent, bodies) / compliance, -most, most);
+        std::clamp(-collision::row_rate(tangent, bodies) / inverse_mass, -max_impulse, max_impulse);
     collision::apply_impulse(tangent, impulse, mass, bodies);
-    some_slid = some_slid || impulse != 0.0;
+    some_changed = some_changed || impulse != 0.0;
   }
-  if (some_slid) stop_approaches(contacts, mass, bodies, problem);
+  if (some_changed) stop_approaches(contacts, mass, bodies, problem);
 }
 
 }  // namespace mirocup::simulator::impact

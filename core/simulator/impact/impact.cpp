@@ -1,26 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "core/simulator/impact/impact.hpp"
 
+#include "core/base/assert.hpp"
+#include "core/simulator/model/solver_settings.hpp"
+
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <optional>
 
 namespace mirocup::simulator::impact {
 
 namespace {
 
-// Slower approaches than this (m/s) are rounding.
-constexpr double no_approach = 1e-13;
-
-// Rounds of throwing back before everything that still approaches is stopped for good.
-constexpr int max_rounds = 64;
-
+// Returns the kinetic energy of the bodies that have a contact: no others change.
 double kinetic_energy(std::span<const collision::Contact> contacts,
                       std::span<const solver::InverseMass> mass,
                       std::span<const BodyState> bodies) {
-  // Only bodies with a contact change; each counts once, at its first contact.
   double sum = 0.0;
-  std::array<bool, max_bodies> seen{};
+  std::array<bool, max_bodies> seen{};  // a body counts once, at its first contact
   const auto add = [&](int i) {
     if (i == no_body || seen[i]) return;
     seen[i] = true;
@@ -37,10 +34,11 @@ double kinetic_energy(std::span<const collision::Contact> contacts,
   return 0.5 * sum;
 }
 
-// Impulses that just stop the chosen contacts: problem.x[i] belongs to contacts[chosen[i]].
-void stop(std::span<const collision::Contact> contacts, std::span<const int> chosen,
-          std::span<const solver::InverseMass> mass, std::span<const BodyState> bodies,
-          solver::BoxQp& problem) {
+// Sets problem.x to the smallest impulses that stop the chosen contacts: problem.x[i] is that of
+// contacts[chosen[i]].
+void solve_stopping_impulses(std::span<const collision::Contact> contacts,
+                             std::span<const int> chosen, std::span<const solver::InverseMass> mass,
+                             std::span<const BodyState> bodies, solver::BoxQp& problem) {
   const int n = static_cast<int>(chosen.size());
   problem.reset(n);
   for (int i = 0; i < n; ++i) {
@@ -52,9 +50,12 @@ void stop(std::span<const collision::Contact> contacts, std::span<const int> cho
   problem.solve();
 }
 
-void apply(std::span<collision::Contact> contacts, std::span<const int> chosen, double sign,
-           std::optional<double> common_restitution, std::span<const solver::InverseMass> mass,
-           std::span<BodyState> bodies, const solver::BoxQp& problem) {
+// Applies the stopping impulses times (1 + e); with the sign -1 it undoes that. e is the common
+// restitution if it is given, else each contact's own.
+void apply_stopping_impulses(std::span<collision::Contact> contacts, std::span<const int> chosen,
+                             double sign, std::optional<double> common_restitution,
+                             std::span<const solver::InverseMass> mass, std::span<BodyState> bodies,
+                             const solver::BoxQp& problem) {
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     collision::Contact& c = contacts[chosen[i]];
     const double e = common_restitution.value_or(c.material.restitution);
@@ -64,11 +65,33 @@ void apply(std::span<collision::Contact> contacts, std::span<const int> chosen, 
   }
 }
 
+// One round: stops the approaching contacts and throws them back.
+//
+// With the same e for all contacts a round cannot add energy. With different ones it can: the
+// impulse that stops a contact of small e also stems from contacts of large e. Then the round is
+// undone and redone with the smallest e of its contacts.
+void reflect(std::span<collision::Contact> contacts, std::span<const int> approaching,
+             std::span<const solver::InverseMass> mass, std::span<BodyState> bodies,
+             solver::BoxQp& problem) {
+  solve_stopping_impulses(contacts, approaching, mass, bodies, problem);
+  const double before = kinetic_energy(contacts, mass, bodies);
+  apply_stopping_impulses(contacts, approaching, 1.0, std::nullopt, mass, bodies, problem);
+  const double max_energy = before * (1.0 + settings::impact.energy_round_off);
+  if (kinetic_energy(contacts, mass, bodies) <= max_energy) return;
+
+  double min_restitution = 1.0;
+  for (const int i : approaching) {
+    min_restitution = std::min(min_restitution, contacts[i].material.restitution);
+  }
+  apply_stopping_impulses(contacts, approaching, -1.0, std::nullopt, mass, bodies, problem);
+  apply_stopping_impulses(contacts, approaching, 1.0, min_restitution, mass, bodies, problem);
+}
+
 // Equation (21).
 void resolve_single(collision::Contact& c, std::span<const solver::InverseMass> mass,
                     std::span<BodyState> bodies) {
   collision::ContactImpact& impact = c.impact;
-  if (impact.approach <= no_approach) return;
+  if (impact.approach <= settings::impact.min_approach) return;
   const double e = impact.approach > impact.restitution_threshold ? c.material.restitution : 0.0;
   impact.impulse = (1.0 + e) * impact.approach / collision::inverse_effective_mass(c.row, mass);
   collision::apply_impulse(c.row, impact.impulse, mass, bodies);
@@ -79,16 +102,19 @@ void resolve_single(collision::Contact& c, std::span<const solver::InverseMass> 
 void stop_approaches(std::span<collision::Contact> contacts,
                      std::span<const solver::InverseMass> mass, std::span<BodyState> bodies,
                      solver::BoxQp& problem) {
-  std::array<int, solver::max_unknowns> chosen;
-  for (std::size_t i = 0; i < contacts.size(); ++i) chosen[i] = static_cast<int>(i);
-  const std::span<const int> all(chosen.data(), contacts.size());
-  stop(contacts, all, mass, bodies, problem);
-  apply(contacts, all, 1.0, 0.0, mass, bodies, problem);
+  MIROCUP_ASSERT(contacts.size() <= collision::max_contacts);
+  // Contacts that separate get an impulse of zero.
+  std::array<int, collision::max_contacts> indices;
+  for (std::size_t i = 0; i < contacts.size(); ++i) indices[i] = static_cast<int>(i);
+  const std::span<const int> all(indices.data(), contacts.size());
+  solve_stopping_impulses(contacts, all, mass, bodies, problem);
+  apply_stopping_impulses(contacts, all, 1.0, 0.0, mass, bodies, problem);
 }
 
 void resolve_impacts(std::span<collision::Contact> contacts,
                      std::span<const solver::InverseMass> mass, std::span<BodyState> bodies,
                      solver::BoxQp& problem) {
+  MIROCUP_ASSERT(contacts.size() <= collision::max_contacts);
   for (collision::Contact& c : contacts) {
     c.impact.approach = -collision::row_rate(c.row, bodies);
     c.impact.impulse = 0.0;
@@ -98,31 +124,21 @@ void resolve_impacts(std::span<collision::Contact> contacts,
     return;
   }
 
-  std::array<int, solver::max_unknowns> chosen;
-  for (int round = 0; round < max_rounds; ++round) {
-    std::size_t n = 0;
+  std::array<int, collision::max_contacts> indices;
+  for (int round = 0; round < settings::impact.max_rounds; ++round) {
+    std::size_t count = 0;
     bool some_bounce = false;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       const double approach = -collision::row_rate(contacts[i].row, bodies);
-      if (approach > no_approach) chosen[n++] = static_cast<int>(i);
+      if (approach > settings::impact.min_approach) indices[count++] = static_cast<int>(i);
       some_bounce = some_bounce || approach > contacts[i].impact.restitution_threshold;
     }
-    if (n == 0) return;
+    if (count == 0) return;
     if (!some_bounce) break;
-
-    const std::span<const int> approaching(chosen.data(), n);
-    stop(contacts, approaching, mass, bodies, problem);
-    const double before = kinetic_energy(contacts, mass, bodies);
-    apply(contacts, approaching, 1.0, std::nullopt, mass, bodies, problem);
-    if (kinetic_energy(contacts, mass, bodies) > before * (1.0 + 1e-14)) {
-      double least = 1.0;
-      for (const int i : approaching) least = std::min(least, contacts[i].material.restitution);
-      apply(contacts, approaching, -1.0, std::nullopt, mass, bodies, problem);
-      apply(contacts, approaching, 1.0, least, mass, bodies, problem);
-    }
+    reflect(contacts, {indices.data(), count}, mass, bodies, problem);
   }
 
-  // What still approaches does so slowly, or has been thrown back often enough.
+  // The contacts that still approach are slower than their thresholds, or have had all rounds.
   stop_approaches(contacts, mass, bodies, problem);
 }
 

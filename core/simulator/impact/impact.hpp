@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// Impacts: what bodies that run into each other do to their velocities in no time.
+// Impacts: the change of velocities at the instant of a collision.
 //
-// One contact is equation (21): v_rel+ = -e v_rel-. Several at once go beyond the paper, after
-// Smith, Kaufman, Vouga, Tamstorf and Grinspun 2012, "Reflections on simultaneous impact": all
-// contacts that approach are first stopped together, then thrown back by (1 + e) times what stopped
-// them, again and again until none approaches. A row of equal bodies hands the impulse through, a
-// symmetric hit stays symmetric, and energy never rises.
+// One contact follows equation (21): v_rel+ = -e v_rel-. Simultaneous impacts go beyond the paper
+// and follow Smith, Kaufman, Vouga, Tamstorf and Grinspun 2012, "Reflections on simultaneous
+// impact": in each round, all contacts that approach are stopped together by the smallest impulses
+// that do so, and these impulses are multiplied by (1 + e); rounds are repeated until no contact
+// approaches. A row of equal bodies passes the impulse on, a symmetric impact stays symmetric, and
+// energy never rises.
+//
+// The functions change the twists in `bodies` and the ContactImpact of the contacts. `contacts` are
+// those of one or more islands, `mass` holds the inverse mass of every body, and `problem` is
+// scratch space whose contents don't matter. Uses collision and solver.
 #pragma once
 
 #include "core/simulator/impact/delassus.hpp"
@@ -16,12 +21,13 @@
 
 namespace mirocup::simulator::impact {
 
-// Changes the twists of the bodies, and sets approach and impulse of the contacts.
+// Resolves the impacts of all contacts, and sets their approach and impulse. Afterwards no contact
+// approaches. The contacts' restitution thresholds must be set.
 void resolve_impacts(std::span<collision::Contact> contacts,
                      std::span<const solver::InverseMass> mass, std::span<BodyState> bodies,
                      solver::BoxQp& problem);
 
-// Stops all contacts that approach, together and without throwing them back; adds to the impulses.
+// Stops all contacts that approach, together and without restitution; adds to their impulses.
 void stop_approaches(std::span<collision::Contact> contacts,
                      std::span<const solver::InverseMass> mass, std::span<BodyState> bodies,
                      solver::BoxQp& problem);

@@ -19,18 +19,18 @@ void Islands::sort(collision::ContactList& contacts) {
   begin_[0] = 0;
   for (std::size_t left = 0; left < contacts.contacts().size();) {
     const std::span<collision::Contact> rest = contacts.contacts().subspan(left);
-    const BodySet group = islands_of(bodies_of(rest.front().pair), rest);
-    left += move_to_front(rest, group);
+    const BodySet island = islands_of(bodies_of(rest.front().pair), rest);
+    left += move_to_front(rest, island);
     begin_[++count_] = left;
   }
 }
 
-// Contacts of the group first, then the others. Returns how many of the group there are.
-std::size_t Islands::move_to_front(std::span<collision::Contact> contacts, const BodySet& group) {
+// Moves the island's contacts to the front, in the same order, and returns how many there are.
+std::size_t Islands::move_to_front(std::span<collision::Contact> contacts, const BodySet& island) {
   std::size_t count = 0;
   std::size_t others = 0;
   for (collision::Contact& c : contacts) {
-    if (!group[c.pair.a]) {
+    if (!island[c.pair.a]) {
       others_.list[others++] = c;
     } else {
       if (others > 0) contacts[count] = c;

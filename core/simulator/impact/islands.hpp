@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The contacts of an instant by groups: bodies that touch, directly or through others, concern no other
-// group, and what is solved for several at once costs more than one after the other.
+// Islands: the connected components of the contact graph, whose nodes are bodies. Islands do not
+// affect each other, and several small problems cost less than one large problem. Obstacles do not
+// connect bodies, since they cannot move. Uses collision.
 #pragma once
 
 #include "core/simulator/collision/contact_constraint.hpp"
@@ -11,41 +12,46 @@
 
 namespace mirocup::simulator::impact {
 
-// Whom the contacts that count, counts(contact), connect with one of these bodies, directly or through
-// others; of these, those with such a contact.
+// Returns the bodies that contacts for which counts(contact) is true connect with a body in
+// `start`, directly or through others. A body in `start` is included only if it has such a contact.
 template <class Counts>
-BodySet connected(const BodySet& with, std::span<const collision::Contact> contacts,
+BodySet connected(const BodySet& start, std::span<const collision::Contact> contacts,
                   Counts counts) {
   if (contacts.empty()) return {};
-  std::array<unsigned long, max_bodies> off_diagonal{};  // one bit for each body, itself included
+  std::array<unsigned long, max_bodies> neighbours{};  // one bit for each body, itself included
   for (const collision::Contact& c : contacts) {
     if (!counts(c)) continue;
     const BodySet two = bodies_of(c.pair);
-    for_each_body(two, [&](int i) { off_diagonal[i] |= two.to_ulong(); });
+    for_each_body(two, [&](int i) { neighbours[i] |= two.to_ulong(); });
   }
+  // Breadth-first search: `next` holds the bodies found in the last round.
   unsigned long found = 0;
-  for (BodySet next = with; next.any();) {
+  for (BodySet next = start; next.any();) {
     unsigned long reached = 0;
-    for_each_body(next, [&](int i) { reached |= off_diagonal[i]; });
+    for_each_body(next, [&](int i) { reached |= neighbours[i]; });
     next = BodySet(reached & ~(found | next.to_ulong()));
     found |= reached;
   }
   return BodySet(found);
 }
 
-// The bodies that hold together with this one, itself included; empty if nothing holds it.
+// Returns the contact cluster of a body, itself included: the bodies that active resting contacts
+// connect with it. Empty if it has none.
 BodySet cluster_of(int body, std::span<const collision::Contact> contacts);
 
-// Those that touch one of these, directly or through others; empty if nothing touches them.
+// Returns the islands of these bodies, which any contacts connect. Empty if they have no contact.
 BodySet islands_of(const BodySet& bodies, std::span<const collision::Contact> contacts);
 
+// The contacts of an instant, sorted by islands. Kept and reused: holds scratch space, so nothing
+// is allocated.
 class Islands {
  public:
-  // Puts the contacts of each group next to each other, without changing their order; groups are in the
-  // order of their first contacts. Until the list changes, visits are of it.
+  // Sorts the list so that the contacts of each island follow each other. Their order within an
+  // island does not change, and islands are in the order of their first contacts. for_each() is
+  // valid until the list changes.
   void sort(collision::ContactList& contacts);
 
-  // Calls visit(contacts) for each group.
+  // Calls visit(contacts) for each island of the list that was sorted last.
   template <class Visit>
   void for_each(collision::ContactList& contacts, Visit visit) const {
     for (int i = 0; i < count_; ++i) {
@@ -54,10 +60,10 @@ class Islands {
   }
 
  private:
-  std::size_t move_to_front(std::span<collision::Contact> contacts, const BodySet& group);
+  std::size_t move_to_front(std::span<collision::Contact> contacts, const BodySet& island);
 
-  collision::ContactList others_;
-  std::array<std::size_t, max_bodies + 1> begin_{};  // of each group
+  collision::ContactList others_;                    // scratch space of move_to_front()
+  std::array<std::size_t, max_bodies + 1> begin_{};  // index of each island's first contact
   int count_ = 0;
 };
 

@@ -1,81 +1,117 @@
 // SPDX-License-Identifier: MIT
 //
-// How closely a tick is followed, and how that wears off.
+// Rest thresholds: the limits below which motion counts as rest, and how they grow within a tick.
 //
-// Bodies in a crowd would bounce, let go and grip again ever faster and ever less. So within a tick
-// what counts as rest grows: for a body with each of its touches, for curves with each event. A
-// body's first touch is an impact however slow, touches that come now and then are forgotten again,
-// and what happens in a crowd concerns nobody elsewhere. What is rest is stopped, never thrown back,
-// so no energy comes of it.
+// They guard against Zeno behaviour: infinitely many events in finite time. Bodies in a crowd would
+// bounce, let go and grip again ever faster and ever less. So the limits start at rounding and grow
+// with the impacts of a body, or with the events of the tick. Motion below a limit is stopped and
+// never thrown back, so growing limits add no energy.
+//
+//   limit                    from             factor, for each      up to
+//   restitution_threshold()  1e-10 m/s *      3     impact          -
+//   penetration()            1e-12 m          4     impact, from    contact_gap, 1e-10 m
+//                                                   the 9th on
+//   min_slip_speed()         1e-6 m/s         8     impact          the restitution threshold
+//   slip_threshold()         rounding         2     event           slow_slip, 1e-7 m/s
+//                            1e-7 m/s         1.05  event           restitution_threshold, 2e-4 m/s
+//   roll_threshold()         rounding         1.3   event           restitution_threshold, 2e-4 m/s
+//   min_duration()           1e-8 s           1.3   event           max_min_duration, 2e-3 s
+//                                             8     event that it forced
+//
+//   * at the first impact of a body in the tick; 1.8e-3 m/s at the second. Between bodies that were
+//     in contact before the tick and had no impact in it: 2e-4 m/s.
+//
+// The numbers are those of Tolerances at the level `standard` and of settings::rest_thresholds. An
+// impact counts for its two bodies, and a pair has the count of the body with more impacts: a crowd
+// does not change these limits elsewhere. Events count for all bodies.
+//
+// The event budget (Tolerances::event_budget) is the last resort: a body that has used it up is
+// time-stepped. Uses model and trajectory.
 #pragma once
 
 #include "core/simulator/model/body_pair.hpp"
 #include "core/simulator/model/parameters.hpp"
+#include "core/simulator/model/solver_settings.hpp"
 #include "core/simulator/model/tolerances.hpp"
 
 #include <array>
 
 namespace mirocup::simulator::impact {
 
+// The rest thresholds and event budgets of one world. Times are s of the tick. Belongs to the
+// world's thread.
 class RestThresholds {
  public:
   explicit RestThresholds(const Tolerances& tolerances);
 
-  // `touching`: the bodies with a contact now.
+  // Starts a tick: all limits and budgets are those of its start. `touching` are the bodies that
+  // have a contact now.
   void begin_tick(const BodySet& touching);
-  // Bodies were put somewhere: whatever touches now does so for the first time.
+
+  // To be called when bodies were placed: contacts that exist now count as new in the next tick.
   void forget();
-  void note_touch(const Pair& pair, double t);  // s of the tick
-  // Counts as a touch if it did not come of one, as when wheels grip again and throw a robot at what
-  // it touches anyway.
+
+  // Counts an impact of both bodies of a pair at time t.
+  void note_impact(const Pair& pair, double t);
+
+  // Counts a bounce as an impact of each body that has none at time t yet: wheels that grip again
+  // can throw a robot at a body that it touches already.
   void note_bounce(const Pair& pair, double t);
-  // `was_forced`: a curve ended as soon as it was allowed to, at hold().
+
+  // Counts an event. Each involved body pays (n m)^2 of its budget, where n bodies are involved and
+  // these have met m bodies in this tick, themselves included. `was_forced`: a curve ended as soon
+  // as min_duration() allowed.
   void note_event(const BodySet& involved, bool was_forced);
-  // The tick begins with these in one group of bodies that touch. If a single event of all of them costs
-  // what is followed in a tick, and it was too much in the last one, none is.
-  void note_island(const BodySet& group);
-  // Who has had all that is followed in a tick.
+
+  // To be called at the start of a tick with the bodies of each island. An island with a body that
+  // went over budget in the last tick is over budget from now on if a single event of all its
+  // bodies would cost the whole budget.
+  void note_island(const BodySet& island);
+
+  // Returns the bodies that have used up their event budget.
   const BodySet& over_budget() const { return over_budget_; }
 
-  // A slower approach of the pair does not bounce, m/s.
+  // Returns the approach speed, m/s, up to which the pair does not bounce.
   double restitution_threshold(const Pair& pair) const;
-  // A pair in contact that comes closer by this hits anew, m.
+  // Returns by how much a pair in contact must come closer to have an impact again, m.
   double penetration(const Pair& pair) const;
-  // WheelState that an impact makes slide no faster than this are stopped by it, m/s.
+  // Returns the lateral slip, m/s, up to which the impact that caused it stops it, too.
   double min_slip_speed(int robot) const;
-  // WheelState that slide, and a ball that rolls, no faster than this hold, m/s.
+  // Return the speeds, m/s, up to which sliding wheels and a rolling ball in contact hold.
   double slip_threshold() const { return slip_threshold_; }
   double roll_threshold() const { return roll_threshold_; }
-  // For so long no contact lets go and no wheels begin to slide, s.
+  // Returns for how long a contact or a grip holds at least, s.
   double min_duration() const { return min_duration_; }
-  // A curve that holds for so long, s, is long enough at time t of the tick.
+  // Returns for how long a curve that starts at time t should hold, s: a few mean times between the
+  // impacts of the tick, or times since the last one, whichever is longer. A longer curve would
+  // probably be cut short by an impact.
   double preferred_duration(double t) const;
 
  private:
-  static constexpr int max_counted = 40;
-  using GrowthTable = std::array<double, max_counted + 1>;  // after so many of something
-  static GrowthTable growing(double first, double growth, double most, int patient = 0);
+  static constexpr int max_counted = settings::rest_thresholds.max_counted;
+  using GrowthTable = std::array<double, max_counted + 1>;  // a limit by the number of impacts
+  static GrowthTable growing(double first, double growth, double limit, int free = 0);
 
-  static int cost_of_event(const BodySet& involved, const BodySet& encountered);
-  int touches_of(const Pair& pair) const;
+  static int cost_of_event(const BodySet& involved, const BodySet& met);
+  int impacts_of(const Pair& pair) const;
   void count(int body, double t);
-  // Has the body been in company since before the tick, and not been touched anew?
-  bool is_lasting(int body) const { return in_contact_before_[body] && touches_[body] == 0; }
+  // True if the body has been in contact since before the tick, and had no impact in it.
+  bool is_lasting(int body) const { return in_contact_before_[body] && impacts_[body] == 0; }
 
   Tolerances tolerances_;
-  GrowthTable restitution_after_touches_, penetration_after_touches_, slip_after_touches_;
+  GrowthTable restitution_after_impacts_, penetration_after_impacts_, slip_after_impacts_;
 
-  BodySet touching_;           // when this tick began
-  BodySet touched_;            // since it began
-  BodySet in_contact_before_;  // touched, or were touched, in the tick before
-  std::array<BodySet, max_bodies>
-      encountered_{};                         // of each body: itself, and whom it touched in it
-  std::array<int, max_bodies> touches_{};     // of each body in this tick, up to max_counted
-  std::array<int, max_bodies> event_cost_{};  // of each in this tick, what it cost
-  BodySet over_budget_, were_over_budget_;    // by it; in the tick before
-  std::array<double, max_bodies> last_touch_of_{};  // s of the tick
-  int all_touches_ = 0;
-  double last_touch_ = 0.0;  // s of the tick
+  // "Now" is this tick, "before" the last one.
+  BodySet touching_;                       // bodies with a contact when the tick began
+  BodySet hit_;                            // bodies with an impact now
+  BodySet in_contact_before_;              // bodies with a contact or an impact before
+  std::array<BodySet, max_bodies> met_{};  // by body: itself and those it had an impact with
+  std::array<int, max_bodies> impacts_{};  // by body, less forgotten ones; at most max_counted
+  std::array<double, max_bodies> last_impact_of_{};  // by body, s
+  std::array<int, max_bodies> event_cost_{};         // by body, summed
+  BodySet over_budget_, were_over_budget_;           // now; before
+  int all_impacts_ = 0;                              // of pairs, now
+  double last_impact_ = 0.0;                         // of any pair, s
   double slip_threshold_ = 0.0;
   double roll_threshold_ = 0.0;
   double min_duration_ = 0.0;

@@ -11,6 +11,7 @@ namespace mirocup::simulator::impact {
 
 namespace {
 
+// Returns the largest lateral speed of these robots, m/s.
 double max_slip(std::span<const int> robots, std::span<const BodyState> bodies) {
   double fastest = 0.0;
   for (const int robot : robots) fastest = std::max(fastest, std::abs(bodies[robot].twist.left));
@@ -19,14 +20,15 @@ double max_slip(std::span<const int> robots, std::span<const BodyState> bodies) 
 
 }  // namespace
 
-void arrest_slip(std::span<collision::Contact> contacts, std::span<const int> robots, double most,
-                 std::span<const solver::InverseMass> mass, std::span<BodyState> bodies,
-                 solver::BoxQp& problem) {
+void arrest_slip(std::span<collision::Contact> contacts, std::span<const int> robots,
+                 double max_impulse, std::span<const solver::InverseMass> mass,
+                 std::span<BodyState> bodies, solver::BoxQp& problem) {
   const double fastest = max_slip(robots, bodies);
   if (fastest <= trajectory::slip_round_off) return;
   std::array<BodyState, max_bodies> before;
   std::copy(bodies.begin(), bodies.end(), before.begin());
 
+  // One problem: unknowns are first the contacts' impulses, then the ground's.
   std::array<solver::ConstraintRow, max_robots> wheels;
   const int first_wheels = static_cast<int>(contacts.size());
   const int n = first_wheels + static_cast<int>(robots.size());
@@ -36,8 +38,8 @@ void arrest_slip(std::span<collision::Contact> contacts, std::span<const int> ro
   problem.reset(n);
   for (int i = first_wheels; i < n; ++i) {
     wheels[i - first_wheels] = collision::lateral_wheel_row(robots[i - first_wheels]);
-    problem.low[i] = -most;
-    problem.high[i] = most;
+    problem.low[i] = -max_impulse;
+    problem.high[i] = max_impulse;
   }
   for (int i = 0; i < n; ++i) problem.b[i] = collision::row_rate(row(i), bodies);
   assemble_delassus(n, row, mass, problem);
@@ -68,17 +70,18 @@ void arrest_slow_slip(const collision::StaticWorld& world, const RestThresholds&
   }
   std::array<int, max_robots> slow;
   std::size_t count = 0;
-  double longest = 0.0;
+  double max_limit = 0.0;  // m/s
   for (int i = 0; i < world.robots; ++i) {
-    const double brief = hit[i] ? thresholds.min_slip_speed(i) : thresholds.slip_threshold();
-    const double left = std::abs(bodies[i].twist.left);
-    if (!touching[i] || !drives[i].wheels_on_ground || left > brief) continue;
+    const double limit = hit[i] ? thresholds.min_slip_speed(i) : thresholds.slip_threshold();
+    const double slip = std::abs(bodies[i].twist.left);
+    if (!touching[i] || !drives[i].wheels_on_ground || slip > limit) continue;
     slow[count++] = i;
-    longest = std::max(longest, brief);
+    max_limit = std::max(max_limit, limit);
   }
-  // Those that stand must be able to take what stops the others.
-  const double most = world.parameters.robot_mass * longest;
-  arrest_slip(contacts, {slow.data(), count}, most, mass, bodies, problem);
+  // The bound is the same for all: a robot that stands must be able to take the impulse that stops
+  // another one.
+  const double max_impulse = world.parameters.robot_mass * max_limit;
+  arrest_slip(contacts, {slow.data(), count}, max_impulse, mass, bodies, problem);
 }
 
 }  // namespace mirocup::simulator::impact

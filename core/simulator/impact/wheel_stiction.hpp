@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// WheelState of bodies in contact that slide so slowly that they would grip again at once, or slide, stop
-// and slide on: the ground's impulse that stops them.
+// Wheel stiction: removes lateral slip of wheels that is too slow to simulate, by an impulse of the
+// ground. Such wheels would grip again within v / (grip g), often less than a microsecond, or slide
+// and grip in endless alternation. Uses collision, solver and trajectory.
 #pragma once
 
 #include "core/simulator/collision/collision_queries.hpp"
@@ -13,16 +14,19 @@
 
 namespace mirocup::simulator::impact {
 
-// The wheels of these robots, which slide or stand: stops them together, by at most `most` N s of the
-// ground for each, so that no contact approaches; adds to the contacts' impulses. What stops one may
-// push others that stood: where the fastest would be no slower than before, nothing changes.
-void arrest_slip(std::span<collision::Contact> contacts, std::span<const int> robots, double most,
-                 std::span<const solver::InverseMass> mass, std::span<BodyState> bodies,
-                 solver::BoxQp& problem);
+// Stops the lateral slip of these robots together, by an impulse of the ground of at most
+// `max_impulse`, N s, on each robot and such impulses at the contacts that no contact approaches.
+// Adds the latter to the contacts' impulses. Stopping one robot may push others that stood: if the
+// fastest slip does not become slower, nothing changes. `contacts` are those of the robots'
+// islands, `mass` and `bodies` hold all bodies, and `problem` is scratch space.
+void arrest_slip(std::span<collision::Contact> contacts, std::span<const int> robots,
+                 double max_impulse, std::span<const solver::InverseMass> mass,
+                 std::span<BodyState> bodies, solver::BoxQp& problem);
 
-// What little an impact makes wheels slide would end too soon to be worth an event; so would the slides
-// that come and go where bodies are wedged: stops those, of all robots with a contact. How little that
-// is says patience. The contacts are those of an impact that was resolved.
+// Removes lateral slip too slow to simulate: slip caused by an impact, or alternating slip in a
+// wedge. Applies to every robot in contact with its wheels on the ground. The limit is
+// RestThresholds::min_slip_speed() for a robot that the impact hit, and slip_threshold() for the
+// others. To be called after the impact of these contacts was resolved.
 void arrest_slow_slip(const collision::StaticWorld& world, const RestThresholds& thresholds,
                       std::span<const trajectory::DriveReference> drives,
                       std::span<collision::Contact> contacts,

@@ -29,16 +29,10 @@ Vec2 turned_term(const TwoSeries& p, const TwoSeries& q, int k, int first) {
   return {x, y};
 }
 
-// The outline of an obstacle that has corners, or null for a plane wall.
-const geometry::Outline* end_wall_of(const collision::StaticWorld& world, const Pair& pair) {
-  return pair.obstacle() < plane_walls ? nullptr
-                                       : &world.end_wall_outlines[pair.obstacle() - plane_walls];
-}
-
 // The outline of the side with the edge or corner that is pressed on; null: a plane wall.
 const geometry::Outline* pressed_shape(const collision::StaticWorld& world,
                                        const collision::Contact& c) {
-  return c.b != no_body ? &world.shape(c.b) : end_wall_of(world, c.pair);
+  return c.b != no_body ? &world.shape(c.b) : end_wall_outline(world, c.pair);
 }
 
 Vec2 along_edge(const Vec2& normal) {

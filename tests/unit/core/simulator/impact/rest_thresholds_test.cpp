@@ -20,7 +20,7 @@ RestThresholds fresh() {
 // A crowd's chatter must not take the bounce from a ball at the other end of the field.
 TEST(RestThresholds, WearsOffForThoseWhoAreTouchedOnly) {
   RestThresholds thresholds = fresh();
-  for (int i = 0; i < 12; ++i) thresholds.note_touch(pair_of(0, 1), 1e-3);
+  for (int i = 0; i < 12; ++i) thresholds.note_impact(pair_of(0, 1), 1e-3);
   EXPECT_DOUBLE_EQ(thresholds.restitution_threshold(pair_of(2, 3)),
                    tolerances.first_restitution_threshold);
   EXPECT_DOUBLE_EQ(thresholds.penetration(pair_of(2, 3)), tolerances.penetration);
@@ -36,10 +36,10 @@ TEST(RestThresholds, ABodysFirstTouchBounces) {
   RestThresholds thresholds = fresh();
   EXPECT_DOUBLE_EQ(thresholds.restitution_threshold(pair_of(0, 1)),
                    tolerances.first_restitution_threshold);
-  thresholds.note_touch(pair_of(0, 1), 1e-3);
+  thresholds.note_impact(pair_of(0, 1), 1e-3);
   EXPECT_DOUBLE_EQ(thresholds.restitution_threshold(pair_of(0, 1)),
                    tolerances.first_restitution_threshold);
-  thresholds.note_touch(pair_of(1, 2), 1e-3);
+  thresholds.note_impact(pair_of(1, 2), 1e-3);
   EXPECT_GT(thresholds.restitution_threshold(pair_of(0, 1)), tolerances.restitution_threshold);
 }
 
@@ -68,7 +68,7 @@ TEST(RestThresholds, BodiesInCompanyAreAtRestAboveRounding) {
 TEST(RestThresholds, TouchesNowAndThenAreForgotten) {
   RestThresholds thresholds = fresh();
   for (int i = 1; i <= 100; ++i) {
-    thresholds.note_touch(pair_of(0, 1), 1.01 * tolerances.impact_memory * i);
+    thresholds.note_impact(pair_of(0, 1), 1.01 * tolerances.impact_memory * i);
     EXPECT_DOUBLE_EQ(thresholds.restitution_threshold(pair_of(0, 1)),
                      tolerances.first_restitution_threshold)
         << i;
@@ -79,10 +79,10 @@ TEST(RestThresholds, TouchesNowAndThenAreForgotten) {
 TEST(RestThresholds, ManyTouchesAreNotForgotten) {
   RestThresholds thresholds = fresh();
   for (int i = 0; i < tolerances.remembered_touches; ++i) {
-    thresholds.note_touch(pair_of(0, 1), 1e-3);
+    thresholds.note_impact(pair_of(0, 1), 1e-3);
   }
   const double tired = thresholds.restitution_threshold(pair_of(0, 1));
-  thresholds.note_touch(pair_of(0, 1), 1.0);
+  thresholds.note_impact(pair_of(0, 1), 1.0);
   EXPECT_GT(thresholds.restitution_threshold(pair_of(0, 1)), tired);
 }
 
@@ -90,7 +90,7 @@ TEST(RestThresholds, ManyTouchesAreNotForgotten) {
 // touch: that has to end, too. But what a touch brings about is not counted twice.
 TEST(RestThresholds, BouncesCountAsTouchesOnce) {
   RestThresholds thresholds = fresh();
-  thresholds.note_touch(pair_of(4, 5), 1e-3);
+  thresholds.note_impact(pair_of(4, 5), 1e-3);
   for (int i = 0; i < 30; ++i) thresholds.note_bounce(pair_of(4, 5), 1e-3);
   EXPECT_DOUBLE_EQ(thresholds.restitution_threshold(pair_of(4, 5)),
                    tolerances.first_restitution_threshold);
@@ -100,7 +100,7 @@ TEST(RestThresholds, BouncesCountAsTouchesOnce) {
 
 TEST(RestThresholds, NeverLetsAPairSinkDeeperThanContactsReach) {
   RestThresholds thresholds = fresh();
-  for (int i = 0; i < 1000; ++i) thresholds.note_touch(pair_of(0, 1), 1e-3);
+  for (int i = 0; i < 1000; ++i) thresholds.note_impact(pair_of(0, 1), 1e-3);
   EXPECT_DOUBLE_EQ(thresholds.penetration(pair_of(0, 1)), tolerances.contact_gap);
 }
 
@@ -109,7 +109,7 @@ TEST(RestThresholds, StopsNoFasterSlideThanWhatRests) {
   RestThresholds thresholds = fresh();
   for (int i = 0; i < 20; ++i) {
     EXPECT_LE(thresholds.min_slip_speed(1), thresholds.restitution_threshold(pair_of(0, 1)));
-    thresholds.note_touch(pair_of(0, 1), 1e-3);
+    thresholds.note_impact(pair_of(0, 1), 1e-3);
   }
 }
 
@@ -141,7 +141,7 @@ TEST(RestThresholds, StopsFasterSlidesTheLongerATickTakes) {
 TEST(RestThresholds, AsksForLongerCurvesAfterABurst) {
   RestThresholds thresholds = fresh();
   EXPECT_EQ(thresholds.preferred_duration(1e-3), trajectory::never);
-  for (int i = 1; i <= 10; ++i) thresholds.note_touch(pair_of(0, 1), 1e-5 * i);
+  for (int i = 1; i <= 10; ++i) thresholds.note_impact(pair_of(0, 1), 1e-5 * i);
   EXPECT_LT(thresholds.preferred_duration(1e-4), 1e-4);
   EXPECT_GT(thresholds.preferred_duration(5e-3), 5e-3);
 }
@@ -168,10 +168,10 @@ TEST(RestThresholds, FollowsFewerEventsOfMoreBodies) {
 TEST(RestThresholds, FollowsWhoHasMetManyLessClosely) {
   const auto followed = [](int met) {
     RestThresholds thresholds = fresh();
-    for (int other = 2; other < 2 + met; ++other) thresholds.note_touch(pair_of(0, other), 1e-3);
+    for (int other = 2; other < 2 + met; ++other) thresholds.note_impact(pair_of(0, other), 1e-3);
     int events = 0;
     while (!thresholds.over_budget()[1]) {
-      thresholds.note_touch(pair_of(0, 1), 2e-3);
+      thresholds.note_impact(pair_of(0, 1), 2e-3);
       thresholds.note_event(bodies_of(pair_of(0, 1)), false);
       ++events;
     }
@@ -204,7 +204,7 @@ TEST(RestThresholds, DoesNotFollowLargeGroupsAgain) {
 TEST(RestThresholds, IsFreshInEachTick) {
   RestThresholds thresholds = fresh();
   for (int i = 0; i < 12; ++i) {
-    thresholds.note_touch(pair_of(0, 1), 1e-3);
+    thresholds.note_impact(pair_of(0, 1), 1e-3);
     thresholds.note_bounce(pair_of(0, 1), 2e-3);
     thresholds.note_event(crowd, true);
   }
