@@ -124,8 +124,8 @@ double StepTrajectories::correct_middle(const Step& step) {
 }
 
 // The overlap is a power of the step's length, so the permitted overlap gives the length. Where a
-// ratio of lengths is a cube root, square roots bound it from below: they are the same bits on every
-// computer, and a shorter step does no harm.
+// ratio of lengths is a cube root, square roots bound it from below: they are the same bits on
+// every computer, and a shorter step does no harm.
 double StepTrajectories::next_length(const Step& step, double overlap) const {
   const double permitted = world_.tolerances.intermediate_penetration;
   const double safety = settings::step_trajectories.length_safety;
@@ -141,7 +141,8 @@ double StepTrajectories::next_length(const Step& step, double overlap) const {
   return step.length * std::min(settings::step_trajectories.max_growth, ratio);
 }
 
-// Samples the members at this share of the step. Returns the deepest overlap of the near contacts, m.
+// Samples the members at this share of the step. Returns the deepest overlap of the near
+// contacts, m.
 double StepTrajectories::overlap_at(const Step& step, double share) {
   const double span = share * step.length;
   for (int i = 0; i < world_.bodies(); ++i) {
@@ -155,15 +156,15 @@ double StepTrajectories::overlap_at(const Step& step, double share) {
   return deepest;
 }
 
-// Returns the gap of a contact where the bodies were sampled last, m. It is clamped because a corner
-// that is still beside its edge lies behind the edge's line without overlapping.
+// Returns the gap of a contact where the bodies were sampled last, m. It is clamped because a
+// corner that is still beside its edge lies behind the edge's line without overlapping.
 double StepTrajectories::sampled_gap(const collision::Contact& c) const {
   return clamped_gap(world_, sampled_, c, world_.tolerances.intermediate_penetration);
 }
 
-// Sets the corrections to the smallest displacements, weighted by mass, that leave no overlap in the
-// middle of the step, where overlap_at() has sampled the members. Contacts further apart than any
-// correction constrain nothing. Returns the largest correction, m.
+// Sets the corrections to the smallest displacements, weighted by mass, that leave no overlap in
+// the middle of the step, where overlap_at() has sampled the members. Contacts further apart than
+// any correction constrain nothing. Returns the largest correction, m.
 double StepTrajectories::project_middle(const Step& step) {
   qp_.reset(translation_mass_);
   near_contact_count_ = 0;

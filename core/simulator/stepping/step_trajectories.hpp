@@ -3,11 +3,11 @@
 // How the members of a step move between its ends: each on the arc of its constant twist, plus a
 // mid-step correction.
 //
-// The impulses of a step leave no overlap at its end (time_stepper.hpp). A body that turns while it
-// touches another would still penetrate it between the ends, by an amount of second order in the
-// step. That amount is measured in the middle and taken away there by a displacement, which fades
-// to both ends as a parabola. What remains is of third order. It matters because bodies from outside
-// the step may collide at any time of it.
+// The impulses of a step leave no overlap at its end (time_stepper.hpp). A body that turns while
+// it touches another would still penetrate it between the ends, by an amount of second order in
+// the step. That amount is measured in the middle and taken away there by a displacement, which
+// fades to both ends as a parabola. What remains is of third order. It matters because bodies
+// from outside the step may collide at any time of it.
 //
 // Uses impact/, collision/, solver/, trajectory/ and model/. Units: m, s, rad. Threads: none.
 #pragma once
@@ -24,7 +24,8 @@
 namespace mirocup::simulator::stepping {
 
 // Returns the body `span` seconds after the start of a step of `length` seconds. The body follows
-// the arc of its twist; `correction` (m, field frame) is its displacement in the middle of the step.
+// the arc of its twist; `correction` (m, field frame) is its displacement in the middle of the
+// step.
 BodyState along_corrected_arc(const BodyState& start, const Vec2& correction, double length,
                               double span);
 
@@ -46,8 +47,8 @@ class StepTrajectories {
   // scratch: they reset it.
   StepTrajectories(const collision::StaticWorld& world, solver::RegularizedQp& problem);
 
-  // A step to be checked. The members' states at both ends carry the twist of the step. The contacts
-  // are those at the end, with their impulses, and stand pair by pair.
+  // A step to be checked. The members' states at both ends carry the twist of the step. The
+  // contacts are those at the end, with their impulses, and stand pair by pair.
   struct Step {
     BodySet members;
     std::span<const BodyState> start, end;
@@ -58,14 +59,15 @@ class StepTrajectories {
   // Sets the corrections of the members to zero: before each attempt at a step.
   void clear_corrections(const BodySet& members);
 
-  // True if no pair tunnels during the step. Only pairs that are separated at the end and were behind
-  // their reference edge at the start are tested; pairs that touch or nearly touch at the start are
-  // handled by correct_middle(), which is called next.
+  // True if no pair tunnels during the step. Only pairs that are separated at the end and were
+  // behind their reference edge at the start are tested; pairs that touch or nearly touch at the
+  // start are handled by correct_middle(), which is called next.
   bool is_clear(const Step& step);
 
-  // Sets the corrections of the members so that pairs which press or nearly touched do not overlap in
-  // the middle of the step. Leaves them zero where the overlap is negligible or needs too large a
-  // correction. Returns the deepest overlap that remains between the ends, m. Call after is_clear().
+  // Sets the corrections of the members so that pairs which press or nearly touched do not
+  // overlap in the middle of the step. Leaves them zero where the overlap is negligible or needs
+  // too large a correction. Returns the deepest overlap that remains between the ends, m. Call
+  // after is_clear().
   double correct_middle(const Step& step);
 
   // Returns the deepest overlap at the start of the step, m. Call after correct_middle().

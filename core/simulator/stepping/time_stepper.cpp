@@ -121,8 +121,8 @@ bool TimeStepper::attempt(Attempt& step) {
          step.length <= settings::time_stepper.travel_overrun * max_step_length(step.members, end_);
 }
 
-// Sets the length with which each member's next step starts. A step that had to be short because the
-// tick was nearly over says little about the next one.
+// Sets the length with which each member's next step starts. A step that had to be short because
+// the tick was nearly over says little about the next one.
 void TimeStepper::propose_next(const Attempt& step, double longest, double wanted) {
   const double next = longest < settings::time_stepper.min_informative_share * wanted
                           ? std::max(wanted, step.next_length)
@@ -241,8 +241,8 @@ double TimeStepper::motor_reach(const Attempt& step) const {
   return 2.0 * max_speed(world_, step.candidates, added) * step.length;
 }
 
-// Finds the contacts that can matter at the end of the step: all points that are close to each other
-// where the candidates would be if they kept their twists. Sets end_ to those states.
+// Finds the contacts that can matter at the end of the step: all points that are close to each
+// other where the candidates would be if they kept their twists. Sets end_ to those states.
 void TimeStepper::predict_contacts(const Attempt& step) {
   for_each_body(step.candidates,
                 [&](int i) { end_[i] = trajectory::along_arc(step.start[i], step.length); });
@@ -314,9 +314,9 @@ bool TimeStepper::check_trajectories(Attempt& step) {
          overlap <= trajectories_.overlap_at_start(trajectories);
 }
 
-// Sets how much of each contact's overlap at the start may remain at the end. A step removes overlap
-// at a limited speed, because a step may be as short as the rest of a tick and would otherwise throw
-// bodies apart.
+// Sets how much of each contact's overlap at the start may remain at the end. A step removes
+// overlap at a limited speed, because a step may be as short as the rest of a tick and would
+// otherwise throw bodies apart.
 void TimeStepper::allow_initial_overlaps(const Attempt& step) {
   std::fill_n(allowed_overlap_.begin(), contacts_.count, 0.0);
   const double undone = settings::time_stepper.max_undoing_speed * step.length;

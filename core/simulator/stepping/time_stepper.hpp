@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: MIT
 //
-// Time stepping with impulses: how bodies in lasting contact move when following every event would
-// take too long, and wherever contacts have friction.
+// Time stepping with impulses: how bodies in lasting contact move when following every event
+// would take too long, and wherever contacts have friction.
 //
-// The scheme is that of Stewart and Trinkle (1996) and of Anitescu and Potra (1997). Within a step
-// every body keeps its twist. All impulses of the step, of contacts and of the ground on wheels, are
-// one convex problem in velocities: contacts only push, wheels hold laterally up to their grip, and
-// no gap may be below zero at the end of the step. The contacts and their normals are found where
-// the bodies would be if they kept their twists. A fixed-point iteration then replaces the predicted
-// gaps by those that are measured at the end, until every pressing contact touches and none overlaps
-// (Tolerances::step_gap). So overlaps cannot accumulate, and no later correction is needed. The
-// method is of first order in the step, and contacts within a step do not bounce.
+// The scheme is that of Stewart and Trinkle (1996) and of Anitescu and Potra (1997). Within a
+// step every body keeps its twist. All impulses of the step, of contacts and of the ground on
+// wheels, are one convex problem in velocities: contacts only push, wheels hold laterally up to
+// their grip, and no gap may be below zero at the end of the step. The contacts and their normals
+// are found where the bodies would be if they kept their twists. A fixed-point iteration then
+// replaces the predicted gaps by those that are measured at the end, until every pressing contact
+// touches and none overlaps (Tolerances::step_gap). So overlaps cannot accumulate, and no later
+// correction is needed. The method is of first order in the step, and contacts within a step do
+// not bounce.
 //
 // The motion between the ends of a step is the subject of step_trajectories.hpp; it may demand a
 // shorter step. The regularised QP starts from the forces of the last step (warm start).
 //
-// Uses impact/, collision/, solver/, trajectory/ and model/. Units: m, s, rad, N. Threads: none; the
-// object belongs to one world.
+// Uses impact/, collision/, solver/, trajectory/ and model/. Units: m, s, rad, N. Threads: none;
+// the object belongs to one world.
 #pragma once
 
 #include "core/simulator/collision/collision_queries.hpp"
@@ -42,13 +43,14 @@ class TimeStepper {
     double length = 0.0;  // s
   };
 
-  // Takes one step of one island: the first candidate that touches another body or obstacle, or may
-  // touch one before the step ends, and all candidates connected with it by such contacts. Sets the
-  // members' twists to those that they keep during the step; poses stay. Returns the members and the
-  // length of the step, which is at most `longest` (s, positive) and divides it evenly.
+  // Takes one step of one island: the first candidate that touches another body or obstacle, or
+  // may touch one before the step ends, and all candidates connected with it by such contacts.
+  // Sets the members' twists to those that they keep during the step; poses stay. Returns the
+  // members and the length of the step, which is at most `longest` (s, positive) and divides it
+  // evenly.
   //
-  // `touching` are the contacts now; `drives` has one entry per robot, `mass` and `bodies` one per
-  // body. At least one candidate.
+  // `touching` are the contacts now; `drives` has one entry per robot, `mass` and `bodies` one
+  // per body. At least one candidate.
   Step take_step(const BodySet& candidates, std::span<const collision::Contact> touching,
                  std::span<const trajectory::DriveReference> drives,
                  std::span<const solver::InverseMass> mass, double longest,
@@ -90,8 +92,8 @@ class TimeStepper {
     double next_length = 0.0;  // s: what the attempt proposes for the members' next step
   };
 
-  // A pressing contact of an earlier step: the warm start of the next. The impulse is an upper bound:
-  // the large force of a short step that stopped a body says nothing about a longer step.
+  // A pressing contact of an earlier step: the warm start of the next. The impulse is an upper
+  // bound: the large force of a short step that stopped a body says nothing about a longer step.
   struct RememberedForce {
     Pair pair;
     collision::ContactPoint point;
