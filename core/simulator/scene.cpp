@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/simulator/scene.hpp"
 
+#include "core/simulator/model/solver_settings.hpp"
 #include "core/simulator/world.hpp"
 
 #include <algorithm>
@@ -9,9 +10,6 @@ namespace mirocup::simulator {
 
 namespace {
 
-// The longest stretch that is played at once, s: a control period of the paper.
-constexpr double longest_tick = 0.033;
-
 void place(const Scene& scene, World& world) {
   for (std::size_t i = 0; i < scene.robots.size(); ++i) {
     world.set_robot(static_cast<int>(i), scene.robots[i].state);
@@ -19,13 +17,15 @@ void place(const Scene& scene, World& world) {
   if (scene.ball) world.set_ball(*scene.ball);
 }
 
-// Times at which a tick must end: samples, commands, the end, and often enough in between.
+// Returns the times at which a tick ends: samples, commands, the end of the scene, and times
+// between them so that no tick is longer than the control period.
 std::vector<double> tick_ends(const Scene& scene) {
   std::vector<double> times = scene.sample_at;
   for (const SceneRobot& robot : scene.robots) {
     for (const WheelsFrom& w : robot.wheels) times.push_back(w.time);
   }
-  for (int i = 1; i * longest_tick < scene.duration; ++i) times.push_back(i * longest_tick);
+  for (int i = 1; i * settings::scene.max_tick < scene.duration; ++i)
+    times.push_back(i * settings::scene.max_tick);
   times.push_back(scene.duration);
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
@@ -76,7 +76,7 @@ SceneResult run_scene(const Scene& scene, const Tolerances& tolerances) {
   const auto take_sample = [&](double t) {
     if (next_sample == samples.size() || samples[next_sample] != t) return;
     ++next_sample;
-    world.advance(commands_at(scene, t), 0.0);  // an impact at this very time comes first
+    world.advance(commands_at(scene, t), 0.0);  // resolves impacts at this very time
     result.samples.push_back(sample_of(scene, world, t));
   };
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// A scene: bodies, parameters, commands, and nothing of the game. For physics tests, comparisons of
-// speed with error, and teaching; the match has no use for it.
+// A scene: bodies, parameters and commands without a game. For physics tests, for comparing speed
+// with error, and for teaching; a leg does not use it. As JSON: server/record/scene.md.
+//
+// Units: m, s, rad. Threads: none. These functions allocate.
 #pragma once
 
 #include "core/field/league.hpp"
@@ -16,7 +18,7 @@
 
 namespace mirocup::simulator {
 
-// From `time` (s) on the wheels are asked for these speeds.
+// A command that holds from `time` (s) until the next one.
 struct WheelsFrom {
   double time = 0.0;
   WheelSpeeds speeds;
@@ -25,7 +27,7 @@ struct WheelsFrom {
 struct SceneRobot {
   std::string name;
   BodyState state;                 // at time 0
-  bool wheels_on_ground = true;    // false: a free body without motor and grip
+  bool wheels_on_ground = true;    // false: a free body without motors and grip
   std::vector<WheelsFrom> wheels;  // by increasing time; before the first one, zero
 };
 
@@ -39,7 +41,7 @@ struct Scene {
   std::vector<double> sample_at;   // s, in [0, duration], increasing
 };
 
-// The state at one time; at the time of an impact, after it.
+// The state of all bodies at one time; at the time of an impact, after it.
 struct Sample {
   double time = 0.0;
   std::optional<BallState> ball;
@@ -47,22 +49,22 @@ struct Sample {
 };
 
 struct SceneResult {
-  std::vector<Sample> samples;  // at 0, at sample_at, at the end
+  std::vector<Sample> samples;  // at 0, at sample_at, and at the end
   RunStatistics statistics;
 };
 
-// Something that is solid where something else is, at time 0.
+// Two things that overlap at time 0.
 struct Overlap {
   int first = no_body;   // the ball's index is the number of robots
-  int second = no_body;  // no_body: the field's surroundings
+  int second = no_body;  // no_body: a wall, or the space outside the field
   double depth = 0.0;    // m
 };
 
-// The deepest overlap of more than `tolerance` metres, if there is one. The scene is well formed: a
-// number of robots within max_robots, parameters that are positive where they must be.
+// Returns the deepest overlap of more than `tolerance` metres, if there is one. The scene is well
+// formed: at most max_robots robots, and positive parameters where they must be positive.
 std::optional<Overlap> find_overlap(const Scene& scene, double tolerance = 1e-9);
 
-// Runs a scene without overlaps.
+// Runs a well-formed scene without overlaps. Returns its samples and statistics.
 SceneResult run_scene(const Scene& scene, const Tolerances& tolerances);
 
 }  // namespace mirocup::simulator

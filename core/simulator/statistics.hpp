@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a report wants to know of a run and a match does not: every impact, and what was counted on
-// the way. A world that has no trace pays nothing for it.
+// Run statistics: what a report wants to know of a run and a leg does not need, such as every
+// impact. A world without statistics pays nothing for them. Recording allocates.
 #pragma once
 
 #include "core/simulator/collision/contact_constraint.hpp"
@@ -13,32 +13,34 @@
 
 namespace mirocup::simulator {
 
-// Two bodies that approached and were thrown apart.
+// A contact that bounced.
 struct Impact {
-  double time = 0.0;  // s, from the trace's origin
+  double time = 0.0;  // s, since the start of the run
   int first = no_body;
-  int second = no_body;   // indices of bodies; no_body is a wall
+  int second = no_body;   // indices of bodies; no_body is an obstacle
   Vec2 point{0.0, 0.0};   // m
   Vec2 normal{0.0, 0.0};  // unit, from the second to the first
   double impulse = 0.0;   // N s along the normal
 };
 
+// The counts of one run. The caller sets `origin` before each tick.
 struct RunStatistics {
-  double origin = 0.0;  // s: when the tick began that is being played
+  double origin = 0.0;  // s, of the run: start of the tick that is being played
   std::vector<Impact> impacts;
   double deepest_overlap = 0.0;   // m, before it was corrected
   int lasting_contacts = 0;       // pairs that began to press on each other
   long position_evaluations = 0;  // poses of a body computed at a time of an event
-  int contact_solves = 0;         // times that forces of touching bodies were asked for
+  int contact_solves = 0;         // forces of touching bodies that were decided
 
-  // Which pairs press now: [body][partner].
+  // pressing[body][partner]: the pair presses now.
   std::array<std::bitset<max_partners>, max_bodies> pressing{};
 };
 
-// An impact at t seconds of the tick.
+// Records the impact of a contact at t seconds of the tick.
 void add_impact(const collision::Contact& contact, double t, RunStatistics& statistics);
 
-// The contacts of the involved bodies, after it was found which of them press.
+// Records which contacts of the involved bodies press, after that was decided. Counts pairs that
+// did not press before.
 void add_pressing(std::span<const collision::Contact> contacts, const BodySet& involved,
                   RunStatistics& statistics);
 

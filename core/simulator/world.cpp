@@ -1,28 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "core/simulator/world.hpp"
 
+#include "core/base/assert.hpp"
 #include "core/simulator/collision/broad_phase.hpp"
 #include "core/simulator/collision/closest_approach.hpp"
 #include "core/simulator/collision/next_contact.hpp"
 #include "core/simulator/impact/islands.hpp"
 #include "core/simulator/impact/position_correction.hpp"
 #include "core/simulator/impact/wheel_stiction.hpp"
+#include "core/simulator/model/solver_settings.hpp"
 #include "core/simulator/trajectory/rolling_ball.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace mirocup::simulator {
-
-namespace {
-
-// Of a step: what is left of a tick beyond one, and is less, belongs to it.
-constexpr double min_remaining_share = 0.5;
-
-// So often it is estimated anew when two touch, from when they did not yet.
-constexpr int max_estimates = 2;
-
-}  // namespace
 
 World::World(const field::Field* field, const Parameters& parameters, const Tolerances& tolerances,
              int robots, bool has_ball)
@@ -57,40 +49,26 @@ void World::set_ball(const BallState& state) {
   bodies_were_set_ = true;
 }
 
+// One tick, in order. Each event repeats steps 2 to 4 for the bodies that it involves (play_event).
+//
+//   1. Start: commands, memory of the last tick, islands that are over budget from the start.
+//   2. Resolve collisions: contacts that approach become impacts.
+//   3. Continue motion: time steps for bodies over budget, forces and new segments for the others,
+//      then the times at which the pairs of these bodies can touch next.
+//   4. Next event: the earliest end of a segment or first contact. Repeat from 2 until the end.
+//   5. End: all bodies at `duration`, and their contacts for the start of the next tick.
 const TickEvents& World::advance(std::span<const WheelCommand> commands, double duration) {
-  events_ = {};
-  for (int i = 0; i < static_world_.robots; ++i) {
-    drives_[i] = trajectory::drive_reference(static_world_.parameters, commands[i]);
-    const bool on_ground = drives_[i].wheels_on_ground;
-    mass_[i] = on_ground ? static_world_.grounded_robot : static_world_.free_robot;
-    if (on_ground && static_world_.parameters.grip == infinite_grip) bodies_[i].twist.left = 0.0;
-  }
+  MIROCUP_ASSERT(static_cast<int>(commands.size()) >= static_world_.robots && duration >= 0.0);
   const BodySet all(collision::bodies_below(static_world_.bodies()));
-  pairs_.clear();
-  closed_form_.reset();
-  step_islands_ = {};
-  const bool were_set = bodies_were_set_;
-  if (were_set) {
-    collect_contacts_anywhere();
-    thresholds_.forget();
-    steps_->forget_forces();
-  }
-  bodies_were_set_ = false;
-  steps_->begin_tick();
-  thresholds_.begin_tick(bodies_of(contacts_.contacts()));
-  islands_.for_each(contacts_, [this](std::span<const collision::Contact> group) {
-    thresholds_.note_island(bodies_of(group));
-  });
-  if (!were_set)
-    take_steps(impact::islands_of(thresholds_.over_budget(), contacts_.contacts()), 0.0, duration);
-  resolve_collisions(0.0);
-  continue_motion(all, {}, 0.0, duration);
 
+  start_tick(commands, duration);           // 1
+  resolve_collisions(0.0);                  // 2
+  continue_motion(all, {}, 0.0, duration);  // 3
   for (Event event = next_event(duration); event.time < duration; event = next_event(duration)) {
-    play_event(event, duration);
+    play_event(event, duration);  // 4
   }
 
-  advance_to(duration, all);
+  advance_to(duration, all);  // 5
   step_islands_ = {};
   collect_contacts(all, duration);
   if (statistics_ != nullptr) {
@@ -99,8 +77,42 @@ const TickEvents& World::advance(std::span<const WheelCommand> commands, double 
   return events_;
 }
 
-// Not later than t, which becomes their time; null if there are none. Estimates are made exact only where
-// that may decide.
+// Expects the contacts of the last tick's end in contacts_, unless bodies were set since then.
+void World::start_tick(std::span<const WheelCommand> commands, double duration) {
+  events_ = {};
+  set_drives(commands);
+  pairs_.clear();
+  closed_form_.reset();
+  step_islands_ = {};
+  const bool were_set = bodies_were_set_;
+  bodies_were_set_ = false;
+  if (were_set) {
+    collect_contacts_anywhere();
+    thresholds_.forget();
+    steps_->forget_forces();
+  }
+  steps_->begin_tick();
+  thresholds_.begin_tick(bodies_of(contacts_.contacts()));
+  islands_.for_each(contacts_, [this](std::span<const collision::Contact> island) {
+    thresholds_.note_island(bodies_of(island));
+  });
+  // Islands that are over budget from the start step before impacts: take_steps() drops their
+  // contacts, so these do not bounce.
+  if (!were_set)
+    take_steps(impact::islands_of(thresholds_.over_budget(), contacts_.contacts()), 0.0, duration);
+}
+
+void World::set_drives(std::span<const WheelCommand> commands) {
+  for (int i = 0; i < static_world_.robots; ++i) {
+    drives_[i] = trajectory::drive_reference(static_world_.parameters, commands[i]);
+    const bool on_ground = drives_[i].wheels_on_ground;
+    mass_[i] = on_ground ? static_world_.grounded_robot : static_world_.free_robot;
+    if (on_ground && static_world_.parameters.grip == infinite_grip) bodies_[i].twist.left = 0.0;
+  }
+}
+
+// Returns the pair that touches first, and sets t to the time of contact; null if none touches by
+// time t. Estimates are lower bounds: they are made exact only where they could be the first.
 const collision::CandidatePair* World::earliest_contact(double& t) {
   const double latest = t;
   while (true) {
@@ -108,16 +120,18 @@ const collision::CandidatePair* World::earliest_contact(double& t) {
     collision::CandidatePair* first = pairs_.earliest(t);
     if (first == nullptr || !first->is_estimate) return first;
     if (refine_estimate(*first)) continue;
-    const double sink = thresholds_.penetration(first->pair);
+    const double penetration = thresholds_.penetration(first->pair);
     first->contact_time =
-        contact_time(static_world_, first->pair, segments_, first->estimated, sink);
+        contact_time(static_world_, first->pair, segments_, first->estimated, penetration);
     first->is_estimate = false;
   }
 }
 
-// An estimate from where the last one led costs a quarter of an exact time, and most who come close pass.
+// Estimates the contact time again, from the time of the last estimate. That costs a quarter of
+// the exact search, and most pairs that come close pass each other. Returns false if the exact
+// search is due.
 bool World::refine_estimate(collision::CandidatePair& n) const {
-  if (n.contact_time == n.estimated || n.estimates == max_estimates) return false;
+  if (n.contact_time == n.estimated || n.estimates == settings::world.max_estimates) return false;
   ++n.estimates;
   const double before = n.contact_time;
   n.contact_time = earliest_contact_of(n.pair, before);
@@ -139,67 +153,88 @@ World::Event World::next_event(double tick_end) {
   return next;
 }
 
+// The order matters in four places:
+//   - The pair's touch is noted before its thresholds are used.
+//   - The involved bodies grow to whole islands before they are advanced: bodies that touch must
+//     get new trajectories together, and a step ends for all its members at once.
+//   - Contacts are collected while step_islands_ still knows the steps: pairs of one step are
+//     left out, because inside a step their gaps are not known.
+//   - Steps end after that and before the motion is continued, which starts new ones.
 void World::play_event(const Event& event, double tick_end) {
-  ++events_.events;
-  if (event.is_touch) thresholds_.note_impact(event.pair, event.time);
   const double t = event.time;
+  ++events_.events;
+  if (event.is_touch) thresholds_.note_impact(event.pair, t);
+
   BodySet involved = event.involved;
   grow_island(t, involved);
   thresholds_.note_event(involved, was_forced_to_hold(event));
   advance_to(t, involved);
-  const bool a_step_is_over = !event.is_touch && (involved & ~step_islands_.stepping()).none();
-  if (a_step_is_over && to_be_stepped(involved).any()) {
+
+  // Where steps are only followed by steps, contacts are left to the next step: it knows no
+  // impacts.
+  const bool only_steps_end = !event.is_touch && (involved & ~step_islands_.stepping()).none();
+  if (only_steps_end && to_be_stepped(involved).any()) {
     drop_contacts_of(~BodySet{});
   } else {
     collect_contacts(involved, t);
     resolve_collisions(t);
   }
-  continue_motion(involved, step_islands_.end_step(involved), t, tick_end);
+
+  const BodySet were_stepping = step_islands_.end_step(involved);
+  continue_motion(involved, were_stepping, t, tick_end);
 }
 
-// Did a curve end as soon as it was allowed to?
+// True if the event is the end of a segment that lasted just the minimum duration.
 bool World::was_forced_to_hold(const Event& event) const {
   if (event.is_touch) return false;
   const double hold = thresholds_.min_duration();
   for (int i = 0; i < static_world_.bodies(); ++i) {
     const double length = event.time - segments_[i].begin;
-    if (event.involved[i] && std::abs(length - hold) <= 1e-3 * hold) return true;
+    if (event.involved[i] && std::abs(length - hold) <= settings::world.forced_end_round_off * hold)
+      return true;
   }
   return false;
 }
 
+// Records the touches, removes overlaps, and resolves impacts, island by island.
 void World::resolve_collisions(double t) {
   add_touches(static_world_, contacts_.contacts(), events_);
   separate_overlaps();
   islands_.for_each(contacts_,
-                    [this, t](std::span<collision::Contact> group) { collide(group, t); });
+                    [this, t](std::span<collision::Contact> island) { collide(island, t); });
 }
 
-// From the contacts that the involved bodies have now: who presses, and how all of them move on.
+// Gives the involved bodies new trajectories from their contacts at time t. The order matters:
+// steps take their contacts out of contacts_, so forces are decided for the others only, and
+// pairs are updated when all trajectories are known.
 void World::continue_motion(const BodySet& involved, const BodySet& were_stepping, double t,
                             double tick_end) {
-  take_steps(were_stepping |
-                 impact::islands_of(were_stepping | to_be_stepped(involved), contacts_.contacts()),
-             t, tick_end);
-  islands_.for_each(contacts_, [this](std::span<collision::Contact> group) {
+  // Stepped are the bodies that were in a step, those that are to be stepped, and what touches
+  // either.
+  const BodySet stepped = were_stepping | to_be_stepped(involved);
+  take_steps(were_stepping | impact::islands_of(stepped, contacts_.contacts()), t, tick_end);
+
+  islands_.for_each(contacts_, [this](std::span<collision::Contact> island) {
     forces_->decide(drives_, thresholds_.slip_threshold(), thresholds_.roll_threshold(), bodies_,
-                    group);
+                    island);
   });
-  const BodySet on_curves = involved & ~step_islands_.stepping();
-  if (statistics_ != nullptr) add_pressing(contacts_.contacts(), on_curves, *statistics_);
-  start_segments(on_curves, t, tick_end);
+  const BodySet on_segments = involved & ~step_islands_.stepping();
+  if (statistics_ != nullptr) add_pressing(contacts_.contacts(), on_segments, *statistics_);
+  start_segments(on_segments, t, tick_end);
   update_pairs(involved, t, tick_end);
 }
 
-// Of these, the bodies that go in small steps with whatever touches them.
+// Returns those of the bodies that are over budget, or all if contacts have friction: they are
+// stepped if they touch anything.
 BodySet World::to_be_stepped(const BodySet& bodies) const {
   return impact::has_friction(static_world_.parameters) ? bodies
                                                         : bodies & thresholds_.over_budget();
 }
 
-// Those of the candidates whose contacts last take a small step, each with whom it may touch in it.
+// Takes one step of each island of the candidates, and drops the contacts of all candidates.
+// Candidates without a lasting contact take no step.
 void World::take_steps(const BodySet& candidates, double t, double tick_end) {
-  // Scenes are sampled by ticks that last no time: there is nothing to step over.
+  // Scenes are sampled by ticks of duration zero, in which there is nothing to step over.
   if (candidates.none() || t == tick_end) return;
   for (BodySet left = candidates; left.any();) {
     const stepping::TimeStepper::Step taken =
@@ -211,11 +246,13 @@ void World::take_steps(const BodySet& candidates, double t, double tick_end) {
   drop_contacts_of(candidates);
 }
 
+// Registers the members' trajectories of a step that starts at time t. It ends with the tick if
+// the rest of the tick would be shorter than a share of the step.
 void World::begin_step(const stepping::TimeStepper::Step& taken, double t, double tick_end) {
   events_.stepped = true;
   step_islands_.begin_step(taken.members, t);
-  const double end =
-      t + (1.0 + min_remaining_share) * taken.length < tick_end ? t + taken.length : tick_end;
+  const double with_rest = (1.0 + settings::world.min_remaining_share) * taken.length;
+  const double end = t + with_rest < tick_end ? t + taken.length : tick_end;
   for_each_body(taken.members, [&](int i) {
     closed_form_.set(i);
     segments_[i].begin = t;
@@ -228,6 +265,8 @@ void World::begin_step(const stepping::TimeStepper::Step& taken, double t, doubl
   if (statistics_ != nullptr) add_pressing(steps_->pressing(), taken.members, *statistics_);
 }
 
+// Adds to `involved` the members of their steps and all bodies that touch them at time t,
+// directly or through others.
 void World::grow_island(double t, BodySet& involved) {
   bool grows = true;
   while (grows) {
@@ -249,7 +288,8 @@ void World::grow_island(double t, BodySet& involved) {
   }
 }
 
-// When the involved bodies meet others. Whoever may do so needs its series.
+// Sets the times at which the pairs of the involved bodies can touch next. Bodies whose pairs can
+// touch get series instead of a closed form.
 void World::update_pairs(const BodySet& involved, double t, double tick_end) {
   const std::span<collision::CandidatePair> found = pairs_.find(static_world_, boxes_, involved);
   for (collision::CandidatePair& n : found) {
@@ -267,6 +307,7 @@ void World::update_pairs(const BodySet& involved, double t, double tick_end) {
   }
 }
 
+// Returns a lower bound of the pair's next contact time from t on, or never.
 double World::earliest_contact_of(const Pair& pair, double t) const {
   const double touch = static_world_.tolerances.contact_gap;
   const double radius_a = static_world_.shape(pair.a).radius;
@@ -286,6 +327,7 @@ double World::earliest_contact_of(const Pair& pair, double t) const {
   return earliest_contact_time(encounter, apart, radius_a, radius_b, touch);
 }
 
+// Moves an isolated robot in closed form until the end of the tick.
 void World::start_closed_form(int body, double t, double tick_end) {
   closed_form_.set(body);
   segments_[body].begin = t;
@@ -298,6 +340,7 @@ void World::start_closed_form(int body, double t, double tick_end) {
   bounds_[body] = closed_form_bound(bodies_[body], closed_form_end_[body], drives_[body], decay, t);
 }
 
+// Replaces a closed form, or the rest of a step, by a segment with series.
 void World::to_series(int body, double t, double tick_end) {
   if (!closed_form_[body]) return;
   bodies_[body] = state_at(body, t);
@@ -311,6 +354,8 @@ void World::to_series(int body, double t, double tick_end) {
   bounds_[body] = bound_of_segment(segments_[body]);
 }
 
+// Returns the body at time t of the tick, by whichever trajectory it has. Inside a step the twist
+// is that of the whole step.
 BodyState World::state_at(int body, double t) const {
   if (!closed_form_[body]) return body_at(segments_[body], t);
   if (step_islands_.is_stepping(body)) {
@@ -329,29 +374,33 @@ Pose World::pose_of(int body, double t) const {
   return closed_form_[body] ? static_cast<Pose>(state_at(body, t)) : pose_at(segments_[body], t);
 }
 
+// Moves the bodies to time t. Members of a step that is interrupted get their share of its
+// impulses.
 void World::advance_to(double t, const BodySet& involved) {
   for_each_body(involved, [&](int i) {
     bodies_[i] = state_at(i, t);
     if (!step_islands_.is_stepping(i) || t >= segments_[i].end) return;
-    const double begin = step_islands_.start_of(i);
-    const double part = (t - begin) / (segments_[i].end - begin);
-    bodies_[i].twist = steps_->twist_after(i, bodies_[i].twist, part);
+    const double start = step_islands_.start_of(i);
+    const double share = (t - start) / (segments_[i].end - start);
+    bodies_[i].twist = steps_->twist_after(i, bodies_[i].twist, share);
   });
   if (statistics_ != nullptr)
     statistics_->position_evaluations += static_cast<long>(involved.count());
 }
 
+// Sets contacts_ to the contacts among the involved bodies and with obstacles.
 void World::collect_contacts(const BodySet& involved, double t) {
   contacts_.count = 0;
   for (const collision::CandidatePair& n : pairs_.list()) {
     if (!involved[n.pair.a] || !(n.pair.with_obstacle() || involved[n.pair.partner])) continue;
-    // Within a step, nobody knows what the gaps of those who take it together are.
+    // The gaps of pairs inside a step are known at its ends only.
     if (n.is_apart_at(t) || step_islands_.share_step(n.pair)) continue;
     add_contacts(static_world_, n.pair, bodies_, static_world_.tolerances.contact_gap, contacts_);
   }
   islands_.sort(contacts_);
 }
 
+// Sets contacts_ to those of all bodies, without the pair list: bodies were set.
 void World::collect_contacts_anywhere() {
   contacts_.count = 0;
   const BodySet all(collision::bodies_below(static_world_.bodies()));
@@ -366,16 +415,18 @@ void World::drop_contacts_of(const BodySet& bodies) {
   islands_.sort(contacts_);
 }
 
+// Removes overlaps that are worth it by position projection, and records the deepest.
 void World::separate_overlaps() {
   double deepest = 0.0;
   for (const collision::Contact& c : contacts_.contacts())
     deepest = std::max(deepest, -c.point.gap);
   events_.deepest_overlap = std::max(events_.deepest_overlap, deepest);
-  if (deepest > 2.0 * static_world_.tolerances.contact_gap) {
+  if (deepest > settings::world.projected_overlap * static_world_.tolerances.contact_gap) {
     impact::project_positions(contacts_.contacts(), free_mass_, bodies_, *regularized_qp_);
   }
 }
 
+// Resolves the impacts of one island, then its friction, then removes slow slip of wheels.
 void World::collide(std::span<collision::Contact> contacts, double t) {
   for (collision::Contact& c : contacts)
     c.impact.restitution_threshold = thresholds_.restitution_threshold(c.pair);
@@ -391,6 +442,8 @@ void World::collide(std::span<collision::Contact> contacts, double t) {
   arrest_slow_slip(static_world_, thresholds_, drives_, contacts, mass_, bodies_, *qp_);
 }
 
+// Starts a segment of each of the bodies: a cluster's motion, a rolling ball, a closed form or a
+// driven robot's series.
 void World::start_segments(const BodySet& involved, double t, double tick_end) {
   const resting_contact::SegmentRequest request{t, tick_end, thresholds_.preferred_duration(t),
                                                 thresholds_.min_duration()};

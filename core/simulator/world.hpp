@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
 //
-// All bodies on the field and how they move through one tick.
+// All bodies on the field, and how they move through one tick.
 //
-// A tick is played from event to event. Between events every body follows its own segment; an event
-// is the first touch of two bodies, wheels that begin or cease to slide, a ball that stops, or a
-// contact that opens. Only the bodies that touch at an event are looked at again. Bodies that have
-// had more events in a tick than anyone can follow go on in small steps with what they touch, so no
-// scene can stall the world; so do heaps from the begin, and bodies that touch with friction (an
-// option).
+// The simulator is event-driven: between two events every body moves on a smooth trajectory of
+// its own. An event is the first contact of two bodies, wheels that begin or cease to slide, a
+// ball that stops, or a contact that opens. Only the bodies that touch at an event get new
+// trajectories. A body whose events cost more than its budget in a tick is time-stepped with
+// everything that it touches, so no scene can stall the world. Large islands that went over
+// budget are stepped from the start of the next tick, and so are bodies whose contacts have
+// friction (an option). docs/algorithm.md describes the method room by room.
 //
-// Threads: none; one world belongs to one thread. Nothing is allocated after construction. The same
-// commands give the same bits everywhere, and a world turned by 180 degrees stays turned, bit for
-// bit.
+// Uses all rooms of core/simulator. Units: m, s, rad, N; times are seconds since the start of the
+// tick. Threads: none; a world belongs to one thread. Nothing is allocated after construction.
+// Determinism: the same calls give the same bits on every computer. A world that is turned by 180
+// degrees gives the same bits, turned.
 #pragma once
 
 #include "core/simulator/collision/collision_queries.hpp"
@@ -36,39 +38,48 @@ namespace mirocup::simulator {
 
 class World {
  public:
-  // `field` may be null: an infinite plane; else it outlives the world. At most max_robots robots.
+  // A world with at most max_robots robots, all bodies at rest at the origin; set them before the
+  // first tick. A null `field` is an infinite plane without obstacles; otherwise it outlives the
+  // world.
   World(const field::Field* field, const Parameters& parameters, const Tolerances& tolerances,
         int robots, bool has_ball);
 
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
+  // Returns how many robots there are.
   int robots() const { return static_world_.robots; }
   const Parameters& parameters() const { return static_world_.parameters; }
   const collision::StaticWorld& static_world() const { return static_world_; }
 
+  // Returns the present state of a robot, 0 <= i < robots(), and of the ball, if the world has one.
   BodyState robot(int i) const;
   BallState ball() const;
 
-  // Puts a body somewhere; it must overlap nothing when the next tick begins.
+  // Sets the state of a body. Nothing may overlap when the next tick starts. The memory of
+  // contacts and forces is lost, so a restart is the same as in a new world.
   void set_robot(int i, const BodyState& state);
   void set_ball(const BallState& state);
 
-  // Where impacts and counts are added from now on; null, as at the beginning: nowhere. It outlives
-  // the world or is taken back.
+  // Sets where impacts and counts are recorded from now on; null, the default, records nothing. The
+  // statistics outlive the world or are unset before.
   void set_statistics(RunStatistics* statistics) { statistics_ = statistics; }
 
-  // Plays `duration` seconds under the commands, one per robot.
+  // Plays one tick of `duration` seconds (zero or more) under these commands, one per robot.
+  // Returns what happened, valid until the next call. A tick of duration zero only resolves
+  // collisions at its time.
   const TickEvents& advance(std::span<const WheelCommand> commands, double duration);
 
  private:
-  // Who touches, or whose curve ends.
+  // The next time at which a trajectory changes.
   struct Event {
-    double time;  // s of the tick
-    bool is_touch;
-    Pair pair;  // of a touch
-    BodySet involved;
+    double time;       // s of the tick
+    bool is_touch;     // a first contact; otherwise segments end
+    Pair pair;         // that touches
+    BodySet involved;  // that touch, or whose segments end
   };
+  void start_tick(std::span<const WheelCommand> commands, double duration);
+  void set_drives(std::span<const WheelCommand> commands);
   Event next_event(double tick_end);
   const collision::CandidatePair* earliest_contact(double& t);
   bool refine_estimate(collision::CandidatePair& n) const;
@@ -97,11 +108,14 @@ class World {
   void start_segments(const BodySet& involved, double t, double tick_end);
 
   collision::StaticWorld static_world_;
-  std::array<BodyState, max_bodies> bodies_{};              // each at the begin of its segment
-  std::array<trajectory::Segment, max_bodies> segments_{};  // of quiet bodies only begin and end
-  BodySet closed_form_;
-  std::array<BodyState, max_bodies> closed_form_end_;  // of quiet bodies
-  trajectory::MotorDecay whole_decay_, rest_decay_;    // over a whole tick, over a rest of one
+  // Trajectories. A body has one of three kinds: series; a closed form; a step, if it is in
+  // step_islands_, too. Of the last two the segment has begin and end only.
+  std::array<BodyState, max_bodies> bodies_{};  // each at the begin of its segment
+  std::array<trajectory::Segment, max_bodies> segments_{};
+  BodySet closed_form_;                                // bodies without series
+  std::array<BodyState, max_bodies> closed_form_end_;  // of each in closed form, not in a step
+  trajectory::MotorDecay whole_decay_, rest_decay_;    // over a whole tick, over the rest of one
+  stepping::StepIslands step_islands_;
   std::array<trajectory::Box, max_bodies> boxes_{};
   std::array<trajectory::MotionBound, max_bodies> bounds_{};
   std::array<trajectory::DriveReference, max_robots> drives_{};
@@ -110,12 +124,11 @@ class World {
   impact::RestThresholds thresholds_;
   collision::PairList pairs_;
   TickEvents events_;
-  bool bodies_were_set_ = true;
-  stepping::StepIslands step_islands_;
+  bool bodies_were_set_ = true;  // since the last tick
   RunStatistics* statistics_ = nullptr;
 
   collision::ContactList contacts_;  // of the event being played; between ticks, of all bodies
-  impact::Islands islands_;          // of those, always
+  impact::Islands islands_;          // of contacts_: sorted whenever contacts_ changes
   std::unique_ptr<solver::BoxQp> qp_;
   std::unique_ptr<solver::RegularizedQp> regularized_qp_;
   std::unique_ptr<resting_contact::ContactForces> forces_;

@@ -3,31 +3,17 @@
 
 #include "core/simulator/impact/delassus.hpp"
 #include "core/simulator/impact/islands.hpp"
+#include "core/simulator/model/solver_settings.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace mirocup::simulator::resting_contact {
 
-namespace {
-
-// Forces below this (N) and accelerations below this (m/s^2) are rounding.
-constexpr double min_force = 1e-9;
-constexpr double min_slip_acceleration = 1e-10;
-
-// A gap that should not change does not if its rate (m/s) is below this.
-constexpr double min_rate = 1e-12;
-
-// A force below this share of the largest is weak.
-constexpr double weak_share = 1e-3;
-
-// A contact may do without its force if its gap then closes no faster than this, m/s^2.
-constexpr double min_closing = 1e-9;
-
-}  // namespace
-
 ContactForces::ContactForces(const collision::StaticWorld& world)
     : world_(world), rows_(solver::max_unknowns) {
+  static_assert(std::tuple_size_v<decltype(collision::ContactList::list)> + max_robots <=
+                solver::max_unknowns);
   constraints_.reserve(solver::max_unknowns);
   for (int i = 0; i < world.robots; ++i) wheel_rows_[i] = collision::lateral_wheel_row(i);
 }
@@ -43,6 +29,7 @@ void ContactForces::decide(std::span<const trajectory::DriveReference> drives,
                            std::span<BodyState> bodies, std::span<collision::Contact> contacts) {
   slip_threshold_ = slip_threshold;
   roll_threshold_ = roll_threshold;
+  // Candidates: the contacts whose gaps do not open. Members: the bodies that have one.
   candidate_count_ = 0;
   BodySet in_contact;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -63,86 +50,87 @@ void ContactForces::decide(std::span<const trajectory::DriveReference> drives,
   qp_.solve();
 
   const int ball = world_.robots;
-  const bool rests = world_.has_ball && in_contact[ball] && bodies[ball].twist.forward == 0.0 &&
-                     bodies[ball].twist.left == 0.0;
-  if (rests) start_ball(drives, bodies, contacts);
+  const bool ball_rests = world_.has_ball && in_contact[ball] &&
+                          bodies[ball].twist.forward == 0.0 && bodies[ball].twist.left == 0.0;
+  if (ball_rests) start_ball(drives, bodies, contacts);
   drop_weak_forces();
   read_solution(contacts);
   project_velocities(drives, bodies, contacts);
-  // What that gives a ball at rest on which nothing presses is rounding: it would stop at once, again
-  // and again.
-  if (rests && impact::cluster_of(ball, contacts).none()) bodies[ball].twist = {};
+  // A ball at rest on which nothing presses stays at rest. The projection may leave it a speed of
+  // rounding, with which it would stop at once, in event after event.
+  if (ball_rests && impact::cluster_of(ball, contacts).none()) bodies[ball].twist = {};
 }
 
-// Gaps that are held do not change, no other closes, wheels that roll do not slide yet. Of all such
-// velocities, those nearest to what they were, for all bodies together: that never adds energy. It
-// could, if one body alone had to give way to another that goes on as it likes.
+// Projects the velocities of all touching bodies together onto the admissible ones: pressing gaps
+// do not change, other gaps do not close, wheels that hold do not slide. The projection is
+// orthogonal in the metric of the masses, so it never adds energy. A projection of one body alone
+// could, because the others would go on unchanged.
 void ContactForces::project_velocities(std::span<const trajectory::DriveReference> drives,
                                        std::span<BodyState> bodies,
                                        std::span<const collision::Contact> contacts) {
-  if (std::none_of(contacts.begin(), contacts.end(),
-                   [](const collision::Contact& c) { return c.resting.is_active; })) {
-    return;
-  }
-  std::array<solver::InverseMass, max_bodies> mass;
+  const auto presses = [](const collision::Contact& c) { return c.resting.is_active; };
+  if (std::none_of(contacts.begin(), contacts.end(), presses)) return;
   constraints_.clear();
-  for (const collision::Contact& c : contacts) {
-    constraints_.push_back(c.row);
-    for (const int i : {c.a, c.b}) {
-      if (i != no_body) mass[i] = this->mass(i, drives);
-    }
-  }
-  const auto held = [&](int i) {
-    return i >= static_cast<int>(contacts.size()) || contacts[i].resting.is_active;
-  };
-  for (int k = 0; k < wheel_count_; ++k) constraints_.push_back(wheel_rows_[wheels_[k]]);
+  for (const collision::Contact& c : contacts) constraints_.push_back({&c.row, presses(c)});
+  for (int k = 0; k < wheel_count_; ++k) constraints_.push_back({&wheel_rows_[wheels_[k]], true});
+  if (are_admissible(bodies)) return;
 
-  qp_.reset(static_cast<int>(constraints_.size()));
-  bool fits = true;
-  for (int i = 0; i < qp_.size(); ++i) {
-    qp_.b[i] = collision::row_rate(constraints_[i], bodies);
-    fits = fits && qp_.b[i] >= -min_rate && (!held(i) || qp_.b[i] <= min_rate);
+  // The impulses of the projection: min 1/2 x.Ax + b.x, where b are the rates before. An impulse
+  // may have either sign if the rate must become zero, else it only pushes.
+  std::array<solver::InverseMass, max_bodies> mass;
+  for (const collision::Contact& c : contacts) {
+    for_each_body(bodies_of(c.pair), [&](int i) { mass[i] = this->mass(i, drives); });
   }
-  if (fits) return;
-  for (int i = 0; i < qp_.size(); ++i) {
-    if (held(i)) qp_.low[i] = -infinity;
+  const int count = static_cast<int>(constraints_.size());
+  const auto row = [&](int i) -> const solver::ConstraintRow& { return *constraints_[i].row; };
+  qp_.reset(count);
+  for (int i = 0; i < count; ++i) {
+    qp_.b[i] = collision::row_rate(row(i), bodies);
+    if (constraints_[i].is_equality) qp_.low[i] = -infinity;
   }
-  impact::assemble_delassus(
-      qp_.size(), [&](int i) -> const solver::ConstraintRow& { return constraints_[i]; }, mass,
-      qp_);
+  impact::assemble_delassus(count, row, mass, qp_);
   qp_.solve();
-  for (int i = 0; i < qp_.size(); ++i) {
-    collision::apply_impulse(constraints_[i], qp_.x[i], mass, bodies);
-  }
+  for (int i = 0; i < count; ++i) collision::apply_impulse(row(i), qp_.x[i], mass, bodies);
 }
 
-// Where several contacts, or contacts and wheels, can do the same, the solution is one of many, and
-// a force in it may be next to nothing: it would fall to zero at once, only to come back as little
-// at the next look. Such contacts are left to the others, if these can do without.
+// True if the velocities satisfy constraints_ already, to rounding.
+bool ContactForces::are_admissible(std::span<const BodyState> bodies) const {
+  return std::all_of(constraints_.begin(), constraints_.end(), [&](const VelocityConstraint& c) {
+    const double rate = collision::row_rate(*c.row, bodies);
+    return rate >= -settings::contact_forces.min_rate &&
+           (!c.is_equality || rate <= settings::contact_forces.min_rate);
+  });
+}
+
+// Where several contacts, or contacts and wheels, can do the same, the solution is one of many,
+// and a force in it may be almost zero. Such a contact would open at once and close again with as
+// weak a force. Sets weak forces to zero and solves again. Keeps the first solution if a gap
+// would close without its force.
 void ContactForces::drop_weak_forces() {
   const auto& x = qp_.x;
   const double largest = *std::max_element(x.begin(), x.begin() + candidate_count_);
   const auto is_weak = [&](double force) {
-    return force > min_force && force < weak_share * largest;
+    return force > settings::contact_forces.min_force &&
+           force < settings::contact_forces.weak_share * largest;
   };
   if (std::none_of(x.begin(), x.begin() + candidate_count_, is_weak)) return;
   const auto with_all = x;
-  const double limit = weak_share * largest;
+  const double limit = settings::contact_forces.weak_share * largest;
   for (int i = 0; i < candidate_count_; ++i) {
     if (x[i] < limit) qp_.high[i] = 0.0;
   }
   qp_.solve();
   for (int i = 0; i < candidate_count_; ++i) {
-    if (qp_.high[i] == 0.0 && qp_.gradient(i) < -min_closing) {
+    if (qp_.high[i] == 0.0 && qp_.gradient(i) < -settings::contact_forces.min_closing) {
       qp_.x = with_all;
       return;
     }
   }
 }
 
-// The resistance against a ball that starts is along its push, which depends on the resistance only
-// if there are several contacts: one correction settles it. A ball that is held between its
-// contacts does not start.
+// A ball at rest starts to roll if it is pushed harder than its rolling resistance. The resistance
+// acts against the push, and the push depends on the resistance if the ball has several contacts:
+// one correction is enough. A ball that is wedged between its contacts does not start.
 void ContactForces::start_ball(std::span<const trajectory::DriveReference> drives,
                                std::span<const BodyState> bodies,
                                std::span<const collision::Contact> contacts) {
@@ -155,12 +143,14 @@ void ContactForces::start_ball(std::span<const trajectory::DriveReference> drive
   build_problem(drives, bodies, contacts);
   qp_.solve();
   const double force = std::sqrt(push.squaredNorm());
-  if (push_on_ball(contacts).dot(push) / force - resistance > min_force) return;
+  if (push_on_ball(contacts).dot(push) / force - resistance > settings::contact_forces.min_force)
+    return;
   grounding_[world_.robots].push = {0.0, 0.0};
   build_problem(drives, bodies, contacts);
   qp_.solve();
 }
 
+// Sets grounding_ of the members and collects the wheels that may hold.
 void ContactForces::classify_ground(std::span<const trajectory::DriveReference> drives,
                                     std::span<BodyState> bodies) {
   wheel_count_ = 0;
@@ -182,6 +172,9 @@ void ContactForces::classify_ground(std::span<const trajectory::DriveReference> 
   }
 }
 
+// Sets up the QP: unknowns are the forces of the candidates, then those of the wheels. A is J
+// M^-1 J', b the acceleration of each gap (or of each robot's lateral slip) without these forces,
+// from the first two terms of the motion.
 void ContactForces::build_problem(std::span<const trajectory::DriveReference> drives,
                                   std::span<const BodyState> bodies,
                                   std::span<const collision::Contact> contacts) {
@@ -200,8 +193,8 @@ void ContactForces::build_problem(std::span<const trajectory::DriveReference> dr
       extend_twist_lifted(0, s);
     } else {
       extend_twist_on_ground(p, drives[i], g.slip_sign, 0, s);
-      // The wheels' sideways force is an unknown: without it a turning robot would drift off its
-      // circle.
+      // The lateral force of the wheels is an unknown. Without it a turning robot keeps its
+      // direction and drifts off its circle.
       if (is_held_sideways(world_, grounding_[i])) s.left[1] = -s.omega[0] * s.forward[0];
     }
     integrate_pose(s, 0);
@@ -230,6 +223,7 @@ void ContactForces::build_problem(std::span<const trajectory::DriveReference> dr
   }
 }
 
+// Returns the sum of the contact forces on the ball, N, field frame.
 Vec2 ContactForces::push_on_ball(std::span<const collision::Contact> contacts) const {
   Vec2 push{0.0, 0.0};
   for (int i = 0; i < candidate_count_; ++i) {
@@ -239,20 +233,22 @@ Vec2 ContactForces::push_on_ball(std::span<const collision::Contact> contacts) c
   return push;
 }
 
+// Sets the contacts' forces, and lets wheels slide whose grip is used up.
 void ContactForces::read_solution(std::span<collision::Contact> contacts) {
   for (int i = 0; i < candidate_count_; ++i) {
     collision::Contact& c = contacts[candidate_[i]];
     c.resting.force = qp_.x[i];
-    c.resting.is_active = c.resting.force > min_force;
+    c.resting.is_active = c.resting.force > settings::contact_forces.min_force;
   }
   for (int k = 0; k < wheel_count_; ++k) {
     const int row = candidate_count_ + k;
     const double acceleration = qp_.gradient(row);
     Grounding& g = grounding_[wheels_[k]];
     g.lateral_force = qp_.x[row];
-    // Inside its bounds the force holds, whatever rounding leaves of the acceleration.
-    const bool gives_all = g.lateral_force == qp_.low[row] || g.lateral_force == qp_.high[row];
-    if (!gives_all || std::abs(acceleration) <= min_slip_acceleration) continue;
+    // Inside its bounds the force holds the wheels; the acceleration that is left is rounding.
+    const bool is_at_bound = g.lateral_force == qp_.low[row] || g.lateral_force == qp_.high[row];
+    if (!is_at_bound || std::abs(acceleration) <= settings::contact_forces.min_slip_acceleration)
+      continue;
     g = {.ground = Ground::slides, .slip_sign = acceleration > 0.0 ? 1.0 : -1.0};
   }
 }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// At one instant: who presses on whom, which wheels hold and which slide.
+// The forces of resting contacts at one instant: a mixed LCP.
 //
-// Bodies touch and their gaps neither close nor open. Whether they go on together is one convex
-// problem in the accelerations, 0 <= force, 0 <= acceleration of the gap, one of them zero, for all
-// contacts of all bodies together with the ground's sideways force on wheels, which holds them up
-// to grip M g. A ball at rest feels no rolling resistance until it is pushed harder than that.
+// Bodies touch, and their gaps neither close nor open. Which contacts press, and which wheels
+// hold or slide, is one convex problem in accelerations (Baraff 1994): 0 <= force, 0 <=
+// acceleration of the gap, and one of the two is zero. It is solved for all contacts of an island
+// together with the ground's lateral force on wheels, which is at most grip M g. A ball at rest
+// feels no rolling resistance until it is pushed harder than that.
+//
+// Uses impact/, collision/, solver/, trajectory/ and model/. Units: m, s, rad, N. Threads: none.
 #pragma once
 
 #include "core/simulator/collision/collision_queries.hpp"
@@ -20,7 +23,8 @@
 
 namespace mirocup::simulator::resting_contact {
 
-// What the ground does to a body in contact.
+// What the ground does to a body in contact: wheels that roll, wheels that slide, wheels off the
+// ground, and the ball.
 enum class Ground { rolls, slides, lifted, ball };
 
 struct Grounding {
@@ -30,32 +34,45 @@ struct Grounding {
   Vec2 push{0.0, 0.0};         // N, on a ball that starts from rest against its rolling resistance
 };
 
-// Does the ground hold the body sideways by a force of its own?
+// True if the ground holds the body laterally by a finite force: wheels that roll, of finite grip.
 inline bool is_held_sideways(const collision::StaticWorld& world, const Grounding& grounding) {
   return grounding.ground == Ground::rolls && world.parameters.grip != infinite_grip;
 }
 
+// Decides which contacts press. Kept and reused: construction allocates, decide() does not.
 class ContactForces {
  public:
+  // The world outlives this object.
   explicit ContactForces(const collision::StaticWorld& world);
 
-  // Sets `holds` and `force` of every contact, and the grounding of every body that has one. Gaps
-  // that open faster than the contact's rest speed are left alone. WheelState that slide no faster than
-  // `slip_threshold`, and a ball that rolls no faster than `roll_threshold` (m/s), are made to stop that.
-  // Velocities are made to fit what was decided.
+  // Decides for the contacts of one island. Sets Contact::resting of each contact, grounding() of
+  // each body with a contact whose gap does not open, and these bodies' velocities: they become
+  // admissible for what was decided, which never adds energy.
+  //
+  // A gap opens if it does so faster than the contact's restitution threshold. Wheels that slide
+  // no faster than `slip_threshold` and a ball that rolls no faster than `roll_threshold` (m/s)
+  // are stopped first. `drives` has one entry per robot, `bodies` one per body.
   void decide(std::span<const trajectory::DriveReference> drives, double slip_threshold,
               double roll_threshold, std::span<BodyState> bodies,
               std::span<collision::Contact> contacts);
 
+  // Returns what the ground does to a body, by the latest decision about it.
   const Grounding& grounding(int body) const { return grounding_[body]; }
+  // Returns the slip threshold of the latest decision, m/s.
   double slip_threshold() const { return slip_threshold_; }
 
-  // What forces change of the body's velocities; the wheels' sideways hold counts as a force unless
-  // it is infinite.
+  // Returns the inverse masses with which forces act on a body. Wheels of infinite grip are part of
+  // them; wheels of finite grip hold by a force instead.
   const solver::InverseMass& mass(int body,
                                   std::span<const trajectory::DriveReference> drives) const;
 
  private:
+  // A constraint on velocities: the rate of the row is zero, or else at least zero.
+  struct VelocityConstraint {
+    const solver::ConstraintRow* row;
+    bool is_equality;
+  };
+
   void classify_ground(std::span<const trajectory::DriveReference> drives,
                        std::span<BodyState> bodies);
   void build_problem(std::span<const trajectory::DriveReference> drives,
@@ -69,22 +86,23 @@ class ContactForces {
   void project_velocities(std::span<const trajectory::DriveReference> drives,
                           std::span<BodyState> bodies,
                           std::span<const collision::Contact> contacts);
+  bool are_admissible(std::span<const BodyState> bodies) const;
 
   const collision::StaticWorld& world_;
   solver::BoxQp qp_;
   double slip_threshold_ = 0.0;
   double roll_threshold_ = 0.0;
   std::array<Grounding, max_bodies> grounding_;
-  std::array<trajectory::Segment, max_bodies>
-      trial_;  // two terms of the motion without contact forces
-  std::vector<ContactSeries> rows_;
-  std::vector<solver::ConstraintRow>
-      constraints_;  // on the velocities: contacts, then wheels that hold
-  std::array<solver::ConstraintRow, max_robots> wheel_rows_;  // of each robot
-  std::array<int, solver::max_unknowns> candidate_;           // contacts whose gaps do not open
+
+  // The decision that is being made: valid during decide() only.
+  std::array<trajectory::Segment, max_bodies> trial_;  // two terms of the motion without forces
+  std::vector<ContactSeries> rows_;                    // of the candidates
+  std::vector<VelocityConstraint> constraints_;        // contacts, then wheels that hold
+  std::array<solver::ConstraintRow, max_robots> wheel_rows_;  // of each robot; never change
+  std::array<int, solver::max_unknowns> candidate_;  // indices of contacts whose gaps do not open
+  std::array<int, max_bodies> member_;               // bodies with a candidate
+  std::array<int, max_bodies> wheels_;               // robots whose wheels may hold
   int candidate_count_ = 0;
-  std::array<int, max_bodies> member_;  // bodies with a candidate
-  std::array<int, max_bodies> wheels_;  // robots whose wheels may hold
   int member_count_ = 0;
   int wheel_count_ = 0;
 };

@@ -3,30 +3,12 @@
 
 #include "core/simulator/impact/delassus.hpp"
 #include "core/simulator/impact/position_correction.hpp"
+#include "core/simulator/model/solver_settings.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace mirocup::simulator::resting_contact {
-
-namespace {
-
-// How far (m) a corner may stand out over the end of its edge before the contact is looked at
-// again.
-constexpr double edge_overhang = 1e-10;
-
-// A gap this share of the sink tolerance need not be closed.
-constexpr double closed_gap_share = 0.01;
-
-// Contacts that hardly differ ask for more than that, m, to close gaps that do: those stay.
-constexpr double max_displacement = 1e-9;
-
-// A cluster whose speeds (m/s, rad/s) and accelerations (m/s^2, rad/s^2) are below these is at
-// rest.
-constexpr double resting_speed = 1e-10;
-constexpr double resting_acceleration = 1e-9;
-
-}  // namespace
 
 ContactMotion::ContactMotion(const collision::StaticWorld& world)
     : world_(world), rows_(solver::max_unknowns) {}
@@ -40,48 +22,67 @@ void ContactMotion::move(const BodySet& cluster, const ContactForces& forces,
   set_members(cluster, forces);
   select_active(contacts);
   close_gaps(bodies);
-  do {
-    do {
-      start_series(request, bodies, segments);
-    } while (arrest_marginal_slip(request, contacts, segments));
+  // Wheels that begin a marginal slide hold instead, and the series start again. There are no more
+  // rounds than wheels, because none begins to slide again.
+  while (true) {
+    start_series(request, bodies, segments);
+    if (arrest_reversed_slip(contacts, segments)) continue;
     mark_persistent(contacts);
-    if (is_at_rest(segments)) {
-      for (int m = 0; m < member_count_; ++m) {
-        segments[members_[m]] =
-            trajectory::still_segment(bodies[members_[m]], request.begin, request.horizon);
-      }
-      return;
-    }
+    if (is_at_rest(segments)) return stand_still(request, bodies, segments);
     extend_until_converged(request, segments);
     find_end(request, segments);
-  } while (arrest_marginal_slip(request, contacts, segments));
+    if (!arrest_brief_slip(request, contacts, segments)) return;
+  }
 }
 
-// WheelState at rest that were to slide one way, and that the cluster pulls the other or has back at
-// rest before anything else may change: what was decided about them was rounding, or the slide was
-// all but over. They would do the same again, and again.
-bool ContactMotion::arrest_marginal_slip(const SegmentRequest& request,
-                                         std::span<const collision::Contact> contacts,
+void ContactMotion::stand_still(const SegmentRequest& request, std::span<const BodyState> bodies,
+                                std::span<trajectory::Segment> segments) const {
+  for (int m = 0; m < member_count_; ++m) {
+    const int i = members_[m];
+    segments[i] = trajectory::still_segment(bodies[i], request.begin, request.horizon);
+  }
+}
+
+// Wheels that were to slide one way and are pulled the other way by the cluster hold instead: the
+// decision was rounding. Returns true if there were any.
+bool ContactMotion::arrest_reversed_slip(std::span<const collision::Contact> contacts,
                                          std::span<const trajectory::Segment> segments) {
-  const double grip = max_grip();
+  return arrest_slip(contacts, segments, [](const Grounding& g, const trajectory::Segment& s) {
+    return g.slip_sign * s.left[1] < 0.0;
+  });
+}
+
+// Wheels that are back at rest before anything else may change hold instead: the slide is not worth
+// an event. Call when the segments have their end. Returns true if there were any.
+bool ContactMotion::arrest_brief_slip(const SegmentRequest& request,
+                                      std::span<const collision::Contact> contacts,
+                                      std::span<const trajectory::Segment> segments) {
+  return arrest_slip(contacts, segments, [&](const Grounding&, const trajectory::Segment& s) {
+    return s.settles == trajectory::TerminalState::sideways &&
+           s.end - s.begin < request.min_duration;
+  });
+}
+
+// Of the wheels that begin to slide from rest, lets those hold for which is_marginal(grounding,
+// segment). Otherwise they would begin and end the same slide for ever.
+template <class IsMarginal>
+bool ContactMotion::arrest_slip(std::span<const collision::Contact> contacts,
+                                std::span<const trajectory::Segment> segments,
+                                IsMarginal is_marginal) {
   bool found = false;
   for (int m = 0; m < member_count_; ++m) {
     const int i = members_[m];
-    const trajectory::Segment& s = segments[i];
     Grounding& g = grounding_[i];
-    if (g.ground != Ground::slides || s.left[0] != 0.0) continue;
-    const bool turns_back = g.slip_sign * s.left[1] < 0.0;
-    const bool is_brief = s.settles == trajectory::TerminalState::sideways &&
-                          s.end - s.begin < request.min_duration;  // once it has its end
-    if (!turns_back && !is_brief) continue;
-    g = {.ground = Ground::rolls, .lateral_force = -g.slip_sign * grip};
+    if (g.ground != Ground::slides || segments[i].left[0] != 0.0) continue;
+    if (!is_marginal(g, segments[i])) continue;
+    g = {.ground = Ground::rolls, .lateral_force = -g.slip_sign * max_grip()};
     found = true;
   }
   if (found) select_active(contacts);
   return found;
 }
 
-// As fill_series() does for one body.
+// Extends the series of the cluster as fill_series() extends those of one body.
 void ContactMotion::extend_until_converged(const SegmentRequest& request,
                                            std::span<trajectory::Segment> segments) {
   const double length = std::min(request.preferred_duration, request.horizon - request.begin);
@@ -96,7 +97,7 @@ void ContactMotion::extend_until_converged(const SegmentRequest& request,
   }
 }
 
-// Term k + 1 of everything.
+// Computes term k + 1 of poses, twists and rows, and term k of the forces.
 void ContactMotion::extend(int k, std::span<trajectory::Segment> segments) {
   for (int m = 0; m < member_count_; ++m) integrate_pose(segments[members_[m]], k);
   for (int i = 0; i < held_count_; ++i) extend_rows(world_, held_[i], segments, k, rows_[i]);
@@ -110,6 +111,7 @@ void ContactMotion::set_terms_of_all(int terms, std::span<trajectory::Segment> s
   for (int w = 0; w < wheel_count_; ++w) lateral_force_[w].terms = terms;
 }
 
+// Returns the length over which all series have converged, s.
 double ContactMotion::converged_length_of_all(std::span<const trajectory::Segment> segments) const {
   double length = segments[members_[0]].end - segments[members_[0]].begin;
   for (int m = 0; m < member_count_; ++m) {
@@ -118,12 +120,14 @@ double ContactMotion::converged_length_of_all(std::span<const trajectory::Segmen
   return length;
 }
 
-// Nothing moves and nothing gains speed: constant commands keep it so.
+// True if nothing moves or gains speed. Commands are constant within a tick, so the cluster stays
+// at rest.
 bool ContactMotion::is_at_rest(std::span<const trajectory::Segment> segments) const {
   for (int m = 0; m < member_count_; ++m) {
     const trajectory::Segment& s = segments[members_[m]];
     for (const trajectory::Series* p : {&s.forward, &s.left, &s.omega}) {
-      if (std::abs((*p)[0]) > resting_speed || std::abs((*p)[1]) > resting_acceleration)
+      if (std::abs((*p)[0]) > settings::contact_motion.resting_speed ||
+          std::abs((*p)[1]) > settings::contact_motion.resting_acceleration)
         return false;
     }
   }
@@ -141,8 +145,9 @@ void ContactMotion::set_members(const BodySet& cluster, const ContactForces& for
   }
 }
 
-// The equations are put in order of how far their forces are from a bound: where some follow from
-// others, the last ones keep their force, and it is better that those with room to change do so.
+// Collects the equations: contacts that press and wheels that hold. Redundant equations, which
+// follow from the ones before them, keep their forces; so the forces with most room to change
+// come first.
 void ContactMotion::select_active(std::span<const collision::Contact> contacts) {
   wheel_count_ = 0;
   BodySet cluster;
@@ -166,15 +171,15 @@ void ContactMotion::select_active(std::span<const collision::Contact> contacts) 
   for (int i = 0; i < held_count_; ++i) held_[i] = contacts[held_index_[i]];
 }
 
-// Equations that follow from others do so only at the begin: later they may be off, and the gaps of
-// the cluster with them.
+// The gaps of pressing contacts stay zero on the whole segment if no equation is redundant. A
+// redundant equation follows from the others at the start only; later its gap may change.
 void ContactMotion::mark_persistent(std::span<collision::Contact> contacts) const {
   bool all = true;
   for (int i = 0; i < equations(); ++i) all = all && !cholesky_.is_redundant(i);
   for (int i = 0; i < held_count_; ++i) contacts[held_index_[i]].resting.is_persistent = all;
 }
 
-// The first two terms.
+// Computes the first two terms of all series, and makes velocities fit the contacts.
 void ContactMotion::start_series(const SegmentRequest& request, std::span<BodyState> bodies,
                                  std::span<trajectory::Segment> segments) {
   for (int m = 0; m < member_count_; ++m) {
@@ -204,11 +209,12 @@ void ContactMotion::start_series(const SegmentRequest& request, std::span<BodySt
   extend(0, segments);
 }
 
-// Moves bodies by what rounding has opened or closed.
+// Moves bodies so that pressing gaps become zero. Gaps of nearly contradicting contacts would
+// need a long move: they stay.
 void ContactMotion::close_gaps(std::span<BodyState> bodies) {
   double widest = 0.0;
   for (int i = 0; i < held_count_; ++i) widest = std::max(widest, std::abs(held_[i].point.gap));
-  if (widest <= closed_gap_share * world_.tolerances.penetration) return;
+  if (widest <= settings::contact_motion.closed_gap_share * world_.tolerances.penetration) return;
   factorise();
   for (int i = 0; i < equations(); ++i) rhs_[i] = i < held_count_ ? -held_[i].point.gap : 0.0;
   cholesky_.solve(rhs_);
@@ -222,14 +228,15 @@ void ContactMotion::close_gaps(std::span<BodyState> bodies) {
   const auto is_too_long = [&](int i) {
     const impact::Displacement& by = displacements[i];
     return std::abs(by.forward) + std::abs(by.left) + std::abs(by.omega) * world_.shape(i).radius >
-           max_displacement;
+           settings::contact_motion.max_displacement;
   };
   const std::span<const int> members(members_.data(), static_cast<std::size_t>(member_count_));
   if (std::any_of(members.begin(), members.end(), is_too_long)) return;
   for (const int i : members) bodies[i] = impact::displaced(bodies[i], displacements[i]);
 }
 
-// The velocities fit already, but for what closing the gaps has changed.
+// Makes the rates of pressing gaps and the slip of holding wheels zero. They differ from zero
+// only by what close_gaps() has changed.
 void ContactMotion::project_velocities(std::span<BodyState> bodies) {
   for (int i = 0; i < equations(); ++i) {
     rhs_[i] = i < held_count_ ? -collision::row_rate(held_[i].row, bodies)
@@ -252,6 +259,7 @@ void ContactMotion::project_velocities(std::span<BodyState> bodies) {
   }
 }
 
+// Factorises J M^-1 J' of the equations.
 void ContactMotion::factorise() {
   impact::DelassusOperator bodies;
   for (int i = 0; i < held_count_; ++i) bodies.add(i, held_[i].row);
@@ -262,7 +270,7 @@ void ContactMotion::factorise() {
   cholesky_.factorise();
 }
 
-// Term k + 1 of the twists, but for what the forces' own term k adds.
+// Computes term k + 1 of the twists, without the part that term k of the forces adds.
 void ContactMotion::extend_twists(int k, std::span<trajectory::Segment> segments) {
   const Parameters& p = world_.parameters;
   for (int m = 0; m < member_count_; ++m) {
@@ -291,26 +299,17 @@ void ContactMotion::extend_twists(int k, std::span<trajectory::Segment> segments
   }
 }
 
-// The gaps' rates keep their first term, and v_l stays zero where wheels hold: their next term,
-// with the forces' own term still missing, says what that term must be.
+// Computes term k of the forces, and adds it to term k + 1 of the twists.
+//
+// The rate of a pressing gap, and the slip of holding wheels, is zero at all times: each of its
+// terms is zero. Term k + 1 of the rate is its value without term k of the forces, plus (J M^-1
+// J' force[k]) / (k + 1). So the right-hand side is -(k + 1) times the value without.
 void ContactMotion::solve_for_forces(int k, std::span<trajectory::Segment> segments) {
-  // Forces that the equations leave open keep the value that was decided.
-  for (int i = 0; i < equations(); ++i) {
-    if (!cholesky_.is_redundant(i) || k > 0) continue;
-    if (i < held_count_) {
-      rows_[i].force[0] = held_[i].resting.force;
-      add_force(i, 0, segments);
-    } else {
-      const int body = wheel_state(i);
-      lateral_force_[i - held_count_][0] = grounding_[body].lateral_force;
-      segments[body].left[1] += grounding_[body].lateral_force * mass_[body].left;
-    }
-  }
-  for (int i = 0; i < equations(); ++i) {
-    const double rate = i < held_count_ ? gap_rate_term(held_[i], segments, k + 1, rows_[i])
-                                        : segments[wheel_state(i)].left[k + 1];
-    rhs_[i] = -(k + 1) * rate;
-  }
+  if (k == 0) apply_redundant_forces(segments);
+  for (int i = 0; i < held_count_; ++i)
+    rhs_[i] = -(k + 1) * gap_rate_term(held_[i], segments, k + 1, rows_[i]);
+  for (int w = 0; w < wheel_count_; ++w)
+    rhs_[held_count_ + w] = -(k + 1) * segments[wheels_[w]].left[k + 1];
   cholesky_.solve(rhs_);
   for (int i = 0; i < held_count_; ++i) {
     if (cholesky_.is_redundant(i)) continue;
@@ -323,7 +322,24 @@ void ContactMotion::solve_for_forces(int k, std::span<trajectory::Segment> segme
   }
 }
 
-// What term k of the contact's own force adds to term k + 1 of the twists.
+// The equations leave the forces of redundant ones open. They keep the constant value that
+// ContactForces has decided.
+void ContactMotion::apply_redundant_forces(std::span<trajectory::Segment> segments) {
+  for (int i = 0; i < held_count_; ++i) {
+    if (!cholesky_.is_redundant(i)) continue;
+    rows_[i].force[0] = held_[i].resting.force;
+    add_force(i, 0, segments);
+  }
+  for (int w = 0; w < wheel_count_; ++w) {
+    if (!cholesky_.is_redundant(held_count_ + w)) continue;
+    const int body = wheels_[w];
+    lateral_force_[w][0] = grounding_[body].lateral_force;
+    segments[body].left[1] += grounding_[body].lateral_force * mass_[body].left;
+  }
+}
+
+// Adds to term k + 1 of the twists what term k of the contact's force gives along the first term
+// of its row.
 void ContactMotion::add_force(int i, int k, std::span<trajectory::Segment> segments) const {
   add_to_twists(held_[i].row, rows_[i].force[k] / (k + 1), k + 1, segments);
 }
@@ -341,19 +357,19 @@ void ContactMotion::add_to_twists(const solver::ConstraintRow& row, double amoun
   if (row.b != no_body) add(row.b, row.on_b);
 }
 
-// When a contact lets go or its point leaves the edge; at most `length`.
+// Returns when a contact opens or its point leaves the edge, s after the begin; at most `length`.
 double ContactMotion::time_of_release(double min_duration, double length) const {
   for (int i = 0; i < held_count_; ++i) {
     const double from = std::min(min_duration, length);
     if (!cholesky_.is_redundant(i)) {
       length = std::min(length, first_crossing(rows_[i].force, 0.0, from, length));
     }
-    length = time_on_edge(held_[i], rows_[i], edge_overhang, length);
+    length = time_on_edge(held_[i], rows_[i], settings::contact_motion.edge_overhang, length);
   }
   return length;
 }
 
-// When the grip of wheels is used up; at most `length`.
+// Returns when the grip of wheels is used up, s after the begin; at most `length`.
 double ContactMotion::time_of_slip(double min_duration, double length) const {
   const double grip = max_grip();
   for (int w = 0; w < wheel_count_; ++w) {
@@ -365,39 +381,41 @@ double ContactMotion::time_of_slip(double min_duration, double length) const {
   return length;
 }
 
+// Sets the common end of the segments: the earliest of convergence, release, slip, and the ends of
+// single bodies. The body that ends the segment may settle exactly there.
 void ContactMotion::find_end(const SegmentRequest& request,
                              std::span<trajectory::Segment> segments) const {
-  const double begin = request.begin;
   double length = converged_length_of_all(segments);
   length = time_of_slip(request.min_duration, time_of_release(request.min_duration, length));
-  int settles = no_body;
+  int settling = no_body;
   for (int m = 0; m < member_count_; ++m) {
     const int i = members_[m];
-    const Grounding& g = grounding_[i];
-    trajectory::Segment& s = segments[i];
-    s.end = begin + length;
-    double ends = trajectory::never;
-    bool reverses = false;
-    if (g.ground == Ground::slides) {
-      ends = time_of_grip(s, slip_sign_[i]);
-    } else if (g.ground == Ground::ball) {
-      ends = time_of_braking_change(trajectory::rolling_deceleration(world_.parameters), s,
-                                    braking_[i], length);
-      reverses = ends < request.min_duration;
-      if (reverses) ends = request.min_duration;
-    }
-    if (ends > length) continue;
-    length = ends;
-    const bool goes_on =
-        reverses ||
-        (world_.is_ball(i) && trajectory::rolling_deceleration(world_.parameters).is_per_axis());
-    settles = goes_on ? no_body : i;
+    segments[i].end = request.begin + length;  // limits the search for the body's own end
+    const OwnEnd own = own_end(i, segments[i], length, request.min_duration);
+    if (own.time > length) continue;
+    length = own.time;
+    settling = own.settles ? i : no_body;
   }
-  for (int m = 0; m < member_count_; ++m) segments[members_[m]].end = begin + length;
-  if (settles != no_body) {
-    segments[settles].settles = world_.is_ball(settles) ? trajectory::TerminalState::everything
-                                                        : trajectory::TerminalState::sideways;
+  for (int m = 0; m < member_count_; ++m) segments[members_[m]].end = request.begin + length;
+  if (settling != no_body) {
+    segments[settling].settles = world_.is_ball(settling) ? trajectory::TerminalState::everything
+                                                          : trajectory::TerminalState::sideways;
   }
+}
+
+// Returns when sliding wheels grip again or the ball's braking changes, or never.
+ContactMotion::OwnEnd ContactMotion::own_end(int body, const trajectory::Segment& segment,
+                                             double length, double min_duration) const {
+  const Grounding& g = grounding_[body];
+  if (g.ground == Ground::slides) return {time_of_grip(segment, slip_sign_[body]), true};
+  if (g.ground != Ground::ball) return {trajectory::never, false};
+  const trajectory::RollingDeceleration deceleration =
+      trajectory::rolling_deceleration(world_.parameters);
+  const double time = time_of_braking_change(deceleration, segment, braking_[body], length);
+  // A ball that would change its direction at once goes on for the minimum duration. A ball that
+  // brakes by axis goes on along the other axis.
+  if (time < min_duration) return {min_duration, false};
+  return {time, !deceleration.is_per_axis()};
 }
 
 }  // namespace mirocup::simulator::resting_contact

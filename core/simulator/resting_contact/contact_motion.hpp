@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// How bodies move while they press on each other: exactly, as one power series for the whole
-// cluster.
+// How a contact cluster moves: exactly, as one power series for all its bodies.
 //
-// As long as the same contacts press and the same wheels hold (see contact_forces.hpp), the gaps of
-// those contacts stay zero. That makes each term of the motion a linear system for the same term of
-// the forces, whose matrix is that of the first term. The segment ends where a force would pull, a
-// wheel's grip is used up, a slide ends, a ball stops or starts, or a corner leaves its edge.
+// A contact cluster is a set of bodies that keep each other's contacts closed. As long as the
+// same contacts press and the same wheels hold (contact_forces.hpp), the gaps of these contacts
+// stay zero: an index-1 reduction of a differential-algebraic equation, solved term by term. Term
+// k of all forces is the solution of one linear system, whose matrix J M^-1 J' is the same for
+// every k. The segment ends where a force would pull, a grip is used up, a slide ends, a ball
+// stops or starts, or a corner leaves its edge.
+//
+// Uses impact/, collision/, solver/, trajectory/ and model/. Units: m, s, rad, N. Threads: none.
 #pragma once
 
 #include "core/simulator/resting_contact/contact_forces.hpp"
@@ -18,22 +21,24 @@
 
 namespace mirocup::simulator::resting_contact {
 
-// How long a curve is wanted, s.
+// Over which time a segment is wanted.
 struct SegmentRequest {
-  double begin;               // of the tick
-  double horizon;             // of the tick; at most until then
-  double preferred_duration;  // a curve that holds for so long needs no more terms
-  double min_duration;        // so long no contact lets go and no wheels begin to slide
+  double begin;               // s of the tick
+  double horizon;             // s of the tick: the segment ends there at the latest
+  double preferred_duration;  // s: a series that holds for this time needs no more terms
+  double min_duration;        // s: before, no contact opens and no wheels begin to slide
 };
 
+// Computes the segments of clusters. Kept and reused: construction allocates, move() does not.
 class ContactMotion {
  public:
-  // Allocates its scratch; moving does not allocate. The arena outlives it.
+  // The world outlives this object.
   explicit ContactMotion(const collision::StaticWorld& world);
 
-  // Moves a cluster of bodies that hold each other: sets the segments of its bodies, all with the
-  // same end. What their gaps and velocities are off by rounding is put right first. Sets `is_kept`
-  // of the cluster's contacts.
+  // Sets the segments of the cluster's bodies, all with the same end. First moves the bodies, by
+  // less than a nanometre, so that pressing gaps are zero, and makes their velocities fit.
+  // `forces` has decided the cluster's contacts (Contact::resting) and the grounding of its
+  // bodies. Sets is_persistent of its pressing contacts.
   void move(const BodySet& cluster, const ContactForces& forces,
             std::span<collision::Contact> contacts,
             std::span<const trajectory::DriveReference> drives, const SegmentRequest& request,
@@ -43,16 +48,23 @@ class ContactMotion {
   // The equations of a cluster: first the contacts that press, then the wheels that hold sideways.
   int equations() const { return held_count_ + wheel_count_; }
   int wheel_state(int equation) const { return wheels_[equation - held_count_]; }
-  // What the ground gives wheels sideways at most, N.
+  // Returns the largest lateral force of the ground on a robot's wheels, N.
   double max_grip() const {
     return trajectory::lateral_acceleration_limit(world_.parameters) * world_.parameters.robot_mass;
   }
 
   void set_members(const BodySet& cluster, const ContactForces& forces);
   void select_active(std::span<const collision::Contact> contacts);
-  bool arrest_marginal_slip(const SegmentRequest& request,
-                            std::span<const collision::Contact> contacts,
+  template <class IsMarginal>
+  bool arrest_slip(std::span<const collision::Contact> contacts,
+                   std::span<const trajectory::Segment> segments, IsMarginal is_marginal);
+  bool arrest_reversed_slip(std::span<const collision::Contact> contacts,
                             std::span<const trajectory::Segment> segments);
+  bool arrest_brief_slip(const SegmentRequest& request,
+                         std::span<const collision::Contact> contacts,
+                         std::span<const trajectory::Segment> segments);
+  void stand_still(const SegmentRequest& request, std::span<const BodyState> bodies,
+                   std::span<trajectory::Segment> segments) const;
   void extend_until_converged(const SegmentRequest& request,
                               std::span<trajectory::Segment> segments);
   void mark_persistent(std::span<collision::Contact> contacts) const;
@@ -64,37 +76,47 @@ class ContactMotion {
   void extend(int k, std::span<trajectory::Segment> segments);
   void extend_twists(int k, std::span<trajectory::Segment> segments);
   void solve_for_forces(int k, std::span<trajectory::Segment> segments);
+  void apply_redundant_forces(std::span<trajectory::Segment> segments);
   void add_force(int i, int k, std::span<trajectory::Segment> segments) const;
   void add_to_twists(const solver::ConstraintRow& row, double amount, int term,
                      std::span<trajectory::Segment> segments) const;
   bool is_at_rest(std::span<const trajectory::Segment> segments) const;
   void set_terms_of_all(int terms, std::span<trajectory::Segment> segments);
   double converged_length_of_all(std::span<const trajectory::Segment> segments) const;
+  // When a body ends the segment, s after its begin, and whether it then settles exactly.
+  struct OwnEnd {
+    double time;
+    bool settles;
+  };
   void find_end(const SegmentRequest& request, std::span<trajectory::Segment> segments) const;
+  OwnEnd own_end(int body, const trajectory::Segment& segment, double length,
+                 double min_duration) const;
   double time_of_release(double min_duration, double length) const;
   double time_of_slip(double min_duration, double length) const;
 
   const collision::StaticWorld& world_;
-  double slip_threshold_ = 0.0;
+
+  // The cluster that is being moved: everything below is valid during move() only.
+  double slip_threshold_ = 0.0;  // m/s
   std::span<const trajectory::DriveReference> drives_;
 
-  std::array<int, max_bodies> members_;
+  std::array<int, max_bodies> members_;  // bodies of the cluster
   int member_count_ = 0;
+  // Of each member:
   std::array<solver::InverseMass, max_bodies> mass_;
   std::array<trajectory::Braking, max_bodies> braking_;
   std::array<double, max_bodies> slip_sign_;
   std::array<Grounding, max_bodies> grounding_;
 
-  std::array<collision::Contact, solver::max_unknowns> held_;
-  std::array<int, solver::max_unknowns> held_index_;  // of held_, among all contacts
+  std::array<collision::Contact, solver::max_unknowns> held_;  // contacts that press
+  std::array<int, solver::max_unknowns> held_index_;           // of held_, among all contacts
   int held_count_ = 0;
-  std::vector<ContactSeries> rows_;  // of held_
-  std::array<int, max_bodies> wheels_;
+  std::vector<ContactSeries> rows_;     // of held_
+  std::array<int, max_bodies> wheels_;  // robots whose wheels hold
   int wheel_count_ = 0;
   std::array<trajectory::Series, max_bodies> lateral_force_;  // N to the left, of wheels_
 
-  solver::PivotedCholesky
-      cholesky_;  // where equations follow from others, their forces stay as they are
+  solver::PivotedCholesky cholesky_;  // forces of redundant equations stay as they were decided
   std::array<double, solver::max_unknowns> rhs_;
 };
 

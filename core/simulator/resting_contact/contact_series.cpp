@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "core/simulator/resting_contact/contact_series.hpp"
 
+#include "core/simulator/model/solver_settings.hpp"
+
 #include <algorithm>
 
 namespace mirocup::simulator::resting_contact {
 
 namespace {
 
-// Both series times q: the sum of p[j] q[k - j] from j = first.
+// Returns term k of both series times q: the sum of p[j] q[k - j] from j = first.
 Vec2 product_term(const TwoSeries& p, const trajectory::Series& q, int k, int first) {
   double x = 0.0;
   double y = 0.0;
@@ -18,7 +20,7 @@ Vec2 product_term(const TwoSeries& p, const trajectory::Series& q, int k, int fi
   return {x, y};
 }
 
-// The same where p is a heading that turns q, a vector.
+// Returns term k of the vector q turned by the heading p, with the products from j = first.
 Vec2 turned_term(const TwoSeries& p, const TwoSeries& q, int k, int first) {
   double x = 0.0;
   double y = 0.0;
@@ -29,7 +31,7 @@ Vec2 turned_term(const TwoSeries& p, const TwoSeries& q, int k, int first) {
   return {x, y};
 }
 
-// The outline of the side with the edge or corner that is pressed on; null: a plane wall.
+// Returns the outline of the side with the edge or corner, or null for a plane wall.
 const geometry::Outline* pressed_shape(const collision::StaticWorld& world,
                                        const collision::Contact& c) {
   return c.b != no_body ? &world.shape(c.b) : end_wall_outline(world, c.pair);
@@ -78,7 +80,7 @@ void set_point_velocity(const trajectory::Segment& a, int k, ContactSeries& rows
                         a.left[k] + rows.point.x() * a.omega[k]};
 }
 
-// Term k of the point's velocity in the edge's frame, once that of the twists is known.
+// Returns term k of the point's velocity in the frame of the edge's side.
 Vec2 point_velocity(const ContactSeries& rows, int k) {
   const Heading heading{rows.heading.c[0][0], rows.heading.c[0][1]};
   return rows.later_velocity + heading.to_world({rows.velocity.c[k][0], rows.velocity.c[k][1]});
@@ -89,20 +91,20 @@ void extend_on_edge(const collision::Contact& c, std::span<const trajectory::Seg
   Vec2 velocity{0.0, 0.0};
   rows.omega[k] = 0.0;
   const Vec2 along = along_edge(rows.normal);
-  double forwards = 0.0;  // along the edge
+  double speed_along = 0.0;
   if (c.a != no_body) {
     set_point_velocity(segments[c.a], k, rows);
     velocity = point_velocity(rows, k);
     rows.omega[k] += segments[c.a].omega[k];
-    forwards = along.dot(velocity);
+    speed_along = along.dot(velocity);
   }
   if (c.b != no_body) {
     const trajectory::Segment& b = segments[c.b];
     rows.omega[k] -= b.omega[k];
-    forwards -= along.x() * b.forward[k] + along.y() * b.left[k] + rows.distance * b.omega[k];
+    speed_along -= along.x() * b.forward[k] + along.y() * b.left[k] + rows.distance * b.omega[k];
   }
   const double next = k + 1;
-  rows.lever_b[k + 1] = -forwards / next;
+  rows.lever_b[k + 1] = -speed_along / next;
   const Vec2 turning = product_term(rows.heading, rows.omega, k, 0);
   rows.heading.c[k + 1] = {-turning.y() / next, turning.x() / next};
 }
@@ -123,15 +125,15 @@ double gap_rate_on_edge(const collision::Contact& c, std::span<const trajectory:
   return rate;
 }
 
-// Where the ball presses on a corner, of a robot or of the outline behind a goal post.
+// Sets terms k where the ball presses on a corner of a robot or of the outline behind a goal post.
 void set_on_corner(const collision::StaticWorld& world, const collision::Contact& c,
                    std::span<const trajectory::Segment> segments, int k, ContactSeries& rows) {
   const geometry::Outline& shape = *pressed_shape(world, c);
   const double radius = world.ball_outline.radius;
   const trajectory::Segment& ball = segments[c.a];
   const Vec2 corner = shape.corner[c.point.corner];
-  Vec2 from_corner;  // to the ball, in the field's frame, and in that of the corner's side
-  Vec2 seen;
+  Vec2 from_corner;  // to the ball, in the field's frame
+  Vec2 seen;         // the same, in the frame of the corner's side
   if (c.b == no_body) {
     from_corner = Vec2{ball.x[k], ball.y[k]};
     if (k == 0) from_corner -= corner;
@@ -223,9 +225,9 @@ solver::ConstraintRow later_force_term(const collision::Contact& c, const Contac
 
 double time_on_edge(const collision::Contact& c, const ContactSeries& rows, double margin,
                     double length) {
-  // A little above the level: a search that ended there must not end there again at once.
   const auto until = [&](const trajectory::Series& inside, double level) {
-    if (inside[0] <= level + 10.0 * trajectory::root_tolerance) return;
+    if (inside[0] <= level + settings::contact_series.restart_margin * trajectory::root_tolerance)
+      return;
     length = std::min(length, first_crossing(inside, level, 0.0, length));
   };
   if (is_on_corner(c)) {

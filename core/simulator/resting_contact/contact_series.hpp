@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: MIT
 //
-// A contact that lasts, as power series: its Jacobian rows, its force, and whether it is still on
-// its edge.
+// A resting contact as power series: its constraint row, its force, and its place on the edge.
 //
-// Seen from the body with the edge, the edge's normal is constant, and the touching point, whose
-// distance from the edge is constant too, moves along it. So a contact on an edge needs how the two
-// bodies are turned towards each other and where on the edge the point is; all else is linear in
-// these. Where the ball presses on a corner, the normal turns for both.
+// Seen from the body with the edge, the edge's normal is constant, and the contact point moves
+// along the edge at a constant distance. So a contact on an edge needs two series: the heading of
+// one body relative to the other, and the place of the point along the edge. Everything else is
+// linear in these. Where the ball presses on a corner, the normal turns for both bodies, and the
+// rows themselves are series.
 //
-// The terms come in this order: start_rows(); then for k = 0, 1, ... extend_rows(k), the twists'
-// terms k + 1 without the contact's force term k, gap_rate_term(k + 1), the force term k, and the
-// twists' terms k + 1 completed with it.
+// Order of the calls for each contact, in which every term needs the ones before:
+//   1. start_rows(): terms 0, from poses.
+//   2. For k = 0, 1, ...: extend_rows(k); the caller computes the twists' terms k + 1 without
+//      term k of the force; gap_rate_term(k + 1); the caller solves for term k of the force and
+//      adds it to the twists' terms k + 1.
+//
+// Uses collision/, solver/, trajectory/ and model/. Units: m, s, rad, N; series count from the
+// begin of the segments. Threads: none.
 #pragma once
 
 #include "core/simulator/collision/collision_queries.hpp"
@@ -20,7 +25,7 @@
 
 namespace mirocup::simulator::resting_contact {
 
-// Two series that are multiplied by the same others.
+// Two series that are multiplied by the same others, such as the cosine and sine of a heading.
 struct TwoSeries {
   std::array<std::array<double, 2>, trajectory::max_terms> c;
 };
@@ -30,48 +35,50 @@ struct ContactSeries {
   solver::JacobianRow first_a{}, first_b{};
   trajectory::Series force;  // N, along the normal
 
-  // On an edge. Frames: the field's for a side that is a wall, and for the ball.
-  Vec2 point;         // touching, in the frame of the point's side
-  Vec2 normal;        // in the frame of the edge's side
-  double distance;    // m, of the touching point from the edge's side's reference point along it
-  TwoSeries heading;  // cos and sin: of the point's side seen from the edge's
-  trajectory::Series omega;  // rad/s, of the same
-  TwoSeries velocity;        // m/s, of the touching point in its own frame
-  Vec2
-      later_velocity;  // m/s, the newest term of it in the edge's frame, without what heading[0] gives
-  trajectory::Series lever_b;   // m: third component of row_b, minus the way along the edge
-  double edge_begin, edge_end;  // m along the edge
+  // For a point on an edge. The frame of a wall, and of the ball, is the field's.
+  Vec2 point;                // m: contact point, in the frame of the point's side
+  Vec2 normal;               // unit, in the frame of the edge's side
+  double distance;           // m, along the normal: from the reference point of the edge's side
+  TwoSeries heading;         // cos and sin of the point's side, seen from the edge's side
+  trajectory::Series omega;  // rad/s: rate of that heading
+  TwoSeries velocity;        // m/s: of the contact point, in the frame of the point's side
+  // m/s: latest term of that velocity in the frame of the edge's side, without what term 0 of the
+  // heading contributes.
+  Vec2 later_velocity;
+  trajectory::Series lever_b;   // m: third component of row_b, minus the place along the edge
+  double edge_begin, edge_end;  // m, along the edge
 
-  // The ball on a corner.
+  // For the ball on a corner.
   std::array<trajectory::Series, 3> row_a, row_b;
-  std::array<trajectory::Series, 2>
-      inside;                 // positive while the corner is what the ball is nearest to
-  trajectory::Series x, y;    // of the ball in the frame of the corner's side
-  trajectory::Series dx, dy;  // the same position in the field's frame
+  std::array<trajectory::Series, 2> inside;  // positive while the ball is in the corner's sector
+  trajectory::Series x, y;                   // m: of the ball, in the frame of the corner's side
+  trajectory::Series dx, dy;                 // m: the same, in the field's frame
 };
 
+// Sets terms 0 from terms 0 of the poses.
 void start_rows(const collision::StaticWorld& world, const collision::Contact& contact,
                 std::span<const trajectory::Segment> segments, ContactSeries& rows);
 
-// Terms k + 1 of the geometry, from terms up to k of the twists and, for a corner, k + 1 of the
-// poses.
+// Sets terms k + 1 of the geometry, from terms up to k of the twists and, for a corner, k + 1 of
+// the poses.
 void extend_rows(const collision::StaticWorld& world, const collision::Contact& contact,
                  std::span<const trajectory::Segment> segments, int k, ContactSeries& rows);
 
-// Term k of the rate of the contact's gap.
+// Returns term k of the rate of the contact's gap, from the twists' terms up to k.
 double gap_rate_term(const collision::Contact& contact,
                      std::span<const trajectory::Segment> segments, int k, ContactSeries& rows);
 
-// Term k of row times force, without the product of the first term of the row.
+// Returns term k of row times force without the product of the row's term 0 and the force's term k.
 solver::ConstraintRow later_force_term(const collision::Contact& contact, const ContactSeries& rows,
                                        int k);
 
-// When the point has left the edge, or the ball the corner, by `margin`; at most `length`. Where it
-// was out there at the begin it may stay.
+// Returns when the point has left the edge, or the ball the corner's sector, by `margin` (m, or
+// of the sine): s after the begin, at most `length`. A point that is out there at the start may
+// stay.
 double time_on_edge(const collision::Contact& contact, const ContactSeries& rows, double margin,
                     double length);
 
-// Says how many terms the series have.
+// Sets the number of terms of those series that are searched for roots.
 void set_terms(ContactSeries& rows, int terms);
 
 }  // namespace mirocup::simulator::resting_contact

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Who goes in a small step, and with whom: those who take one together keep out of each other's way
-// until its end, or until somebody else runs into them.
+// Which bodies are being time-stepped, and which of them share a step.
+//
+// A step island is a set of bodies that take one step together: the impulses of the step keep its
+// members apart until the step ends or a body from outside collides with one of them. Each island
+// has a start of its own. Plain bookkeeping for one tick; uses model/ only. Threads: none.
 #pragma once
 
+#include "core/base/assert.hpp"
 #include "core/simulator/model/body_pair.hpp"
 
 #include <array>
@@ -12,29 +16,33 @@ namespace mirocup::simulator::stepping {
 
 class StepIslands {
  public:
-  // `begin`: s of the tick.
+  // The members take one step together from `start`, in seconds of the tick. None of them may be in
+  // another step.
   void begin_step(const BodySet& members, double start) {
+    MIROCUP_ASSERT((stepping_ & members).none());
     stepping_ |= members;
     for_each_body(members, [&](int i) {
       island_[i] = members;
       start_[i] = start;
     });
   }
-  // Of these bodies, those that were in a step: they no longer are.
+  // The steps of these bodies are over, early or not. Returns those of them that were in a step.
   BodySet end_step(const BodySet& bodies) {
     const BodySet left = stepping_ & bodies;
     stepping_ &= ~bodies;
     return left;
   }
 
+  // Returns all bodies that are in a step.
   const BodySet& stepping() const { return stepping_; }
+  // True if the body is in a step.
   bool is_stepping(int body) const { return stepping_[body]; }
-  // When the step began that the body is in, s of the tick.
+  // Returns when the body's latest step started, in seconds of the tick.
   double start_of(int body) const { return start_[body]; }
-  // Nobody, if the body is not in a step.
+  // Returns the island of a body in a step, itself included; otherwise the empty set.
   BodySet island_of(int body) const { return stepping_[body] ? island_[body] : BodySet{}; }
 
-  // Does the pair keep out of each other's way by one step?
+  // True if one step keeps the two sides of the pair apart. Obstacles belong to every step.
   bool share_step(const Pair& pair) const {
     if (!stepping_[pair.a]) return false;
     return pair.with_obstacle() || (stepping_[pair.partner] && island_[pair.a][pair.partner]);
@@ -42,8 +50,8 @@ class StepIslands {
 
  private:
   BodySet stepping_;
-  std::array<BodySet, max_bodies> island_;  // of those: who takes the same step
-  std::array<double, max_bodies> start_{};  // of that
+  std::array<BodySet, max_bodies> island_;  // of each stepping body
+  std::array<double, max_bodies> start_{};  // s of the tick, of each stepping body's step
 };
 
 }  // namespace mirocup::simulator::stepping

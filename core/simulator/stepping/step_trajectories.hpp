@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// How those who take a small step together move between its ends: each along the arc of the twist that
-// it keeps, and a little beside it. Who touches at both ends and turns would overlap between them, by
-// what grows with the step's square; that is taken away from the middle and, as a parabola, from the
-// rest. What stays grows with its cube. Anybody may run into them half way.
+// How the members of a step move between its ends: each on the arc of its constant twist, plus a
+// mid-step correction.
+//
+// The impulses of a step leave no overlap at its end (time_stepper.hpp). A body that turns while
+// it touches another would still penetrate it between the ends, by an amount of second order in
+// the step. That amount is measured in the middle and taken away there by a displacement, which
+// fades to both ends as a parabola. What remains is of third order. It matters because bodies
+// from outside the step may collide at any time of it.
+//
+// Uses impact/, collision/, solver/, trajectory/ and model/. Units: m, s, rad. Threads: none.
 #pragma once
 
 #include "core/simulator/collision/collision_queries.hpp"
@@ -17,68 +23,82 @@
 
 namespace mirocup::simulator::stepping {
 
-// A step of `length` seconds along an arc, in the middle of which the body is `bend` (m, in the field's
-// frame) beside it: where it is `span` seconds after the begin.
-BodyState along_corrected_arc(const BodyState& begin, const Vec2& correction, double length,
+// Returns the body `span` seconds after the start of a step of `length` seconds. The body follows
+// the arc of its twist; `correction` (m, field frame) is its displacement in the middle of the
+// step.
+BodyState along_corrected_arc(const BodyState& start, const Vec2& correction, double length,
                               double span);
 
-// The way that such a step of `length` seconds takes from its begin, at time t, to where it ends.
-trajectory::MotionBound bound_of_corrected_arc(const BodyState& begin, const Vec2& end,
+// Returns a motion bound of that trajectory over a step of `length` seconds from time t, in seconds
+// of the tick. `end` is the body's position at the end of the step, m.
+trajectory::MotionBound bound_of_corrected_arc(const BodyState& start, const Vec2& end,
                                                const Vec2& correction, double t, double length);
 
-// The rest of such a step, which began at `step_begin`, s of the tick, from where the body is now.
+// Returns the rest of that trajectory as a segment [begin, end], in seconds of the tick: from the
+// body's state `now` at time `begin` to the end of the step, which started at `step_start`.
 trajectory::Segment corrected_segment(const BodyState& now, const Vec2& correction,
-                                      double step_begin, double begin, double end);
+                                      double step_start, double begin, double end);
 
+// Checks and corrects the trajectories inside one step. Keeps each body's correction until the next
+// attempt at a step with that body.
 class StepTrajectories {
  public:
-  // Both outlive it. Looking at a step resets the problem.
+  // World and problem outlive this object. is_clear() and correct_middle() use the problem as
+  // scratch: they reset it.
   StepTrajectories(const collision::StaticWorld& world, solver::RegularizedQp& problem);
 
-  // What a step is judged by: its members, each at the begin with the twist of the step, its contacts
-  // at the end with their impulses.
+  // A step to be checked. The members' states at both ends carry the twist of the step. The
+  // contacts are those at the end, with their impulses, and stand pair by pair.
   struct Step {
     BodySet members;
-    std::span<const BodyState> begin, end;
+    std::span<const BodyState> start, end;
     std::span<const collision::Contact> contacts;
     double length;  // s
   };
 
-  // Does nobody pass through anybody on the way to an end where they are apart, or touch from another
-  // side? Only what opens at the end, and by that was behind the edge at the begin, is looked at; and not
-  // who nearly touches at the begin, or presses: that is for bend(), which comes next.
-  bool is_clear(const Step& step);
-  // None of them is beside an arc, until bend() says so: for the begin of each attempt at a step.
+  // Sets the corrections of the members to zero: before each attempt at a step.
   void clear_corrections(const BodySet& members);
-  // Bends the arcs of the members where those who press or touched would overlap. Returns how deep two
-  // of them still do, m.
+
+  // True if no pair tunnels during the step. Only pairs that are separated at the end and were
+  // behind their reference edge at the start are tested; pairs that touch or nearly touch at the
+  // start are handled by correct_middle(), which is called next.
+  bool is_clear(const Step& step);
+
+  // Sets the corrections of the members so that pairs which press or nearly touched do not
+  // overlap in the middle of the step. Leaves them zero where the overlap is negligible or needs
+  // too large a correction. Returns the deepest overlap that remains between the ends, m. Call
+  // after is_clear().
   double correct_middle(const Step& step);
-  // How deep two of them did when the step began, m.
-  double overlap_at_begin(const Step& step) { return overlap_at(step, 0.0); }
-  // How long the next such step may be, s, to overlap by a little less than is allowed.
+
+  // Returns the deepest overlap at the start of the step, m. Call after correct_middle().
+  double overlap_at_start(const Step& step) { return overlap_at(step, 0.0); }
+
+  // Returns a length (s) for the next step of these bodies at which the overlap between the ends
+  // should stay below Tolerances::intermediate_penetration. `overlap` is what correct_middle()
+  // returned for this step.
   double next_length(const Step& step, double overlap) const;
 
-  // Of a body's last step; stays until the next attempt at one with that body.
+  // Returns a body's displacement in the middle of its latest step (m, field frame).
   const Vec2& correction_of(int member) const { return correction_[member]; }
 
  private:
   bool tunnels(const Step& step, const Pair& pair);
-  double overlap_at(const Step& step, double part);
+  double overlap_at(const Step& step, double share);
   double sampled_gap(const collision::Contact& contact) const;
   double project_middle(const Step& step);
 
   const collision::StaticWorld& world_;
   solver::RegularizedQp& qp_;
-  std::array<solver::InverseMass, max_bodies> translation_mass_;  // bodies that do not turn
-  bool is_corrected_ = false;
-  double largest_correction_ =
-      0.0;  // m: how far the last bend() wanted to take somebody beside an arc
-  std::array<Vec2, max_bodies> correction_;    // m, of each member
-  std::array<BodyState, max_bodies> sampled_;  // at the part of the step that is looked at
-  std::array<const collision::Contact*, solver::max_unknowns>
-      near_contacts_;  // contacts of pairs that may overlap there
+  // Robots and ball as bodies that do not turn: corrections are translations.
+  std::array<solver::InverseMass, max_bodies> translation_mass_;
+  bool is_corrected_ = false;        // the latest step has corrections
+  double largest_correction_ = 0.0;  // m, that the latest step asked for, applied or not
+  std::array<Vec2, max_bodies> correction_;
+  std::array<BodyState, max_bodies> sampled_;  // the members at the sampled time of the step
+  // Contacts of pairs that may overlap inside the step.
+  std::array<const collision::Contact*, solver::max_unknowns> near_contacts_;
   int near_contact_count_ = 0;
-  std::vector<trajectory::Segment> arcs_;  // of two that may pass through each other
+  std::vector<trajectory::Segment> arcs_;  // of the pair that is tested for tunnelling
 };
 
 }  // namespace mirocup::simulator::stepping

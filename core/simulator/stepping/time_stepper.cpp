@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "core/simulator/stepping/time_stepper.hpp"
 
+#include "core/base/assert.hpp"
 #include "core/base/math.hpp"
 #include "core/simulator/collision/broad_phase.hpp"
 #include "core/simulator/collision/reference_edges.hpp"
 #include "core/simulator/impact/islands.hpp"
+#include "core/simulator/model/solver_settings.hpp"
 #include "core/simulator/trajectory/rolling_ball.hpp"
 
 #include <algorithm>
@@ -15,40 +17,12 @@ namespace mirocup::simulator::stepping {
 
 namespace {
 
-constexpr double max_travel_in_radii = 0.5;
-// So many times as far is taken where it turns out only at the end of a step.
-constexpr double travel_overrun = 1.5;
-
-// Looks at the end of a step, and times that it is halved, before what is found there is taken.
-constexpr int max_refinements = 10;
-// How close impulses have to be for a look, as a share of the largest relative velocity.
-constexpr double impulse_tolerance = 1e-9;
-// Contacts may contradict each other by a hair; then it is not for more looks to find an end.
-constexpr int strict_refinements = 4;
-constexpr int max_halvings = 6;
-
-// Overlaps at the begin of a step are not undone faster than that, m/s, unless the step is so long that
-// it undoes as much, m, anyway.
-constexpr double max_undoing_speed = 2e-4;
-constexpr double undone_overlap = 1e-7;
-
-// The force of wheels is remembered a hair larger, lest rounding takes what was at its bound off it.
-constexpr double force_round_off = 1.0 + 1e-12;
-// As many steps as fit into a time exactly are not one more.
-constexpr double count_round_off = 1.0 - 1e-9;
-
-// No next step is judged to be shorter, as a share of the longest one; and one for which less than this
-// share of its time was left says little about the next.
-constexpr double min_step_share = 1.0 / 64.0;
-constexpr double min_informative_share = 0.5;
-
-// Rounds in which the bounds of friction follow the normal impulses.
-constexpr int friction_rounds = 10;
-
-// The twist after a step without any contact and without the ground's sideways force.
+// Returns a robot's twist after a step of `step` seconds without contacts and without the ground's
+// lateral force, in its frame at the end.
 Twist unconstrained_robot_twist(const Parameters& p, const trajectory::DriveReference& drive,
                                 const Twist& v, double step) {
-  // The frame turns; the velocity does not, unless wheels that roll turn it.
+  // The frame turns. The velocity of a sliding robot keeps its direction in the field; wheels that
+  // roll keep the forward speed instead, and their grip will have to supply the lateral rest.
   const Heading turned = Heading::from_angle(v.omega * step);
   const bool rolls = std::abs(v.left) <= trajectory::slip_round_off;
   const Vec2 kept =
@@ -62,6 +36,8 @@ Twist unconstrained_robot_twist(const Parameters& p, const trajectory::DriveRefe
   return next;
 }
 
+// Returns the ball's twist after a step of `step` seconds without contacts: braked with the
+// deceleration that it has at the start.
 Twist unconstrained_ball_twist(const Parameters& p, const Twist& v, double step) {
   const trajectory::RollingDeceleration d = trajectory::rolling_deceleration(p);
   const auto part_left = [&](double speed) {
@@ -75,22 +51,23 @@ Twist unconstrained_ball_twist(const Parameters& p, const Twist& v, double step)
   return {v.forward * left, v.left * left, 0.0};
 }
 
-bool is_same_place(const collision::ContactPoint& p, const collision::ContactPoint& q) {
+// True if both are the same corner or ball on the same edge or corner.
+bool is_same_feature(const collision::ContactPoint& p, const collision::ContactPoint& q) {
   return p.kind == q.kind && p.point_on_a == q.point_on_a && p.corner == q.corner &&
          p.edge == q.edge;
 }
 
-// No point of the body is faster, m/s.
-double speed_at_most(const geometry::Outline& shape, const Twist& v) {
+// Returns an upper bound of the speed of all points of the body, m/s.
+double max_speed_of_points(const geometry::Outline& shape, const Twist& v) {
   return std::abs(v.forward) + std::abs(v.left) + std::abs(v.omega) * shape.radius;
 }
 
-// The fastest that a point of some body is with the twist that twist_of(body) says, m/s.
+// Returns the largest of these bounds over some bodies that move with twist_of(body), m/s.
 template <class TwistOf>
-double fastest_point(const collision::StaticWorld& world, const BodySet& some, TwistOf twist_of) {
+double max_speed(const collision::StaticWorld& world, const BodySet& some, TwistOf twist_of) {
   double fastest = 0.0;
   for_each_body(some, [&](int i) {
-    fastest = std::max(fastest, speed_at_most(world.shape(i), twist_of(i)));
+    fastest = std::max(fastest, max_speed_of_points(world.shape(i), twist_of(i)));
   });
   return fastest;
 }
@@ -103,40 +80,69 @@ TimeStepper::TimeStepper(const collision::StaticWorld& world, solver::Regularize
   for (int i = 0; i < world.robots; ++i) wheel_rows_[i] = collision::lateral_wheel_row(i);
 }
 
+// ---- One step: attempts with shorter and shorter lengths
+
 TimeStepper::Step TimeStepper::take_step(const BodySet& candidates,
                                          std::span<const collision::Contact> touching,
                                          std::span<const trajectory::DriveReference> drives,
                                          std::span<const solver::InverseMass> mass, double longest,
                                          std::span<BodyState> bodies) {
-  const double length = std::min(max_step_length(candidates, bodies), proposed_length(candidates));
-  double parts = std::ceil(longest / length * count_round_off);
-  Step step;
-  for (int halved = 0; halved <= max_halvings; ++halved, parts *= 2.0) {
-    if (attempt(candidates, touching, drives, mass, longest / parts, bodies, step)) break;
+  MIROCUP_ASSERT(candidates.any() && longest > 0.0);
+  // The time left is divided into equal steps, so that no tiny rest remains.
+  const double wanted = std::min(max_step_length(candidates, bodies), proposed_length(candidates));
+  double parts = std::ceil(longest / wanted * settings::time_stepper.count_round_off);
+  Attempt step{candidates, touching, drives, mass, bodies};
+  for (int halved = 0; halved <= settings::time_stepper.max_halvings; ++halved, parts *= 2.0) {
+    step.length = longest / parts;
+    if (attempt(step)) break;
   }
-  for (int i = 0; i < world_.bodies(); ++i) {
-    if (!step.members[i]) continue;
+  // If no attempt was accepted, the last one is taken: its overlap is small, and time must go on.
+  for_each_body(step.members, [&](int i) {
     twist_before_[i] = bodies[i].twist;
     bodies[i].twist = end_[i].twist;
-  }
+  });
   stepped_ |= step.members;
-  const double next =
-      longest < min_informative_share * length ? std::max(length, next_length_) : next_length_;
-  for (int i = 0; i < world_.bodies(); ++i) {
-    if (step.members[i])
-      proposed_length_of_[i] = std::max(next, min_step_share * world_.tolerances.max_step);
-  }
+  propose_next(step, longest, wanted);
   remember_forces(step);
-  return step;
+  return {step.members, step.length};
 }
 
-Twist TimeStepper::twist_after(int member, const Twist& kept, double part) const {
+// Makes one attempt at a step of step.length. Sets step.members and step.next_length. False if the
+// step is to be repeated with a shorter length: overlaps remain, or the bodies are too fast for it.
+bool TimeStepper::attempt(Attempt& step) {
+  set_unconstrained_twists(step);
+  predict_contacts(step);
+  step.members.reset();
+  if (contacts_.count == 0) return true;
+  // The first contact's island takes the step; the others wait for the next call.
+  step.members = impact::islands_of(bodies_of(contacts_.list[0].pair), contacts_.contacts());
+  contacts_.keep_if([&](const collision::Contact& c) { return step.members[c.pair.a]; });
+  return solve_until_settled(step) &&
+         step.length <= settings::time_stepper.travel_overrun * max_step_length(step.members, end_);
+}
+
+// Sets the length with which each member's next step starts. A step that had to be short because
+// the tick was nearly over says little about the next one.
+void TimeStepper::propose_next(const Attempt& step, double longest, double wanted) {
+  const double next = longest < settings::time_stepper.min_informative_share * wanted
+                          ? std::max(wanted, step.next_length)
+                          : step.next_length;
+  const double shortest = settings::time_stepper.min_step_share * world_.tolerances.max_step;
+  for_each_body(step.members, [&](int i) { proposed_length_of_[i] = std::max(next, shortest); });
+}
+
+Twist TimeStepper::twist_after(int member, const Twist& kept, double share) const {
   const Twist& v = twist_before_[member];
-  return {v.forward + part * (kept.forward - v.forward), v.left + part * (kept.left - v.left),
-          v.omega + part * (kept.omega - v.omega)};
+  return {v.forward + share * (kept.forward - v.forward), v.left + share * (kept.left - v.left),
+          v.omega + share * (kept.omega - v.omega)};
 }
 
-void TimeStepper::remember_forces(const Step& step) {
+// ---- Forces from step to step
+
+// Keeps the pressing contacts of the step and remembers their forces as the warm start of the
+// members' next steps. A force for which there is no room is forgotten: the next solve starts at
+// zero there.
+void TimeStepper::remember_forces(const Attempt& step) {
   const auto last = std::remove_if(
       remembered_.begin(), remembered_.begin() + remembered_count_,
       [&](const RememberedForce& known) { return (bodies_of(known.pair) & step.members).any(); });
@@ -166,231 +172,242 @@ void TimeStepper::begin_tick() {
   stepped_.reset();
 }
 
-// The impulses of a step like the last one.
-void TimeStepper::warm_start(const BodySet& members, double length) {
+// Sets the impulses to those of a step with the remembered forces.
+void TimeStepper::warm_start(const Attempt& step) {
+  // Contacts usually come in the order in which they were remembered: each search starts behind the
+  // last find.
   int next = 0;
   for (collision::Contact& c : contacts_.contacts()) {
     c.impact.impulse = 0.0;
     for (int tried = 0; tried < remembered_count_; ++tried) {
       const RememberedForce& known = remembered_[next];
       next = next + 1 == remembered_count_ ? 0 : next + 1;
-      if (!(known.pair == c.pair) || !is_same_place(known.point, c.point)) continue;
-      c.impact.impulse = std::min(known.force * length, known.impulse);
+      if (!(known.pair == c.pair) || !is_same_feature(known.point, c.point)) continue;
+      c.impact.impulse = std::min(known.force * step.length, known.impulse);
       break;
     }
   }
   for (int i = 0; i < world_.robots; ++i) {
-    if (members[i]) wheel_impulse_[i] = wheel_force_[i] * length * force_round_off;
+    if (step.members[i])
+      wheel_impulse_[i] = wheel_force_[i] * step.length * settings::time_stepper.force_round_off;
   }
 }
 
-double TimeStepper::max_point_speed(const BodySet& some, std::span<const BodyState> bodies) const {
-  return fastest_point(world_, some, [&](int i) { return bodies[i].twist; });
-}
+// ---- The length of a step
 
-// Nobody goes farther than half the ball's radius from where all of them go in a step: it would be seen
-// behind what it hit.
+// Returns the longest step in which no body moves further than a share of the ball's radius against
+// the mean motion of these bodies, s. A body that moves further could end up behind what it hit.
 double TimeStepper::max_step_length(const BodySet& some, std::span<const BodyState> bodies) const {
   Vec2 common{0.0, 0.0};
   for_each_body(some, [&](int i) { common += bodies[i].velocity(); });
   common /= static_cast<double>(some.count());
-  const double fastest = fastest_point(world_, some, [&](int i) {
+  const double fastest = max_speed(world_, some, [&](int i) {
     const Vec2 own = bodies[i].heading.to_body(bodies[i].velocity() - common);
     return Twist{own.x(), own.y(), bodies[i].twist.omega};
   });
-  const double farthest = max_travel_in_radii * world_.parameters.ball_radius;
+  const double farthest =
+      settings::time_stepper.max_travel_in_radii * world_.parameters.ball_radius;
   const double length = world_.tolerances.max_step;
   return fastest * length > farthest ? farthest / fastest : length;
 }
 
+// Returns the shortest length that the last steps of these bodies proposed, s.
 double TimeStepper::proposed_length(const BodySet& some) const {
   double shortest = infinity;
-  for (int i = 0; i < world_.bodies(); ++i) {
-    if (some[i]) shortest = std::min(shortest, proposed_length_of_[i]);
-  }
+  for_each_body(some, [&](int i) { shortest = std::min(shortest, proposed_length_of_[i]); });
   return shortest;
 }
 
-// A step of that length. False if overlaps remain at its end, or if it turns out to be too long.
-bool TimeStepper::attempt(const BodySet& candidates, std::span<const collision::Contact> touching,
-                          std::span<const trajectory::DriveReference> drives,
-                          std::span<const solver::InverseMass> mass, double length,
-                          std::span<const BodyState> bodies, Step& step) {
-  for (int i = 0; i < world_.bodies(); ++i) {
-    if (!candidates[i]) continue;
+// ---- The contacts of a step
+
+void TimeStepper::set_unconstrained_twists(const Attempt& step) {
+  for_each_body(step.candidates, [&](int i) {
+    const Twist& v = step.start[i].twist;
     unconstrained_[i].twist =
         world_.is_ball(i)
-            ? unconstrained_ball_twist(world_.parameters, bodies[i].twist, length)
-            : unconstrained_robot_twist(world_.parameters, drives[i], bodies[i].twist, length);
-  }
-  predict_contacts(candidates, touching, length, bodies);
-  step = {{}, length};
-  if (contacts_.count == 0) return true;
-  step.members = impact::islands_of(bodies_of(contacts_.list[0].pair), contacts_.contacts());
-  contacts_.keep_if([&](const collision::Contact& c) { return step.members[c.pair.a]; });
-  return solve_until_settled(step.members, drives, mass, length, bodies) &&
-         length <= travel_overrun * max_step_length(step.members, end_);
+            ? unconstrained_ball_twist(world_.parameters, v, step.length)
+            : unconstrained_robot_twist(world_.parameters, step.drives[i], v, step.length);
+  });
 }
 
-// How much the distance of two may change by what their motors add to their twists within a step, m.
-double TimeStepper::motor_reach(const BodySet& candidates, double length,
-                                std::span<const BodyState> bodies) const {
+// Returns how much the distance of two candidates may change because their motors change their
+// twists within the step, m.
+double TimeStepper::motor_reach(const Attempt& step) const {
   const auto added = [&](int i) {
-    const Twist& v = bodies[i].twist;
+    const Twist& v = step.start[i].twist;
     const Twist& alone = unconstrained_[i].twist;
     return Twist{alone.forward - v.forward, alone.left - v.left, alone.omega - v.omega};
   };
-  return 2.0 * fastest_point(world_, candidates, added) * length;
+  return 2.0 * max_speed(world_, step.candidates, added) * step.length;
 }
 
-// Where the candidates would be if they kept their twists, and what is close to what there.
-void TimeStepper::predict_contacts(const BodySet& candidates,
-                                   std::span<const collision::Contact> touching, double length,
-                                   std::span<const BodyState> bodies) {
-  for (int i = 0; i < world_.bodies(); ++i) {
-    if (candidates[i]) end_[i] = trajectory::along_arc(bodies[i], length);
-  }
-  const double margin =
-      max_point_speed(candidates, bodies) * length + motor_reach(candidates, length, bodies);
+// Finds the contacts that can matter at the end of the step: all points that are close to each
+// other where the candidates would be if they kept their twists. Sets end_ to those states.
+void TimeStepper::predict_contacts(const Attempt& step) {
+  for_each_body(step.candidates,
+                [&](int i) { end_[i] = trajectory::along_arc(step.start[i], step.length); });
+  const double speed =
+      max_speed(world_, step.candidates, [&](int i) { return step.start[i].twist; });
+  const double margin = speed * step.length + motor_reach(step);
   contacts_.count = 0;
-  add_contacts_among(world_, candidates, end_, margin, boxes_, contacts_);
+  add_contacts_among(world_, step.candidates, end_, margin, boxes_, contacts_);
   std::array<std::bitset<max_partners>, max_bodies> found;
   for (const collision::Contact& c : contacts_.contacts()) found[c.pair.a].set(c.pair.partner);
-  // Who touches may part faster than anybody goes, and yet not part once the others are heard.
-  for (const collision::Contact& c : touching) {
-    if (!candidates[c.pair.a] || found[c.pair.a][c.pair.partner]) continue;
+  // A touching pair is always taken: alone it may part beyond the margin, but the contacts of other
+  // bodies may hold it together.
+  for (const collision::Contact& c : step.touching) {
+    if (!step.candidates[c.pair.a] || found[c.pair.a][c.pair.partner]) continue;
     found[c.pair.a].set(c.pair.partner);
     add_contacts(world_, c.pair, end_, infinity, contacts_);
   }
-  use_reference_edges(world_, bodies, end_, contacts_);
+  use_reference_edges(world_, step.start, end_, contacts_);
 }
 
-// Solves until what was solved for is what is found, along the normals of the look ahead. False if that
-// does not come about.
-bool TimeStepper::solve_until_settled(const BodySet& members,
-                                      std::span<const trajectory::DriveReference> drives,
-                                      std::span<const solver::InverseMass> mass, double length,
-                                      std::span<const BodyState> bodies) {
-  next_length_ = length;
-  trajectories_.clear_corrections(members);
-  warm_start(members, length);
-  allow_initial_overlaps(length, bodies);
-  build_problem(members, drives, mass, length);
-  for (int i = 0; i < world_.bodies(); ++i) {
-    if (members[i]) start_[i] = bodies[i];
-  }
-  for (int look = 0; look < max_refinements; ++look) {
-    solve_impulses(members, mass, length);
-    for (int i = 0; i < world_.bodies(); ++i) {
-      if (!members[i]) continue;
+// ---- Fixed-point iteration for the gaps at the end
+
+// Solves for the impulses, moves the members to the end of the step, measures the gaps there, and
+// repeats until pressing contacts touch and nothing overlaps. Then checks the trajectories between
+// the ends. False if one of the two fails.
+bool TimeStepper::solve_until_settled(Attempt& step) {
+  step.next_length = step.length;
+  trajectories_.clear_corrections(step.members);
+  warm_start(step);
+  allow_initial_overlaps(step);
+  build_problem(step);
+  for_each_body(step.members, [&](int i) { start_[i] = step.start[i]; });
+  for (int round = 0; round < settings::time_stepper.max_refinements; ++round) {
+    solve_impulses(step);
+    for_each_body(step.members, [&](int i) {
       start_[i].twist = end_[i].twist;
-      end_[i] = trajectory::along_arc(start_[i], length);
-    }
+      end_[i] = trajectory::along_arc(start_[i], step.length);
+    });
     for (collision::Contact& c : contacts_.contacts())
       refresh_contact(world_, end_, c.pair, c.point);
+    // Contacts may contradict each other slightly; then more rounds would not find a better end.
     const Tolerances& t = world_.tolerances;
-    if (has_settled(look < strict_refinements ? t.step_gap : t.step_gap_in_conflict)) {
-      return check_trajectories(members, length);
-    }
+    const bool is_strict = round < settings::time_stepper.strict_refinements;
+    if (has_settled(is_strict ? t.step_gap : t.step_gap_in_conflict))
+      return check_trajectories(step);
   }
   return false;
 }
 
-// Between its ends: does nobody pass through anybody, nor overlap too deep? Judges the next one, too.
-bool TimeStepper::check_trajectories(const BodySet& members, double length) {
-  const StepTrajectories::Step step{members, start_, end_, contacts_.contacts(), length};
-  if (!trajectories_.is_clear(step)) return false;
-  const double overlap = trajectories_.correct_middle(step);
-  next_length_ = trajectories_.next_length(step, overlap);
-  return overlap <= world_.tolerances.intermediate_penetration ||
-         overlap <= trajectories_.overlap_at_begin(step);
-}
-
-// What overlaps at the begin is undone in a step, but not faster than that would add energy: steps may
-// be as short as what is left of a tick.
-void TimeStepper::allow_initial_overlaps(double length, std::span<const BodyState> bodies) {
-  std::fill_n(allowed_overlap_.begin(), contacts_.count, 0.0);
-  const double undone = max_undoing_speed * length;
-  if (undone >= undone_overlap) return;
-  for (int i = 0; i < contacts_.count; ++i) {
-    allowed_overlap_[i] =
-        std::max(0.0, -clamped_gap(world_, bodies, contacts_.list[i], 0.0) - undone);
-  }
-}
-
-bool TimeStepper::has_settled(double touch) const {
+// True if no contact overlaps and every pressing contact touches at the end, to `tolerance` metres.
+bool TimeStepper::has_settled(double tolerance) const {
   for (int i = 0; i < contacts_.count; ++i) {
     const collision::Contact& c = contacts_.list[i];
     const double gap = c.point.gap + allowed_overlap_[i];
-    if (gap < -touch || (c.impact.impulse > 0.0 && gap > touch)) return false;
+    if (gap < -tolerance || (c.impact.impulse > 0.0 && gap > tolerance)) return false;
   }
   return true;
 }
 
-// What impulses the step asks for: of contacts, along their tangents, of wheels.
-void TimeStepper::build_problem(const BodySet& members,
-                                std::span<const trajectory::DriveReference> drives,
-                                std::span<const solver::InverseMass> mass, double length) {
-  const Parameters& p = world_.parameters;
+// True if no pair tunnels or overlaps too deeply between the ends of the step; an overlap no deeper
+// than that at the start is accepted. Corrects the trajectories and sets step.next_length.
+bool TimeStepper::check_trajectories(Attempt& step) {
+  const StepTrajectories::Step trajectories{step.members, start_, end_, contacts_.contacts(),
+                                            step.length};
+  if (!trajectories_.is_clear(trajectories)) return false;
+  const double overlap = trajectories_.correct_middle(trajectories);
+  step.next_length = trajectories_.next_length(trajectories, overlap);
+  return overlap <= world_.tolerances.intermediate_penetration ||
+         overlap <= trajectories_.overlap_at_start(trajectories);
+}
+
+// Sets how much of each contact's overlap at the start may remain at the end. A step removes
+// overlap at a limited speed, because a step may be as short as the rest of a tick and would
+// otherwise throw bodies apart.
+void TimeStepper::allow_initial_overlaps(const Attempt& step) {
+  std::fill_n(allowed_overlap_.begin(), contacts_.count, 0.0);
+  const double undone = settings::time_stepper.max_undoing_speed * step.length;
+  if (undone >= settings::time_stepper.undone_overlap) return;
+  for (int i = 0; i < contacts_.count; ++i) {
+    allowed_overlap_[i] =
+        std::max(0.0, -clamped_gap(world_, step.start, contacts_.list[i], 0.0) - undone);
+  }
+}
+
+// ---- The problem in impulses
+
+// Sets up the unknowns of the step's QP in three ranges: normals_ (one per contact, in the order of
+// contacts_), tangents_ (one per contact with friction), wheels_ (one per robot whose wheels can
+// hold).
+void TimeStepper::build_problem(const Attempt& step) {
   int count = 0;
   const auto add = [&](const solver::ConstraintRow& row, double& impulse) {
     row_[count] = &row;
     impulse_[count++] = &impulse;
   };
   for (collision::Contact& c : contacts_.contacts()) add(c.row, c.impact.impulse);
-  tangent_count_ = 0;
-  for (const collision::Contact& c : contacts_.contacts()) {
-    if (c.material.friction == 0.0 || count == solver::max_unknowns - max_bodies) continue;
-    tangent_rows_[tangent_count_] = impact::tangent_row(c, end_);
-    tangent_impulse_[tangent_count_] = c.impact.impulse;
-    add(tangent_rows_[tangent_count_], tangent_impulse_[tangent_count_]);
-    ++tangent_count_;
+  normals_ = {0, count};
+  for (int normal = 0; normal < normals_.end; ++normal) {
+    const collision::Contact& c = contacts_.list[normal];
+    if (c.material.friction == 0.0) continue;
+    if (count == solver::max_unknowns - max_bodies) {
+      ++tangents_without_room_;
+      continue;
+    }
+    const int k = count - normals_.end;
+    normal_of_tangent_[k] = normal;
+    tangent_rows_[k] = impact::tangent_row(c, end_);
+    tangent_impulse_[k] = c.impact.impulse;
+    add(tangent_rows_[k], tangent_impulse_[k]);
   }
-  const int with_tangents = count;
+  tangents_ = {normals_.end, count};
   for (int i = 0; i < world_.robots; ++i) {
-    const bool holds = members[i] && drives[i].wheels_on_ground && p.grip != infinite_grip;
-    if (holds && count < solver::max_unknowns) add(wheel_rows_[i], wheel_impulse_[i]);
+    const bool holds = step.members[i] && step.drives[i].wheels_on_ground &&
+                       world_.parameters.grip != infinite_grip;
+    if (holds) add(wheel_rows_[i], wheel_impulse_[i]);
   }
-  qp_.reset(mass);
+  wheels_ = {tangents_.end, count};
+  MIROCUP_ASSERT(count <= solver::max_unknowns);
+
+  qp_.reset(step.mass);
   for (int i = 0; i < count; ++i) qp_.add(*row_[i]);
-  for (int i = with_tangents; i < count; ++i) set_bounds(i, max_grip(length));
+  for (int i = wheels_.begin; i < wheels_.end; ++i) set_bounds(i, max_grip(step.length));
   for (int i = 0; i < count; ++i)
     unconstrained_rate_[i] = collision::row_rate(*row_[i], unconstrained_);
 }
 
-// These impulses, from where the last look ended. Sets the twists of end_.
-void TimeStepper::solve_impulses(const BodySet& members, std::span<const solver::InverseMass> mass,
-                                 double length) {
-  const int normals = contacts_.count;
-  const int with_tangents = normals + tangent_count_;
-  const int count = qp_.size();
+// Solves for the impulses, starting from those of the last round, and sets the twists of end_.
+void TimeStepper::solve_impulses(const Attempt& step) {
+  const int count = wheels_.end;
   for (int i = 0; i < count; ++i) {
     qp_.x[i] = *impulse_[i];
     qp_.b[i] = unconstrained_rate_[i];
-    // The gap at the end of the step, from what it is with the twists of the last look.
-    if (i >= normals) continue;
-    qp_.b[i] += (contacts_.list[i].point.gap + allowed_overlap_[i]) / length -
+  }
+  // A contact's gap at the end of the step is linearised around the twists of the last round:
+  // gap + (rate - last rate) length >= 0.
+  for (int i = normals_.begin; i < normals_.end; ++i) {
+    qp_.b[i] += (contacts_.list[i].point.gap + allowed_overlap_[i]) / step.length -
                 collision::row_rate(*row_[i], end_);
   }
-  for (int i = normals; i < with_tangents; ++i) set_bounds(i, 0.0);
-  qp_.solve(impulse_tolerance);
-  for (int round = 0; round < friction_rounds && with_tangents > normals; ++round) {
-    for (int i = normals, k = 0; i < with_tangents; ++i, ++k) {
-      while (contacts_.list[k].material.friction == 0.0) ++k;
-      set_bounds(i, contacts_.list[k].material.friction * qp_.x[k]);
-    }
-    qp_.solve(impulse_tolerance);
-  }
+  solve_with_friction();
 
-  for (int i = 0; i < world_.bodies(); ++i) {
-    if (members[i]) end_[i].twist = unconstrained_[i].twist;
-  }
+  for_each_body(step.members, [&](int i) { end_[i].twist = unconstrained_[i].twist; });
   for (int i = 0; i < count; ++i) {
     *impulse_[i] = qp_.x[i];
-    collision::apply_impulse(*row_[i], qp_.x[i], mass, end_);
+    collision::apply_impulse(*row_[i], qp_.x[i], step.mass, end_);
   }
-  for (int i = with_tangents; i < count; ++i) {
-    if (std::abs(qp_.x[i]) < max_grip(length)) end_[row_[i]->a].twist.left = 0.0;
+  // Wheels whose impulse is inside its bounds hold exactly.
+  for (int i = wheels_.begin; i < wheels_.end; ++i) {
+    if (std::abs(qp_.x[i]) < max_grip(step.length)) end_[row_[i]->a].twist.left = 0.0;
+  }
+}
+
+// Solves the QP: first without friction, then with the bounds of the tangential impulses set to the
+// coefficient times the normal impulse of the round before.
+void TimeStepper::solve_with_friction() {
+  const double tolerance = settings::time_stepper.impulse_tolerance;
+  for (int i = tangents_.begin; i < tangents_.end; ++i) set_bounds(i, 0.0);
+  qp_.solve(tolerance);
+  if (tangents_.begin == tangents_.end) return;
+  for (int round = 0; round < settings::time_stepper.friction_rounds; ++round) {
+    for (int i = tangents_.begin; i < tangents_.end; ++i) {
+      const int normal = normal_of_tangent_[i - tangents_.begin];
+      set_bounds(i, contacts_.list[normal].material.friction * qp_.x[normal]);
+    }
+    qp_.solve(tolerance);
   }
 }
 
@@ -399,6 +416,7 @@ void TimeStepper::set_bounds(int i, double bound) {
   qp_.high[i] = bound;
 }
 
+// Returns the largest lateral impulse that the ground gives a robot's wheels in a step, N s.
 double TimeStepper::max_grip(double length) const {
   const Parameters& p = world_.parameters;
   return p.grip * p.robot_mass * gravity * length;

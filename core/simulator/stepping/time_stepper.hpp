@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: MIT
 //
-// Lasting contact by small steps: bodies that press on each other where following every event would
-// take too long, and wherever bodies rub.
+// Time stepping with impulses: how bodies in lasting contact move when following every event
+// would take too long, and wherever contacts have friction.
 //
-// Within a step every body keeps its twist. All impulses of the step, of contacts and of the ground
-// on wheels, are one convex problem: contacts only push, wheels hold sideways up to their grip, and
-// no gap may be closed further than to zero at the step's end. Which contacts there are, and along
-// which normals, is seen where the bodies would be if they kept their twists. The problem is solved
-// again with the gaps that are found where they come instead, until every contact that pushes touches
-// and none overlaps: so overlaps do not build up and are never pushed out afterwards. How they move
-// between the ends of a step is for step_paths.hpp, and may ask for a shorter one. First order in the
-// step. What meets in a step does not bounce.
+// The scheme is that of Stewart and Trinkle (1996) and of Anitescu and Potra (1997). Within a
+// step every body keeps its twist. All impulses of the step, of contacts and of the ground on
+// wheels, are one convex problem in velocities: contacts only push, wheels hold laterally up to
+// their grip, and no gap may be below zero at the end of the step. The contacts and their normals
+// are found where the bodies would be if they kept their twists. A fixed-point iteration then
+// replaces the predicted gaps by those that are measured at the end, until every pressing contact
+// touches and none overlaps (Tolerances::step_gap). So overlaps cannot accumulate, and no later
+// correction is needed. The method is of first order in the step, and contacts within a step do
+// not bounce.
+//
+// The motion between the ends of a step is the subject of step_trajectories.hpp; it may demand a
+// shorter step. The regularised QP starts from the forces of the last step (warm start).
+//
+// Uses impact/, collision/, solver/, trajectory/ and model/. Units: m, s, rad, N. Threads: none;
+// the object belongs to one world.
 #pragma once
 
 #include "core/simulator/collision/collision_queries.hpp"
@@ -26,40 +33,67 @@ namespace mirocup::simulator::stepping {
 
 class TimeStepper {
  public:
-  // Both outlive it.
+  // World and problem outlive this object; every step resets the problem. Nothing allocates after
+  // construction.
   TimeStepper(const collision::StaticWorld& world, solver::RegularizedQp& problem);
 
-  // Who steps together, and for how long, s; nobody, if no contact lasts.
+  // A step that was taken. No members: none of the candidates has a lasting contact.
   struct Step {
     BodySet members;
-    double length = 0.0;
+    double length = 0.0;  // s
   };
 
-  // Of the candidates, the first that touches another or may before the step ends, and all that are so
-  // connected with it. Sets the twists of the members to what they keep during the step, which is no
-  // longer than `longest`, s.
+  // Takes one step of one island: the first candidate that touches another body or obstacle, or
+  // may touch one before the step ends, and all candidates connected with it by such contacts.
+  // Sets the members' twists to those that they keep during the step; poses stay. Returns the
+  // members and the length of the step, which is at most `longest` (s, positive) and divides it
+  // evenly.
+  //
+  // `touching` are the contacts now; `drives` has one entry per robot, `mass` and `bodies` one
+  // per body. At least one candidate.
   Step take_step(const BodySet& candidates, std::span<const collision::Contact> touching,
                  std::span<const trajectory::DriveReference> drives,
                  std::span<const solver::InverseMass> mass, double longest,
                  std::span<BodyState> bodies);
 
-  // How far a body is beside its arc in the middle of the step that it takes, m.
+  // Returns a body's displacement from its arc in the middle of its latest step (m, field frame).
   const Vec2& correction(int member) const { return trajectories_.correction_of(member); }
-  // A body keeps one twist for a whole step, with all that the step's forces give it. From that one,
-  // what it would be after that part of the step if they gave it bit by bit: for who is interrupted.
-  Twist twist_after(int member, const Twist& kept, double part) const;
-  // Of the last step, if it had members: a member at its end, and the contacts that press.
+
+  // Returns the twist of a member whose step is interrupted after this share (0 to 1) of it. `kept`
+  // is its twist during the step, which contains all impulses of the step; the result contains the
+  // share of them.
+  Twist twist_after(int member, const Twist& kept, double share) const;
+
+  // Returns a member of the latest step at its end. Valid until the next call of take_step().
   const BodyState& end(int member) const { return end_[member]; }
+  // Returns the pressing contacts of the latest step. Valid until the next call of take_step().
   std::span<const collision::Contact> pressing() const { return contacts_.contacts(); }
 
-  // Who was in no step of the last tick may take a long one again.
+  // Starts a tick: bodies that took no step in the last tick may take a long one again.
   void begin_tick();
-  // The next step begins from nothing: bodies were moved.
+  // Makes the next steps start from zero forces: bodies were set, so the old forces mean nothing.
   void forget_forces();
 
+  // Returns how many tangential impulses were left out since construction because a step had more
+  // contacts with friction than the QP has unknowns. Those contacts slid without friction.
+  long tangents_without_room() const { return tangents_without_room_; }
+
  private:
-  // A contact that pressed in a step: the next one begins with its force, but with no more than it gave
-  // then. Of a short one that stopped something, the force says nothing about a longer one.
+  // One attempt at a step: its input, and what the attempt found.
+  struct Attempt {
+    BodySet candidates;
+    std::span<const collision::Contact> touching;
+    std::span<const trajectory::DriveReference> drives;
+    std::span<const solver::InverseMass> mass;
+    std::span<const BodyState> start;
+    double length = 0.0;  // s
+
+    BodySet members{};
+    double next_length = 0.0;  // s: what the attempt proposes for the members' next step
+  };
+
+  // A pressing contact of an earlier step: the warm start of the next. The impulse is an upper
+  // bound: the large force of a short step that stopped a body says nothing about a longer step.
   struct RememberedForce {
     Pair pair;
     collision::ContactPoint point;
@@ -67,61 +101,66 @@ class TimeStepper {
     double impulse;  // N s
   };
 
-  double max_point_speed(const BodySet& some, std::span<const BodyState> bodies) const;
+  // Unknowns of the QP from `begin` to before `end`.
+  struct UnknownRange {
+    int begin = 0;
+    int end = 0;
+  };
+
+  bool attempt(Attempt& step);
+  void propose_next(const Attempt& step, double longest, double wanted);
   double max_step_length(const BodySet& some, std::span<const BodyState> bodies) const;
   double proposed_length(const BodySet& some) const;
-  double motor_reach(const BodySet& candidates, double length,
-                     std::span<const BodyState> bodies) const;
-  bool attempt(const BodySet& candidates, std::span<const collision::Contact> touching,
-               std::span<const trajectory::DriveReference> drives,
-               std::span<const solver::InverseMass> mass, double length,
-               std::span<const BodyState> bodies, Step& step);
-  void predict_contacts(const BodySet& candidates, std::span<const collision::Contact> touching,
-                        double length, std::span<const BodyState> bodies);
-  bool solve_until_settled(const BodySet& members,
-                           std::span<const trajectory::DriveReference> drives,
-                           std::span<const solver::InverseMass> mass, double length,
-                           std::span<const BodyState> bodies);
-  void build_problem(const BodySet& members, std::span<const trajectory::DriveReference> drives,
-                     std::span<const solver::InverseMass> mass, double length);
-  void solve_impulses(const BodySet& members, std::span<const solver::InverseMass> mass,
-                      double length);
+
+  void set_unconstrained_twists(const Attempt& step);
+  double motor_reach(const Attempt& step) const;
+  void predict_contacts(const Attempt& step);
+
+  bool solve_until_settled(Attempt& step);
+  void allow_initial_overlaps(const Attempt& step);
+  bool has_settled(double tolerance) const;
+  bool check_trajectories(Attempt& step);
+
+  void build_problem(const Attempt& step);
+  void solve_impulses(const Attempt& step);
+  void solve_with_friction();
   void set_bounds(int i, double bound);
-  double max_grip(double length) const;  // N s
-  void allow_initial_overlaps(double length, std::span<const BodyState> bodies);
-  bool has_settled(double touch) const;
-  bool check_trajectories(const BodySet& members, double length);
-  void warm_start(const BodySet& members, double length);
-  void remember_forces(const Step& step);
+  double max_grip(double length) const;
+
+  void warm_start(const Attempt& step);
+  void remember_forces(const Attempt& step);
 
   const collision::StaticWorld& world_;
   solver::RegularizedQp& qp_;
-  collision::ContactList contacts_;
-  std::array<solver::ConstraintRow, solver::max_unknowns>
-      tangent_rows_;                  // of contacts with friction
-  solver::Unknowns tangent_impulse_;  // N s, of those
-  int tangent_count_ = 0;
-  std::array<double, solver::max_unknowns>
-      allowed_overlap_;  // m, of each contact's overlap at the begin, that stays
-  std::array<solver::ConstraintRow, max_robots> wheel_rows_;
-  std::array<double, max_robots> wheel_force_;      // N, of each robot in its last step
-  std::array<double, max_robots> wheel_impulse_{};  // N s, of each robot in this step
-  std::array<RememberedForce, solver::max_unknowns> remembered_;  // of each body in its last step
+  StepTrajectories trajectories_;
+
+  // Memory between steps and ticks.
+  std::array<RememberedForce, solver::max_unknowns> remembered_;  // of each body's latest step
   int remembered_count_ = 0;
-  BodySet stepped_;           // in this tick
-  double next_length_ = 0.0;  // s, by what the last attempt at a step was like
-  std::array<double, max_bodies>
-      proposed_length_of_;  // s, of each body, by what its last one was like
-  // Of each unknown, contacts first, then tangents, then wheels: its row and its impulse, N s.
+  std::array<double, max_robots> wheel_force_;         // N, lateral, of each robot's latest step
+  std::array<double, max_bodies> proposed_length_of_;  // s, by each body's latest step
+  std::array<Twist, max_bodies> twist_before_;         // of each body, before its latest step
+  BodySet stepped_;                                    // in this tick
+  long tangents_without_room_ = 0;
+
+  // The attempt that is being made.
+  collision::ContactList contacts_;
+  std::array<BodyState, max_bodies> start_;          // members, with the twists of the step
+  std::array<BodyState, max_bodies> end_;            // candidates, with the twists of the step
+  std::array<BodyState, max_bodies> unconstrained_;  // twists after a step without contacts
+  std::array<double, solver::max_unknowns> allowed_overlap_;  // m, of each contact at the end
+  std::array<trajectory::Box, max_bodies> boxes_;
+
+  // Its QP: of each unknown the row, the impulse (N s) and the rate (m/s) without impulses.
+  UnknownRange normals_, tangents_, wheels_;
   std::array<const solver::ConstraintRow*, solver::max_unknowns> row_;
   std::array<double*, solver::max_unknowns> impulse_;
-  std::array<BodyState, max_bodies> start_;          // with the twists of the step
-  std::array<Twist, max_bodies> twist_before_;       // of each body, before its last step
-  std::array<BodyState, max_bodies> end_;            // with the twists of the step
-  std::array<BodyState, max_bodies> unconstrained_;  // twists at the end if there were no contacts
-  solver::Unknowns unconstrained_rate_;              // m/s, of each unknown: its rate then
-  std::array<trajectory::Box, max_bodies> boxes_;
-  StepTrajectories trajectories_;
+  solver::Unknowns unconstrained_rate_;
+  std::array<solver::ConstraintRow, solver::max_unknowns> tangent_rows_;
+  solver::Unknowns tangent_impulse_;                          // N s
+  std::array<int, solver::max_unknowns> normal_of_tangent_;   // its contact's normal unknown
+  std::array<solver::ConstraintRow, max_robots> wheel_rows_;  // of each robot
+  std::array<double, max_robots> wheel_impulse_{};            // N s, of each robot
 };
 
 }  // namespace mirocup::simulator::stepping
