@@ -100,6 +100,12 @@ while IFS= read -r room; do
   [[ $units -le $max_units ]] || complain "$room has $units units, but at most $max_units are allowed"
 done < <(find core/simulator -type d 2>/dev/null)
 
+# The interface of a law is for the laws and for the referee, who calls them.
+while IFS= read -r line; do
+  complain "$line: only laws and sources of core/referee include the interface of a law"
+done < <(grep -rn '^#include "core/referee/laws/law\.hpp"' core plugins idl server tournaments 2>/dev/null |
+  grep -vE '^core/referee/(laws/[^:]*|[^/:]*\.cpp):' || true)
+
 # The product is built without the tests: it may name them in comments only.
 while IFS= read -r line; do
   complain "$line: the product reads nothing from tests/"
