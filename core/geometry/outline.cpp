@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/geometry/outline.hpp"
 
+#include "core/base/assert.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,6 +15,7 @@ Outline circle(double radius) {
 }
 
 Outline polygon(std::span<const Vec2> corners) {
+  MIROCUP_ASSERT(corners.size() >= 3 && corners.size() <= max_corners);
   Outline shape;
   shape.corners = static_cast<int>(corners.size());
   for (int i = 0; i < shape.corners; ++i) {

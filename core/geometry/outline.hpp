@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Outlines: a circle, or a convex polygon, given in the body's own frame around its reference
-// point.
+// Outlines: a circle, or a convex polygon, in the body's own frame around its reference point.
+//
+// Lengths are in metres. The room geometry uses base and field; it knows poses but no world, so the
+// referee uses it, too.
 #pragma once
 
 #include "core/base/math.hpp"
@@ -13,45 +15,53 @@
 
 namespace mirocup::geometry {
 
-// A convex polygon in the robot's frame, counter-clockwise around its centre of mass, m. The wheels'
-// axis goes through the centre of mass.
+// Capacity of a polygon.
 inline constexpr int max_corners = 8;
+
+// A convex polygon in the robot's frame, counter-clockwise around its centre of mass, m. The axis
+// of the wheels goes through the centre of mass.
 struct OutlineCorners {
-  int corners = 0;  // at least 3, or 0: none is given
+  int corners = 0;  // 0 (no polygon), or 3 to max_corners
   std::array<double, max_corners> x{}, y{};
 
   Vec2 corner(int i) const { return {x[i], y[i]}; }
 };
 
+// The outline of a body or an obstacle, with what queries need of each edge. A plain value; make
+// one with the functions below.
 struct Outline {
   int corners = 0;  // 0: a circle
-  double radius =
-      0.0;  // of the circle, or of the smallest circle around the reference point that holds all
 
-  // Of the largest circle around the reference point within a polygon; -infinity if that point is
-  // outside.
+  // m: radius of the circle, or of the smallest circle around the reference point that contains the
+  // polygon.
+  double radius = 0.0;
+
+  // m: radius of the largest circle around the reference point that is inside the polygon;
+  // -infinity for a circle, and if the reference point is not inside the polygon.
   double inner_radius = -infinity;
 
-  // Counter-clockwise. Edge i runs from corner i to corner i + 1; normal . x = offset on it,
-  // outwards.
+  // Counter-clockwise. Edge i runs from corner i to corner next(i). Its unit normal points
+  // outwards, and normal . x = offset on the edge.
   std::array<Vec2, max_corners> corner;
   std::array<Vec2, max_corners> normal;
   std::array<double, max_corners> offset;
 
   bool is_circle() const { return corners == 0; }
+  // Returns the index of the corner after corner i.
   int next(int i) const { return i + 1 == corners ? 0 : i + 1; }
 };
 
+// Returns a circle around the reference point.
 Outline circle(double radius);
 
-// A square of that side, centred; edge 0 is its front (+x).
+// Returns a square with its centre at the reference point. Edge 0 is its front (+x).
 Outline square(double side);
 
-// A convex polygon from its corners, counter-clockwise, at least 3.
+// Returns a polygon. Precondition: 3 to max_corners corners, convex, counter-clockwise.
 Outline polygon(std::span<const Vec2> corners);
 
-// The solid end wall behind a goal post, in the field's frame. It reaches far outside, where
-// nothing is.
+// Returns the solid end wall behind a goal post, in the field's frame. It reaches 10 m outwards,
+// where there are no bodies.
 Outline end_wall(const field::GoalPost& post);
 
 }  // namespace mirocup::geometry

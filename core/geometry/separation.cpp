@@ -8,16 +8,12 @@ namespace mirocup::geometry {
 
 namespace {
 
-// The pose of `body` in the frame of `of`.
-struct Relative {
-  Vec2 position;
-  Heading heading;
-};
-Relative relative(const Pose& body, const Pose& of) {
+// Returns the pose of `body` in the frame of `of`.
+Pose relative(const Pose& body, const Pose& of) {
   return {of.heading.to_body(body.position - of.position), body.heading.seen_from(of.heading)};
 }
 
-// The corner that is farthest against `normal` (in the polygon's frame): where along it, m.
+// The smallest normal . corner, m; `normal` is in the polygon's frame.
 double nearest_corner(const Outline& polygon, const Vec2& normal) {
   double nearest = infinity;
   for (int i = 0; i < polygon.corners; ++i) {
@@ -58,22 +54,23 @@ Axis axis_to_centre(const Pose& body_a, const Outline& b, const Pose& body_b) {
   return nearest_axis(b, body_b.heading.to_body(body_a.position - body_b.position));
 }
 
-// The edge that faces the other's middle comes first: most others are out of question then.
+// The edge that faces the other's reference point comes first. Another edge can only be better if
+// even the other's inner circle leaves room for that, which rules most edges out.
 EdgeSeparation best_edge(const Outline& reference, const Outline& other, const Vec2& position,
                          const Heading& heading) {
-  std::array<double, max_corners> of_middle{};
+  std::array<double, max_corners> centre_distance{};
   int facing = 0;
   for (int edge = 0; edge < reference.corners; ++edge) {
-    of_middle[edge] = reference.normal[edge].dot(position) - reference.offset[edge];
-    if (of_middle[edge] > of_middle[facing]) facing = edge;
+    centre_distance[edge] = reference.normal[edge].dot(position) - reference.offset[edge];
+    if (centre_distance[edge] > centre_distance[facing]) facing = edge;
   }
   const auto separation_of = [&](int edge) {
-    return of_middle[edge] + nearest_corner(other, heading.to_body(reference.normal[edge]));
+    return centre_distance[edge] + nearest_corner(other, heading.to_body(reference.normal[edge]));
   };
   EdgeSeparation best{facing, separation_of(facing)};
-  const double reach = other.inner_radius * (1.0 - 1e-9);  // at least so far towards any edge
+  const double reach = other.inner_radius * (1.0 - 1e-9);  // less a share for rounding
   for (int edge = 0; edge < reference.corners; ++edge) {
-    if (edge == facing || of_middle[edge] - reach <= best.separation) continue;
+    if (edge == facing || centre_distance[edge] - reach <= best.separation) continue;
     const double separation = separation_of(edge);
     if (separation > best.separation) best = {edge, separation};
   }
@@ -82,10 +79,10 @@ EdgeSeparation best_edge(const Outline& reference, const Outline& other, const V
 
 Reference reference_of(const Outline& a, const Pose& body_a, const Outline& b, const Pose& body_b,
                        double margin) {
-  const Relative b_in_a = relative(body_b, body_a);
+  const Pose b_in_a = relative(body_b, body_a);
   const EdgeSeparation of_a = best_edge(a, b, b_in_a.position, b_in_a.heading);
   if (of_a.separation > margin) return {true, of_a};
-  const Relative a_in_b = relative(body_a, body_b);
+  const Pose a_in_b = relative(body_a, body_b);
   const EdgeSeparation of_b = best_edge(b, a, a_in_b.position, a_in_b.heading);
   if (of_a.separation >= of_b.separation) return {true, of_a};
   return {false, of_b};
@@ -95,7 +92,7 @@ double separation_from(const Reference& reference, const Outline& a, const Pose&
                        const Outline& b, const Pose& body_b) {
   const int edge = reference.best.edge;
   const Outline& side = reference.is_a ? a : b;
-  const Relative other = reference.is_a ? relative(body_b, body_a) : relative(body_a, body_b);
+  const Pose other = reference.is_a ? relative(body_b, body_a) : relative(body_a, body_b);
   return side.normal[edge].dot(other.position) - side.offset[edge] +
          nearest_corner(reference.is_a ? b : a, other.heading.to_body(side.normal[edge]));
 }

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Gaps of outlines at one instant: the line that separates two of them best.
+// Gaps of outlines at one instant, by the separating axis theorem (Gottschalk, Lin, Manocha 1996):
+// two convex outlines do not overlap if there is a line between them. The line that leaves the
+// largest gap is the separating axis of this file.
+//
+// All functions are pure. Lengths are in metres, poses in the field's frame.
 #pragma once
 
 #include "core/field/field.hpp"
@@ -9,19 +13,20 @@
 
 namespace mirocup::geometry {
 
-// Two outlines and the line that separates them best, in the field's frame.
+// The best separating line of outlines a and b, in the field's frame.
 struct Separation {
-  double gap;               // m, along the normal
-  Vec2 normal{0.0, 0.0};    // unit, from b to a
-  double reach_a, reach_b;  // m, of each from its reference point towards the other
+  double gap;               // m, along the normal; negative where the outlines overlap
+  Vec2 normal{0.0, 0.0};    // unit vector from b to a
+  double reach_a, reach_b;  // m: extent of each from its reference point towards the other
 };
 
-// Of two polygons or a circle (first) and a polygon. The gap is the Euclidean distance where a
-// corner or a circle faces an edge, a lower bound of it between two corners; minus the depth where
-// they overlap.
+// Return the separation of two polygons, or of a circle (a) and a polygon (b); or of an outline
+// and a wall. The gap is the Euclidean distance where a corner or a circle faces an edge, and a
+// lower bound of it between two corners. Where the outlines overlap, it is minus the depth.
 Separation separation(const Outline& a, const Pose& body_a, const Outline& b, const Pose& body_b);
 Separation separation(const Outline& a, const Pose& body_a, const field::Wall& wall);
 
+// Return the gap alone, m.
 inline double gap(const Outline& a, const Pose& body_a, const Outline& b, const Pose& body_b) {
   return separation(a, body_a, b, body_b).gap;
 }
@@ -29,39 +34,42 @@ inline double gap(const Outline& a, const Pose& body_a, const field::Wall& wall)
   return separation(a, body_a, wall).gap;
 }
 
-// The direction in which a polygon is separated best from a point, in the polygon's frame: an
-// edge's normal, or away from a corner if the point is nearest to that.
+// The direction in which a polygon is separated best from a point, in the polygon's frame.
 struct Axis {
-  Vec2 normal;
-  double offset;  // of the polygon along the normal
-  double separation;
-  int edge;    // whose normal it is, or that faces the point
-  int corner;  // the nearest corner if that is nearer than any edge, else -1
+  Vec2 normal;        // unit: an edge's normal, or from the nearest corner to the point
+  double offset;      // m: extent of the polygon along the normal
+  double separation;  // m: distance of the point from the polygon, negative inside
+  int edge;           // the edge that faces the point
+  int corner;         // the nearest corner if it is nearer than any edge, else -1
 };
+// Returns the axis of a polygon and a point, both in the polygon's frame.
 Axis nearest_axis(const Outline& polygon, const Vec2& point);
-// The same for the reference point of another body, in the frame of polygon b.
+// Returns the axis of polygon b and the reference point of body a, in the frame of b.
 Axis axis_to_centre(const Pose& body_a, const Outline& b, const Pose& body_b);
 
-// The edge of `reference` along which it is separated best from the corners of `other`; the pose of
-// `other` is given in the frame of `reference`.
+// An edge of a polygon and the distance of the nearest corner of another one beyond its line.
 struct EdgeSeparation {
   int edge;
-  double separation;
+  double separation;  // m, negative if that corner is inside of the line
 };
+// Returns the edge of `reference` that separates it best from `other`, whose pose is given in the
+// frame of `reference`.
 EdgeSeparation best_edge(const Outline& reference, const Outline& other, const Vec2& position,
                          const Heading& heading);
 
-// Which of two polygons offers the better separating edge. On a tie the first, whatever the poses. Of
-// two that are more than `margin` m apart, an edge that says so.
+// The reference edge of two polygons: the best separating edge of both.
 struct Reference {
-  bool is_a;
+  bool is_a;  // the edge belongs to a
   EdgeSeparation best;
 };
+// Returns the reference edge. On a tie it is that of a, whatever the poses, so that a half-turn
+// of the field changes nothing. If an edge of a separates the two by more than `margin`, m, it is
+// returned although one of b may separate them better.
 Reference reference_of(const Outline& a, const Pose& body_a, const Outline& b, const Pose& body_b,
                        double margin = infinity);
 
-// Of two polygons, by the line of that edge, whichever separates them best now: how far the nearest
-// corner of the other one is beyond it, m.
+// Returns the distance, m, of the other polygon's nearest corner beyond the line of the given
+// reference edge, whether or not that edge separates them best at these poses.
 double separation_from(const Reference& reference, const Outline& a, const Pose& body_a,
                        const Outline& b, const Pose& body_b);
 

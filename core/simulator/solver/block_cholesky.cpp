@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "core/simulator/solver/block_cholesky.hpp"
 
+#include "core/base/assert.hpp"
+
 #include <algorithm>
 
 namespace mirocup::simulator::solver {
 
 namespace {
 
-// Of a block on the diagonal, what stands left of it is never read.
+// Adds weight p^T p to a block on the diagonal. Only its upper triangle is ever read.
 void add_square(const Vec3& p, double weight, std::array<Vec3, 3>& to) {
   for (int i = 0; i < 3; ++i) {
     const double by = weight * p[i];
@@ -15,6 +17,7 @@ void add_square(const Vec3& p, double weight, std::array<Vec3, 3>& to) {
   }
 }
 
+// Adds weight p^T q.
 void add_product(const Vec3& p, const Vec3& q, double weight, std::array<Vec3, 3>& to) {
   for (int i = 0; i < 3; ++i) {
     const double by = weight * p[i];
@@ -41,14 +44,14 @@ void BlockCholesky::reset(const BodySet& bodies, std::span<const InverseMass> ma
     coupled_count_[i] = 0;
     Block& own = block(i, i);
     own = {};
-    // Infinite for an inverse of zero; that pivot's inverse will be zero again.
+    // An inverse mass of zero gives an infinite pivot, whose inverse is zero again.
     own[0][0] = 1.0 / mass[i].forward;
     own[1][1] = 1.0 / mass[i].left;
     own[2][2] = 1.0 / mass[i].omega;
   });
 }
 
-void BlockCholesky::couple(int body, unsigned long others) {
+void BlockCholesky::couple(int body, BodyMask others) {
   for_each_body(others & ~coupled_[body], [&](int other) {
     block(std::max(body, other), std::min(body, other)) = {};
     coupled_[body] |= 1UL << other;
@@ -59,6 +62,7 @@ void BlockCholesky::couple(int body, unsigned long others) {
 }
 
 void BlockCholesky::add(const ConstraintRow& row, double weight) {
+  MIROCUP_ASSERT(row.a != no_body && row.a != row.b);
   add_square(row.on_a, weight, block(row.a, row.a));
   if (row.b == no_body) return;
   add_square(row.on_b, weight, block(row.b, row.b));
@@ -72,8 +76,8 @@ void BlockCholesky::add(const ConstraintRow& row, double weight) {
 
 void BlockCholesky::factorise() {
   count_ = 0;
-  for (unsigned long left = bodies_; left != 0;) {
-    int next = std::countr_zero(left);
+  for (BodyMask left = bodies_; left != 0;) {
+    int next = std::countr_zero(left);  // the body of the smallest degree; on a tie the first
     for_each_body(left, [&](int i) {
       if (coupled_count_[i] < coupled_count_[next]) next = i;
     });
@@ -92,7 +96,9 @@ void BlockCholesky::detach(int body) {
   });
 }
 
-void BlockCholesky::assemble_front(int body, unsigned long others) {
+// Collects the rows of `body` from the blocks and eliminates within them: each of its three
+// unknowns from its rows below.
+void BlockCholesky::assemble_front(int body, BodyMask others) {
   Front& f = fronts_[body];
   f.others = others;
   f.own = block(body, body);
@@ -112,13 +118,15 @@ void BlockCholesky::assemble_front(int body, unsigned long others) {
   }
 }
 
-// The body's rows from those of all that are coupled with it, which thereby are with each other.
+// Eliminates the body from the rows of all others that it is coupled with: subtracts F^T P^-1 F,
+// where F are the off-diagonal blocks of its front and P its pivots. The others are thereby coupled
+// with each other (the fill-in).
 void BlockCholesky::eliminate(int body) {
   const Front& f = fronts_[body];
   int at = 0;
   for_each_body(f.others, [&](int low) {
     couple(low, f.others & ~(1UL << low));
-    Block by = f.off_diagonal[at];
+    Block by = f.off_diagonal[at];  // P^-1 F, the part of `low`
     for (int r = 0; r < 3; ++r) {
       for (int c = 0; c < 3; ++c) by[r][c] *= f.inverse_pivot[r];
     }
@@ -137,6 +145,7 @@ void BlockCholesky::eliminate(int body) {
 }
 
 void BlockCholesky::solve(BodyVector& rhs) const {
+  // Forward substitution, in the order of elimination.
   for (int k = 0; k < count_; ++k) {
     const Front& f = fronts_[order_[k]];
     Vec3& own = rhs[order_[k]];
@@ -153,6 +162,7 @@ void BlockCholesky::solve(BodyVector& rhs) const {
       }
     });
   }
+  // Back substitution, which also divides by the pivots.
   for (int k = count_ - 1; k >= 0; --k) {
     const Front& f = fronts_[order_[k]];
     Vec3& own = rhs[order_[k]];

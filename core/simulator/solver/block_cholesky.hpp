@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Linear equations with three unknowns for each body, a twist, and a symmetric, positive definite
-// matrix that couples only bodies with a common row. They are eliminated body by body, each time the
-// one with the fewest others left beside it: in a heap, where nobody touches more than a few, this
-// costs hardly more than there are bodies.
+// A block-sparse LDL^T factorisation in minimum-degree order (George and Liu 1981, "Computer
+// Solution of Large Sparse Positive Definite Systems").
+//
+// The unknowns are one twist for each body. The matrix is symmetric and positive definite and
+// couples only bodies with a common row. Bodies are eliminated one by one, each time the one that
+// is coupled with the fewest of those that are left. In a heap, where a body touches only a few
+// others, the cost grows hardly faster than the number of bodies.
 #pragma once
 
 #include "core/simulator/solver/constraint_row.hpp"
@@ -14,47 +17,55 @@
 
 namespace mirocup::simulator::solver {
 
-using BodyVector = std::array<Vec3, max_bodies>;  // of the bodies that there are
+// One twist or right-hand side for each body, by its index; only the bodies of a system are used.
+using BodyVector = std::array<Vec3, max_bodies>;
 
+// The system (M + sum of weight row^T row) u = rhs: reset(), add() for each row, factorise(), then
+// solve() for any number of right-hand sides. Belongs to one thread.
 class BlockCholesky {
  public:
-  // Allocates; nothing else does.
-  BlockCholesky();
+  BlockCholesky();  // allocates; nothing else does
 
-  // Starts with the matrix of these bodies' masses. Where an inverse is zero the unknown is zero.
+  // Starts a system with the mass matrix M of these bodies. `mass` has an entry for each index up
+  // to the largest body. Where an inverse mass is zero, the unknown is zero.
   void reset(const BodySet& bodies, std::span<const InverseMass> mass);
-  // Adds weight * row' row.
+  // Adds weight row^T row. The bodies of the row must be in the system.
   void add(const ConstraintRow& row, double weight);
 
-  // Of the matrix, in its place; then solve() may be called for any number of right sides.
+  // Factorises the matrix, in its place.
   void factorise();
-  // The right side becomes the solution.
+  // Replaces the right-hand side by the solution. The matrix must be factorised.
   void solve(BodyVector& rhs) const;
 
  private:
-  using Block = std::array<Vec3, 3>;  // rows, then columns
-  // The rows of a body when it is eliminated: the columns of its own, then of each of the `others`.
+  using Block = std::array<Vec3, 3>;  // [row][column]
+  using BodyMask = unsigned long;     // a bit for each body: cheaper to change than a BodySet
+  static_assert(max_bodies <= 8 * sizeof(BodyMask));
+
+  // The three rows of a body at its elimination: an upper triangle of its own columns, then a block
+  // for each of the others that it is coupled with, in increasing order of their indices.
   struct Front {
     Block own;
-    Vec3 inverse_pivot;
-    unsigned long others;
+    Vec3 inverse_pivot;  // zero for an infinite pivot, so that unknown becomes zero
+    BodyMask others;
     std::array<Block, max_bodies> off_diagonal;
   };
 
   Block& block(int high, int low) { return blocks_[high * max_bodies + low]; }
-  void couple(int body, unsigned long others);
+  void couple(int body, BodyMask others);
   void detach(int body);
-  void assemble_front(int body, unsigned long others);
+  void assemble_front(int body, BodyMask others);
   void eliminate(int body);
 
   std::vector<Block> blocks_;  // rows of the higher body, columns of the lower
-  // Of each body that is left, with which others that are left, one bit each; and how many.
-  std::array<unsigned long, max_bodies> coupled_;
+  // For each body that is not eliminated: the others of these that it is coupled with, and their
+  // number, which is its degree.
+  std::array<BodyMask, max_bodies> coupled_;
   std::array<int, max_bodies> coupled_count_;
-  std::vector<Front> fronts_;  // of each body
-  unsigned long bodies_ = 0;
-  std::array<int, max_bodies> order_;
-  int count_ = 0;
+  std::vector<Front> fronts_;  // by body
+  BodyMask bodies_ = 0;
+  std::array<int, max_bodies> order_;  // of elimination
+  int count_ = 0;                      // bodies in order_
 };
 
 }  // namespace mirocup::simulator::solver

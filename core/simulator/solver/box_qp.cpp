@@ -1,37 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "core/simulator/solver/box_qp.hpp"
 
+#include "core/base/assert.hpp"
 #include "core/base/math.hpp"
+#include "core/simulator/model/solver_settings.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace mirocup::simulator::solver {
 
-namespace {
-// A pivot smaller than this against its diagonal says that the unknown depends on the others: two
-// contacts that push the same thing the same way. It is given this much give of its own: where the
-// others leave it open, it hardly moves; where they contradict it, it goes to its bound.
-constexpr double min_pivot = 1e-10;
-
-// What counts as nothing, as a share of the largest |b|. Where rows nearly contradict each other,
-// rounding can release bounds in circles: after so many, more counts as nothing with each.
-constexpr double gradient_tolerance = 1e-14;
-constexpr int patient_releases = 8;
-constexpr double tolerance_growth = 4.0;
-constexpr double max_tolerance = 1e-6;
-constexpr int max_releases = 64;
-
-// A problem of so many unknowns, six robots around the ball have fewer, is large.
-constexpr int warm_start_size = 32;
-
-}  // namespace
-
 BoxQp::BoxQp()
     : a_(std::make_unique_for_overwrite<double[]>(max_unknowns * max_unknowns)),
       factor_(std::make_unique_for_overwrite<double[]>(max_unknowns * max_unknowns)) {}
 
 void BoxQp::reset(int size) {
+  MIROCUP_ASSERT(0 <= size && size <= max_unknowns);
   size_ = size;
   warm_start_qp_.reset({});
   std::fill_n(a_.get(), size * size, 0.0);
@@ -46,7 +30,7 @@ double BoxQp::gradient(int i) const {
   return w;
 }
 
-// Already the solution, without any step?
+// True if x meets the optimality conditions.
 bool BoxQp::is_solved(double tolerance) const {
   for (int i = 0; i < size_; ++i) {
     const double w = gradient(i);
@@ -64,7 +48,7 @@ void BoxQp::order_all_free() {
   }
 }
 
-// What comes before the first of them in the factorisation is as it was.
+// Drops the unknowns that are held now. The factor stays valid up to the first of them.
 void BoxQp::drop_fixed() {
   int left = 0;
   for (int k = 0; k < order_count_; ++k) {
@@ -78,9 +62,9 @@ void BoxQp::drop_fixed() {
   order_count_ = left;
 }
 
-// Each time the unknown with the largest pivot left comes next, so that those that nearly depend on
-// others come last. Otherwise what rounding leaves of a small pivot would be taken for one, and
-// divided by, again and again.
+// The unknown with the largest remaining pivot comes next, so that those that nearly depend on
+// others come last. The pivot of such an unknown is mostly rounding, and dividing by it would spoil
+// all unknowns after it.
 void BoxQp::factorise() {
   for (int k = factorised_; k < order_count_; ++k) {
     const int i = order_[k];
@@ -96,7 +80,7 @@ void BoxQp::factorise() {
     std::swap(order_[n], order_[next]);
     const int i = order_[n];
     double* row = &factor_[i * size_];
-    row[n] = std::sqrt(std::max(pivot_[i], min_pivot * a(i, i)));
+    row[n] = std::sqrt(std::max(pivot_[i], settings::box_qp.min_pivot * a(i, i)));
     for (int k = n + 1; k < order_count_; ++k) {
       const int j = order_[k];
       double* other = &factor_[j * size_];
@@ -127,6 +111,7 @@ void BoxQp::solve_free() {
   }
 }
 
+// Moves x towards target_ up to the first bound, and holds all unknowns that reach a bound there.
 bool BoxQp::step_to_target() {
   double fraction = 1.0;
   for (int i = 0; i < size_; ++i) {
@@ -152,6 +137,7 @@ bool BoxQp::step_to_target() {
   return reached;
 }
 
+// The held unknown whose gradient points inwards the most, or -1 if none exceeds the tolerance.
 int BoxQp::most_violating(double tolerance) const {
   int worst = -1;
   double most = tolerance;
@@ -167,17 +153,18 @@ int BoxQp::most_violating(double tolerance) const {
   return worst;
 }
 
-// All are tried together first; those that would go the wrong way stop where they are. Most contacts
-// of a heap press, so this takes fewer rounds than to begin with none.
+// All unknowns are free at first, and those that would move outwards are held at their bounds. Most
+// contacts of a heap press, so this takes fewer rounds than to start with none.
 void BoxQp::cold_start() {
   for (int i = 0; i < size_; ++i) {
     x[i] = std::clamp(0.0, low[i], high[i]);
     bound_[i] = low[i] < high[i] ? Bound::free : Bound::fixed;
+    banned_[i] = false;
   }
 }
 
 bool BoxQp::is_large() const {
-  return size_ >= warm_start_size;
+  return size_ >= settings::box_qp.warm_start_size;
 }
 
 RegularizedQp& BoxQp::warm_start(std::span<const InverseMass> mass) {
@@ -198,38 +185,50 @@ void BoxQp::apply_warm_start() {
   }
 }
 
+// Each step that does not reach the minimum holds one more unknown, so there are at most as many
+// steps as free unknowns.
+void BoxQp::minimise_over_free() {
+  do {
+    solve_free();
+  } while (!step_to_target());
+}
+
+// Releases the bound of unknown i, and bans it if the release would move the unknown outwards.
+//
+// In exact arithmetic the minimum over the free unknowns and i lies inwards of the bound of i,
+// because the gradient of i points inwards. Where i nearly depends on the free unknowns, rounding
+// can turn that around. The next step would then hold i again, in circles. So a probe,
+// solve_free(), computes the direction before anything moves. If it points inwards, the next
+// round starts with the factor that the probe has made.
+void BoxQp::release(int i) {
+  bound_[i] = Bound::free;
+  order_all_free();
+  solve_free();
+  const bool inwards = x[i] <= low[i] ? target_[i] > x[i] : target_[i] < x[i];
+  if (inwards) return;
+  bound_[i] = Bound::fixed;
+  banned_[i] = true;
+  drop_fixed();
+}
+
 void BoxQp::solve() {
   cold_start();
-  std::fill_n(banned_.begin(), size_, false);
   double scale = 0.0;
   for (int i = 0; i < size_; ++i) scale = std::max(scale, std::abs(b[i]));
-  double tolerance = gradient_tolerance * scale;
+  double tolerance = settings::box_qp.gradient_tolerance * scale;
   if (is_solved(tolerance)) return;
   apply_warm_start();
   order_all_free();
 
-  // Each round releases one bound.
-  for (int round = 0; round < max_releases; ++round) {
-    do {
-      solve_free();
-    } while (!step_to_target());
-
-    if (round >= patient_releases) {
-      tolerance = std::min(tolerance * tolerance_growth, max_tolerance * scale);
+  for (int round = 0; round < settings::box_qp.max_rounds; ++round) {
+    minimise_over_free();
+    if (round >= settings::box_qp.exact_rounds) {
+      tolerance = std::min(tolerance * settings::box_qp.tolerance_growth,
+                           settings::box_qp.max_gradient_tolerance * scale);
     }
-    const int released = most_violating(tolerance);
-    if (released < 0) return;
-    bound_[released] = Bound::free;
-    order_all_free();
-    solve_free();
-    // Rounding can turn a release against its own bound; then it was no violation.
-    const bool inwards = x[released] <= low[released] ? target_[released] > x[released]
-                                                      : target_[released] < x[released];
-    if (!inwards) {
-      bound_[released] = Bound::fixed;
-      banned_[released] = true;
-      drop_fixed();
-    }
+    const int violating = most_violating(tolerance);
+    if (violating < 0) return;
+    release(violating);
   }
 }
 

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
-// The one numerical problem behind every contact: minimise 1/2 x.Ax + b.x with low <= x <= high.
+// A convex QP with bounds: minimise 1/2 x.Ax + b.x with low <= x <= high.
 //
-// A is symmetric and positive semidefinite. With w = Ax + b the solution has w_i = 0 inside the
-// bounds, w_i >= 0 at the lower and w_i <= 0 at the upper bound: for low = 0, high = infinity this
-// is the complementarity of contacts (force or separation, never both), for a finite box the grip
-// of wheels.
+// A is symmetric and positive semidefinite. With the gradient w = Ax + b the solution has w_i = 0
+// inside the bounds, w_i >= 0 at the lower and w_i <= 0 at the upper bound: a mixed LCP (Cottle,
+// Pang, Stone 1992). With low = 0 and high = infinity this is the complementarity of contacts (a
+// force or a separation, never both), with a finite box the grip of wheels.
 //
-// Method: active sets. The free unknowns are solved exactly by Cholesky; on the way to that
-// solution the first unknown to hit a bound stops there; a bound that pulls the wrong way is
-// released. Every step lowers the function, so it ends. The factorisation is our own because a
-// library may order its sums by the size of a cache, and a match must give the same bits
-// everywhere.
+// Method: a primal active set (Nocedal and Wright, "Numerical Optimization", 16.5). The free
+// unknowns are minimised exactly by Cholesky factorisation. On the line to that minimum, the
+// first unknown that hits a bound is held there. At the minimum, one bound whose gradient points
+// inwards is released. Every step lowers the objective, so it ends. The factorisation is our own
+// because a library may order its sums by the size of a cache, and a match must give the same
+// bits everywhere.
 #pragma once
 
 #include "core/simulator/solver/regularized_qp.hpp"
@@ -21,34 +22,38 @@
 
 namespace mirocup::simulator::solver {
 
-// Kept and reused: making one allocates, solving does not.
+// One problem after another: reset(), then a(), b, low and high, then solve(). Construction
+// allocates, solving does not. Belongs to one thread.
 class BoxQp {
  public:
   BoxQp();
 
-  // Starts a problem of that size with A = 0, b = 0, 0 <= x < infinity.
+  // Starts a problem of `size` <= max_unknowns unknowns with A = 0, b = 0, 0 <= x < infinity.
   void reset(int size);
 
   int size() const { return size_; }
   double& a(int row, int column) { return a_[row * size_ + column]; }
   double a(int row, int column) const { return a_[row * size_ + column]; }
-  // Adds to both halves; j <= i.
+  // Adds to both halves of A; j <= i.
   void add_to_a(int i, int j, double by) {
     a(i, j) += by;
     if (i != j) a(j, i) += by;
   }
   Unknowns b, low, high;
 
-  // Each bound costs a round. So a large problem whose rows are known, all of them, is begun where it
-  // is nearly solved, after reset().
+  // A large problem costs a round for each bound, so it needs a warm start. If is_large(), the
+  // caller may give all rows of A = J M^-1 J^T to warm_start() after reset(); solve() then starts
+  // from the solution of that regularised QP.
   bool is_large() const;
   RegularizedQp& warm_start(std::span<const InverseMass> mass);
 
-  // The solution is in x; where A leaves it open, one of the solutions.
+  // Solves the problem; the solution is in x. Where A leaves it open, x is one of the solutions.
+  // Where rows contradict each other, so that there is none, x is within its bounds and the
+  // objective is not above that of the start.
   void solve();
   Unknowns x;
 
-  // w_i, from x as it stands.
+  // Returns the gradient w_i at x.
   double gradient(int i) const;
 
  private:
@@ -56,26 +61,28 @@ class BoxQp {
 
   void cold_start();
   bool is_solved(double tolerance) const;
-  void order_all_free();  // order_ from bound_, nothing of it factorised
-  void drop_fixed();      // from order_
-  void factorise();       // what is not yet, of order_
-  void solve_free();      // target_ from the free unknowns, the others held
-  bool step_to_target();  // true if no bound was in the way
-  int most_violating(double tolerance) const;
   void apply_warm_start();
+  void order_all_free();  // sets order_ from bound_; nothing of it is factorised
+  void drop_fixed();      // from order_
+  void factorise();       // what is not yet factorised of order_
+  void solve_free();      // sets target_: the minimum over the free unknowns
+  bool step_to_target();  // true if no bound was in the way
+  void minimise_over_free();
+  int most_violating(double tolerance) const;
+  void release(int i);
 
   int size_ = 0;
-  // Not cleared: most of it is never touched.
+  // Rows of size_ entries. Allocated for the largest problem but not cleared: most is never used.
   std::unique_ptr<double[]> a_;
   std::unique_ptr<double[]> factor_;  // row i of the factor belongs to unknown i
   Unknowns target_, rhs_, pivot_;
   std::array<Bound, max_unknowns> bound_;
-  std::array<bool, max_unknowns> banned_;
-  std::array<int, max_unknowns> order_;  // the free unknowns, in the order of the factorisation
+  std::array<bool, max_unknowns> banned_;  // bounds that are not released any more
+  std::array<int, max_unknowns> order_;    // the free unknowns, in the order of the factorisation
   int order_count_ = 0;
-  int factorised_ = 0;  // so many of them, the first ones, have been
+  int factorised_ = 0;  // the first unknowns of order_, whose rows of the factor are valid
 
-  RegularizedQp warm_start_qp_;  // if it has the unknowns
+  RegularizedQp warm_start_qp_;  // used if it has all rows of the problem
 };
 
 }  // namespace mirocup::simulator::solver

@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "core/simulator/solver/pivoted_cholesky.hpp"
 
+#include "core/base/assert.hpp"
+#include "core/simulator/model/solver_settings.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 namespace mirocup::simulator::solver {
-
-namespace {
-
-// As in complementarity.cpp.
-constexpr double redundant_pivot = 1e-11;
-
-// Equations with a pivot above this share of their diagonal are clear of the others.
-constexpr double independent_pivot = 1e-3;
-
-}  // namespace
 
 PivotedCholesky::PivotedCholesky()
     : a_(std::make_unique_for_overwrite<double[]>(max_unknowns * max_unknowns)),
@@ -22,12 +15,13 @@ PivotedCholesky::PivotedCholesky()
       packed_(std::make_unique_for_overwrite<double[]>(max_unknowns * (max_unknowns + 1) / 2)) {}
 
 void PivotedCholesky::reset(int n) {
+  MIROCUP_ASSERT(0 <= n && n <= max_unknowns);
   size_ = n;
   std::fill_n(a_.get(), n * n, 0.0);
 }
 
-// What nearly depends on others comes behind all that are clear, the largest pivot first: dividing
-// by what rounding leaves of a small one would spoil the others.
+// The pivot of an equation that nearly depends on others is mostly rounding, and dividing by it
+// would spoil all equations after it. So these come last, the largest pivot first.
 void PivotedCholesky::factorise() {
   const int n = size_;
   for (int i = 0; i < n; ++i) {
@@ -37,7 +31,8 @@ void PivotedCholesky::factorise() {
   int taken = 0;
   for (int place = 0; place < n; ++place) {
     const int i = order_[place];
-    if (pivot_[i] > independent_pivot * a(i, i)) eliminate(place, taken++);
+    if (pivot_[i] > settings::pivoted_cholesky.independent_pivot * a(i, i))
+      eliminate(place, taken++);
   }
   while (taken < n) {
     int largest = taken;
@@ -49,7 +44,8 @@ void PivotedCholesky::factorise() {
   pack();
 }
 
-// The rows one after the other, as solve() reads them: it is called for every term of a motion.
+// Copies the rows one after the other, as solve() reads them, because solve() is called for every
+// term of a motion.
 void PivotedCholesky::pack() {
   double* to = packed_.get();
   for (int k = 0; k < size_; ++k) {
@@ -58,12 +54,12 @@ void PivotedCholesky::pack() {
   }
 }
 
+// Eliminates the equation at order_[place] as number `taken`. Those passed over keep their order.
 void PivotedCholesky::eliminate(int place, int taken) {
-  // Those passed over keep their order.
   std::rotate(order_.begin() + taken, order_.begin() + place, order_.begin() + place + 1);
   const int i = order_[taken];
   double* row = &factor_[i * size_];
-  redundant_[i] = pivot_[i] <= redundant_pivot * a(i, i);
+  redundant_[i] = pivot_[i] <= settings::pivoted_cholesky.redundant_pivot * a(i, i);
   row[taken] = redundant_[i] ? 1.0 : std::sqrt(pivot_[i]);
   for (int k = taken + 1; k < size_; ++k) {
     const int j = order_[k];

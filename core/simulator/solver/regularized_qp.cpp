@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "core/simulator/solver/regularized_qp.hpp"
 
+#include "core/base/assert.hpp"
 #include "core/base/math.hpp"
+#include "core/simulator/model/solver_settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,20 +12,9 @@ namespace mirocup::simulator::solver {
 
 namespace {
 
-// D as a share of A's diagonal.
-constexpr double regularization = 1e-5;
+constexpr auto& tuning = settings::regularized_qp;
 
-// Rounds, few of which are needed; and of one, how many halves of a step are tried for whether they
-// lower the function by this share of what its slope promised, as far as rounding lets see, where the
-// first bound is nearer than this share of the step.
-constexpr int max_newton_rounds = 40;
-constexpr int max_backtracks = 4;
-constexpr double near_bound = 0.1;
-constexpr double armijo_fraction = 0.1;
-constexpr double value_round_off = 1e-14;
-// Rounding could leave what reaches its bound a hair inside it, for ever.
-constexpr double bound_round_off = 1.0 + 1e-12;
-
+// J v, the entry of one row.
 double rate(const ConstraintRow& row, const BodyVector& v) {
   const JacobianRow& a = v[row.a];
   const double of_a = row.on_a[0] * a[0] + row.on_a[1] * a[1] + row.on_a[2] * a[2];
@@ -32,6 +23,7 @@ double rate(const ConstraintRow& row, const BodyVector& v) {
   return of_a + (row.on_b[0] * b[0] + row.on_b[1] * b[1] + row.on_b[2] * b[2]);
 }
 
+// Adds `by` times one row of J^T.
 void add_to(BodyVector& v, const ConstraintRow& row, double by) {
   JacobianRow& a = v[row.a];
   for (int c = 0; c < 3; ++c) a[c] += by * row.on_a[c];
@@ -47,6 +39,7 @@ double inverse_mass_along(const JacobianRow& row, const InverseMass& m) {
 }  // namespace
 
 void RegularizedQp::reset(std::span<const InverseMass> mass) {
+  MIROCUP_ASSERT(mass.size() <= mass_.size());
   std::copy(mass.begin(), mass.end(), mass_.begin());
   size_ = 0;
   bodies_.reset();
@@ -54,6 +47,7 @@ void RegularizedQp::reset(std::span<const InverseMass> mass) {
 }
 
 void RegularizedQp::add(const ConstraintRow& row) {
+  MIROCUP_ASSERT(size_ < max_unknowns);
   const int i = size_++;
   rows_[i] = row;
   inverse_effective_mass_[i] = inverse_mass_along(row.on_a, mass_[row.a]);
@@ -68,24 +62,24 @@ void RegularizedQp::add(const ConstraintRow& row) {
   system_current_ = rates_current_ = false;
 }
 
-bool RegularizedQp::solve(double close) {
+bool RegularizedQp::solve(double gradient_tolerance) {
   double scale = 0.0;
   for (int i = 0; i < size_; ++i) {
     scale = std::max(scale, std::abs(b[i]));
     prox_centre_[i] = x[i] = std::clamp(x[i], low[i], high[i]);
   }
   evaluate();
-  for (int round = 0; round < max_newton_rounds; ++round) {
-    if (update_active_set(close * scale)) return true;
+  for (int round = 0; round < tuning.max_newton_rounds; ++round) {
+    if (update_active_set(gradient_tolerance * scale)) return true;
     find_newton_direction();
-    std::copy_n(x.begin(), size_, begin_.begin());
-    std::copy_n(slope_.begin(), size_, begin_slope_.begin());
+    std::copy_n(x.begin(), size_, x_at_start_.begin());
+    std::copy_n(gradient_.begin(), size_, gradient_at_start_.begin());
     if (!line_search()) return false;
   }
   return false;
 }
 
-// The function at x, and what it changes with each unknown.
+// Computes the objective and its gradient at x.
 void RegularizedQp::evaluate() {
   if (!rates_current_ || !std::equal(x.begin(), x.begin() + size_, x_at_rates_.begin()))
     evaluate_rates();
@@ -93,14 +87,15 @@ void RegularizedQp::evaluate() {
   for (int i = 0; i < size_; ++i) {
     const double ax = rates_[i];
     const double off = x[i] - prox_centre_[i];
-    const double pull = regularization * inverse_effective_mass_[i] * off;
+    const double pull = tuning.regularization * inverse_effective_mass_[i] * off;
     value += x[i] * (0.5 * ax + b[i]) + 0.5 * pull * off;
-    slope_[i] = ax + b[i] + pull;
+    gradient_[i] = ax + b[i] + pull;
   }
   value_ = value;
 }
 
-// A x. Who is solved anew for another b begins where it was looked at last.
+// Computes A x = J M^-1 J^T x. The result is kept, because a problem that is solved for another b
+// starts at the x of the last evaluation.
 void RegularizedQp::evaluate_rates() {
   clear_velocities();
   for (int i = 0; i < size_; ++i) {
@@ -125,89 +120,110 @@ void RegularizedQp::set_bound(int i, Bound bound) {
   bound_[i] = bound;
 }
 
-// What is pulled out of its bounds stays there; true if nothing else is pulled anywhere.
+// Holds the unknowns at a bound whose gradient points outwards, and frees the others. Returns true
+// if the gradients of the free ones are zero: x is the solution.
 bool RegularizedQp::update_active_set(double tolerance) {
   bool solved = true;
   for (int i = 0; i < size_; ++i) {
     const bool is_given = low[i] == high[i] || inverse_effective_mass_[i] == 0.0;
-    const bool is_held = is_given || (x[i] <= low[i] && slope_[i] >= -tolerance) ||
-                         (x[i] >= high[i] && slope_[i] <= tolerance);
+    const bool is_held = is_given || (x[i] <= low[i] && gradient_[i] >= -tolerance) ||
+                         (x[i] >= high[i] && gradient_[i] <= tolerance);
     set_bound(i, is_held ? Bound::fixed : Bound::free);
-    solved = solved && (is_held || std::abs(slope_[i]) <= tolerance);
+    solved = solved && (is_held || std::abs(gradient_[i]) <= tolerance);
   }
   return solved;
 }
 
-// Newton's step of the free unknowns. Those that it would push out of the bounds where they are are
-// held, too.
+// Each repetition holds at least one more unknown, so this ends.
 void RegularizedQp::find_newton_direction() {
-  bool goes_out = true;
-  while (goes_out) {
-    goes_out = false;
-    if (!system_current_) assemble_system();
-    clear_velocities();
-    for (int i = 0; i < size_; ++i) {
-      if (bound_[i] == Bound::free)
-        add_to(velocities_, rows_[i], -slope_[i] / (regularization * inverse_effective_mass_[i]));
-    }
-    system_.solve(velocities_);
-    for (int i = 0; i < size_; ++i) {
-      if (bound_[i] != Bound::free) continue;
-      direction_[i] = -(slope_[i] + rate(rows_[i], velocities_)) /
-                      (regularization * inverse_effective_mass_[i]);
-      const bool outwards =
-          (x[i] <= low[i] && direction_[i] < 0.0) || (x[i] >= high[i] && direction_[i] > 0.0);
-      if (!outwards) continue;
-      set_bound(i, Bound::fixed);
-      goes_out = true;
-    }
+  do {
+    solve_newton_system();
+  } while (hold_outward_directions());
+}
+
+// Computes Newton's direction of the free unknowns in the space of the bodies, with r = -gradient.
+void RegularizedQp::solve_newton_system() {
+  if (!system_current_) assemble_system();
+  clear_velocities();
+  for (int i = 0; i < size_; ++i) {
+    if (bound_[i] == Bound::free)
+      add_to(velocities_, rows_[i],
+             -gradient_[i] / (tuning.regularization * inverse_effective_mass_[i]));
+  }
+  system_.solve(velocities_);
+  for (int i = 0; i < size_; ++i) {
+    if (bound_[i] != Bound::free) continue;
+    direction_[i] = -(gradient_[i] + rate(rows_[i], velocities_)) /
+                    (tuning.regularization * inverse_effective_mass_[i]);
   }
 }
 
+// Bound pruning: holds the free unknowns at a bound whose direction points outwards. Returns true
+// if there are any.
+bool RegularizedQp::hold_outward_directions() {
+  bool any = false;
+  for (int i = 0; i < size_; ++i) {
+    if (bound_[i] != Bound::free) continue;
+    const bool outwards =
+        (x[i] <= low[i] && direction_[i] < 0.0) || (x[i] >= high[i] && direction_[i] > 0.0);
+    if (!outwards) continue;
+    set_bound(i, Bound::fixed);
+    any = true;
+  }
+  return any;
+}
+
+// Assembles and factorises M + J^T D^-1 J over the free rows.
 void RegularizedQp::assemble_system() {
   system_.reset(bodies_, mass_);
   for (int i = 0; i < size_; ++i) {
     if (bound_[i] == Bound::free)
-      system_.add(rows_[i], 1.0 / (regularization * inverse_effective_mass_[i]));
+      system_.add(rows_[i], 1.0 / (tuning.regularization * inverse_effective_mass_[i]));
   }
   system_.factorise();
   system_current_ = true;
 }
 
-// Far in that direction, cut off at the bounds, if that lowers the function as promised; else to the
-// first bound, up to where it always goes down. Where that is near, less far is tried before. False if
-// not even that can be seen.
+// Backtracking with Armijo's condition, on the path that is projected onto the bounds. If the
+// whole step does not lower the objective enough, the step to the first bound is taken, because
+// up to there the path is straight and the objective falls. Where that bound is near, such a step
+// would be tiny, so shorter fractions of the projected path are tried before. Returns false if
+// rounding hides even the fall up to the first bound.
 bool RegularizedQp::line_search() {
   const double old_value = value_;
   const double first_bound = fraction_to_first_bound();
-  double part = 1.0;
-  for (int halved = 0; halved < max_backtracks; ++halved, part *= 0.5) {
-    if (halved > 0 && first_bound >= near_bound) break;
-    const double promised = try_fraction(part);
-    if (value_ <= old_value + armijo_fraction * promised + value_round_off * std::abs(old_value))
+  double fraction = 1.0;
+  for (int backtracks = 0; backtracks < tuning.max_backtracks; ++backtracks, fraction *= 0.5) {
+    if (backtracks > 0 && first_bound >= tuning.near_bound) break;
+    const double promised = try_fraction(fraction);
+    if (value_ <= old_value + tuning.armijo_fraction * promised +
+                      tuning.value_round_off * std::abs(old_value))
       return true;
   }
   try_fraction(first_bound);
-  return value_ <= old_value + value_round_off * std::abs(old_value);
+  return value_ <= old_value + tuning.value_round_off * std::abs(old_value);
 }
 
+// The fraction of the step at which the first free unknown reaches its bound, at most 1.
 double RegularizedQp::fraction_to_first_bound() const {
-  double part = 1.0;
+  double fraction = 1.0;
   for (int i = 0; i < size_; ++i) {
     if (bound_[i] != Bound::free || direction_[i] == 0.0) continue;
     const double limit = direction_[i] < 0.0 ? low[i] : high[i];
-    part = std::min(part, bound_round_off * (limit - begin_[i]) / direction_[i]);
+    fraction =
+        std::min(fraction, tuning.bound_round_off * (limit - x_at_start_[i]) / direction_[i]);
   }
-  return part;
+  return fraction;
 }
 
-// x, value and slope after that part of the step; returns what the slope before promised of it.
-double RegularizedQp::try_fraction(double part) {
+// Sets x, value and gradient after a fraction of the step, projected onto the bounds. Returns the
+// change of the objective that the gradient at the start promises.
+double RegularizedQp::try_fraction(double fraction) {
   double promised = 0.0;
   for (int i = 0; i < size_; ++i) {
     if (bound_[i] != Bound::free) continue;
-    x[i] = std::clamp(begin_[i] + part * direction_[i], low[i], high[i]);
-    promised += begin_slope_[i] * (x[i] - begin_[i]);
+    x[i] = std::clamp(x_at_start_[i] + fraction * direction_[i], low[i], high[i]);
+    promised += gradient_at_start_[i] * (x[i] - x_at_start_[i]);
   }
   evaluate();
   return promised;

@@ -48,8 +48,8 @@ void make_random(BoxQp& p, int size, int rank, Random& random) {
   }
 }
 
-// Rows that contradict each other have no solution. Catches bounds that are released in circles, with
-// ever larger unknowns: it ends, within the bounds and not above where it began.
+// Rows that contradict each other have no solution. Catches bounds that are released in circles,
+// with ever larger unknowns: it ends, within the bounds and not above where it began.
 TEST(BoxQp, EndsWhereRowsContradict) {
   Random random(5);
   BoxQp p;

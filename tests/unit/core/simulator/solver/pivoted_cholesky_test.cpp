@@ -36,8 +36,8 @@ TEST(PivotedCholesky, SolvesWhatIsIndependent) {
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(rhs[i], x[i], 1e-13);
 }
 
-// Two contacts that push the same: the first in order takes it, the other is named and left at zero.
-// Dividing by what rounding leaves of the second one's pivot would give forces of any size.
+// Two contacts that push the same: the first in order takes it, the other is named and left at
+// zero. Dividing by what rounding leaves of the second one's pivot would give forces of any size.
 TEST(PivotedCholesky, NamesAnEquationThatFollowsFromOthers) {
   PivotedCholesky e;
   const double third = 1.0 / 3.0;

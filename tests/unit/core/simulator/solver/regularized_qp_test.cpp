@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Every solution is held against the conditions that define it. Catches bounds that are exchanged for
-// ever, a pull to the wrong place, and a system that is kept though other unknowns are free now.
+// Every solution is held against the conditions that define it. Catches bounds that are exchanged
+// for ever, a pull to the wrong place, and a system that is kept though other unknowns are free
+// now.
 #include "core/simulator/solver/regularized_qp.hpp"
 
 #include "core/base/random.hpp"
@@ -121,8 +122,8 @@ TEST(RegularizedQp, SolvesForAnotherB) {
   }
 }
 
-// What is remembered of the last look changes no bit. Catches rates that are taken for those of another x,
-// or of other rows.
+// What is remembered of the last look changes no bit. Catches rates that are taken for those of
+// another x, or of other rows.
 TEST(RegularizedQp, RemembersWhatWouldBeFoundAnew) {
   RegularizedQp p;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
@@ -143,8 +144,8 @@ TEST(RegularizedQp, RemembersWhatWouldBeFoundAnew) {
   }
 }
 
-// A row of a body that cannot be moved, and one whose bounds leave nothing: catches a division by what
-// such a row gives.
+// A row of a body that cannot be moved, and one whose bounds leave nothing: catches a division by
+// what such a row gives.
 TEST(RegularizedQp, LeavesGivenUnknowns) {
   RegularizedQp p;
   const std::array<InverseMass, 1> mass{InverseMass{1.0, 0.0, 1.0}};
