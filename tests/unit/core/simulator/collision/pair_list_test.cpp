@@ -67,7 +67,7 @@ TEST(PairList, HoldsEveryPairThatTouches) {
   Random random(3);
   Crowd crowd;
   std::size_t touching = 0;
-  for (int round = 0; round < 200; ++round) {
+  for (int round = 0; round < 300; ++round) {
     for (int i = 0; i < max_bodies; ++i) crowd.place(random, i);
     crowd.pairs->find(crowd.world, crowd.boxes, ~BodySet{});
     const PairSet listed = crowd.listed();

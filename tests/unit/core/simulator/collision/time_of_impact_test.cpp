@@ -61,8 +61,8 @@ TEST(TimeOfImpact, OfTouchingBodiesIsWhenTheyPenetrate) {
   }
 }
 
-// A square that spins in place beside a wall: its corner comes down at a known angle. Catches a corner
-// that is taken to move on a straight line.
+// A square that spins in place beside a wall: its corner comes down at a known angle. Catches a
+// corner that is taken to move on a straight line.
 TEST(TimeOfImpact, OfASpinningSquareIsAClosedForm) {
   constexpr double side = 0.08;
   constexpr double omega = 10.0;  // rad/s
