@@ -65,7 +65,7 @@ void for_each_candidate_pair(const StaticWorld& world, std::span<const trajector
     if (!are_apart(box, obstacle, reach)) add(pair_with_obstacle(i, k));
   };
   // Side walls are near only where |y| is large; goal backs, corner cuts and end walls only where
-  // |x| is large.
+  // |x| is large. (The line of a corner cut also passes behind a side wall, where no body is.)
   const double margin = field.corner_leg + reach;
   if (is_beyond(box.low_y, box.high_y, field.half_width - margin)) {
     for (int k = 0; k < side_walls; ++k) add_obstacle(field.walls[k], k);

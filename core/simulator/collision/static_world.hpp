@@ -46,7 +46,7 @@ struct StaticWorld {
   }
 };
 
-// Returns the static world of so many robots, at most max_robots, on a field (null: no obstacles).
+// Returns the static world of a field (null: no obstacles) with at most max_robots robots.
 StaticWorld make_static_world(const field::Field* field, const Parameters& parameters,
                               const Tolerances& tolerances, int robots, bool has_ball);
 

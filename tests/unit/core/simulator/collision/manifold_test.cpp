@@ -16,9 +16,9 @@ std::vector<double> gaps_of(const ContactPoints& found) {
   return gaps;
 }
 
-// Pairs that are out of question are left early. Catches one that is left too early, also of corners
-// that look at each other, whose circles are hardly closer than they are.
-TEST(Contact, MarginOnlyLeavesOutWhatIsFarther) {
+// Pairs that cannot be within the margin are ruled out early. Catches one that is ruled out too
+// early, also where corner faces corner.
+TEST(Manifold, MarginLeavesOutFartherPointsOnly) {
   constexpr double side = 0.075;
   constexpr double margin = 0.01;
   const geometry::Outline square_shape = geometry::square(side);

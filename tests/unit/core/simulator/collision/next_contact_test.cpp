@@ -72,7 +72,7 @@ struct Tilted {
   }
 };
 
-TEST(Pressing, FindsTheOtherCornerComingDown) {
+TEST(NextContact, FindsTheOtherCorner) {
   for (const double rate : {0.5, 4.0, 20.0}) {
     const Tilted down(0.02, -rate, 0.0, 0.05);
     ASSERT_TRUE(is_separating_edge(down.world, down.contact));
@@ -81,17 +81,17 @@ TEST(Pressing, FindsTheOtherCornerComingDown) {
   }
 }
 
-TEST(Pressing, IsNotMisledBySliding) {
+TEST(NextContact, SlidingDoesNotChangeIt) {
   EXPECT_NEAR(Tilted(0.02, -4.0, 0.3, 0.02).next(), 0.005, 1e-9);
   EXPECT_EQ(Tilted(0.02, 0.0, 0.3, 0.02).next(), trajectory::never);
 }
 
 // With two contacts between the same two nothing turns: rounding must not be taken for a touch.
-TEST(Pressing, FlushEdgesStayFlush) {
+TEST(NextContact, FlushEdgesStayFlush) {
   EXPECT_EQ(Tilted(0.0, -1e-9, 0.0, 0.02).next(true), trajectory::never);
 }
 
-TEST(Pressing, KnowsNothingOfContactsThatDoNotPress) {
+TEST(NextContact, OnlyPersistentContactsSeparate) {
   Tilted tilted(0.02, -4.0, 0.0, 0.02);
   tilted.contact.resting.is_persistent = false;
   EXPECT_FALSE(is_separating_edge(tilted.world, tilted.contact));
@@ -126,8 +126,8 @@ TEST(ContactSeries, FollowACornerAlongAnEdge) {
   set_terms(rows, trajectory::max_terms);
   // From y = -0.01 at 0.3 m/s to the end of the edge.
   EXPECT_EQ(time_on_edge(t.contact, rows, 0.0, 0.02), 0.02);
-  const double way = 0.01 + t.world.parameters.robot_side / 2.0;
-  EXPECT_NEAR(time_on_edge(t.contact, rows, 0.0, 1.0), way / slide, 1e-12);
+  const double path = 0.01 + t.world.parameters.robot_side / 2.0;
+  EXPECT_NEAR(time_on_edge(t.contact, rows, 0.0, 1.0), path / slide, 1e-12);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Over which edge robots come to overlap, for all four sides of a square.
+// The edges over which robots come to overlap, for all four sides of a square.
 #include "core/simulator/collision/reference_edges.hpp"
 
 #include "core/base/math.hpp"
@@ -13,8 +13,8 @@
 namespace mirocup::simulator::collision {
 namespace {
 
-// Two squares, of which one is on the other's left side as seen from `turned` (rad), and beside it by
-// these gaps, m: ahead, and to the left. Negative where the projections overlap.
+// Two squares, of which one is on the other's left side as seen from `turned` (rad), and beside it
+// by these gaps, m: ahead, and to the left. Negative where the projections overlap.
 struct Gaps {
   double ahead, left;
 };
@@ -25,7 +25,8 @@ std::array<BodyState, 2> off_diagonal(const StaticWorld& world, double turned, c
   return {BodyState{{0.0, 0.0}, heading, {}}, BodyState{heading.to_world(place), heading, {}}};
 }
 
-// The direction of the contacts after a way from these gaps to those, seen from the first square.
+// Returns the direction of the contacts after a motion from these gaps to those, seen from the
+// first square.
 Vec2 direction_after(double turned, const Gaps& from, const Gaps& to) {
   const StaticWorld world = make_static_world(nullptr, Parameters{}, Tolerances{}, 2, false);
   const auto begin = off_diagonal(world, turned, from);
@@ -42,33 +43,34 @@ Vec2 direction_after(double turned, const Gaps& from, const Gaps& to) {
   return c.b == 0 ? normal : Vec2{-normal};
 }
 
-class FirstEdges : public testing::TestWithParam<double> {};
+class ReferenceEdges : public testing::TestWithParam<double> {};
 
-// Catches the edge that is nearest at the end: it pushes past a corner that nobody passed.
-TEST_P(FirstEdges, AreThoseThatPartedThemLast) {
+// Catches the edge that is nearest at the end: it pushes past a corner that was not passed.
+TEST_P(ReferenceEdges, AreTheLastSeparatingEdges) {
   const Vec2 direction = direction_after(GetParam(), {1e-5, -5e-6}, {-3e-5, -5e-6});
   EXPECT_NEAR(direction.x(), 1.0, 1e-9);
 }
 
-// At the end they are apart, but were not all the time. Catches one who asks only those that overlap.
-TEST_P(FirstEdges, StopWhoWouldPassThrough) {
+// At the end they are apart, but were not all the time. Catches a function that skips pairs without
+// overlap.
+TEST_P(ReferenceEdges, StopABodyThatWouldPassThrough) {
   const Vec2 direction = direction_after(GetParam(), {1e-5, -5e-6}, {-3e-5, 1e-5});
   EXPECT_NEAR(direction.x(), 1.0, 1e-9);
 }
 
-// Catches one who asks the begin only.
-TEST_P(FirstEdges, LetWhoeverIsPastTheCornerGoOn) {
+// Catches a function that uses the start of the step only.
+TEST_P(ReferenceEdges, LetABodyPastTheCornerGoOn) {
   const Vec2 direction = direction_after(GetParam(), {1e-5, -5e-6}, {-3e-5, 3e-5});
   EXPECT_NEAR(direction.y(), 1.0, 1e-9);
 }
 
-// Catches one who takes what rounding leaves of a gap for an overlap.
-TEST_P(FirstEdges, OfWhoTouchedAreThoseThatTheyTouchedWith) {
+// Catches a function that takes the rounding of a gap for an overlap.
+TEST_P(ReferenceEdges, OfTouchingBodiesAreTheTouchingEdges) {
   const Vec2 direction = direction_after(GetParam(), {-1e-11, -5e-6}, {-2e-5, -5e-6});
   EXPECT_NEAR(direction.x(), 1.0, 1e-9);
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, FirstEdges,
+INSTANTIATE_TEST_SUITE_P(Headings, ReferenceEdges,
                          testing::Values(0.0, 0.5 * pi, 0.3, 0.3 + pi, -0.9, -0.5 * pi));
 
 }  // namespace

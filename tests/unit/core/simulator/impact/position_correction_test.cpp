@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Overlaps that are taken away.
+// Overlaps that position projection removes.
 #include "core/simulator/impact/position_correction.hpp"
 
 #include "core/simulator/collision/collision_queries.hpp"
@@ -33,7 +33,7 @@ struct Row {
   }
 };
 
-TEST(PushApart, TakesOverlapsAway) {
+TEST(PositionProjection, RemovesOverlaps) {
   const auto problem = std::make_unique<solver::RegularizedQp>();
   for (const double side : {1.0, -1.0}) {
     Row row(4, overlap, side);
@@ -48,8 +48,8 @@ TEST(PushApart, TakesOverlapsAway) {
 }
 
 // A robot between two that cannot be moved, with less room than it needs. Catches shifts that grow
-// until something gives in: bodies were thrown about by a hundred times what they overlapped.
-TEST(PushApart, DoesNotMoveFarWhereThereIsNoRoom) {
+// without limit: bodies were thrown about by a hundred times their overlap.
+TEST(PositionProjection, MovesLittleWhereThereIsNoRoom) {
   const auto problem = std::make_unique<solver::RegularizedQp>();
   for (const double side : {1.0, -1.0}) {
     Row row(3, overlap, side);

@@ -27,12 +27,12 @@ struct Side {
     c.point.normal = {1.0, 0.0};
     set_row(bodies, c);
   }
-  void stop(int robot, double most) {
-    arrest_slip(contacts, std::array{robot}, most, mass, bodies, problem);
+  void stop(int robot, double max_impulse) {
+    arrest_slip(contacts, std::array{robot}, max_impulse, mass, bodies, problem);
   }
 };
 
-TEST(StopSlides, StopsWhatTheGroundCanAndNoMore) {
+TEST(WheelStiction, ImpulseOfTheGroundIsBounded) {
   Side side;
   const double m = side.parameters.robot_mass;
   side.bodies[1].twist.left = 1e-4;
@@ -44,8 +44,8 @@ TEST(StopSlides, StopsWhatTheGroundCanAndNoMore) {
   EXPECT_NEAR(side.bodies[1].twist.left, 0.75e-4, 1e-18);
 }
 
-// WheelState that are stopped must not drive a robot into another one: the contact pushes back.
-TEST(StopSlides, LetsNoContactApproach) {
+// Wheels that are stopped must not drive a robot into another one: the contact pushes back.
+TEST(WheelStiction, LetsNoContactApproach) {
   Side side;
   side.bodies[1].heading = Heading{0.0, 1.0};  // its left is -x, towards the first one
   set_row(side.bodies, side.contacts[0]);

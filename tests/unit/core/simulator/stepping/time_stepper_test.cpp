@@ -159,27 +159,5 @@ TEST(TimeStepper, ShortStepsDoNotThrowApart) {
   }
 }
 
-// The ball rolls round a robot's corner: the contact is looked at again on the other side. Catches a
-// ball that is still held off the corner when the edge is nearer.
-TEST(StaticWorld, LooksAgainRoundACorner) {
-  const collision::StaticWorld world =
-      collision::make_static_world(nullptr, Parameters{}, Tolerances{}, 1, true);
-  const double half = 0.5 * world.parameters.robot_side;
-  const double radius = world.parameters.ball_radius;
-  std::array<BodyState, 2> bodies{BodyState{{0.0, 0.0}, Heading{}, {}}, BodyState{}};
-  const Pair pair = pair_of(1, 0);
-  for (const double end : {1.0, -1.0}) {
-    bodies[1].position = {end * (half + 0.6 * radius), end * (half + 0.8 * radius)};
-    collision::ContactList list;
-    add_contacts(world, pair, bodies, 1e-3, list);
-    ASSERT_EQ(list.count, 1);
-    ASSERT_EQ(list.list[0].point.kind, collision::Touching::circle_on_corner);
-    bodies[1].position = {end * (half - 0.001), end * (half + radius - 1e-6)};
-    refresh_contact(world, bodies, pair, list.list[0].point);
-    EXPECT_EQ(list.list[0].point.kind, collision::Touching::circle_on_edge);
-    EXPECT_NEAR(list.list[0].point.gap, -1e-6, 1e-15);
-  }
-}
-
 }  // namespace
 }  // namespace mirocup::simulator::stepping

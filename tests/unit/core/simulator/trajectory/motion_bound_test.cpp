@@ -4,7 +4,6 @@
 #include "core/simulator/trajectory/motion_bound.hpp"
 
 #include "core/base/random.hpp"
-#include "core/simulator/collision/closest_approach.hpp"
 #include "core/simulator/trajectory/closed_form.hpp"
 
 #include <gtest/gtest.h>
@@ -53,43 +52,6 @@ TEST(MotionBound, HoldsTheCurveAndItsTurning) {
       ASSERT_LE(std::abs(now.twist.omega), m.way.max_omega * (1.0 + 1e-12)) << i;
     }
   }
-}
-
-TEST(MotionBound, RulesOutNoTouch) {
-  const Parameters p;
-  const geometry::Outline shape = robot_outline(p);
-  constexpr double margin = 1e-10;
-  Random random(12);
-  int out_of_reach = 0;
-  int never_touches = 0;
-  int touches = 0;
-  for (int i = 0; i < 4000; ++i) {
-    const Moving a = random_robot(random, i % 2 == 0);
-    const Moving b = random_robot(random, i % 3 == 0);
-    const geometry::Separation at_first = separation(shape, a.body, shape, b.body);
-    if (at_first.gap <= margin) continue;
-    const double end = std::min(a.segment.end, b.segment.end);
-    const collision::ApproachQuery encounter{a.way, b.way, 2.0 * shape.radius + margin, 0.0, end};
-    const bool apart = stays_out_of_reach(encounter);
-    const double earliest =
-        earliest_contact_time(encounter, at_first, shape.radius, shape.radius, margin);
-    out_of_reach += apart;
-    never_touches += earliest == never;
-    for (int k = 0; k <= 100; ++k) {
-      const double t = end * k / 100.0;
-      const BodyState body_a = body_at(a.segment, t);
-      const BodyState body_b = body_at(b.segment, t);
-      if (gap(shape, body_a, shape, body_b) > margin) continue;
-      ++touches;
-      ASSERT_FALSE(apart) << i;
-      ASSERT_LE(earliest, t) << i;
-      break;
-    }
-  }
-  // It would be easy to rule out nothing.
-  EXPECT_GT(out_of_reach, 500);
-  EXPECT_GT(never_touches, 1500);
-  EXPECT_GT(touches, 50);
 }
 
 }  // namespace
