@@ -63,7 +63,7 @@ bool ContactMotion::arrest_brief_slip(const SegmentRequest& request,
   });
 }
 
-// Of the wheels that begin to slide from rest, lets those hold for which is_marginal(grounding,
+// Lets those wheels hold that begin to slide from rest and for which is_marginal(grounding,
 // segment). Otherwise they would begin and end the same slide for ever.
 template <class IsMarginal>
 bool ContactMotion::arrest_slip(std::span<const collision::Contact> contacts,
@@ -357,7 +357,7 @@ void ContactMotion::add_to_twists(const solver::ConstraintRow& row, double amoun
   if (row.b != no_body) add(row.b, row.on_b);
 }
 
-// Returns when a contact opens or its point leaves the edge, s after the begin; at most `length`.
+// Returns when a contact opens or its point leaves the edge, s after the start; at most `length`.
 double ContactMotion::time_of_release(double min_duration, double length) const {
   for (int i = 0; i < held_count_; ++i) {
     const double from = std::min(min_duration, length);
@@ -369,7 +369,7 @@ double ContactMotion::time_of_release(double min_duration, double length) const 
   return length;
 }
 
-// Returns when the grip of wheels is used up, s after the begin; at most `length`.
+// Returns when the grip of wheels is used up, s after the start; at most `length`.
 double ContactMotion::time_of_slip(double min_duration, double length) const {
   const double grip = max_grip();
   for (int w = 0; w < wheel_count_; ++w) {

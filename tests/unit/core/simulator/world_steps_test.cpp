@@ -34,7 +34,7 @@ void set_around_ball(World& world, double distance, double turned) {
   world.set_ball({});
 }
 
-// Of six robots that whirl, and change how every ten ticks.
+// Returns commands with which six robots whirl; they change every ten ticks.
 std::array<WheelCommand, 6> whirl(int tick) {
   std::array<WheelCommand, 6> commands;
   for (int i = 0; i < 6; ++i) {

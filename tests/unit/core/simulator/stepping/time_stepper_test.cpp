@@ -15,8 +15,8 @@ namespace mirocup::simulator::stepping {
 namespace {
 
 // Two robots on their corners, one moving past the other at 1 m/s, from `before` metres
-// before it, so that the corners would pass 0.05 mm deep through each other. Their gap is looked
-// at on the way.
+// before it, so that the corners would pass 0.05 mm deep through each other. Their gap is checked
+// all along the step.
 void expect_apart_past_a_corner(double side, double before) {
   const Parameters p;
   const collision::StaticWorld world =
@@ -109,8 +109,8 @@ TEST(TimeStepper, LongStepDoesNotStartWithTheForceOfAShortStop) {
 }
 
 // A robot spins with a corner on another's side: it touches at both ends of a step and would be
-// 10 µm inside between, where somebody may run into it. Catches arcs that are not bent, or the
-// wrong way, and steps that are short instead.
+// 10 µm inside between, where a body from outside may collide with it. Catches arcs without a
+// correction or with the wrong sign, and steps that are shortened instead.
 TEST(TimeStepper, TurningRobotsDoNotOverlapInsideAStep) {
   const Parameters p;
   const collision::StaticWorld world =
