@@ -110,7 +110,7 @@ class World {
   collision::StaticWorld static_world_;
   // Trajectories. A body has one of three kinds: series; a closed form; a step, if it is in
   // step_islands_, too. Of the last two the segment has begin and end only.
-  std::array<BodyState, max_bodies> bodies_{};  // each at the begin of its segment
+  std::array<BodyState, max_bodies> bodies_{};  // each at the start of its segment
   std::array<trajectory::Segment, max_bodies> segments_{};
   BodySet closed_form_;                                // bodies without series
   std::array<BodyState, max_bodies> closed_form_end_;  // of each in closed form, not in a step

@@ -46,7 +46,7 @@ Vec2 nearest_on_edge(const Vec2& start, const Vec2& stop, const Vec2& point) {
   return start + share * edge;
 }
 
-// Of a polygon's border.
+// Returns the point of a polygon's border that is nearest to a point.
 Vec2 nearest_on_border(const Outline& polygon, const Vec2& point) {
   Vec2 best = polygon.corners[0];
   for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
@@ -56,7 +56,7 @@ Vec2 nearest_on_border(const Outline& polygon, const Vec2& point) {
   return best;
 }
 
-// Of a point from a polygon, negative inside.
+// Returns the distance of a point from a polygon, negative inside.
 double point_distance(const Outline& polygon, const Vec2& point) {
   const double inside = best_separation(polygon, {{point}, 0.0}).amount;
   return inside <= 0.0 ? inside : (point - nearest_on_border(polygon, point)).norm();

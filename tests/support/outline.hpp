@@ -21,10 +21,11 @@ struct Outline {
 Outline square_at(const Vec2& centre, double angle, double side);
 Outline circle_at(const Vec2& centre, double radius);
 
-// Everything solid around a field as large boxes: side walls, goal backs, cut corners, end walls.
+// Returns everything solid around a field as large boxes: side walls, goal backs, cut corners,
+// end walls.
 std::vector<Outline> solids_around(const field::Field& field);
 
-// The Euclidean distance; minus the depth where they overlap. Not for two circles.
+// Returns the Euclidean distance; minus the depth where they overlap. Not for two circles.
 double distance(const Outline& a, const Outline& b);
 
 struct TouchPoint {
@@ -33,8 +34,8 @@ struct TouchPoint {
   double gap;   // m
 };
 
-// The places where the two are no farther apart than `margin`: both ends of what lies flush, else
-// one, or none.
+// Returns the points where the two are no farther apart than `margin`: both ends of what lies
+// flush, else one, or none.
 std::vector<TouchPoint> touch_points(const Outline& a, const Outline& b, double margin);
 
 }  // namespace mirocup::test_support

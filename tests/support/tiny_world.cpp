@@ -317,17 +317,17 @@ void TinyWorld::advance(std::span<const simulator::WheelCommand> commands, doubl
     drives_[i].turn = p_.wheel_radius * (right - left) / p_.wheel_distance;
   }
   const int steps = static_cast<int>(std::ceil(duration / step_ - 1e-9));
-  const double sink = touch_speed * step_;
+  const double margin = touch_speed * step_;
   for (int i = 0; i < steps; ++i) {
     double left_over = duration / steps;
     while (left_over > 0.0) {
-      Contacts contacts = contacts_within(bodies_, sink);
+      Contacts contacts = contacts_within(bodies_, margin);
       if (any_impact(contacts, left_over)) resolve_impacts(contacts);
-      const double limit = std::min(0.0, nearest(bodies_)) - sink;
+      const double limit = std::min(0.0, nearest(bodies_)) - margin;
       Bodies next = stepped(contacts, left_over);
       double length = left_over;
       if (nearest(next) < limit) {
-        length = length_until_inside(contacts, limit + 0.5 * sink, left_over);
+        length = length_until_inside(contacts, limit + 0.5 * margin, left_over);
         next = stepped(contacts, length);
       }
       bodies_ = next;
@@ -336,7 +336,7 @@ void TinyWorld::advance(std::span<const simulator::WheelCommand> commands, doubl
   }
 }
 
-// How long a step may be until something is as close as `limit`, by bisection.
+// Returns the length of a step after which the smallest gap is `limit`, s, by bisection.
 double TinyWorld::length_until_inside(const Contacts& contacts, double limit, double h) {
   double low = 0.0;
   double high = h;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// The whole game's physics by tiny steps: the yardstick for core/simulator wherever there is no
-// closed form. Slow, simple and independent: its own forces, geometry (outline.hpp) and solver
-// (box_sweeps.hpp); of core/simulator it uses only the structs of its numbers.
+// The whole physics by tiny time steps: the reference for core/simulator wherever there is no
+// closed form. Slow, simple and independent: it has its own forces, geometry (outline.hpp) and
+// solver (box_sweeps.hpp); of core/simulator it uses only the structs of its numbers.
 //
-// State: positions, angles and velocities in the field's frame, so that no turning frames appear. A
-// step is second order: forces at its middle, and such impulses of contacts and wheels that at its
-// end nothing that touches comes closer and no wheel slides that can hold. Where something would
-// get inside something the step ends there, and the impact is resolved as a simultaneous one. It
-// ends also where the wheels of a robot lose or find their grip, but only to the step.
+// State: positions, angles and velocities in the field's frame, so that no turning frames appear.
+// A step is second order: forces at its middle, and such impulses of contacts and wheels that at
+// its end nothing that touches comes closer and no wheel slides that can hold. Where something
+// would get inside something the step ends there, and the impact is resolved as a simultaneous
+// one. It ends also where the wheels of a robot lose or find their grip, but only to the step.
 #pragma once
 
 #include "core/simulator/model/parameters.hpp"
@@ -22,7 +22,7 @@
 
 namespace mirocup::test_support {
 
-// Where a body touches another one or a solid.
+// A contact of a body with another one or with a solid.
 struct TinyContact {
   int a = 0;
   int b = -1;  // -1: something that does not move

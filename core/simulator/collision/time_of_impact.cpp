@@ -16,7 +16,7 @@ namespace {
 // How far beyond the border of a corner's sector, m, the centre must be to have left it: rounding
 // must not end the search while the centre is on the border.
 constexpr double sector_round_off =
-    settings::time_of_impact.sector_round_off * trajectory::root_tolerance;
+    settings::time_of_impact.sector_round_off * settings::taylor_series.root_tolerance;
 
 // A vector whose components are series.
 struct SeriesPoint {
@@ -169,7 +169,7 @@ double time_of_impact_of_circle(const MovingOutline& a, const MovingOutline& b, 
   double t = 0.0;
   for (int axes = 0; axes < settings::time_of_impact.max_axes; ++axes) {
     const geometry::Axis axis = nearest_axis(b.shape, centre.at(t));
-    if (axis.separation <= reach + trajectory::root_tolerance) break;
+    if (axis.separation <= reach + settings::taylor_series.root_tolerance) break;
     if (axis.corner >= 0) {
       t = first_change_at_corner(b.shape, axis.corner, centre, reach, t, length);
     } else {
@@ -189,7 +189,7 @@ geometry::Reference reference_at(const MovingOutline& a, const MovingOutline& b,
 double time_of_impact_of_polygons(const MovingOutline& a, const MovingOutline& b,
                                   geometry::Reference reference, double level, double begin,
                                   double end) {
-  if (reference.best.separation <= level + trajectory::root_tolerance) return begin;
+  if (reference.best.separation <= level + settings::taylor_series.root_tolerance) return begin;
   const trajectory::Track track_a = track_from(a.segment, begin);
   const trajectory::Track track_b = track_from(b.segment, begin);
   // Each is computed when an edge of that side is needed.
@@ -198,7 +198,7 @@ double time_of_impact_of_polygons(const MovingOutline& a, const MovingOutline& b
   double t = 0.0;
   for (int axes = 0; axes < settings::time_of_impact.max_axes; ++axes) {
     if (axes > 0) reference = reference_at(a, b, begin + t);
-    if (reference.best.separation <= level + trajectory::root_tolerance) break;
+    if (reference.best.separation <= level + settings::taylor_series.root_tolerance) break;
     if (reference.is_a) {
       if (!b_in_a) b_in_a.emplace(track_b, track_a);
       t = first_crossing_of_edge(a.shape, reference.best.edge, b.shape, *b_in_a, level, t, length);
@@ -216,7 +216,7 @@ double time_of_impact_of_polygons(const MovingOutline& a, const MovingOutline& b
 template <class TimeAtLevel>
 double impact_or_penetration(double gap_at_begin, double penetration, double begin,
                              TimeAtLevel time_at_level) {
-  if (gap_at_begin > std::max(trajectory::root_tolerance, penetration)) {
+  if (gap_at_begin > std::max(settings::taylor_series.root_tolerance, penetration)) {
     const double impact = time_at_level(0.0);
     if (impact > begin) return impact;
   }

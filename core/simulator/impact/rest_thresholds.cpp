@@ -50,8 +50,8 @@ void RestThresholds::begin_tick(const BodySet& touching) {
   over_budget_ = tolerances_.event_budget > 0 ? BodySet{} : ~BodySet{};
   all_impacts_ = 0;
   last_impact_ = 0.0;
-  slip_threshold_ = trajectory::slip_round_off;
-  roll_threshold_ = trajectory::roll_round_off;
+  slip_threshold_ = settings::differential_drive.slip_round_off;
+  roll_threshold_ = settings::rolling_ball.roll_round_off;
   min_duration_ = tolerances_.min_contact_duration;
 }
 

@@ -24,7 +24,7 @@ void arrest_slip(std::span<collision::Contact> contacts, std::span<const int> ro
                  double max_impulse, std::span<const solver::InverseMass> mass,
                  std::span<BodyState> bodies, solver::BoxQp& problem) {
   const double fastest = max_slip(robots, bodies);
-  if (fastest <= trajectory::slip_round_off) return;
+  if (fastest <= settings::differential_drive.slip_round_off) return;
   std::array<BodyState, max_bodies> before;
   std::copy(bodies.begin(), bodies.end(), before.begin());
 
@@ -47,7 +47,7 @@ void arrest_slip(std::span<collision::Contact> contacts, std::span<const int> ro
   for (int i = 0; i < n; ++i) collision::apply_impulse(row(i), problem.x[i], mass, bodies);
   for (const int robot : robots) {
     double& left = bodies[robot].twist.left;
-    if (std::abs(left) <= trajectory::slip_round_off) left = 0.0;
+    if (std::abs(left) <= settings::differential_drive.slip_round_off) left = 0.0;
   }
   if (max_slip(robots, bodies) >= fastest) {
     std::copy_n(before.begin(), bodies.size(), bodies.begin());

@@ -63,7 +63,7 @@ bool ContactMotion::arrest_brief_slip(const SegmentRequest& request,
   });
 }
 
-// Of the wheels that begin to slide from rest, lets those hold for which is_marginal(grounding,
+// Lets those wheels hold that begin to slide from rest and for which is_marginal(grounding,
 // segment). Otherwise they would begin and end the same slide for ever.
 template <class IsMarginal>
 bool ContactMotion::arrest_slip(std::span<const collision::Contact> contacts,
@@ -90,9 +90,10 @@ void ContactMotion::extend_until_converged(const SegmentRequest& request,
   for (const int terms : trajectory::term_counts) {
     for (; k < terms - 1; ++k) extend(k, segments);
     set_terms_of_all(terms, segments);
-    const bool converged = std::all_of(
-        members_.begin(), members_.begin() + member_count_,
-        [&](int i) { return has_converged(segments[i], length, trajectory::contact_truncation); });
+    const bool converged =
+        std::all_of(members_.begin(), members_.begin() + member_count_, [&](int i) {
+          return has_converged(segments[i], length, settings::segment.contact_truncation);
+        });
     if (converged) return;
   }
 }
@@ -115,7 +116,7 @@ void ContactMotion::set_terms_of_all(int terms, std::span<trajectory::Segment> s
 double ContactMotion::converged_length_of_all(std::span<const trajectory::Segment> segments) const {
   double length = segments[members_[0]].end - segments[members_[0]].begin;
   for (int m = 0; m < member_count_; ++m) {
-    length = converged_length(segments[members_[m]], length, trajectory::contact_truncation);
+    length = converged_length(segments[members_[m]], length, settings::segment.contact_truncation);
   }
   return length;
 }
@@ -357,7 +358,7 @@ void ContactMotion::add_to_twists(const solver::ConstraintRow& row, double amoun
   if (row.b != no_body) add(row.b, row.on_b);
 }
 
-// Returns when a contact opens or its point leaves the edge, s after the begin; at most `length`.
+// Returns when a contact opens or its point leaves the edge, s after the start; at most `length`.
 double ContactMotion::time_of_release(double min_duration, double length) const {
   for (int i = 0; i < held_count_; ++i) {
     const double from = std::min(min_duration, length);
@@ -369,7 +370,7 @@ double ContactMotion::time_of_release(double min_duration, double length) const 
   return length;
 }
 
-// Returns when the grip of wheels is used up, s after the begin; at most `length`.
+// Returns when the grip of wheels is used up, s after the start; at most `length`.
 double ContactMotion::time_of_slip(double min_duration, double length) const {
   const double grip = max_grip();
   for (int w = 0; w < wheel_count_; ++w) {

@@ -102,7 +102,7 @@ class ContactMotion {
 
   std::array<int, max_bodies> members_;  // bodies of the cluster
   int member_count_ = 0;
-  // Of each member:
+  // By body:
   std::array<solver::InverseMass, max_bodies> mass_;
   std::array<trajectory::Braking, max_bodies> braking_;
   std::array<double, max_bodies> slip_sign_;

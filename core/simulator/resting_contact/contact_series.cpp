@@ -226,7 +226,8 @@ solver::ConstraintRow later_force_term(const collision::Contact& c, const Contac
 double time_on_edge(const collision::Contact& c, const ContactSeries& rows, double margin,
                     double length) {
   const auto until = [&](const trajectory::Series& inside, double level) {
-    if (inside[0] <= level + settings::contact_series.restart_margin * trajectory::root_tolerance)
+    if (inside[0] <=
+        level + settings::contact_series.restart_margin * settings::taylor_series.root_tolerance)
       return;
     length = std::min(length, first_crossing(inside, level, 0.0, length));
   };

@@ -73,7 +73,7 @@ solver::ConstraintRow later_force_term(const collision::Contact& contact, const 
                                        int k);
 
 // Returns when the point has left the edge, or the ball the corner's sector, by `margin` (m, or
-// of the sine): s after the begin, at most `length`. A point that is out there at the start may
+// of the sine): s after the start, at most `length`. A point that is out there at the start may
 // stay.
 double time_on_edge(const collision::Contact& contact, const ContactSeries& rows, double margin,
                     double length);

@@ -24,7 +24,7 @@ Twist unconstrained_robot_twist(const Parameters& p, const trajectory::DriveRefe
   // The frame turns. The velocity of a sliding robot keeps its direction in the field; wheels that
   // roll keep the forward speed instead, and their grip will have to supply the lateral rest.
   const Heading turned = Heading::from_angle(v.omega * step);
-  const bool rolls = std::abs(v.left) <= trajectory::slip_round_off;
+  const bool rolls = std::abs(v.left) <= settings::differential_drive.slip_round_off;
   const Vec2 kept =
       rolls ? Vec2{v.forward, -v.forward * turned.sin} : turned.to_body({v.forward, v.left});
   Twist next{kept.x(), kept.y(), v.omega};

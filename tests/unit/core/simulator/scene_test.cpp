@@ -36,7 +36,7 @@ double per_axis_speed(const Parameters& p, double v, double t) {
 }
 
 // Catches a ball that brakes along its direction, and one that forgets (9) below k.
-TEST(Scene, BrakesEachAxisByItselfWhenAsked) {
+TEST(Scene, BallBrakesEachAxisByItselfWithPerAxisFriction) {
   Scene scene = ball_scene({0.0, 0.0}, {0.05, 0.5}, 2.0);
   scene.has_walls = false;
   scene.parameters.rolling_friction = RollingFriction::per_axis;
@@ -49,8 +49,8 @@ TEST(Scene, BrakesEachAxisByItselfWhenAsked) {
   }
 }
 
-// A ball pushed through the speed k must not wait there.
-TEST(Scene, PushesABallThroughTheSlowSpeedOfOneAxis) {
+// Catches a ball that waits at the speed k, in event after event.
+TEST(Scene, BallIsPushedThroughTheSlowSpeedOfOneAxis) {
   Scene scene = ball_scene({0.06, 0.0}, {0.0, 0.0}, 1.0);
   scene.has_walls = false;
   scene.parameters.rolling_friction = RollingFriction::per_axis;
@@ -62,7 +62,7 @@ TEST(Scene, PushesABallThroughTheSlowSpeedOfOneAxis) {
 
 // A ball at 45 degrees against the side: the normal part turns by restitution, the other loses the
 // coefficient times the normal impulse.
-TEST(Scene, RubsAtAWallByCoulombsLaw) {
+TEST(Scene, WallFrictionFollowsCoulombsLaw) {
   Scene scene = ball_scene({0.5, 0.0}, {1.0, 1.0}, 0.4);
   scene.parameters.contact_friction.ball_wall = 0.2;
   scene.parameters.rolling_resistance = 0.0;
@@ -77,7 +77,7 @@ TEST(Scene, RubsAtAWallByCoulombsLaw) {
 }
 
 // Two robots side by side, one pushes along the other's flank: with friction it drags it along.
-TEST(Scene, DragsByFriction) {
+TEST(Scene, RobotDragsAnotherAlongByFriction) {
   Scene scene;
   scene.has_walls = false;
   scene.duration = 0.5;
@@ -91,7 +91,7 @@ TEST(Scene, DragsByFriction) {
   EXPECT_GT(rough, smooth + 0.005);
 }
 
-TEST(Scene, PlaysWithOtherConvexShapes) {
+TEST(Scene, HexagonsMeetAtTheirSidesAndStay) {
   Scene scene;
   scene.has_walls = false;
   scene.duration = 1.0;
@@ -115,7 +115,7 @@ TEST(Scene, PlaysWithOtherConvexShapes) {
   EXPECT_LT(result.statistics.deepest_overlap, 1e-9);
 }
 
-TEST(Scene, ShowsTheStateAfterAnImpactAtTheTimeOfASample) {
+TEST(Scene, SampleAtTheTimeOfAnImpactIsTheStateAfterIt) {
   Scene scene = ball_scene({0.75 - 0.02135 - 0.25, 0.5}, {1.0, 0.0}, 1.0);
   scene.parameters.rolling_resistance = 0.0;
   scene.parameters.viscous_friction = 0.0;
@@ -130,8 +130,8 @@ TEST(Scene, ShowsTheStateAfterAnImpactAtTheTimeOfASample) {
               1e-14);
 }
 
-// Looking more often changes nothing but rounding: ticks of any length play the same scene.
-TEST(Scene, DoesNotDependOnWhenItIsLookedAt) {
+// More samples change nothing but rounding: ticks of any length play the same scene.
+TEST(Scene, MoreSamplesChangeOnlyRounding) {
   Scene scene = ball_scene({0.1, 0.05}, {-0.4, 0.2}, 0.6);
   scene.robots = {robot_at(-0.2, 0.0, 0.2, 50.0), robot_at(0.3, 0.1, 2.0, 30.0)};
   const Sample once = run_scene(scene, standard).samples.back();
@@ -143,7 +143,7 @@ TEST(Scene, DoesNotDependOnWhenItIsLookedAt) {
   EXPECT_LT((once.ball->position - often.ball->position).norm(), 1e-9);
 }
 
-TEST(Scene, FindsWhatOverlapsAndWhatLiesOutside) {
+TEST(Scene, OverlapsAndBodiesOutsideTheFieldAreFound) {
   Scene scene = ball_scene({0.0, 0.0}, {0.0, 0.0}, 1.0);
   scene.robots = {robot_at(0.05, 0.0, 0.0, 0.0)};
   ASSERT_TRUE(find_overlap(scene));
@@ -161,7 +161,7 @@ TEST(Scene, FindsWhatOverlapsAndWhatLiesOutside) {
 }
 
 // Six robots squeeze the ball: every level keeps its own bound, and they agree.
-TEST(Scene, KeepsOverlapSmallAtEveryAccuracy) {
+TEST(Scene, OverlapStaysBelowTheBoundOfEachAccuracy) {
   Scene scene = ball_scene({0.0, 0.0}, {0.0, 0.0}, 1.0);
   for (int i = 0; i < 6; ++i) {
     const double angle = i * std::acos(-1.0) / 3.0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Worlds whose bodies in contact go in small steps: who takes one with whom, and what becomes of who is
-// interrupted. The steps themselves are tested without a world.
+// Worlds whose bodies in contact are time-stepped: which bodies share a step, and what happens
+// when a step is interrupted. The steps themselves are tested without a world.
 #include "core/simulator/world.hpp"
 
 #include <gtest/gtest.h>
@@ -12,8 +12,8 @@
 namespace mirocup::simulator {
 namespace {
 
-// Everything goes in small steps.
-Tolerances hasty() {
+// No event budget: every body in contact is time-stepped.
+Tolerances without_event_budget() {
   Tolerances tolerances;
   tolerances.event_budget = 0;
   return tolerances;
@@ -34,7 +34,7 @@ void set_around_ball(World& world, double distance, double turned) {
   world.set_ball({});
 }
 
-// Of six robots that whirl, and change how every ten ticks.
+// Returns commands with which six robots whirl; they change every ten ticks.
 std::array<WheelCommand, 6> whirl(int tick) {
   std::array<WheelCommand, 6> commands;
   for (int i = 0; i < 6; ++i) {
@@ -44,11 +44,11 @@ std::array<WheelCommand, 6> whirl(int tick) {
   return commands;
 }
 
-// Six robots that whirl into each other around the ball, in small steps only. Catches a step that
-// takes the gaps at its begin for those at its end: corners turn into neighbours by micrometres.
-TEST(World, SmallStepsLeaveNoOverlaps) {
+// Six robots whirl into each other around the ball. Catches a step that takes the gaps at its
+// start for those at its end: corners turn into neighbours by micrometres.
+TEST(World, TimeSteppedCrowdHasNoOverlaps) {
   const field::Field field = field::make_field(League::small);
-  World world(&field, Parameters{}, hasty(), 6, true);
+  World world(&field, Parameters{}, without_event_budget(), 6, true);
   set_around_ball(world, 0.12, 0.0);
   int stepped = 0;
   for (int tick = 0; tick < 60; ++tick) {
@@ -63,11 +63,11 @@ TEST(World, SmallStepsLeaveNoOverlaps) {
   EXPECT_GT(stepped, 50);
 }
 
-// Twenty-two robots side by side have more contacts within reach of a step than most crowds. Catches a
-// list that is full before the last of them.
-TEST(World, SmallStepsSeeAllContacts) {
+// Twenty-two robots side by side have more contacts within reach of a step than most crowds.
+// Catches a contact list that is too short for them.
+TEST(World, TimeSteppedCrowdOfAllRobotsHasNoOverlaps) {
   const field::Field field = field::make_field(League::large);
-  World world(&field, Parameters{}, hasty(), max_robots, true);
+  World world(&field, Parameters{}, without_event_budget(), max_robots, true);
   const double side = world.parameters().robot_side + 1e-4;
   const auto place = [&](int i) { return Vec2{side * (i % 5 - 2), side * (i / 5 - 2)}; };
   for (int i = 0; i < max_robots; ++i) world.set_robot(i, {place(i), Heading{}, {}});
@@ -89,9 +89,10 @@ TEST(World, SmallStepsSeeAllContacts) {
   }
 }
 
-// Scenes are sampled by ticks that last no time. Catches a step that divides by it: nobody is anywhere.
-TEST(World, NoStepIsTakenInNoTime) {
-  World world(nullptr, Parameters{}, hasty(), 6, true);
+// Scenes are sampled by ticks of duration zero. Catches a step that divides by it: states become
+// NaN.
+TEST(World, TickOfDurationZeroMovesNoSteppedBody) {
+  World world(nullptr, Parameters{}, without_event_budget(), 6, true);
   set_around_ball(world, 0.09, 0.3);
   for (int tick = 0; tick < 20; ++tick) {
     world.advance(whirl(tick), 0.033);
@@ -102,12 +103,11 @@ TEST(World, NoStepIsTakenInNoTime) {
   }
 }
 
-// Bodies that are set anew go on as in a world that never had others. Catches a step that begins with
-// the forces of wheels from before.
-TEST(World, ForgetsWhatWasBeforeBodiesWereSet) {
+// Catches a step that starts from the remembered forces of bodies that have been set since.
+TEST(World, BodiesThatAreSetPlayAsInANewWorld) {
   const field::Field field = field::make_field(League::small);
-  World used(&field, Parameters{}, hasty(), 6, true);
-  World fresh(&field, Parameters{}, hasty(), 6, true);
+  World used(&field, Parameters{}, without_event_budget(), 6, true);
+  World fresh(&field, Parameters{}, without_event_budget(), 6, true);
   const auto play = [](World& world) {
     for (int tick = 0; tick < 20; ++tick) world.advance(whirl(tick), 0.033);
   };
@@ -124,9 +124,9 @@ TEST(World, ForgetsWhatWasBeforeBodiesWereSet) {
   }
 }
 
-// A robot that steps with company beside it is alone again later. Catches one that goes on as if it
-// still took steps with others, and through a wall.
-TEST(World, StepsEndWithTheCompany) {
+// A robot shares steps with others and is alone later. Catches one that goes on as if it still
+// were in their step: it passes through a wall.
+TEST(World, RobotThatLeavesItsStepIslandStaysInsideTheWalls) {
   const field::Field field = field::make_field(League::small);
   Tolerances tolerances;
   tolerances.event_budget = 6;
@@ -153,11 +153,11 @@ TEST(World, StepsEndWithTheCompany) {
   }
 }
 
-// One robot pushes another, and a ball hits the first in the middle of their step. Catches one that keeps
-// what the motors would have given it until the step's end, and gets it again: a tenth and more too fast.
-// A share that is taken as linear is up to 4 % off.
-TEST(World, InterruptedStepsGiveNoMoreThanTheirShare) {
-  Tolerances tolerances = hasty();
+// One robot pushes another, and a ball hits the first in the middle of their step. Catches a
+// robot that keeps the motors' impulse of the whole step and gets the rest of it again: it is a
+// tenth or more too fast. The share is taken as linear in time, which is up to 4 % off.
+TEST(World, InterruptedStepGivesItsShareOfTheMotorImpulse) {
+  Tolerances tolerances = without_event_budget();
   tolerances.max_step = 0.04;
   const Parameters p;
   const double radii = 0.5 * p.robot_side + p.ball_radius;
@@ -177,13 +177,13 @@ TEST(World, InterruptedStepsGiveNoMoreThanTheirShare) {
   }
 }
 
-// Two pairs push far from each other, and a ball hits somebody of one in the middle of a step. Catches one
-// step for all: the others would be interrupted, too.
-TEST(World, WhoIsHitInterruptsNobodyFarAway) {
+// Two pairs push far from each other, and a ball hits one of them in the middle of a step. Catches
+// one step for all islands: the other pair would be interrupted, too.
+TEST(World, CollisionWithOneStepIslandLeavesOthersUnchanged) {
   const Parameters p;
   const double radii = 0.5 * p.robot_side + p.ball_radius;
   const auto far_pair = [&](double ball_speed) {
-    World world(nullptr, p, hasty(), 4, true);
+    World world(nullptr, p, without_event_budget(), 4, true);
     for (int i = 0; i < 4; ++i) {
       const Vec2 place{p.robot_side * (i % 2), i < 2 ? 0.0 : 1.0};
       world.set_robot(i, {place, Heading::from_angle(i % 2 == 0 ? 0.0 : 0.3), {}});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a small step promises: its end fits, and so does the way there.
+// What a step promises: no overlap at its end, and none between its ends.
 #include "core/simulator/stepping/time_stepper.hpp"
 
 #include "core/base/math.hpp"
@@ -14,8 +14,9 @@
 namespace mirocup::simulator::stepping {
 namespace {
 
-// Two robots on their corners, one on its way past the other at 1 m/s, from `before` metres before it,
-// so that the corners would pass 0.05 mm deep through each other. Their gap is looked at on the way.
+// Two robots on their corners, one moving past the other at 1 m/s, from `before` metres
+// before it, so that the corners would pass 0.05 mm deep through each other. Their gap is checked
+// all along the step.
 void expect_apart_past_a_corner(double side, double before) {
   const Parameters p;
   const collision::StaticWorld world =
@@ -42,22 +43,23 @@ void expect_apart_past_a_corner(double side, double before) {
   }
 }
 
-// Catches a step that only looks at its ends, where they are apart.
-TEST(TimeStepper, CornersDoNotPassThroughEachOther) {
+// Catches a step that checks its ends only, where they are apart.
+TEST(TimeStepper, PassingCornersDoNotTunnelInsideAStep) {
   const double step = Tolerances{}.max_step;
   for (const double side : {1.0, -1.0}) expect_apart_past_a_corner(side, 0.55 * step);
 }
 
-// At the step's end a corner is just past the other, a hair inside: by the edge that is nearest there it
-// would be pushed on. Catches a step that asks who does not press only.
-TEST(TimeStepper, CornersAreNotPushedOutOnTheOtherSide) {
+// At the step's end a corner is just past the other, a hair inside: by the edge that is nearest
+// there it would be pushed on. Catches a step that tests only contacts which do not press.
+TEST(TimeStepper, CornerBehindItsEdgeAtTheEndIsNotPushedOutOnTheOtherSide) {
   const double step = Tolerances{}.max_step;
   for (const double side : {1.0, -1.0}) expect_apart_past_a_corner(side, step - 2e-5);
 }
 
-// Two robots in touch turn as they roll, and a mirror image that rounding lets slide at 1e-17 m/s does the
-// same. Catches one whose frame turns away from its velocity: a ten thousandth slower after a step.
-TEST(TimeStepper, RoundingIsNoSliding) {
+// Two robots in touch turn as they roll, and a mirror image that rounding lets slide at 1e-17 m/s
+// does the same. Catches one whose frame turns away from its velocity: a ten thousandth slower
+// after a step.
+TEST(TimeStepper, LateralSpeedOfRoundingCountsAsRolling) {
   const Parameters p;
   const collision::StaticWorld world =
       collision::make_static_world(nullptr, p, Tolerances{}, 2, false);
@@ -76,10 +78,11 @@ TEST(TimeStepper, RoundingIsNoSliding) {
   EXPECT_NEAR(speed(1e-17), speed(0.0), 1e-12);
 }
 
-// A robot between two walls that stop it from turning within next to no time, and nothing to press it
-// afterwards. Catches a step that begins with the force of the one before, however long it is itself:
-// forces of which bodies feel nothing stay, and would drive them apart where they can move.
-TEST(TimeStepper, AShortStepsForceIsNotThatOfALongOne) {
+// A robot between two walls that stop it from turning within next to no time, and nothing to
+// press it afterwards. Catches a step that begins with the force of the one before, however long
+// it is itself: forces of which bodies feel nothing stay, and would drive them apart where they
+// can move.
+TEST(TimeStepper, LongStepDoesNotStartWithTheForceOfAShortStop) {
   const field::Field field = field::make_field(League::small);
   Parameters p;
   p.robot_side = 2.0 * field.half_width;
@@ -105,10 +108,10 @@ TEST(TimeStepper, AShortStepsForceIsNotThatOfALongOne) {
   EXPECT_LT(std::abs(bodies[0].twist.omega), 1e-6);
 }
 
-// A robot spins with a corner on another's side: it touches at both ends of a step and would be 10 µm
-// inside between, where somebody may run into it. Catches arcs that are not bent, or the wrong way, and
-// steps that are short instead.
-TEST(TimeStepper, TurningRobotsStayTogetherWithinAStep) {
+// A robot spins with a corner on another's side: it touches at both ends of a step and would be
+// 10 µm inside between, where a body from outside may collide with it. Catches arcs without a
+// correction or with the wrong sign, and steps that are shortened instead.
+TEST(TimeStepper, TurningRobotsDoNotOverlapInsideAStep) {
   const Parameters p;
   const collision::StaticWorld world =
       collision::make_static_world(nullptr, p, Tolerances{}, 2, false);
@@ -138,7 +141,7 @@ TEST(TimeStepper, TurningRobotsStayTogetherWithinAStep) {
 
 // What is left of a tick may be next to nothing, and two robots that overlap by a hair must not be
 // thrown apart within it. Catches a step that undoes all overlap at once: 0.3 m/s here.
-TEST(TimeStepper, ShortStepsDoNotThrowApart) {
+TEST(TimeStepper, ShortStepDoesNotTurnOverlapIntoSpeed) {
   const Parameters p;
   const collision::StaticWorld world =
       collision::make_static_world(nullptr, p, Tolerances{}, 2, false);
