@@ -4,13 +4,13 @@
 // which an earlier simulator went wrong. Every scene of the folder is played with an unlimited
 // event budget, so time stepping hides nothing.
 //
-// crowd_that_slides: wheels that are stopped push others that stand; these slide, stop and push
-// back, ever less. Slides were stopped robot by robot instead of together. wedge_at_rest: three
-// robots and the ball wedged between two walls, with speeds of rounding. Wheels were decided to
-// slide one way and then pulled the other way, again and again at one instant.
-// ball_at_rest_in_a_heap: fifteen robots wedged in a corner and the ball at rest between them.
-// The projection of velocities started the ball with a speed of rounding: it stopped within 7 ns,
-// again and again.
+//   - crowd_that_slides: wheels that are stopped push others that stand; these slide, stop and push
+//     back, ever less. Slides were stopped robot by robot instead of together.
+//   - wedge_at_rest: three robots and the ball wedged between two walls, with speeds of rounding.
+//     Wheels were decided to slide one way and then pulled the other way, for ever at one instant.
+//   - ball_at_rest_in_a_heap: fifteen robots wedged in a corner and the ball at rest between them.
+//     The projection of velocities started the ball with a speed of rounding: it stopped within
+//     7 ns, and so on.
 //
 // The headings are those of the finds to one rounding, because a scene gives them as angles. So
 // these scenes hold the simulator to its bounds where it once broke them; they need not meet the
