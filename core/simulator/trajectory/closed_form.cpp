@@ -47,7 +47,9 @@ MotorDecay motor_decay(const Parameters& p, double span) {
 
 bool has_closed_form(const Parameters& p, const BodyState& robot, const DriveReference& drive,
                      double span) {
-  if (!drive.wheels_on_ground || std::abs(robot.twist.left) > slip_round_off) return false;
+  if (!drive.wheels_on_ground ||
+      std::abs(robot.twist.left) > settings::differential_drive.slip_round_off)
+    return false;
   const double turn = fastest(robot.twist.omega, drive.omega);
   if (span * (turn + 1.0 / p.motor_time_constant) > settings::closed_form.max_angle) return false;
   return fastest(robot.twist.forward, drive.forward) * turn < p.grip * gravity;

@@ -51,8 +51,9 @@ WheelState wheel_state(const Parameters& p, const BodyState& robot, const DriveR
   const bool turns_too_hard =
       std::abs(v.omega * v.forward) >
       p.grip * gravity * (1.0 + 0.5 * settings::differential_drive.grip_margin);
-  return std::abs(v.left) > slip_round_off || turns_too_hard ? WheelState::sliding
-                                                             : WheelState::rolling;
+  return std::abs(v.left) > settings::differential_drive.slip_round_off || turns_too_hard
+             ? WheelState::sliding
+             : WheelState::rolling;
 }
 
 void extend_twist_on_ground(const Parameters& p, const DriveReference& drive, double slide, int k,
@@ -87,13 +88,15 @@ Segment drive(const Parameters& p, const BodyState& robot, const DriveReference&
       wheels == WheelState::lifted ? quickest : quickest + 1.0 / p.motor_time_constant;
   double slide = 0.0;
   if (wheels == WheelState::sliding) {
-    const bool starts = std::abs(robot.twist.left) <= slip_round_off;
+    const bool starts = std::abs(robot.twist.left) <= settings::differential_drive.slip_round_off;
     const double towards = starts ? -robot.twist.omega * robot.twist.forward : robot.twist.left;
     slide = towards > 0.0 ? 1.0 : -1.0;
   }
 
   Segment s = moving_segment(robot, begin, std::min(horizon, begin + segment_length(rate)));
-  if (wheels != WheelState::lifted && std::abs(s.left[0]) <= slip_round_off) s.left[0] = 0.0;
+  if (wheels != WheelState::lifted &&
+      std::abs(s.left[0]) <= settings::differential_drive.slip_round_off)
+    s.left[0] = 0.0;
   fill_series(s, preferred_duration, [&](int k) {
     if (wheels == WheelState::lifted) {
       extend_twist_lifted(k, s);

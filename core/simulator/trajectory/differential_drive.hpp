@@ -26,9 +26,6 @@ struct DriveReference {
 // Returns the drive reference of a command, whose speeds are clamped to the wheel speed limit.
 DriveReference drive_reference(const Parameters& parameters, const WheelCommand& command);
 
-// Slower lateral motion, m/s, is the rounding of wheels that roll.
-inline constexpr double slip_round_off = settings::differential_drive.slip_round_off;
-
 // The contact of the wheels with the ground.
 enum class WheelState { rolling, sliding, lifted };
 

@@ -15,7 +15,8 @@ bool is_slow(const RollingDeceleration& d, double component) {
 Segment roll_per_axis(const RollingDeceleration& d, const BodyState& ball, double begin,
                       double horizon) {
   const Vec2 velocity{ball.twist.forward, ball.twist.left};
-  if (velocity.squaredNorm() <= roll_round_off * roll_round_off) {
+  if (velocity.squaredNorm() <=
+      settings::rolling_ball.roll_round_off * settings::rolling_ball.roll_round_off) {
     return still_segment(ball, begin, horizon);
   }
   Braking braking = braking_along(d, velocity, Vec2{0.0, 0.0});
@@ -68,7 +69,7 @@ Braking braking_along(const RollingDeceleration& d, const Vec2& velocity, const 
     return braking;
   }
   double speed = std::sqrt(velocity.squaredNorm());
-  if (speed <= roll_round_off) speed = 0.0;
+  if (speed <= settings::rolling_ball.roll_round_off) speed = 0.0;
   braking.is_fixed = speed < settings::rolling_ball.min_speed_with_direction;
   const double force = std::sqrt(push.squaredNorm());
   Vec2 direction{0.0, 0.0};
@@ -128,7 +129,7 @@ Segment roll(const RollingDeceleration& d, const BodyState& ball, double begin, 
   if (d.is_per_axis()) return roll_per_axis(d, ball, begin, horizon);
   const Vec2 velocity{ball.twist.forward, ball.twist.left};
   const double speed = std::sqrt(velocity.squaredNorm());
-  if (speed <= roll_round_off) return still_segment(ball, begin, horizon);
+  if (speed <= settings::rolling_ball.roll_round_off) return still_segment(ball, begin, horizon);
 
   Segment s = still_segment(ball, begin, horizon);
   const double stops = begin + stopping_time(d, speed);

@@ -33,9 +33,6 @@ RollingDeceleration rolling_deceleration(const Parameters& parameters);
 // or `never`. For isotropic braking.
 double stopping_time(const RollingDeceleration& d, double speed);
 
-// A ball that is slower, m/s, lies still.
-inline constexpr double roll_round_off = settings::rolling_ball.roll_round_off;
-
 // The direction in which a ball in contact brakes, as series in the time of its segment. Below
 // min_speed_with_direction (solver_settings.hpp) the direction is kept fixed, because it is not
 // smooth where the speed is zero.

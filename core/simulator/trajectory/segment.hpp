@@ -48,10 +48,6 @@ void integrate_pose(Segment& segment, int k, bool drifts = true);
 // Sets the number of terms of all series of the segment, one of term_counts.
 void set_terms(Segment& segment, int terms);
 
-// The truncation of free motion and of motion in contact (SegmentSettings).
-inline constexpr double free_truncation = settings::segment.free_truncation;
-inline constexpr double contact_truncation = settings::segment.contact_truncation;
-
 // True if the series of the pose have converged over `length` seconds: their last two terms add
 // up to at most `truncation` (free_truncation or contact_truncation of solver_settings.hpp), and
 // do not grow from one to the next. All terms must be there.
@@ -71,9 +67,11 @@ void fill_series(Segment& segment, double preferred_duration, Extend extend) {
   for (const int terms : term_counts) {
     for (; k < terms - 1; ++k) extend(k);
     set_terms(segment, terms);
-    if (has_converged(segment, std::min(wanted, preferred_duration), free_truncation)) break;
+    if (has_converged(segment, std::min(wanted, preferred_duration),
+                      settings::segment.free_truncation))
+      break;
   }
-  const double length = converged_length(segment, wanted, free_truncation);
+  const double length = converged_length(segment, wanted, settings::segment.free_truncation);
   if (length < wanted) segment.end = segment.begin + length;
 }
 

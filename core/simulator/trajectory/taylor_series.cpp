@@ -183,7 +183,7 @@ WindowSearch search_window(const Series& local, double level, double origin, dou
   for (int step = 0; step < settings::taylor_series.steps_per_window && t < window; ++step) {
     const Value here = evaluate(local, t);
     const double height = here.p - level;
-    if (height <= root_tolerance) return {t, true};
+    if (height <= settings::taylor_series.root_tolerance) return {t, true};
     const double ahead = safe_step(height, here.slope, curvature);
     // Two tolerances: above, in the value; here, in time. A step too short for the clock of the
     // tick is a crossing, too: a steep curve can be within one tick of the clock of its root and

@@ -104,9 +104,6 @@ struct Range {
 // are bounded each by itself.
 Range change_over(const Series& p, double length);
 
-// A value this close to the level of a search has reached it, in the unit of the series.
-inline constexpr double root_tolerance = settings::taylor_series.root_tolerance;
-
 // Returns the first t in [begin, end] at which p is at most `level` + root_tolerance, or `never`.
 // Precondition: 0 <= begin <= end.
 //

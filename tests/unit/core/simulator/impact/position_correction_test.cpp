@@ -16,14 +16,14 @@ namespace {
 
 constexpr double overlap = 1e-6;
 
-struct Row {
+struct CrowdedRow {
   collision::StaticWorld world;
   std::array<BodyState, 4> bodies{};
   std::array<solver::InverseMass, 4> mass{};
   collision::ContactList list;
 
   // Robots beside each other, `by` too close.
-  Row(int robots, double by, double side)
+  CrowdedRow(int robots, double by, double side)
       : world(collision::make_static_world(nullptr, {}, {}, robots, false)) {
     for (int i = 0; i < robots; ++i) {
       bodies[i].position = {side * i * (world.parameters.robot_side - by), 0.0};
@@ -36,7 +36,7 @@ struct Row {
 TEST(PositionProjection, RemovesOverlaps) {
   const auto problem = std::make_unique<solver::RegularizedQp>();
   for (const double side : {1.0, -1.0}) {
-    Row row(4, overlap, side);
+    CrowdedRow row(4, overlap, side);
     project_positions(row.list.contacts(), row.mass, row.bodies, *problem);
     for (int i = 1; i < 4; ++i) {
       const double left = gap(row.world, pair_of(i, i - 1), row.bodies[i], row.bodies[i - 1]);
@@ -52,7 +52,7 @@ TEST(PositionProjection, RemovesOverlaps) {
 TEST(PositionProjection, MovesLittleWhereThereIsNoRoom) {
   const auto problem = std::make_unique<solver::RegularizedQp>();
   for (const double side : {1.0, -1.0}) {
-    Row row(3, overlap, side);
+    CrowdedRow row(3, overlap, side);
     row.mass[0] = row.mass[2] = {};
     project_positions(row.list.contacts(), row.mass, row.bodies, *problem);
     for (int i = 0; i < 3; ++i) {

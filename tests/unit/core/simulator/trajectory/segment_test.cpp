@@ -24,7 +24,7 @@ Vec2 position_on_circle(double t) {
 
 TEST(Segment, OfASteadyTwistIsACircle) {
   const Segment s = steady_segment(body, 0.004, 0.030);
-  const double length = converged_length(s, s.end - s.begin, free_truncation);
+  const double length = converged_length(s, s.end - s.begin, settings::segment.free_truncation);
   for (const double u : {0.0, 0.3 * length, length}) {
     const BodyState now = body_at(s, s.begin + u);
     EXPECT_NEAR((now.position - position_on_circle(u)).norm(), 0.0, 1e-12);
@@ -41,10 +41,10 @@ TEST(Segment, ArcInClosedFormIsTheSameCircle) {
 
 TEST(Segment, ConvergesOverTheLengthThatItSays) {
   const Segment s = steady_segment(body, 0.0, 1.0);
-  const double length = converged_length(s, 1.0, free_truncation);
+  const double length = converged_length(s, 1.0, settings::segment.free_truncation);
   EXPECT_LT(length, 1.0);
-  EXPECT_TRUE(has_converged(s, length, free_truncation));
-  EXPECT_FALSE(has_converged(s, length / 0.85, free_truncation));
+  EXPECT_TRUE(has_converged(s, length, settings::segment.free_truncation));
+  EXPECT_FALSE(has_converged(s, length / 0.85, settings::segment.free_truncation));
 }
 
 TEST(Segment, SweptBoxAndTrackHoldTheCurve) {
