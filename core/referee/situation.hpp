@@ -32,11 +32,11 @@ using ByEnd = std::array<T, 2>;
 template <class T>
 using ByRobot = ByEnd<std::array<T, max_robots_per_team>>;
 
-// Returns (0, 0) for each robot. Braces alone would not do: Eigen's vectors start undefined.
-inline ByRobot<Vec2> zero_for_each_robot() {
-  ByRobot<Vec2> zeros;
-  for (auto& of_end : zeros) of_end.fill(Vec2{0.0, 0.0});
-  return zeros;
+// Returns zero for each robot. Needed because `{}` leaves Eigen's vectors uninitialised.
+inline ByRobot<Vec2> all_at_rest() {
+  ByRobot<Vec2> velocities;
+  for (auto& team : velocities) team.fill(Vec2{0.0, 0.0});
+  return velocities;
 }
 
 struct Situation {
@@ -48,8 +48,8 @@ struct Situation {
   ByRobot<Pose> robots;        // at the end
 
   // At the start of the tick, before any impact in it; and what the wheels were commanded.
-  ByRobot<Vec2> velocity = zero_for_each_robot();
-  ByRobot<Vec2> commanded = zero_for_each_robot();
+  ByRobot<Vec2> velocity = all_at_rest();
+  ByRobot<Vec2> commanded = all_at_rest();
 
   // Touches during the tick, or within the touching distance at its end (touches.hpp).
   ByEnd<RobotSet> touched_ball;

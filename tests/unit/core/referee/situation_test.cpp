@@ -1,23 +1,28 @@
 // SPDX-License-Identifier: MIT
+//
+// Catches velocities that a situation leaves uninitialised: laws would judge what was in memory
+// before.
 #include "core/referee/situation.hpp"
 
 #include <gtest/gtest.h>
 
-#include <cstring>
+#include <array>
+#include <cstddef>
 #include <memory>
 #include <new>
 
 namespace mirocup::referee {
 namespace {
 
-// Catches velocities that are left as the memory was: a law then judges robots that were never set.
-TEST(Situation, RobotsStandStillUntilTheyAreSet) {
+TEST(Situations, RobotsAreAtRestUnlessSaidOtherwise) {
   alignas(Situation) std::array<std::byte, sizeof(Situation)> memory;
-  std::memset(memory.data(), 0x7f, memory.size());
-  auto* situation = new (memory.data()) Situation;
+  memory.fill(std::byte{0x3f});
+  auto* situation = ::new (memory.data()) Situation;
   for (const End end : both_ends) {
-    for (const Vec2& v : situation->velocity[index_of(end)]) EXPECT_EQ(v, (Vec2{0.0, 0.0}));
-    for (const Vec2& v : situation->commanded[index_of(end)]) EXPECT_EQ(v, (Vec2{0.0, 0.0}));
+    for (int i = 0; i < max_robots_per_team; ++i) {
+      EXPECT_EQ(situation->velocity[index_of(end)][i], (Vec2{0.0, 0.0})) << i;
+      EXPECT_EQ(situation->commanded[index_of(end)][i], (Vec2{0.0, 0.0})) << i;
+    }
   }
   std::destroy_at(situation);
 }
