@@ -6,6 +6,7 @@
 #include "tournaments/league/apply.hpp"
 #include "tournaments/play/runner.hpp"
 #include "tournaments/play/slurm_runner.hpp"
+#include "tournaments/publish/exports.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/site.hpp"
 #include "tournaments/publish/snapshot.hpp"

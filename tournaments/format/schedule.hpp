@@ -46,6 +46,7 @@ struct Fixture {
   // "r2-f1", "g3-r2-f1", "k2-f1".
   std::string id() const;
   bool has_both() const { return home >= 0 && away >= 0; }
+  bool is_for_third_place() const { return home_source.kind == TeamSource::Kind::loser; }
 };
 
 inline constexpr int legs_per_fixture = 2;

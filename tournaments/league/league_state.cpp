@@ -26,8 +26,7 @@ std::vector<int> stage_reached(const LeagueState& state) {
     }
     const TieOutcome o = outcome(state, f);
     if (tie.round != last_round) continue;
-    const bool for_third = tie.home_source.kind == TeamSource::Kind::loser;
-    if (for_third) {
+    if (tie.is_for_third_place()) {
       for (const int team : {tie.home, tie.away}) {
         if (team >= 0) far[team] = 4 * last_round - 3;
       }

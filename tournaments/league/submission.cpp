@@ -33,10 +33,6 @@ Result<Json> check(system::Files& files, const std::string& library, League leag
   return verdict;
 }
 
-Submission refused(const std::string& message) {
-  return {false, 0, message, Json()};
-}
-
 // Why no entry of this team is taken now; "" if one is.
 std::string objection_to(const LeagueState& state, const std::string& team,
                          const std::string& now) {
@@ -53,63 +49,77 @@ std::string objection_to(const LeagueState& state, const std::string& team,
 // Adds a team to the file of a league that has not started.
 Result<void> add_team(system::Files& files, const Folder& folder, LeagueFile file,
                       const std::string& team) {
-  file.teams.push_back({team, "submitted", false});
+  file.teams.push_back({.name = team, .source = "submitted", .over_dds = false});
   return files.write(folder.config(), print_league_file(file));
+}
+
+// Stores the library as that entry, checks it there, and writes the verdict beside it.
+Result<Json> store_and_check(system::Files& files, const Folder& folder, League league,
+                             const std::string& team, int number, const std::string& path,
+                             const std::string& library) {
+  const std::string entry = folder.entry(team, number);
+  const std::string stored = folder.library(team, number);
+  auto written = files.make_folder(entry).and_then([&] { return files.write(stored, library); });
+  if (!written) return tl::unexpected(written.error());
+  auto verdict = check(files, stored, league, entry + "/check.log");
+  if (!verdict) return verdict;
+  (*verdict)["file"] = path;
+  auto added = add_entry(files, folder, team, number, library, verdict->dump(1) + "\n");
+  if (!added) return tl::unexpected(added.error());
+  return verdict;
+}
+
+// Lets the league play with an accepted entry: before the start its team joins if it is new, after
+// the start the entry is booked.
+Result<void> let_play(system::Files& files, LeagueStore& store, const std::string& team, int number,
+                      const std::string& library) {
+  if (!store.state().find_team(team)) {
+    if (auto added = add_team(files, store.folder(), store.state().file, team); !added)
+      return added;
+  }
+  if (!store.state().is_started) return {};
+  return store.write(EntryBooked{.team = team, .entry = number, .sha256 = system::sha256(library)});
 }
 
 }  // namespace
 
 Result<Submission> submit(system::Files& files, const Folder& folder, const std::string& team,
                           const std::string& path, const std::string& now) {
-  // One at a time: numbers are given once, and checks do not slow each other down.
-  const auto alone = FileLock::acquire(folder.submitting());
-  if (!alone) return tl::unexpected(alone.error());
+  // One at a time: each number is given once, and checks do not slow each other down.
+  const auto lock = FileLock::acquire(folder.submitting());
+  if (!lock) return tl::unexpected(lock.error());
   auto store = LeagueStore::open(files, folder);
   if (!store) return tl::unexpected(store.error());
   if (!is_good_name(team)) {
     return fail(Errc::input,
                 "\"" + team + "\" is no name: letters, digits, '-', '_' and '.', at most 40");
   }
-  if (const std::string why = objection_to(store->state(), team, now); !why.empty())
-    return refused(team + ": not taken: " + why);
-
+  Submission result;
+  if (const std::string why = objection_to(store->state(), team, now); !why.empty()) {
+    result.message = team + ": not taken: " + why;
+    return result;
+  }
   const auto library = files.read(path);
   if (!library) return tl::unexpected(library.error());
-  const int number = last_entry(files, folder, team) + 1;
-  const int before = last_accepted_entry(files, folder, team);
-  const std::string own = folder.library(team, number);
-  auto stored = files.make_folder(folder.entry(team, number)).and_then([&] {
-    return files.write(own, *library);
-  });
-  if (!stored) return tl::unexpected(stored.error());
-  auto verdict =
-      check(files, own, store->state().file.league, folder.entry(team, number) + "/check.log");
-  if (!verdict) return tl::unexpected(verdict.error());
-  (*verdict)["file"] = path;
-  if (auto added = add_entry(files, folder, team, number, *library, verdict->dump(1) + "\n");
-      !added) {
-    return tl::unexpected(added.error());
-  }
 
-  Submission done{(*verdict)["accepted"] == true, number, "", *verdict};
-  const std::string entry = team + ": entry " + std::to_string(number);
-  if (!done.is_accepted) {
-    done.message = entry + " was not accepted: " + verdict->value("reason", "") +
-                   (before > 0 ? "; entry " + std::to_string(before) + " plays on" : "");
-    return done;
+  const int before = last_accepted_entry(files, folder, team);
+  result.entry = last_entry(files, folder, team) + 1;
+  auto verdict = store_and_check(files, folder, store->state().file.league, team, result.entry,
+                                 path, *library);
+  if (!verdict) return tl::unexpected(verdict.error());
+  result.verdict = std::move(*verdict);
+  result.is_accepted = result.verdict["accepted"] == true;
+  result.message = team + ": entry " + std::to_string(result.entry) +
+                   (result.is_accepted ? " was accepted" : " was not accepted");
+  if (!result.is_accepted) {
+    result.message += ": " + result.verdict.value("reason", "");
+    if (before > 0) result.message += "; entry " + std::to_string(before) + " plays on";
+    return result;
   }
-  done.message = entry + " was accepted";
-  if (!store->state().find_team(team)) {
-    if (auto added = add_team(files, folder, store->state().file, team); !added)
-      return tl::unexpected(added.error());
+  if (auto playing = let_play(files, *store, team, result.entry, *library); !playing) {
+    return tl::unexpected(playing.error());
   }
-  if (!store->state().is_started) return done;
-  if (auto written = store->write(
-          EntryBooked{.team = team, .entry = number, .sha256 = system::sha256(*library)});
-      !written) {
-    return tl::unexpected(written.error());
-  }
-  return done;
+  return result;
 }
 
 }  // namespace mirocup::league

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tournaments/publish/bracket.hpp"
+#include "tournaments/publish/bracket_json.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -10,7 +10,7 @@ namespace mirocup::league {
 
 namespace {
 
-// Of a match in brackets-model.
+// The status of a match in brackets-model, which is a number there.
 enum Status { locked = 0, waiting = 1, ready = 2, running = 3, completed = 4 };
 
 // Fills the flat tables: every row has an id and its parents' ids.
@@ -53,7 +53,7 @@ class BracketTables {
   // A bracket, and beside it the one for the third place.
   std::size_t group_of(const Fixture& f, std::size_t stage) {
     int number = f.part == Part::group ? f.group : 1;
-    if (f.home_source.kind == TeamSource::Kind::loser) number = 2;
+    if (f.is_for_third_place()) number = 2;
     const auto [found, is_new] = group_ids_.try_emplace({stage, number}, groups_.size());
     if (is_new)
       groups_.push_back({{"id", groups_.size()}, {"stage_id", stage}, {"number", number}});
@@ -61,7 +61,7 @@ class BracketTables {
   }
 
   std::size_t round_of(const Fixture& f, std::size_t stage, std::size_t group) {
-    const int number = f.home_source.kind == TeamSource::Kind::loser ? 1 : f.round;
+    const int number = f.is_for_third_place() ? 1 : f.round;
     const auto [found, is_new] = round_ids_.try_emplace({group, number}, rounds_.size());
     if (is_new) {
       rounds_.push_back(
@@ -70,10 +70,62 @@ class BracketTables {
     return found->second;
   }
 
-  // Null is a bye there, a null id somebody who is not known yet.
+  // One side of a match or a game: null is a bye there, a null id a team that is not known yet.
   static Json opponent(int team) {
     if (team == no_team) return Json();
     return {{"id", team == unknown_team ? Json() : Json(team)}};
+  }
+
+  static Status game_status(const FixtureState& f, const PlayedLeg* played) {
+    if (played != nullptr) return completed;
+    return f.fixture.has_both() ? ready : locked;
+  }
+
+  static Status match_status(const FixtureState& f) {
+    if (f.is_decided()) return completed;
+    if (!f.fixture.has_both()) return locked;
+    return f.decided() > 0 ? running : ready;
+  }
+
+  // The legs that the team has won.
+  static int wins(const FixtureState& f, int team) {
+    int count = 0;
+    for (int leg = 0; leg < f.needed(); ++leg) {
+      if (f.legs[leg].played && f.legs[leg].played->result.difference(team) > 0) ++count;
+    }
+    return count;
+  }
+
+  // A side of the whole fixture. Goals over all legs decide a tie of a knockout; elsewhere the
+  // score counts the legs that were won.
+  Json match_opponent(const FixtureState& f, int team) const {
+    Json side = opponent(team);
+    if (!f.fixture.has_both()) return side;
+    if (f.fixture.part != Part::knockout) {
+      side["score"] = wins(f, team);
+      return side;
+    }
+    side["score"] = f.goals(team);
+    const TieOutcome o = outcome(state_, f);
+    if (o.winner >= 0) side["result"] = o.winner == team ? "win" : "loss";
+    return side;
+  }
+
+  Json game(const FixtureState& f, int leg, std::size_t stage, std::size_t match) const {
+    const PlayedLeg* played = f.legs[leg].played.get();
+    Json home = opponent(f.fixture.home);
+    Json away = opponent(f.fixture.away);
+    if (played != nullptr) {
+      home["score"] = played->result.home_goals;
+      away["score"] = played->result.away_goals;
+    }
+    return {{"id", games_.size()},
+            {"stage_id", stage},
+            {"parent_id", match},
+            {"number", leg + 1},
+            {"status", game_status(f, played)},
+            {"opponent1", home},
+            {"opponent2", away}};
   }
 
   void add(const FixtureState& f) {
@@ -81,55 +133,16 @@ class BracketTables {
     const std::size_t group = group_of(f.fixture, stage);
     const std::size_t round = round_of(f.fixture, stage, group);
     const std::size_t match = matches_.size();
-    Json home = opponent(f.fixture.home);
-    Json away = opponent(f.fixture.away);
-    int home_wins = 0;
-    int away_wins = 0;
-    for (int leg = 0; leg < f.needed(); ++leg) {
-      const auto& played = f.legs[leg].played;
-      Json game{{"id", games_.size()},
-                {"stage_id", stage},
-                {"parent_id", match},
-                {"number", leg + 1},
-                {"status", played                 ? completed
-                           : f.fixture.has_both() ? ready
-                                                  : locked}};
-      Json own = home;
-      Json other = away;
-      if (played) {
-        own["score"] = played->result.home_goals;
-        other["score"] = played->result.away_goals;
-        home_wins += played->result.home_goals > played->result.away_goals ? 1 : 0;
-        away_wins += played->result.away_goals > played->result.home_goals ? 1 : 0;
-      }
-      game["opponent1"] = own;
-      game["opponent2"] = other;
-      games_.push_back(game);
-    }
-    const bool is_tie = f.fixture.part == Part::knockout;
-    if (f.fixture.has_both()) {
-      home["score"] = is_tie ? f.goals(f.fixture.home) : home_wins;
-      away["score"] = is_tie ? f.goals(f.fixture.away) : away_wins;
-      const TieOutcome o = is_tie ? outcome(state_, f) : TieOutcome{};
-      if (o.winner >= 0) {
-        home["result"] = o.winner == f.fixture.home ? "win" : "loss";
-        away["result"] = o.winner == f.fixture.away ? "win" : "loss";
-      }
-    }
-    const Status status = f.is_decided()          ? completed
-                          : !f.fixture.has_both() ? locked
-                          : f.decided() > 0       ? running
-                                                  : ready;
-    matches_.push_back(
-        {{"id", match},
-         {"stage_id", stage},
-         {"group_id", group},
-         {"round_id", round},
-         {"number", f.fixture.home_source.kind == TeamSource::Kind::loser ? 1 : f.fixture.number},
-         {"child_count", f.fixture.legs},
-         {"status", status},
-         {"opponent1", home},
-         {"opponent2", away}});
+    for (int leg = 0; leg < f.needed(); ++leg) games_.push_back(game(f, leg, stage, match));
+    matches_.push_back({{"id", match},
+                        {"stage_id", stage},
+                        {"group_id", group},
+                        {"round_id", round},
+                        {"number", f.fixture.is_for_third_place() ? 1 : f.fixture.number},
+                        {"child_count", f.fixture.legs},
+                        {"status", match_status(f)},
+                        {"opponent1", match_opponent(f, f.fixture.home)},
+                        {"opponent2", match_opponent(f, f.fixture.away)}});
   }
 
   const LeagueState& state_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "tournaments/publish/bracket_svg.hpp"
+
 #include "server/system/markup.hpp"
-#include "tournaments/publish/bracket.hpp"
 
 #include <algorithm>
 
@@ -27,7 +28,7 @@ class BracketPicture {
     for (const FixtureState& f : state.fixtures) {
       if (f.fixture.part != Part::knockout) continue;
       rounds_ = std::max(rounds_, f.fixture.round);
-      has_third_ = has_third_ || is_for_third(f.fixture);
+      has_third_ = has_third_ || f.fixture.is_for_third_place();
     }
   }
 
@@ -47,10 +48,6 @@ class BracketPicture {
   }
 
  private:
-  static bool is_for_third(const Fixture& f) {
-    return f.home_source.kind == TeamSource::Kind::loser;
-  }
-
   Point third() const {
     const Point final = place_of(rounds_, 1);
     return {final.x, final.y + std::max(2 * row, row + head)};
@@ -65,7 +62,7 @@ class BracketPicture {
 
   void tie(const FixtureState& f) {
     const Point at =
-        is_for_third(f.fixture) ? third() : place_of(f.fixture.round, f.fixture.number);
+        f.fixture.is_for_third_place() ? third() : place_of(f.fixture.round, f.fixture.number);
     const TieOutcome o = outcome(state_, f);
     boxes_ += "<a href=\"#" + f.fixture.id() + "\"><g>\n";
     boxes_ += "<rect x=\"" + std::to_string(at.x) + "\" y=\"" + std::to_string(at.y) +
@@ -74,7 +71,7 @@ class BracketPicture {
     team(f, f.fixture.home, o, {at.x, at.y + 21});
     team(f, f.fixture.away, o, {at.x, at.y + 43});
     boxes_ += "</g></a>\n";
-    if (is_for_third(f.fixture)) text("round", {at.x, at.y - 6}, "Third place");
+    if (f.fixture.is_for_third_place()) text("round", {at.x, at.y - 6}, "Third place");
     for (const TeamSource& source : {f.fixture.home_source, f.fixture.away_source}) {
       if (source.kind != TeamSource::Kind::winner) continue;
       const Fixture& before = state_.fixtures[source.index].fixture;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "tournaments/publish/bracket.hpp"
+#include "tournaments/publish/exports.hpp"
+
+#include "tournaments/publish/bracket_json.hpp"
 #include "tournaments/publish/replay_pages.hpp"
-#include "tournaments/publish/site.hpp"
 
 #include <nlohmann/json.hpp>
 

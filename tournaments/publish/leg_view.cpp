@@ -98,7 +98,7 @@ std::string round_in_words(const LeagueState& state, const Fixture& fixture) {
   if (fixture.part == Part::table) return "R" + round.substr(1);
   if (fixture.part == Part::group) return "Group " + std::to_string(fixture.group) + ", " + round;
   const int left = last_knockout_round(state) - fixture.round;
-  if (fixture.home_source.kind == TeamSource::Kind::loser) return "Third place";
+  if (fixture.is_for_third_place()) return "Third place";
   if (left == 0) return "Final";
   if (left == 1) return "Semi-final";
   if (left == 2) return "Quarter-final";

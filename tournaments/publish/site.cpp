@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/site.hpp"
 
-#include "tournaments/publish/bracket.hpp"
+#include "tournaments/publish/bracket_svg.hpp"
+#include "tournaments/publish/exports.hpp"
 #include "tournaments/publish/html.hpp"
+#include "tournaments/publish/leg_view.hpp"
 #include "tournaments/publish/replay_pages.hpp"
+#include "tournaments/publish/team_page.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "tournaments/publish/team_page.hpp"
+
 #include "tournaments/publish/html.hpp"
 #include "tournaments/publish/replay_pages.hpp"
-#include "tournaments/publish/site.hpp"
 
 #include <algorithm>
 #include <cmath>

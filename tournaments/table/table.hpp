@@ -26,6 +26,11 @@ struct LegResult {
   int away_penalties = 0;
   bool counts_for_home = true;  // false: an entry played that has been replaced since
   bool counts_for_away = true;
+
+  // How many goals that team is ahead.
+  int difference(int team) const {
+    return team == home ? home_goals - away_goals : away_goals - home_goals;
+  }
 };
 
 enum class TieBreak {
