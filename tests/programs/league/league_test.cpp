@@ -24,6 +24,7 @@ using test_support::run;
 using test_support::Running;
 using test_support::site_of;
 using test_support::TemporaryFolder;
+using test_support::wait_until_it_plays;
 
 // Four teams, one of them over DDS, short halves: twelve legs.
 void make_league(const std::string& folder, const std::string& half = "10") {
@@ -120,15 +121,23 @@ TEST(League, HasTheSamePagesWithAnyNumberOfJobs) {
   expect_same_site(temporary / "8", temporary / "1");
 }
 
-TEST(League, CanBeStoppedAndGoesOn) {
+TEST(League, EndsLikeAnUnstoppedLeagueAfterItWasStopped) {
   const TemporaryFolder temporary;
-  make_league(temporary / "l", "60");
-  Running running(league("start", temporary / "l"));
-  while (std::filesystem::is_empty(temporary / "l/records")) usleep(2'000);  // it plays
+  make_league(temporary / "whole", "60");
+  make_league(temporary / "stopped", "60");
+  ASSERT_EQ(run(league("start", temporary / "whole")).exit_code, 0);
+
+  Running running(league("start", temporary / "stopped"));
+  ASSERT_TRUE(wait_until_it_plays(temporary / "stopped"));
   running.signal(SIGTERM);
   const Outcome stopped = running.wait();
   EXPECT_EQ(stopped.exit_code, 130) << stopped.err;
   EXPECT_NE(stopped.err.find("the same command goes on"), std::string::npos);
+  EXPECT_EQ(run(league("status", temporary / "stopped")).exit_code, 1) << "legs are left";
+
+  const Outcome resumed = run(league("start", temporary / "stopped"));
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+  expect_same_site(temporary / "stopped", temporary / "whole");
 }
 
 TEST(League, BooksAMatchServerThatDiesAsVoidAndPlaysAgain) {
