@@ -48,7 +48,8 @@ Result<LeagueFile> file_from(system::Files& files, const LeagueOptions& options)
     if (equals == std::string::npos) {
       return fail(Errc::input, "--team " + text + ": NAME=house:TEAM or NAME=FILE.so is expected");
     }
-    file.teams.push_back({text.substr(0, equals), text.substr(equals + 1), false});
+    file.teams.push_back(
+        {.name = text.substr(0, equals), .source = text.substr(equals + 1), .over_dds = false});
   }
   // Parsed again, because the parser checks the names.
   return parse_league_file(print_league_file(file), "--team");

@@ -44,5 +44,6 @@ namespace mirocup {
 template <>
 inline constexpr std::array<std::string_view, 6> enum_names<league::FormatKind>{
     "double_round_robin", "round_robin", "groups", "knockout", "swiss", "ladder"};
+static_assert(to_string(league::FormatKind::ladder) == "ladder");
 
 }  // namespace mirocup

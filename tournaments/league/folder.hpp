@@ -4,6 +4,7 @@
 // creation, and the entries that were handed in.
 #pragma once
 
+#include "server/system/files.hpp"
 #include "tournaments/league/league_state.hpp"
 
 #include <string>

@@ -144,7 +144,7 @@ void ScheduleGrowth::pair_swiss() {
     std::vector<SwissStanding> standings;
     for (const TableRow& row : state_.table()) {
       if (state_.teams[row.team].status != TeamStatus::withdrawn)
-        standings.push_back({row.team, row.points});
+        standings.push_back({.team = row.team, .points = row.points});
     }
     std::vector<Fixture> before;
     for (const FixtureState& f : fixtures) before.push_back(f.fixture);

@@ -235,7 +235,7 @@ Result<void> SlurmRunner::submit_array(const std::vector<std::string>& fixtures)
   progress_.say("job " + id + ": " + std::to_string(count) + " fixtures in " +
                 std::to_string(tasks) + " tasks");
   for (int i = 1; i <= tasks; ++i)
-    tasks_.push_back({id + "_" + std::to_string(i), plan, i, false, 0});
+    tasks_.push_back({.id = id + "_" + std::to_string(i), .plan = plan, .line = i});
   return {};
 }
 

@@ -103,5 +103,6 @@ inline constexpr std::array<std::string_view, 8> enum_names<league::TieBreak>{
     "lots",
     "wins",
     "opponents_points"};
+static_assert(to_string(league::TieBreak::opponents_points) == "opponents_points");
 
 }  // namespace mirocup
