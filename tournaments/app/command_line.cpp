@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// In one source, for CLI11 takes long to compile wherever it is included.
+// The only source that includes CLI11, which takes long to compile.
 #include "tournaments/app/command_line.hpp"
 
 #include "server/record/match_record.hpp"
@@ -15,7 +15,7 @@ namespace mirocup::league {
 
 namespace {
 
-// A subcommand, the object that its options are written to, and what runs with it.
+// A subcommand, the object that its options are written to, and the function that runs with it.
 template <class Options>
 struct Subcommand {
   Subcommand(CLI::App& app, Action& action, const char* name, const char* description,
@@ -31,7 +31,7 @@ struct Subcommand {
   std::shared_ptr<Options> options;
 };
 
-// The first argument of all but compare.
+// The first argument of all subcommands but compare.
 template <class Options>
 void add_folder(const Subcommand<Options>& command) {
   command->add_option("DIR", command.options->folder, "the league's folder")->required();
@@ -48,21 +48,23 @@ void add_init(CLI::App& app, Action& action) {
       ->excludes("--config");
   std::vector<std::string> formats;
   for (const auto name : enum_names<FormatKind>) formats.emplace_back(name);
-  command->add_option("--format", o.format, "who meets whom (default: double_round_robin)")
+  command
+      ->add_option("--format", o.format, "the format of the schedule (default: double_round_robin)")
       ->check(CLI::IsMember(formats))
       ->excludes("--config");
   command->add_option("--half", o.half_s, "seconds of a half")->excludes("--config");
-  command->add_option("--seed", o.seed, "of everything that is drawn")->excludes("--config");
+  command->add_option("--seed", o.seed, "seed of all random draws")->excludes("--config");
 }
 
 void add_submit(CLI::App& app, Action& action) {
-  Subcommand<SubmitOptions> command(app, action, "submit",
-                                    "Hand in an entry: check it, keep it, let it play", run_submit);
+  Subcommand<SubmitOptions> command(
+      app, action, "submit", "Hand in an entry: store it, check it, and play with it if it passes",
+      run_submit);
   SubmitOptions& o = *command.options;
   add_folder(command);
   CLI::Option* team = command->add_option("TEAM", o.team, "its name");
   CLI::Option* file = command->add_option("FILE.so", o.file, "its library");
-  command->add_option("--inbox", o.inbox, "take TEAM.so of this folder, each that is new")
+  command->add_option("--inbox", o.inbox, "a folder: hand in each TEAM.so in it that is new")
       ->excludes(team)
       ->excludes(file);
   command->add_flag("--json", o.json, "one JSON object for each entry on standard output");
@@ -70,42 +72,44 @@ void add_submit(CLI::App& app, Action& action) {
 
 // Playing and showing a league.
 void add_running(CLI::App& app, Action& action) {
-  LeagueSubcommand start(app, action, "start", "Play the league, or go on with it", run_start);
+  LeagueSubcommand start(app, action, "start", "Play the league, or resume it", run_start);
   add_folder(start);
   start
       ->add_option("--engine", start.options->engine,
-                   "who plays: this host, or the nodes of the Slurm cluster that it belongs to")
+                   "where legs are played: on this host, or on the nodes of its Slurm cluster")
       ->check(CLI::IsMember({"local", "slurm"}))
       ->capture_default_str();
   start->add_flag("--watch", start.options->watched,
-                  "legs of this host can be watched through league serve while they are played");
+                  "let league serve show the legs of this host while they are played");
   start
       ->add_option("--jobs", start.options->jobs,
-                   "legs, and then pages, at once (default: one for each processor)")
+                   "number of legs, and then of pages, at once (default: one for each processor)")
       ->check(CLI::Range(1, 1024));
 
-  LeagueSubcommand stop(app, action, "stop", "Let a league that is being played stop", run_stop);
+  LeagueSubcommand stop(app, action, "stop", "Stop a league that is being played", run_stop);
   add_folder(stop);
-  stop->add_flag("--now", stop.options->now, "do not play the present legs to their end");
+  stop->add_flag("--now", stop.options->now,
+                 "stop the present legs, too, instead of playing them to their end");
 
-  LeagueSubcommand status(app, action, "status", "Say how the league stands", run_status);
+  LeagueSubcommand status(app, action, "status", "Print the table and the state of the league",
+                          run_status);
   add_folder(status);
   status->add_flag("--json", status.options->json, "one JSON object on standard output");
 
   LeagueSubcommand pages(app, action, "publish", "Make the pages", run_publish);
   add_folder(pages);
-  CLI::Option* output =
-      pages->add_option("-o,--output", pages.options->output, "a folder for these rounds alone");
+  CLI::Option* output = pages->add_option("-o,--output", pages.options->output,
+                                          "the folder for the pages of --through");
   output->needs(pages
                     ->add_option("--through", pages.options->through,
-                                 "show nothing after this round: r3, or k1 of a knockout")
+                                 "leave out all rounds after this one: r3, or k1 of a knockout")
                     ->needs(output));
 
   Subcommand<ServeOptions> serve(app, action, "serve", "Show the league in browsers, as it is now",
                                  run_serve);
   add_folder(serve);
   serve->add_option("--at", serve.options->at,
-                    "[HOST:]PORT (default: this host only, any port that is free)");
+                    "[HOST:]PORT to listen on (default: this host only, any free port)");
 
   LeagueSubcommand files(app, action, "export", "Write table, legs and bracket as files",
                          run_export);
@@ -115,7 +119,7 @@ void add_running(CLI::App& app, Action& action) {
       ->default_val("export");
 }
 
-// A decision of a person: its command with DIR, and with a reason at its end.
+// The subcommand of a person's decision, with the argument DIR and a reason.
 class RulingSubcommand {
  public:
   RulingSubcommand(CLI::App& app, Action& action, const char* name, const char* description,
@@ -153,26 +157,26 @@ void add_rulings(CLI::App& app, Action& action) {
   award.add_team();
   award.add_reason(true);
 
-  RulingSubcommand rule(app, action, "rule", "Decide the score of a fixture's legs or of one",
+  RulingSubcommand rule(app, action, "rule", "Decide the score of all legs of a fixture, or of one",
                         run_rule);
   rule.add_fixture();
   rule->add_option("--score", rule.options().score, "HOME:AWAY")->required();
   rule.add_reason(true);
 
   RulingSubcommand annul(app, action, "void",
-                         "Let legs count for nothing and be played again with the same seed",
-                         run_void);
+                         "Declare legs void; they are played again with the same seed", run_void);
   annul.add_fixture();
   annul.add_reason(true);
 
   RulingSubcommand withdraw(app, action, "withdraw", "Take a team out of the league", run_withdraw);
   withdraw.add_team();
-  withdraw->add_option("--results", withdraw.options().results, "keep what it played, or annul it")
+  withdraw->add_option("--results", withdraw.options().results, "keep its results, or annul them")
       ->check(CLI::IsMember({"keep", "annul"}))
       ->capture_default_str();
   withdraw.add_reason(true);
 
-  RulingSubcommand pause(app, action, "pause", "Play no legs of a team for now", run_pause);
+  RulingSubcommand pause(app, action, "pause", "Start no legs of a team until it is resumed",
+                         run_pause);
   pause.add_team();
   pause.add_reason(true);
 
@@ -183,7 +187,8 @@ void add_rulings(CLI::App& app, Action& action) {
 
 void add_compare(CLI::App& app, Action& action) {
   Subcommand<CompareOptions> command(
-      app, action, "compare", "Play two entries until it can be said which is better", run_compare);
+      app, action, "compare", "Play two entries until a sequential test decides which is better",
+      run_compare);
   CompareOptions& o = *command.options;
   ComparisonRun& r = o.run;
   command->add_option("A", r.teams[0], "a library, or the name of a house team")->required();
@@ -192,15 +197,17 @@ void add_compare(CLI::App& app, Action& action) {
       ->check(CLI::IsMember({"small", "middle", "large"}))
       ->capture_default_str();
   command->add_option("--half", r.half_s, "seconds of a half")->check(CLI::Range(0.1, 36000.0));
-  command->add_option("--seed", r.seed, "of the fixtures")->capture_default_str();
-  command->add_option("--jobs", r.jobs, "legs at once (default: one for each processor)")
+  command->add_option("--seed", r.seed, "seed of the fixtures")->capture_default_str();
+  command->add_option("--jobs", r.jobs, "number of legs at once (default: one for each processor)")
       ->check(CLI::Range(1, 1024));
-  command->add_option("--most", r.max_fixtures, "fixtures of two legs, before it gives up")
+  command
+      ->add_option("--most", r.max_fixtures,
+                   "number of fixtures of two legs after which it gives up")
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
   command
       ->add_option("--share", r.test.share,
-                   "of the fixtures that are not level, that the better one wins at least")
+                   "smallest share of the fixtures that are not level that the better one wins")
       ->check(CLI::Range(0.51, 0.99))
       ->capture_default_str();
   command->add_flag("--json", o.json, "one JSON object on standard output");
@@ -209,26 +216,28 @@ void add_compare(CLI::App& app, Action& action) {
 void add_shards(CLI::App& app, Action& action) {
   Subcommand<ShardOptions> plan(
       app, action, "plan",
-      "Start the league, book what shards have played, and list what can be played now", run_plan);
+      "Start the league, book the records of shards, and list the fixtures to play", run_plan);
   add_folder(plan);
 
   Subcommand<ShardOptions> shard(
       app, action, "run-shard",
-      "Play fixtures into records only, on any machine; league start books them", run_shards);
+      "Play fixtures on any machine and only write records; league start books them", run_shards);
   add_folder(shard);
-  shard->add_option("FIXTURE", shard.options->fixtures, "ids, as league plan lists them")
+  shard
+      ->add_option("FIXTURE", shard.options->fixtures, "ids of fixtures, as league plan lists them")
       ->required();
 }
 
 void add_credentials(CLI::App& app, Action& action) {
   Subcommand<CredentialsOptions> command(
       app, action, "credentials",
-      "Make what teams, match server and spectators are known by on the network", run_credentials);
+      "Make the certificates of teams, match server and spectators for DDS Security",
+      run_credentials);
   CredentialsOptions& o = *command.options;
   add_folder(command);
   command->add_option("--team", o.teams, "a team that is not in the league's file");
-  command->add_option("--revoke", o.revoked, "a team whose credentials shall not count any more");
-  command->add_option("--days", o.days, "that new credentials are valid")
+  command->add_option("--revoke", o.revoked, "a team whose credentials become invalid");
+  command->add_option("--days", o.days, "number of days for which new credentials are valid")
       ->check(CLI::Range(1, 3650))
       ->capture_default_str();
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the command line of `mirocup league` asks for. Only command_line.cpp knows the library that reads it.
+// The command line of `mirocup league`. Only command_line.cpp includes the library that reads it.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -12,8 +12,8 @@ namespace mirocup::league {
 
 using Action = std::function<Result<int>()>;
 
-// Sets `action` to the subcommand with its options. Otherwise there is nothing to run, and the answer is
-// an exit code: it asked for help, or was wrong; both are told.
+// Sets `action` to the subcommand with its options, and returns nothing. If the command line asks
+// for help or is wrong, prints the help or the mistake and returns the exit code.
 std::optional<int> read_command_line(int argc, char** argv, Action& action);
 
 }  // namespace mirocup::league

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The subcommands of `mirocup league`, and what each may be told. command_line.cpp reads the options;
-// their defaults are here. The value of a run is the exit code of an answer (yes or no).
+// The subcommands of `mirocup league` and their options with defaults. command_line.cpp reads the
+// options. Each function returns the exit code of an answer: exit_yes or exit_no. commands.cpp,
+// entries.cpp, rulings.cpp, serve.cpp, shards.cpp and credentials.cpp define them.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -26,7 +27,7 @@ struct LeagueOptions {
   bool watched = false;            // start
   bool now = false;                // stop
   std::string output;              // export, publish
-  std::string through;             // publish: the last round that is shown; "": all
+  std::string through;             // publish: the last round shown; "": all rounds
   bool json = false;
 };
 Result<int> run_init(const LeagueOptions& options);
@@ -43,7 +44,7 @@ struct ServeOptions {
 };
 Result<int> run_serve(const ServeOptions& options);
 
-// What teams, match server and spectators are known by on the network.
+// Certificates for DDS Security.
 struct CredentialsOptions {
   std::string folder;
   std::vector<std::string> teams;
@@ -77,7 +78,7 @@ struct CompareOptions {
 };
 Result<int> run_compare(const CompareOptions& options);
 
-// What a person decides.
+// The decisions of a person.
 struct RulingOptions {
   std::string folder;
   std::string fixture;

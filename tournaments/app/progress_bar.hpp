@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A league's progress on standard error: on a terminal a bar with the time that is left, elsewhere
-// plain lines.
+// Progress on standard error: on a terminal a bar with the remaining time, elsewhere plain lines.
 #pragma once
 
 #include "tournaments/play/progress_reporter.hpp"

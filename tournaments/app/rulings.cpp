@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What a person decides about a league. Each is a line of the journal with a reason; the lines before
-// stay. They may be given while the league is being played.
+// The subcommands for the decisions of a person: award, rule, void, withdraw, pause, resume. Each
+// decision is a line of the journal with a reason; the lines before it stay. Decisions may be made
+// while the league is being played.
 #include "core/base/assert.hpp"
 #include "tournaments/app/commands.hpp"
 #include "tournaments/league/league_store.hpp"
@@ -13,7 +14,7 @@ namespace mirocup::league {
 
 namespace {
 
-// The legs that are meant: one, or all of the fixture.
+// Returns the legs that the options name: one, or all of the fixture.
 Result<std::vector<int>> legs_of(const LeagueStore& store, const RulingOptions& options) {
   const auto index = store.state().find_fixture(options.fixture);
   if (!index) return fail(Errc::input, "there is no fixture " + options.fixture);

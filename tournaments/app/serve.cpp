@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup league serve: a league in browsers while it is played.
+// The subcommand serve.
 #include "server/system/process_set.hpp"
 #include "tournaments/app/commands.hpp"
 #include "tournaments/app/served_league.hpp"

@@ -20,10 +20,10 @@ using namespace std::chrono_literals;
 
 constexpr auto poll_interval = 500ms;
 
-// What `mirocup match --watch` says; only matches of this host are passed on.
+// The line that `mirocup match --watch` prints. Only matches of this host are passed on.
 constexpr std::string_view watched = "mirocup: watch at http://127.0.0.1:";
 
-// No source but this server, no code but the script that it gives.
+// Content from this server only, and no code but its script.
 constexpr const char* policy =
     "default-src 'none'; style-src 'unsafe-inline'; script-src 'self'; connect-src 'self'";
 constexpr std::string_view script = "<script type=\"module\" src=\"/league.js\"></script>\n";
@@ -41,7 +41,7 @@ std::string stem_of(const LegId& leg) {
   return std::filesystem::path(Folder::record_name(leg.fixture, leg.leg, leg.version)).stem();
 }
 
-// The port in what a match server has said so far; 0 if it said none.
+// Returns the port in the output of a match server; 0 if it has not printed one.
 int port_in(const std::string& text) {
   const std::size_t begin = text.find(watched);
   if (begin == std::string::npos) return 0;
@@ -58,7 +58,7 @@ std::string with_script(std::string html) {
 
 }  // namespace
 
-// Under the lock. What cannot be read just now is as it was.
+// Requires mutex_. A file that cannot be read leaves the state as it was.
 void ServedLeague::poll() {
   const auto now = std::chrono::steady_clock::now();
   if (version_ > 0 && now - polled_at_ < poll_interval) return;
@@ -96,7 +96,7 @@ std::vector<ServedLeague::LiveLeg> ServedLeague::find_live_legs() const {
   return playing;
 }
 
-// Under the lock.
+// Requires mutex_.
 void ServedLeague::make_pages() {
   if (!pages_.empty() && lines_of_pages_ == lines_) return;
   lines_of_pages_ = lines_;
@@ -128,7 +128,7 @@ std::optional<web::Page> ServedLeague::page(const std::string& path) {
     poll();
     make_pages();
     if (const auto found = pages_.find(path); found != pages_.end()) return found->second;
-    // Only what the journal names is looked for on the disk.
+    // Only files that the journal names are read from disk.
     const std::filesystem::path file(path);
     stem = file.filename();
     stem = stem.substr(0, stem.find('.'));
@@ -142,7 +142,7 @@ std::optional<web::Page> ServedLeague::page(const std::string& path) {
   return web::Page{type_of(path), "", std::move(*bytes)};
 }
 
-// As publish has made it, or would.
+// Returns the page as publish has made it or would make it.
 std::optional<web::Page> ServedLeague::replay(const std::string& stem) {
   const std::string record = "records/" + stem + ".json";
   const std::string html = replay_page_of(record);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// A league as `mirocup league serve` shows it: the pages that publish would write, made from the journal
-// as it is now; the records and replays of what was played; and which legs are being played. Reads
-// only. Threads: any.
+// A league as `mirocup league serve` shows it: the pages that publish would write, made from the
+// present journal; records and replays; and the legs that are being played. It only reads the
+// folder.
+//
+// Threads: all public functions may be called by any thread at any time.
 #pragma once
 
 #include "server/web/site_server.hpp"
@@ -21,15 +23,15 @@ class ServedLeague {
  public:
   ServedLeague(system::Files& files, LeagueStore store) : files_(files), store_(std::move(store)) {}
 
-  // As web::Site has them.
+  // The functions of web::Site.
   std::optional<web::Page> page(const std::string& path);
   std::string news(std::uint64_t& seen);
   std::optional<int> match(const std::string& name);
 
  private:
-  // A leg that can be watched.
+  // A leg that is being played and can be watched.
   struct LiveLeg {
-    std::string name;  // of its record, without .json
+    std::string name;  // of its record, without ".json"
     Json about;        // for page/league.js
     int port = 0;
 
@@ -42,17 +44,17 @@ class ServedLeague {
   std::optional<web::Page> replay(const std::string& stem);
 
   system::Files& files_;
-  std::mutex mutex_;  // of all that follows
+  std::mutex mutex_;  // guards all members up to replaying_
   LeagueStore store_;
   std::chrono::steady_clock::time_point polled_at_{};
-  std::uint64_t version_ = 0;  // of the journal and of what is being played
+  std::uint64_t version_ = 0;  // grows with each change of the journal or of the live legs
   std::size_t lines_ = 0;      // of the journal
   std::vector<LiveLeg> live_legs_;
   std::size_t lines_of_pages_ = 0;
   std::map<std::string, web::Page> pages_;  // by path
   std::set<std::string> records_;           // without .json
 
-  std::mutex replaying_;  // one at a time
+  std::mutex replaying_;  // held while a replay page is made: one at a time
 };
 
 }  // namespace mirocup::league

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/format/format.hpp"
 
+#include "core/base/assert.hpp"
 #include "tournaments/format/swiss.hpp"
 
 namespace mirocup::league {
@@ -24,6 +25,7 @@ std::string objection(const Format& format, int teams) {
 }
 
 std::vector<Fixture> first_schedule(const Format& format, int teams) {
+  MIROCUP_ASSERT(objection(format, teams).empty());
   const KnockoutOptions knockout_options{.legs = format.legs, .third_place = format.third_place};
   switch (format.kind) {
     case FormatKind::double_round_robin:
@@ -37,7 +39,8 @@ std::vector<Fixture> first_schedule(const Format& format, int teams) {
                                           .knockout = {.third_place = format.third_place}});
     case FormatKind::knockout: {
       std::vector<TeamSource> seeds;
-      for (int team = 0; team < teams; ++team) seeds.push_back({TeamSource::Kind::team, team, 0});
+      for (int team = 0; team < teams; ++team)
+        seeds.push_back({.kind = TeamSource::Kind::team, .index = team});
       return knockout(seeds, knockout_options);
     }
     case FormatKind::swiss:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Which format a league has, and the part of its schedule that is known before anything is played.
+// The format of a league, and the part of its schedule that is known before the first leg.
 #pragma once
 
 #include "core/base/names.hpp"
@@ -15,7 +15,7 @@ namespace mirocup::league {
 
 enum class FormatKind { double_round_robin, round_robin, groups, knockout, swiss, ladder };
 
-// What does not concern a format's kind is not looked at.
+// A kind with its settings. Settings that do not concern the kind are ignored.
 struct Format {
   FormatKind kind = FormatKind::double_round_robin;
   int legs = legs_per_fixture;  // of each pair in a round robin or a group, of a tie in a knockout
@@ -29,10 +29,12 @@ struct Format {
   int swiss_rounds(int teams) const;
 };
 
-// Why this many teams cannot play it; "" if they can.
+// Returns why that number of teams cannot play the format; "" if they can.
 std::string objection(const Format& format, int teams);
 
-// Everything of a round robin, groups and a knockout; nothing of a Swiss tournament or a ladder.
+// Returns all fixtures of a round robin, of groups and of a knockout. Returns none of a Swiss
+// tournament or a ladder, whose fixtures depend on results and entries.
+// Precondition: objection() is "".
 std::vector<Fixture> first_schedule(const Format& format, int teams);
 
 }  // namespace mirocup::league
@@ -42,5 +44,6 @@ namespace mirocup {
 template <>
 inline constexpr std::array<std::string_view, 6> enum_names<league::FormatKind>{
     "double_round_robin", "round_robin", "groups", "knockout", "swiss", "ladder"};
+static_assert(to_string(league::FormatKind::ladder) == "ladder");
 
 }  // namespace mirocup

@@ -9,20 +9,20 @@ namespace mirocup::league {
 
 namespace {
 
-// Seeds of the knockout: all first ones, then all second ones ... Of equal places, seeds are
-// swapped until nobody first meets somebody of the own group.
+// Returns the seeds of the knockout: the winners of all groups, then all second teams, and so on.
+// Seeds of equal places are swapped until no team meets one of its own group first.
 std::vector<TeamSource> qualified(const std::vector<std::vector<int>>& groups, int qualifiers) {
   std::vector<TeamSource> seeds;
   for (int place = 0; place < qualifiers; ++place) {
     for (int group = 0; group < static_cast<int>(groups.size()); ++group) {
       if (place < static_cast<int>(groups[group].size()))
-        seeds.push_back({TeamSource::Kind::place, group, place});
+        seeds.push_back({.kind = TeamSource::Kind::place, .index = group, .place = place});
     }
   }
   const int count = static_cast<int>(seeds.size());
   int size = 1;
   while (size < count) size *= 2;
-  // Whom a seed meets first: in the first round, or in the second if both have a bye.
+  // The seed that a seed meets first: in round 1, or in round 2 if both have a bye.
   const auto opponent = [&](int seed) {
     const int other = size - 1 - seed;
     if (other < count) return other;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Groups, then a knockout among the first of each.
+// Groups, followed by a knockout among the best of each group.
 #pragma once
 
 #include "tournaments/format/knockout.hpp"
@@ -11,17 +11,17 @@ namespace mirocup::league {
 
 struct GroupsOptions {
   int groups = 2;
-  int qualifiers = 2;           // of each group go on; fewer if a group is smaller
+  int qualifiers = 2;           // of each group; fewer if the group is smaller
   int legs = legs_per_fixture;  // of each pair in a group
   KnockoutOptions knockout;
 };
 
-// The teams of each group, dealt out like cards in a snake so that seeds 1, 2, 3 ... are spread
-// evenly. Sizes differ by one at most.
+// Returns the teams of each group. Seeds are dealt in snake order (1 to n, then n to 1), so that
+// the groups are of equal strength. Sizes differ by at most one.
 std::vector<std::vector<int>> deal_groups(int teams, int groups);
 
-// The round robins of all groups, round by round, then the knockout. Those who come from one group
-// do not meet in their first tie of the knockout if that can be had.
+// Returns the round robins of all groups, round by round, then the knockout. Teams of one group do
+// not meet in their first tie of the knockout where that can be avoided.
 std::vector<Fixture> groups_then_knockout(int teams, const GroupsOptions& options);
 
 }  // namespace mirocup::league

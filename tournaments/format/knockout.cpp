@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/format/knockout.hpp"
 
+#include "core/base/assert.hpp"
+
 namespace mirocup::league {
 
 std::vector<int> bracket_order(int size) {
+  MIROCUP_ASSERT(size > 0 && (size & (size - 1)) == 0);
   // In every round the best left meets the worst left: the pairs of each seed add up to one less
   // than the number of places.
   std::vector<int> order{0};
@@ -23,6 +26,7 @@ std::vector<int> bracket_order(int size) {
 
 std::vector<Fixture> knockout(const std::vector<TeamSource>& seeds, const KnockoutOptions& options,
                               int first) {
+  MIROCUP_ASSERT(seeds.size() >= 2);
   int size = 1;
   while (size < static_cast<int>(seeds.size())) size *= 2;
   std::vector<TeamSource> places;
@@ -55,7 +59,8 @@ std::vector<Fixture> knockout(const std::vector<TeamSource>& seeds, const Knocko
       if (is_bye(places[i]) || is_bye(places[i + 1])) {
         next.push_back(is_bye(places[i]) ? places[i + 1] : places[i]);
       } else {
-        next.push_back({TeamSource::Kind::winner, add(round, number, places[i], places[i + 1]), 0});
+        next.push_back({.kind = TeamSource::Kind::winner,
+                        .index = add(round, number, places[i], places[i + 1])});
       }
       ++number;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// league.json: what the host decided. It may be edited until the league starts.
+// league.json: the decisions of the host. It may be edited until the league starts.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -14,11 +14,11 @@
 
 namespace mirocup::league {
 
-// How a team gets its library, and where it runs.
+// A team of the file: where its library comes from, and how it plays.
 struct TeamConfig {
   std::string name;
   std::string source;     // as written: "house:NAME", a path, or "submitted"
-  bool over_dds = false;  // plays through mirocup join instead of in the match server's care
+  bool over_dds = false;  // true: it joins over the network (mirocup join); else the server runs it
 };
 
 struct LeagueFile {
@@ -29,19 +29,26 @@ struct LeagueFile {
   std::uint64_t seed = 1;
   Points points;
   std::vector<TieBreak> tie_breaks{default_tie_breaks.begin(), default_tie_breaks.end()};
-  std::string
-      freeze;       // "2026-11-30T18:00:00Z": no entry is taken from then on; "": until the start
-  int strikes = 3;  // so many legs in a row lost by an own fault pause a team; 0: none do
+
+  // From this time on no entry is taken: "2026-11-30T18:00:00Z". "": entries are taken until the
+  // league starts.
+  std::string freeze;
+
+  // Number of legs in a row, lost by its own faults, that pauses a team; 0: no number does.
+  int strikes = 3;
   std::vector<TeamConfig> teams;
 
   TableRules table_rules() const { return {points, tie_breaks, seed}; }
 };
 
-// May a team be called so? Names become folders, partitions, pages and lines of tables.
+// True if a team may have that name. Names become folders, DDS partitions and pages, so they are
+// letters, digits, '-', '_' and '.', at most 40, and begin with neither '.' nor '-'.
 bool is_good_name(const std::string& name);
 
-// `path` is for error messages, which name the file, the place and the reason (Errc::input).
+// Reads a league file. The error (Errc::input) names `path`, the JSON pointer and the reason.
 Result<LeagueFile> parse_league_file(const std::string& text, const std::string& path);
+
+// Returns the text of the file: every setting, also those that have their default.
 std::string print_league_file(const LeagueFile& league);
 
 }  // namespace mirocup::league

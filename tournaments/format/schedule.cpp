@@ -15,8 +15,8 @@ std::string Fixture::id() const {
 }
 
 std::vector<Fixture> round_robin(int teams) {
-  // The last place of the circle stays, the others turn by one each round. With an odd number of
-  // teams that place is empty: who meets it has the bye.
+  // The last place of the circle stays, the others turn by one place each round. With an odd number
+  // of teams that place is empty: the team opposite to it has the bye.
   const int places = teams + teams % 2;
   std::vector<Fixture> fixtures;
   for (int round = 0; round + 1 < places; ++round) {
@@ -58,7 +58,7 @@ std::uint64_t fixture_seed(std::uint64_t league_seed, const Fixture& fixture) {
   for (const int part : {fixture.round, fixture.home, fixture.away}) {
     seed = mix_seed(seed ^ static_cast<std::uint64_t>(part));
   }
-  // Two that met in a group meet again with another seed.
+  // Teams that met in a group meet again with another seed.
   if (fixture.part == Part::knockout) seed = mix_seed(~seed);
   // JSON readers in other languages hold 53 bits exactly.
   return seed >> 11;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Who meets whom. Everything has an id that comes from the schedule, so a league that is played in
-// any order, with any number of jobs, books the same results. Teams are indices into the league's
-// list.
+// The schedule: which teams meet, in which rounds. Ids and seeds of fixtures follow from the
+// schedule alone, so a league has the same results in whatever order and with however many jobs it
+// is played. Teams are indices into the league's list of teams.
 #pragma once
 
 #include <cstdint>
@@ -11,33 +11,34 @@
 
 namespace mirocup::league {
 
-// Instead of a team.
+// Values that stand for a team.
 inline constexpr int no_team = -1;       // a bye, or a place that stays empty
 inline constexpr int unknown_team = -2;  // decided by a fixture that is not over
 
-// Who takes a place in a fixture.
+// Where a team of a fixture comes from.
 struct TeamSource {
   enum class Kind {
-    team,    // `index` is a team, or nobody
-    winner,  // of the fixture with that index in the schedule
-    loser,
-    place,  // number `place` in the table of the group `index`; both from 0
+    team,    // `index` is the team, or no_team
+    winner,  // of the fixture with the index `index` in the schedule
+    loser,   // likewise
+    place,   // number `place` in the table of the group `index`, both from 0
   };
   Kind kind = Kind::team;
   int index = no_team;
   int place = 0;
 };
 
-// Whether a fixture counts in the table of all, in that of a group, or decides who goes on.
+// The part of a league to which a fixture belongs: the table of all teams, the table of a group, or
+// the knockout.
 enum class Part { table, group, knockout };
 
-// Legs of the same two teams: the same seed, colours swapped from leg to leg.
+// The legs of two teams: they have the same seed, and the teams swap colours from leg to leg.
 struct Fixture {
   int round = 1;   // within its part, from 1
   int number = 1;  // within the round, from 1
-  int home = 0;    // blue in the first leg; or nobody, or unknown
+  int home = 0;    // blue in the first leg; may be no_team or unknown_team
   int away = 0;
-  int legs = 2;  // a tie of a knockout that is level after them has one more
+  int legs = 2;  // a tie of the knockout that is level after them has one more
   Part part = Part::table;
   int group = 0;             // from 1, in a group only
   TeamSource home_source{};  // in a knockout only
@@ -51,18 +52,20 @@ struct Fixture {
 
 inline constexpr int legs_per_fixture = 2;
 
-// The legs of a tie that may be needed: its own, and the one that decides.
+// The most legs that a fixture can need: its own, and one that decides a level tie.
 inline constexpr int max_legs = legs_per_fixture + 1;
 
-// Every pair once, by the circle method: in each round every team plays at most once; with an odd
-// number one has a bye. A team is home in half of its fixtures, or in one more or less.
+// Returns a fixture for every pair, by the circle method. In each round every team plays at most
+// once; with an odd number of teams one has a bye. The home and away fixtures of a team differ in
+// number by at most one.
 std::vector<Fixture> round_robin(int teams);
 
-// Every pair plays `legs` legs: fixtures of two, for an odd number one more of a single leg. Homes
-// are swapped from one time round to the next.
+// Returns fixtures such that every pair plays `legs` legs: fixtures of two legs, and for an odd
+// number a last fixture of one leg. Home and away are swapped each time that a pair meets again.
 std::vector<Fixture> round_robin(int teams, int legs);
 
-// The seed of all legs of a fixture, from the league's seed and who plays, not from when.
+// Returns the seed of all legs of a fixture, which depends on the seed of the league, the round and
+// the teams, not on when the legs are played. It has 53 bits.
 std::uint64_t fixture_seed(std::uint64_t league_seed, const Fixture& fixture);
 
 }  // namespace mirocup::league

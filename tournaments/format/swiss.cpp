@@ -11,9 +11,10 @@ namespace mirocup::league {
 
 namespace {
 
-// So max_look_ahead_teams can run out of pairings long before everybody has met everybody: look ahead there. With
-// more teams everyone has at least as many possible opponents left as half their number, as long as
-// there are at most half as many rounds; then a pairing exists (Dirac 1952).
+// A small field can run out of pairings long before all pairs have met, so up to this number of
+// teams a pairing must leave room for the remaining rounds. In a larger field with at most half as
+// many rounds as teams, each team has at least half of the field left as opponents; then a pairing
+// exists (Dirac 1952).
 constexpr int max_look_ahead_teams = 8;
 
 // Teams by their rank, best first.
@@ -24,7 +25,7 @@ class Pairing {
         points_(std::move(points)),
         partner_(points_.size(), no_team) {}
 
-  // Pairs all, so that after it `more` rounds can be paired still.
+  // Pairs all teams such that `more` further rounds can be paired. False if that is impossible.
   bool find(int more) {
     const auto free = std::find(partner_.begin(), partner_.end(), no_team);
     if (free == partner_.end()) return leaves(more);
@@ -49,8 +50,8 @@ class Pairing {
     return after.find(more - 1);
   }
 
-  // The possible opponents of the best who is left: those of like points first, and among them the
-  // one who stands half a group below.
+  // The possible opponents of the best team that is left: those of equal points first, and among
+  // them the one that stands half a group below.
   std::vector<int> candidates(int a) const {
     struct Candidate {
       int rank;
@@ -100,7 +101,7 @@ int max_swiss_rounds(int teams) {
 
 std::vector<Fixture> swiss_round(const std::vector<SwissStanding>& standings,
                                  const std::vector<Fixture>& before, int round, int rounds) {
-  // With an odd number the bye plays as the last of all, and nobody meets it twice.
+  // With an odd number the bye takes part as the last team, so no team has it twice.
   std::map<int, int> rank;
   std::vector<int> team;
   std::vector<int> points;
@@ -132,7 +133,7 @@ std::vector<Fixture> swiss_round(const std::vector<SwissStanding>& standings,
     Fixture f;
     f.round = round;
     f.number = static_cast<int>(fixtures.size()) + 1;
-    // Who stands better is home in every other round.
+    // The better team is home in odd rounds.
     const bool swapped = round % 2 == 0 && team[b] != no_team;
     f.home = swapped ? team[b] : team[a];
     f.away = swapped ? team[a] : team[b];

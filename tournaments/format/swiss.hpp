@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A Swiss tournament: in each round teams meet that stand alike, nobody meets anybody twice. A
-// fixture has two legs with ends swapped, so there is nothing to balance between colours.
+// A Swiss tournament: in each round teams of similar points meet, and no two teams meet twice. A
+// fixture has two legs with colours swapped, so colours need no balancing.
 #pragma once
 
 #include "tournaments/format/schedule.hpp"
@@ -10,23 +10,25 @@
 
 namespace mirocup::league {
 
-// As many rounds as it takes to find one team without a loss.
+// Returns the number of rounds after which at most one team has won all fixtures: log2(teams),
+// rounded up, unless that many cannot be paired.
 int usual_swiss_rounds(int teams);
 
-// The most that can be paired whatever the results are.
+// Returns the number of rounds that can be paired whatever the results are.
 int max_swiss_rounds(int teams);
 
-// How a team stands before a round.
+// The points of a team before a round.
 struct SwissStanding {
   int team = 0;
   int points = 0;
 };
 
-// The fixtures of round `round` (from 1) of `rounds`. `standings` has all who still play, best
-// first; `before` all earlier fixtures. With an odd number the lowest who has had none gets the bye:
-// a fixture with nobody as away. Within a group of equal points the upper half meets the lower;
-// points are as equal as can be from the top down. Empty if it cannot be done without a second
-// meeting, which happens only beyond most_swiss_rounds() or when teams have left.
+// Returns the fixtures of round `round` (from 1) of `rounds`. `standings` has all teams that still
+// play, the best first; `before` has all earlier fixtures. With an odd number of teams the lowest
+// team that had no bye gets one: a fixture with no_team as away. Within a group of equal points the
+// upper half meets the lower half; from the top down, opponents have points as equal as possible.
+// The result is empty if no pairing avoids a second meeting; that happens only beyond
+// max_swiss_rounds() or after teams have left.
 std::vector<Fixture> swiss_round(const std::vector<SwissStanding>& standings,
                                  const std::vector<Fixture>& before, int round, int rounds);
 

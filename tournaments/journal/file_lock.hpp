@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Keeps other processes out for as long as it lives: an exclusive lock on a file, which the kernel
-// gives up when the process ends, however it ends. The file's text is for people and other
-// programs.
+// An exclusive lock on a file (flock), held as long as the object lives. The kernel releases it
+// when the process ends, in whatever manner. The text of the file is for people and other programs.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -14,14 +13,14 @@ namespace mirocup::league {
 
 class FileLock {
  public:
-  // Waits for whoever has it.
+  // Waits until the lock is free.
   static Result<FileLock> acquire(const std::string& path);
 
-  // Nothing if somebody else has it. `text` replaces what the file says.
+  // Returns nothing if another process holds the lock. Otherwise `text` replaces the file's text.
   static Result<std::optional<FileLock>> try_acquire(const std::string& path,
                                                      const std::string& text);
 
-  // Does anybody have it?
+  // True if a process holds the lock.
   static bool is_held(const std::string& path);
 
   FileLock(FileLock&& other) noexcept;

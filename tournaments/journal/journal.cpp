@@ -11,12 +11,12 @@ namespace mirocup::league {
 
 namespace {
 
-// Stands before a line's own hash, which is the last thing in it and does not cover itself.
+// Precedes the hash of a line, which is its last key and covers the text before this.
 constexpr std::string_view before_hash = ",\"hash\":\"";
 
 }  // namespace
 
-// Here, where Json is whole.
+// Defined here, where Json is a complete type.
 Journal::Journal(system::Files& files, std::string path) : files_(&files), path_(std::move(path)) {}
 Journal::Journal(Journal&&) noexcept = default;
 Journal& Journal::operator=(Journal&&) noexcept = default;
@@ -82,7 +82,7 @@ Result<void> Journal::append(const std::string& kind, Json fields) {
   line["hash"] = system::sha256(text);
   text.append(before_hash).append(line["hash"].get<std::string>()).append("\"}");
   if (auto written = files_->append(path_, text + "\n"); !written) {
-    is_torn_ = true;  // perhaps
+    is_torn_ = true;  // part of the line may have been written
     return written;
   }
   last_hash_ = system::sha256(text);

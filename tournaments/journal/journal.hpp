@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// What happened in a league: the only truth, append-only; tables and pages are made from it.
+// The journal of a league: an append-only file from which tables and pages are derived.
 //
-// One JSON object per line, numbered, each with the SHA-256 of the line before and of itself. A line
-// is on disk before anybody acts on it. A last line that was cut off while it was written is left
-// out when reading and cut off when writing; any other damage is an error that names the line.
-// format.md has the lines.
+// Each line is a JSON object with its number, the SHA-256 of the line before and its own. A line is
+// on disk (fsync) before anything follows from it. An incomplete last line, left by a process that
+// died while writing, is ignored by readers and removed by the next append(). Any other damage is
+// an error that names the line. format.md describes the lines; league/event.hpp decodes them.
 //
-// Several processes may read a journal at any time, and write to it if each holds a FileLock while
-// it calls refresh() and append().
+// Processes: several may read a journal at any time. Each may append to it if it holds a FileLock
+// while it calls refresh() and append(). Threads: one at a time.
 #pragma once
 
 #include "server/system/files.hpp"
@@ -24,8 +24,8 @@ using Json = nlohmann::ordered_json;
 
 class Journal {
  public:
-  // Reads what is there; an absent file is an empty journal. `notice` is set if a torn line was left
-  // out.
+  // Reads the file; a missing file is an empty journal. `notice` gets a sentence for the user if an
+  // incomplete last line was ignored. `files` must outlive the journal.
   static Result<Journal> open(system::Files& files, std::string path,
                               std::string* notice = nullptr);
   Journal(Journal&&) noexcept;
@@ -35,10 +35,11 @@ class Journal {
   const std::vector<Json>& lines() const { return lines_; }
   const std::string& path() const { return path_; }
 
-  // Reads the lines that others have written since.
+  // Reads the lines that other processes have written since.
   Result<void> refresh();
 
-  // Adds "n", "prev" and "hash" to the line and writes it. On an error the journal is as before.
+  // Writes a line: "n", "kind", the fields, "prev" and "hash". After an error the journal is as
+  // before.
   Result<void> append(const std::string& kind, Json fields);
 
  private:
@@ -51,7 +52,7 @@ class Journal {
   std::vector<Json> lines_;
   std::string last_hash_;
   std::size_t size_ = 0;  // bytes of whole lines
-  bool is_torn_ = false;  // are there bytes after them?
+  bool is_torn_ = false;  // true: an incomplete line follows them
 };
 
 }  // namespace mirocup::league

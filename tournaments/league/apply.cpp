@@ -59,7 +59,7 @@ Result<void> nothing_follows(const LeagueState& state, int index) {
   return {};
 }
 
-// Whether an event may follow in a league that has started.
+// Decides whether an event may follow in a league that has started.
 struct Validator {
   const LeagueState& state;
 
@@ -156,7 +156,7 @@ PlayedLeg played_leg(const LeagueState& state, const Fixture& fixture, const Leg
   return leg;
 }
 
-// What a valid event changes.
+// The changes of a valid event.
 struct Applier {
   LeagueState& state;
 

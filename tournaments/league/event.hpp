@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What can happen in a league: one type for each kind of journal line, and their variant, Event.
+// The events of a league: one type for each kind of journal line, and their variant, Event.
 // read_event() decodes a line once, so that the league's decisions are made on typed values;
 // fields_of() encodes an event for Journal::append(). journal/format.md describes the lines.
 //
@@ -131,7 +131,7 @@ struct Ruled {
   bool operator==(const Ruled&) const = default;
 };
 
-// What a withdrawal does with the results of the team.
+// The effect of a withdrawal on the results of the team.
 enum class WithdrawnResults {
   keep,   // its results stay, and its opponents win the legs that are not played
   annul,  // its legs outside a knockout count for nothing

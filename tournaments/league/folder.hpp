@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// A league is a folder: league.json, journal.jsonl, entries/, records/, site/. Here are its paths,
-// how it is made, and what has been handed in.
+// The folder of a league: league.json, journal.jsonl, entries/, records/ and site/. Its paths, its
+// creation, and the entries that were handed in.
 #pragma once
 
+#include "server/system/files.hpp"
 #include "tournaments/league/league_state.hpp"
 
 #include <string>
@@ -15,11 +16,14 @@ struct Folder {
 
   std::string config() const { return path + "/league.json"; }
   std::string journal() const { return path + "/journal.jsonl"; }
-  std::string lock() const { return path + "/.lock"; }  // while a decision is written
-  std::string running() const {
-    return path + "/.running";
-  }  // while it is played; by which process
-  std::string submitting() const { return path + "/.submitting"; }  // while an entry is checked
+  std::string lock() const { return path + "/.lock"; }  // held while an event is written
+
+  // Locked while the league is played; its text is the id of the process that plays it.
+  std::string running() const { return path + "/.running"; }
+
+  // Locked while an entry is checked.
+  std::string submitting() const { return path + "/.submitting"; }
+
   std::string entry(const std::string& team, int number) const {
     return path + "/entries/" + team + "/" + std::to_string(number);
   }
@@ -40,19 +44,20 @@ struct Folder {
   std::string site() const { return path + "/site"; }
 };
 
-// Makes the folder with league.json as given and every team's library as its first entry. Refuses a
-// folder that has a league already.
+// Creates the folder with this league.json and with every team's library as its entry 1. A folder
+// that holds a league already is refused (Errc::input).
 Result<void> init_folder(system::Files& files, const Folder& folder, const LeagueFile& file);
 
-// The library that a team names: a file, or a house team's.
+// Returns the bytes of the library that a team names: a file, or that of a house team.
 Result<std::string> library_of(system::Files& files, const TeamConfig& team);
 
-// Puts a library into the folder as the entry of that number, with the verdict of its check, if it
-// was checked. The entry is there once entry.json is, which comes last.
+// Stores a library in the folder as the entry of that number, with the verdict of its check if it
+// was checked. entry.json is written last: an entry without it does not exist.
 Result<void> add_entry(system::Files& files, const Folder& folder, const std::string& team,
                        int number, const std::string& library, const std::string& verdict = "");
 
-// The number of the last entry that was handed in, and of the last that was not rejected; 0: none.
+// Returns the number of the last entry that was handed in, and of the last that was not rejected;
+// 0 if there is none.
 int last_entry(system::Files& files, const Folder& folder, const std::string& team);
 int last_accepted_entry(system::Files& files, const Folder& folder, const std::string& team);
 

@@ -9,8 +9,10 @@ namespace mirocup::league {
 
 namespace {
 
-// How far each team came in the knockout: rounds survived, doubled so that the tie for the third
-// place fits between.
+// The stage that each team reached in the knockout, as a number: 4 for each round that it played,
+// minus 3 in the tie for the third place, plus 2 for winning the final or that tie. A team thus
+// ranks above all that reached an earlier round, and the tie for the third place ranks below the
+// final.
 std::vector<int> stage_reached(const LeagueState& state) {
   if (!state.file.format.has_knockout()) return {};
   std::vector<int> far(state.file.teams.size(), 0);
@@ -100,7 +102,7 @@ std::vector<LegResult> LeagueState::results() const {
   for (const FixtureState& f : fixtures) {
     if (f.is_annulled) continue;
     if (f.fixture.away == no_team && f.fixture.part == Part::table) {
-      // As many wins as it would have had legs.
+      // A bye counts as a win for each leg that it replaces.
       LegResult bye;
       bye.home = f.fixture.home;
       bye.away = no_team;
@@ -126,7 +128,7 @@ TieOutcome outcome(const LeagueState& state, const FixtureState& tie) {
   const auto is_out = [&state](int team) {
     return team == no_team || state.teams[team].status == TeamStatus::withdrawn;
   };
-  // Who leaves after a tie was played has played it.
+  // The result of a tie that was played stays when a team leaves afterwards.
   const bool walkover = f.home == no_team || f.away == no_team ||
                         std::any_of(tie.legs.begin(), tie.legs.end(), [](const LegState& leg) {
                           return leg.played && leg.played->end == LegEnd::withdrawn;
@@ -137,7 +139,7 @@ TieOutcome outcome(const LeagueState& state, const FixtureState& tie) {
   }
   int difference = tie.goals(f.home) - tie.goals(f.away);
   for (const LegState& leg : tie.legs) {
-    // Only what decides a level tie can be won in a shoot-out.
+    // Only the leg that decides a level tie can end in a shoot-out.
     if (difference == 0 && leg.played && leg.played->end == LegEnd::shoot_out)
       difference = leg.played->winner == f.home ? 1 : leg.played->winner == f.away ? -1 : 0;
   }

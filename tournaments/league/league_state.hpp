@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Where a league stands: its file and its journal, put together line by line. Derived, never
-// written. The schedule of a Swiss tournament, a knockout and a ladder grows with the results; what
-// has begun stays as it is, what has not follows from the results as they are now.
+// The state of a league: its league.json and all events of its journal, applied in order
+// (apply.hpp). The state is derived and never stored. The schedule of a Swiss tournament, a
+// knockout and a ladder grows with the results: fixtures that have begun stay, the others follow
+// from the present results.
 #pragma once
 
 #include "tournaments/format/league_file.hpp"
@@ -19,34 +20,35 @@
 
 namespace mirocup::league {
 
-// A leg that is decided, from its journal lines.
+// A leg that is decided.
 struct PlayedLeg {
   LegResult result;
-  int winner = no_team;  // also of a shoot-out, which is no goals
+  int winner = no_team;  // of goals or of a shoot-out; no_team after a draw
   LegEnd end = LegEnd::full_time;
   std::optional<LegFault> fault;  // that ended it early
-  std::string record;             // path inside the league folder; "" if it was not played
+  std::string record;             // path inside the league folder; "" if the leg was not played
   std::string state_hash;
-  std::string ruling;  // what a person decided and why; ""
+  std::string ruling;  // the reason of a person who decided it, for publication; "" if none did
 };
 
 struct LegState {
   std::shared_ptr<const PlayedLeg> played;  // null: not decided
-  int voids = 0;                            // attempts that count for nothing
-  int host_faults = 0;                      // of these, that the host spoiled since the last ruling
-  int version = 1;  // of its record: one more after each that was decided to count for nothing
-  bool awaits_confirmation = false;  // a loss by a clock was seen; the next attempt counts
-  std::shared_ptr<const std::string> void_ruling;  // why a person had it played again; null
+  int voids = 0;                            // number of attempts that count for nothing
+  int host_faults = 0;  // number of these that the host caused since the last ruling
+  int version = 1;      // of its record, from 1: grows with each void that the host did not cause
+  bool awaits_confirmation = false;  // the first attempt was lost by a clock; the next one counts
+  std::shared_ptr<const std::string> void_ruling;  // why a person voided it; null if none did
 };
 
 struct FixtureState {
   Fixture fixture;
   std::array<LegState, max_legs> legs;
-  bool is_annulled = false;  // counts for nothing: a team has left
-  int counted_needed = 0;    // its part in the league's sums
+  bool is_annulled = false;  // counts for nothing, because a team has left
+  int counted_needed = 0;    // its share of the counts of the league
   int counted_decided = 0;
 
-  // Legs that this fixture needs, as far as is known: a level tie needs one more.
+  // Number of legs that it needs as far as is known (a level tie needs one more), and of those that
+  // are decided.
   int needed() const;
   int decided() const;
   bool is_decided() const;
@@ -54,15 +56,15 @@ struct FixtureState {
   int goals(int team) const;  // over all legs
 };
 
-// What a team is allowed.
+// Whether a team takes part.
 enum class TeamStatus { playing, paused, withdrawn };
 
 struct TeamState {
   TeamStatus status = TeamStatus::playing;
-  int entry = 0;       // that plays; 0: none yet
-  std::string sha256;  // of it
-  std::string why;     // paused or withdrawn
-  int strikes = 0;     // legs in a row lost by own faults
+  int entry = 0;       // the number of the entry that plays; 0: none yet
+  std::string sha256;  // of its library
+  std::string why;     // the reason why it is paused, or has withdrawn
+  int strikes = 0;     // number of legs in a row lost by its own faults
 };
 
 struct LeagueState {
@@ -70,7 +72,7 @@ struct LeagueState {
   std::vector<FixtureState> fixtures;  // in the order of the schedule
   std::vector<TeamState> teams;        // as in the file
   bool is_started = false;
-  std::string config_sha256;  // as the league was started
+  std::string config_sha256;  // of league.json when the league was started
 
   int legs() const { return needed_; }
   int played() const { return decided_; }
@@ -79,12 +81,12 @@ struct LeagueState {
   std::vector<LegResult> results() const;
   std::vector<TableRow> table() const;
 
-  // Index of a fixture or a team, or nothing.
+  // The index of a fixture or a team; nothing if there is none of that name.
   std::optional<int> find_fixture(const std::string& id) const;
   std::optional<int> find_team(const std::string& name) const;
   const std::string& name(int team) const { return file.teams[team].name; }
 
-  // The first fixture that may have something left to play.
+  // All fixtures before this index are decided.
   int first_open() const { return first_open_; }
 
  private:
@@ -94,15 +96,18 @@ struct LeagueState {
   int needed_ = 0;
   int decided_ = 0;
   int first_open_ = 0;
-  int entries_ = 0;  // booked so far: rounds of a ladder
+  int entries_ = 0;  // number of entries booked so far, which are the rounds of a ladder
   std::unordered_map<std::string, int> index_of_fixture_;
   std::unordered_map<std::string, int> index_of_team_;
 };
 
-// Who won a tie of a knockout: more goals over its legs; then the leg that decides; then a lot.
+// Returns who won a tie of a knockout: the team with more goals over all its legs, then the winner
+// of the shoot-out of the deciding leg, then the winner of a lot, drawn with the seed of the
+// fixture. A team that has left loses a tie that was not played.
 TieOutcome outcome(const LeagueState& state, const FixtureState& tie);
 
-// Which team is blue in a leg: the home team in the first, the away team in the second.
+// Returns the team that is blue in a leg (from 1): the home team in odd legs, the away team in even
+// legs.
 int blue_team(const Fixture& fixture, int leg);
 
 }  // namespace mirocup::league

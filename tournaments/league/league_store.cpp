@@ -19,7 +19,8 @@ Result<LeagueStore> LeagueStore::open(system::Files& files, Folder folder, std::
   if (!file) return tl::unexpected(file.error());
   auto journal = Journal::open(files, folder.journal(), notice);
   if (!journal) return tl::unexpected(journal.error());
-  // The teams' names in the journal would not fit a file that was changed: say that first.
+  // Checked first: teams of the journal may be missing in a changed file, which would look like
+  // damage.
   if (!journal->lines().empty()) {
     const auto first = read_event(journal->lines().front());
     const Started* started = first ? std::get_if<Started>(&*first) : nullptr;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// A league that is open: its journal and where it stands, always of one mind. A decision is taken
-// under a lock, after reading what others have decided since: a person may rule on a leg while the
-// league is being played.
+// An open league: its journal and the state that follows from it, always in agreement. An event is
+// written under a lock, after reading the events that other processes have written: a person may
+// rule on a leg while the league is being played.
+//
+// Threads: one at a time.
 #pragma once
 
 #include "tournaments/journal/journal.hpp"
@@ -12,7 +14,9 @@ namespace mirocup::league {
 
 class LeagueStore {
  public:
-  // `notice` may be set to something that a person should know.
+  // Opens the league in the folder. `notice` may get a sentence that the user should read. `files`
+  // must outlive the store. Errors: Errc::input if there is no league, or league.json is wrong or
+  // has changed since the start; Errc::damaged if the journal is damaged.
   static Result<LeagueStore> open(system::Files& files, Folder folder,
                                   std::string* notice = nullptr);
 
@@ -20,14 +24,14 @@ class LeagueStore {
   const Journal& journal() const { return journal_; }
   const Folder& folder() const { return folder_; }
 
-  // So many lines of the journal are in the state.
+  // The number of lines of the journal that are applied to the state.
   std::size_t lines() const { return applied_; }
 
-  // Takes in what others have written.
+  // Reads and applies the events that other processes have written.
   Result<void> refresh();
 
-  // Writes an event to disk and then applies it to the state. Errors: Errc::input if it does not fit
-  // the league as it is now; then nothing is written.
+  // Writes an event to disk and then applies it to the state. Errors: Errc::input if it does not
+  // fit the league as it is now; then nothing is written.
   Result<void> write(const Event& event);
 
  private:

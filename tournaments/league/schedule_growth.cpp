@@ -118,7 +118,7 @@ void ScheduleGrowth::fill_places() {
 }
 
 void ScheduleGrowth::pair_swiss() {
-  // A round that has not begun is paired anew from the results as they are now.
+  // A round that has not begun is paired again, from the present results.
   std::vector<FixtureState>& fixtures = state_.fixtures;
   const auto last_round = [&] { return fixtures.empty() ? 0 : fixtures.back().fixture.round; };
   const auto of_round = [&](int round) {
@@ -144,7 +144,7 @@ void ScheduleGrowth::pair_swiss() {
     std::vector<SwissStanding> standings;
     for (const TableRow& row : state_.table()) {
       if (state_.teams[row.team].status != TeamStatus::withdrawn)
-        standings.push_back({row.team, row.points});
+        standings.push_back({.team = row.team, .points = row.points});
     }
     std::vector<Fixture> before;
     for (const FixtureState& f : fixtures) before.push_back(f.fixture);
@@ -176,7 +176,7 @@ void ScheduleGrowth::entry_booked(int team) {
     const TeamState& s = state_.teams[other];
     if (other != team && s.entry > 0 && s.status == TeamStatus::playing) others.push_back(other);
   }
-  // What the entry before did no longer counts for its team; what it has not played it does not.
+  // Results of the entry before count for the opponents only, and its open legs are not played.
   for (int i = 0; i < static_cast<int>(state_.fixtures.size()); ++i) {
     FixtureState& f = state_.fixtures[i];
     if (f.fixture.home != team && f.fixture.away != team) continue;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The schedule of a league that is being played: who takes a place in the knockout, the next round
-// of a Swiss tournament, the fixtures of a new entry. Called after every change of a result.
+// Keeps the schedule of a league up to date while it is played: teams that take their places in the
+// knockout, the next round of a Swiss tournament, the fixtures of a new entry of a ladder. It also
+// keeps the counts of LeagueState, so every change of a result must be reported to it.
 #pragma once
 
 #include "tournaments/league/league_state.hpp"
@@ -12,13 +13,14 @@ class ScheduleGrowth {
  public:
   explicit ScheduleGrowth(LeagueState& state) : state_(state) {}
 
-  // Adds fixtures at the end.
+  // Appends fixtures to the schedule.
   void add(const std::vector<Fixture>& fixtures);
 
-  // After anything happened to that fixture.
+  // To be called after a leg of the fixture with that index has changed.
   void fixture_changed(int fixture);
 
-  // After a team left or came back, or its entry changed.
+  // To be called after a team has withdrawn, and after a new entry of a team was booked. `annul`:
+  // the legs of the team outside a knockout count for nothing.
   void team_left(int team, bool annul);
   void entry_booked(int team);
 

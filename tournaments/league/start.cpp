@@ -23,8 +23,8 @@ Result<void> write_start(system::Files& files, LeagueStore& store) {
       Started{.config_sha256 = system::sha256(*config), .version = record::software_version()});
 }
 
-// The libraries that play are those that the journal names: booked at the start, unchanged ever
-// since.
+// Books the entry of each team that has none, and checks the libraries of the others against the
+// SHA-256 that the journal names.
 Result<void> book_entries(system::Files& files, LeagueStore& store) {
   const LeagueState& state = store.state();
   for (std::size_t i = 0; i < state.teams.size(); ++i) {

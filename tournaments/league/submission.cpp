@@ -10,7 +10,8 @@ namespace mirocup::league {
 
 namespace {
 
-// What `mirocup check --json` says of a library, its exit code being yes or no.
+// Returns the answer of `mirocup check --json` about a library. Any exit code but yes and no is an
+// error of the host.
 Result<Json> check(system::Files& files, const std::string& library, League league,
                    const std::string& log) {
   system::ProcessSet processes;
@@ -22,7 +23,7 @@ Result<Json> check(system::Files& files, const std::string& library, League leag
   if (!exit) return fail(Errc::interrupted, "interrupted while an entry was checked");
   const auto text = files.read(log);
   if (!text) return tl::unexpected(text.error());
-  // One line of JSON, after what else was said.
+  // The answer is the last line; the log of the check precedes it.
   const std::size_t begin = text->rfind("\n{");
   Json verdict =
       Json::parse(text->substr(begin == std::string::npos ? 0 : begin + 1), nullptr, false);
@@ -33,7 +34,7 @@ Result<Json> check(system::Files& files, const std::string& library, League leag
   return verdict;
 }
 
-// Why no entry of this team is taken now; "" if one is.
+// Returns why no entry of this team is taken now; "" if entries are taken.
 std::string objection_to(const LeagueState& state, const std::string& team,
                          const std::string& now) {
   const bool is_ladder = state.file.format.kind == FormatKind::ladder;
@@ -46,7 +47,7 @@ std::string objection_to(const LeagueState& state, const std::string& team,
   return "";
 }
 
-// Adds a team to the file of a league that has not started.
+// Adds a team to league.json of a league that has not started.
 Result<void> add_team(system::Files& files, const Folder& folder, LeagueFile file,
                       const std::string& team) {
   file.teams.push_back({.name = team, .source = "submitted", .over_dds = false});

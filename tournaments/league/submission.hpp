@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Handing in an entry: it is kept, checked as `mirocup check` does, and plays if it passes. Who had
-// one that passed before plays on with that if it does not.
+// Handing in an entry: the library is stored and checked as by `mirocup check`. It plays if it
+// passes; otherwise the team goes on with its last entry that passed.
 #pragma once
 
 #include "tournaments/league/league_store.hpp"
@@ -12,13 +12,14 @@ namespace mirocup::league {
 
 struct Submission {
   bool is_accepted = false;
-  int entry = 0;        // its number; 0: it was not taken at all
+  int entry = 0;        // its number; 0: it was not even stored
   std::string message;  // a sentence for the team
-  Json verdict;         // of the check, as in verdict.json; null if there was none
+  Json verdict;         // of the check, as in verdict.json; null if there was no check
 };
 
-// `now` as in LeagueFile::freeze. A team that the league does not know yet joins it with its first
-// good entry, until the league starts. Errors are the host's; a bad entry is none.
+// Hands in the library at `path` for a team. `now` is the time, written as LeagueFile::freeze. A
+// team that is not in league.json joins with its first accepted entry, until the league starts. An
+// entry that fails its check is a value; errors are faults of the host or of the call.
 Result<Submission> submit(system::Files& files, const Folder& folder, const std::string& team,
                           const std::string& path, const std::string& now);
 

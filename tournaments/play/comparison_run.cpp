@@ -67,7 +67,7 @@ class Comparison {
     return {};
   }
 
-  // How many goals the first team is ahead after a leg.
+  // The goals by which the first team is ahead after a leg.
   Result<int> difference(int leg) {
     const auto text = files_.read(record(leg));
     if (!text) return tl::unexpected(text.error());
@@ -89,7 +89,7 @@ class Comparison {
     const auto ahead = difference(exit.tag);
     if (!ahead) return tl::unexpected(ahead.error());
     ahead_[exit.tag] = *ahead;
-    // In order, as far as both legs are there.
+    // Fixtures are counted in order, each when both of its legs are there.
     while (result_.verdict == ComparisonVerdict::undecided && ahead_.count(2 * counted_) != 0 &&
            ahead_.count(2 * counted_ + 1) != 0) {
       const int sum = ahead_[2 * counted_] + ahead_[2 * counted_ + 1];

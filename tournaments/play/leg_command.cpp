@@ -68,7 +68,7 @@ std::vector<std::string> leg_command(const Folder& folder, const LeagueState& st
                                      "--record",
                                      folder.record(fixture, id.leg, id.version)};
   if (id.leg > fixture.legs) {
-    // Golden goal and shoot-out: somebody wins.
+    // With golden goal and shoot-out one team wins.
     arguments.insert(arguments.end(), {"--stage", "knockout"});
   }
   const std::vector<std::string> rules = rule_options(file.rules, file.league);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One leg of a league as a command: the same for the processes of this host, for GNU parallel and for
-// a cluster. Its record is its result.
+// One leg of a league as a command line, the same for processes of this host, for GNU parallel and
+// for a cluster. The result of the leg is the record that the command writes.
 #pragma once
 
 #include "tournaments/league/folder.hpp"
@@ -12,7 +12,7 @@
 
 namespace mirocup::league {
 
-// Which attempt of which leg.
+// An attempt to play a leg.
 struct LegId {
   Fixture fixture;
   int leg = 1;      // from 1
@@ -20,18 +20,19 @@ struct LegId {
   int attempt = 1;  // in the journal
 };
 
-// The legs of a fixture that can be played now, in order: its teams are known and not kept from
-// playing.
+// Returns the legs (from 1) of a fixture that can be played now, in order: they are not decided,
+// and both teams are known and neither paused nor withdrawn.
 std::vector<int> open_legs(const LeagueState& state, const FixtureState& fixture);
 
-// The seed of one leg.
+// Returns the seed of a leg: that of its fixture, and another one for the leg that decides a tie.
 std::uint64_t leg_seed(const LeagueState& state, const LegId& id);
 
-// Run it in any folder; `match_id` is for teams that join over DDS.
+// Returns the command line. It may run in any working folder. Teams that join over DDS find the
+// match by `match_id`.
 std::vector<std::string> leg_command(const Folder& folder, const LeagueState& state,
                                      const LegId& leg, const std::string& match_id);
 
-// What its match server says goes into this file.
+// Returns the path of the file for the output of the match server.
 std::string leg_output(const Folder& folder, const LegId& leg);
 
 }  // namespace mirocup::league

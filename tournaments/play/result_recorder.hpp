@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What became of a leg, as lines of the journal: its result; void if the host spoiled it, or if only a
-// clock decided it for the first time; a pause for a team that loses leg after leg by its own faults.
-// The same for every engine that plays a league.
+// Turns match records into events of the journal, alike for every engine that plays a league. A leg
+// gets its result, unless the host failed or a team lost by a clock for the first time: then the
+// attempt is void. A team that loses a number of legs in a row by its own faults is paused.
 #pragma once
 
 #include "tournaments/league/league_store.hpp"
@@ -14,8 +14,8 @@
 
 namespace mirocup::league {
 
-// After so many attempts that the host spoiled a leg is left until the next start, when somebody may
-// have looked after the host.
+// After this number of attempts that failed because of the host, a leg is left alone until the next
+// start of the program, before which a person can repair the host.
 inline constexpr int max_attempts = 3;
 
 class ResultRecorder {
@@ -29,27 +29,28 @@ class ResultRecorder {
   // Starts the league if it is not started.
   Result<void> start();
 
-  // Takes in what persons have decided since.
+  // Reads the events that other processes, such as a person's rulings, have written.
   Result<void> refresh() { return store_.refresh(); }
 
-  // The fixture as it is now, if there still is one.
+  // Returns the fixture as it is now; null if the schedule no longer has it. Valid until the next
+  // change of the state.
   const FixtureState* find(const std::string& id) const;
 
-  // The leg of a fixture that is to be played next; nothing if none can be played now, or if the host
-  // has spoiled it too often while this program ran.
+  // Returns the leg of a fixture that is to be played next; nothing if none can be played now, or
+  // if the host has failed max_attempts times while this program ran.
   std::optional<LegId> next_leg(const FixtureState& fixture) const;
 
-  // Books the leg if its record is there; false if it is not.
+  // Books the leg if its record is there. False if it is not.
   Result<bool> book_if_played(const LegId& leg);
 
-  // Books the legs of a fixture one after the other as long as there are records; how many.
+  // Books the legs of a fixture in order as long as there are records. Returns their number.
   Result<int> book_played(const std::string& fixture);
 
-  // Has a match server been started for it? What did it say last?
+  // True if a match server has been started for the leg; the last line of its output.
   bool has_begun(const LegId& leg) const { return files_.exists(leg_output(folder(), leg)); }
   std::string last_output_line(const LegId& leg) const;
 
-  // The host spoiled it.
+  // Voids an attempt because the host failed.
   Result<void> book_void(const LegId& leg, const std::string& why);
 
  private:
@@ -61,10 +62,10 @@ class ResultRecorder {
   system::Files& files_;
   LeagueStore store_;
   ProgressReporter& progress_;
-  std::map<std::string, int> host_failures_;  // by the host, while this program runs: records
+  std::map<std::string, int> host_failures_;  // by record, while this program runs
 };
 
-// What to tell whoever interrupted the league.
+// Returns the error for the person who interrupted the league.
 Error interrupted_after(const LeagueState& state);
 
 }  // namespace mirocup::league

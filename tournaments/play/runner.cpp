@@ -10,7 +10,7 @@ namespace mirocup::league {
 
 namespace {
 
-// Joiners' exits are of no interest: the match server says what became of their team.
+// The exits of joiners are ignored: the match server reports the fate of their team.
 constexpr int joiner_tag = -1;
 
 }  // namespace
@@ -83,7 +83,7 @@ const FixtureState* Runner::next_fixture(const Worker& worker) const {
   return nullptr;
 }
 
-// Gives a free slot its next leg; false if there is none and it plays nothing.
+// Starts the next leg of a free worker. False if there is none.
 Result<bool> Runner::start_next_leg(Worker& worker) {
   while (!worker.playing) {
     const FixtureState* next = next_fixture(worker);
@@ -91,7 +91,7 @@ Result<bool> Runner::start_next_leg(Worker& worker) {
     if (next == nullptr) return false;
     worker.fixture = next->fixture.id();
     const LegId leg = *recorder_.next_leg(*next);
-    // A shard may have played it, or this program died before it could book it.
+    // A shard may have played it, or an earlier run may have died before it booked it.
     if (checked_records_.insert(Folder::record_name(leg.fixture, leg.leg, leg.version)).second) {
       const auto booked = recorder_.book_if_played(leg);
       if (!booked) return booked;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Plays what is left of a league: legs as child processes of the match server program, as many at
-// once as there are jobs, the legs of a fixture one after the other on the same processor.
+// Plays the open legs of a league on this host. Each leg is a child process of the match server
+// program. As many run at once as there are jobs; the legs of a fixture run one after the other on
+// the same processor.
 //
-// A finished leg is in the journal before anything else happens; a leg that the host lost is void
-// and played again with the same seed, and so is, once, a leg that a clock decided. Nothing that a
-// team does can stop a league; a team that loses leg after leg by its own faults is paused.
+// A finished leg is in the journal before anything else happens. A leg that the host lost is void
+// and is played again with the same seed; so is, once, a leg that a clock decided. Nothing that a
+// team does can stop a league.
 #pragma once
 
 #include "server/system/process_set.hpp"
@@ -19,26 +20,26 @@ namespace mirocup::league {
 
 struct RunOptions {
   int jobs = 0;          // 0: one for each processor
-  bool watched = false;  // each leg opens a live page on this host
+  bool watched = false;  // true: each leg opens a live page on this host
 };
 
 class Runner {
  public:
   Runner(system::Files& files, LeagueStore store, ProgressReporter& progress);
 
-  // Starts the league if it is not, plays until nothing is left or somebody interrupts: the first
-  // time legs that are being played come to their end, the second time nothing does
-  // (Errc::interrupted). The value is the number of legs that are not decided.
+  // Starts the league if it has not started, and plays until no leg can be played. Returns the
+  // number of legs that are not decided. The first interrupt (SIGINT or SIGTERM) lets the present
+  // legs come to their end, the second stops them; then the error is Errc::interrupted.
   Result<int> run(const RunOptions& options);
 
   const LeagueState& state() const { return recorder_.state(); }
 
  private:
-  // A place to play on: one processor, at most one fixture.
+  // A processor that plays legs, of one fixture at a time.
   struct Worker {
     int cpu = -1;
     std::string fixture;           // its id; "": free
-    std::optional<LegId> playing;  // its fixture as it was when the leg began
+    std::optional<LegId> playing;  // with the fixture as it was when the leg started
     pid_t joiner[2] = {0, 0};      // mirocup join for DDS teams, blue and yellow
   };
 
@@ -59,7 +60,7 @@ class Runner {
   ProgressReporter& progress_;
   system::ProcessSet processes_;
   std::vector<Worker> workers_;
-  std::set<std::string> checked_records_;  // records: was it there already?
+  std::set<std::string> checked_records_;  // names of records that were looked for
 };
 
 }  // namespace mirocup::league

@@ -73,8 +73,11 @@ std::vector<SlurmTask> parse_queue(const std::string& text, const std::string& l
     const auto plan = number(std::string_view(name).substr(prefix.size()));
     const auto task = number(index);
     if (!plan || !task) continue;
-    tasks.push_back(
-        {job + "_" + index, *plan, *task, state == "RUNNING", number(restarts).value_or(0)});
+    tasks.push_back({.id = job + "_" + index,
+                     .plan = *plan,
+                     .line = *task,
+                     .is_running = state == "RUNNING",
+                     .restarts = number(restarts).value_or(0)});
   }
   return tasks;
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What is said to Slurm and what it answers: the command lines of sbatch, squeue, scancel, scontrol
-// and sinfo, which have been its stable interface, and the texts that they print. Pure; who runs them
-// is SlurmRunner.
+// The interface to Slurm: the command lines of sbatch, squeue, scancel, scontrol and sinfo, and the
+// texts that they print. These functions are pure; SlurmRunner runs the commands.
 #pragma once
 
 #include <string>
@@ -12,40 +11,41 @@ namespace mirocup::league {
 
 using CommandLine = std::vector<std::string>;
 
-// A task of an array that is waiting or running. It plays the fixtures of one line of a plan.
+// A task of an array, pending or running. It plays the fixtures of one line of a plan.
 struct SlurmTask {
   std::string id;  // "17_3": job and task, as scancel takes it
   int plan = 0;    // number of the plan
-  int line = 0;    // in it, from 1
+  int line = 0;    // of the plan, from 1
   bool is_running = false;
-  int restarts = 0;  // so often Slurm has put it back into the queue: its node was lost, say
+  int restarts = 0;  // how often Slurm has requeued it, for example after the loss of its node
 };
 
 // An array of tasks, one for each line of a plan.
 struct SlurmArray {
-  std::string league;  // what tells this league's jobs from others: a word
+  std::string league;  // a word that distinguishes the jobs of this league from others
   int plan = 0;
   int tasks = 0;
   int max_running = 0;
-  std::string log;    // of task %a
+  std::string log;    // path; task A writes to LOG-A.log
   CommandLine shard;  // a shell script and its arguments
 };
 
 CommandLine sbatch_command(const SlurmArray& array);
 
-// This league's tasks that are in the queue; others are left out, and so is what is no task.
+// Lists the queue. parse_queue() returns the tasks of this league; all other lines are ignored.
 CommandLine squeue_command();
 std::vector<SlurmTask> parse_queue(const std::string& text, const std::string& league);
 
-// Takes tasks back: all; only those that wait, whatever was known of them; or, with an interrupt,
-// those that run when their present leg is played.
+// Cancels tasks: all of them; only those that are pending by now; or those that run, which an
+// interrupt lets come to the end of their present leg.
 enum class CancelScope { all, pending, after_leg };
 CommandLine scancel_command(const std::vector<std::string>& tasks, CancelScope scope);
 
-// Slurm holds a task that it has put back for two minutes; this lets it go.
+// Slurm delays a requeued task by two minutes; this command lets it start at once.
 CommandLine start_now_command(const std::string& task);
 
-// The processors of the cluster; 0 if the text does not say.
+// Asks for the processors of the cluster. parse_processors() returns their number; 0 if the text
+// does not name it.
 CommandLine sinfo_command();
 int parse_processors(const std::string& text);
 

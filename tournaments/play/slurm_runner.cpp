@@ -15,8 +15,8 @@ namespace {
 
 constexpr double poll_interval_s = 2.0;
 
-// A lost task costs little, and one that takes long holds up little, if there are some for each
-// processor. Beyond most_tasks an array is more than Slurm takes unless it is told to.
+// Several tasks per processor keep the cost of a lost task and of a slow one low. By default Slurm
+// takes arrays of up to 1000 tasks (MaxArraySize).
 constexpr int tasks_per_processor = 4;
 constexpr int max_array_tasks = 1000;
 
@@ -102,7 +102,7 @@ Result<void> SlurmRunner::prepare(int jobs) {
   return {};
 }
 
-// Runs one of Slurm's programs to its end. An interrupt is remembered.
+// Runs one of Slurm's programs to its end and returns its output. Interrupts are counted.
 Result<std::string> SlurmRunner::run_slurm(const CommandLine& command) {
   const std::string answer = folder_ + "/answer";
   if (auto started = processes_.start(command, 0, -1, answer); !started)
@@ -119,7 +119,7 @@ Result<std::string> SlurmRunner::run_slurm(const CommandLine& command) {
   return fail(Errc::unavailable, command[0] + ": " + first_line(*text));
 }
 
-// What is in the queue; false if nobody says.
+// Reads the queue. False if squeue does not answer.
 bool SlurmRunner::poll_queue() {
   const auto queue = run_slurm(squeue_command());
   if (!queue) {
@@ -132,8 +132,8 @@ bool SlurmRunner::poll_queue() {
   return true;
 }
 
-// Records that have come since the look before; and what has not come of tasks that are gone. What
-// a task has written was there before the queue said that it is gone.
+// Books the records that are new since the last poll, and voids the legs of tasks that have ended
+// without them. A task's records are written before it leaves the queue.
 Result<void> SlurmRunner::book_after(const std::vector<SlurmTask>& before, bool is_known) {
   if (auto fresh = recorder_.refresh(); !fresh) return fresh;
   for (const SlurmTask& task : before) {
@@ -161,7 +161,7 @@ Result<void> SlurmRunner::book_records(const std::string& fixture) {
   return {};
 }
 
-// What there is of it; and the leg that was being played is void.
+// Books the records of a fixture and voids the leg that was being played.
 Result<void> SlurmRunner::book_lost(const std::string& fixture, const std::string& why) {
   if (auto booked = book_records(fixture); !booked) return booked;
   const FixtureState* now = recorder_.find(fixture);
@@ -176,12 +176,12 @@ Result<void> SlurmRunner::requeue(const SlurmTask& task) {
     if (auto lost = book_lost(fixture, "task " + task.id + " has lost its node"); !lost)
       return lost;
   }
-  // If it may not be let go it waits.
+  // If this fails, the task starts after its delay.
   (void)run_slurm(start_now_command(task.id));
   return {};
 }
 
-// Fixtures that can be played now, have legs without a record, and are not in the queue.
+// Returns the fixtures that can be played now, have legs without a record and are not in the queue.
 Result<std::vector<std::string>> SlurmRunner::unqueued_fixtures() {
   std::set<std::string> covered;
   for (const SlurmTask& task : tasks_) {
@@ -235,12 +235,12 @@ Result<void> SlurmRunner::submit_array(const std::vector<std::string>& fixtures)
   progress_.say("job " + id + ": " + std::to_string(count) + " fixtures in " +
                 std::to_string(tasks) + " tasks");
   for (int i = 1; i <= tasks; ++i)
-    tasks_.push_back({id + "_" + std::to_string(i), plan, i, false, 0});
+    tasks_.push_back({.id = id + "_" + std::to_string(i), .plan = plan, .line = i});
   return {};
 }
 
-// Takes back what waits, and lets the legs that are being played come to their end. What cannot be
-// taken back plays on, and is booked by the next start.
+// Cancels the pending tasks and lets the present legs come to their end. Tasks that cannot be
+// cancelled play on, and the next start books their records.
 void SlurmRunner::drain() {
   (void)run_slurm(scancel_command(ids_of(tasks_), CancelScope::pending));
   poll_queue();

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Plays what is left of a league on an existing Slurm whose nodes see the league's folder and this
-// program at the same place. Fixtures are dealt to the tasks of an array; each task is run-shard,
-// which writes records; here records are booked, and what is lost is void and handed in again.
+// Plays the open legs of a league on a Slurm cluster whose nodes see the folder of the league and
+// this program at the same paths. Fixtures are dealt to the tasks of an array. Each task is
+// run-shard, which writes records; this program books them. Lost legs are void and are submitted
+// again.
 //
-// Records are the truth, the queue is a hint: what may be handed in again is what neither has a
-// record nor is in the queue under this league's name. So the same command starts and resumes, and
-// tasks play on when nobody watches. DIR/cluster has plans, logs and the script of the tasks.
+// Records are the truth, the queue is a hint: a fixture is submitted if it has legs without a
+// record and is not in the queue under the name of this league. So the same command starts and
+// resumes, and tasks play on without it. DIR/cluster has the plans, the logs and the script of the
+// tasks.
 #pragma once
 
 #include "server/system/process_set.hpp"
@@ -22,16 +24,16 @@ class SlurmRunner {
  public:
   SlurmRunner(system::Files& files, LeagueStore store, ProgressReporter& progress);
 
-  // As Runner::run(): plays until nothing is left or somebody interrupts; the first time legs that are
-  // being played come to their end, the second time nothing does. `jobs`: tasks at once; 0: as many
-  // as the cluster has processors. What teams over DDS play is left: they belong to one host. Errors:
-  // Errc::unavailable if there is no Slurm; Errc::host if it plays nothing.
+  // Plays as Runner::run() does, with the same meaning of interrupts. `jobs` is the number of tasks
+  // that run at once; 0: as many as the cluster has processors. Legs of teams over DDS are left,
+  // since only one host can play them. Errors: Errc::unavailable if there is no Slurm; Errc::host
+  // if arrays of tasks end without a record.
   Result<int> run(int jobs);
 
   const LeagueState& state() const { return recorder_.state(); }
 
  private:
-  using PlanLines = std::vector<std::vector<std::string>>;  // fixtures of each task of a plan
+  using PlanLines = std::vector<std::vector<std::string>>;  // the fixtures of each task of a plan
 
   Result<void> prepare(int jobs);
   Result<std::string> run_slurm(const CommandLine& command);
@@ -56,12 +58,12 @@ class SlurmRunner {
   std::string league_;  // in the names of its jobs
   int jobs_ = 1;
   int next_plan_ = 1;
-  int futile_submissions_ = 0;  // arrays handed in since a record was booked
+  int futile_submissions_ = 0;  // arrays submitted since a record was booked
   int interrupts_ = 0;
-  bool is_silent_ = false;               // squeue has not answered
-  std::vector<SlurmTask> tasks_;         // as squeue said last
-  std::map<std::string, int> restarts_;  // of tasks, as far as they were judged
-  std::map<int, PlanLines> plans_;       // as far as they were needed
+  bool is_silent_ = false;               // squeue did not answer the last time
+  std::vector<SlurmTask> tasks_;         // from the last answer of squeue
+  std::map<std::string, int> restarts_;  // by task: restarts whose lost legs are booked
+  std::map<int, PlanLines> plans_;       // those that were needed so far
 };
 
 }  // namespace mirocup::league

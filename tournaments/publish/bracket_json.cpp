@@ -13,7 +13,7 @@ namespace {
 // The status of a match in brackets-model, which is a number there.
 enum Status { locked = 0, waiting = 1, ready = 2, running = 3, completed = 4 };
 
-// Fills the flat tables: every row has an id and its parents' ids.
+// Fills the tables. Every row has an id, and the ids of its parents.
 class BracketTables {
  public:
   explicit BracketTables(const LeagueState& state) : state_(state) {}
@@ -50,7 +50,8 @@ class BracketTables {
     return found->second;
   }
 
-  // A bracket, and beside it the one for the third place.
+  // The id of a group, which is a bracket in the knockout; the tie for the third place is a second
+  // bracket.
   std::size_t group_of(const Fixture& f, std::size_t stage) {
     int number = f.part == Part::group ? f.group : 1;
     if (f.is_for_third_place()) number = 2;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Writing HTML so that no text can become markup: every text passes through system::html_escaped().
+// Writes HTML in which no text can become markup: every text passes through system::escaped().
 #pragma once
 
 #include <string>
@@ -20,10 +20,10 @@ class Html {
   // <tag>text</tag>
   void cell(std::string_view tag, std::string_view text);
 
-  // A table cell of a style class.
+  // A table cell with a style class.
   void cell_of(std::string_view style, std::string_view text);
 
-  // A link by itself, and one in a table cell.
+  // A link, and a table cell with a link.
   void link(std::string_view target, std::string_view text);
   void link_cell(std::string_view target, std::string_view text);
 
@@ -33,11 +33,11 @@ class Html {
   // A table row of cells: "th" or "td".
   void row(std::string_view tag, const std::vector<std::string>& cells);
 
-  // A table that may be wider than the page.
+  // A table that scrolls if it is wider than the page.
   void open_table();
   void close_table();
 
-  // What another Html wrote.
+  // Text that another Html wrote; it is not escaped.
   void raw(std::string_view html) { text_ += html; }
 
   const std::string& text() const { return text_; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/leg_view.hpp"
 
+#include "core/base/assert.hpp"
 #include "core/match/controller.hpp"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace mirocup::league {
 
 namespace {
 
-// Beyond so many fixtures the intervals of the strengths would take longer than a person waits.
+// With more fixtures the intervals of the strengths would take longer than a person waits.
 constexpr std::size_t max_resampled_fixtures = 20'000;
 
 int last_knockout_round(const LeagueState& state) {
@@ -64,6 +65,7 @@ static_assert(fault_words.size() == enum_names<match::FaultCode>.size());
 }  // namespace
 
 int LegView::goals(int team) const {
+  MIROCUP_ASSERT(played != nullptr && is_of(team));
   return team == home ? played->result.home_goals : played->result.away_goals;
 }
 
@@ -81,8 +83,13 @@ Overview overview(const LeagueState& state) {
     const std::string round = round_in_words(state, f.fixture);
     for (int i = 0; i < f.needed(); ++i) {
       const PlayedLeg* played = f.legs[i].played.get();
-      o.legs.push_back({f.fixture.id(), round, i + 1, f.fixture.home, f.fixture.away, played});
-      // What nobody played says nothing about strength.
+      o.legs.push_back({.fixture = f.fixture.id(),
+                        .round = round,
+                        .leg = i + 1,
+                        .home = f.fixture.home,
+                        .away = f.fixture.away,
+                        .played = played});
+      // A leg that was not played says nothing about strength.
       if (played != nullptr && !played->record.empty()) fixture.push_back(played->result);
     }
     if (!fixture.empty()) results.push_back(std::move(fixture));

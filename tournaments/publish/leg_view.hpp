@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What pages and exports say of each leg, in the order of the schedule, and of each team; and the
-// words for what ended a leg, what a fault is and what put one team above another.
+// The content of pages and exports: each leg in the order of the schedule, the table, the
+// strengths; and the words for the end of a leg, for a fault and for the order of two teams.
 #pragma once
 
 #include "tournaments/league/league_state.hpp"
@@ -18,35 +18,35 @@ struct LegView {
   int leg = 1;          // from 1
   int home = 0;
   int away = 0;
-  const PlayedLeg* played = nullptr;  // null: not yet
+  const PlayedLeg* played = nullptr;  // null: not decided
 
   bool is_of(int team) const { return home == team || away == team; }
   int goals(int team) const;
   int goals_against(int team) const { return goals(team == home ? away : home); }
-  // 'W', 'D' or 'L' for a team that played.
+  // 'W', 'D' or 'L' for a team of a leg that is decided.
   char letter(int team) const;
 };
 
-// What a site is made of, computed once.
+// All that a site is made of, computed once. Refers to the state, which must outlive it.
 struct Overview {
   const LeagueState& state;
   std::vector<TableRow> table;
   std::vector<Strength> strengths;  // by team
-  std::vector<LegView> legs;        // those whose teams are known
+  std::vector<LegView> legs;        // of the fixtures whose teams are known
 };
 Overview overview(const LeagueState& state);
 
-// "Final", "Semi-final", "Round 1" of the knockout, ...
+// "Final", "Semi-final", "Group 2, round 1", "Round 3".
 std::string round_in_words(const LeagueState& state, const Fixture& fixture);
 
-// "2 : 1, golden goal; awarded by ...": how it ended, who is to blame, who ruled.
+// Returns how a leg ended, with its fault and its ruling: "forfeit: a: crash: ...; ruling: ...".
 std::string end_in_words(const LeagueState& state, const PlayedLeg& leg);
 
 // A fault without its team, with words for its code.
 std::string fault_in_words(const LegFault& fault);
 
-// What put a row above the next: "goal difference, +5 to +2"; "" for the last, and
-// before the two have played.
+// Returns what puts a row above the next: "goal difference, +5 to +2"; "" for the last row, and
+// before both teams have played. `next` is null for the last row.
 std::string reason_in_words(const TableRow& row, const TableRow* next);
 
 }  // namespace mirocup::league

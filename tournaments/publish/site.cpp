@@ -17,7 +17,7 @@ namespace mirocup::league {
 
 namespace {
 
-// A crosstable of more teams is no longer read by a person; crosstable.json has it.
+// A larger crosstable is of no use on a page; crosstable.json has all teams.
 constexpr std::size_t max_crosstable_teams = 64;
 
 std::string strength_text(const Strength& s) {

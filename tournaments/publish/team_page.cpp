@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t form_length = 10;  // legs
 
-// Wins, draws, losses and goals of some of a team's legs.
+// Wins, draws, losses, goals and own faults over some legs of a team.
 struct LegTotals {
   int legs = 0;
   int won = 0;

@@ -15,7 +15,7 @@ constexpr int max_iterations = 200;
 constexpr double converged = 1e-4;  // relative change of a strength
 constexpr double scale = 400.0;
 
-// What a pair did, with home and away as in the first fixture.
+// The results of two teams in a fixture.
 struct PairResults {
   int home = 0;
   int away = 0;
@@ -37,7 +37,7 @@ PairResults pair_results(const FixtureResults& fixture) {
   return pair;
 }
 
-// Maximum likelihood by Hunter's minorisation (2004), which climbs in every step.
+// Maximum likelihood by Hunter's MM algorithm (2004), in which every step increases the likelihood.
 class StrengthFit {
  public:
   explicit StrengthFit(int teams) : g_(teams, 1.0) {}
@@ -45,7 +45,7 @@ class StrengthFit {
   void run(const std::vector<PairResults>& pairs, const std::vector<double>& double_forfeits) {
     const std::size_t teams = g_.size();
     for (int iteration = 0; iteration < max_iterations; ++iteration) {
-      // The unseen team: a win and a loss for each.
+      // The virtual team: a win and a loss for each team.
       std::vector<double> wins(teams, 1.0);
       std::vector<double> weight(teams);
       for (std::size_t i = 0; i < teams; ++i)

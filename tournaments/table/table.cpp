@@ -35,7 +35,7 @@ void add_bye(TableRow& row, const Points& points) {
   row.points += points.win;
 }
 
-// Orders teams. Rows and lists are indexed by team, so that nothing is searched for.
+// Orders teams. Rows and lists are indexed by team.
 class Ranking {
  public:
   Ranking(const std::vector<int>& teams, const std::vector<LegResult>& results,
@@ -102,9 +102,9 @@ class Ranking {
         [this](const std::vector<int>& rest, bool) { break_tie(rest, 0, false); });
   }
 
-  // Orders teams that are level so far by a value (higher is better) and hands on those who are
-  // still level, with whether they are fewer than before. The last of each group notes what
-  // separates it from the group below.
+  // Orders level teams by a value (higher is better), and calls next() for each group of teams that
+  // are still level, with true if the group is smaller than before. The last team of each group
+  // notes the rule that separates it from the group below.
   template <class Value, class Next>
   void split(std::vector<int> level, std::string_view what, Value value, Next next) {
     std::vector<double> values(total_.size());
@@ -122,8 +122,8 @@ class Ranking {
     }
   }
 
-  // `is_smaller`: the group is smaller than the one before it. Head-to-head counts are then taken
-  // anew among those who are left, so the list starts again at the first of them.
+  // `is_smaller`: the group is a part of the group before it. Head-to-head counts are then taken
+  // between the remaining teams only, so the rules start again at the first of these counts.
   void break_tie(const std::vector<int>& level, std::size_t next, bool is_smaller) {
     if (is_smaller && next > 0) next = std::min(next, first_head_to_head());
     if (level.size() == 1 || next >= rules_.tie_breaks.size()) {

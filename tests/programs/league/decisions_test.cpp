@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What a host does beside starting a league: takes entries, rules, pauses, uses other machines. Catches
-// an entry that plays without having passed, a decision that is lost or not told, a leg that is played
-// twice because somebody else had played it.
+// What a host does beside starting a league: takes entries, rules, pauses, uses other machines.
+// Catches an entry that plays without having passed, a decision that is lost or not told, a leg
+// that is played twice because somebody else had played it.
 #include "tests/programs/league/league_command.hpp"
 
 #include <gtest/gtest.h>
@@ -27,12 +27,13 @@ using test_support::read_json;
 using test_support::run;
 using test_support::Running;
 using test_support::TemporaryFolder;
+using test_support::wait_until_it_plays;
 
 std::string house(const std::string& name) {
   return program("house/" + name + ".so");
 }
 
-TEST(Entries, AreCheckedAndKeptAndTheLastGoodOnePlays) {
+TEST(Entries, AreStoredAndCheckedAndTheLastAcceptedOnePlays) {
   const TemporaryFolder temporary;
   const std::string folder = temporary / "l";
   init_league(folder, {});
@@ -71,7 +72,7 @@ TEST(Entries, AreCheckedAndKeptAndTheLastGoodOnePlays) {
   EXPECT_NE(outcome.out.find("entries are frozen"), std::string::npos) << outcome.out;
 }
 
-TEST(Rulings, AreToldAndCount) {
+TEST(Rulings, ArePublishedAndCount) {
   const TemporaryFolder temporary;
   const std::string folder = temporary / "l";
   init_league(folder, {"a=house:chaser", "b=house:keeper", "c=house:idle"});
@@ -120,7 +121,7 @@ TEST(Rulings, AreToldAndCount) {
   EXPECT_EQ(status["played"], 2);
 }
 
-TEST(Faults, PauseATeamThatLosesLegAfterLegByThem) {
+TEST(Faults, PauseATeamAfterThreeLegsInARow) {
   const TemporaryFolder temporary;
   const std::string folder = temporary / "l";
   init_league(folder, {"a=house:chaser", "bad=" + program("teams/gives_up.so"), "c=house:idle"},
@@ -139,7 +140,7 @@ TEST(Faults, PauseATeamThatLosesLegAfterLegByThem) {
 class EveryFormat : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Kinds, EveryFormat, testing::Values("knockout", "swiss", "ladder"));
 
-TEST_P(EveryFormat, HasTheSamePagesWhoeverPlayedIt) {
+TEST_P(EveryFormat, HasTheSamePagesWhetherShardsOrOneProgramPlayedIt) {
   const TemporaryFolder temporary;
   const std::string direct = temporary / "direct/l";
   const std::string shards_folder = temporary / "shards/l";
@@ -187,7 +188,7 @@ TEST(Interrupts, LetLegsComeToTheirEndTheFirstTime) {
   init_league(folder, {"a=house:chaser", "b=house:keeper", "c=house:striker"}, "60");
   Running running(league("start", folder, {"--jobs", "1"}));
   const std::string records = folder + "/records";
-  while (std::filesystem::is_empty(records)) usleep(2'000);
+  ASSERT_TRUE(wait_until_it_plays(folder));
   EXPECT_EQ(run(league("start", folder)).exit_code, 3) << "one at a time";
   EXPECT_EQ(run(league("stop", folder)).exit_code, 0);
   EXPECT_EQ(running.wait().exit_code, 130);

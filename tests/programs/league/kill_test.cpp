@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// SIGKILL for the league, a match server and a strategy's host, at any moment: no leg is lost, none is
-// booked twice, the pages are the same. A few kills here; MIROCUP_KILLS=200 build/league_tests
-// --gtest_filter='Kills.*' for many; slurm.sh kills nodes. Catches a result that only memory knew, a team that is blamed
-// for what the host did, half a page that stays.
+// SIGKILL for the league, a match server and a strategy's host, at any moment: no leg is lost, none
+// is booked twice, the pages are the same. A few kills here; MIROCUP_KILLS=200 build/league_tests
+// --gtest_filter='Kills.*' for many; slurm.sh kills nodes. Catches a result that only memory knew,
+// a team that is blamed for what the host did, half a page that stays.
 #include "tests/programs/league/league_command.hpp"
 
 #include <gtest/gtest.h>
@@ -51,8 +51,8 @@ struct Kills {
   int all() const { return of[0] + of[1] + of[2]; }
 };
 
-// Plays a league to its end; somebody kills at random moments, each generation in turn, until `most`
-// were killed.
+// Plays a league to its end; somebody kills at random moments, each generation in turn, until
+// `most` were killed.
 void play_with_kills(const std::string& folder, int most, std::mt19937& random, Kills& kills) {
   while (run(league("status", folder)).exit_code != 0) {
     Running running(league("start", folder, {"--jobs", "2"}));

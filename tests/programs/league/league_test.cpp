@@ -24,6 +24,8 @@ using test_support::run;
 using test_support::Running;
 using test_support::site_of;
 using test_support::TemporaryFolder;
+using test_support::wait_until;
+using test_support::wait_until_it_plays;
 
 // Four teams, one of them over DDS, short halves: twelve legs.
 void make_league(const std::string& folder, const std::string& half = "10") {
@@ -74,7 +76,7 @@ TEST(League, PlaysTheExampleOfTheReadme) {
   EXPECT_EQ(read_file(folder + "/journal.jsonl"), journal) << "nothing is played again";
 }
 
-TEST(League, ComesToTheSameTableAfterBeingKilled) {
+TEST(League, HasTheSamePagesAfterKillsAsWithoutThem) {
   const TemporaryFolder temporary;
   make_league(temporary / "whole");
   ASSERT_EQ(run(league("start", temporary / "whole")).exit_code, 0);
@@ -85,8 +87,8 @@ TEST(League, ComesToTheSameTableAfterBeingKilled) {
   while (run(league("status", temporary / "killed")).exit_code != 0) {
     const std::size_t before = read_file(growing).size();
     Running running(league("start", temporary / "killed"));
-    // Somewhere in the legs that follow the next decision, however slow this build is.
-    while (read_file(growing).size() == before) usleep(2'000);
+    // Killed at some time in the legs that follow the next line of the journal.
+    ASSERT_TRUE(wait_until([&] { return read_file(growing).size() > before; }));
     usleep(30'000 * (kills % 4));
     running.signal(SIGKILL);
     running.wait();
@@ -120,15 +122,23 @@ TEST(League, HasTheSamePagesWithAnyNumberOfJobs) {
   expect_same_site(temporary / "8", temporary / "1");
 }
 
-TEST(League, CanBeStoppedAndGoesOn) {
+TEST(League, EndsLikeAnUnstoppedLeagueAfterItWasStopped) {
   const TemporaryFolder temporary;
-  make_league(temporary / "l", "60");
-  Running running(league("start", temporary / "l"));
-  while (std::filesystem::is_empty(temporary / "l/records")) usleep(2'000);  // it plays
+  make_league(temporary / "whole", "60");
+  make_league(temporary / "stopped", "60");
+  ASSERT_EQ(run(league("start", temporary / "whole")).exit_code, 0);
+
+  Running running(league("start", temporary / "stopped"));
+  ASSERT_TRUE(wait_until_it_plays(temporary / "stopped"));
   running.signal(SIGTERM);
   const Outcome stopped = running.wait();
   EXPECT_EQ(stopped.exit_code, 130) << stopped.err;
   EXPECT_NE(stopped.err.find("the same command goes on"), std::string::npos);
+  EXPECT_EQ(run(league("status", temporary / "stopped")).exit_code, 1) << "legs are left";
+
+  const Outcome resumed = run(league("start", temporary / "stopped"));
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+  expect_same_site(temporary / "stopped", temporary / "whole");
 }
 
 TEST(League, BooksAMatchServerThatDiesAsVoidAndPlaysAgain) {
@@ -141,13 +151,10 @@ TEST(League, BooksAMatchServerThatDiesAsVoidAndPlaysAgain) {
   // The match server is the league's only child.
   const std::string children = "/proc/" + std::to_string(running.pid()) + "/task/" +
                                std::to_string(running.pid()) + "/children";
-  int killed = 0;
-  for (int i = 0; i < 200 && killed == 0; ++i) {
-    usleep(5'000);
+  ASSERT_TRUE(wait_until([&] {
     const std::string pid = read_file(children);
-    if (!pid.empty() && kill(std::stoi(pid), SIGKILL) == 0) killed = std::stoi(pid);
-  }
-  ASSERT_NE(killed, 0);
+    return !pid.empty() && kill(std::stoi(pid), SIGKILL) == 0;
+  }));
   EXPECT_EQ(running.wait().exit_code, 0);
   const std::string journal = read_file(temporary / "l/journal.jsonl");
   EXPECT_NE(journal.find("\"kind\":\"void\""), std::string::npos);
@@ -184,7 +191,7 @@ TEST(League, RefusesToGoOnWhenWhatWasDecidedHasChanged) {
   EXPECT_NE(outcome.err.find("line "), std::string::npos) << outcome.err;
 }
 
-TEST(League, SaysWhatIsWrong) {
+TEST(League, RefusesBadTeamsAndMissingFolders) {
   const TemporaryFolder temporary;
   EXPECT_EQ(run(league("start", temporary / "nothing")).exit_code, 2);
   EXPECT_EQ(run(league("init", temporary / "x", {"--team", "a=house:nobody"})).exit_code, 2);
@@ -193,7 +200,7 @@ TEST(League, SaysWhatIsWrong) {
   EXPECT_FALSE(std::filesystem::exists(temporary / "x/league.json")) << "nothing half made";
 }
 
-TEST(League, ShowsRoundsAlone) {
+TEST(League, PublishesRoundsThroughTheOneAskedFor) {
   const TemporaryFolder temporary;
   const std::string folder = temporary / "l";
   const std::string shown = temporary / "shown";

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What a host sees of a league that is being played: a bar with the time that is left where standard
-// error is a terminal, plain lines elsewhere. Catches a bar in a log file, lines that the bar has cut up,
-// a bar that stays when the league is over.
+// What a host sees of a league that is being played: a bar with the time that is left where
+// standard error is a terminal, plain lines elsewhere. Catches a bar in a log file, lines that the
+// bar has cut up, a bar that stays when the league is over.
 #include "tests/programs/league/league_command.hpp"
 
 #include <gtest/gtest.h>

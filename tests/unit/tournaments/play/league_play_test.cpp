@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Whole leagues of every format and size, with made-up results in any order. Catches a schedule that
-// depends on the order of results, a league that never ends, a tie without a winner, a ruling that
-// changes who has played already, a team that has left and still plays.
+// Whole leagues of every format and size, with made-up results in any order. Catches a schedule
+// that depends on the order of results, a league that never ends, a tie without a winner, a ruling
+// that changes who has played already, a team that has left and still plays.
 #include "core/base/random.hpp"
 #include "tests/unit/tournaments/sizes.hpp"
 #include "tournaments/league/apply.hpp"

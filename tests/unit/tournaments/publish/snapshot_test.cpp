@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A league that is shown round by round looks as it did when that round had been played. Catches pages
-// that give away what comes later: a score, a pairing, a place in the table.
+// A league that is shown round by round looks as it did when that round had been played. Catches
+// pages that give away what comes later: a score, a pairing, a place in the table.
 #include "tournaments/publish/snapshot.hpp"
 
 #include "core/base/random.hpp"

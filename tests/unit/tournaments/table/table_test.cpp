@@ -41,8 +41,8 @@ TEST(Table, GoesByGoalDifferenceInARing) {
 class EveryTable : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Sizes, EveryTable, all_sizes());
 
-// Teams in a ring, each ahead of the next when they met: only lots can tell them apart, and they must
-// not depend on who is asked first. Catches teams that are compared two by two.
+// Teams in a ring, each ahead of the next when they met: only lots can tell them apart, and they
+// must not depend on who is asked first. Catches teams that are compared two by two.
 TEST_P(EveryTable, DrawsLotsInARingOfEquals) {
   const int n = GetParam();
   std::vector<LegResult> results;

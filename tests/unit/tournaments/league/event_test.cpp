@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+//
+// Catches a journal line that is misread, an event that is written differently than before, and a
+// wrong line whose error does not say where it is wrong.
+#include "tournaments/league/event.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <vector>
+
+namespace mirocup::league {
+namespace {
+
+// The texts of lines as journals have them, without "prev" and "hash".
+const std::vector<const char*> line_texts{
+    R"({"n":1,"kind":"start","config_sha256":"c0","version":"0.1.0"})",
+    R"({"n":1,"kind":"entry","team":"a","entry":2,"sha256":"9f"})",
+    R"({"n":1,"kind":"leg","fixture":"r1-f1","leg":1,"attempt":2,"home":"a","away":"b","blue":"a",)"
+    R"("score":{"home":10,"away":0},"winner":"a","end":"forfeit",)"
+    R"("fault":{"team":"b","code":"crash","text":"signal 11"},"penalties":{"home":0,"away":3},)"
+    R"("record":"records/r1-f1-1-1.json","state_hash":"5f"})",
+    R"({"n":1,"kind":"leg","fixture":"k1-f2","leg":3,"attempt":1,"home":"a","away":"b","blue":"a",)"
+    R"("score":{"home":1,"away":1},"winner":null,"end":"full_time","fault":null,)"
+    R"("penalties":{"home":0,"away":0},"record":"r","state_hash":"5f"})",
+    R"({"n":1,"kind":"void","fixture":"r1-f1","leg":1,"attempt":1,"cause":"confirm","why":"slow"})",
+    R"({"n":1,"kind":"ruling","fixture":"r1-f1","leg":2,"score":{"home":0,"away":10},"why":"w","by":"H"})",
+    R"({"n":1,"kind":"withdraw","results":"annul","team":"a","why":"left","by":"H"})",
+    R"({"n":1,"kind":"pause","team":"a","why":"w"})",
+    R"({"n":1,"kind":"resume","team":"a","why":""})"};
+
+std::string error_of_line(const Json& line) {
+  const auto event = read_event(line);
+  return event ? "no error" : event.error().what;
+}
+
+TEST(Event, IsWrittenAsItWasRead) {
+  for (const char* text : line_texts) {
+    const auto event = read_event(Json::parse(text));
+    ASSERT_TRUE(event) << event.error().what;
+    Json again{{"n", 1}, {"kind", kind_of(*event)}};
+    again.update(fields_of(*event));
+    EXPECT_EQ(again.dump(), text);
+  }
+}
+
+TEST(Event, NamesLineKeyAndReasonOfAMistake) {
+  for (const char* text : line_texts) {
+    const Json good = Json::parse(text);
+    for (const auto& [key, value] : good.items()) {
+      // These have defaults: old lines lack some of them.
+      if (key == "n" || key == "version" || key == "attempt" || key == "blue" || key == "cause" ||
+          key == "by") {
+        continue;
+      }
+      Json line = good;
+      line.erase(key);
+      EXPECT_EQ(error_of_line(line), "line 1: /" + key + ": missing") << text;
+      line[key] = Json::array({1});
+      EXPECT_EQ(error_of_line(line).rfind("line 1: /" + key, 0), 0u) << error_of_line(line);
+    }
+  }
+}
+
+TEST(Event, OfAnUnknownKindOrOfAWrongNameIsRefused) {
+  EXPECT_EQ(error_of_line({{"n", 7}, {"kind", "gift"}}),
+            "line 7: /kind: no kind of line is called \"gift\"");
+  Json line = Json::parse(line_texts[4]);
+  line["cause"] = "mood";
+  EXPECT_EQ(error_of_line(line),
+            "line 1: /cause: one of host, confirm, ruling is expected, not \"mood\"");
+}
+
+TEST(Event, NamesItsFixtureIfItHasOne) {
+  const Event ruled = Ruled{.fixture = "r1-f1", .leg = 1, .score = {}, .why = "w", .by = {}};
+  ASSERT_NE(fixture_of(ruled), nullptr);
+  EXPECT_EQ(*fixture_of(ruled), "r1-f1");
+  EXPECT_EQ(fixture_of(Paused{.team = "a", .why = "w", .by = {}}), nullptr);
+}
+
+}  // namespace
+}  // namespace mirocup::league

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+//
+// Catches a leg that is played by the wrong teams or with the wrong seed, and one that is started
+// although a team may not play.
+#include "tournaments/play/leg_command.hpp"
+
+#include "tournaments/league/apply.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace mirocup::league {
+namespace {
+
+LeagueState league_of_two(FormatKind kind) {
+  LeagueFile file;
+  file.format.kind = kind;
+  for (const char* name : {"a", "b"}) {
+    file.teams.push_back({.name = name, .source = "house:idle", .over_dds = false});
+  }
+  LeagueState state = new_league(file);
+  apply(state, Started{.config_sha256 = "x", .version = ""});
+  for (const char* name : {"a", "b"}) {
+    apply(state, EntryBooked{.team = name, .entry = 1, .sha256 = name});
+  }
+  return state;
+}
+
+// The argument after an option; "" if the option is missing.
+std::string value_of(const std::vector<std::string>& command, const std::string& option) {
+  const auto found = std::find(command.begin(), command.end(), option);
+  return found == command.end() ? "" : *(found + 1);
+}
+
+TEST(LegCommand, SwapsColoursFromLegToLegAndKeepsTheSeed) {
+  const LeagueState state = league_of_two(FormatKind::double_round_robin);
+  const Folder folder{"l"};
+  const Fixture& fixture = state.fixtures[0].fixture;
+  const auto first = leg_command(folder, state, {.fixture = fixture, .leg = 1}, "m");
+  const auto second = leg_command(folder, state, {.fixture = fixture, .leg = 2}, "m");
+  EXPECT_EQ(value_of(first, "--blue-name"), state.name(fixture.home));
+  EXPECT_EQ(value_of(second, "--blue-name"), state.name(fixture.away));
+  EXPECT_EQ(value_of(first, "--blue"), value_of(second, "--yellow"));
+  EXPECT_EQ(value_of(first, "--seed"), value_of(second, "--seed"));
+  EXPECT_EQ(value_of(first, "--record"), "l/records/r1-f1-1-1.json");
+  EXPECT_EQ(value_of(first, "--stage"), "");
+}
+
+TEST(LegCommand, PlaysTheLegThatDecidesATieAsAKnockoutWithASeedOfItsOwn) {
+  const LeagueState state = league_of_two(FormatKind::knockout);
+  const Fixture& tie = state.fixtures[0].fixture;
+  const auto command = leg_command(Folder{"l"}, state, {.fixture = tie, .leg = 3}, "m");
+  EXPECT_EQ(value_of(command, "--stage"), "knockout");
+  EXPECT_NE(leg_seed(state, {.fixture = tie, .leg = 3}), leg_seed(state, {.fixture = tie}));
+}
+
+TEST(OpenLegs, AreThoseOfPresentTeamsThatAreNotDecided) {
+  LeagueState state = league_of_two(FormatKind::double_round_robin);
+  EXPECT_EQ(open_legs(state, state.fixtures[0]), (std::vector<int>{1, 2}));
+  apply(state, Ruled{.fixture = "r1-f1", .leg = 1, .score = {}, .why = "w", .by = {}});
+  EXPECT_EQ(open_legs(state, state.fixtures[0]), (std::vector<int>{2}));
+  apply(state, Paused{.team = "a", .why = "w", .by = {}});
+  EXPECT_TRUE(open_legs(state, state.fixtures[0]).empty());
+}
+
+}  // namespace
+}  // namespace mirocup::league
