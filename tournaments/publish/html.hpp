@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Writes HTML in which no text can become markup: every text passes through system::escaped().
+// Writes HTML in which no text can become markup: every text passes through system::html_escaped().
 #pragma once
 
 #include <string>
