@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The tests' own solver of: low <= x <= high; Ax + b = 0 where x is between its bounds, >= 0 at the
-// lower, <= 0 at the upper one. Projected Gauss-Seidel, which cannot be got wrong; to be quick, the
-// unknowns that it finds between their bounds are solved directly, and the solution is taken if it
-// fits.
+// The tests' own solver of the mixed LCP: low <= x <= high; Ax + b = 0 where x is between its
+// bounds, >= 0 at the lower, <= 0 at the upper one. It uses projected Gauss-Seidel, which is simple
+// enough to trust. For speed it solves directly for the unknowns between their bounds, and takes
+// that solution if it satisfies the conditions.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,10 +15,10 @@ struct BoxConditions {
   Eigen::VectorXd b, low, high;
 };
 
-// How much x violates the conditions, in units of b.
+// Returns the largest violation of the conditions by x, in units of b.
 double violation(const BoxConditions& problem, const Eigen::VectorXd& x);
 
-// Improves x until it fits to rounding, or no longer gets better.
+// Improves x until it satisfies the conditions up to rounding, or no longer gets better.
 void solve_by_sweeps(const BoxConditions& problem, Eigen::VectorXd& x);
 
 }  // namespace mirocup::test_support

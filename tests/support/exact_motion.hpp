@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// One robot or the ball alone, in extended precision: the yardstick for free motion.
+// Reference solution of free motion: one robot or the ball alone, in extended precision.
 //
 // Written from the equations and not from core/simulator, of which it uses only the structs of its
 // numbers: angles instead of unit vectors, the C library's sine, and for the robot the
@@ -28,16 +28,16 @@ ExactRobot exactly(const simulator::BodyState& robot);
 ExactBall exactly(const simulator::BallState& ball);
 simulator::BodyState rounded(const ExactRobot& robot);
 
-// The motion for `duration` seconds under one command, wheels on the ground or not. Exact to about
-// 1e-17 of the motion for every second of it.
+// Returns the motion for `duration` seconds under one command, with wheels on the ground or not.
+// The relative error is about 1e-17 for every second.
 ExactRobot drive_exactly(const simulator::Parameters& parameters, ExactRobot robot,
                          const simulator::WheelCommand& command, Real duration);
 
 // The same in closed form: ds/dt = -(f_v s + K_c m g) / m' until s = 0.
 ExactBall roll_exactly(const simulator::Parameters& parameters, ExactBall ball, Real duration);
 
-// How long a ball takes for `distance` along its way, at most `limit`; more than `limit` if it does
-// not get there.
+// Returns the time in which a ball rolls `distance`, at most `limit`; more than `limit` if the ball
+// stops before.
 Real time_to_roll(const simulator::Parameters& parameters, Real speed, Real distance, Real limit);
 
 }  // namespace mirocup::test_support

@@ -9,8 +9,8 @@ namespace mirocup::test_support {
 
 namespace {
 
-constexpr double far_out = 4.0;       // m: how thick walls are
-constexpr double same_corner = 1e-6;  // m: two corners closer than this are one place
+constexpr double far_out = 4.0;       // m: thickness of walls
+constexpr double same_corner = 1e-6;  // m: two corners closer than this count as one
 
 struct Separation {
   double amount = -std::numeric_limits<double>::infinity();
@@ -26,7 +26,7 @@ Vec2 outward(const Vec2& start, const Vec2& stop) {
   return Vec2{edge.y(), -edge.x()} / std::hypot(edge.x(), edge.y());
 }
 
-// The edge of `polygon` that separates it best from the corners of `other`.
+// Returns the edge of `polygon` that separates it best from the corners of `other`.
 Separation best_separation(const Outline& polygon, const Outline& other) {
   Separation best;
   for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
@@ -46,7 +46,7 @@ Vec2 nearest_on_edge(const Vec2& start, const Vec2& stop, const Vec2& point) {
   return start + share * edge;
 }
 
-// Of a polygon's border.
+// Returns the point of a polygon's border that is nearest to `point`.
 Vec2 nearest_on_border(const Outline& polygon, const Vec2& point) {
   Vec2 best = polygon.corners[0];
   for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
@@ -56,7 +56,7 @@ Vec2 nearest_on_border(const Outline& polygon, const Vec2& point) {
   return best;
 }
 
-// Of a point from a polygon, negative inside.
+// Returns the distance of a point from a polygon, negative inside.
 double point_distance(const Outline& polygon, const Vec2& point) {
   const double inside = best_separation(polygon, {{point}, 0.0}).amount;
   return inside <= 0.0 ? inside : (point - nearest_on_border(polygon, point)).norm();
@@ -69,7 +69,7 @@ Outline box(const Vec2& corner, const Vec2& u, const Vec2& v) {
   return {{corner, corner + first, corner + first + second, corner + second}, 0.0};
 }
 
-// Everything beyond the line through `point` with that normal (towards the outside).
+// Returns a box that covers all beyond the line through `point`; `normal` points to the outside.
 Outline beyond(const Vec2& point, const Vec2& normal) {
   const Vec2 along{-normal.y(), normal.x()};
   return box(point - far_out * along, 2.0 * far_out * along, far_out * normal);

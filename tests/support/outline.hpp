@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Solid things as convex polygons and circles in the field's frame: their distance and where they
-// touch. The tests' own geometry: plain distances between corners and edges, no code of
-// core/simulator.
+// Convex polygons and circles in the field's frame, their distances and contact points. This is the
+// tests' own geometry: plain distances between corners and edges, no code of core/simulator.
 #pragma once
 
 #include "core/base/vec2.hpp"
@@ -21,10 +20,11 @@ struct Outline {
 Outline square_at(const Vec2& centre, double angle, double side);
 Outline circle_at(const Vec2& centre, double radius);
 
-// Everything solid around a field as large boxes: side walls, goal backs, cut corners, end walls.
+// Returns the solid parts around a field as large boxes: side walls, goal backs, cut corners, end
+// walls.
 std::vector<Outline> solids_around(const field::Field& field);
 
-// The Euclidean distance; minus the depth where they overlap. Not for two circles.
+// Returns the Euclidean distance, or minus the depth if the two overlap. Not for two circles.
 double distance(const Outline& a, const Outline& b);
 
 struct TouchPoint {
@@ -33,8 +33,8 @@ struct TouchPoint {
   double gap;   // m
 };
 
-// The places where the two are no farther apart than `margin`: both ends of what lies flush, else
-// one, or none.
+// Returns the contact points with a gap of at most `margin`: both ends of the common part of two
+// parallel edges, otherwise one point or none.
 std::vector<TouchPoint> touch_points(const Outline& a, const Outline& b, double margin);
 
 }  // namespace mirocup::test_support

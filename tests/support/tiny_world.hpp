@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// The whole game's physics by tiny steps: the yardstick for core/simulator wherever there is no
-// closed form. Slow, simple and independent: its own forces, geometry (outline.hpp) and solver
-// (box_sweeps.hpp); of core/simulator it uses only the structs of its numbers.
+// The physics of the whole game by tiny time steps: the reference for core/simulator wherever no
+// closed form exists. It is slow, simple and independent, with its own forces, geometry
+// (outline.hpp) and solver (box_sweeps.hpp). It uses only the parameter structs of core/simulator.
 //
 // State: positions, angles and velocities in the field's frame, so that no turning frames appear. A
-// step is second order: forces at its middle, and such impulses of contacts and wheels that at its
-// end nothing that touches comes closer and no wheel slides that can hold. Where something would
-// get inside something the step ends there, and the impact is resolved as a simultaneous one. It
-// ends also where the wheels of a robot lose or find their grip, but only to the step.
+// step is of second order, with forces at its middle. The impulses of contacts and wheels are such
+// that at the end of the step no touching bodies approach and no wheel slides that can hold. Where
+// bodies would overlap, the step ends early and the impact is resolved as a simultaneous one. The
+// moment at which wheels lose or find their grip is only known to the length of a step.
 #pragma once
 
 #include "core/simulator/model/parameters.hpp"
@@ -22,10 +22,10 @@
 
 namespace mirocup::test_support {
 
-// Where a body touches another one or a solid.
+// A contact of a body with another body or a fixed solid.
 struct TinyContact {
   int a = 0;
-  int b = -1;  // -1: something that does not move
+  int b = -1;  // -1: a fixed solid
   int solid = -1;
   TouchPoint at{};
   double restitution = 0.0;
@@ -58,8 +58,8 @@ class TinyWorld {
     bool wheels_on_ground = true;
     double forward = 0.0, turn = 0.0;
   };
-  // A velocity that contact or wheels make zero or positive: along_a . velocity of a + along_b .
-  // velocity of b.
+  // A velocity that a contact or wheels keep at zero or above: along_a . velocity of a +
+  // along_b . velocity of b.
   struct Row {
     int a = -1, b = -1;
     Eigen::RowVector3d along_a = Eigen::RowVector3d::Zero();
@@ -101,7 +101,7 @@ class TinyWorld {
   std::vector<Outline> solids_;
   Bodies bodies_;
   std::vector<DriveReference> drives_;
-  Eigen::VectorXd impulses_;  // of the last step: where the next one's search begins
+  Eigen::VectorXd impulses_;  // of the last step: the warm start of the next one
   int impacts_ = 0;
 };
 
