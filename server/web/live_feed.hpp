@@ -36,7 +36,7 @@ class LiveFeed {
     Frame frame;
   };
 
-  // The server-sent events that bring the viewer up to date; "" if it is up to date.
+  // Returns the server-sent events that bring the viewer up to date; "" if it is up to date.
   std::string news(Viewer& viewer) const;
 
  private:
