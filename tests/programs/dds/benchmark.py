@@ -41,7 +41,7 @@ def result_of(process):
 
 
 def ddsperf(seconds):
-    """The medians of the round trips of each second, of both that answer."""
+    """Returns the medians of the round trips of each second, for both answering processes."""
     environment = dict(os.environ, CYCLONEDDS_URI=LO)
     domain = ["-i", "77", "-u", "-D", str(seconds)]
     pongs = [subprocess.Popen(["ddsperf", *domain, "pong", "waitset"], env=environment,
@@ -57,7 +57,7 @@ def ddsperf(seconds):
 
 
 class Match:
-    """One match between two teams on the network, at a factor of real time."""
+    """Plays one match between two teams on the network, at a factor of real time."""
 
     def __init__(self, build, folder, name, seconds, factor=1):
         self.record = f"{folder}/{name}.json"
