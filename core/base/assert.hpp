@@ -5,8 +5,8 @@
 //
 // In Debug builds a false condition prints file, line and condition to standard error and aborts.
 // In Release builds (NDEBUG) the condition is compiled but never evaluated, so it costs nothing and
-// must have no side effect. What can go wrong at run time, such as a bad file or a bad command, is
-// not asserted: it is an Error or a value (error.hpp).
+// must have no side effect. A failure at run time, such as a bad file or a bad command, is not
+// asserted: it is an Error or a value (error.hpp).
 #pragma once
 
 #include <cstdio>

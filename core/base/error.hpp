@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Errors: what can go wrong outside of the game, and how it is reported.
+// Errors: failures outside of the game, and how functions report them.
 //
 // A function that can fail for a reason outside the program returns Result<T>. A forfeit, the crash
-// of a strategy or a void leg is not an error but a value of the leg. Once constructed, core does
-// not fail at all: a bad command is zeroed or clamped, and counted.
+// of a strategy or a void leg is not an error but a value of the leg. Once constructed, the objects
+// of core do not fail at all: a bad command is zeroed or clamped, and counted.
 #pragma once
 
 #include <tl/expected.hpp>
@@ -16,7 +16,7 @@ namespace mirocup {
 
 // The kinds of failure that a script has to tell apart. Each has an exit code: see exit_code().
 enum class Errc {
-  input,        // wrong usage, or a file that a person wrote says something impossible
+  input,        // wrong usage, or an impossible value in a file that a person wrote
   unavailable,  // a file, a child process or the network is not available
   damaged,      // data that a program wrote was changed, or is of another version
   host,         // the machine failed and nothing was decided: run it again

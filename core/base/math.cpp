@@ -58,7 +58,7 @@ constexpr auto inverse_factorial = [] {
 }();
 
 // Returns (sin(x)/x - 1)/z and (cos(x) - 1 + z/2)/z^2 for the squares z of n angles |x| <= pi/4.
-// The loops over i are such that a compiler can vectorise them.
+// The loops over i are written so that a compiler can vectorise them.
 template <std::size_t n>
 struct Tails {
   std::array<double, n> sin{};

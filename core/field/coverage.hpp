@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How much of a robot stands in an area, exactly.
+// The exact share of a robot's square that stands in an area.
 //
 // The rules ask for "more than 50 %" of a robot. The position of its centre does not answer that at
 // a corner or an arc of an area: with its centre just inside a corner, a third of the body may be

@@ -46,7 +46,7 @@ struct GoalPost {
   Vec2 side;
 };
 
-// Lengths in metres.
+// The dimensions, markings and solid parts of one field. Lengths are in metres.
 struct Field {
   League league = League::small;
   int robots_per_team = 3;

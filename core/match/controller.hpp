@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The interface between a leg and what steers a team: a plugin in its own process, a program on the
-// network, or a recording.
+// The interface between a leg and the source of a team's commands: a plugin in its own process, a
+// program on the network, or a recording.
 #pragma once
 
 #include "core/match/command.hpp"
@@ -32,13 +32,13 @@ struct Fault {
   std::string text;  // a sentence for the team
 };
 
-// The machine failed, not the team: the leg is void.
+// A failure of the machine, not of the team: the leg is void.
 struct HostFailure {
   std::string text;
 };
 
-// No answer in time, which only happens where real time counts. The last command is repeated for a
-// few ticks.
+// The answer did not come in time, which happens only where real time counts. The leg repeats the
+// last command for a few ticks.
 struct Late {};
 
 using Answer = std::variant<Command, Late, Fault, HostFailure>;
@@ -49,7 +49,7 @@ class Controller {
  public:
   virtual ~Controller() = default;
 
-  // Hands an observation over, without waiting.
+  // Hands an observation to the team, without waiting.
   virtual void post(const Observation& observation) = 0;
 
   // Returns the answer to the observation posted last. Waits for it, as long as the controller's

@@ -7,7 +7,7 @@
 
 namespace mirocup::match {
 
-// Copies what a team is told about robots and ball.
+// Copies the sizes and limits of robots and ball that a team receives.
 template <class From, class To>
 void copy_bodies(const From& from, To& to) {
   to.robot_side = from.robot_side;
@@ -21,7 +21,7 @@ void copy_bodies(const From& from, To& to) {
   to.ball_mass = from.ball_mass;
 }
 
-// Copies what the referee counts about a team.
+// Copies the referee's pending counts about a team.
 template <class From, class To>
 void copy_counts(const From& from, To& to) {
   to.defenders = from.defenders;

@@ -100,8 +100,8 @@ bool Leg::accept_answers(const ByTeam<Answer>& given) {
   return false;
 }
 
-// A request in the team's turn is granted at the end of the tick. Out of its turn it may be an
-// offence.
+// A placement request in the team's turn is granted at the end of the tick. A request out of its
+// turn may be an offence.
 void Leg::on_placement_request(Team team, const PlacementRequest& poses) {
   if (placing_ != team) {
     const bool counts = setup_.rules.hand_penalty && state_ == State::PLAY &&

@@ -4,7 +4,7 @@
 //
 // A tick is one control period. Both teams observe its start, and their answers take effect in the
 // next tick: a fixed decision delay, like that of camera and radio. Simulated time is the only time
-// in here; how fast it passes is the caller's business.
+// in this class; the caller decides how fast it passes.
 //
 // At a restart every body is put in its default place in the tick of the decision. In the next tick
 // the team that places first may ask for other places; in the tick after that the other team may,
@@ -39,7 +39,7 @@ struct Setup {
   simulator::Tolerances tolerances;
 };
 
-// How a leg ended.
+// The ways in which a leg can end.
 enum class OutcomeKind { full_time, golden_goal, shoot_out, forfeit, double_forfeit, mercy, void_ };
 
 // A fault and the team that made it.
@@ -91,7 +91,7 @@ struct LoggedPlacementRequest {
 
 class Leg {
  public:
-  // Tosses for ends and kick-off and places the bodies for the kick-off.
+  // Tosses for the ends and the kick-off, and places the bodies for the kick-off.
   explicit Leg(const Setup& setup);
   Leg(const Leg&) = delete;
   Leg& operator=(const Leg&) = delete;
@@ -119,8 +119,8 @@ class Leg {
   // Ends the leg without a winner, because the machine failed.
   void declare_void(std::string why);
 
-  // Ends the leg because of one or two faults, such as a team that did not start. With two it has
-  // no winner.
+  // Ends the leg because of one or two faults, such as a team that did not start. With two faults
+  // the leg has no winner.
   void forfeit(std::vector<TeamFault> faults);
 
   // The state between two ticks.
@@ -187,13 +187,13 @@ class Leg {
   referee::Decision restart_;  // the last restart
   bool placement_is_due_ = false;
   std::optional<Team> placing_;  // the team whose turn it is to place
-  // What that team asked for in this tick, in its own frame and in the field's.
+  // The placement that this team requested in this tick, in its own frame and in the field's.
   std::optional<PlacementRequest> requested_;
   referee::Placement requested_placement_;
   referee::ByEnd<bool> hands_{};  // true for a team that asked out of its turn in this tick
   std::vector<LoggedPlacementRequest> placement_requests_;
   Vec2 ball_before_{0.0, 0.0};
-  ByTeam<std::array<Vec2, max_robots_per_team>> velocity_before_;  // in the field's frame
+  ByTeam<std::array<Vec2, max_robots_per_team>> velocity_before_;  // field's frame, m/s
   const simulator::TickEvents* events_ = nullptr;
   std::optional<referee::Situation> judged_;
 

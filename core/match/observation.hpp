@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a team observes at the start of a tick: everything, exactly, in the team's own frame, in
-// which it attacks +x. Metres, radians counter-clockwise, m/s, rad/s.
+// The observation of a team at the start of a tick: the exact state of all bodies, in the team's
+// own frame, in which it attacks +x. Metres, radians counter-clockwise, m/s, rad/s.
 #pragma once
 
 #include "core/match/snapshot.hpp"
@@ -31,7 +31,7 @@ struct Observation {
   int own_score = 0;
   int opponent_score = 0;
   int robots = 0;  // of each team
-  // What the referee counts, so that a team can tell that a call is near.
+  // The referee's pending counts, from which a team can tell that a call is near.
   double stalemate_s = 0.0;
   double advantage_s = 0.0;
   referee::TeamCounts own_counts;
@@ -46,8 +46,8 @@ struct Observation {
 // most max_robots_per_team.
 Observation observe(const Snapshot& scene, Team team, int robots);
 
-// What a team is told once, before the first observation. The pointers stay valid as long as the
-// leg.
+// The facts of a leg, which a team receives once, before the first observation. The pointers are
+// valid while the leg exists.
 struct Briefing {
   const field::Field* field = nullptr;
   const simulator::Parameters* parameters = nullptr;

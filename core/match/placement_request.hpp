@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// What a team asks for at a restart: places for its robots and, where it has the choice, for the
-// ball. In the team's own frame: metres, radians counter-clockwise.
+// The placement that a team requests at a restart: places for its robots and, where it has the
+// choice, for the ball. In the team's own frame: metres, radians counter-clockwise.
 //
-// Like a command it is input from outside: it may hold any number, infinities and NaN included. It
-// is kept as it came, so that a recorded leg can be played again without the team.
+// Like a command, a request is input from outside: it may hold any number, infinities and NaN
+// included. It is kept unchanged, so that a recorded leg can be played again without the team.
 #pragma once
 
 #include "core/field/league.hpp"
@@ -41,10 +41,10 @@ bool bit_equal(double a, double b);
 bool bit_equal(const RequestedPose& a, const RequestedPose& b);
 bool bit_equal(const PlacementRequest& a, const PlacementRequest& b, int robots);
 
-// Returns the placement, in the field's frame, in which one team stands as it asks and all else as
-// in the snapshot. A number that is as it was `shown` to the team keeps its bits, so that a request
-// that changes nothing changes nothing. A heading that is not a sensible angle makes a pose of
-// NaNs, which no check accepts.
+// Returns the placement, in the field's frame, in which one team stands as requested and all other
+// bodies as in the snapshot. A number that equals the one `shown` to the team keeps the bits of the
+// snapshot, so an unchanged request moves no body by a rounding error. A heading that is not finite
+// or is too large makes a pose of NaNs, which no check accepts.
 referee::Placement requested_placement(const Snapshot& scene, Team team,
                                        const PlacementRequest& shown, const PlacementRequest& asked,
                                        int robots);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The state of a leg at one instant, in the field's frame and by colour: what spectators get, and
-// what the observations of the teams are made from.
+// The state of a leg at one instant, in the field's frame and by colour. Spectators receive it, and
+// the observations of the teams are made from it.
 #pragma once
 
 #include "core/field/team.hpp"
@@ -36,7 +36,7 @@ struct Snapshot {
   // The team whose turn it is to place; its answer to this tick may hold a placement request.
   std::optional<Team> placing;
   ByTeam<int> score{};
-  // What the referee counts (referee::PendingCounts).
+  // The referee's pending counts (referee::PendingCounts).
   double stalemate_s = 0.0;
   double advantage_s = 0.0;
   ByTeam<referee::TeamCounts> counts;

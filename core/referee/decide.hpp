@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The making of decisions: what laws, placement and the referee share when they fill in a Decision.
+// Functions that make decisions, shared by the laws, the placement and the referee.
 #pragma once
 
 #include "core/referee/decision.hpp"

@@ -74,7 +74,7 @@ enum class Law {
 
 enum class Phase { FIRST_HALF, SECOND_HALF, EXTRA, SHOOT_OUT };
 
-// How play is resumed.
+// The ways in which play is resumed.
 enum class Restart { none, KICK_OFF, GOAL_KICK, PENALTY_KICK, FREE_BALL, FREE_KICK };
 
 struct Decision {

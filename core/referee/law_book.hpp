@@ -23,7 +23,7 @@
 
 namespace mirocup::referee {
 
-// The result of a tick: at most one decision, and notes of what else was seen, without effect.
+// The result of a tick: at most one decision, and notes of other offences, without effect.
 struct Judgement {
   std::optional<Decision> decision;
   std::vector<Decision> notes;
@@ -71,7 +71,7 @@ Judgement judge_play(const Pitch& pitch, const Situation& situation,
 Judgement judge_attackers(const Pitch& pitch, const Situation& situation,
                           const std::optional<Decision>& goal, LawBook& book);
 
-// Returns the foul that waited, called now, and ends the advantage.
+// Ends the advantage and returns the call of the foul that waited.
 Decision advantage_is_over(const Situation& situation, Advantage& advantage);
 
 }  // namespace mirocup::referee

@@ -17,14 +17,15 @@ struct Occupancy {
   // by team: goal_area[index_of(owner)][index_of(team)].
   ByEnd<ByEnd<RobotSet>> goal_area, penalty_area;
 
-  // How long each robot has been in its own goal area without a break, s.
+  // The time for which each robot has been in its own goal area without a break, s.
   ByRobot<double> at_home_s{};
   // The keeper of each end: the robot that has been in its own goal area for the longest time, the
   // lowest index first. Nothing if no robot of the team is there.
   ByEnd<std::optional<RobotId>> keeper;
 
-  // How much longer each robot is excused for where it is, s. An opponent that drives at it while
-  // it does not drive back sets this to `shoved_s` of the rules; from then on it runs down to 0.
+  // The time for which each robot is still excused for its place, s. An opponent that drives at the
+  // robot while it does not drive back sets this to `shoved_s` of the rules; from then on it runs
+  // down to 0.
   ByRobot<double> excused_s{};
   ByEnd<RobotSet> shoved;  // the robots with time left
 };

@@ -17,7 +17,7 @@ namespace mirocup::referee {
 // Returns the end whose team places first.
 End first_placer(Restart restart, End taker);
 
-// Why a robot may not have the pose that was asked for.
+// The reasons why a robot may not have the pose that was asked for.
 enum class Misplaced {
   no,
   outside_walls,        // or not finite
@@ -31,7 +31,7 @@ enum class Misplaced {
 // The placement that is granted.
 struct CheckedPlacement {
   Placement placement;
-  ByEnd<RobotSet> moved;  // the robots that did not get what was asked for
+  ByEnd<RobotSet> moved;  // the robots that did not get the requested pose
   ByRobot<Misplaced> why{};
   bool ball_moved = false;
 
@@ -43,9 +43,9 @@ CheckedPlacement check_placement(const Pitch& pitch, const Decision& restart, Ro
                                  const Placement& asked);
 
 // Checks what one team asks for in its turn: `asked` holds the poses that it asks for, and the
-// others where they stand. In the first team's turn robots of the second team are moved if they are
-// in its way; in the second team's turn the first team's robots stay. The ball may be moved only in
-// the turn of a taker who places first.
+// others where they stand. In the first team's turn robots of the second team are moved if they
+// stand on a requested place; in the second team's turn the first team's robots stay. The ball may
+// be moved only in the turn of a taker that places first.
 CheckedPlacement check_turn(const Pitch& pitch, const Decision& restart, End team, Roles roles,
                             const Placement& asked);
 

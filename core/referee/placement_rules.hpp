@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Where a robot may stand at a restart, by the law of that restart.
+// The places where a robot may stand at a restart, by the law of that restart.
 //
 // Sources: MiroSot laws 6.2, 10, 11, 12 and 13 and their figures.
 #pragma once
@@ -15,8 +15,8 @@ enum class Roles {
   fixed,  // in a shoot-out, where only two robots move: robot 1 as kicker, robot 0 as keeper
 };
 
-// What the rules of a placement depend on. Positions are in the field's frame, in metres. Pitch and
-// defaults belong to the caller and outlive this.
+// The facts on which the rules of a placement depend. Positions are in the field's frame, in
+// metres. Pitch and defaults belong to the caller and outlive this object.
 struct PlacementRules {
   const Pitch& pitch;
   Restart restart = Restart::none;

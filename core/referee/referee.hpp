@@ -3,8 +3,9 @@
 // The referee of one leg: clock, phase, score, and the laws in their order.
 //
 // It is called once a tick while play is on and returns at most one decision. It knows ends, not
-// colours, and tosses no coin: which team defends which end, and who wins a toss, is the business
-// of the leg, which tells it when a phase starts. core/referee/README.md is the map of this folder.
+// colours, and tosses no coin: the leg decides which team defends which end and which team wins a
+// toss, and tells the referee when a phase starts. core/referee/README.md is the map of this
+// folder.
 //
 // Threads: none of its own; one thread at a time may call it.
 #pragma once
@@ -33,7 +34,7 @@ struct LegProgress {
   ByEnd<int> substitutions_made{};  // while play was on
 };
 
-// What the referee counts about one team, published so that a team knows of a call before it comes.
+// The referee's counts about one team, published so that a team knows of a call before it comes.
 // Each time runs towards the limit of its law, in seconds.
 struct TeamCounts {
   int defenders = 0;               // its robots in its own goal area
@@ -44,7 +45,7 @@ struct TeamCounts {
   double two_attackers_s = 0.0;    // how long these are too many
   double keeper_hold_s = 0.0;      // how long the ball is uncontested in its goal area
   int keeper = -1;                 // the index of its keeper, -1: none
-  bool advantage_against = false;  // its foul waits whether the opponents score
+  bool advantage_against = false;  // its foul is called unless the opponents score
 };
 
 // The counts that may lead to a call.

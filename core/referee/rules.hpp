@@ -48,7 +48,7 @@ struct Rules {
   int forfeit_goals = 10;          // a forfeit counts as 0 to this many
   double ready_s = 0.33;           // from placement to whistle: robots stand, teams place and see
 
-  // What several laws mean by their words.
+  // Definitions of words that several laws use.
   double touch_m = 0.004;       // bodies this near touch
   double drive_mps = 0.05;      // commanding this speed towards a robot is driving at it
   double contested_m = 0.1125;  // an opponent's centre this near to the ball contests it

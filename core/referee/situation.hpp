@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// One tick as the laws see it.
+// The situation of one tick, which the laws judge.
 //
 // A situation is plain data: it comes from a simulated world, from a recorded trace of a real
 // pitch, or from a test. It knows ends, not colours: the team that defends the left end attacks +x.

@@ -10,7 +10,7 @@ namespace mirocup::replay {
 namespace {
 
 // Returns which bodies differ after the tick, and both states of the first of them at the next
-// checkpoint. Plays the leg once more for it, because a playback that does not differ needs no trace.
+// checkpoint. Plays the leg once more for it, because only a playback that differs needs a trace.
 std::string what_differs(const Recording& recording, std::uint32_t tick) {
   const std::size_t checkpoint = (tick + checkpoint_ticks - 1) / checkpoint_ticks;
   match::Leg leg(recording.setup);

@@ -13,7 +13,7 @@
 
 namespace mirocup::replay {
 
-// The first thing in which a recording and its playback differ.
+// The first difference between a recording and its playback.
 struct Divergence {
   std::uint32_t tick = 0;
   std::string what;  // a sentence with both values

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The recording of a leg, from which it can be played again without the teams: its setup, what was
-// commanded in every tick and asked for at restarts, and a hash of the state after each tick.
+// The recording of a leg, from which it can be played again without the teams: its setup, the
+// commands of every tick, the placement requests at restarts, and a hash of the state after each
+// tick.
 #pragma once
 
 #include "core/replay/state_trace.hpp"

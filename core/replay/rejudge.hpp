@@ -2,10 +2,10 @@
 //
 // A played leg judged again with other parameters of the laws.
 //
-// Robots and ball move as they did while a second referee watches. If it decides otherwise than the
-// first, the leg would have gone on differently from there; so every difference concerns the leg as
-// it was played, not the one that would have been. At each stoppage of the leg the second referee
-// starts afresh from the state of the first.
+// Robots and ball move as recorded, while a second referee judges the same situations. A different
+// decision would have changed all that followed, but the recorded motion goes on; so every
+// difference concerns the leg as it was played. At each stoppage of the leg the second referee
+// restarts from the state of the first.
 #pragma once
 
 #include "core/replay/recording.hpp"
@@ -15,7 +15,7 @@
 
 namespace mirocup::replay {
 
-// A tick in which the two referees did not decide the same.
+// A tick in which the two referees decided differently.
 struct Difference {
   std::uint32_t tick = 0;
   std::optional<match::LoggedDecision> given;     // as it was played

@@ -3,9 +3,9 @@
 // The trace of all bodies that a replay file keeps, so that a playback that diverges can name the
 // body.
 //
-// It holds one byte for each body and tick, which tells whether the body is where a playback has
-// it, and the whole state every few seconds, which tells where it was instead. The hash of a tick
-// only tells that something differs.
+// The trace holds a fingerprint of one byte for each body and tick, which tells whether the body is
+// where a playback has it. Every few seconds it also holds the whole state, which tells where the
+// body was. The hash of a tick only tells that some number differs.
 #pragma once
 
 #include "core/match/leg.hpp"

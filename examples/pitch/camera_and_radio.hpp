@@ -16,7 +16,7 @@ struct Place {
   double heading = 0.0;
 };
 
-// One picture of the camera: places only, without speeds.
+// One picture of the camera: positions and headings, without speeds.
 struct Picture {
   Place ball;
   std::array<std::array<Place, mirocup::max_robots_per_team>, 2> robots;  // blue, yellow

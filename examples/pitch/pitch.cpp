@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // A real pitch behind the topics of a match: publishes the pictures of a camera as states and sends
-// the answers of the teams to the radio. Usage: pitch MATCH SECONDS BLUE [YELLOW], with the names of
-// the teams.
+// the answers of the teams to the radio. Usage: pitch MATCH SECONDS BLUE [YELLOW], with the names
+// of the teams.
 //
-// It replaces a match server (server/dds/README.md) for practice: teams may come and go at any time,
-// and the referee is a person beside the pitch.
+// It replaces a match server (server/dds/README.md) for practice: teams may come and go at any
+// time, and the referee is a person beside the pitch.
 #include "server/dds/convert.hpp"
 #include "server/dds/domain.hpp"
 #include "server/dds/nonce.hpp"

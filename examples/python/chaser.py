@@ -62,7 +62,7 @@ def decide(setup, now):
 
 
 def place(setup, now, placement):
-    """At an own kick-off robot 2 stands aside, where robot 1 can play the ball back to."""
+    """At an own kick-off places robot 2 aside, where it can receive the ball from robot 1."""
     if now.restart == mirocup_team.KICK_OFF and now.own_restart:
         placement.robots[2].y = 0.3
 

@@ -84,7 +84,7 @@ class Call(ctypes.Structure):
 
 
 def load(path=None):
-    """Loads the library from `path`, from $MIROCUP_TEAM_LIBRARY, or from where it is installed."""
+    """Loads the library from `path`, from $MIROCUP_TEAM_LIBRARY, or from the installation."""
     library = ctypes.CDLL(path or os.environ.get("MIROCUP_TEAM_LIBRARY", "libmirocup_team.so"))
     library.mirocup_team_open.restype = c_void_p
     library.mirocup_team_open.argtypes = [ctypes.POINTER(Call), c_char_p, c_size_t]
@@ -107,7 +107,7 @@ def load(path=None):
 
 
 def standing(now):
-    """Returns the placement that leaves everything where it is."""
+    """Returns the placement that moves neither robots nor ball."""
     placement = Placement(now.ball_x, now.ball_y)
     for i in range(now.robots):
         placement.robots[i] = Pose(now.own[i].x, now.own[i].y, now.own[i].heading)

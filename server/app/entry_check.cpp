@@ -273,14 +273,14 @@ bool Examination::is_over_time(const Seats& seats) {
   return all - own_delay - delay_ - delay_of(seats) > max_playing_seconds;
 }
 
-// How long the processes of both teams were runnable without a processor, s.
+// Returns the time for which the processes of both teams were runnable without a processor, s.
 double Examination::delay_of(const Seats& seats) {
   double sum = 0.0;
   for (const auto& seat : seats) sum += seat->processor_delay().value_or(0.0);
   return sum;
 }
 
-// Times are those of the longest leg so far, the log is that of the last one.
+// Times are those of the longest leg yet, the log is that of the last one.
 void Examination::measure(plugins::ProcessController& process, std::uint32_t ticks) {
   report_.start_ms = 1e3 * process.start_seconds();
   report_.peak_memory = std::max(report_.peak_memory, process.peak_memory());

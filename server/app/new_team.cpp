@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup new DIR: writes a team that builds as it is.
+// mirocup new DIR: writes a team that builds without changes.
 #include "server/app/commands.hpp"
 #include "server/system/files.hpp"
 #include "server/system/locations.hpp"

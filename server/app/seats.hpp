@@ -68,7 +68,7 @@ class TeamSeat {
   // Nothing unless the team plays over the network.
   std::optional<record::NetworkReport> network_report() const;
 
-  // The process of the team; null if it has none of its own.
+  // Returns the process of the team; null if it has none of its own.
   const plugins::ProcessController* process() const { return process_; }
 
   // The text that the team printed to standard error; "" if it has no process of its own.

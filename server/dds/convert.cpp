@@ -9,8 +9,8 @@ namespace mirocup::dds {
 
 static_assert(max_robots_per_team == mirocup_v2_MAX_ROBOTS);
 
-// The numbers that idl/mirocup.idl gives to enumerators are on the network: to reorder an enum of
-// the core, or to add a member in its middle, would change the topics without a word.
+// The numbers that idl/mirocup.idl gives to enumerators are on the network. If an enum of the core
+// were reordered, or got a member in its middle, the topics would change without an error.
 template <class E>
 constexpr bool is_wire_value(E value, int number) {
   return static_cast<int>(value) == number;
@@ -54,7 +54,7 @@ std::uint8_t octet(E value) {
 
 constexpr std::uint8_t no_team = 2;  // WorldState.placing while no team places
 
-// Numbers from the network that are out of range become the first enumerator.
+// Converts a number from the network; one that is out of range becomes the first enumerator.
 template <class E>
 E enumerator(std::uint8_t value) {
   return value < enum_names<E>.size() ? static_cast<E>(value) : E{};

@@ -13,13 +13,13 @@ namespace mirocup::dds {
 
 // `robots`: of each team. `leg`: the number that the server drew for the leg.
 mirocup_v2_WorldState to_sample(const match::Snapshot& scene, int robots, std::uint64_t leg);
-// An octet that stands for no enumerator becomes the first one: the sample is a stranger's.
+// An octet that stands for no enumerator becomes the first one: the sample comes from a stranger.
 match::Snapshot to_scene(const mirocup_v2_WorldState& sample);
 
 // The answer of a Welcome to a Hello.
 enum class Admission : std::uint8_t { accepted, not_now, refused };
 
-// Returns a Welcome that accepts the team and has everything that a team is told once.
+// Returns a Welcome that accepts the team and holds the whole briefing.
 mirocup_v2_Welcome to_sample(const match::Briefing& briefing, std::uint64_t leg,
                              std::uint64_t nonce);
 
@@ -36,8 +36,8 @@ struct OwnedBriefing {
   match::Briefing briefing;
 };
 
-// Fills `owned` with what the numbers of a Welcome stand for. Returns false, and leaves `owned`
-// alone, if its league or its colour does not exist.
+// Fills `owned` from the numbers of a Welcome. Returns false, and leaves `owned` unchanged, if its
+// league or its colour does not exist.
 bool from_sample(const mirocup_v2_Welcome& sample, OwnedBriefing& owned);
 
 // `number` counts the events of the leg from 0; `score` is the one after the decision.

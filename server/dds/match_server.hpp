@@ -53,7 +53,7 @@ class MatchServer {
   std::vector<std::unique_ptr<Seat>> seats_;
   mirocup_v2_WorldState state_{};
   WallClock::time_point sent_;  // when the state was sent last
-  std::size_t events_ = 0;      // published so far
+  std::size_t events_ = 0;      // number of events already published
 };
 
 }  // namespace mirocup::dds

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The seat of one team in a match on the network: which process has it, and its answers.
+// The seat of one team in a match on the network: the process that has it, and its answers.
 //
 // A seat belongs to the process that was accepted into it. That process is known by the key that
 // DDS gives to every participant and by the nonce that it drew. Commands that other processes write
@@ -33,7 +33,7 @@ struct JoinTerms {
   std::function<void(const std::string&)> tell = [](auto&) {};  // gets a sentence for the host
 };
 
-// What a seat uses of the match server that it belongs to.
+// The services of a match server that its seats use.
 struct SeatLink {
   std::uint64_t leg = 0;                       // the number of the server's leg
   std::function<void(double seconds)> listen;  // receives for all seats; waits at most `seconds`

@@ -159,7 +159,7 @@ std::optional<News> TeamClient::take_state() {
   return std::nullopt;
 }
 
-// Hostile packets can make either side deaf to the other, in one direction or in both.
+// Hostile packets can make either side drop all packets of the other, in one direction or in both.
 bool TeamClient::is_cut_off() const {
   if (unacknowledged_ > max_unacknowledged &&
       seconds_since(acknowledged_at_) > max_unacknowledged_time)

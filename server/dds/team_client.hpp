@@ -51,7 +51,7 @@ class TeamClient {
   // the server missed the answer to a tick, the client sends it again by itself.
   News wait(double timeout);
 
-  // Both describe the leg of the last Seated, before which they must not be called.
+  // Both describe the leg of the last Seated. They must not be called before the first one.
   const match::Briefing& briefing() const {
     assert(briefing_.briefing.field != nullptr);
     return briefing_.briefing;

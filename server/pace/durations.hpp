@@ -44,7 +44,7 @@ class Durations {
     std::uint64_t count = 0;
   };
 
-  // The octaves that are not empty, in ascending order.
+  // Returns the octaves that are not empty, in ascending order.
   std::vector<Range> histogram() const {
     std::vector<Range> filled;
     for (int i = 0; i < ranges; i += ranges_per_octave) {

@@ -81,7 +81,7 @@ class JsonReader {
   bool is_null() const { return value_->is_null(); }
   bool is_string() const { return value_->is_string(); }
 
-  // The number of elements of an array; 0 for any other value.
+  // Returns the number of elements of an array; 0 for any other value.
   std::size_t size() const { return value_->is_array() ? value_->size() : 0; }
 
   // The member of that key, or the element of that index. If there is none: a complaint, and a
@@ -102,11 +102,11 @@ class JsonReader {
   // returns none then.
   std::vector<std::pair<std::string, JsonReader>> members() const;
 
-  // A finite number in [min, max]. After a complaint: 0, or the limit that it exceeds.
+  // Returns a finite number in [min, max]. After a complaint: 0, or the limit that it exceeds.
   double number(double min = -std::numeric_limits<double>::infinity(),
                 double max = std::numeric_limits<double>::infinity()) const;
 
-  // A number above 0. After a complaint: 1.
+  // Returns a number above 0. After a complaint: 1.
   double positive_number() const;
 
   // A number without a fraction in [min, max]; 3.0 is one. After a complaint: the number of that
@@ -122,7 +122,7 @@ class JsonReader {
   template <class E>
   E name() const;
 
-  // The value as a bool, an integer, a double, a std::string or an enum, whatever T is.
+  // Returns the value as T: a bool, an integer, a double, a std::string or an enum.
   template <class T>
   T as() const;
 
@@ -150,14 +150,14 @@ class JsonReader {
   std::optional<JsonProblem>* problem_;
 };
 
-// A parsed document, or why the text is not JSON: "not JSON: parse error at line 3, column 5: …".
+// A parsed document, or the reason why the text is not JSON: "not JSON: parse error at line 3, …".
 struct ParsedJson {
   JsonReader::Json value;
   std::string error;  // "" if there is none
 };
 ParsedJson parse_json(std::string_view text);
 
-// The error that a person reads: "PATH: POINTER: REASON".
+// Returns the error that a person reads: "PATH: POINTER: REASON".
 Error error_of(const JsonProblem& problem, const std::string& path, Errc code);
 
 // Parses `text` and returns read(reader of the whole document), a T, or the document's first

@@ -34,7 +34,7 @@ static_assert(has_names_up_to(referee::Law::forfeit, "forfeit"));
 static_assert(has_names_up_to(referee::Restart::FREE_KICK, "FREE_KICK"));
 static_assert(has_names_up_to(match::FaultCode::disconnected, "disconnected"));
 
-// The range of what a leg can be played with, s.
+// The ranges of the times with which a leg can be played, s.
 constexpr double min_period = 1e-3;
 constexpr double max_period = 1.0;
 constexpr double max_half = 36000.0;
@@ -217,7 +217,7 @@ match::Setup read_setup(const JsonReader& json) {
   setup.league = json.at("league").name<League>();
   const JsonReader rules = json.at("rules");
   setup.rules = read_rules(rules, setup.league);
-  // Records without this key were played without it, whatever their preset.
+  // Records without this key were played without this rule, whatever their preset.
   if (!rules.has("kickoff_behind")) setup.rules.kickoff_behind = false;
   for (const auto& [key, seconds] :
        {std::pair{"half_s", setup.rules.half_s}, std::pair{"ready_s", setup.rules.ready_s}}) {

@@ -79,7 +79,7 @@ struct MatchRecord {
   replay::Recording recording;
 };
 
-// The version and the description of this program.
+// Returns the version and the description of this program.
 std::string software_version();
 Software this_software();
 
@@ -87,8 +87,8 @@ Software this_software();
 // nothing about the record or its teams.
 bool has_other_behaviour(const MatchRecord& record);
 
-// The error for such a record if it differs from `tick` on. Errc::damaged, as for data of another
-// version.
+// Returns the error for such a record if it differs from `tick` on: Errc::damaged, as for data of
+// another version.
 Error behaviour_mismatch(const std::string& path, const MatchRecord& record, std::uint32_t tick);
 
 Json to_json(const match::Outcome& result);

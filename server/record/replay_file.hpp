@@ -20,7 +20,7 @@ struct Replay {
   replay::StateTrace trace;
 };
 
-// The bytes of the file. `robots`: number of robots of a team.
+// Returns the bytes of the file. `robots`: number of robots of a team.
 std::string pack_replay(const replay::Recording& recording, int robots);
 
 // Reads the bytes, which may come from strangers. `robots`: number of robots of a team in the

@@ -8,10 +8,10 @@
 
 namespace mirocup::system {
 
-// 64 lower-case hexadecimal digits.
+// Returns the digest as 64 lower-case hexadecimal digits.
 std::string sha256(std::string_view bytes);
 
-// The digest's 32 bytes in base64, as a content security policy names a script.
+// Returns the digest's 32 bytes in base64, as a content security policy names a script.
 std::string sha256_base64(std::string_view bytes);
 
 std::string base64(std::string_view bytes);

@@ -20,7 +20,7 @@ class Files {
 
   virtual Result<std::string> read(const std::string& path) = 0;
 
-  // The bytes behind the first `offset`.
+  // Returns the bytes behind the first `offset`.
   virtual Result<std::string> read_from(const std::string& path, std::size_t offset);
 
   // Replaces the file: writes a temporary file in the same folder, flushes it to disk, renames it

@@ -8,13 +8,13 @@
 
 namespace mirocup::system {
 
-// The folder of the running program.
+// Returns the folder of the running program.
 std::string program_folder();
 
-// The path of another program of the same build or installation.
+// Returns the path of another program of the same build or installation.
 std::string sibling_program(const std::string& name);
 
-// The parts of a new team.
+// The locations from which `mirocup new` takes the parts of a new team.
 struct TeamKit {
   std::string program;    // path of this program
   std::string prefix;     // for find_package(mirocup)
@@ -23,7 +23,7 @@ struct TeamKit {
 };
 TeamKit team_kit();
 
-// The path of the library of a house team; "" if there is no such team.
+// Returns the path of the library of a house team; "" if there is no such team.
 std::string house_team(const std::string& name);
 
 }  // namespace mirocup::system

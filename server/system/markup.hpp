@@ -8,8 +8,8 @@
 
 namespace mirocup::system {
 
-// `text` with character references for & < > " and ', for the text and the attribute values of HTML
-// and SVG.
+// Returns `text` with character references for & < > " and ', for the text and the attribute values
+// of HTML and SVG.
 std::string html_escaped(std::string_view text);
 
 }  // namespace mirocup::system

@@ -59,7 +59,7 @@ class ProcessSet {
   std::vector<Running> children_;
 };
 
-// The processors that this process may use; {-1} if the system does not tell.
+// Returns the processors that this process may use; {-1} if the system does not tell.
 std::vector<int> processors();
 
 }  // namespace mirocup::system

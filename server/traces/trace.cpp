@@ -82,7 +82,7 @@ std::vector<KeyFrame::Contact> read_contacts(const JsonReader& json, int robots)
   return contacts;
 }
 
-// Reads a frame. `frame` is the one before, whose values hold where this one gives none.
+// Reads a frame. `frame` is the frame before it, from which missing values are taken.
 KeyFrame read_frame(const JsonReader& json, KeyFrame frame, int robots) {
   if (json.has("t")) frame.t = read_time(json.at("t"));
   if (json.has("ball")) {

@@ -14,12 +14,12 @@ class TraceSampler {
   // Both must outlive the sampler.
   TraceSampler(const Trace& trace, const referee::Pitch& pitch);
 
-  // The number of the last sample: the first one that shows the last frame or, if that is later,
-  // the last one within `hold`.
+  // Returns the number of the last sample: the first one that shows the last frame or, if that is
+  // later, the last one within `hold`.
   int last_sample() const { return last_sample_; }
 
-  // The situation at the time k * sample_period, with the motion since the sample before. Sample 0
-  // has the duration 0.
+  // Returns the situation at the time k * sample_period, with the motion since the sample before.
+  // Sample 0 has the duration 0.
   referee::Situation sample(int k) const;
 
  private:

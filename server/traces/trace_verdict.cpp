@@ -188,7 +188,7 @@ class TraceJudge {
     return json;
   }
 
-  // The robots whose poses the team of that end gave.
+  // Returns the robots for which the team of that end requested poses.
   referee::RobotSet requested_robots_of(End end) const {
     referee::RobotSet set;
     for (int i = 0; i < trace_.requested_robots[index_of(end)]; ++i) set.set(i);

@@ -7,7 +7,7 @@
 
 namespace mirocup::web {
 
-// The text of page/NAME; empty if there is no such file.
+// Returns the text of page/NAME; empty if there is no such file.
 std::string_view asset(std::string_view name);
 
 }  // namespace mirocup::web

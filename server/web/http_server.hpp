@@ -41,7 +41,7 @@ class HttpServer {
   };
   void send_events(httplib::Response& response, std::function<EventBatch()> next);
 
-  // The number of viewers that are being sent events.
+  // Returns the number of viewers to which the server is sending events.
   int viewers() const { return viewers_; }
 
  private:

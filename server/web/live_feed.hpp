@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A match that is being played, for its viewers: always the latest state, without a queue. The
+// The feed of a running match for its viewers: always the latest state, without a queue. The
 // match never waits for a viewer; a slow viewer misses states.
 //
 // Threads: the thread of the match calls publish() and close(); any other thread may call news().
@@ -26,7 +26,7 @@ class LiveFeed {
   // To be called when the match is over. The next news() of each viewer is its last.
   void close(const match::Leg& match);
 
-  // The state of one viewer: the events that it has received so far.
+  // The state of one viewer: the events that it has already received.
   struct Viewer {
     bool has_started = false;
     bool has_ended = false;
@@ -36,7 +36,7 @@ class LiveFeed {
     Frame frame;
   };
 
-  // The server-sent events that bring the viewer up to date; "" if it is up to date.
+  // Returns the server-sent events that bring the viewer up to date; "" if it is up to date.
   std::string news(Viewer& viewer) const;
 
  private:

@@ -40,7 +40,7 @@ std::string script() {
   return all;
 }
 
-// JSON text for a <script> element, which nothing in it can end.
+// Returns JSON text for a <script> element; no part of the text can close the element.
 std::string embedded(const Json& json) {
   std::string text;
   for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {

@@ -18,7 +18,7 @@ Json moment_json(const match::Snapshot& scene);
 Json statistics_json(const Statistics& statistics,
                      const std::vector<match::LoggedDecision>& decisions);
 
-// The text of a server-sent event.
+// Returns the text of a server-sent event.
 std::string event_text(const char* name, const Json& data);
 
 }  // namespace mirocup::web

@@ -25,15 +25,15 @@ struct Page {
 
 // The content of a site. Several threads call all three functions at the same time.
 struct Site {
-  // The page at a path, which starts with "/"; nothing if there is none.
+  // Returns the page at a path, which starts with "/"; nothing if there is none.
   std::function<std::optional<Page>(const std::string& path)> page;
 
   // The server-sent events for a viewer that has seen version `seen` (0: none); "" if that is the
   // present version. Sets `seen` to the present version.
   std::function<std::string(std::uint64_t& seen)> news;
 
-  // The port of this host at which the match of that name has its live page; nothing if it has
-  // none.
+  // Returns the port of this host at which the match of that name has its live page; nothing if it
+  // has none.
   std::function<std::optional<int>(const std::string& name)> match;
 };
 

@@ -11,7 +11,7 @@
 
 namespace mirocup::web {
 
-// A length of metres as text in millimetres, rounded to a tenth; the same on every machine.
+// Returns a length (m) as text in millimetres, rounded to a tenth; the same on every machine.
 std::string millimetres(double metres);
 
 class SvgPath {

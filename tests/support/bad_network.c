@@ -3,7 +3,8 @@
  * Simulates a network that loses and changes packets, for processes that load this library with
  * LD_PRELOAD:
  *   BAD_NETWORK_LOSS=P    loses each packet that the process sends with probability P
- *   BAD_NETWORK_GARBAGE=N sends N changed copies before each packet: other bits, lengths, ends, senders
+ *   BAD_NETWORK_GARBAGE=N sends N changed copies before each packet: other bits, lengths, ends,
+ *                         senders
  *   BAD_NETWORK_LIMIT=N   sends at most N changed copies, and writes to standard error when it has
  *   BAD_NETWORK_JUMP=N    sends a copy with a far higher sequence number before its packet N with a
  *                         sample: a receiver that believes it takes all true samples for old

@@ -18,7 +18,7 @@ void sweep(const BoxConditions& p, Eigen::VectorXd& x) {
   }
 }
 
-// The unknowns between their bounds solved at once, the others held.
+// Solves for the unknowns between their bounds at once; the others keep their values.
 Eigen::VectorXd polished(const BoxConditions& p, const Eigen::VectorXd& x) {
   std::vector<Eigen::Index> free;
   for (Eigen::Index i = 0; i < x.size(); ++i) {

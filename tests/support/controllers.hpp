@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Teams that live in the test itself.
+// Controllers that run in the test's own process.
 #pragma once
 
 #include "core/base/random.hpp"
@@ -25,7 +25,7 @@ class Scripted final : public match::Controller {
   match::Observation observation_;
 };
 
-// The same wheel speeds for all robots, rad/s.
+// Gives the same wheel speeds to all robots, rad/s.
 inline match::Command both_wheels(double left, double right) {
   match::Command command;
   for (auto& wheels : command.wheels) wheels = {left, right};

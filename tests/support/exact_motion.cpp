@@ -33,7 +33,7 @@ ExactRobot derivative(const Model& m, const ExactRobot& s) {
   return d;
 }
 
-// s + h d
+// Returns s + h d.
 ExactRobot plus(const ExactRobot& s, Real h, const ExactRobot& d) {
   return {s.x + h * d.x,       s.y + h * d.y,      s.angle + h * d.angle, s.forward + h * d.forward,
           s.left + h * d.left, s.turn + h * d.turn};
@@ -51,8 +51,8 @@ ExactRobot midpoint_rule(const Model& m, const ExactRobot& s, Real length, int s
   return now;
 }
 
-// The midpoint rule with 2, 4, 6 ... steps, extrapolated to infinitely many: its error has even
-// powers of the step only.
+// The midpoint rule with 2, 4, 6 ... steps, extrapolated to infinitely many steps: its error has
+// only even powers of the step.
 ExactRobot extrapolated(const Model& m, const ExactRobot& s, Real length) {
   constexpr int rows = 7;
   std::array<ExactRobot, rows> row;
@@ -70,7 +70,7 @@ ExactRobot extrapolated(const Model& m, const ExactRobot& s, Real length) {
   return row[rows - 1];
 }
 
-// The share of the step after which `over` turns true.
+// Returns the share of the step after which `over` becomes true.
 template <class Predicate>
 Real bisect(const Model& m, const ExactRobot& s, Real length, Predicate over) {
   Real low = 0;
@@ -122,7 +122,7 @@ ExactRobot drive_exactly(const simulator::Parameters& p, ExactRobot s,
                          const simulator::WheelCommand& command, Real duration) {
   Model m = model_of(p, command);
   const bool can_slide = m.wheels_on_ground && p.grip != simulator::infinite_grip;
-  // Short enough that wheels do not begin and cease to slide within one step unnoticed.
+  // Steps are so short that wheels cannot both begin and cease to slide within one.
   const Real longest = can_slide ? 0.25e-3L : 1e-3L;
   if (!m.wheels_on_ground || can_slide) m.slide = (s.left > 0) - (s.left < 0);
   while (duration > 0) {
@@ -162,7 +162,7 @@ Deceleration deceleration(const simulator::Parameters& p) {
   return {p.rolling_resistance * p.ball_mass * g / mass, p.viscous_friction / mass};
 }
 
-// MotionBound and speed after t seconds, before the ball stops.
+// Distance and speed after t seconds, before the ball stops.
 Real way(const Deceleration& d, Real speed, Real t) {
   if (d.linear == 0) return speed * t - d.constant * t * t / 2;
   const Real gone = -std::expm1(-d.linear * t) / d.linear;

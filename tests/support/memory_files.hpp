@@ -12,7 +12,7 @@ namespace mirocup::test_support {
 
 class MemoryFiles final : public system::Files {
  public:
-  // The next `writes` writes or appends succeed, those after them fail.
+  // Lets the next `writes` writes or appends succeed, and all later ones fail.
   void fail_after(int writes) { writes_left_ = writes; }
 
   Result<std::string> read(const std::string& path) override {

@@ -7,7 +7,7 @@
 
 namespace mirocup::test_support {
 
-// WheelState that turn towards a point and drive at it, front or back first.
+// Returns wheel speeds that turn towards a point and drive at it, front or back first.
 inline simulator::WheelSpeeds towards(const match::ObservedRobot& robot, const Vec2& point,
                                       double speed) {
   const Vec2 seen = Heading::from_angle(robot.heading).to_body(point - robot.position);
@@ -43,7 +43,7 @@ inline Scripted raiders(double goal_line) {
   });
 }
 
-// Every robot drives at the opponent with its own number, never at the ball.
+// Every robot drives at the opponent with the same index, never at the ball.
 inline Scripted man_hunters() {
   return team_of([](const match::Observation& o, int i) { return o.opponent[i].position; });
 }

@@ -39,7 +39,7 @@ int gettimeofday(struct timeval* now, void* zone) {
   return result;
 }
 
-/* A caller that waits until a time of day means the time of its own clock. */
+/* A caller that waits until a time of day means a time of the old clock: adjusts the deadline. */
 int pthread_cond_timedwait(pthread_cond_t* condition, pthread_mutex_t* mutex,
                            const struct timespec* until) {
   int (*real)(pthread_cond_t*, pthread_mutex_t*, const struct timespec*) = NULL;

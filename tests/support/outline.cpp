@@ -9,8 +9,8 @@ namespace mirocup::test_support {
 
 namespace {
 
-constexpr double far_out = 4.0;       // m: how thick walls are
-constexpr double same_corner = 1e-6;  // m: two corners closer than this are one place
+constexpr double far_out = 4.0;       // m: thickness of walls
+constexpr double same_corner = 1e-6;  // m: two corners closer than this count as one
 
 struct Separation {
   double amount = -std::numeric_limits<double>::infinity();
@@ -26,7 +26,7 @@ Vec2 outward(const Vec2& start, const Vec2& stop) {
   return Vec2{edge.y(), -edge.x()} / std::hypot(edge.x(), edge.y());
 }
 
-// The edge of `polygon` that separates it best from the corners of `other`.
+// Returns the edge of `polygon` that separates it best from the corners of `other`.
 Separation best_separation(const Outline& polygon, const Outline& other) {
   Separation best;
   for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
@@ -69,7 +69,7 @@ Outline box(const Vec2& corner, const Vec2& u, const Vec2& v) {
   return {{corner, corner + first, corner + first + second, corner + second}, 0.0};
 }
 
-// Everything beyond the line through `point` with that normal (towards the outside).
+// Returns a box that covers all beyond the line through `point`; `normal` points to the outside.
 Outline beyond(const Vec2& point, const Vec2& normal) {
   const Vec2 along{-normal.y(), normal.x()};
   return box(point - far_out * along, 2.0 * far_out * along, far_out * normal);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Solid things as convex polygons and circles in the field's frame: their distance and where they
-// touch. The tests' own geometry: plain distances between corners and edges, no code of
-// core/simulator.
+// Convex polygons and circles in the field's frame, their distances and contact points. This is the
+// tests' own geometry: plain distances between corners and edges, no code of core/simulator.
 #pragma once
 
 #include "core/base/vec2.hpp"

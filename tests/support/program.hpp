@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Runs the programs as their users do: with arguments, an exit code and text.
+// Runs the programs as their users do: with arguments, for an exit code and text.
 #pragma once
 
 #include "tests/support/temporary_folder.hpp"
@@ -32,7 +32,7 @@ class Running {
   void signal(int number) const;
   // Waits until the program ends, without a limit.
   Outcome wait();
-  // Returns the standard error so far.
+  // Returns the standard error up to now.
   std::string err() const;
 
  private:
@@ -43,9 +43,8 @@ class Running {
 // Runs a program and waits until it ends.
 Outcome run(const std::vector<std::string>& arguments);
 
-// Waits until something holds that another process brings about. Returns false if that takes more
-// than half a minute, so that a test fails with a message instead of running into its own time
-// limit.
+// Waits until a condition holds that depends on another process. Returns false after half a minute,
+// so that a test fails with a message instead of running into its own time limit.
 bool wait_until(const std::function<bool()>& holds);
 
 // Returns the path build/NAME of the build that the tests belong to.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// For files that nobody keeps.
+// A folder for the files of one test.
 #pragma once
 
 #include <cstdlib>
@@ -11,7 +11,7 @@
 
 namespace mirocup::test_support {
 
-// A folder that is empty now and gone afterwards.
+// A folder that is empty at construction and is removed by the destructor.
 class TemporaryFolder {
  public:
   TemporaryFolder() {

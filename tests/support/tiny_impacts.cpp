@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What bodies of a TinyWorld do to each other in no time.
+// The impacts of a TinyWorld.
 #include "tests/support/box_sweeps.hpp"
 #include "tests/support/tiny_world.hpp"
 
@@ -32,7 +32,7 @@ bool TinyWorld::any_impact(const Contacts& contacts, double h) const {
   return false;
 }
 
-// Contacts that have no body in common, directly or through others, do not know of each other.
+// Contacts that have no body in common, directly or through others, are resolved independently.
 void TinyWorld::resolve_impacts(const Contacts& contacts) {
   ++impacts_;
   std::vector<int> group(bodies_.size());
@@ -68,7 +68,8 @@ double TinyWorld::kinetic_energy_in_impact() const {
   return sum;
 }
 
-// Stop everything that approaches, throw back by 1 + e; again until nothing approaches.
+// Stops all approaching contacts, multiplies the impulses by 1 + e, and repeats until none
+// approaches.
 void TinyWorld::resolve_cluster(const Rows& rows, const std::vector<double>& restitution) {
   const Eigen::Index n = static_cast<Eigen::Index>(rows.size());
   const auto add_impulse = [&](const Row& row, double impulse) {

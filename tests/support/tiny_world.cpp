@@ -14,13 +14,13 @@ namespace {
 constexpr double g = 9.81;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// m/s: what is this times the step apart touches.
+// m/s: bodies touch if their gap is at most this speed times the step.
 constexpr double touch_speed = 1e-4;
 
-// The share of an overlap that a step takes back.
+// The share of an overlap that one step removes.
 constexpr double push_out = 0.2;
 
-// m: how far a contact may move in one step and still be the same.
+// m: a contact point that moves farther than this in one step is a new contact.
 constexpr double follow = 1e-3;
 
 Vec2 forward_of(double angle) {
@@ -71,7 +71,7 @@ simulator::BallState TinyWorld::ball() const {
   return {b.position, {b.velocity[0], b.velocity[1]}};
 }
 
-// ---- what the bodies are
+// ---- the bodies
 
 Outline TinyWorld::outline(const Body& body, int index) const {
   return is_ball(index) ? circle_at(body.position, p_.ball_radius)
@@ -80,7 +80,7 @@ Outline TinyWorld::outline(const Body& body, int index) const {
 
 Eigen::Vector3d TinyWorld::mass(int body) const {
   if (is_ball(body)) {
-    // Rolling adds its moment of inertia; it does not turn about the vertical.
+    // Rolling adds the ball's moment of inertia. The ball does not turn about the vertical.
     const double m = p_.ball_mass + 0.4 * p_.ball_mass;
     return {m, m, infinity};
   }
@@ -120,7 +120,7 @@ double TinyWorld::kinetic_energy() const {
   return sum;
 }
 
-// ---- who touches whom
+// ---- contact detection
 
 template <class Visit>
 void TinyWorld::for_close_pairs(const Bodies& bodies, Visit visit) const {
@@ -167,7 +167,7 @@ TinyWorld::Contacts TinyWorld::contacts_within(const Bodies& bodies, double marg
   return contacts;
 }
 
-// The same contact when its bodies have moved a little.
+// Returns the same contact after its bodies have moved a little.
 TinyContact TinyWorld::followed(const TinyContact& c, const Bodies& bodies) const {
   const Outline a = outline(bodies[c.a], c.a);
   const Outline b = c.solid >= 0 ? solids_[c.solid] : outline(bodies[c.b], c.b);
@@ -218,7 +218,7 @@ TinyWorld::Bodies TinyWorld::stepped(const Contacts& contacts, double h) {
     body.position += h * body.velocity.head<2>();
     body.angle += h * body.velocity[2];
   }
-  // Each pass uses the end that the one before has found.
+  // Each pass uses the end state that the previous pass found.
   constexpr int passes = 3;
   for (int pass = 0; pass < passes; ++pass) solve_step(contacts, h, end);
   return end;
@@ -227,7 +227,7 @@ TinyWorld::Bodies TinyWorld::stepped(const Contacts& contacts, double h) {
 void TinyWorld::solve_step(const Contacts& contacts, double h, Bodies& end) {
   const int count = static_cast<int>(bodies_.size());
   Bodies middle = bodies_;
-  Bodies free = end;  // at the end, but with the velocities that contacts and wheels leave alone
+  Bodies free = end;  // the end state, but with the velocities without contact and wheel impulses
   for (int i = 0; i < count; ++i) {
     middle[i].position = 0.5 * (bodies_[i].position + end[i].position);
     middle[i].angle = 0.5 * (bodies_[i].angle + end[i].angle);
@@ -235,7 +235,7 @@ void TinyWorld::solve_step(const Contacts& contacts, double h, Bodies& end) {
     free[i].velocity = bodies_[i].velocity + h * force(middle[i], i).cwiseQuotient(mass(i));
   }
 
-  // Forces act at the middle of the step; their result is judged at its end.
+  // Forces act at the middle of the step; the conditions of contacts hold at its end.
   Rows acting = rows_of(contacts, middle);
   Rows judged = rows_of(contacts, end);
   for (const Row& row : wheel_rows(middle)) acting.push_back(row);
@@ -263,8 +263,8 @@ void TinyWorld::solve_step(const Contacts& contacts, double h, Bodies& end) {
     problem.high[i] = infinity;
   }
 
-  // The ball's resistance is whatever keeps it at rest, up to K_c m g against its motion: found in
-  // turn with the contacts until both fit.
+  // The ball's rolling resistance keeps it at rest if K_c m g suffices, and else opposes its motion
+  // with that force. It is found in turn with the contact impulses until both agree.
   const double resistance = p_.rolling_resistance * p_.ball_mass * g * h;
   Vec2 brake{0.0, 0.0};
   if (impulses_.size() != n) impulses_ = Eigen::VectorXd::Zero(n);

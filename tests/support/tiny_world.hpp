@@ -25,7 +25,7 @@ namespace mirocup::test_support {
 // A contact of a body with another one or with a solid.
 struct TinyContact {
   int a = 0;
-  int b = -1;  // -1: something that does not move
+  int b = -1;  // -1: a fixed solid
   int solid = -1;
   TouchPoint at{};
   double restitution = 0.0;
@@ -58,8 +58,8 @@ class TinyWorld {
     bool wheels_on_ground = true;
     double forward = 0.0, turn = 0.0;
   };
-  // A velocity that contact or wheels make zero or positive: along_a . velocity of a + along_b .
-  // velocity of b.
+  // A velocity that a contact or wheels keep at zero or above: along_a . velocity of a +
+  // along_b . velocity of b.
   struct Row {
     int a = -1, b = -1;
     Eigen::RowVector3d along_a = Eigen::RowVector3d::Zero();
@@ -101,7 +101,7 @@ class TinyWorld {
   std::vector<Outline> solids_;
   Bodies bodies_;
   std::vector<DriveReference> drives_;
-  Eigen::VectorXd impulses_;  // of the last step: where the next one's search begins
+  Eigen::VectorXd impulses_;  // of the last step: the warm start of the next one
   int impacts_ = 0;
 };
 

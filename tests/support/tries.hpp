@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// How often a test tries something at a random place or moment: a few times by itself, MIROCUP_TRIES
-// times for those who want to know.
+// The number of tries of a test that acts at random places or moments: a few by default,
+// MIROCUP_TRIES for a long run.
 #pragma once
 
 #include <cstdlib>

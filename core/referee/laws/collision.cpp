@@ -10,7 +10,7 @@ namespace {
 
 struct Meeting {
   double closing = 0.0;     // speed along the line of centres, m/s
-  double difference = 0.0;  // of the left robot's speed over the right one's
+  double difference = 0.0;  // speed of the left robot minus that of the right robot, m/s
 };
 
 Meeting meeting_of(const Situation& s, const RobotId& left, const RobotId& right) {

@@ -29,7 +29,7 @@ namespace mirocup::referee {
 enum class CrowdingLaw { two_defenders, four_defenders, two_attackers, four_attackers };
 
 struct CrowdingMemory {
-  // How long each area has been crowded: [law][index_of(the end whose area it is)].
+  // The time for which each area has been crowded: [law][index_of(the end whose area it is)].
   std::array<ByEnd<Dwell>, 4> crowded;
 
   const ByEnd<Dwell>& of(CrowdingLaw law) const { return crowded[static_cast<std::size_t>(law)]; }
@@ -37,8 +37,8 @@ struct CrowdingMemory {
 };
 
 // Judges one of the four laws. `goal_at` is the end whose goal line the ball crosses in this tick:
-// for the laws about attackers that counts as a ball in the zone, wherever it came from. The laws
-// about defenders are called without the advantage, which is the referee's business.
+// for the laws about attackers that counts as a ball in the zone, wherever it came from. The calls
+// of the laws about defenders ignore the advantage, which the referee applies afterwards.
 std::optional<Decision> judge_crowding(CrowdingLaw law, const Pitch& pitch,
                                        const Situation& situation, const Occupancy& occupancy,
                                        std::optional<End> goal_at, CrowdingMemory& memory);

@@ -26,8 +26,8 @@ struct PushInTick {
 };
 
 struct KeeperPushInMemory {
-  // The last ticks of each end's keeper, in a ring. 64 ticks are more than `push_in_s` has at any
-  // control period in use.
+  // The last ticks of each end's keeper, in a ring buffer. 64 ticks last longer than `push_in_s` at
+  // any control period in use.
   ByEnd<std::array<PushInTick, 64>> ticks{};
   int next = 0;  // where the next tick goes
   ByEnd<std::optional<RobotId>> keeper;

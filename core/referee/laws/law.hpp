@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the file of every law includes; nothing outside of laws/ does. core/referee/README.md says
+// The common header of all laws; no file outside of laws/ includes it. core/referee/README.md says
 // what the parts of such a file are and how to add a law.
 //
 // A law is a function of the pitch, the situation at the end of a tick and its own memory. It is

@@ -39,9 +39,8 @@
  *     kick-off     taker: own half and centre circle, the ball anywhere in the circle;
  *                  opponents: own half, outside the circle
  *     goal kick    taker: a robot in its goal area, the ball anywhere in that area, the other
- *     robots
- *                  outside the penalty area (small league: goal area), at most one of them in the
- *                  other goal area; opponents: own half
+ *                  robots outside the penalty area (small league: goal area), at most one of them
+ *                  in the other goal area; opponents: own half
  *     penalty kick taker: one robot behind the ball; opponents: one robot on its goal line, between
  *                  the posts; all other robots in the taker's half
  *     free kick    taker: one robot behind the ball, the others in their half; opponents: one robot
@@ -75,10 +74,10 @@
  *   std::random_device make a leg that cannot be repeated; `mirocup check` refuses such a library.
  *
  * Versions
- *   Structures grow only at their end, and `size` tells how much of one there is. The host reads at
- *   most `size` bytes of your mirocup_strategy; members that it lacks count as null. In the same
- *   way a library that should also run on older hosts must read at most `size` bytes of what it is
- *   given.
+ *   Structures grow only at their end, and `size` tells how many bytes of one exist. The host reads
+ *   at most `size` bytes of your mirocup_strategy; missing members count as null. Likewise a
+ *   library that should also run on older hosts must read at most `size` bytes of each structure
+ *   that it receives.
  *
  * This header is C11 and C++ and needs nothing else. strategy.hpp is a C++ layer on top of it.
  */
@@ -134,7 +133,7 @@ typedef struct mirocup_robot {
   double turn;    /* rad/s */
 } mirocup_robot;
 
-/* What a team is told once, at create(). */
+/* The facts of a leg, which a team receives once, at create(). */
 typedef struct mirocup_setup {
   uint32_t size;         /* of this structure, bytes */
   int32_t league;        /* enum mirocup_league */
@@ -173,7 +172,7 @@ typedef struct mirocup_counts {
   double keeper_hold_s; /* how long the ball is in its goal area with no opponent near */
 } mirocup_counts;
 
-/* What a team sees of one tick. */
+/* The observation of one tick, in the team's own frame. */
 typedef struct mirocup_observation {
   uint32_t size;       /* of this structure, bytes */
   uint32_t tick;       /* counts up from 0 */
@@ -182,7 +181,7 @@ typedef struct mirocup_observation {
   int32_t state;       /* enum mirocup_state */
   int32_t phase;       /* enum mirocup_phase */
   int32_t restart;     /* enum mirocup_restart */
-  int32_t own_restart; /* 1 if it was awarded to you */
+  int32_t own_restart; /* 1 if the last restart was awarded to you */
   int32_t own_score, opponent_score;
   int32_t robots;  /* of each team */
   int32_t placing; /* 1: place() is called for this tick */
@@ -208,8 +207,8 @@ typedef struct mirocup_pose {
   double heading; /* rad */
 } mirocup_pose;
 
-/* Where a team wants to stand at a restart. When place() is called it holds the present places:
- * change those that you like. You may move the ball at your own kick-off and goal kick. */
+/* The places that a team requests at a restart. When place() is called, it holds the present
+ * places: change those that you like. You may move the ball at your own kick-off and goal kick. */
 typedef struct mirocup_placement {
   double ball_x, ball_y;
   mirocup_pose robots[MIROCUP_MAX_ROBOTS]; /* your own */

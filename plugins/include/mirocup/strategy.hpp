@@ -177,8 +177,8 @@ inline Point meeting_point(const Setup& setup, const Observation& now, const Rob
   return inside(setup, p, setup.ball_radius);
 }
 
-// Moves a target of robot `i` out of the areas that the laws forbid: the own goal area, where only
-// the keeper may be, and for the robots from 3 on the penalty area, too. Do not use it for the
+// Returns a target of robot `i`, moved out of the areas that the laws forbid: the own goal area,
+// where only the keeper may be, and for robots 3 and higher also the penalty area. Not for the
 // keeper.
 inline Point keep_out(const Setup& setup, int i, Point p) {
   const double margin = 0.095;  // for the arc in front of the area and half a robot, m
@@ -192,8 +192,8 @@ inline Point keep_out(const Setup& setup, int i, Point p) {
   return p;
 }
 
-// Returns the same wheel speeds, unless the robot would push an opponent without playing the ball:
-// then speeds at which it slows down before the opponent and backs off.
+// Returns the same wheel speeds, unless the robot would push an opponent without playing the ball.
+// Then it returns speeds at which the robot slows down before the opponent and backs off.
 inline Wheels without_pushing(const Setup& setup, const Observation& now, const Robot& robot,
                               Wheels wheels) {
   const Point here = position(robot);
@@ -218,7 +218,7 @@ inline Wheels without_pushing(const Setup& setup, const Observation& now, const 
   return wheels_for(setup, forward < 0.0 ? -allowed : allowed, turn);
 }
 
-// Applies without_pushing() to all robots of a command but the keeper, which holds its place.
+// Applies without_pushing() to all robots of a command except the keeper, which holds its place.
 inline void keep_laws(const Setup& setup, const Observation& now, Command& command) {
   for (int i = 1; i < now.robots; ++i) {
     command.wheels[i] = without_pushing(setup, now, now.own[i], command.wheels[i]);
@@ -356,7 +356,7 @@ class Team {
   // printf(), log("ball at %.2f", now.ball_x), which the compiler checks, and the line is cut after
   // 255 bytes. Without values the text is written as it is, percent signs included.
   void log(const char* text) const { setup_.log(text); }
-  // A template only so that a call without values means the other one.
+  // This is a template only so that a call without values selects the overload above.
   template <int = 0>
   MIROCUP_PRINTF(2, 3)
   void log(const char* format, ...) const {

@@ -59,8 +59,7 @@ mirocup_connection* mirocup_team_open(const mirocup_team_call* call, char* why, 
  * each once, but a slow team misses some. */
 int32_t mirocup_team_wait(mirocup_connection* connection, double seconds);
 
-/* Returns what a team is told once, as of the last MIROCUP_TEAM_SEATED. Valid until the next
- * one. */
+/* Returns the facts of the leg, as of the last MIROCUP_TEAM_SEATED. Valid until the next one. */
 const mirocup_setup* mirocup_team_setup(const mirocup_connection* connection);
 
 /* Returns the observation of the last MIROCUP_TEAM_TICK. */

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// What the referee said: a list to click, marks on the time line, a banner when it happens.
+// The referee's calls: a list to click, marks on the time line, and a banner at the moment of a call.
 import { element, minutes, words } from './text.js';
 
-const bannerTicks = 60;  // so long a call stays up
+const bannerTicks = 60;  // time for which a banner is shown
 
 export class Calls {
-  // `names` by colour; `jump(tick)` goes there.
+  // `names`: the teams' names by colour. `jump(tick)` moves the player to that tick.
   constructor(list, marks, banner, names, jump) {
     Object.assign(this, { list, marks, banner, names, jump });
     this.calls = [];
@@ -26,7 +26,7 @@ export class Calls {
     this.rows.push(row);
     const mark = element('button', `${call.decision === 'GOAL' ? 'goal' : 'call'} ${call.team ?? 'nobody'}`);
     mark.title = `${minutes(call.clock, 0)} ${this.title(call)}`;
-    mark.tabIndex = -1;  // the list is there for the keyboard
+    mark.tabIndex = -1;  // keyboard users reach the calls through the list
     mark.setAttribute('aria-hidden', 'true');
     mark.addEventListener('click', () => this.jump(call.tick));
     this.marks.append(mark);
@@ -36,7 +36,7 @@ export class Calls {
     return words(call.decision) + (call.team ? ` · ${this.names[call.team]}` : '');
   }
 
-  // Puts the marks where they belong between the ends of the time line.
+  // Places the marks between the ends of the time line.
   spread(firstTick, lastTick) {
     const length = Math.max(lastTick - firstTick, 1);
     this.calls.forEach((call, i) => {
@@ -62,7 +62,7 @@ export class Calls {
     this.banner.className = `${call.team ?? 'nobody'}${call.decision === 'GOAL' ? ' goal' : ''}`;
   }
 
-  // The tick of the call before or after that one.
+  // Returns the tick of the call before or after the given tick.
   neighbour(tick, direction) {
     const found = direction < 0
       ? this.calls.findLast((call) => call.tick < tick)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Moves the picture that the page came with.
+// Moves the bodies of the SVG picture that is embedded in the page.
 
 const trailSeconds = 1;
 

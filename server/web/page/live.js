@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A match that is being played: what the server sends goes into the same track and lists that a
-// replay fills at once. Joining in the middle, or again after a lost connection, is the same.
+// The live view of a running match: events from the server fill the same track and lists that a
+// replay fills at once. A viewer may join in the middle or again after a lost connection.
 
 export function listen(url, { onStart, onFrame, onCall, onStatistics, onEnd, onLost }) {
   const source = new EventSource(url);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Puts the page together: what was embedded, or what a server sends, the player, and the controls.
+// Builds the page from its data (embedded in it or sent by a server), the player and the controls.
 import { Calls } from './calls.js';
 import { FieldView } from './field.js';
 import { listen } from './live.js';
@@ -47,7 +47,7 @@ function show() {
   rememberMoment();
 }
 
-// The address names the moment, at most twice a second: browsers refuse more.
+// Writes the shown moment into the page's address, at most twice a second: browsers refuse more.
 let rememberLater = 0;
 function rememberMoment() {
   if (rememberLater || player.isFollowing) return;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// The time that is shown: standing, running at some speed, or following a match that is being played.
+// The player: the shown time stands, runs at some speed, or follows a running match.
 
-const catchUp = 8;  // 1/s: how fast a follower closes the gap to what has arrived
-const farBehind = 2;  // s: beyond, it jumps
-const asGoodAs = 0.002;  // s: nearer than this it has arrived
+const catchUp = 8;  // 1/s: rate at which a follower closes the gap to the last tick received
+const farBehind = 2;  // s: beyond this gap it jumps
+const asGoodAs = 0.002;  // s: below this gap the follower is up to date
 
 export class Player {
-  // `changed` is called whenever something is to be shown anew.
+  // `changed` is called whenever the page must be redrawn.
   constructor(track, changed) {
     this.track = track;
     this.changed = changed;

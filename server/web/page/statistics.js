@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The leg in numbers: one line for each, blue against yellow, and where the ball was.
+// The statistics of the leg: one line for each number, blue against yellow, and the ball's heat map.
 import { element } from './text.js';
 
 function line(label, blue, yellow, text) {

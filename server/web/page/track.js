@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Where everything was, tick by tick. A frame is an array of whole numbers: clock, ball x and y, then
-// x, y and heading of each robot, blue ones first (server/web/track.hpp).
+// The positions of all bodies, tick by tick. A frame is an array of whole numbers: clock, ball x and
+// y, then x, y and heading of each robot, blue ones first (server/web/track_encoder.hpp).
 
 const lengthUnit = 0.5;  // mm
 const clockUnit = 0.001;  // s
 const headingUnit = 360 / 2048;  // degrees
 const jump = 400;  // units: a body that moves further within a tick was lifted, not driven
 
-// The inverse of Track::packed(): columns of zigzag numbers, each the change of a change.
+// Decodes a track of TrackEncoder: columns of zigzag numbers, each the change of a change.
 export function unpack(text, frameCount, columnCount) {
   const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
   const frames = Array.from({ length: frameCount }, () => new Int32Array(columnCount));
@@ -50,7 +50,7 @@ export class Track {
   get firstTick() { return this.ticks[0] ?? 0; }
   get lastTick() { return this.ticks[this.ticks.length - 1] ?? 0; }
 
-  // The last frame at or before the tick.
+  // Returns the last frame at or before the tick.
   indexAt(tick) {
     let low = 0;
     let high = this.ticks.length;
@@ -62,8 +62,8 @@ export class Track {
     return low;
   }
 
-  // Everything at a time (s), between two frames on a straight line. mm with y downwards, degrees
-  // clockwise.
+  // Returns all positions at a time (s), interpolated linearly between two frames: mm with y
+  // downwards, degrees clockwise.
   at(time) {
     const place = Math.min(Math.max(time / this.period, this.firstTick), this.lastTick);
     const index = this.indexAt(place + 1e-6);
@@ -85,7 +85,7 @@ export class Track {
     return { tick: this.ticks[index], clock: now[0] * clockUnit, ball: point(1), robots };
   }
 
-  // Where the ball was in the seconds before: runs of points without a lift.
+  // Returns the ball's trail in the seconds before: runs of points, split where the ball was lifted.
   trail(time, seconds) {
     const runs = [[]];
     const last = this.indexAt(time / this.period + 1e-6);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup check as its users run it. Catches a report that does not name the first check that
+// Runs mirocup check as its users do. Catches a report that does not name the first check that
 // fails, or gives no advice.
 #include "tests/support/program.hpp"
 
@@ -56,7 +56,7 @@ void expect_rejected(const std::string& library, const std::string& first_failed
   const std::string reason = examined.report["reason"];
   EXPECT_EQ(reason.rfind(first_failed + ": ", 0), 0u) << reason;
   EXPECT_NE(reason.find(text), std::string::npos) << reason;
-  // All checks before it passed, and none after it was run.
+  // All checks before the failed one passed, and none was run after it.
   bool has_failed = false;
   for (const Json& one : examined.report["checks"]) {
     if (one["passed"] == false) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What this machine can do without us, for dds/benchmark.py: baseline KIND PERIOD SECONDS prints
-// percentiles of durations, in seconds, as JSON.
+// The machine's own durations, without mirocup, for dds/benchmark.py: baseline KIND PERIOD SECONDS
+// prints percentiles of durations, in seconds, as JSON.
 //   udp    a datagram as large as a state to two other processes and back, once in a period
 //   sleep  how late clock_nanosleep() wakes, once in a period
 #include "server/pace/durations.hpp"
@@ -47,7 +47,7 @@ struct Socket {
   }
 };
 
-// In a process of its own: sends the command that answers a state, until its parent ends.
+// Runs in a child process: answers each state with a command, until its parent ends.
 void start_echo(const Socket& socket) {
   if (fork() != 0) return;
   prctl(PR_SET_PDEATHSIG, SIGKILL);

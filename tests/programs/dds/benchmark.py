@@ -1,15 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""How fast a match over the network is, against what the machine can do without us.
+"""Compares the speed of a match over the network with that of the machine without mirocup.
 
     tests/programs/dds/benchmark.py BUILD [--seconds S] [--rounds N]
 
-Round trips: raw UDP, ddsperf and a match in real time take turns, each with two others that answer,
-at the same rate. Lateness of ticks: a match at four times real time, for so many ticks that 99.9 % of
-them say something, beside a loop of clock_nanosleep() of the same period and number; the same loop
-alone follows each. Last, eight matches in real time at once. All durations are in microseconds, round
-trips from a state to the answer. The ratios are what counts: they are of the same minutes on the same
-machine. Say how busy it was: the load is printed, too.
+Round trips: raw UDP, ddsperf and a match in real time take turns, each with two processes that
+answer, at the same rate. Lateness of ticks: a match at four times real time plays enough ticks for a
+quantile of 99.9 %, beside a loop of clock_nanosleep() with the same period and number; the same loop
+alone follows each match. At the end eight matches play in real time at once. All durations are in
+microseconds; a round trip lasts from a state to the answer. Only the ratios can be compared between
+machines, because both of their numbers come from the same minutes. The load of the machine is
+printed, too: quote it with the results.
 """
 
 import argparse
@@ -40,7 +41,7 @@ def result_of(process):
 
 
 def ddsperf(seconds):
-    """The medians of the round trips of each second, of both that answer."""
+    """Returns the medians of the round trips of each second, for both answering processes."""
     environment = dict(os.environ, CYCLONEDDS_URI=LO)
     domain = ["-i", "77", "-u", "-D", str(seconds)]
     pongs = [subprocess.Popen(["ddsperf", *domain, "pong", "waitset"], env=environment,
@@ -50,13 +51,13 @@ def ddsperf(seconds):
                           env=environment, capture_output=True, text=True, check=False).stdout
     for pong in pongs:
         pong.wait()
-    # Half a round trip each, with its unit.
+    # Each is half a round trip, with its unit.
     units = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3}
     return [2.0 * float(value) * units[unit] for value, unit in re.findall(r" 50% ([0-9.]+)(ns|us|ms)", said)]
 
 
 class Match:
-    """One match between two teams on the network, at a factor of real time."""
+    """Plays one match between two teams on the network, at a factor of real time."""
 
     def __init__(self, build, folder, name, seconds, factor=1):
         self.record = f"{folder}/{name}.json"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Secure mode: who shows no certificate of the league, or another one than the seat's, has no
-// effect. Real processes, real certificates.
+// Secure mode: a process without a certificate of the league, or with another one than the seat's,
+// has no effect. The tests use real processes and real certificates.
 #include "tests/programs/dds/network.hpp"
 
 #include <gtest/gtest.h>
@@ -55,17 +55,17 @@ class Credentials : public testing::Test {
   TemporaryFolder folder_;
 };
 
-// While strangers try what they can.
+// Several intruders attack the leg in turn while the team plays.
 TEST_F(Credentials, LetTheTeamPlayAndNobodyElse) {
   const std::string id = match_id("secure");
   Running leg(match(id));
-  // Its own library refuses who has another team's certificate, or a spectator's.
+  // The DDS library of an intruder itself refuses another team's or a spectator's certificate.
   for (const std::string whose : {"teams/other", "spectator"}) {
     const Outcome refused = run({program("dds/intruder"), "imitate", id, "remote", of(whose)});
     EXPECT_EQ(refused.exit_code, 1) << whose;
     EXPECT_NE(refused.err.find("the credentials do not allow"), std::string::npos) << refused.err;
   }
-  // Another team, with permissions that it has signed itself: CVE-2023-24011.
+  // Another team with permissions that it has signed itself (CVE-2023-24011).
   const std::string forged = folder_ / "forged";
   std::filesystem::copy(of("teams/other"), forged);
   ASSERT_EQ(run({"/bin/sh", "-c",
@@ -78,7 +78,7 @@ TEST_F(Credentials, LetTheTeamPlayAndNobodyElse) {
             0);
   const Outcome forger = run({program("dds/intruder"), "imitate", id, "remote", forged});
   EXPECT_EQ(forger.exit_code, 1) << forger.err;
-  // Somebody without any, and the forger with an authority of its own making.
+  // An intruder without credentials, and a forger with a certificate authority of its own.
   Running plain({program("dds/intruder"), "imitate", id, "remote"});
   std::filesystem::copy_file(forged + "/certificate.pem", forged + "/permissions_ca.pem",
                              std::filesystem::copy_options::overwrite_existing);
@@ -93,8 +93,8 @@ TEST_F(Credentials, LetTheTeamPlayAndNobodyElse) {
   EXPECT_EQ(read_json(folder_ / "leg.json")["network"]["blue"]["foreign"], 0);
 }
 
-// Changed copies of the team's own packets come from its own address: nothing but their signatures
-// tells them from its commands.
+// Changed copies of the team's own packets come from its own address. Only their signatures
+// distinguish them from its commands.
 TEST_F(Credentials, DetectForgedPackets) {
   const std::string id = match_id("forged");
   Running leg(match(id));
@@ -145,7 +145,7 @@ TEST_F(Credentials, ExpiredOnesAreRefused) {
   EXPECT_NE(fault["text"].get<std::string>().find("expired"), std::string::npos) << fault;
 }
 
-// Clocks differ: new credentials are valid at once on a computer that is behind.
+// New credentials are valid at once on a computer whose clock is behind.
 TEST_F(Credentials, AreValidOnAComputerWhoseClockIsBehind) {
   const std::string id = match_id("behind");
   Running remote(behind(1, join(id, of("teams/remote"))));

@@ -35,8 +35,8 @@ TEST(DdsTeam, PlaysTheSameLegAsItsLibrary) {
   EXPECT_EQ(run({program("mirocup"), "verify", folder / "dds.json"}).exit_code, 0);
 }
 
-// With both teams at either end in turn. Catches poses that get lost on the network, that are asked
-// for in the wrong tick, or that are turned or rounded on their way.
+// Plays with each team at either end. Catches poses that get lost on the network, that are
+// requested in the wrong tick, or that are turned or rounded by the conversion.
 TEST(DdsTeam, StandsWhereItsLibraryWants) {
   const TemporaryFolder folder;
   const std::string id = match_id("places");
@@ -79,7 +79,7 @@ TEST(DdsTeam, LosesWhenItDoesNotCome) {
   EXPECT_EQ(read_json(folder / "leg.json")["result"]["fault"]["code"], "start_timeout");
 }
 
-// Two teams that do not come are waited for at the same time, not one after the other.
+// The match waits for two absent teams at the same time, not one after the other.
 TEST(DdsTeam, IsWaitedForTogetherWithTheOther) {
   const TemporaryFolder folder;
   const Outcome played =
@@ -105,7 +105,7 @@ TEST(DdsTeam, IsToldThatItsNameIsNotExpected) {
   EXPECT_NE(stranger.err.find(reason), std::string::npos) << stranger.err;
 }
 
-// Nothing that Cyclone DDS prints reaches the user but as a part of our own sentence.
+// Messages of Cyclone DDS reach the user only as a part of a sentence of mirocup.
 TEST(DdsTeam, SaysInOneSentenceThatThereIsNoInterface) {
   const Outcome played = run({program("mirocup"), "match", "--blue", "dds:x", "--yellow", "idle",
                               "--interface", "nonsense0"});
@@ -114,7 +114,7 @@ TEST(DdsTeam, SaysInOneSentenceThatThereIsNoInterface) {
   EXPECT_NE(played.err.find("nonsense0"), std::string::npos) << played.err;
 }
 
-// Neither side may be deaf to Ctrl-C while it waits for the other.
+// Each side reacts to Ctrl-C while it waits for the other.
 TEST(DdsTeam, CanBeInterruptedWhileItIsAwaited) {
   Running server({program("mirocup"), "match", "--blue", "dds:nobody", "--yellow", "idle",
                   "--match", "interrupted-server"});

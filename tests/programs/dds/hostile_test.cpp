@@ -46,15 +46,15 @@ TEST(DdsHostile, PlaysTheSameLegAfterAStormOfChangedPackets) {
 #endif
   const Outcome played = leg.wait();
   ASSERT_EQ(played.exit_code, 0) << played.err;
-  EXPECT_LT(played.err.size(), 2000U);  // whatever is sent, the log is short
+  EXPECT_LT(played.err.size(), 2000U);  // hostile packets cannot make the log long
   run({program("mirocup"), "match", "--blue", "striker", "--yellow", "keeper", "--half", "5",
        "--record", folder / "so.json"});
   EXPECT_EQ(read_json(folder / "leg.json")["state_hash"],
             read_json(folder / "so.json")["state_hash"]);
 }
 
-// In open mode one forged packet can make the server deaf to a team. The team notices that the
-// server does not count its commands, and joins again as a new process.
+// In open mode one forged packet can make the server drop all later packets of a team. The team
+// notices that the server does not count its commands, and joins again as a new participant.
 TEST(DdsHostile, PlaysOnAfterAForgedPacketHasMadeTheServerDeaf) {
   const TemporaryFolder folder;
   const std::string id = match_id("jump");
@@ -69,7 +69,7 @@ TEST(DdsHostile, PlaysOnAfterAForgedPacketHasMadeTheServerDeaf) {
   EXPECT_EQ(run({program("mirocup"), "verify", folder / "leg.json"}).exit_code, 0);
 }
 
-// A team that answers with numbers that are not finite: they are driven as zero and counted.
+// Commands that are not finite are driven as zero and counted.
 TEST(DdsHostile, DrivesNonFiniteNumbersAsZero) {
   const TemporaryFolder folder;
   const std::string id = match_id("nan");

@@ -2,7 +2,7 @@
 //
 // A process that does not belong to a match: intruder KIND MATCH NAME. It does to the blue team
 // NAME what any program on the network can do, until it is killed.
-//   imitate      writes the team's commands with the team's nonce; joins again when it hears nothing
+//   imitate      writes the team's commands with its nonce; joins again when it receives nothing
 //   flood        the same, ten thousand a second
 //   hellos       asks for the seat all the time, each time as another process
 //   wrong_types  writes other types under the names of the topics
@@ -56,7 +56,7 @@ struct Stranger {
     return true;
   }
 
-  // Changed packets, its own or another process's, can make it deaf.
+  // Changed packets, its own or another process's, can cut it off from the match.
   bool is_cut_off() const { return seconds_since(heard) > max_silence; }
 
   mirocup_v2_WorldState state{};
@@ -64,7 +64,7 @@ struct Stranger {
   Entity participant, all, team, publisher, states, events, state_reader, event_reader;
 };
 
-// As long as it hears the match.
+// Acts for as long as it receives samples of the match.
 void imitate(Stranger& s, int copies) {
   const Entity commands =
       need(make_topic(s.participant, mirocup_v2_TeamCommand_desc, idl::team_command));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the tests of teams on the network share.
+// Helpers of the tests of teams on the network.
 #pragma once
 
 #include "tests/support/program.hpp"
@@ -65,8 +65,8 @@ inline bool is_there(const Running& process) {
   return wait_until([&] { return sockets_of(process.pid()).open > 0; });
 }
 
-// Runs an attempt with a longer and longer patience until it prints the expected text: a busy
-// machine needs longer to find out.
+// Repeats an attempt with longer and longer time limits until it prints the expected text, because
+// a busy machine needs more time.
 inline Outcome run_until_said(const std::string& what,
                               const std::function<Outcome(const std::string& patience)>& attempt) {
   Outcome last;

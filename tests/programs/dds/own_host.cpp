@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Where the system allows it, each run of these tests is on a host of its own: a network namespace
-// with a loopback interface and nothing else. So these tests and other programs do not disturb each
-// other: tests that run at the same time (a host has ports for ten matches), or a league on this
-// computer, which storms of packets would reach. Elsewhere they run on the computer itself.
+// Where the system allows it, each run of these tests has a host of its own: a network namespace
+// with only a loopback interface. So the tests disturb neither each other (a host has ports for ten
+// matches) nor a league on this computer, which storms of packets would reach. On other systems
+// they run on the computer itself.
 #include <gtest/gtest.h>
 
 #include <cerrno>
@@ -20,8 +20,8 @@
 namespace mirocup {
 namespace {
 
-// Enters a network namespace of its own. A user who is not root needs a user namespace for it, in
-// which his number stays the same.
+// Enters a network namespace of its own. A user who is not root needs a user namespace for it,
+// which keeps the user's number.
 bool leave_network() {
   if (unshare(CLONE_NEWNET) == 0) return true;
   const std::string user = std::to_string(getuid());

@@ -12,8 +12,8 @@ namespace {
 
 using namespace test_support;
 
-// Catches states that are not what the camera saw, and commands that do not reach the radio: the
-// team would not find the ball, or not push it towards the other goal.
+// Catches states that differ from the camera's pictures, and commands that do not reach the radio:
+// the team would not find the ball, or not push it towards the other goal.
 TEST(PitchExample, IsDrivenByTheProgramThatPlaysAgainstTheSimulator) {
   const std::string id = match_id("pitch");
   const auto control_program = join(id, "blue", "remote", "chaser");

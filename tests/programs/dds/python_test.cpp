@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A team in Python, through libmirocup_team and nothing but the standard library.
+// A team in Python, which uses libmirocup_team and only Python's standard library.
 #include "tests/programs/dds/network.hpp"
 
 #include <gtest/gtest.h>
@@ -28,12 +28,12 @@ TEST(PythonTeam, PlaysAFullLeg) {
   const auto record = read_json(folder / "leg.json");
   EXPECT_EQ(record["result"]["end"], "full_time") << record["result"].dump();
   EXPECT_GT(record["result"]["score"]["blue"],
-            0);  // it sees what is there, and drives where it says
+            0);  // it receives true observations, and its commands are driven
   EXPECT_EQ(record["network"]["blue"]["in_step"], record["ticks"]);
   EXPECT_EQ(run({program("mirocup"), "verify", folder / "leg.json"}).exit_code, 0);
 }
 
-// What it asks for arrives: the record tells of a robot that it may not have where it wants it.
+// The team's placement request arrives: the record names a robot that was refused its place.
 TEST(PythonTeam, SaysWhereItStands) {
   const TemporaryFolder folder;
   const std::string id = match_id("python-places");

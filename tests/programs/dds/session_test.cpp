@@ -181,17 +181,17 @@ TEST(DdsSession, IgnoresAFloodOfCommands) {
   expect_no_effect("flood");
 }
 
-// Two kinds of nonsense that never match: other types under the right names.
+// Writers of other types under the names of the topics never match.
 TEST(DdsSession, IgnoresOtherTypesUnderTheRightNames) {
   expect_no_effect("wrong_types");
 }
 
-// A reader of everything that never acknowledges what it gets.
+// A process reads all topics and never acknowledges a sample.
 TEST(DdsSession, DoesNotWaitForAStuckReader) {
   expect_no_effect("stuck");
 }
 
-// Many processes that all want the seat.
+// Many processes ask for the seat.
 TEST(DdsSession, AnswersItsTeamAmongManyHellos) {
   expect_no_effect("hellos");
 }

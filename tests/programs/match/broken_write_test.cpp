@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A match server that is killed, or whose disk is full, at any moment of writing leaves a whole
-// record or none. Catches a record that is there before its replay, or before it is whole. For many
+// A match server that is killed, or whose disk fills up, at any moment of writing leaves a whole
+// record or none. Catches a record that exists before its replay, or before it is whole. For many
 // more tries:
 //   MIROCUP_TRIES=200 build/match_tests --gtest_filter='BrokenWrite.*'
 #include "core/base/random.hpp"
@@ -34,7 +34,7 @@ std::vector<std::string> match(const std::string& record, int seed = 1) {
           std::to_string(seed)};
 }
 
-// True if there is a record. Expects it to be whole then.
+// Returns whether a record exists, and expects an existing one to be whole.
 bool is_there(const std::string& record) {
   const Outcome verified = run({program("mirocup"), "verify", record});
   if (verified.exit_code == 3 && !std::filesystem::exists(record)) return false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup match and verify as their users run them.
+// Runs mirocup match and verify as their users do.
 #include "tests/support/program.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup replay as its users run it.
+// Runs mirocup replay as its users do.
 #include "tests/support/program.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup rerun as its users run it. Catches a rerun that does not find a team whose commands
-// depend on anything but its observations.
+// Runs mirocup rerun as its users do. Catches a rerun that does not find a team whose commands
+// depend on other inputs than its observations.
 #include "tests/support/program.hpp"
 
 #include <gtest/gtest.h>

@@ -64,7 +64,7 @@ def is_described(path, rows, section, laws):
         return is_described(parent, rows, section, laws)
     if parent == "rules":
         return f"`{key}`" in laws
-    # In the row of an object that is described as a whole, or in the text that a row refers to.
+    # The key may also stand in the row of an object that is described as a whole, or in the text of a reference.
     ancestor = parent
     while ancestor and ancestor not in rows:
         ancestor = re.sub(r"(\[\]|\.[^.]+|^[^.]+)$", "", ancestor)

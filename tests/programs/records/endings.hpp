@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Short legs, one for each kind of ending, played by scripted teams.
+// Short legs of scripted teams, one for each kind of ending.
 #pragma once
 
 #include "core/replay/recording.hpp"

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: MIT
 #
 # Plays two hundred short legs of every kind and verifies their records: house teams in all leagues, presets and stages,
-# every hostile team, teams over DDS, all endings that a team or a rule can bring about. Takes some minutes, so it is a
-# command of its own. Usage: many.sh BUILD [FOLDER]; the records stay in FOLDER, if one is named. Exit 1 if one does not
-# verify or does not fit the schema.
+# every hostile team, teams over DDS, and all endings that a team or a rule can cause. It takes some minutes, so the test
+# suite does not run it. Usage: many.sh BUILD [FOLDER]; the records stay in FOLDER, if one is named. Exit code 1 if a record
+# does not verify or does not fit the schema.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 build=$(cd "$1" && pwd)

@@ -2,7 +2,7 @@
 //
 // Record files of every ending, of earlier versions and of other physics. Catches a record that its
 // schema does not describe, a reader that no longer reads older records, and a record that is
-// called wrong only because physics or laws have changed since.
+// reported as wrong only because physics or laws have changed since.
 #include "core/replay/verification.hpp"
 #include "server/record/match_record.hpp"
 #include "tests/build/compilers/flat_recording.hpp"
@@ -24,7 +24,7 @@ using test_support::TemporaryFolder;
 
 const std::string source = MIROCUP_SOURCE_FOLDER;
 
-// A record with every key that there is.
+// Returns a record with every key that the schema knows.
 record::MatchRecord record_of(replay::Recording recording) {
   record::MatchRecord record;
   record.software = record::this_software();
@@ -147,7 +147,7 @@ TEST(Records, AreNotCalledWrongIfTheBehaviourHasChanged) {
   EXPECT_EQ(page.exit_code, 4);
   EXPECT_FALSE(std::filesystem::exists(folder / "leg.html"));
 
-  // A leg that both versions play alike is reproduced.
+  // A leg that both versions play identically is reproduced.
   record.recording.ticks[30].hash ^= 1;
   ASSERT_TRUE(record::save(disk, path, record));
   EXPECT_EQ(verify(path).exit_code, 0);

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 #
-# Holds records against record.schema.json with Debian's validator (python3-jsonschema). Usage: schema.py SCHEMA RECORD...
+# Validates records against record.schema.json with Debian's validator (python3-jsonschema). Usage: schema.py SCHEMA RECORD...
 # Catches a record that the schema does not allow, a key that the schema does not describe, and a schema that allows
 # anything: a record without one of its required keys, or with one of another type, must not pass.
 import copy

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# A leg of ten minutes stays small: record at most 100 KB, replay 2 MB, page 3 MB. Prints what a leg of each league takes; exit 1
-# if one takes more. Usage: sizes.sh BUILD [LEAGUE...] (all leagues by default)
+# Checks the files of a leg of ten minutes: record at most 100 KB, replay 2 MB, page 3 MB. Prints the sizes for a leg of each
+# league; exit code 1 if one is larger. Usage: sizes.sh BUILD [LEAGUE...] (all leagues by default)
 set -euo pipefail
 build=$(cd "$1" && pwd)
 shift

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// A match in which two teams break one law after the other (teams/fouls.cpp). Its record must have
-// every law that play can break, with the intended reason. Catches a law that recorded situations
-// trigger but a played match never does, and restarts whose poses get lost between sandbox, record
-// and replay.
+// Plays a match in which two teams break one law after the other (teams/fouls.cpp). Its record must
+// have every law that play can break, with the intended reason. Catches a law that recorded
+// situations trigger but a played match never does, and restarts whose poses get lost between
+// sandbox, record and replay.
 #include "core/referee/decision.hpp"
 #include "tests/support/program.hpp"
 
@@ -25,7 +25,7 @@ using test_support::run;
 using test_support::TemporaryFolder;
 using Json = nlohmann::ordered_json;
 
-// Laws that no simulated team can break, and why.
+// The laws that no simulated team can break, each with the reason.
 const std::map<std::string, std::string> impossible{
     {"holding", "a square cannot hold a ball"},
     {"keeper_catch", "nor can a square keeper"},
@@ -38,7 +38,7 @@ const std::map<std::string, std::string> impossible{
     {"forfeit", "is no decision of the referee but an end: what a team did outside play"},
 };
 
-// Endings that exclude each other: each has a short leg of its own.
+// These endings exclude each other, so each has a short leg of its own.
 const std::set<std::string> other_ends{"golden_goal", "mercy", "lots"};
 
 std::vector<std::string> leg(const std::string& record, const std::string& blue,

@@ -3,8 +3,8 @@
 // Judges situations with expected verdicts, one line of JSON each (tests/programs/referee/*.jsonl),
 // with mirocup referee: as they are, and turned by 180 degrees with the teams exchanged. The
 // verdict must turn with them. Catches a law that is missing, one that is called a sample too early
-// or too late, a threshold on the wrong side, a wrong order of two laws, and an end that is judged
-// otherwise.
+// or too late, a threshold on the wrong side, a wrong order of two laws, and a judgement that
+// depends on the end.
 #include "tests/support/program.hpp"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ bool is_point(const json& value) {
   return value.is_array() && value.size() >= 2 && value.size() <= 3 && value[0].is_number();
 }
 
-// The value of that key, turned; the key may stand anywhere in a situation or a verdict.
+// Returns the value of a key, turned; the key may stand anywhere in a situation or a verdict.
 json turned(const json& value, const std::string& key);
 
 json turned_object(const json& object) {
@@ -84,7 +84,7 @@ json turned(const json& value, const std::string& key) {
   return value;
 }
 
-// The first difference between the expected verdict and the given one; "" if there is none.
+// Returns the first difference between the expected and the given verdict; "" if there is none.
 std::string difference(const json& expected, const json& verdict);
 
 std::string difference_at(const std::string& key, const json& expected, const json& verdict) {
@@ -97,7 +97,7 @@ std::string difference_at(const std::string& key, const json& expected, const js
     same = is_point(found) && std::abs(expected[0].get<double>() - found[0].get<double>()) < 1e-6 &&
            std::abs(expected[1].get<double>() - found[1].get<double>()) < 1e-6;
   } else if (key == "wall_robots") {
-    same = found.size() == expected.size();  // which robot is which is not said
+    same = found.size() == expected.size();  // the order of the robots is not specified
   } else if (key == "robots") {
     same = json(std::set<json>(expected.begin(), expected.end())) ==
            json(std::set<json>(found.begin(), found.end()));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Many short legs in all leagues, presets and stages, between teams that play, teams that run at
+// Many short legs in all leagues, presets and stages, between teams that play, teams that drive at
 // random and teams that foul. Catches a leg that never ends, an outcome that no law gives, a score
-// that is not the number of goals, a clock that does not add up, and bodies that overlap after a
-// placement.
+// that differs from the number of goals, a clock that differs from the sum of its ticks, and bodies
+// that overlap after a placement.
 //
 // MIROCUP_SOAK_MATCHES is the number of legs; without it there are as many as a test run can
 // afford.
@@ -42,8 +42,8 @@ test_support::Scripted controller(std::uint64_t kind, std::uint64_t seed, const 
   }
 }
 
-// The same team, which also asks for places at restarts, legal ones and others, and sometimes out
-// of its turn.
+// The same team, which also asks for legal and illegal places at restarts, sometimes out of its
+// turn.
 test_support::Scripted restless(test_support::Scripted team, std::uint64_t seed,
                                 const Setup& setup) {
   const field::Field field = field::make_field(setup.league);

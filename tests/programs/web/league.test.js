@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// `mirocup league serve`: a league that is looked at while it is played, and what a server must not give away.
+// Tests `mirocup league serve`: viewers of a league while it is played, and files that the server must not give out.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import http from 'node:http';
@@ -36,7 +36,7 @@ after(() => {
   return closeBrowser();
 });
 
-// The path goes out as it is written.
+// Sends the path unchanged, without the normalisation of a URL.
 function get(place, path, method = 'GET') {
   return new Promise((resolve, reject) => {
     http.request({ port: new URL(place).port, host: '127.0.0.1', method, path }, (response) => {
@@ -48,7 +48,7 @@ function get(place, path, method = 'GET') {
 }
 
 test('a page that is open follows the league, and a leg can be watched while it is played', async () => {
-  const league = make('long', 150000, ['idle', 'idle', 'idle']);  // nobody wins it early, and a slow browser finds it
+  const league = make('long', 150000, ['idle', 'idle', 'idle']);  // too long to end before a slow browser finds it
   const place = await serve(league);
   assert.match(place, /^http:\/\/127\.0\.0\.1:/, 'this host only');
   const page = await openPage(place);
@@ -83,7 +83,7 @@ test('what is served is what is published, and nothing else', async () => {
   const place = await serve(league);
   const leg = readJson(join(league, 'site', 'legs.json')).legs[0];
   const replay = readFileSync(join(league, 'site', leg.replay), 'utf8');
-  rmSync(join(league, 'site', 'replays'), { recursive: true });  // it makes what nobody has published
+  rmSync(join(league, 'site', 'replays'), { recursive: true });  // the server makes pages that were not published
   assert.equal((await get(place, `/${leg.replay}`)).text, replay);
   const script = '<script type="module" src="/league.js"></script>\n';
   for (const path of ['index.html', 'teams/alpha.html', 'table.json', 'legs.csv']) {

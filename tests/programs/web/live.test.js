@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A match that is watched while it is played: joined in the middle, by many, to its end.
+// Tests viewers of a running match: joining in the middle, many viewers, and the end of the match.
 import assert from 'node:assert/strict';
 import http from 'node:http';
 import { after, test } from 'node:test';
@@ -32,7 +32,7 @@ test('a viewer who joins in the middle sees the match to its end, beside fifty w
   const { url, ended } = watched('--half', '6', '--seed', '2', '--record', record);
   const place = await url;
   assert.match(place, /^http:\/\/127\.0\.0\.1:/, 'this host only');
-  // They connect and never take a byte.
+  // These viewers connect and never read a byte.
   const idle = Array.from({ length: 50 }, () => {
     const request = http.get(`${place}events`, (response) => response.pause());
     request.on('error', () => {});

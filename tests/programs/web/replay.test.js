@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The replay page as its readers use it, from disk.
+// Uses the replay page as its readers do, from disk.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { readFileSync } from 'node:fs';

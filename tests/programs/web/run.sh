@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# Clicks through the pages in Debian's Chromium. Usage: tests/programs/web/run.sh BUILD_FOLDER
+# Runs the tests of the web pages in Debian's Chromium. Usage: tests/programs/web/run.sh BUILD_FOLDER
 # The driver is installed into BUILD_FOLDER/web on the first run.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)

@@ -42,7 +42,7 @@ export function watched(...more) {
   return { url, ended, child };
 }
 
-// ms; a browser on a busy machine may take its time.
+// ms; a browser on a busy machine may be slow.
 const patience = 300_000;
 
 let browser;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Measures whether viewers delay a match. Matches without viewers and with fifty who read everything take turns, at four times real
-// time, so that there are enough ticks for a percentile of 99.9 %. Prints by how much their ticks began late, as their records say; a judgement is the
-// reader's, since it depends on the machine. The teams play in the process of the match, so that nothing else is measured; the
-// viewers get the processor only when nobody else wants it, for others sit at other computers.
+// Measures whether viewers delay a match. Matches without viewers and with fifty viewers that read everything take turns,
+// at four times real time, so that there are enough ticks for a quantile of 99.9 %. Prints the lateness of their ticks from
+// their records. It does not judge the numbers, since they depend on the machine. The teams play in the process of the
+// match, so that only viewers are measured. The viewers run at idle priority, because real viewers use other computers.
 // Usage: node tests/programs/web/viewers.js BUILD [SECONDS of a match [ROUNDS]]
 import { fork, spawn } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
@@ -15,7 +15,7 @@ import { fileURLToPath } from 'node:url';
 const FACTOR = 4;
 const AUDIENCE = 50;
 
-// In a process of its own, which reports what it has read.
+// Runs in a child process, which reports the amount that it has read.
 function view(url) {
   let viewers = 0;
   let bytes = 0;

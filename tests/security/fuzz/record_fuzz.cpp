@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Any bytes as a record: the reader may only say no.
+// Reads any bytes as a record: the reader must return an error and never crash.
 #include "server/record/match_record.hpp"
 #include "tests/support/memory_files.hpp"
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Any bytes as a replay: the reader may only say no. The first byte chooses the league and whether
-// the bytes are compressed for it, since a fuzzer hardly finds a zstd frame by itself.
+// Reads any bytes as a replay: the reader must return an error and never crash. The first byte
+// chooses the league, and whether the harness compresses the bytes, since a fuzzer hardly finds a
+// zstd frame by itself.
 #include "server/record/replay_file.hpp"
 
 #include <cstddef>

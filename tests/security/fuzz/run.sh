@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# Feeds the readers of records and replays what libFuzzer thinks of. Usage: tests/security/fuzz/run.sh [SECONDS]
-# (600 each by default). Builds into build/fuzz (the seeds are played by build/mirocup); stops at the first input that crashes a reader, and keeps it there.
+# Feeds inputs of libFuzzer to the readers of records and replays. Usage: tests/security/fuzz/run.sh [SECONDS] (for each
+# reader, 600 by default). Builds into build/fuzz (build/mirocup plays the seeds). Stops at the first input that crashes a
+# reader, and keeps the input there.
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
 seconds=${1:-600}
@@ -16,7 +17,7 @@ mkdir -p "$seeds" build/fuzz/corpus/{record,replay}
 build/mirocup match --blue idle --yellow idle --half 1 --record "$seeds/leg.json"
 cp "$seeds/leg.json" build/fuzz/corpus/record/
 { printf '\0'; cat "$seeds/leg.replay.zst"; } >build/fuzz/corpus/replay/leg
-# What the frame after the first line holds: the harness packs it again.
+# The uncompressed content of the zstd frame after the first line; the harness compresses it again.
 { printf '\4'; tail -n +2 "$seeds/leg.replay.zst" | zstd -dcq; } >build/fuzz/corpus/replay/unpacked
 for reader in record replay; do
   build/fuzz/${reader}_fuzz -max_total_time="$seconds" -max_len=65536 -artifact_prefix=build/fuzz/ \

@@ -21,7 +21,7 @@ using test_support::TemporaryFolder;
 
 struct HonestTeam {
   std::string name;
-  std::string says;  // a part of its log
+  std::string says;  // a text that its log must contain
 };
 
 class Honest : public testing::TestWithParam<HonestTeam> {};

@@ -100,7 +100,7 @@ TEST(HostileEntry, TruncatedLibraryDoesNotLoad) {
   }
 }
 
-// The hashed bytes are those that play, even if the file changes all the time.
+// The bytes that were hashed are those that play, even if the file changes all the time.
 TEST(HostileEntry, FileThatChangesPlaysAsItWasHashed) {
   const TemporaryFolder folder;
   const std::string good = read_file(program("house/chaser.so"));
@@ -132,7 +132,7 @@ TEST(HostileEntry, FileThatChangesPlaysAsItWasHashed) {
   EXPECT_NE(hash_of_good, hash_of_bad);
 }
 
-// The numbers of the processes that a server has started and that still run.
+// Returns the process IDs of the running processes that a server has started.
 std::vector<int> children_of(const Running& server) {
   const std::string pid = std::to_string(server.pid());
   std::istringstream list(read_file("/proc/" + pid + "/task/" + pid + "/children"));

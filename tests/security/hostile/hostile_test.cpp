@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A team that misbehaves hurts only itself, whatever its colour: the other team and the server go
-// on, nothing outside is touched, no process is left over, and the record says why.
+// A team that misbehaves hurts only itself, whatever its colour. The other team and the server go
+// on, nothing outside changes, no process remains, and the record names the fault.
 #include "tests/security/hostile/kinds.hpp"
 #include "tests/support/program.hpp"
 
@@ -56,7 +56,7 @@ void expect_target_is_untouched() {
   EXPECT_FALSE(std::filesystem::exists(target + "/record.old"));
 }
 
-// The user that the server runs as: the one who started the test, or nobody.
+// The user as which the server runs: the caller of the test, or the system's user `nobody`.
 enum class User { caller, nobody };
 
 struct SetUp {
@@ -71,10 +71,10 @@ constexpr bool is_sanitized = true;
 constexpr bool is_sanitized = false;
 #endif
 
-// Both tiers and both colours; if the test runs as root, also a server that does not. The sandbox is
-// built without sanitizers in every build, so a sanitized server plays half of these set-ups: those
-// of root and those of nobody by turns. For a team that burns processor time the other build plays
-// the other half.
+// Returns set-ups with both tiers and both colours; if the test runs as root, also with a server
+// that does not. The sandbox is built without sanitizers in every build, so a sanitized server
+// plays half of these set-ups: those of root and those of the user `nobody` alternate. For a team
+// that burns processor time the other build plays the other half.
 std::vector<SetUp> set_ups(const Kind& kind) {
   const std::vector<SetUp> as_caller{{"T2", User::caller, "blue"}, {"T1", User::caller, "yellow"}};
   const std::vector<SetUp> as_nobody{{"T2", User::nobody, "yellow"}, {"T1", User::nobody, "blue"}};
@@ -253,9 +253,9 @@ TEST(HostileTeam, LogHasNoControlCharacters) {
       << leg.log.substr(0, 200);
 }
 
-// In real time the match does not wait for a team: its robots drive on, then stand, and at last it
-// loses. These tests count ticks, not time, so a busy machine changes nothing: a team that never
-// answers is late in every tick.
+// In real time the match does not wait for a team: its robots drive on, then stand, and finally it
+// loses. These tests count ticks, not time, so a busy machine does not change the results: a team
+// that never answers is late in every tick.
 class RealTime : public testing::Test {
  protected:
   Json play(const std::string& name, const std::string& half, const std::string& speed) const {

@@ -35,7 +35,7 @@ TEST(Elf, RefusesALibraryThatIsCutOffAnywhere) {
 }
 
 // Catches a reader that follows an offset without checking it (under the sanitizers it crashes),
-// that refuses without a reason, or that makes up names which are not in the file.
+// that refuses without a reason, or that returns names which are not in the file.
 TEST(Elf, RefusesOrReadsEveryDamagedLibrary) {
   const std::string whole = library();
   Random random(7);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The parts of strategy.hpp that do not show in how a house team plays.
+// Tests the parts of strategy.hpp that no game of a house team would test.
 #include "mirocup/strategy.hpp"
 
 #include <gtest/gtest.h>
@@ -27,8 +27,8 @@ TEST(WrappedAngle, IsTheSameDirectionInOneTurn) {
   EXPECT_EQ(wrapped(0.5), 0.5);
 }
 
-// Catches a loop that takes one turn off at a time: at 1e16 it takes off nothing any more, and the
-// team hangs.
+// Catches a loop that subtracts one turn at a time: at 1e16 the subtraction changes nothing, and
+// the team hangs.
 TEST(WrappedAngle, EndsForHugeAndInfiniteAngles) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   for (const double angle : {1e9, -1e16, 1e17, -1e300, std::numeric_limits<double>::max()}) {

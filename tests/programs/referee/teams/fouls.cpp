@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Two teams of this kind break one law after the other. Each restart has a list of acts; both teams
-// count the restarts, so both know which act is on and who is to blame. For the middle league.
+// Two teams of this kind break one law after the other. Each kind of restart has a list of acts.
+// Both teams count the restarts, so both know the present act and which team offends in it. For the
+// middle league.
 #include "mirocup/strategy.hpp"
 
 #include <array>
@@ -74,8 +75,8 @@ class Fouls : public Team {
     c.wheels[i] = drive_to(setup(), now.own[i], to, 0.0, 1.0);
   }
 
-  // A penalty goes past the keeper, the second one through it, then only who is behind scores: so a
-  // knock-out match is level. Its shoot-out is for blue.
+  // The first penalty passes the keeper and the second is shot at it. After that only the team that
+  // is behind scores, so a knock-out match ends level. Blue wins its shoot-out.
   bool lets_in(int kickers_score, int keepers_score) const {
     return act_ == 0 || kickers_score < keepers_score || is_shoot_out_;
   }
@@ -84,7 +85,7 @@ class Fouls : public Team {
     return act_ == 1 || lets_in(now.own_score, now.opponent_score);
   }
 
-  // Everybody out of the ball's way; the last one off the field.
+  // Places the robots away from the ball's path; the last one is requested off the field.
   void place_kick_off(Placement& p) {
     const double y[] = {0.0, 0.0, 0.7, -0.7, 0.5};
     for (int i = mine_ ? 2 : 1; i < 5; ++i)
@@ -96,14 +97,14 @@ class Fouls : public Team {
     if (mine_ && act_ == 2) p.robots[0] = {-0.9, -0.5, 0.0};
   }
 
-  // Forwards; too late; into the own goal; then as it should be.
+  // Acts: the ball goes forwards; too late; into the own goal; then a legal kick-off.
   void kick_off_badly(const Observation& now, Command& c) {
     if (act_ == 0) go(now, c, 1, {0.5, 0.0}, 1.0);
     if (act_ == 2) go(now, c, 1, {-1.3, 0.0}, 1.3);
     if (act_ >= 3 && must_kick_off(now)) c.wheels[1] = kick_off(setup(), now.own[1]);
   }
 
-  // Two robots face each other on the side where the ball is not.
+  // Two robots face each other on the side of the field without the ball.
   void place_free_ball(const Observation& now, Placement& p) {
     const double aside = now.ball_y > 0.0 ? -1.0 : 1.0;
     const bool block = act_ >= 2;
@@ -116,7 +117,7 @@ class Fouls : public Team {
     }
   }
 
-  // The defenders push, then the attackers do; then one stands before the keeper.
+  // Acts: the defenders push; the attackers push; an attacker blocks the keeper.
   void push_or_block(const Observation& now, Command& c) {
     if (act_ < 2 && mine_ == (act_ == 0)) {
       go(now, c, 2, {now.own[2].x + 0.5, now.own[2].y}, 1.5);
@@ -125,7 +126,7 @@ class Fouls : public Team {
     }
   }
 
-  // The ball beside the post and the keeper beside the ball.
+  // Places the ball beside the post and the keeper beside the ball.
   static void place_by_the_wall(Placement& p) {
     p.ball_x = -1.03;
     p.ball_y = 0.235;
@@ -144,10 +145,10 @@ class Fouls : public Team {
         stop_at(now, c, 3, {0.85, 0.0});
         stop_at(now, c, 4, {0.85, -0.3});
         break;
-      case 2:  // at the keeper, past the ball
+      case 2:  // a robot drives at the keeper, past the ball
         go(now, c, 1, now.own[1].x < 0.9 ? Point{1.0, -0.25} : Point{1.06, 0.0}, 1.0);
         break;
-      case 3:  // near the ball, and nothing else
+      case 3:  // a robot only stays near the ball
         stop_at(now, c, 1, {0.885, 0.0});
         break;
       case 7:  // at the ball by the wall

@@ -16,6 +16,6 @@ void Honest::decide(const Observation& now, Command& command) {
   command.wheels[0] = {20.0, 15.0 + 0.01 * (now.tick % 100)};
   if (now.tick == 0) setup().log("with rounding of its own");
 #if defined(__x86_64__)
-  asm volatile("fldpi\n\tfldpi\n\tstd");  // leaves its numbers behind, and copies backwards
+  asm volatile("fldpi\n\tfldpi\n\tstd");  // leaves x87 stack and direction flag changed
 #endif
 }

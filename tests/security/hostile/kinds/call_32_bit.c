@@ -4,7 +4,7 @@
 static void misbehave(mirocup_command* command) {
   (void)command;
 #if defined(__x86_64__)
-  /* getpid() of another architecture: its numbers mean other calls. */
+  /* getpid() of the 32-bit architecture, whose numbers mean other calls. */
   __asm__ volatile("int $0x80" : : "a"(20) : "memory");
 #else
   kill(1, 0);

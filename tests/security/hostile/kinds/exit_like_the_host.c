@@ -3,6 +3,6 @@
 
 static void misbehave(mirocup_command* command) {
   (void)command;
-  /* The code with which the sandbox itself gives up: must not make the leg void. */
+  /* The exit code of a failed sandbox. A team that uses it must not make the leg void. */
   _exit(127);
 }

@@ -3,6 +3,6 @@
 
 static void misbehave(mirocup_command* command) {
   (void)command;
-  /* A log that blocks would wait for the server. */
+  /* Makes the log's pipe blocking: then each write to a full log would wait for the server. */
   expect_failure(fcntl(2, F_SETFL, 0), "a blocking log");
 }

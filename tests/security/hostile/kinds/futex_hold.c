@@ -3,7 +3,7 @@
 
 static void misbehave(mirocup_command* command) {
   (void)command;
-  /* Waits where the server waits, for what never comes. */
+  /* Waits on a futex, as the server does, for a wake-up that never comes. */
   static int word;
   while (hostile_for_ever) syscall(SYS_futex, &word, 0, 0, 0, 0, 0);
 }

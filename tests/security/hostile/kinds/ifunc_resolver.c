@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "tests/security/hostile/hostile.h"
 
-/* Runs while the library is relocated, before any constructor; not even the C library can be called. */
+/* Runs while the library is relocated, before any constructor, and cannot call the C library. */
 static long raw_call(long number, long a, long b, long c) {
 #if defined(__x86_64__)
   long result;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "tests/security/hostile/hostile.h"
 
-/* Linked with a library that lies where nothing may be read (CMakeLists.txt). */
+/* Linked with a library in a folder that the sandbox must not read (CMakeLists.txt). */
 extern int evil(void);
 
 static void misbehave(mirocup_command* command) {

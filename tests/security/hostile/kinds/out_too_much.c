@@ -2,6 +2,6 @@
 #include "tests/security/hostile/hostile.h"
 
 static void misbehave(mirocup_command* command) {
-  /* Behind the end of the answer lies the host program's own stack. */
+  /* Writes behind the end of the answer, where the host program's own stack is. */
   for (int i = 0; i < 100000; ++i) ((volatile double*)command->wheels)[i] = 1.0;
 }

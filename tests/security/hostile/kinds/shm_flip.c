@@ -2,7 +2,8 @@
 #include "tests/security/hostile/hostile.h"
 
 static void misbehave(mirocup_command* command) {
-  /* The words before the answers: says "answered" before it is, and why it ends before it does. */
+  /* Changes the words before the answers: "answered" too early, and codes of ends that do not
+   * happen. */
   volatile unsigned* page =
       (volatile unsigned*)(((uintptr_t)hostile_now & ~(uintptr_t)4095) - 4096);
   for (unsigned i = 0; i < 1000; ++i) {

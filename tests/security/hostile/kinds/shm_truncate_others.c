@@ -3,6 +3,6 @@
 
 static void misbehave(mirocup_command* command) {
   (void)command;
-  /* By a number that belongs to the server, if anything of it is left. */
+  /* Tries the number of a descriptor of the server, in case the sandbox left it open. */
   expect_failure(syscall(SYS_fcntl, 3, F_GET_SEALS), "descriptor 3");
 }

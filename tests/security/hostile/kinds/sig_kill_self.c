@@ -3,6 +3,6 @@
 
 static void misbehave(mirocup_command* command) {
   (void)command;
-  /* Looks as if the host had done it, were it allowed. */
+  /* If this were allowed, it would look like a kill by the host. */
   syscall(SYS_tgkill, getpid(), syscall(SYS_gettid), SIGKILL);
 }

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "tests/security/hostile/hostile.h"
 
-/* One frame jumps over any guard page. */
+/* One stack frame that is larger than any guard area, so that it jumps over it. */
 __attribute__((noinline)) static int huge(int depth) {
   volatile char frame[8 << 20];
   frame[0] = 1;
-  __asm__ volatile("" : : "r"(frame) : "memory"); /* it is needed, whatever the compiler thinks */
+  __asm__ volatile("" : : "r"(frame) : "memory"); /* keeps the compiler from removing it */
   return depth > 0 ? huge(depth - 1) + frame[0] : frame[0];
 }
 

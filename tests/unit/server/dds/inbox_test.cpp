@@ -26,7 +26,7 @@ TEST(Inbox, CountsLateAndEarlyCommandsByKind) {
   EXPECT_FALSE(inbox.accept(0xffffffffU));
   inbox.count_foreign();
   inbox.expect(8);
-  EXPECT_TRUE(inbox.accept(8));  // what came too soon is not kept: it was not an answer
+  EXPECT_TRUE(inbox.accept(8));  // the inbox does not keep a command that came too early
   EXPECT_EQ(inbox.counts().late, 1U);
   EXPECT_EQ(inbox.counts().ahead, 2U);
   EXPECT_EQ(inbox.counts().foreign, 1U);

@@ -13,7 +13,7 @@
 namespace mirocup::record {
 namespace {
 
-// The error of a parser that reads `text`; "" if it reports none.
+// Returns the error of a parser that reads `text`; "" if it reports none.
 std::string error_text(const std::string& text,
                        const std::function<void(const JsonReader&)>& read) {
   const auto done = read_json<bool>(text, "f.json", Errc::damaged, [&](const JsonReader& json) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Catches a child whose end is told wrongly, one that runs elsewhere than it was told, and one
-// whose output is lost.
+// Catches a child whose exit is reported wrongly, one that runs on another processor than it was
+// told, and one whose output is lost.
 #include "server/system/child_process.hpp"
 
 #include "server/system/files.hpp"

@@ -30,7 +30,7 @@ TEST(LiveFeed, SendsEveryDecisionOnceToEveryViewer) {
   while (!match.is_over()) {
     match.advance(blue, yellow);
     feed.publish(match);
-    if (match.tick() % 7 == 0) heard += feed.news(early);  // it is slow
+    if (match.tick() % 7 == 0) heard += feed.news(early);  // a slow viewer
   }
   LiveFeed::Viewer late;
   const std::string told_late = feed.news(late);
