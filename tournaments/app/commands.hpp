@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The subcommands of `mirocup league`, and what each may be told. command_line.cpp reads the options;
-// their defaults are here. The value of a run is the exit code of an answer (yes or no).
+// The subcommands of `mirocup league`, and what each may be told. command_line.cpp reads the
+// options; their defaults are here. The value of a run is the exit code of an answer (yes or no).
 #pragma once
 
 #include "core/base/error.hpp"

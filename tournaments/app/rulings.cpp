@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a person decides about a league. Each is a line of the journal with a reason; the lines before
-// stay. They may be given while the league is being played.
+// What a person decides about a league. Each is a line of the journal with a reason; the lines
+// before stay. They may be given while the league is being played.
 #include "core/base/assert.hpp"
 #include "tournaments/app/commands.hpp"
 #include "tournaments/league/league_store.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A league as `mirocup league serve` shows it: the pages that publish would write, made from the journal
-// as it is now; the records and replays of what was played; and which legs are being played. Reads
-// only. Threads: any.
+// A league as `mirocup league serve` shows it: the pages that publish would write, made from the
+// journal as it is now; the records and replays of what was played; and which legs are being
+// played. Reads only. Threads: any.
 #pragma once
 
 #include "server/web/site_server.hpp"

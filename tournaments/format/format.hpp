@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Which format a league has, and the part of its schedule that is known before anything is played.
+// The format of a league, and the part of its schedule that is known before the first leg.
 #pragma once
 
 #include "core/base/names.hpp"
@@ -15,12 +15,12 @@ namespace mirocup::league {
 
 enum class FormatKind { double_round_robin, round_robin, groups, knockout, swiss, ladder };
 
-// What does not concern a format's kind is not looked at.
+// A format with its settings. Settings that do not belong to its kind are ignored.
 struct Format {
   FormatKind kind = FormatKind::double_round_robin;
-  int legs = legs_per_fixture;  // of each pair in a round robin or a group, of a tie in a knockout
+  int legs = legs_per_fixture;  // per pair in a round robin or a group; per tie in a knockout
   int groups = 2;
-  int qualifiers = 2;  // of each group
+  int qualifiers = 2;  // teams of each group that go on to the knockout
   bool third_place = true;
   int rounds = 0;  // Swiss; 0: usual_swiss_rounds()
   int sample = 4;  // ladder: opponents of a new entry
@@ -29,10 +29,11 @@ struct Format {
   int swiss_rounds(int teams) const;
 };
 
-// Why this many teams cannot play it; "" if they can.
+// Returns the reason why this number of teams cannot play the format; "" if it can.
 std::string objection(const Format& format, int teams);
 
-// Everything of a round robin, groups and a knockout; nothing of a Swiss tournament or a ladder.
+// Returns the fixtures that are known before the start: all of a round robin, of groups and of a
+// knockout; none of a Swiss tournament or a ladder, whose fixtures follow from results or entries.
 std::vector<Fixture> first_schedule(const Format& format, int teams);
 
 }  // namespace mirocup::league

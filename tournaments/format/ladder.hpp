@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A ladder: it never ends. An entry that is handed in plays a sample of those that are there; the
-// table counts what the present entries did.
+// A ladder: a league that never ends. Each new entry plays a sample of the other teams' entries;
+// the table counts only the legs of each team's present entry.
 #pragma once
 
 #include "tournaments/format/schedule.hpp"
@@ -11,8 +11,9 @@
 
 namespace mirocup::league {
 
-// The fixtures of the `event`-th entry (from 1: their round), of `team`, against at most `sample` of
-// the others, drawn without favour. The same arguments give the same sample.
+// Returns the fixtures of entry number `event` of the league (from 1; it is also their round),
+// which is an entry of `team`. The opponents are at most `sample` of `others`, drawn uniformly. The
+// same arguments give the same fixtures.
 std::vector<Fixture> ladder_fixtures(int event, int team, const std::vector<int>& others,
                                      int sample, std::uint64_t league_seed);
 

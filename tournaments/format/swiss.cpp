@@ -11,9 +11,9 @@ namespace mirocup::league {
 
 namespace {
 
-// So max_look_ahead_teams can run out of pairings long before everybody has met everybody: look ahead there. With
-// more teams everyone has at least as many possible opponents left as half their number, as long as
-// there are at most half as many rounds; then a pairing exists (Dirac 1952).
+// So max_look_ahead_teams can run out of pairings long before everybody has met everybody: look
+// ahead there. With more teams everyone has at least as many possible opponents left as half their
+// number, as long as there are at most half as many rounds; then a pairing exists (Dirac 1952).
 constexpr int max_look_ahead_teams = 8;
 
 // Teams by their rank, best first.

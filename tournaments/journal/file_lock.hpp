@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Keeps other processes out for as long as it lives: an exclusive lock on a file, which the kernel
-// gives up when the process ends, however it ends. The file's text is for people and other
-// programs.
+// An exclusive lock on a file, held from construction to destruction. It excludes other processes;
+// the kernel releases it when the process ends, however it ends. The file may hold a text for
+// people and other programs.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -14,14 +14,15 @@ namespace mirocup::league {
 
 class FileLock {
  public:
-  // Waits for whoever has it.
+  // Locks the file; blocks until another holder has released it.
   static Result<FileLock> acquire(const std::string& path);
 
-  // Nothing if somebody else has it. `text` replaces what the file says.
+  // Locks the file without waiting; returns an empty value if another process holds the lock. On
+  // success `text` replaces the file's content.
   static Result<std::optional<FileLock>> try_acquire(const std::string& path,
                                                      const std::string& text);
 
-  // Does anybody have it?
+  // True if a process holds the lock.
   static bool is_held(const std::string& path);
 
   FileLock(FileLock&& other) noexcept;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// What happened in a league: the only truth, append-only; tables and pages are made from it.
+// The journal of a league: an append-only file of all its events, from which tables and pages are
+// computed.
 //
-// One JSON object per line, numbered, each with the SHA-256 of the line before and of itself. A line
-// is on disk before anybody acts on it. A last line that was cut off while it was written is left
-// out when reading and cut off when writing; any other damage is an error that names the line.
-// format.md has the lines.
+// Each line is a JSON object with its number, the SHA-256 of the line before and its own. append()
+// returns after the line is on disk. A torn last line, which a crash during a write leaves, is
+// ignored by readers and removed by the next append(); any other damage is an error that names the
+// line. format.md describes the lines.
 //
 // Several processes may read a journal at any time, and write to it if each holds a FileLock while
 // it calls refresh() and append().
@@ -24,8 +25,8 @@ using Json = nlohmann::ordered_json;
 
 class Journal {
  public:
-  // Reads what is there; an absent file is an empty journal. `notice` is set if a torn line was left
-  // out.
+  // Reads the file; an absent file is an empty journal. `notice` is set to a sentence for a person
+  // if a torn line was ignored. The journal keeps a reference to `files`.
   static Result<Journal> open(system::Files& files, std::string path,
                               std::string* notice = nullptr);
   Journal(Journal&&) noexcept;
@@ -35,10 +36,11 @@ class Journal {
   const std::vector<Json>& lines() const { return lines_; }
   const std::string& path() const { return path_; }
 
-  // Reads the lines that others have written since.
+  // Reads the lines that other processes have appended since.
   Result<void> refresh();
 
-  // Adds "n", "prev" and "hash" to the line and writes it. On an error the journal is as before.
+  // Writes a line of this kind with these fields, "n", "prev" and "hash", and adds it to lines().
+  // On an error the journal is unchanged.
   Result<void> append(const std::string& kind, Json fields);
 
  private:
@@ -51,7 +53,7 @@ class Journal {
   std::vector<Json> lines_;
   std::string last_hash_;
   std::size_t size_ = 0;  // bytes of whole lines
-  bool is_torn_ = false;  // are there bytes after them?
+  bool is_torn_ = false;  // true: the file has bytes after them
 };
 
 }  // namespace mirocup::league

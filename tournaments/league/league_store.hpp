@@ -26,8 +26,8 @@ class LeagueStore {
   // Takes in what others have written.
   Result<void> refresh();
 
-  // Writes an event to disk and then applies it to the state. Errors: Errc::input if it does not fit
-  // the league as it is now; then nothing is written.
+  // Writes an event to disk and then applies it to the state. Errors: Errc::input if it does not
+  // fit the league as it is now; then nothing is written.
   Result<void> write(const Event& event);
 
  private:

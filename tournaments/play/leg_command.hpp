@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One leg of a league as a command: the same for the processes of this host, for GNU parallel and for
-// a cluster. Its record is its result.
+// One leg of a league as a command: the same for the processes of this host, for GNU parallel and
+// for a cluster. Its record is its result.
 #pragma once
 
 #include "tournaments/league/folder.hpp"

@@ -71,7 +71,8 @@ LegPlayed read_record(const LeagueFile& file, const LegId& id, const JsonReader&
   };
 }
 
-// Complains unless the record is of the seed and the teams, with the entries that they play with now.
+// Complains unless the record is of the seed and the teams, with the entries that they play with
+// now.
 void expect_same_leg(const LeagueState& state, const LegId& id, const JsonReader& record) {
   const JsonReader seed = record.at("seed");
   if (seed.integer<std::uint64_t>() != leg_seed(state, id)) seed.complain("another leg's seed");

@@ -11,14 +11,15 @@
 
 namespace mirocup::league {
 
-// The event of a match record of this leg: colours become teams, and the journal's counts are taken.
-// `record_path` is the path inside the league folder. Error: Errc::damaged, with the JSON pointer, if
-// the record lacks something that the journal needs, or if the match server called the leg void.
+// The event of a match record of this leg: colours become teams, and the journal's counts are
+// taken. `record_path` is the path inside the league folder. Error: Errc::damaged, with the JSON
+// pointer, if the record lacks something that the journal needs, or if the match server called the
+// leg void.
 Result<LegPlayed> leg_played(const LeagueFile& file, const LegId& id, const Json& record,
                              const std::string& record_path);
 
-// The event of the leg if its record is in the folder, is whole, and belongs to these teams, entries
-// and seed: then the leg has been played, by this program or by another. Otherwise nothing.
+// The event of the leg if its record is in the folder, is whole, and belongs to these teams,
+// entries and seed: then the leg has been played, by this program or by another. Otherwise nothing.
 std::optional<LegPlayed> find_played_leg(system::Files& files, const Folder& folder,
                                          const LeagueState& state, const LegId& id);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What became of a leg, as lines of the journal: its result; void if the host spoiled it, or if only a
-// clock decided it for the first time; a pause for a team that loses leg after leg by its own faults.
-// The same for every engine that plays a league.
+// What became of a leg, as lines of the journal: its result; void if the host spoiled it, or if
+// only a clock decided it for the first time; a pause for a team that loses leg after leg by its
+// own faults. The same for every engine that plays a league.
 #pragma once
 
 #include "tournaments/league/league_store.hpp"
@@ -14,8 +14,8 @@
 
 namespace mirocup::league {
 
-// After so many attempts that the host spoiled a leg is left until the next start, when somebody may
-// have looked after the host.
+// After so many attempts that the host spoiled a leg is left until the next start, when somebody
+// may have looked after the host.
 inline constexpr int max_attempts = 3;
 
 class ResultRecorder {
@@ -35,8 +35,8 @@ class ResultRecorder {
   // The fixture as it is now, if there still is one.
   const FixtureState* find(const std::string& id) const;
 
-  // The leg of a fixture that is to be played next; nothing if none can be played now, or if the host
-  // has spoiled it too often while this program ran.
+  // The leg of a fixture that is to be played next; nothing if none can be played now, or if the
+  // host has spoiled it too often while this program ran.
   std::optional<LegId> next_leg(const FixtureState& fixture) const;
 
   // Books the leg if its record is there; false if it is not.

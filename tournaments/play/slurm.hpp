@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // What is said to Slurm and what it answers: the command lines of sbatch, squeue, scancel, scontrol
-// and sinfo, which have been its stable interface, and the texts that they print. Pure; who runs them
-// is SlurmRunner.
+// and sinfo, which have been its stable interface, and the texts that they print. Pure; who runs
+// them is SlurmRunner.
 #pragma once
 
 #include <string>

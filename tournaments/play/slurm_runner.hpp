@@ -22,10 +22,10 @@ class SlurmRunner {
  public:
   SlurmRunner(system::Files& files, LeagueStore store, ProgressReporter& progress);
 
-  // As Runner::run(): plays until nothing is left or somebody interrupts; the first time legs that are
-  // being played come to their end, the second time nothing does. `jobs`: tasks at once; 0: as many
-  // as the cluster has processors. What teams over DDS play is left: they belong to one host. Errors:
-  // Errc::unavailable if there is no Slurm; Errc::host if it plays nothing.
+  // As Runner::run(): plays until nothing is left or somebody interrupts; the first time legs that
+  // are being played come to their end, the second time nothing does. `jobs`: tasks at once; 0: as
+  // many as the cluster has processors. What teams over DDS play is left: they belong to one host.
+  // Errors: Errc::unavailable if there is no Slurm; Errc::host if it plays nothing.
   Result<int> run(int jobs);
 
   const LeagueState& state() const { return recorder_.state(); }

@@ -14,8 +14,8 @@ namespace mirocup::league {
 // The page of a record ("records/x.json"), inside site/.
 std::string replay_page_of(const std::string& record);
 
-// As many at once as there are jobs (0: one for each processor). Returns how many could not be made,
-// which does not keep a league from being published.
+// As many at once as there are jobs (0: one for each processor). Returns how many could not be
+// made, which does not keep a league from being published.
 Result<int> make_replay_pages(system::Files& files, const Folder& folder, const LeagueState& state,
                               int jobs);
 

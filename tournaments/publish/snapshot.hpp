@@ -10,9 +10,9 @@
 
 namespace mirocup::league {
 
-// The league as if nothing had been played after a round: "r3", the third of a table or of all groups;
-// "k1", the first of a knockout, after all groups. `whole` is where it really stands. Who has left or
-// is paused is so in every round.
+// The league as if nothing had been played after a round: "r3", the third of a table or of all
+// groups; "k1", the first of a knockout, after all groups. `whole` is where it really stands. Who
+// has left or is paused is so in every round.
 Result<LeagueState> state_through(const LeagueState& whole, const Journal& journal,
                                   const std::string& round);
 

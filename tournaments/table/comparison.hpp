@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Which of two is better? A sequential test (Wald 1945): play until it can be said, and no longer.
-// Fixtures of two legs with swapped ends count as one trial; level ones say nothing. Both answers
-// are wrong with at most the given probability if the better one wins at least the given share of
-// the fixtures that are not level.
+// A sequential probability ratio test (Wald 1945) that decides which of two strategies is better
+// and needs no more fixtures than the decision takes. A trial is a fixture of two legs with swapped
+// ends; a level fixture is ignored. Either answer is wrong with at most the probability `error` if
+// the better strategy wins at least the share `share` of the fixtures that are not level.
 #pragma once
 
 #include <cmath>
@@ -17,13 +17,15 @@ struct ComparisonOptions {
 
 enum class ComparisonVerdict { undecided, first, second };
 
-// The lead, in fixtures won, that decides: the bound of the likelihood ratio between the two answers.
+// Returns the lead, in fixtures won, at which the test decides: there the likelihood ratio of the
+// two answers reaches Wald's bound.
 inline int deciding_lead(const ComparisonOptions& options) {
   const double bound = std::log((1.0 - options.error) / options.error);
   const double step = std::log(options.share / (1.0 - options.share));
   return static_cast<int>(std::ceil(bound / step - 1e-9));
 }
 
+// Returns the decision after these numbers of won fixtures, or `undecided` if more must be played.
 inline ComparisonVerdict verdict(int first_wins, int second_wins,
                                  const ComparisonOptions& options) {
   const int lead = first_wins - second_wins;
