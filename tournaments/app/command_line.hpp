@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the command line of `mirocup league` asks for. Only command_line.cpp knows the library that
-// reads it.
+// Reads the command line of `mirocup league`. Only command_line.cpp depends on CLI11.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -13,8 +12,8 @@ namespace mirocup::league {
 
 using Action = std::function<Result<int>()>;
 
-// Sets `action` to the subcommand with its options. Otherwise there is nothing to run, and the
-// answer is an exit code: it asked for help, or was wrong; both are told.
+// Sets `action` to the subcommand with its options and returns an empty value. If the arguments ask
+// for help or are wrong, prints the help or the error and returns the exit code instead.
 std::optional<int> read_command_line(int argc, char** argv, Action& action);
 
 }  // namespace mirocup::league

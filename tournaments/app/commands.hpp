@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The subcommands of `mirocup league`, and what each may be told. command_line.cpp reads the
-// options; their defaults are here. The value of a run is the exit code of an answer (yes or no).
+// The subcommands of `mirocup league` with their options. command_line.cpp sets the options; their
+// defaults are here. Each run_ function returns the exit code of a subcommand that did its work.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -13,20 +13,20 @@
 
 namespace mirocup::league {
 
-// Making, playing and showing a league.
+// Options of the subcommands that make, play and show a league; comments name the subcommands.
 struct LeagueOptions {
   std::string folder;
   std::string config;              // init
   std::vector<std::string> teams;  // init: NAME=ENTRY
   std::string format;              // init
-  double half_s = 0.0;             // init; 0: as the rules say
+  double half_s = 0.0;             // init; duration of a half, seconds; 0: that of the rules
   std::uint64_t seed = 1;          // init
   std::string engine = "local";    // start
-  int jobs = 0;                    // start: legs, then pages; 0: as many as there are processors
+  int jobs = 0;                    // start; legs, then pages, at once; 0: one for each processor
   bool watched = false;            // start
   bool now = false;                // stop
   std::string output;              // export, publish
-  std::string through;             // publish: the last round that is shown; "": all
+  std::string through;             // publish; the last round that is shown; "": all
   bool json = false;
 };
 Result<int> run_init(const LeagueOptions& options);
@@ -36,14 +36,14 @@ Result<int> run_status(const LeagueOptions& options);
 Result<int> run_publish(const LeagueOptions& options);
 Result<int> run_export(const LeagueOptions& options);
 
-// Showing it while it is played.
+// Options of `serve`, which shows a league in browsers while it is played.
 struct ServeOptions {
   std::string folder;
   std::string at = "0";  // [HOST:]PORT
 };
 Result<int> run_serve(const ServeOptions& options);
 
-// What teams, match server and spectators are known by on the network.
+// Options of `credentials`, which makes the DDS credentials of teams, match server and spectators.
 struct CredentialsOptions {
   std::string folder;
   std::vector<std::string> teams;
@@ -52,7 +52,7 @@ struct CredentialsOptions {
 };
 Result<int> run_credentials(const CredentialsOptions& options);
 
-// Playing on other machines.
+// Options of `plan` and `run-shard`, which play fixtures on other machines.
 struct ShardOptions {
   std::string folder;
   std::vector<std::string> fixtures;
@@ -60,7 +60,7 @@ struct ShardOptions {
 Result<int> run_plan(const ShardOptions& options);
 Result<int> run_shards(const ShardOptions& options);
 
-// Entries.
+// Options of `submit`, which hands in entries.
 struct SubmitOptions {
   std::string folder;
   std::string team;
@@ -77,7 +77,7 @@ struct CompareOptions {
 };
 Result<int> run_compare(const CompareOptions& options);
 
-// What a person decides.
+// Options of the decisions of a person.
 struct RulingOptions {
   std::string folder;
   std::string fixture;

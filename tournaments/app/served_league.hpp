@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A league as `mirocup league serve` shows it: the pages that publish would write, made from the
-// journal as it is now; the records and replays of what was played; and which legs are being
-// played. Reads only. Threads: any.
+// A league as `mirocup league serve` shows it: the pages that `publish` would write from the
+// present journal, the records and replays of the played legs, and the list of the legs in
+// progress. It writes no files. All functions may be called from any thread.
 #pragma once
 
 #include "server/web/site_server.hpp"
@@ -21,7 +21,7 @@ class ServedLeague {
  public:
   ServedLeague(system::Files& files, LeagueStore store) : files_(files), store_(std::move(store)) {}
 
-  // As web::Site has them.
+  // The three functions of web::Site, which documents them.
   std::optional<web::Page> page(const std::string& path);
   std::string news(std::uint64_t& seen);
   std::optional<int> match(const std::string& name);
@@ -29,8 +29,8 @@ class ServedLeague {
  private:
   // A leg that can be watched.
   struct LiveLeg {
-    std::string name;  // of its record, without .json
-    Json about;        // for page/league.js
+    std::string name;  // name of its record without .json
+    Json about;        // description for page/league.js
     int port = 0;
 
     bool operator==(const LiveLeg&) const = default;
@@ -42,17 +42,17 @@ class ServedLeague {
   std::optional<web::Page> replay(const std::string& stem);
 
   system::Files& files_;
-  std::mutex mutex_;  // of all that follows
+  std::mutex mutex_;  // protects the members below, down to records_
   LeagueStore store_;
   std::chrono::steady_clock::time_point polled_at_{};
-  std::uint64_t version_ = 0;  // of the journal and of what is being played
-  std::size_t lines_ = 0;      // of the journal
+  std::uint64_t version_ = 0;  // grows with every change of the journal or of live_legs_
+  std::size_t lines_ = 0;      // number of journal lines
   std::vector<LiveLeg> live_legs_;
   std::size_t lines_of_pages_ = 0;
   std::map<std::string, web::Page> pages_;  // by path
-  std::set<std::string> records_;           // without .json
+  std::set<std::string> records_;           // names without .json
 
-  std::mutex replaying_;  // one at a time
+  std::mutex replaying_;  // held while a replay page is made, so that only one is made at a time
 };
 
 }  // namespace mirocup::league

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A league is a folder: league.json, journal.jsonl, entries/, records/, site/. Here are its paths,
-// how it is made, and what has been handed in.
+// The folder of a league: the paths of league.json, journal.jsonl, entries/, records/ and site/,
+// the creation of the folder, and the entries in it.
 #pragma once
 
 #include "tournaments/league/league_state.hpp"
@@ -15,11 +15,11 @@ struct Folder {
 
   std::string config() const { return path + "/league.json"; }
   std::string journal() const { return path + "/journal.jsonl"; }
-  std::string lock() const { return path + "/.lock"; }  // while a decision is written
+  std::string lock() const { return path + "/.lock"; }  // held while an event is written
   std::string running() const {
     return path + "/.running";
-  }  // while it is played; by which process
-  std::string submitting() const { return path + "/.submitting"; }  // while an entry is checked
+  }  // held by the process that plays the league; the file has its id
+  std::string submitting() const { return path + "/.submitting"; }  // held during a check
   std::string entry(const std::string& team, int number) const {
     return path + "/entries/" + team + "/" + std::to_string(number);
   }
@@ -40,19 +40,20 @@ struct Folder {
   std::string site() const { return path + "/site"; }
 };
 
-// Makes the folder with league.json as given and every team's library as its first entry. Refuses a
+// Creates the folder with this league.json and each team's library as its first entry. Refuses a
 // folder that has a league already.
 Result<void> init_folder(system::Files& files, const Folder& folder, const LeagueFile& file);
 
-// The library that a team names: a file, or a house team's.
+// Returns the path of the library that the team's source names: a file, or that of a house team.
 Result<std::string> library_of(system::Files& files, const TeamConfig& team);
 
-// Puts a library into the folder as the entry of that number, with the verdict of its check, if it
-// was checked. The entry is there once entry.json is, which comes last.
+// Stores a library in the folder as the team's entry `number`, with the verdict of its check; "" if
+// it was not checked. entry.json is written last: an entry without it is incomplete.
 Result<void> add_entry(system::Files& files, const Folder& folder, const std::string& team,
                        int number, const std::string& library, const std::string& verdict = "");
 
-// The number of the last entry that was handed in, and of the last that was not rejected; 0: none.
+// Return the number of the team's last entry, and of its last entry that the check did not reject;
+// 0 if there is none.
 int last_entry(system::Files& files, const Folder& folder, const std::string& team);
 int last_accepted_entry(system::Files& files, const Folder& folder, const std::string& team);
 

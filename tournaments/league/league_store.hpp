@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A league that is open: its journal and where it stands, always of one mind. A decision is taken
-// under a lock, after reading what others have decided since: a person may rule on a leg while the
-// league is being played.
+// An open league: its journal and the state that follows from it, kept consistent. An event is
+// written under a lock, after the events of other processes have been read: a person may rule on a
+// leg while the league is being played.
 #pragma once
 
 #include "tournaments/journal/journal.hpp"
@@ -12,7 +12,8 @@ namespace mirocup::league {
 
 class LeagueStore {
  public:
-  // `notice` may be set to something that a person should know.
+  // Opens the league in the folder. `notice` is set to a sentence for a person if a torn last line
+  // of the journal was ignored. The store keeps a reference to `files`.
   static Result<LeagueStore> open(system::Files& files, Folder folder,
                                   std::string* notice = nullptr);
 
@@ -20,14 +21,14 @@ class LeagueStore {
   const Journal& journal() const { return journal_; }
   const Folder& folder() const { return folder_; }
 
-  // So many lines of the journal are in the state.
+  // Returns the number of journal lines that the state contains.
   std::size_t lines() const { return applied_; }
 
-  // Takes in what others have written.
+  // Reads and applies the lines that other processes have written.
   Result<void> refresh();
 
-  // Writes an event to disk and then applies it to the state. Errors: Errc::input if it does not
-  // fit the league as it is now; then nothing is written.
+  // Writes an event to disk and then applies it to the state. Error: Errc::input if the present
+  // state does not allow the event; then nothing is written.
   Result<void> write(const Event& event);
 
  private:

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The schedule of a league that is being played: who takes a place in the knockout, the next round
-// of a Swiss tournament, the fixtures of a new entry. Called after every change of a result.
+// Extends the schedule of a league while it is played: fills places in the knockout, pairs the next
+// round of a Swiss tournament and adds the fixtures of a new ladder entry. apply() calls it after
+// every event that changes a result or a team.
 #pragma once
 
 #include "tournaments/league/league_state.hpp"
@@ -12,13 +13,14 @@ class ScheduleGrowth {
  public:
   explicit ScheduleGrowth(LeagueState& state) : state_(state) {}
 
-  // Adds fixtures at the end.
+  // Appends fixtures to the schedule.
   void add(const std::vector<Fixture>& fixtures);
 
-  // After anything happened to that fixture.
+  // Must be called after a result of that fixture changed.
   void fixture_changed(int fixture);
 
-  // After a team left or came back, or its entry changed.
+  // Must be called after a team withdrew, with `annul` if its results count for nothing, and after
+  // an entry of a team was booked.
   void team_left(int team, bool annul);
   void entry_booked(int team);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Handing in an entry: it is kept, checked as `mirocup check` does, and plays if it passes. Who had
-// one that passed before plays on with that if it does not.
+// Handing in an entry: it is stored, checked as by `mirocup check`, and plays if it passes. If it
+// fails, the team plays on with its last entry that passed.
 #pragma once
 
 #include "tournaments/league/league_store.hpp"
@@ -12,13 +12,15 @@ namespace mirocup::league {
 
 struct Submission {
   bool is_accepted = false;
-  int entry = 0;        // its number; 0: it was not taken at all
+  int entry = 0;        // its number; 0: it was refused without a check
   std::string message;  // a sentence for the team
-  Json verdict;         // of the check, as in verdict.json; null if there was none
+  Json verdict;         // result of the check, as in verdict.json; null without a check
 };
 
-// `now` as in LeagueFile::freeze. A team that the league does not know yet joins it with its first
-// good entry, until the league starts. Errors are the host's; a bad entry is none.
+// Hands in the library at `path` as an entry of the team. `now` is the time, as in
+// LeagueFile::freeze. Until the league starts, a team that is not in it joins with its first entry
+// that passes. An error is a failure of the host; an entry that is refused is a Submission, not an
+// error.
 Result<Submission> submit(system::Files& files, const Folder& folder, const std::string& team,
                           const std::string& path, const std::string& now);
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Plays two libraries against each other until it can be said which is better. Fixtures count in
-// their order, however many are played at once, so the answer does not depend on that.
+// Plays two libraries against each other until the sequential test decides which is better.
+// Fixtures are counted in the order of their numbers, so the answer does not depend on the number
+// of jobs.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -18,11 +19,11 @@ namespace mirocup::league {
 struct ComparisonRun {
   std::array<std::string, 2> teams;  // libraries, or names of house teams
   League league = League::small;
-  double half_s = 0.0;  // 0: as the rules say
+  double half_s = 0.0;  // duration of a half in seconds; 0: that of the rules
   std::uint64_t seed = 1;
   int jobs = 0;            // 0: one for each processor
-  int max_fixtures = 200;  // fixtures
-  std::string folder;      // for records; exists
+  int max_fixtures = 200;  // limit after which the verdict is `undecided`
+  std::string folder;      // for records; must exist
   ComparisonOptions test;
 };
 
@@ -33,6 +34,8 @@ struct ComparisonResult {
   int level = 0;
 };
 
+// Runs the comparison and returns its verdict with the counts behind it. Blocks until it is
+// finished.
 Result<ComparisonResult> run_comparison(system::Files& files, const ComparisonRun& run,
                                         ProgressReporter& progress);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One leg of a league as a command: the same for the processes of this host, for GNU parallel and
-// for a cluster. Its record is its result.
+// One leg of a league as a command line of the match server, the same for processes of this host,
+// for GNU parallel and for a cluster. The result of the command is the match record that it writes.
 #pragma once
 
 #include "tournaments/league/folder.hpp"
@@ -12,26 +12,27 @@
 
 namespace mirocup::league {
 
-// Which attempt of which leg.
+// Identifies an attempt of a leg.
 struct LegId {
   Fixture fixture;
   int leg = 1;      // from 1
-  int version = 1;  // of its record
-  int attempt = 1;  // in the journal
+  int version = 1;  // number in the name of its record
+  int attempt = 1;  // number in the journal
 };
 
-// The legs of a fixture that can be played now, in order: its teams are known and not kept from
-// playing.
+// Returns the legs (from 1) of a fixture that can be played now, in order; none unless both teams
+// are known and neither is paused or withdrawn.
 std::vector<int> open_legs(const LeagueState& state, const FixtureState& fixture);
 
-// The seed of one leg.
+// Returns the seed of one leg.
 std::uint64_t leg_seed(const LeagueState& state, const LegId& id);
 
-// Run it in any folder; `match_id` is for teams that join over DDS.
+// Returns the program and arguments that play the leg from any working directory. Teams over DDS
+// find their leg by `match_id`.
 std::vector<std::string> leg_command(const Folder& folder, const LeagueState& state,
                                      const LegId& leg, const std::string& match_id);
 
-// What its match server says goes into this file.
+// Returns the path of the file that receives the output of the leg's match server.
 std::string leg_output(const Folder& folder, const LegId& leg);
 
 }  // namespace mirocup::league

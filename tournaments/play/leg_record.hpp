@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The match record of a leg, read as the event that a league books.
+// Converts the match record of a leg into the event that a league books.
 #pragma once
 
 #include "tournaments/league/event.hpp"
@@ -11,15 +11,14 @@
 
 namespace mirocup::league {
 
-// The event of a match record of this leg: colours become teams, and the journal's counts are
-// taken. `record_path` is the path inside the league folder. Error: Errc::damaged, with the JSON
-// pointer, if the record lacks something that the journal needs, or if the match server called the
-// leg void.
+// Returns the event for a match record of this leg, with team names in place of colours.
+// `record_path` is the path inside the league folder. Error: Errc::damaged, with the JSON pointer,
+// if the record lacks a value that the journal needs or if the match server called the leg void.
 Result<LegPlayed> leg_played(const LeagueFile& file, const LegId& id, const Json& record,
                              const std::string& record_path);
 
-// The event of the leg if its record is in the folder, is whole, and belongs to these teams,
-// entries and seed: then the leg has been played, by this program or by another. Otherwise nothing.
+// Returns the event of the leg if its record is in the folder, is complete, and belongs to these
+// teams, entries and seed: then this program or another has played the leg. Otherwise empty.
 std::optional<LegPlayed> find_played_leg(system::Files& files, const Folder& folder,
                                          const LeagueState& state, const LegId& id);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a person sees of a league that is being played.
+// The interface through which a runner reports the progress of a league to a person.
 #pragma once
 
 #include <string>
@@ -11,10 +11,10 @@ class ProgressReporter {
  public:
   virtual ~ProgressReporter() = default;
 
-  // Something happened that is worth a line.
+  // Shows a line about an event, without a line feed at its end.
   virtual void say(const std::string& line) = 0;
 
-  // So many legs of so many are decided, so many are being played.
+  // Shows that `decided` of `legs` legs are decided and `playing` legs are in progress.
   virtual void update(int decided, int legs, int playing) = 0;
 };
 

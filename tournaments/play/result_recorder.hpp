@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What became of a leg, as lines of the journal: its result; void if the host spoiled it, or if
-// only a clock decided it for the first time; a pause for a team that loses leg after leg by its
-// own faults. The same for every engine that plays a league.
+// Writes the results of legs to the journal, in the same manner for every engine that plays a
+// league. A leg is void if the host failed, or if a team lost it by a time limit for the first
+// time. A team that loses too many legs in a row by its own faults is paused.
 #pragma once
 
 #include "tournaments/league/league_store.hpp"
@@ -14,8 +14,8 @@
 
 namespace mirocup::league {
 
-// After so many attempts that the host spoiled a leg is left until the next start, when somebody
-// may have looked after the host.
+// Number of attempts of a leg that may fail by the host's fault. After these the leg waits for the
+// next start of the program, so that the operator can repair the host.
 inline constexpr int max_attempts = 3;
 
 class ResultRecorder {
@@ -29,27 +29,31 @@ class ResultRecorder {
   // Starts the league if it is not started.
   Result<void> start();
 
-  // Takes in what persons have decided since.
+  // Reads the events that other processes have written since, such as rulings.
   Result<void> refresh() { return store_.refresh(); }
 
-  // The fixture as it is now, if there still is one.
+  // Returns the fixture in its present state, or null if it is no longer in the schedule. Valid
+  // until the state changes.
   const FixtureState* find(const std::string& id) const;
 
-  // The leg of a fixture that is to be played next; nothing if none can be played now, or if the
-  // host has spoiled it too often while this program ran.
+  // Returns the leg of the fixture that must be played next. Empty if none can be played now, or if
+  // the leg has failed max_attempts times by the host's fault since this program started.
   std::optional<LegId> next_leg(const FixtureState& fixture) const;
 
-  // Books the leg if its record is there; false if it is not.
+  // Books the leg if its record exists; otherwise returns false.
   Result<bool> book_if_played(const LegId& leg);
 
-  // Books the legs of a fixture one after the other as long as there are records; how many.
+  // Books the legs of a fixture in order until one has no record. Returns the number of booked
+  // legs.
   Result<int> book_played(const std::string& fixture);
 
-  // Has a match server been started for it? What did it say last?
+  // True if a match server has been started for the leg.
   bool has_begun(const LegId& leg) const { return files_.exists(leg_output(folder(), leg)); }
+
+  // Returns the last line that the leg's match server printed.
   std::string last_output_line(const LegId& leg) const;
 
-  // The host spoiled it.
+  // Books the attempt as void by a fault of the host, with the reason `why`.
   Result<void> book_void(const LegId& leg, const std::string& why);
 
  private:
@@ -61,10 +65,10 @@ class ResultRecorder {
   system::Files& files_;
   LeagueStore store_;
   ProgressReporter& progress_;
-  std::map<std::string, int> host_failures_;  // by the host, while this program runs: records
+  std::map<std::string, int> host_failures_;  // by record, since this program started
 };
 
-// What to tell whoever interrupted the league.
+// Returns the error (Errc::interrupted) that tells the operator the state of an interrupted league.
 Error interrupted_after(const LeagueState& state);
 
 }  // namespace mirocup::league

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Plays what is left of a league: legs as child processes of the match server program, as many at
-// once as there are jobs, the legs of a fixture one after the other on the same processor.
+// Plays the open legs of a league on this host. Each leg is a child process that runs the match
+// server, with as many at once as there are jobs. The legs of a fixture follow each other on one
+// processor.
 //
-// A finished leg is in the journal before anything else happens; a leg that the host lost is void
-// and played again with the same seed, and so is, once, a leg that a clock decided. Nothing that a
-// team does can stop a league; a team that loses leg after leg by its own faults is paused.
+// A finished leg is written to the journal before the next one starts on its processor. A leg that
+// fails by the host's fault is void and played again with the same seed; so is, once, a leg that a
+// team lost by a time limit. No behaviour of a team can stop a league; a team that loses too many
+// legs in a row by its own faults is paused.
 #pragma once
 
 #include "server/system/process_set.hpp"
@@ -26,20 +28,20 @@ class Runner {
  public:
   Runner(system::Files& files, LeagueStore store, ProgressReporter& progress);
 
-  // Starts the league if it is not, plays until nothing is left or somebody interrupts: the first
-  // time legs that are being played come to their end, the second time nothing does
-  // (Errc::interrupted). The value is the number of legs that are not decided.
+  // Starts the league if it has not started, and plays until no leg can be played or an interrupt
+  // arrives. After the first interrupt the legs in progress are finished; a second one kills them
+  // (Errc::interrupted). Returns the number of legs that are not decided.
   Result<int> run(const RunOptions& options);
 
   const LeagueState& state() const { return recorder_.state(); }
 
  private:
-  // A place to play on: one processor, at most one fixture.
+  // A processor, which plays at most one fixture at a time.
   struct Worker {
     int cpu = -1;
-    std::string fixture;           // its id; "": free
-    std::optional<LegId> playing;  // its fixture as it was when the leg began
-    pid_t joiner[2] = {0, 0};      // mirocup join for DDS teams, blue and yellow
+    std::string fixture;           // its id; "": the worker is free
+    std::optional<LegId> playing;  // has the fixture in its state at the start of the leg
+    pid_t joiner[2] = {0, 0};      // `mirocup join` processes of DDS teams, blue and yellow
   };
 
   Result<bool> fill_workers();
@@ -59,7 +61,7 @@ class Runner {
   ProgressReporter& progress_;
   system::ProcessSet processes_;
   std::vector<Worker> workers_;
-  std::set<std::string> checked_records_;  // records: was it there already?
+  std::set<std::string> checked_records_;  // records that were searched for before playing
 };
 
 }  // namespace mirocup::league

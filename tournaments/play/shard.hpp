@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Playing parts of a league elsewhere: on more processors, by GNU parallel, on a cluster. A shard
-// is a fixture. It only writes records; `league start` finds them, books them and plays what is
-// missing, so a shard that is lost is a shard that was not played, and one that runs twice plays
+// Plays parts of a league in other processes, started by GNU parallel or a cluster. A shard is a
+// fixture. It only writes records; `league start` finds and books them and plays the missing legs.
+// So a lost shard is merely a shard that was not played, and a shard that runs twice plays its legs
 // once.
 #pragma once
 
@@ -13,13 +13,13 @@
 
 namespace mirocup::league {
 
-// The fixtures that can be played now, in the order of the schedule, without those of teams over
-// DDS, which belong to one host.
+// Returns the ids of the fixtures that can be played now, in the order of the schedule. Fixtures of
+// teams over DDS are left out, because they need the network of one host.
 std::vector<std::string> open_shards(const LeagueState& state);
 
 // Plays the legs of these fixtures that are not decided and have no record, one after the other.
-// The value is the number of legs that could not be played. The first interrupt lets the leg that
-// is being played come to its end, the second does not (Errc::interrupted).
+// Returns the number of legs that could not be played. After the first interrupt the leg in
+// progress is finished; a second one kills it (Errc::interrupted).
 Result<int> play_shards(system::Files& files, const LeagueStore& store,
                         const std::vector<std::string>& fixtures);
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What is said to Slurm and what it answers: the command lines of sbatch, squeue, scancel, scontrol
-// and sinfo, which have been its stable interface, and the texts that they print. Pure; who runs
-// them is SlurmRunner.
+// Builds the command lines of sbatch, squeue, scancel, scontrol and sinfo, which are Slurm's stable
+// interface, and parses the texts that they print. Pure functions; SlurmRunner runs the commands.
 #pragma once
 
 #include <string>
@@ -16,36 +15,39 @@ using CommandLine = std::vector<std::string>;
 struct SlurmTask {
   std::string id;  // "17_3": job and task, as scancel takes it
   int plan = 0;    // number of the plan
-  int line = 0;    // in it, from 1
+  int line = 0;    // line in the plan, from 1
   bool is_running = false;
-  int restarts = 0;  // so often Slurm has put it back into the queue: its node was lost, say
+  int restarts = 0;  // times that Slurm has requeued it, for example after losing its node
 };
 
 // An array of tasks, one for each line of a plan.
 struct SlurmArray {
-  std::string league;  // what tells this league's jobs from others: a word
+  std::string league;  // a word in the names of this league's jobs, unlike that of other leagues
   int plan = 0;
   int tasks = 0;
   int max_running = 0;
-  std::string log;    // of task %a
+  std::string log;    // path of a task's log, with %a for the number of the task
   CommandLine shard;  // a shell script and its arguments
 };
 
+// Returns the command that submits the array.
 CommandLine sbatch_command(const SlurmArray& array);
 
-// This league's tasks that are in the queue; others are left out, and so is what is no task.
+// squeue_command() lists the queue; parse_queue() returns this league's tasks from its output and
+// ignores all other lines.
 CommandLine squeue_command();
 std::vector<SlurmTask> parse_queue(const std::string& text, const std::string& league);
 
-// Takes tasks back: all; only those that wait, whatever was known of them; or, with an interrupt,
-// those that run when their present leg is played.
+// Cancels tasks: `all` of them; only those that are `pending` when Slurm runs the command; or, by
+// an interrupt, the running ones `after_leg`, when the leg in progress is finished.
 enum class CancelScope { all, pending, after_leg };
 CommandLine scancel_command(const std::vector<std::string>& tasks, CancelScope scope);
 
-// Slurm holds a task that it has put back for two minutes; this lets it go.
+// Returns the command that lets a requeued task start at once; Slurm would hold it for two minutes.
 CommandLine start_now_command(const std::string& task);
 
-// The processors of the cluster; 0 if the text does not say.
+// sinfo_command() asks for the processors; parse_processors() returns their number from its output,
+// or 0 if the text has none.
 CommandLine sinfo_command();
 int parse_processors(const std::string& text);
 

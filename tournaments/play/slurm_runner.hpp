@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Plays what is left of a league on an existing Slurm whose nodes see the league's folder and this
-// program at the same place. Fixtures are dealt to the tasks of an array; each task is run-shard,
-// which writes records; here records are booked, and what is lost is void and handed in again.
+// Plays the open legs of a league on an existing Slurm cluster, whose nodes must see the league's
+// folder and this program under the same paths. Fixtures are dealt to the tasks of a job array. A
+// task runs `run-shard`, which writes records. This class books the records; a lost leg is void and
+// submitted again.
 //
-// Records are the truth, the queue is a hint: what may be handed in again is what neither has a
-// record nor is in the queue under this league's name. So the same command starts and resumes, and
-// tasks play on when nobody watches. DIR/cluster has plans, logs and the script of the tasks.
+// A fixture is submitted if it has a leg without a record and is not in the queue under this
+// league's name. So the same command starts and resumes a league, and tasks play on while this
+// program is not running. DIR/cluster has the plans, the logs and the script of the tasks.
 #pragma once
 
 #include "server/system/process_set.hpp"
@@ -22,10 +23,11 @@ class SlurmRunner {
  public:
   SlurmRunner(system::Files& files, LeagueStore store, ProgressReporter& progress);
 
-  // As Runner::run(): plays until nothing is left or somebody interrupts; the first time legs that
-  // are being played come to their end, the second time nothing does. `jobs`: tasks at once; 0: as
-  // many as the cluster has processors. What teams over DDS play is left: they belong to one host.
-  // Errors: Errc::unavailable if there is no Slurm; Errc::host if it plays nothing.
+  // Plays until no leg can be played or an interrupt arrives, as Runner::run(): after the first
+  // interrupt the legs in progress are finished, a second one does not wait for them. `jobs` is the
+  // number of tasks at once; 0: the number of the cluster's processors. Fixtures of teams over DDS
+  // are left out, because they need the network of one host. Returns the number of legs that are
+  // not decided. Errors: Errc::unavailable if there is no Slurm; Errc::host if Slurm plays nothing.
   Result<int> run(int jobs);
 
   const LeagueState& state() const { return recorder_.state(); }
@@ -53,15 +55,15 @@ class SlurmRunner {
   ProgressReporter& progress_;
   system::ProcessSet processes_;
   std::string folder_;  // DIR/cluster, absolute
-  std::string league_;  // in the names of its jobs
+  std::string league_;  // word in the names of its jobs
   int jobs_ = 1;
   int next_plan_ = 1;
-  int futile_submissions_ = 0;  // arrays handed in since a record was booked
+  int futile_submissions_ = 0;  // arrays submitted since the last record was booked
   int interrupts_ = 0;
   bool is_silent_ = false;               // squeue has not answered
-  std::vector<SlurmTask> tasks_;         // as squeue said last
-  std::map<std::string, int> restarts_;  // of tasks, as far as they were judged
-  std::map<int, PlanLines> plans_;       // as far as they were needed
+  std::vector<SlurmTask> tasks_;         // from the last answer of squeue
+  std::map<std::string, int> restarts_;  // by task: restarts that have been handled
+  std::map<int, PlanLines> plans_;       // cache of the plans that were read
 };
 
 }  // namespace mirocup::league

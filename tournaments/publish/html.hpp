@@ -20,10 +20,10 @@ class Html {
   // <tag>text</tag>
   void cell(std::string_view tag, std::string_view text);
 
-  // A table cell of a style class.
+  // A table cell with a style class.
   void cell_of(std::string_view style, std::string_view text);
 
-  // A link by itself, and one in a table cell.
+  // A link, and a link in a table cell.
   void link(std::string_view target, std::string_view text);
   void link_cell(std::string_view target, std::string_view text);
 
@@ -33,11 +33,11 @@ class Html {
   // A table row of cells: "th" or "td".
   void row(std::string_view tag, const std::vector<std::string>& cells);
 
-  // A table that may be wider than the page.
+  // A table that scrolls if it is wider than the page.
   void open_table();
   void close_table();
 
-  // What another Html wrote.
+  // Appends HTML that another Html object wrote, without escaping it.
   void raw(std::string_view html) { text_ += html; }
 
   const std::string& text() const { return text_; }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A replay page for every leg that was played: `mirocup replay` makes them, some at once, without
-// measured times, so that a page depends on what was decided only. A page that is there already is
-// not made again; its record does not change.
+// Makes a replay page for every leg that was played, by several `mirocup replay` processes at once.
+// Pages have no measured times, so that they depend only on the play of the leg. A page that exists
+// is kept, because a record never changes.
 #pragma once
 
 #include "tournaments/league/folder.hpp"
@@ -11,11 +11,11 @@
 
 namespace mirocup::league {
 
-// The page of a record ("records/x.json"), inside site/.
+// Returns the path, inside site/, of the page of a record ("records/x.json").
 std::string replay_page_of(const std::string& record);
 
-// As many at once as there are jobs (0: one for each processor). Returns how many could not be
-// made, which does not keep a league from being published.
+// Makes the missing pages with `jobs` processes at once (0: one for each processor). Returns the
+// number of pages that could not be made; the league can be published without them.
 Result<int> make_replay_pages(system::Files& files, const Folder& folder, const LeagueState& state,
                               int jobs);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a host shows of a league round by round, whatever has been played already.
+// Snapshots of a league: its state after a given round, even if later rounds have been played.
 #pragma once
 
 #include "tournaments/journal/journal.hpp"
@@ -10,13 +10,13 @@
 
 namespace mirocup::league {
 
-// The league as if nothing had been played after a round: "r3", the third of a table or of all
-// groups; "k1", the first of a knockout, after all groups. `whole` is where it really stands. Who
-// has left or is paused is so in every round.
+// Returns the league as if no leg had been played after a round. "r3" is the third round of a table
+// or of all groups; "k1" is the first round of a knockout, after all groups. `whole` is the present
+// state. Withdrawals and pauses apply to every round.
 Result<LeagueState> state_through(const LeagueState& whole, const Journal& journal,
                                   const std::string& round);
 
-// Copies the records of what was played in `state`, with their replays, into another folder.
+// Copies the records of the legs that are played in `state`, with their replays, to another folder.
 Result<void> copy_records(system::Files& files, const Folder& from, const LeagueState& state,
                           const Folder& to);
 
