@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// In one source, for CLI11 takes long to compile wherever it is included.
+// CLI11 is included in this source alone, because it takes long to compile.
 #include "tournaments/app/command_line.hpp"
 
 #include "server/record/match_record.hpp"
@@ -15,7 +15,7 @@ namespace mirocup::league {
 
 namespace {
 
-// A subcommand, the object that its options are written to, and what runs with it.
+// A subcommand, the object that receives its options, and the function that runs with them.
 template <class Options>
 struct Subcommand {
   Subcommand(CLI::App& app, Action& action, const char* name, const char* description,
@@ -115,7 +115,7 @@ void add_running(CLI::App& app, Action& action) {
       ->default_val("export");
 }
 
-// A decision of a person: its command with DIR, and with a reason at its end.
+// Adds the subcommand of a person's decision, with DIR and, at the end, the reason.
 class RulingSubcommand {
  public:
   RulingSubcommand(CLI::App& app, Action& action, const char* name, const char* description,

@@ -29,7 +29,7 @@ Result<LeagueFile> file_from(system::Files& files, const LeagueOptions& options)
     if (!text) return tl::unexpected(text.error());
     auto file = parse_league_file(*text, options.config);
     if (!file) return file;
-    // Libraries are named from where the file is.
+    // Paths of libraries are relative to the folder of the file.
     const std::filesystem::path base = std::filesystem::path(options.config).parent_path();
     for (TeamConfig& team : file->teams) {
       if (team.source.rfind("house:", 0) != 0) team.source = (base / team.source).string();
@@ -50,7 +50,7 @@ Result<LeagueFile> file_from(system::Files& files, const LeagueOptions& options)
     }
     file.teams.push_back({text.substr(0, equals), text.substr(equals + 1), false});
   }
-  // Through the parser, which knows what a good name is.
+  // Uses the parser, which checks the names.
   return parse_league_file(print_league_file(file), "--team");
 }
 
@@ -87,7 +87,7 @@ void say_what_is_left(const LeagueState& state) {
   }
 }
 
-// Where the league stands when nothing is left that can be played.
+// Reports the state of the league when no leg can be played any more.
 Result<LeagueState> play(system::Files& files, LeagueStore store, ProgressReporter& progress,
                          const LeagueOptions& options) {
   const auto state_of = [](auto& runner, const Result<int>& left) -> Result<LeagueState> {
@@ -137,7 +137,7 @@ Result<int> run_start(const LeagueOptions& options) {
   if (auto published = publish_site(disk, folder, *played, jobs_here); !published) {
     return tl::unexpected(published.error());
   }
-  progress.reset();  // a bar does not stay above the table
+  progress.reset();  // removes the bar before the table is printed
   std::cout << table_text(*played);
   if (played->legs() == played->played()) return exit_yes;
   say_what_is_left(*played);
@@ -160,7 +160,7 @@ Result<int> run_stop(const LeagueOptions& options) {
   if (pid <= 0 || kill(pid, SIGINT) != 0)
     return fail(Errc::unavailable, "process " + *text + " cannot be asked to stop");
   if (options.now) {
-    // Signals of one kind do not queue up: the other kind says the same.
+    // Two pending signals of one kind merge into one, so the second is of the other kind.
     kill(pid, SIGTERM);
   }
   std::cout << folder.path << (options.now ? " stops\n" : " stops when its legs are played\n");
@@ -193,7 +193,7 @@ Result<int> run_publish(const LeagueOptions& options) {
   system::Disk disk;
   const auto store = LeagueStore::open(disk, Folder{options.folder});
   if (!store) return tl::unexpected(store.error());
-  // Rounds that are shown alone have a folder of their own: site/ has everything.
+  // A snapshot has a folder of its own; site/ always shows the whole league.
   const Folder folder{options.through.empty() ? options.folder : options.output};
   auto published =
       options.through.empty()

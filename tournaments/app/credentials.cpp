@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup league credentials: what the processes of a league are known by on the network. The work
-// is done by credentials.sh with openssl; this says for whom.
+// `mirocup league credentials`: makes the DDS credentials of the processes of a league. It collects
+// the names of the teams; credentials.sh makes the files with openssl.
 #include "server/record/match_record.hpp"
 #include "server/system/child_process.hpp"
 #include "server/system/locations.hpp"
@@ -14,7 +14,7 @@ namespace mirocup::league {
 
 namespace {
 
-// The teams of the league in the folder, if there is one, and those of the command line.
+// Returns the teams of the league in the folder, if there is one, and those of the command line.
 Result<std::vector<std::string>> teams_of(const CredentialsOptions& options) {
   std::vector<std::string> names = options.teams;
   system::Disk disk;

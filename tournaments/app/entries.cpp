@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Handing in entries, and finding out which of two is better.
+// The subcommands `submit`, which hands in entries, and `compare`, which finds the better of two.
 #include "tournaments/app/commands.hpp"
 #include "tournaments/app/progress_bar.hpp"
 #include "tournaments/league/submission.hpp"
@@ -42,7 +42,7 @@ void print(const Submission& done, bool json) {
   std::cout << line.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
 }
 
-// TEAM.so of an inbox, unless it is the team's last entry already.
+// Submits TEAM.so of an inbox, unless it is the team's last entry already.
 Result<int> collect(system::Files& files, const SubmitOptions& options) {
   std::vector<fs::path> libraries;
   std::error_code code;
@@ -69,7 +69,7 @@ Result<int> collect(system::Files& files, const SubmitOptions& options) {
   return result;
 }
 
-// Gone when it goes.
+// A folder that its destructor removes.
 class ScratchFolder {
  public:
   ScratchFolder() {

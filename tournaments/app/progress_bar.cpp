@@ -11,7 +11,7 @@ namespace mirocup::league {
 
 namespace {
 
-// So that a league of thousands of legs fits a terminal of 80 characters.
+// Short enough that the line of a league of thousands of legs fits a terminal of 80 characters.
 constexpr int bar_width = 24;
 
 class LineReporter final : public ProgressReporter {
@@ -43,7 +43,7 @@ class BarReporter final : public ProgressReporter {
   std::string text_;
 };
 
-// As long as something is left it is a second at least.
+// At least one second as long as a leg is open.
 std::string time_text(double seconds) {
   const long rounded = std::max(1L, std::lround(seconds));
   if (rounded < 90) return std::to_string(rounded) + " s";

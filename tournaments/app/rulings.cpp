@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a person decides about a league. Each is a line of the journal with a reason; the lines
-// before stay. They may be given while the league is being played.
+// The subcommands by which a person decides about a league. Each appends a line with its reason to
+// the journal; earlier lines stay. They may be used while the league is being played.
 #include "core/base/assert.hpp"
 #include "tournaments/app/commands.hpp"
 #include "tournaments/league/league_store.hpp"
@@ -13,7 +13,7 @@ namespace mirocup::league {
 
 namespace {
 
-// The legs that are meant: one, or all of the fixture.
+// Returns the legs that the options select: one, or all of the fixture.
 Result<std::vector<int>> legs_of(const LeagueStore& store, const RulingOptions& options) {
   const auto index = store.state().find_fixture(options.fixture);
   if (!index) return fail(Errc::input, "there is no fixture " + options.fixture);
@@ -110,7 +110,7 @@ Result<int> run_void(const RulingOptions& options) {
 
 Result<int> run_withdraw(const RulingOptions& options) {
   const auto results = from_string<WithdrawnResults>(options.results);
-  MIROCUP_ASSERT(results);  // the command line takes no other words
+  MIROCUP_ASSERT(results);  // the command line accepts no other words
   const auto done = write_event(
       options,
       Withdrawn{

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup league serve: a league in browsers while it is played.
+// `mirocup league serve`: shows a league in browsers while it is played.
 #include "server/system/process_set.hpp"
 #include "tournaments/app/commands.hpp"
 #include "tournaments/app/served_league.hpp"
@@ -21,7 +21,7 @@ Result<int> run_serve(const ServeOptions& options) {
   system::Disk disk;
   auto store = LeagueStore::open(disk, Folder{options.folder});
   if (!store) return tl::unexpected(store.error());
-  system::ProcessSet interrupts;  // before any thread
+  system::ProcessSet interrupts;  // must exist before the first thread starts
   ServedLeague league(disk, std::move(*store));
   const auto server = web::SiteServer::open(
       *address, "--at",

@@ -20,10 +20,10 @@ using namespace std::chrono_literals;
 
 constexpr auto poll_interval = 500ms;
 
-// What `mirocup match --watch` says; only matches of this host are passed on.
+// The start of the line that `mirocup match --watch` prints. Only legs of this host are forwarded.
 constexpr std::string_view watched = "mirocup: watch at http://127.0.0.1:";
 
-// No source but this server, no code but the script that it gives.
+// Content policy: nothing is loaded from other servers, and only this server's script runs.
 constexpr const char* policy =
     "default-src 'none'; style-src 'unsafe-inline'; script-src 'self'; connect-src 'self'";
 constexpr std::string_view script = "<script type=\"module\" src=\"/league.js\"></script>\n";
@@ -41,7 +41,7 @@ std::string stem_of(const LegId& leg) {
   return std::filesystem::path(Folder::record_name(leg.fixture, leg.leg, leg.version)).stem();
 }
 
-// The port in what a match server has said so far; 0 if it said none.
+// Returns the port that a match server has printed; 0 if it has printed none yet.
 int port_in(const std::string& text) {
   const std::size_t begin = text.find(watched);
   if (begin == std::string::npos) return 0;
@@ -58,7 +58,7 @@ std::string with_script(std::string html) {
 
 }  // namespace
 
-// Under the lock. What cannot be read just now is as it was.
+// The caller holds mutex_. If the journal cannot be read, the last state stays.
 void ServedLeague::poll() {
   const auto now = std::chrono::steady_clock::now();
   if (version_ > 0 && now - polled_at_ < poll_interval) return;
@@ -96,7 +96,7 @@ std::vector<ServedLeague::LiveLeg> ServedLeague::find_live_legs() const {
   return playing;
 }
 
-// Under the lock.
+// The caller holds mutex_.
 void ServedLeague::make_pages() {
   if (!pages_.empty() && lines_of_pages_ == lines_) return;
   lines_of_pages_ = lines_;
@@ -128,7 +128,7 @@ std::optional<web::Page> ServedLeague::page(const std::string& path) {
     poll();
     make_pages();
     if (const auto found = pages_.find(path); found != pages_.end()) return found->second;
-    // Only what the journal names is looked for on the disk.
+    // Only records that the journal names are read from the disk.
     const std::filesystem::path file(path);
     stem = file.filename();
     stem = stem.substr(0, stem.find('.'));
@@ -142,7 +142,7 @@ std::optional<web::Page> ServedLeague::page(const std::string& path) {
   return web::Page{type_of(path), "", std::move(*bytes)};
 }
 
-// As publish has made it, or would.
+// Returns the replay page that `publish` has made, or makes it.
 std::optional<web::Page> ServedLeague::replay(const std::string& stem) {
   const std::string record = "records/" + stem + ".json";
   const std::string html = replay_page_of(record);

@@ -8,7 +8,7 @@
 
 namespace mirocup::league {
 
-// What shards have played is booked first: it may open the next round.
+// Books the records of shards first, because they may open the next round.
 Result<int> run_plan(const ShardOptions& options) {
   system::Disk disk;
   auto store = LeagueStore::open(disk, Folder{options.folder});

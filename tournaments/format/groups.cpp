@@ -9,8 +9,8 @@ namespace mirocup::league {
 
 namespace {
 
-// Seeds of the knockout: all first ones, then all second ones ... Of equal places, seeds are
-// swapped until nobody first meets somebody of the own group.
+// Returns the seeds of the knockout: first all winners of groups, then all seconds, and so on.
+// Seeds of equal places are swapped until no team first meets one of its own group.
 std::vector<TeamSource> qualified(const std::vector<std::vector<int>>& groups, int qualifiers) {
   std::vector<TeamSource> seeds;
   for (int place = 0; place < qualifiers; ++place) {
@@ -22,7 +22,7 @@ std::vector<TeamSource> qualified(const std::vector<std::vector<int>>& groups, i
   const int count = static_cast<int>(seeds.size());
   int size = 1;
   while (size < count) size *= 2;
-  // Whom a seed meets first: in the first round, or in the second if both have a bye.
+  // Returns the first opponent of a seed: in the first round, or in the second if both have a bye.
   const auto opponent = [&](int seed) {
     const int other = size - 1 - seed;
     if (other < count) return other;

@@ -4,8 +4,8 @@
 namespace mirocup::league {
 
 std::vector<int> bracket_order(int size) {
-  // In every round the best left meets the worst left: the pairs of each seed add up to one less
-  // than the number of places.
+  // In every round the best remaining seed meets the worst: the two seeds (from 0) of a pair add up
+  // to one less than the number of places.
   std::vector<int> order{0};
   while (static_cast<int>(order.size()) < size) {
     const int places = 2 * static_cast<int>(order.size());

@@ -15,8 +15,8 @@ std::string Fixture::id() const {
 }
 
 std::vector<Fixture> round_robin(int teams) {
-  // The last place of the circle stays, the others turn by one each round. With an odd number of
-  // teams that place is empty: who meets it has the bye.
+  // The last place of the circle is fixed; the others rotate by one each round. With an odd number
+  // of teams the fixed place is empty, and its opponent has the bye.
   const int places = teams + teams % 2;
   std::vector<Fixture> fixtures;
   for (int round = 0; round + 1 < places; ++round) {
@@ -58,9 +58,9 @@ std::uint64_t fixture_seed(std::uint64_t league_seed, const Fixture& fixture) {
   for (const int part : {fixture.round, fixture.home, fixture.away}) {
     seed = mix_seed(seed ^ static_cast<std::uint64_t>(part));
   }
-  // Two that met in a group meet again with another seed.
+  // Two teams that met in a group get another seed when they meet again in the knockout.
   if (fixture.part == Part::knockout) seed = mix_seed(~seed);
-  // JSON readers in other languages hold 53 bits exactly.
+  // JSON readers in other languages store numbers as doubles, which are exact up to 53 bits.
   return seed >> 11;
 }
 

@@ -11,12 +11,13 @@ namespace mirocup::league {
 
 namespace {
 
-// So max_look_ahead_teams can run out of pairings long before everybody has met everybody: look
-// ahead there. With more teams everyone has at least as many possible opponents left as half their
-// number, as long as there are at most half as many rounds; then a pairing exists (Dirac 1952).
+// Up to this number of teams, pairings can run out before all pairs have met, so a round is paired
+// only if the later rounds can be paired too. With more teams there are at most half as many rounds
+// as teams; then each team has at least half of the others as possible opponents, and a pairing
+// exists (Dirac 1952).
 constexpr int max_look_ahead_teams = 8;
 
-// Teams by their rank, best first.
+// A search for the pairing of one round. Teams are numbered by rank, best first.
 class Pairing {
  public:
   Pairing(std::vector<std::vector<bool>> have_met, std::vector<int> points)
@@ -24,7 +25,7 @@ class Pairing {
         points_(std::move(points)),
         partner_(points_.size(), no_team) {}
 
-  // Pairs all, so that after it `more` rounds can be paired still.
+  // Pairs all teams such that `more` further rounds can be paired; false if that is impossible.
   bool find(int more) {
     const auto free = std::find(partner_.begin(), partner_.end(), no_team);
     if (free == partner_.end()) return leaves(more);
@@ -49,13 +50,13 @@ class Pairing {
     return after.find(more - 1);
   }
 
-  // The possible opponents of the best who is left: those of like points first, and among them the
-  // one who stands half a group below.
+  // Returns the possible opponents of the best unpaired team: those of closest points first, and
+  // among these first the team half a group below it.
   std::vector<int> candidates(int a) const {
     struct Candidate {
       int rank;
       int points_below;
-      int position;  // among those of equal points
+      int position;  // among teams of equal points
     };
     std::vector<Candidate> others;
     int position = 0;
@@ -100,7 +101,7 @@ int max_swiss_rounds(int teams) {
 
 std::vector<Fixture> swiss_round(const std::vector<SwissStanding>& standings,
                                  const std::vector<Fixture>& before, int round, int rounds) {
-  // With an odd number the bye plays as the last of all, and nobody meets it twice.
+  // With an odd number of teams the bye counts as the last team, and no team meets it twice.
   std::map<int, int> rank;
   std::vector<int> team;
   std::vector<int> points;
@@ -132,7 +133,7 @@ std::vector<Fixture> swiss_round(const std::vector<SwissStanding>& standings,
     Fixture f;
     f.round = round;
     f.number = static_cast<int>(fixtures.size()) + 1;
-    // Who stands better is home in every other round.
+    // The higher ranked team is home in every other round.
     const bool swapped = round % 2 == 0 && team[b] != no_team;
     f.home = swapped ? team[b] : team[a];
     f.away = swapped ? team[a] : team[b];

@@ -11,12 +11,12 @@ namespace mirocup::league {
 
 namespace {
 
-// Stands before a line's own hash, which is the last thing in it and does not cover itself.
+// Precedes a line's own hash, which is its last member and covers the text before it.
 constexpr std::string_view before_hash = ",\"hash\":\"";
 
 }  // namespace
 
-// Here, where Json is whole.
+// Defined here, where Json is a complete type.
 Journal::Journal(system::Files& files, std::string path) : files_(&files), path_(std::move(path)) {}
 Journal::Journal(Journal&&) noexcept = default;
 Journal& Journal::operator=(Journal&&) noexcept = default;
@@ -82,7 +82,7 @@ Result<void> Journal::append(const std::string& kind, Json fields) {
   line["hash"] = system::sha256(text);
   text.append(before_hash).append(line["hash"].get<std::string>()).append("\"}");
   if (auto written = files_->append(path_, text + "\n"); !written) {
-    is_torn_ = true;  // perhaps
+    is_torn_ = true;  // a failed write may have left a part of the line
     return written;
   }
   last_hash_ = system::sha256(text);

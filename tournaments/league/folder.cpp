@@ -51,7 +51,7 @@ int last_entry(system::Files& files, const Folder& folder, const std::string& te
 int last_accepted_entry(system::Files& files, const Folder& folder, const std::string& team) {
   for (int number = last_entry(files, folder, team); number > 0; --number) {
     const std::string verdict = folder.verdict(team, number);
-    if (!files.exists(verdict)) return number;  // put there by the host
+    if (!files.exists(verdict)) return number;  // added by the host, without a check
     const auto text = files.read(verdict);
     const Json json = text ? Json::parse(*text, nullptr, false) : Json();
     if (json.is_object() && json.contains("accepted") && json["accepted"] == true) return number;
@@ -69,7 +69,7 @@ Result<void> init_folder(system::Files& files, const Folder& folder, const Leagu
     if (!library) return tl::unexpected(library.error());
     if (auto added = add_entry(files, folder, team.name, 1, *library); !added) return added;
   }
-  // Last: with league.json the folder is a league, and all of it is there.
+  // Written last: a folder with league.json is a complete league.
   return files.write(folder.config(), print_league_file(file));
 }
 

@@ -9,8 +9,8 @@ namespace mirocup::league {
 
 namespace {
 
-// How far each team came in the knockout: rounds survived, doubled so that the tie for the third
-// place fits between.
+// Returns how far each team came in the knockout: twice the number of rounds that it survived, so
+// that the tie for the third place fits between two rounds.
 std::vector<int> stage_reached(const LeagueState& state) {
   if (!state.file.format.has_knockout()) return {};
   std::vector<int> far(state.file.teams.size(), 0);
@@ -100,7 +100,7 @@ std::vector<LegResult> LeagueState::results() const {
   for (const FixtureState& f : fixtures) {
     if (f.is_annulled) continue;
     if (f.fixture.away == no_team && f.fixture.part == Part::table) {
-      // As many wins as it would have had legs.
+      // A bye counts as a win of every leg of the fixture.
       LegResult bye;
       bye.home = f.fixture.home;
       bye.away = no_team;
@@ -126,7 +126,7 @@ TieOutcome outcome(const LeagueState& state, const FixtureState& tie) {
   const auto is_out = [&state](int team) {
     return team == no_team || state.teams[team].status == TeamStatus::withdrawn;
   };
-  // Who leaves after a tie was played has played it.
+  // A team that leaves after a tie was played keeps its result.
   const bool walkover = f.home == no_team || f.away == no_team ||
                         std::any_of(tie.legs.begin(), tie.legs.end(), [](const LegState& leg) {
                           return leg.played && leg.played->end == LegEnd::withdrawn;
@@ -137,7 +137,7 @@ TieOutcome outcome(const LeagueState& state, const FixtureState& tie) {
   }
   int difference = tie.goals(f.home) - tie.goals(f.away);
   for (const LegState& leg : tie.legs) {
-    // Only what decides a level tie can be won in a shoot-out.
+    // Only the extra leg of a level tie can be won in a shoot-out.
     if (difference == 0 && leg.played && leg.played->end == LegEnd::shoot_out)
       difference = leg.played->winner == f.home ? 1 : leg.played->winner == f.away ? -1 : 0;
   }

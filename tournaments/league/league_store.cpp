@@ -19,7 +19,8 @@ Result<LeagueStore> LeagueStore::open(system::Files& files, Folder folder, std::
   if (!file) return tl::unexpected(file.error());
   auto journal = Journal::open(files, folder.journal(), notice);
   if (!journal) return tl::unexpected(journal.error());
-  // The teams' names in the journal would not fit a file that was changed: say that first.
+  // If league.json was changed, the names in the journal may not fit it; so its hash is checked
+  // first.
   if (!journal->lines().empty()) {
     const auto first = read_event(journal->lines().front());
     const Started* started = first ? std::get_if<Started>(&*first) : nullptr;

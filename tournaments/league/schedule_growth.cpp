@@ -118,7 +118,7 @@ void ScheduleGrowth::fill_places() {
 }
 
 void ScheduleGrowth::pair_swiss() {
-  // A round that has not begun is paired anew from the results as they are now.
+  // A round that has not begun is paired again from the present results.
   std::vector<FixtureState>& fixtures = state_.fixtures;
   const auto last_round = [&] { return fixtures.empty() ? 0 : fixtures.back().fixture.round; };
   const auto of_round = [&](int round) {
@@ -176,7 +176,8 @@ void ScheduleGrowth::entry_booked(int team) {
     const TeamState& s = state_.teams[other];
     if (other != team && s.entry > 0 && s.status == TeamStatus::playing) others.push_back(other);
   }
-  // What the entry before did no longer counts for its team; what it has not played it does not.
+  // Results of the previous entry no longer count for its team, and its open fixtures are not
+  // played.
   for (int i = 0; i < static_cast<int>(state_.fixtures.size()); ++i) {
     FixtureState& f = state_.fixtures[i];
     if (f.fixture.home != team && f.fixture.away != team) continue;

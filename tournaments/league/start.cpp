@@ -23,7 +23,7 @@ Result<void> write_start(system::Files& files, LeagueStore& store) {
       Started{.config_sha256 = system::sha256(*config), .version = record::software_version()});
 }
 
-// The libraries that play are those that the journal names: booked at the start, unchanged ever
+// Checks that the libraries that play are those that were booked and that they have not changed
 // since.
 Result<void> book_entries(system::Files& files, LeagueStore& store) {
   const LeagueState& state = store.state();

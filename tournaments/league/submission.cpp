@@ -10,7 +10,7 @@ namespace mirocup::league {
 
 namespace {
 
-// What `mirocup check --json` says of a library, its exit code being yes or no.
+// Returns the output of `mirocup check --json` for a library; its exit code says whether it passed.
 Result<Json> check(system::Files& files, const std::string& library, League league,
                    const std::string& log) {
   system::ProcessSet processes;
@@ -22,7 +22,7 @@ Result<Json> check(system::Files& files, const std::string& library, League leag
   if (!exit) return fail(Errc::interrupted, "interrupted while an entry was checked");
   const auto text = files.read(log);
   if (!text) return tl::unexpected(text.error());
-  // One line of JSON, after what else was said.
+  // The JSON is the last line; other output may precede it.
   const std::size_t begin = text->rfind("\n{");
   Json verdict =
       Json::parse(text->substr(begin == std::string::npos ? 0 : begin + 1), nullptr, false);
@@ -33,7 +33,7 @@ Result<Json> check(system::Files& files, const std::string& library, League leag
   return verdict;
 }
 
-// Why no entry of this team is taken now; "" if one is.
+// Returns the reason why no entry of this team is accepted now; "" if there is none.
 std::string objection_to(const LeagueState& state, const std::string& team,
                          const std::string& now) {
   const bool is_ladder = state.file.format.kind == FormatKind::ladder;
@@ -69,7 +69,7 @@ Result<Json> store_and_check(system::Files& files, const Folder& folder, League 
   return verdict;
 }
 
-// Lets the league play with an accepted entry: before the start its team joins if it is new, after
+// Makes an accepted entry the one that plays: before the start a new team joins the league, after
 // the start the entry is booked.
 Result<void> let_play(system::Files& files, LeagueStore& store, const std::string& team, int number,
                       const std::string& library) {
@@ -85,7 +85,8 @@ Result<void> let_play(system::Files& files, LeagueStore& store, const std::strin
 
 Result<Submission> submit(system::Files& files, const Folder& folder, const std::string& team,
                           const std::string& path, const std::string& now) {
-  // One at a time: each number is given once, and checks do not slow each other down.
+  // Submissions are handled one at a time, so that each number is used once and checks do not slow
+  // each other down.
   const auto lock = FileLock::acquire(folder.submitting());
   if (!lock) return tl::unexpected(lock.error());
   auto store = LeagueStore::open(files, folder);

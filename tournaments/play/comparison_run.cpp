@@ -41,7 +41,7 @@ class Comparison {
   std::string record(int leg) const { return run_.folder + "/" + std::to_string(leg) + ".json"; }
 
   Result<void> start(int leg, int cpu) {
-    // In the second leg of a fixture the teams swap colours and meet the same seed.
+    // The second leg of a fixture has the same seed, with colours swapped.
     const bool swapped = leg % legs_per_fixture == 1;
     const std::uint64_t seed =
         mix_seed(run_.seed ^ mix_seed(static_cast<std::uint64_t>(leg / legs_per_fixture))) >> 11;
@@ -67,7 +67,7 @@ class Comparison {
     return {};
   }
 
-  // How many goals the first team is ahead after a leg.
+  // Returns the number of goals by which the first team is ahead after a leg.
   Result<int> difference(int leg) {
     const auto text = files_.read(record(leg));
     if (!text) return tl::unexpected(text.error());
@@ -89,7 +89,7 @@ class Comparison {
     const auto ahead = difference(exit.tag);
     if (!ahead) return tl::unexpected(ahead.error());
     ahead_[exit.tag] = *ahead;
-    // In order, as far as both legs are there.
+    // Fixtures are counted in order, up to the first without results of both legs.
     while (result_.verdict == ComparisonVerdict::undecided && ahead_.count(2 * counted_) != 0 &&
            ahead_.count(2 * counted_ + 1) != 0) {
       const int sum = ahead_[2 * counted_] + ahead_[2 * counted_ + 1];

@@ -9,7 +9,7 @@ namespace mirocup::league {
 
 namespace {
 
-// What a loaded host can cause: such a loss counts when it happens again.
+// True for faults that an overloaded host can cause; such a loss counts only if it happens again.
 bool is_by_a_clock(const LegFault& fault) {
   const auto code = from_string<match::FaultCode>(fault.code);
   return code == match::FaultCode::budget || code == match::FaultCode::hang ||
@@ -76,7 +76,7 @@ Result<void> ResultRecorder::book_void(const LegId& leg, const std::string& why)
   return write_void(leg, VoidCause::host, why);
 }
 
-// A line that no longer fits, because a person decided otherwise meanwhile, is dropped.
+// Drops the error of an event that the state no longer allows because of a ruling in between.
 Result<void> ResultRecorder::drop_if_outdated(Result<void> result) {
   if (result || result.error().code != Errc::input) return result;
   progress_.say("not counted: " + result.error().what);

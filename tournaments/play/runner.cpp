@@ -10,7 +10,8 @@ namespace mirocup::league {
 
 namespace {
 
-// Joiners' exits are of no interest: the match server says what became of their team.
+// The exit codes of joiners are ignored, because the match server reports the faults of their
+// teams.
 constexpr int joiner_tag = -1;
 
 }  // namespace
@@ -83,7 +84,7 @@ const FixtureState* Runner::next_fixture(const Worker& worker) const {
   return nullptr;
 }
 
-// Gives a free slot its next leg; false if there is none and it plays nothing.
+// Gives a free worker its next leg; false if there is none, so that it stays idle.
 Result<bool> Runner::start_next_leg(Worker& worker) {
   while (!worker.playing) {
     const FixtureState* next = next_fixture(worker);
@@ -91,7 +92,7 @@ Result<bool> Runner::start_next_leg(Worker& worker) {
     if (next == nullptr) return false;
     worker.fixture = next->fixture.id();
     const LegId leg = *recorder_.next_leg(*next);
-    // A shard may have played it, or this program died before it could book it.
+    // A shard may have played the leg, or an earlier run may have died before it booked the leg.
     if (checked_records_.insert(Folder::record_name(leg.fixture, leg.leg, leg.version)).second) {
       const auto booked = recorder_.book_if_played(leg);
       if (!booked) return booked;
@@ -114,7 +115,7 @@ Result<void> Runner::start_leg(Worker& worker) {
   const LegId& leg = *worker.playing;
   const int blue = blue_team(leg.fixture, leg.leg);
   const int yellow = blue == leg.fixture.home ? leg.fixture.away : leg.fixture.home;
-  // Other leagues may play on this host at the same time.
+  // The id must be unique, because other leagues may play on this host at the same time.
   const std::string match_id =
       system::sha256(recorder_.folder().path + state().config_sha256).substr(0, 12) + "-" +
       worker.fixture + "-" + std::to_string(leg.leg);

@@ -13,12 +13,12 @@ bool is_over_dds(const LeagueState& state, const Fixture& fixture) {
   return state.file.teams[fixture.home].over_dds || state.file.teams[fixture.away].over_dds;
 }
 
-// Legs one after the other, until somebody wants to stop.
+// Plays legs one after the other until an interrupt arrives.
 class Shard {
  public:
   Shard(system::Files& files, const LeagueStore& store) : files_(files), store_(store) {}
 
-  // False: it could not be played.
+  // Returns false if the leg could not be played.
   Result<bool> play(const LegId& leg) {
     if (is_played(leg)) return true;
     if (processes_.is_asked_to_stop_within(0.0)) return stopped();

@@ -15,8 +15,8 @@ namespace {
 
 constexpr double poll_interval_s = 2.0;
 
-// A lost task costs little, and one that takes long holds up little, if there are some for each
-// processor. Beyond most_tasks an array is more than Slurm takes unless it is told to.
+// With several tasks for each processor, a lost task costs little and a long one delays little. An
+// array of more than the maximum exceeds Slurm's default limit.
 constexpr int tasks_per_processor = 4;
 constexpr int max_array_tasks = 1000;
 
@@ -102,7 +102,7 @@ Result<void> SlurmRunner::prepare(int jobs) {
   return {};
 }
 
-// Runs one of Slurm's programs to its end. An interrupt is remembered.
+// Runs one of Slurm's programs to its end. An interrupt in between is recorded, not obeyed.
 Result<std::string> SlurmRunner::run_slurm(const CommandLine& command) {
   const std::string answer = folder_ + "/answer";
   if (auto started = processes_.start(command, 0, -1, answer); !started)
@@ -119,7 +119,7 @@ Result<std::string> SlurmRunner::run_slurm(const CommandLine& command) {
   return fail(Errc::unavailable, command[0] + ": " + first_line(*text));
 }
 
-// What is in the queue; false if nobody says.
+// Updates tasks_ from the queue; false if squeue does not answer.
 bool SlurmRunner::poll_queue() {
   const auto queue = run_slurm(squeue_command());
   if (!queue) {
@@ -132,8 +132,8 @@ bool SlurmRunner::poll_queue() {
   return true;
 }
 
-// Records that have come since the look before; and what has not come of tasks that are gone. What
-// a task has written was there before the queue said that it is gone.
+// Books the records that have appeared since the last poll, and the lost legs of tasks that have
+// left the queue. A task has written its records before the queue reports its end.
 Result<void> SlurmRunner::book_after(const std::vector<SlurmTask>& before, bool is_known) {
   if (auto fresh = recorder_.refresh(); !fresh) return fresh;
   for (const SlurmTask& task : before) {
@@ -161,7 +161,7 @@ Result<void> SlurmRunner::book_records(const std::string& fixture) {
   return {};
 }
 
-// What there is of it; and the leg that was being played is void.
+// Books the records of a fixture whose task is lost; the leg in progress is void.
 Result<void> SlurmRunner::book_lost(const std::string& fixture, const std::string& why) {
   if (auto booked = book_records(fixture); !booked) return booked;
   const FixtureState* now = recorder_.find(fixture);
@@ -176,12 +176,13 @@ Result<void> SlurmRunner::requeue(const SlurmTask& task) {
     if (auto lost = book_lost(fixture, "task " + task.id + " has lost its node"); !lost)
       return lost;
   }
-  // If it may not be let go it waits.
+  // If scontrol fails, the task only waits longer.
   (void)run_slurm(start_now_command(task.id));
   return {};
 }
 
-// Fixtures that can be played now, have legs without a record, and are not in the queue.
+// Returns the fixtures that can be played now, have a leg without a record, and are not in the
+// queue.
 Result<std::vector<std::string>> SlurmRunner::unqueued_fixtures() {
   std::set<std::string> covered;
   for (const SlurmTask& task : tasks_) {
@@ -239,8 +240,8 @@ Result<void> SlurmRunner::submit_array(const std::vector<std::string>& fixtures)
   return {};
 }
 
-// Takes back what waits, and lets the legs that are being played come to their end. What cannot be
-// taken back plays on, and is booked by the next start.
+// Cancels the waiting tasks and lets the legs in progress finish. Tasks that cannot be cancelled
+// play on, and the next start books their records.
 void SlurmRunner::drain() {
   (void)run_slurm(scancel_command(ids_of(tasks_), CancelScope::pending));
   poll_queue();

@@ -12,7 +12,8 @@ namespace mirocup::league {
 
 namespace {
 
-// Beyond so many fixtures the intervals of the strengths would take longer than a person waits.
+// Maximum number of fixtures for which intervals of strengths are computed; more would take too
+// long.
 constexpr std::size_t max_resampled_fixtures = 20'000;
 
 int last_knockout_round(const LeagueState& state) {
@@ -82,7 +83,7 @@ Overview overview(const LeagueState& state) {
     for (int i = 0; i < f.needed(); ++i) {
       const PlayedLeg* played = f.legs[i].played.get();
       o.legs.push_back({f.fixture.id(), round, i + 1, f.fixture.home, f.fixture.away, played});
-      // What nobody played says nothing about strength.
+      // Legs that were not played say nothing about strength.
       if (played != nullptr && !played->record.empty()) fixture.push_back(played->result);
     }
     if (!fixture.empty()) results.push_back(std::move(fixture));

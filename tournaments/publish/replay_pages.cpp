@@ -12,7 +12,8 @@ namespace {
 
 using Arguments = std::vector<std::string>;
 
-// Records of what was played, those that were ruled void included: their pages are evidence, too.
+// Returns the records of all played legs, also of those that were ruled void: their pages are
+// evidence.
 std::vector<std::string> records_of(system::Files& files, const Folder& folder,
                                     const FixtureState& f) {
   std::vector<std::string> records;
@@ -27,7 +28,7 @@ std::vector<std::string> records_of(system::Files& files, const Folder& folder,
   return records;
 }
 
-// The commands that make the pages that are missing.
+// Returns the commands that make the missing pages.
 std::vector<Arguments> missing_pages(system::Files& files, const Folder& folder,
                                      const LeagueState& state) {
   std::vector<Arguments> commands;

@@ -17,7 +17,8 @@ namespace mirocup::league {
 
 namespace {
 
-// A crosstable of more teams is no longer read by a person; crosstable.json has it.
+// Maximum number of teams in the page's crosstable; a larger one is unreadable and only in the
+// JSON.
 constexpr std::size_t max_crosstable_teams = 64;
 
 std::string strength_text(const Strength& s) {

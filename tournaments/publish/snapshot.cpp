@@ -51,7 +51,7 @@ Result<LeagueState> state_through(const LeagueState& whole, const Journal& journ
     const auto event = read_event(line);
     if (!event) return fail(Errc::damaged, journal.path() + ": " + event.error().what);
     if (const std::string* id = fixture_of(*event); id != nullptr) {
-      // A fixture that is not known yet follows from one that is left out.
+      // A fixture that is not in the schedule yet depends on one that is left out.
       const auto index = state.find_fixture(*id);
       if (!index || Round::of(state.fixtures[*index].fixture).is_after(*last)) continue;
     }

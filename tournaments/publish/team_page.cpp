@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t form_length = 10;  // legs
 
-// Wins, draws, losses and goals of some of a team's legs.
+// Sums of wins, draws, losses and goals over some legs of a team.
 struct LegTotals {
   int legs = 0;
   int won = 0;
@@ -48,7 +48,7 @@ struct LegTotals {
   }
 };
 
-// Blue is home in odd legs.
+// The home team is blue in odd legs.
 bool is_blue(const LegView& leg, int team) {
   return (leg.leg % 2 == 1) == (leg.home == team);
 }

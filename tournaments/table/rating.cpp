@@ -15,7 +15,7 @@ constexpr int max_iterations = 200;
 constexpr double converged = 1e-4;  // relative change of a strength
 constexpr double scale = 400.0;
 
-// What a pair did, with home and away as in the first fixture.
+// The results of a pair of teams, with home and away as in its first fixture.
 struct PairResults {
   int home = 0;
   int away = 0;
@@ -37,7 +37,7 @@ PairResults pair_results(const FixtureResults& fixture) {
   return pair;
 }
 
-// Maximum likelihood by Hunter's minorisation (2004), which climbs in every step.
+// Maximum likelihood by Hunter's minorisation (2004); every step increases the likelihood.
 class StrengthFit {
  public:
   explicit StrengthFit(int teams) : g_(teams, 1.0) {}
@@ -45,13 +45,13 @@ class StrengthFit {
   void run(const std::vector<PairResults>& pairs, const std::vector<double>& double_forfeits) {
     const std::size_t teams = g_.size();
     for (int iteration = 0; iteration < max_iterations; ++iteration) {
-      // The unseen team: a win and a loss for each.
+      // The fictitious team: one win and one loss against it for each team.
       std::vector<double> wins(teams, 1.0);
       std::vector<double> weight(teams);
       for (std::size_t i = 0; i < teams; ++i)
         weight[i] = (2.0 + double_forfeits[i]) / (g_[i] + 1.0);
       double draws = 0.0;
-      double expected = 0.0;  // over v
+      double expected = 0.0;  // expected number of draws, divided by v
       for (const PairResults& p : pairs) {
         const double played = p.home_wins + p.away_wins + p.draws;
         const double root = std::sqrt(g_[p.home] * g_[p.away]);
@@ -131,7 +131,7 @@ std::vector<Strength> strengths(int teams, const std::vector<FixtureResults>& fi
       drawn.push_back(pair);
       drawn_forfeits = forfeits_of(teams, fixtures[k], times[k], std::move(drawn_forfeits));
     }
-    StrengthFit again = fit;  // from near the answer
+    StrengthFit again = fit;  // starts close to its solution
     again.run(drawn, drawn_forfeits);
     const std::vector<double> values = again.values();
     for (int team = 0; team < teams; ++team) samples[team].push_back(values[team]);

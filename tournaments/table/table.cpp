@@ -35,7 +35,7 @@ void add_bye(TableRow& row, const Points& points) {
   row.points += points.win;
 }
 
-// Orders teams. Rows and lists are indexed by team, so that nothing is searched for.
+// Orders teams. Rows and lists are indexed by team, so that no lookup needs a search.
 class Ranking {
  public:
   Ranking(const std::vector<int>& teams, const std::vector<LegResult>& results,
@@ -102,9 +102,9 @@ class Ranking {
         [this](const std::vector<int>& rest, bool) { break_tie(rest, 0, false); });
   }
 
-  // Orders teams that are level so far by a value (higher is better) and hands on those who are
-  // still level, with whether they are fewer than before. The last of each group notes what
-  // separates it from the group below.
+  // Orders a group of level teams by a value (higher is better). Calls `next` for each subgroup
+  // that is still level and says whether it is smaller than the group. The last team of each
+  // subgroup stores `what`, the criterion that separates it from the subgroup below.
   template <class Value, class Next>
   void split(std::vector<int> level, std::string_view what, Value value, Next next) {
     std::vector<double> values(total_.size());
@@ -122,8 +122,9 @@ class Ranking {
     }
   }
 
-  // `is_smaller`: the group is smaller than the one before it. Head-to-head counts are then taken
-  // anew among those who are left, so the list starts again at the first of them.
+  // `is_smaller` is true if the group is smaller than before the last tie-break. Head-to-head
+  // results are then counted again among the remaining teams, so the list restarts at its first
+  // head-to-head criterion.
   void break_tie(const std::vector<int>& level, std::size_t next, bool is_smaller) {
     if (is_smaller && next > 0) next = std::min(next, first_head_to_head());
     if (level.size() == 1 || next >= rules_.tie_breaks.size()) {
@@ -140,7 +141,7 @@ class Ranking {
         });
   }
 
-  // The table between these teams alone.
+  // Returns the rows from the legs between these teams alone.
   std::map<int, TableRow> among(const std::vector<int>& level) const {
     std::map<int, TableRow> rows;
     for (const int team : level) rows[team].team = team;
