@@ -71,7 +71,7 @@ LegPlayed read_record(const LeagueFile& file, const LegId& id, const JsonReader&
   };
 }
 
-// Returns an error unless the record has the leg's seed, its teams and their present entries.
+// Complains through `record` unless it has the leg's seed, its teams and their present entries.
 void expect_same_leg(const LeagueState& state, const LegId& id, const JsonReader& record) {
   const JsonReader seed = record.at("seed");
   if (seed.integer<std::uint64_t>() != leg_seed(state, id)) seed.complain("another leg's seed");

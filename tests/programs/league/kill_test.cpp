@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// SIGKILL for the league, a match server and a strategy's host, at any moment: no leg is lost, none is
-// booked twice, the pages are the same. A few kills here; MIROCUP_KILLS=200 build/league_tests
-// --gtest_filter='Kills.*' for many; slurm.sh kills nodes. Catches a result that only memory knew, a team that is blamed
-// for what the host did, half a page that stays.
+// Kills the league, a match server or a strategy host by SIGKILL at random moments. No leg may be
+// lost or booked twice, and the pages must be the same. There are a few kills here;
+// MIROCUP_KILLS=200 build/league_tests --gtest_filter='Kills.*' has many; slurm.sh kills nodes.
+// Catches a result that was only in memory, a team that is blamed for a fault of the host, half a
+// page that stays.
 #include "tests/programs/league/league_command.hpp"
 
 #include <gtest/gtest.h>
@@ -32,13 +33,13 @@ using test_support::write_file;
 
 const std::vector<std::string> teams{"a=house:chaser", "b=house:keeper", "c=house:striker"};
 
-// The league, its match servers and their strategies' hosts.
+// Generations of processes: the league, its match servers, their strategy hosts.
 constexpr std::size_t generations = 3;
 using Living = std::array<std::vector<int>, generations>;
 
 void add_living(int pid, std::size_t generation, Living& living) {
   const std::string id = std::to_string(pid);
-  // Whoever has ended but was not waited for is no victim.
+  // A zombie process is not a victim.
   if (generation >= generations || read_file("/proc/" + id + "/cmdline").empty()) return;
   living[generation].push_back(pid);
   std::istringstream children(read_file("/proc/" + id + "/task/" + id + "/children"));
@@ -51,13 +52,13 @@ struct Kills {
   int all() const { return of[0] + of[1] + of[2]; }
 };
 
-// Plays a league to its end; somebody kills at random moments, each generation in turn, until `most`
-// were killed.
+// Plays a league to its end while processes of each generation in turn are killed at random
+// moments, until `most` have been killed.
 void play_with_kills(const std::string& folder, int most, std::mt19937& random, Kills& kills) {
   while (run(league("status", folder)).exit_code != 0) {
     Running running(league("start", folder, {"--jobs", "2"}));
     while (kills.all() < most) {
-      // Mostly early in a leg, and at times when several have been played.
+      // Most kills come early in a leg, some after several legs have been played.
       usleep(static_cast<useconds_t>(random() % (1 + random() % 400'000)));
       Living living;
       add_living(running.pid(), 0, living);
@@ -87,7 +88,7 @@ TEST(Kills, ChangeNothing) {
     const std::string folder = temporary / ("killed" + std::to_string(leagues) + "/l");
     init_league(folder, teams, "20");
     play_with_kills(folder, most, random, kills);
-    // Who is killed between writing and renaming leaves a file.
+    // A process that is killed between writing and renaming leaves a temporary file.
     write_file(folder + "/site/replays/r1-1.html.unfinished-1", "<html>");
     ASSERT_EQ(run(league("start", folder)).exit_code, 0);
     std::set<std::string> legs;

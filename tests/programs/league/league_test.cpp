@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Leagues as a host runs them: one command from start to table, whatever happens on the way.
+// Tests leagues as a host runs them: one command from start to table, whatever fails in between.
 #include "tests/programs/league/league_command.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ using test_support::Running;
 using test_support::site_of;
 using test_support::TemporaryFolder;
 
-// Four teams, one of them over DDS, short halves: twelve legs.
+// Makes a league of four teams, one of them over DDS, with short halves: twelve legs.
 void make_league(const std::string& folder, const std::string& half = "10") {
   test_support::write_file(folder + ".json",
                            R"({"schema": "mirocup/league/1", "title": "Test", "seed": 5,
@@ -85,7 +85,7 @@ TEST(League, ComesToTheSameTableAfterBeingKilled) {
   while (run(league("status", temporary / "killed")).exit_code != 0) {
     const std::size_t before = read_file(growing).size();
     Running running(league("start", temporary / "killed"));
-    // Somewhere in the legs that follow the next decision, however slow this build is.
+    // Kills during the legs after the next booked one, however slow this build is.
     while (read_file(growing).size() == before) usleep(2'000);
     usleep(30'000 * (kills % 4));
     running.signal(SIGKILL);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A league that is shown round by round looks as it did when that round had been played. Catches pages
-// that give away what comes later: a score, a pairing, a place in the table.
+// Tests that the pages of a snapshot are those of the league right after that round. Catches pages
+// that reveal something later: a score, a pairing, a place in the table.
 #include "tournaments/publish/snapshot.hpp"
 
 #include "core/base/random.hpp"
@@ -38,7 +38,7 @@ LegPlayed made_up_leg(const LeagueState& state, const Fixture& f, int leg) {
   return played;
 }
 
-// Somebody plays a league round by round and looks at the pages after each.
+// Plays a league round by round and keeps the pages after each round.
 struct Season {
   MemoryFiles files;
   Journal journal;

@@ -41,8 +41,8 @@ TEST(Table, GoesByGoalDifferenceInARing) {
 class EveryTable : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Sizes, EveryTable, all_sizes());
 
-// Teams in a ring, each ahead of the next when they met: only lots can tell them apart, and they must
-// not depend on who is asked first. Catches teams that are compared two by two.
+// In a ring of teams each has beaten the next, so only lots can separate them, and the order must
+// not depend on the order of the arguments. Catches a table that compares teams pair by pair.
 TEST_P(EveryTable, DrawsLotsInARingOfEquals) {
   const int n = GetParam();
   std::vector<LegResult> results;
@@ -60,7 +60,7 @@ TEST_P(EveryTable, DrawsLotsInARingOfEquals) {
 }
 
 TEST_P(EveryTable, GivesNobodyAnythingForDoubleForfeits) {
-  // Everybody has lost by double forfeits, but one who won once.
+  // All teams have lost by double forfeits, except one that won once.
   const int n = GetParam();
   std::vector<LegResult> results;
   for (int team = 0; team < n; ++team) {
