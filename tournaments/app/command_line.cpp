@@ -115,7 +115,7 @@ void add_running(CLI::App& app, Action& action) {
       ->default_val("export");
 }
 
-// Adds the subcommand of a person's decision, with DIR and, at the end, the reason.
+// The subcommand of a decision by a person; its arguments are DIR first and the reason last.
 class RulingSubcommand {
  public:
   RulingSubcommand(CLI::App& app, Action& action, const char* name, const char* description,

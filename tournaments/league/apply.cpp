@@ -156,7 +156,7 @@ PlayedLeg played_leg(const LeagueState& state, const Fixture& fixture, const Leg
   return leg;
 }
 
-// Applies a valid event to the state.
+// A visitor that applies a valid event to the state.
 struct Applier {
   LeagueState& state;
 
