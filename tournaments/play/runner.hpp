@@ -29,8 +29,9 @@ class Runner {
   Runner(system::Files& files, LeagueStore store, ProgressReporter& progress);
 
   // Starts the league if it has not started, and plays until no leg can be played or an interrupt
-  // arrives. After the first interrupt the legs in progress are finished; a second one kills them
-  // (Errc::interrupted). Returns the number of legs that are not decided.
+  // arrives. After the first interrupt the legs in progress are finished; a second one kills them.
+  // The error after an interrupt is Errc::interrupted. Returns the number of legs that are not
+  // decided.
   Result<int> run(const RunOptions& options);
 
   const LeagueState& state() const { return recorder_.state(); }
