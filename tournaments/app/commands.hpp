@@ -14,16 +14,16 @@
 
 namespace mirocup::league {
 
-// Making, playing and showing a league.
+// Options of the subcommands that make, play and show a league; comments name the subcommands.
 struct LeagueOptions {
   std::string folder;
   std::string config;              // init
   std::vector<std::string> teams;  // init: NAME=ENTRY
   std::string format;              // init
-  double half_s = 0.0;             // init; 0: as the rules say
+  double half_s = 0.0;             // init; duration of a half, seconds; 0: that of the rules
   std::uint64_t seed = 1;          // init
   std::string engine = "local";    // start
-  int jobs = 0;                    // start: legs, then pages; 0: as many as there are processors
+  int jobs = 0;                    // start; legs, then pages, at once; 0: one for each processor
   bool watched = false;            // start
   bool now = false;                // stop
   std::string output;              // export, publish
@@ -37,7 +37,7 @@ Result<int> run_status(const LeagueOptions& options);
 Result<int> run_publish(const LeagueOptions& options);
 Result<int> run_export(const LeagueOptions& options);
 
-// Showing it while it is played.
+// Options of `serve`, which shows a league in browsers while it is played.
 struct ServeOptions {
   std::string folder;
   std::string at = "0";  // [HOST:]PORT
@@ -53,7 +53,7 @@ struct CredentialsOptions {
 };
 Result<int> run_credentials(const CredentialsOptions& options);
 
-// Playing on other machines.
+// Options of `plan` and `run-shard`, which play fixtures on other machines.
 struct ShardOptions {
   std::string folder;
   std::vector<std::string> fixtures;
@@ -61,7 +61,7 @@ struct ShardOptions {
 Result<int> run_plan(const ShardOptions& options);
 Result<int> run_shards(const ShardOptions& options);
 
-// Entries.
+// Options of `submit`, which hands in entries.
 struct SubmitOptions {
   std::string folder;
   std::string team;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup-league: many matches. A league is a folder; `mirocup league` starts this program.
+// mirocup-league: plays leagues, each in a folder. `mirocup league` starts this program.
 #include "tournaments/app/command_line.hpp"
 
 #include <iostream>

@@ -9,10 +9,12 @@
 
 namespace mirocup::league {
 
+// Returns a reporter that fits standard error: a bar or plain lines.
 std::unique_ptr<ProgressReporter> make_progress_reporter();
 
-// "[######......]  37 of 100 legs, 2 playing, 4 min left": `width` characters of bar.
-// `seconds` have gone since `first` legs were decided.
+// Returns "[######......]  37 of 100 legs, 2 playing, 4 min left" with a bar of `width` characters.
+// `seconds` is the time since `first` legs were decided, from which the remaining time is
+// estimated.
 std::string bar_text(int first, int decided, int legs, int playing, double seconds, int width);
 
 }  // namespace mirocup::league

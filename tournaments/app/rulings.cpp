@@ -111,7 +111,7 @@ Result<int> run_void(const RulingOptions& options) {
 
 Result<int> run_withdraw(const RulingOptions& options) {
   const auto results = from_string<WithdrawnResults>(options.results);
-  MIROCUP_ASSERT(results);  // the command line takes no other words
+  MIROCUP_ASSERT(results);  // the command line accepts no other words
   const auto done = write_event(
       options,
       Withdrawn{

@@ -21,7 +21,7 @@ Result<int> run_serve(const ServeOptions& options) {
   system::Disk disk;
   auto store = LeagueStore::open(disk, Folder{options.folder});
   if (!store) return tl::unexpected(store.error());
-  system::ProcessSet interrupts;  // before any thread
+  system::ProcessSet interrupts;  // must exist before the first thread starts
   ServedLeague league(disk, std::move(*store));
   const auto server = web::SiteServer::open(
       *address, "--at",

@@ -52,7 +52,7 @@ class ServedLeague {
   std::vector<LiveLeg> live_legs_;
   std::size_t lines_of_pages_ = 0;
   std::map<std::string, web::Page> pages_;  // by path
-  std::set<std::string> records_;           // without .json
+  std::set<std::string> records_;           // names without .json
 
   std::mutex replaying_;  // held while a replay page is made: one at a time
 };

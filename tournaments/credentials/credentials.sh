@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# Makes what the processes of a league are known by in secure mode, with openssl. `mirocup league credentials` calls it.
+# Makes the credentials of the processes of a league in DDS secure mode, with openssl. `mirocup league credentials` calls it.
 # Usage: credentials.sh FOLDER DAYS [team NAME | revoke NAME]...
 #
-# FOLDER/authority   the two certificate authorities; whoever has its keys can be anybody. It never leaves the host's computer
-# FOLDER/server      what `mirocup match --credentials` needs
+# FOLDER/authority   the two certificate authorities; their keys can certify any identity, so they never leave the host's computer
+# FOLDER/server      for `mirocup match --credentials`
 # FOLDER/spectator   for programs that only read
-# FOLDER/teams/NAME  what `mirocup join --credentials` needs: one folder, given to the team and to nobody else
+# FOLDER/teams/NAME  for `mirocup join --credentials`: a folder that only this team may get
 #
-# What is there already stays as it is. There are two authorities because Cyclone DDS 0.10 takes permissions that are signed
-# by anybody whom the permissions' authority has certified (CVE-2023-24011): this one certifies nobody.
+# Existing files are kept. There are two authorities because Cyclone DDS 0.10 accepts permissions that are signed by any
+# identity that the permissions' authority has certified (CVE-2023-24011); so that authority certifies no identity.
 set -euo pipefail
 folder=$1
 days=$2
@@ -19,7 +19,7 @@ authority=$folder/authority
 organisation=mirocup
 umask 077
 
-quietly() { # runs a command; what it says is shown only if it fails
+quietly() { # runs a command; its output is shown only if it fails
   local said
   said=$("$@" 2>&1) || { echo "$said" >&2; return 1; }
 }
@@ -28,7 +28,7 @@ new_key() {
   quietly openssl genpkey -algorithm EC -pkeyopt ec_paramgen_curve:prime256v1 -pkeyopt ec_param_enc:named_curve -out "$1"
 }
 
-# The clocks of the league's computers need not agree.
+# Certificates are valid from an earlier time, because the clocks of the league's computers may differ.
 begin='-1 day'
 end="+$days days"
 
@@ -81,8 +81,8 @@ CNF
   touch "$authority/complete"
 }
 
-# Everybody shows a certificate; what everybody may read and write is checked; commands are secret, everything else is
-# signed so that no reader can pretend to have written it.
+# Every participant needs a certificate, and its rights to read and write are checked. Commands are encrypted; all other topics
+# are signed, so that a reader cannot forge their messages.
 governance() {
   topic() { # EXPRESSION PROTECTION
     cat <<XML
@@ -127,7 +127,7 @@ rule() { # publish|subscribe PARTITION TOPIC...
   echo "</topics><partitions><partition>$partition</partition></partitions></$kind>"
 }
 
-rules_of() { # KIND WORD; the word is the team's name as in partitions
+rules_of() { # KIND WORD; WORD is the team's name as in partitions
   case $1 in
     server)
       rule publish 'match-*' WorldState MatchEvent Welcome
@@ -163,7 +163,7 @@ $(rules_of "$1" "$2")
 XML
 }
 
-encoded() { # what is not safe in a partition as %XX, as server/dds/domain.cpp does it
+encoded() { # encodes characters that are unsafe in a partition as %XX, as server/dds/domain.cpp does
   local LC_ALL=C text=$1 out= c i
   for ((i = 0; i < ${#text}; ++i)); do
     c=${text:i:1}

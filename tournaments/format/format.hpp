@@ -18,9 +18,9 @@ enum class FormatKind { double_round_robin, round_robin, groups, knockout, swiss
 // A kind with its settings. Settings that do not concern the kind are ignored.
 struct Format {
   FormatKind kind = FormatKind::double_round_robin;
-  int legs = legs_per_fixture;  // of each pair in a round robin or a group, of a tie in a knockout
+  int legs = legs_per_fixture;  // per pair in a round robin or a group; per tie in a knockout
   int groups = 2;
-  int qualifiers = 2;  // of each group
+  int qualifiers = 2;  // teams of each group that go on to the knockout
   bool third_place = true;
   int rounds = 0;  // Swiss; 0: usual_swiss_rounds()
   int sample = 4;  // ladder: opponents of a new entry

@@ -35,7 +35,7 @@ TeamConfig read_team(const JsonReader& json) {
   return team;
 }
 
-// The teams, each under a name of its own.
+// Reads the teams; their names must differ.
 std::vector<TeamConfig> read_teams(const JsonReader& json) {
   std::vector<TeamConfig> teams;
   std::set<std::string> names;
@@ -48,12 +48,12 @@ std::vector<TeamConfig> read_teams(const JsonReader& json) {
   return teams;
 }
 
-// Sets `count` to the member of that key if there is one, in [min, max].
+// Sets `count` to the member of that key, if there is one; it must be in [min, max].
 void read_count(const JsonReader& json, const std::string& key, int min, int max, int& count) {
   if (json.has(key)) count = json.at(key).integer(min, max);
 }
 
-// A format is its name alone, or an object with settings.
+// Reads a format, which is a name or an object with settings.
 Format read_format(const JsonReader& json) {
   Format format;
   if (json.is_string()) {
@@ -72,7 +72,7 @@ Format read_format(const JsonReader& json) {
   return format;
 }
 
-// The settings that differ from those of a format's name alone.
+// Writes the settings that differ from the defaults of the format.
 Json format_json(const Format& format) {
   const Format plain;
   Json json{{"kind", to_string(format.kind)}};
@@ -127,7 +127,7 @@ LeagueFile read_league(const JsonReader& json) {
       file.tie_breaks.push_back(rule.name<TieBreak>());
     }
   } else if (file.format.kind == FormatKind::swiss) {
-    // A team that met stronger opponents for the same points did more.
+    // Among teams of equal points, the one with stronger opponents ranks higher.
     file.tie_breaks.insert(file.tie_breaks.begin(), TieBreak::opponents_points);
   }
   if (json.has("freeze")) file.freeze = read_time(json.at("freeze"));

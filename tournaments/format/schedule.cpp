@@ -60,7 +60,7 @@ std::uint64_t fixture_seed(std::uint64_t league_seed, const Fixture& fixture) {
   }
   // Teams that met in a group meet again with another seed.
   if (fixture.part == Part::knockout) seed = mix_seed(~seed);
-  // JSON readers in other languages hold 53 bits exactly.
+  // JSON readers in other languages store numbers as doubles, which are exact up to 53 bits.
   return seed >> 11;
 }
 

@@ -40,12 +40,14 @@ struct Fixture {
   int away = 0;
   int legs = 2;  // a tie of the knockout that is level after them has one more
   Part part = Part::table;
-  int group = 0;             // from 1, in a group only
-  TeamSource home_source{};  // in a knockout only
+  int group = 0;             // from 1; Part::group only
+  TeamSource home_source{};  // Part::knockout only
   TeamSource away_source{};
 
-  // "r2-f1", "g3-r2-f1", "k2-f1".
+  // Returns the id, unique in the league: "r2-f1", "g3-r2-f1", "k2-f1".
   std::string id() const;
+
+  // True if both teams are known.
   bool has_both() const { return home >= 0 && away >= 0; }
   bool is_for_third_place() const { return home_source.kind == TeamSource::Kind::loser; }
 };

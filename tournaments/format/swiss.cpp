@@ -17,7 +17,7 @@ namespace {
 // exists (Dirac 1952).
 constexpr int max_look_ahead_teams = 8;
 
-// Teams by their rank, best first.
+// A search for the pairing of one round. Teams are numbered by rank, best first.
 class Pairing {
  public:
   Pairing(std::vector<std::vector<bool>> have_met, std::vector<int> points)
@@ -56,7 +56,7 @@ class Pairing {
     struct Candidate {
       int rank;
       int points_below;
-      int position;  // among those of equal points
+      int position;  // among teams of equal points
     };
     std::vector<Candidate> others;
     int position = 0;

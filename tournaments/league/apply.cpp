@@ -14,13 +14,13 @@ namespace mirocup::league {
 
 namespace {
 
-// Where a leg is found in the state.
+// The position of a leg in the state.
 struct LegPosition {
   int fixture;
   int leg;  // from 0
 };
 
-// The position of a leg (from 1) that the fixture needs.
+// Returns the position of a leg (from 1); an error if the fixture does not need that leg.
 Result<LegPosition> find_leg(const LeagueState& state, const std::string& id, int leg) {
   const auto fixture = state.find_fixture(id);
   if (!fixture) return fail(Errc::input, "there is no fixture " + id);
@@ -31,7 +31,7 @@ Result<LegPosition> find_leg(const LeagueState& state, const std::string& id, in
   return LegPosition{.fixture = *fixture, .leg = leg - 1};
 }
 
-// The index of a team that has not withdrawn.
+// Returns the index of a team; an error if it is unknown or has withdrawn.
 Result<int> find_present_team(const LeagueState& state, const std::string& name) {
   const auto team = state.find_team(name);
   if (!team) return fail(Errc::input, "there is no team " + name);
@@ -41,7 +41,7 @@ Result<int> find_present_team(const LeagueState& state, const std::string& name)
   return *team;
 }
 
-// Refuses a change of a result from which a fixture of the knockout follows that has begun.
+// Refuses a change of a result if a knockout fixture that depends on it has begun.
 Result<void> nothing_follows(const LeagueState& state, int index) {
   const Fixture& changed = state.fixtures[index].fixture;
   for (const FixtureState& f : state.fixtures) {
@@ -82,7 +82,7 @@ struct Validator {
     const FixtureState& f = state.fixtures[at->fixture];
     const std::string name = e.fixture + " leg " + std::to_string(e.leg);
     if (f.legs[at->leg].played) return fail(Errc::input, name + " is decided already");
-    // A leg that is booked for other teams is damage.
+    // The teams of a line must be those of its fixture; otherwise the journal is damaged.
     if (e.home != state.name(f.fixture.home) || e.away != state.name(f.fixture.away)) {
       return fail(Errc::input, name + " is not between " + e.home + " and " + e.away);
     }
@@ -92,7 +92,7 @@ struct Validator {
   Result<void> operator()(const LegVoided& e) const {
     const auto at = find_leg(state, e.fixture, e.leg);
     if (!at) return tl::unexpected(at.error());
-    // Only a person takes back what is decided; only an attempt of an open leg can fail.
+    // Only a ruling can void a decided leg; only an open leg can have a failed attempt.
     const bool is_decided = state.fixtures[at->fixture].legs[at->leg].played != nullptr;
     const bool by_person = e.cause == VoidCause::ruling;
     if (by_person != is_decided) {
@@ -132,7 +132,7 @@ struct Validator {
   }
 };
 
-// A person's reason, with the person if it is known.
+// Returns a person's reason, with the name of the person if it is known.
 std::string signed_reason(const std::string& why, const std::string& by) {
   return why + (by.empty() ? "" : " (" + by + ")");
 }

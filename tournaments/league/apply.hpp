@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The rules of a league as a machine of events: whether an event may follow, and what it changes. A
-// league's state is its league.json plus all events of its journal, applied in order.
+// The rules of a league as a state machine: validate() says whether an event is allowed in a state,
+// and apply() changes the state by it. The state of a league is its league.json with all events of
+// its journal applied in order.
 #pragma once
 
 #include "tournaments/journal/journal.hpp"
@@ -12,21 +13,21 @@
 
 namespace mirocup::league {
 
-// A league that has not started, with the part of its schedule that is known already.
+// Returns a league that has not started, with the part of its schedule that is known already.
 LeagueState new_league(LeagueFile file);
 
-// Checks that the event may follow in this state. Otherwise returns a sentence for the person who
-// wanted it (Errc::input). The numbers and hashes of lines are checked by Journal.
+// Checks that the state allows the event. Otherwise the error (Errc::input) is a sentence for the
+// person who asked for it. Journal checks the numbers and hashes of lines.
 Result<void> validate(const LeagueState& state, const Event& event);
 
 // Applies an event. Precondition: validate() accepts it in this state.
 void apply(LeagueState& state, const Event& event);
 
 // Decodes, validates and applies one line of the journal at `journal_path`. The error
-// (Errc::damaged) names that path, the line and the reason; then the state is as before.
+// (Errc::damaged) names that path, the line and the reason; then the state is unchanged.
 Result<void> apply_line(LeagueState& state, const Json& line, const std::string& journal_path);
 
-// The state after all lines of a journal. Errors as of apply_line().
+// Returns the state after all lines of a journal. Errors are those of apply_line().
 Result<LeagueState> state_from_journal(LeagueFile file, const Journal& journal);
 
 }  // namespace mirocup::league

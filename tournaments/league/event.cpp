@@ -14,7 +14,7 @@ namespace {
 
 using record::JsonReader;
 
-// Old lines lack keys that were added later, so these have defaults.
+// Keys that were added to the format later have defaults, because old lines lack them.
 template <class T>
 T value_or(const JsonReader& object, const std::string& key, T fallback) {
   object.read_if_present(key, fallback);
@@ -124,7 +124,7 @@ Json to_json(const std::optional<LegFault>& fault) {
   return {{"team", fault->team}, {"code", fault->code}, {"text", fault->text}};
 }
 
-// Adds why a person decided so and, if it is known, which person.
+// Adds a person's reason and, if it is known, the person's name.
 Json signed_by(Json fields, const std::string& why, const std::string& by) {
   fields["why"] = why;
   if (!by.empty()) fields["by"] = by;
@@ -181,7 +181,7 @@ Json fields(const Resumed& e) {
   return signed_by({{"team", e.team}}, e.why, e.by);
 }
 
-// "line 7" from the number that the journal gave it.
+// Returns "line 7", with the number that the journal gave to the line.
 std::string name_of(const Json& line) {
   return line.is_object() && line.contains("n") ? "line " + line["n"].dump() : "a line";
 }

@@ -4,8 +4,8 @@
 // read_event() decodes a line once, so that the league's decisions are made on typed values;
 // fields_of() encodes an event for Journal::append(). journal/format.md describes the lines.
 //
-// An event is what a line says, and nothing more: teams and fixtures are names and ids. Whether a
-// league has them is checked by validate() (apply.hpp).
+// An event has exactly the content of its line: teams and fixtures are names and ids. validate() in
+// apply.hpp checks whether a league has them.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -31,8 +31,8 @@ struct HomeAway {
   bool operator==(const HomeAway&) const = default;
 };
 
-// How the score of a leg came about. The match server ends a leg in one of the first six ways; the
-// last two are results of legs that were not played.
+// The reason why a leg has its score. The match server ends a leg for one of the first six reasons;
+// the last two belong to legs that were not played.
 enum class LegEnd {
   full_time,
   golden_goal,
@@ -41,7 +41,7 @@ enum class LegEnd {
   double_forfeit,
   mercy,
   awarded,    // by a ruling
-  withdrawn,  // a walkover: a team has left. Derived from a Withdrawn event, never in the journal
+  withdrawn,  // walkover, because a team has left; derived from Withdrawn, never in the journal
 };
 
 // The fault that ended a leg early, as in a match record.
@@ -50,17 +50,17 @@ struct LegFault {
   std::string code;  // name of a match::FaultCode
   std::string text;  // for people
 
-  // "TEAM: CODE: TEXT", as pages and exports print a fault.
+  // Returns "TEAM: CODE: TEXT", as pages and exports print a fault.
   std::string summary() const { return team + ": " + code + ": " + text; }
   bool operator==(const LegFault&) const = default;
 };
 
-// The league started: league.json, of this SHA-256, may not change any more.
+// The league started; from then on league.json must keep this SHA-256.
 struct Started {
   static constexpr std::string_view kind = "start";
 
   std::string config_sha256;
-  std::string version;  // of the program; "" if the line has none
+  std::string version;  // version of the program; "" if the line has none
 
   bool operator==(const Started&) const = default;
 };
@@ -82,12 +82,12 @@ struct LegPlayed {
 
   std::string fixture;  // its id
   int leg = 1;          // from 1
-  int attempt = 1;      // from 1; attempts that were void come before
+  int attempt = 1;      // from 1; the earlier attempts were void
   std::string home;
   std::string away;
   std::string blue;  // the team that played in blue
   HomeAway score;
-  std::optional<std::string> winner;  // of goals or of a shoot-out; none after a draw
+  std::optional<std::string> winner;  // by goals or a shoot-out; none after a draw
   LegEnd end = LegEnd::full_time;
   std::optional<LegFault> fault;
   HomeAway penalties;  // given against the team
@@ -97,10 +97,10 @@ struct LegPlayed {
   bool operator==(const LegPlayed&) const = default;
 };
 
-// Why an attempt counts for nothing.
+// The reason why an attempt counts for nothing.
 enum class VoidCause {
   host,     // the machine failed
-  confirm,  // a team lost by a clock for the first time; the next attempt decides
+  confirm,  // a team exceeded a time limit for the first time; the next attempt decides
   ruling,   // a person decided so
 };
 

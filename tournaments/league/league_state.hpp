@@ -53,7 +53,7 @@ struct FixtureState {
   int decided() const;
   bool is_decided() const;
   bool has_begun() const;
-  int goals(int team) const;  // over all legs
+  int goals(int team) const;  // sum over all legs
 };
 
 // Whether a team takes part.
@@ -74,6 +74,7 @@ struct LeagueState {
   bool is_started = false;
   std::string config_sha256;  // of league.json when the league was started
 
+  // Numbers of the legs that the league needs by present results, and of those that are decided.
   int legs() const { return needed_; }
   int played() const { return decided_; }
   bool is_over() const;

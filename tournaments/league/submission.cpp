@@ -70,7 +70,7 @@ Result<Json> store_and_check(system::Files& files, const Folder& folder, League 
   return verdict;
 }
 
-// Lets the league play with an accepted entry: before the start its team joins if it is new, after
+// Makes an accepted entry the one that plays: before the start a new team joins the league, after
 // the start the entry is booked.
 Result<void> let_play(system::Files& files, LeagueStore& store, const std::string& team, int number,
                       const std::string& library) {
@@ -86,7 +86,8 @@ Result<void> let_play(system::Files& files, LeagueStore& store, const std::strin
 
 Result<Submission> submit(system::Files& files, const Folder& folder, const std::string& team,
                           const std::string& path, const std::string& now) {
-  // One at a time: each number is given once, and checks do not slow each other down.
+  // Submissions are handled one at a time, so that each number is used once and checks do not slow
+  // each other down.
   const auto lock = FileLock::acquire(folder.submitting());
   if (!lock) return tl::unexpected(lock.error());
   auto store = LeagueStore::open(files, folder);

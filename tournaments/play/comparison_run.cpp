@@ -41,7 +41,7 @@ class Comparison {
   std::string record(int leg) const { return run_.folder + "/" + std::to_string(leg) + ".json"; }
 
   Result<void> start(int leg, int cpu) {
-    // In the second leg of a fixture the teams swap colours and meet the same seed.
+    // The second leg of a fixture has the same seed, with colours swapped.
     const bool swapped = leg % legs_per_fixture == 1;
     const std::uint64_t seed =
         mix_seed(run_.seed ^ mix_seed(static_cast<std::uint64_t>(leg / legs_per_fixture))) >> 11;

@@ -11,7 +11,7 @@ namespace mirocup::league {
 
 namespace {
 
-// The rules that differ from their preset, as options of mirocup match.
+// Returns the rules that differ from their preset as options of `mirocup match`.
 std::vector<std::string> rule_options(const referee::Rules& rules, League league) {
   std::vector<std::string> options{"--rules", std::string(to_string(rules.preset))};
   const Json preset = record::to_json(referee::make_rules(rules.preset, league));
@@ -82,7 +82,7 @@ std::string leg_output(const Folder& folder, const LegId& leg) {
 
 std::uint64_t leg_seed(const LeagueState& state, const LegId& id) {
   const std::uint64_t seed = fixture_seed(state.file.seed, id.fixture);
-  // The leg that decides a tie must not repeat the first one.
+  // The extra leg of a tie must not repeat the first leg.
   return id.leg > id.fixture.legs ? mix_seed(seed) >> 11 : seed;
 }
 

@@ -16,8 +16,8 @@ namespace mirocup::league {
 struct LegId {
   Fixture fixture;
   int leg = 1;      // from 1
-  int version = 1;  // of its record
-  int attempt = 1;  // in the journal
+  int version = 1;  // number in the name of its record
+  int attempt = 1;  // number in the journal
 };
 
 // Returns the legs (from 1) of a fixture that can be played now, in order: they are not decided,

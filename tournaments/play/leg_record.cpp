@@ -18,7 +18,7 @@ struct Colours {
   const std::string& operator[](Team team) const { return team == Team::blue ? blue : yellow; }
 };
 
-// The team whose colour the value names; nothing for null.
+// Returns the team whose colour the value names; empty for null.
 std::optional<std::string> team_named(const JsonReader& colour, const Colours& names) {
   if (colour.is_null()) return std::nullopt;
   return names[colour.name<Team>()];
@@ -31,7 +31,7 @@ std::optional<LegFault> read_fault(const JsonReader& fault, const Colours& names
                   .text = fault.at("text").text()};
 }
 
-// Penalty kicks that were given against the home team and the away team.
+// Returns the numbers of penalty kicks given against the home team and the away team.
 HomeAway count_penalties(const JsonReader& decisions, bool is_home_blue) {
   HomeAway count;
   for (const JsonReader& decision : decisions.elements()) {
@@ -82,7 +82,7 @@ void expect_same_leg(const LeagueState& state, const LegId& id, const JsonReader
     const int team = colour == Team::blue ? blue : yellow;
     const JsonReader seat = record.at("teams").at(std::string(to_string(colour)));
     if (seat.at("name").text() != state.name(team)) seat.complain("another team");
-    // A team over DDS loads its library itself, and the match server does not know it.
+    // A team over DDS loads its library itself, so the record has no hash of it.
     if (state.file.teams[team].over_dds) continue;
     if (seat.at("sha256").text() != state.teams[team].sha256) seat.complain("another entry");
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The match record of a leg, read as the event that a league books.
+// Converts the match record of a leg into the event that a league books.
 #pragma once
 
 #include "tournaments/league/event.hpp"

@@ -48,6 +48,8 @@ class ResultRecorder {
 
   // True if a match server has been started for the leg; the last line of its output.
   bool has_begun(const LegId& leg) const { return files_.exists(leg_output(folder(), leg)); }
+
+  // Returns the last line that the leg's match server printed.
   std::string last_output_line(const LegId& leg) const;
 
   // Voids an attempt because the host failed.

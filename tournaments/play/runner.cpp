@@ -114,7 +114,7 @@ Result<void> Runner::start_leg(Worker& worker) {
   const LegId& leg = *worker.playing;
   const int blue = blue_team(leg.fixture, leg.leg);
   const int yellow = blue == leg.fixture.home ? leg.fixture.away : leg.fixture.home;
-  // Other leagues may play on this host at the same time.
+  // The id must be unique, because other leagues may play on this host at the same time.
   const std::string match_id =
       system::sha256(recorder_.folder().path + state().config_sha256).substr(0, 12) + "-" +
       worker.fixture + "-" + std::to_string(leg.leg);

@@ -23,7 +23,7 @@ std::optional<int> number(std::string_view text) {
   return value;
 }
 
-// Slurm replaces %a and others in names of files.
+// Escapes a file name, in which Slurm replaces %a and similar patterns.
 std::string taken_as_written(const std::string& path) {
   std::string text;
   for (const char c : path) text.append(c == '%' ? 2 : 1, c);
@@ -85,7 +85,7 @@ std::vector<SlurmTask> parse_queue(const std::string& text, const std::string& l
 CommandLine scancel_command(const std::vector<std::string>& tasks, CancelScope scope) {
   CommandLine command{"scancel"};
   if (scope == CancelScope::pending) command.push_back("--state=PENDING");
-  // The interrupt is for the shard alone, not for the match that it plays.
+  // The interrupt must reach the shard alone, not the match server that it runs.
   if (scope == CancelScope::after_leg) command.insert(command.end(), {"--batch", "--signal=INT"});
   command.insert(command.end(), tasks.begin(), tasks.end());
   return command;
@@ -100,7 +100,8 @@ CommandLine sinfo_command() {
 }
 
 int parse_processors(const std::string& text) {
-  // Allocated/idle/other/total of each kind of node; "other" can play nothing now.
+  // Each line is allocated/idle/other/total of one kind of node; "other" processors cannot play
+  // now.
   int processors = 0;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {

@@ -30,6 +30,7 @@ struct SlurmArray {
   CommandLine shard;  // a shell script and its arguments
 };
 
+// Returns the command that submits the array.
 CommandLine sbatch_command(const SlurmArray& array);
 
 // Lists the queue. parse_queue() returns the tasks of this league; all other lines are ignored.

@@ -55,7 +55,7 @@ class SlurmRunner {
   ProgressReporter& progress_;
   system::ProcessSet processes_;
   std::string folder_;  // DIR/cluster, absolute
-  std::string league_;  // in the names of its jobs
+  std::string league_;  // word in the names of its jobs
   int jobs_ = 1;
   int next_plan_ = 1;
   int futile_submissions_ = 0;  // arrays submitted since a record was booked

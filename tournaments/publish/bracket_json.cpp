@@ -71,7 +71,7 @@ class BracketTables {
     return found->second;
   }
 
-  // One side of a match or a game: null is a bye there, a null id a team that is not known yet.
+  // Returns one side of a match or a game: null for a bye, a null id for a team not known yet.
   static Json opponent(int team) {
     if (team == no_team) return Json();
     return {{"id", team == unknown_team ? Json() : Json(team)}};
@@ -88,7 +88,7 @@ class BracketTables {
     return f.decided() > 0 ? running : ready;
   }
 
-  // The legs that the team has won.
+  // Returns the number of legs that the team has won.
   static int wins(const FixtureState& f, int team) {
     int count = 0;
     for (int leg = 0; leg < f.needed(); ++leg) {
@@ -97,8 +97,8 @@ class BracketTables {
     return count;
   }
 
-  // A side of the whole fixture. Goals over all legs decide a tie of a knockout; elsewhere the
-  // score counts the legs that were won.
+  // Returns one side of the whole fixture. Its score is the sum of goals in a knockout, where that
+  // sum decides a tie, and the number of won legs elsewhere.
   Json match_opponent(const FixtureState& f, int team) const {
     Json side = opponent(team);
     if (!f.fixture.has_both()) return side;

@@ -42,7 +42,7 @@ std::string round_in_words(const LeagueState& state, const Fixture& fixture);
 // Returns how a leg ended, with its fault and its ruling: "forfeit: a: crash: ...; ruling: ...".
 std::string end_in_words(const LeagueState& state, const PlayedLeg& leg);
 
-// A fault without its team, with words for its code.
+// Returns a sentence for a fault, without its team.
 std::string fault_in_words(const LegFault& fault);
 
 // Returns what puts a row above the next: "goal difference, +5 to +2"; "" for the last row, and

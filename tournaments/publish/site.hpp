@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The league as a folder of pages that work without a server, and as files for other programs. All
-// of it is a pure function of the league's state: the same results give the same bytes, in whatever
-// order and on whatever machine the legs were played.
+// The league as a folder of pages that work without a server, and as files for other programs. Its
+// content is a pure function of the league's state: the same results give the same bytes, in
+// whatever order and on whatever machine the legs were played.
 #pragma once
 
 #include "tournaments/league/league_state.hpp"

@@ -48,7 +48,7 @@ struct LegTotals {
   }
 };
 
-// Blue is home in odd legs.
+// The home team is blue in odd legs.
 bool is_blue(const LegView& leg, int team) {
   return (leg.leg % 2 == 1) == (leg.home == team);
 }

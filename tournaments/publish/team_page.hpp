@@ -9,7 +9,7 @@
 
 namespace mirocup::league {
 
-// The path of the team's page inside site/.
+// Returns the path of the team's page inside site/.
 std::string team_page_of(const std::string& team);
 
 // Returns the page of the team with that index.

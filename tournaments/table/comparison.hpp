@@ -28,6 +28,7 @@ inline int deciding_lead(const ComparisonOptions& options) {
   return static_cast<int>(std::ceil(bound / step - 1e-9));
 }
 
+// Returns the decision after these numbers of won fixtures, or `undecided` if more must be played.
 inline ComparisonVerdict verdict(int first_wins, int second_wins,
                                  const ComparisonOptions& options) {
   const int lead = first_wins - second_wins;

@@ -51,7 +51,7 @@ class StrengthFit {
       for (std::size_t i = 0; i < teams; ++i)
         weight[i] = (2.0 + double_forfeits[i]) / (g_[i] + 1.0);
       double draws = 0.0;
-      double expected = 0.0;  // over v
+      double expected = 0.0;  // expected number of draws, divided by v
       for (const PairResults& p : pairs) {
         const double played = p.home_wins + p.away_wins + p.draws;
         const double root = std::sqrt(g_[p.home] * g_[p.away]);
@@ -131,7 +131,7 @@ std::vector<Strength> strengths(int teams, const std::vector<FixtureResults>& fi
       drawn.push_back(pair);
       drawn_forfeits = forfeits_of(teams, fixtures[k], times[k], std::move(drawn_forfeits));
     }
-    StrengthFit again = fit;  // from near the answer
+    StrengthFit again = fit;  // starts close to its solution
     again.run(drawn, drawn_forfeits);
     const std::vector<double> values = again.values();
     for (int team = 0; team < teams; ++team) samples[team].push_back(values[team]);

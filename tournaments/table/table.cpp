@@ -140,7 +140,7 @@ class Ranking {
         });
   }
 
-  // The table between these teams alone.
+  // Returns the rows from the legs between these teams alone.
   std::map<int, TableRow> among(const std::vector<int>& level) const {
     std::map<int, TableRow> rows;
     for (const int team : level) rows[team].team = team;

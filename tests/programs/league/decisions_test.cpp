@@ -50,7 +50,7 @@ TEST(Entries, AreStoredAndCheckedAndTheLastAcceptedOnePlays) {
   EXPECT_EQ(read_file(folder + "/entries/alpha/2/strategy.so"), read_file(bad));
   EXPECT_EQ(read_json(folder + "/entries/alpha/2/verdict.json")["accepted"], false);
 
-  // An entry of a team that nobody knows yet counts once it is good.
+  // A team that is not in the league yet joins with its first entry that passes.
   EXPECT_EQ(run(league("submit", folder, {"beta", bad})).exit_code, 1);
   EXPECT_EQ(read_json(folder + "/league.json")["teams"].size(), 1u);
   std::filesystem::create_directory(temporary / "inbox");
@@ -149,7 +149,7 @@ TEST_P(EveryFormat, HasTheSamePagesWhetherShardsOrOneProgramPlayedIt) {
   init_league(direct, teams, "1", GetParam());
   init_league(shards_folder, teams, "1", GetParam());
   ASSERT_EQ(run(league("start", direct, {"--jobs", "2"})).exit_code, 0);
-  // As GNU parallel or a cluster would; there are rounds that are known only after others.
+  // Plays shards as GNU parallel or a cluster would; some rounds are known only after others.
   for (int round = 0; round < 10; ++round) {
     std::istringstream plan(run(league("plan", shards_folder)).out);
     std::vector<std::unique_ptr<Running>> shards;

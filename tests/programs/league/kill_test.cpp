@@ -32,13 +32,13 @@ using test_support::write_file;
 
 const std::vector<std::string> teams{"a=house:chaser", "b=house:keeper", "c=house:striker"};
 
-// The league, its match servers and their strategies' hosts.
+// Generations of processes: the league, its match servers, their strategy hosts.
 constexpr std::size_t generations = 3;
 using Living = std::array<std::vector<int>, generations>;
 
 void add_living(int pid, std::size_t generation, Living& living) {
   const std::string id = std::to_string(pid);
-  // Whoever has ended but was not waited for is no victim.
+  // A zombie process is not a victim.
   if (generation >= generations || read_file("/proc/" + id + "/cmdline").empty()) return;
   living[generation].push_back(pid);
   std::istringstream children(read_file("/proc/" + id + "/task/" + id + "/children"));
@@ -57,7 +57,7 @@ void play_with_kills(const std::string& folder, int most, std::mt19937& random, 
   while (run(league("status", folder)).exit_code != 0) {
     Running running(league("start", folder, {"--jobs", "2"}));
     while (kills.all() < most) {
-      // Mostly early in a leg, and at times when several have been played.
+      // Most kills come early in a leg, some after several legs have been played.
       usleep(static_cast<useconds_t>(random() % (1 + random() % 400'000)));
       Living living;
       add_living(running.pid(), 0, living);
@@ -87,7 +87,7 @@ TEST(Kills, ChangeNothing) {
     const std::string folder = temporary / ("killed" + std::to_string(leagues) + "/l");
     init_league(folder, teams, "20");
     play_with_kills(folder, most, random, kills);
-    // Who is killed between writing and renaming leaves a file.
+    // A process that is killed between writing and renaming leaves a temporary file.
     write_file(folder + "/site/replays/r1-1.html.unfinished-1", "<html>");
     ASSERT_EQ(run(league("start", folder)).exit_code, 0);
     std::set<std::string> legs;

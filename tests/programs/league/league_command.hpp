@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// `mirocup league COMMAND FOLDER ...` as a list of words, and small leagues to try it on.
+// `mirocup league COMMAND FOLDER ...` as a list of words, and small leagues for tests.
 #pragma once
 
 #include "tests/support/program.hpp"
@@ -23,7 +23,7 @@ inline std::vector<std::string> league(const std::string& command, const std::st
   return words;
 }
 
-// NAME=ENTRY for each team.
+// Returns NAME=ENTRY for each team.
 inline void init_league(const std::string& folder, const std::vector<std::string>& teams,
                         const std::string& half = "1", const std::string& format = "") {
   std::vector<std::string> more{"--half", half, "--seed", "3"};
@@ -74,7 +74,8 @@ inline std::map<std::string, std::string> site_of(const std::string& folder) {
   return files;
 }
 
-// The same pages in two leagues, replays included: neither who played them nor in what order shows.
+// Expects two leagues to have the same pages, replays included, whatever process played their legs
+// and in whatever order.
 inline void expect_same_site(const std::string& folder, const std::string& other) {
   const auto expected = site_of(other);
   auto found = site_of(folder);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Leagues as a host runs them: one command from start to table, whatever happens on the way.
+// Tests leagues as a host runs them: one command from start to table, whatever fails in between.
 #include "tests/programs/league/league_command.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ using test_support::TemporaryFolder;
 using test_support::wait_until;
 using test_support::wait_until_it_plays;
 
-// Four teams, one of them over DDS, short halves: twelve legs.
+// Makes a league of four teams, one of them over DDS, with short halves: twelve legs.
 void make_league(const std::string& folder, const std::string& half = "10") {
   test_support::write_file(folder + ".json",
                            R"({"schema": "mirocup/league/1", "title": "Test", "seed": 5,

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# GNU parallel plays a knockout as docs/hosting.md says: the pages have the bytes of one that this host played.
+# Plays a knockout by GNU parallel as in docs/hosting.md and checks that its pages are byte-equal to those of a local run.
 # Usage: parallel.sh BUILD; exit 77 if there is no GNU parallel.
 set -euo pipefail
 build=$(realpath "$1")

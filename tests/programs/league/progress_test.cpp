@@ -22,7 +22,7 @@ using test_support::Outcome;
 using test_support::run;
 using test_support::TemporaryFolder;
 
-// Runs a program on a terminal of its own; `err` is all that appears there.
+// Runs a program on a terminal of its own; `err` is the whole output of that terminal.
 Outcome run_on_a_terminal(std::vector<std::string> words) {
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
@@ -35,7 +35,7 @@ Outcome run_on_a_terminal(std::vector<std::string> words) {
   }
   Outcome outcome;
   char bytes[4096];
-  // A terminal that nobody has open any more ends with an error.
+  // Reading a terminal that no process has open any more returns an error.
   for (ssize_t size = 0; (size = read(terminal, bytes, sizeof bytes)) > 0;)
     outcome.err.append(bytes, static_cast<std::size_t>(size));
   int status = 0;
@@ -45,7 +45,7 @@ Outcome run_on_a_terminal(std::vector<std::string> words) {
   return outcome;
 }
 
-// The lines that are left to read on a terminal that was written so.
+// Returns the lines that remain visible on a terminal after this output.
 std::string read_from_screen(const std::string& written) {
   const std::string clear_to_the_end = "\x1b[K";
   std::string lines;

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# Plays leagues on a real Slurm: a controller and two nodes on this machine, started here as whoever calls, ended here.
+# Plays leagues on a real Slurm: a controller and two nodes on this machine, started by this script as the calling user and ended by it.
 # Usage: slurm.sh BUILD. Needs cmake/packages-slurm.txt; exit 77 without. No privilege is needed: any user will do.
 #
-# The pages must have the bytes of a league that this host played: when all goes well, when a node dies with what it plays
-# (SIGKILL), when the controller is away, when the league is stopped and started again, and when nodes or their daemons alone die
-# at random moments, MIROCUP_KILLS times (4). Catches a leg that is lost or booked twice, a task that is waited for and will not
-# come, a stop that cuts off a leg.
+# The pages must be byte-equal to those of a local run: without faults, when a node dies with its legs (SIGKILL), when the
+# controller is down, when the league is stopped and started again, and when nodes or their daemons alone die
+# at random moments, MIROCUP_KILLS times (4). Catches a leg that is lost or booked twice, an endless wait for a lost task,
+# a stop that cuts off a leg.
 set -euo pipefail
 build=$(realpath "$1")
 for program in munged slurmctld slurmd sbatch; do
@@ -53,7 +53,7 @@ PartitionName=league Nodes=n1,n2 Default=YES MaxTime=INFINITE State=UP
 END
 export SLURM_CONF=$base/slurm.conf
 
-# end NAME: kills what the file NAME.pid names.
+# end NAME: kills the process whose id is in NAME.pid.
 end() {
   [[ ! -s $base/$1.pid ]] || kill -9 "$(cat "$base/$1.pid")" 2>/dev/null || true
 }
@@ -76,7 +76,7 @@ eventually() {
   exit 1
 }
 
-# start_node NAME: and waits until it can be killed.
+# start_node NAME: starts the node's daemon and waits until it can be killed.
 start_node() {
   rm -f "$base/$1.pid"
   slurmd -N "$1"
@@ -91,7 +91,7 @@ start_node n2
 both_idle() { [[ $(sinfo --noheader --Node --format=%t 2>/dev/null | sort -u) == idle ]]; }
 eventually both_idle
 
-# make NAME: a league of twelve legs in $base/NAME/l.
+# make NAME: makes a league of twelve legs in $base/NAME/l.
 make() {
   mkdir "$base/$1"
   "$build/mirocup" league init "$base/$1/l" --half 20 --seed 3 --team a=house:chaser --team b=house:keeper \
@@ -108,7 +108,7 @@ has_begun() { [[ -n $(find "$base/$1/l/records" -name '*.json') ]]; }
 no_controller() { ! kill -0 "$(cat "$base/slurmctld.pid" 2>/dev/null)" 2>/dev/null; }
 booked() { grep -c "\"kind\":\"$2\"" "$base/$1/l/journal.jsonl" || true; }
 
-# check NAME: twelve legs, each once, and the pages of the league that this host played.
+# check NAME: checks that twelve legs are booked, each once, and that the pages are those of the local run.
 check() {
   local twice
   twice=$(grep '"kind":"leg"' "$base/$1/l/journal.jsonl" | grep -o '"fixture":"[^"]*","leg":[0-9]*' | sort | uniq -d)
@@ -120,7 +120,7 @@ check() {
   echo "$1: the same pages, $(booked "$1" void) attempts void, after $SECONDS s"
 }
 
-# kill_node NAME: the daemon and all that it runs, at once.
+# kill_node NAME: kills the daemon and all its processes at once.
 kill_node() {
   local id parent victims=() keepers=()
   end "$1"
@@ -167,7 +167,7 @@ echo "stopped: after $(booked stopped leg) legs"
 play stopped
 check stopped
 
-# What dies is a node in every second case, in the other only its daemon, while its task plays on.
+# Every second time the whole node dies; otherwise only its daemon does, while its task plays on.
 killed=(0 0)
 for ((plays = 0; killed[0] + killed[1] < kills; ++plays)); do
   begin "killed$plays"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The result of a leg in one line, for tests of tables and ratings.
+// Makes the result of a leg in one line of code, for tests of tables and ratings.
 #pragma once
 
 #include "tournaments/table/table.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// For how many teams a property of leagues is tried: 2 to 64.
+// The numbers of teams for which a property of leagues is tested: 2 to 64.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@ namespace mirocup::league {
 
 inline auto all_sizes() {
 #ifdef MIROCUP_SANITIZED
-  constexpr int step = 6;  // slow there; the release build tries every size
+  constexpr int step = 6;  // sanitizers are slow; the release build tests every size
 #else
   constexpr int step = 1;
 #endif

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Catches a knockout in which a bye meets a bye, the two best meet early or somebody plays on who
-// lost; groups of unlike size; a Swiss tournament that pairs two teams twice or gives a second bye.
+// Catches a knockout in which a bye meets a bye, the two best meet early or a losing team plays on;
+// groups whose sizes differ by more than one; a Swiss tournament that pairs two teams twice or
+// gives a team a second bye.
 #include "core/base/random.hpp"
 #include "tests/unit/tournaments/sizes.hpp"
 #include "tournaments/format/groups.hpp"
@@ -26,7 +27,7 @@ std::vector<TeamSource> seeds(int teams) {
 class Formats : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Sizes, Formats, all_sizes());
 
-// Plays a knockout with `winner` choosing; returns who took each tie.
+// Plays a knockout in which `winner` chooses the winners; returns the outcomes of the ties.
 template <class Winner>
 std::vector<TieOutcome> play(std::vector<Fixture>& ties, Winner winner) {
   std::vector<TieOutcome> outcomes;
@@ -68,7 +69,7 @@ TEST_P(Formats, KnockoutBringsTheBestTogetherInTheFinalAndGivesThemTheByes) {
   play(ties, [](int a, int b) { return std::min(a, b); });
   EXPECT_EQ(std::min(ties.back().home, ties.back().away), 0);
   EXPECT_EQ(std::max(ties.back().home, ties.back().away), 1);
-  // In every round the best left play those who are as far from the end as they from the front.
+  // In every round the best remaining team plays the worst, the second best the second worst, etc.
   std::map<int, std::vector<Fixture>> rounds;
   for (const Fixture& tie : ties) rounds[tie.round].push_back(tie);
   int size = 1;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Catches a pair that meets twice or never, a team that plays twice in a round, one that is always
-// at home.
+// Catches a pair that meets twice or never, a team that plays twice in a round, a team that is
+// always at home.
 #include "tournaments/format/schedule.hpp"
 
 #include "tests/unit/tournaments/sizes.hpp"

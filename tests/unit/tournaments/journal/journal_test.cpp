@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Catches a journal that loses a line, believes a changed one, or cannot be opened after the
-// machine stopped in the middle of one.
+// Catches a journal that loses a line, accepts a changed one, or cannot be opened after the machine
+// stopped while a line was written.
 #include "tournaments/journal/journal.hpp"
 
 #include "tests/support/memory_files.hpp"
@@ -55,7 +55,7 @@ TEST(Journal, SurvivesBeingCutOffAtAnyByte) {
     EXPECT_EQ(journal->lines().size(), whole_lines);
     const bool torn = size > 0 && text[size - 1] != '\n';
     EXPECT_EQ(!notice.empty(), torn);
-    // It can be written on, and then reads as a whole.
+    // Lines can be appended after the cut, and then the whole journal can be read.
     ASSERT_TRUE(journal->append("void", {{"why", "test"}}));
     EXPECT_EQ(opened(files).lines().size(), whole_lines + 1);
   }
@@ -65,7 +65,7 @@ TEST(Journal, FindsEveryChangedByte) {
   MemoryFiles whole;
   write_three_lines(whole);
   const std::string text = *whole.read("journal.jsonl");
-  // Without its line feed the last line is one that was cut off.
+  // A last line without a line feed counts as torn, not as damaged.
   for (std::size_t i = 0; i + 1 < text.size(); ++i) {
     MemoryFiles files;
     std::string changed = text;
@@ -102,7 +102,7 @@ TEST(Journal, IsReadWhileItIsWritten) {
   EXPECT_TRUE(writer.append("start", {{"config_sha256", "abc"}}));
   EXPECT_TRUE(reader.refresh());
   EXPECT_EQ(reader.lines().size(), 1u);
-  // Half a line is not read, and stays for who writes it.
+  // A half-written line is neither read nor removed.
   EXPECT_TRUE(files.append("journal.jsonl", "{\"n\":2,"));
   EXPECT_TRUE(reader.refresh());
   EXPECT_EQ(reader.lines().size(), 1u);

@@ -57,7 +57,7 @@ std::vector<OpenLeg> open_legs(const LeagueState& state) {
   return open;
 }
 
-// The same fixture and leg have the same result, whenever they are played.
+// Returns a result that depends on the fixture and the leg only, not on the order of play.
 LegPlayed leg_result(const LeagueState& state, const OpenLeg& open,
                      LegEnd end = LegEnd::full_time) {
   const Fixture& f = state.fixtures[open.fixture].fixture;
@@ -82,7 +82,8 @@ void play_out(LeagueState& state, std::uint64_t seed) {
   for (int guard = 0; guard < 10'000; ++guard) {
     std::vector<OpenLeg> open = open_legs(state);
     if (open.empty()) return;
-    // Half of them before others are looked for: what they open is played among the rest.
+    // Only half of the open legs are played before the next search, so that newly opened legs mix
+    // with the others.
     for (std::size_t left = (open.size() + 1) / 2; left > 0; --left) {
       const auto drawn = open.begin() + static_cast<std::ptrdiff_t>(random.below(open.size()));
       take(state, leg_result(state, *drawn));
@@ -92,7 +93,8 @@ void play_out(LeagueState& state, std::uint64_t seed) {
   FAIL() << "it does not end";
 }
 
-// Pages of more teams show nothing new and take long: strengths are fitted for them.
+// Maximum number of teams for which pages are made: fitting strengths for more takes long and tests
+// nothing new.
 constexpr int max_teams_with_pages = 17;
 
 void expect_the_same_end_in_any_order(FormatKind kind, int teams) {
@@ -157,7 +159,7 @@ TEST_P(EveryKnockout, DecidesEveryTieAndPutsTheChampionFirst) {
   EXPECT_EQ(table[1].team, final.loser);
 }
 
-// Teams leave in the middle of it, at most all but one.
+// Plays a league in which teams leave, at most all but one.
 void play_while_teams_leave(LeagueState& state, std::uint64_t seed) {
   const std::size_t n = state.teams.size();
   Random random(seed);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Catches tasks of somebody else's league that are taken back or waited for, and a queue that is
-// misread.
+// Catches tasks of another league that are cancelled or waited for, and a queue that is misread.
 #include "tournaments/play/slurm.hpp"
 
 #include <gtest/gtest.h>

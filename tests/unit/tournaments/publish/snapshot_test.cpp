@@ -38,7 +38,7 @@ LegPlayed made_up_leg(const LeagueState& state, const Fixture& f, int leg) {
   return played;
 }
 
-// Somebody plays a league round by round and looks at the pages after each.
+// Plays a league round by round and keeps the pages after each round.
 struct Season {
   MemoryFiles files;
   Journal journal;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Catches strengths that do not fit the results they are made of, intervals that miss the truth, a
-// sequential test that is wrong more often than it says.
+// Catches strengths that do not fit their results, intervals that miss the true strengths, and a
+// sequential test that is wrong more often than its error probability.
 #include "tournaments/table/rating.hpp"
 
 #include "core/base/random.hpp"
@@ -15,7 +15,7 @@
 namespace mirocup::league {
 namespace {
 
-// Results of teams whose strengths are known.
+// Returns random results of teams whose strengths are known.
 std::vector<FixtureResults> season(const std::vector<double>& truth, int times, Random& random) {
   std::vector<FixtureResults> fixtures;
   for (int time = 0; time < times; ++time) {

@@ -60,7 +60,7 @@ TEST_P(EveryTable, DrawsLotsInARingOfEquals) {
 }
 
 TEST_P(EveryTable, GivesNobodyAnythingForDoubleForfeits) {
-  // Everybody has lost by double forfeits, but one who won once.
+  // All teams have lost by double forfeits, except one that won once.
   const int n = GetParam();
   std::vector<LegResult> results;
   for (int team = 0; team < n; ++team) {
