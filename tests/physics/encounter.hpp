@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Two bodies of the exact motion on their way to each other, and the brackets of equation (21) where
+// Two bodies of the exact motion that approach each other, and the bracket of equation (21) where
 // they touch.
 #pragma once
 

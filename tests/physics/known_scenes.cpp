@@ -192,8 +192,8 @@ Bars wheel_spin_at_wall(Size size) {
 }
 
 // A robot bounces on the wall that it is driven into, and a ball between the two: infinitely many
-// bounces in a finite time, then rest. The ball is in the middle and the robot's face along the wall
-// to the last bit: the bounces multiply what is missing, and the ball would be squeezed out.
+// bounces in a finite time, then rest. The ball is in the middle and the robot's face is along the
+// wall to the last bit: the bounces would multiply any deviation, and squeeze the ball out.
 Bars zeno_bounces(Size size) {
   const field::Field field = field::make_field(League::small);
   Random random(9);

@@ -12,11 +12,13 @@ namespace {
 constexpr std::string_view style = R"(
 :root { color-scheme: light dark; --line: #8886; --soft: #8881; --won: #1a7f37; --lost: #cf222e; }
 @media (prefers-color-scheme: dark) { :root { --won: #57ab5a; --lost: #e5534b; } }
-body { font: 16px/1.45 system-ui, sans-serif; max-width: 72rem; margin: 2rem auto; padding: 0 1rem; }
+body { font: 16px/1.45 system-ui, sans-serif; max-width: 72rem; )"
+                                   R"(margin: 2rem auto; padding: 0 1rem; }
 h1 { margin-bottom: 0; } h2 { margin-top: 2.2rem; }
 .wide { overflow-x: auto; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
-th, td { padding: .3rem .7rem; border-bottom: 1px solid var(--line); text-align: left; white-space: nowrap; }
+th, td { padding: .3rem .7rem; border-bottom: 1px solid var(--line); text-align: left; )"
+                                   R"(white-space: nowrap; }
 th { font-weight: 600; } tr:nth-child(even) td { background: var(--soft); }
 tr:target td { background: #fc05; }
 td.number { text-align: right; } td.W { color: var(--won); font-weight: 600; }

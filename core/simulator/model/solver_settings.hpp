@@ -133,7 +133,7 @@ inline constexpr struct TimeOfImpactSettings {
   // [1] Separating axes that are tried for a pair; two or three are usual. Beyond, the time reached
   // is returned as if it were a touch: the caller finds none there and searches on from it.
   int max_axes = 64;
-  // [1] Share of settings::taylor_series.root_tolerance by which the ball must be outside the sector of a
+  // [1] Share of root_tolerance by which the ball must be outside the sector of a
   // corner to have left it.
   double sector_round_off = 4.0;
 } time_of_impact;
@@ -177,7 +177,7 @@ inline constexpr struct ContactMotionSettings {
 } contact_motion;
 
 inline constexpr struct ContactSeriesSettings {
-  // [1] of settings::taylor_series.root_tolerance, above the level of the last root: the next search must not
+  // [1] of root_tolerance, above the level of the last root: the next search must not
   // end at that root again.
   double restart_margin = 10.0;
 } contact_series;

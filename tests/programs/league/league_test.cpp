@@ -33,8 +33,10 @@ void make_league(const std::string& folder, const std::string& half = "10") {
                            R"({"schema": "mirocup/league/1", "title": "Test", "seed": 5,
     "rules": {"half_s": )" + half +
                                R"(},
-    "teams": [{"name": "striker", "entry": "house:striker"}, {"name": "chaser", "entry": "house:chaser"},
-              {"name": "idle", "entry": "house:idle"}, {"name": "far", "entry": "house:keeper", "dds": true}]})");
+    "teams": [{"name": "striker", "entry": "house:striker"},
+              {"name": "chaser", "entry": "house:chaser"},
+              {"name": "idle", "entry": "house:idle"},
+              {"name": "far", "entry": "house:keeper", "dds": true}]})");
   const Outcome made = run(league("init", folder, {"--config", folder + ".json"}));
   ASSERT_EQ(made.exit_code, 0) << made.err;
   EXPECT_EQ(made.out, folder + ": 4 teams, 12 legs\n");

@@ -16,7 +16,8 @@ ordered_json good() {
                    "restitution": {"ball_wall": 1}, "contact_friction": {"robot_robot": 0.3},
                    "shape": [[0.03, -0.03], [0.03, 0.03], [-0.03, 0.03], [-0.03, -0.03]]},
     "ball": {"position": [0.2, 0.1], "velocity": [1, 0]},
-    "robots": [{"name": "a", "pose": [0, 0, 1.5], "twist": [0.1, 0, 2], "wheels": [[0, 1, 2], [0.1, 3, 4]]},
+    "robots": [{"name": "a", "pose": [0, 0, 1.5], "twist": [0.1, 0, 2],
+                "wheels": [[0, 1, 2], [0.1, 3, 4]]},
                {"pose": [0.5, 0, 0], "wheels": null}],
     "sample_at": [0.3, 0.1]})");
 }

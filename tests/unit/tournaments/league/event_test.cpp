@@ -24,7 +24,8 @@ const std::vector<const char*> line_texts{
     R"("score":{"home":1,"away":1},"winner":null,"end":"full_time","fault":null,)"
     R"("penalties":{"home":0,"away":0},"record":"r","state_hash":"5f"})",
     R"({"n":1,"kind":"void","fixture":"r1-f1","leg":1,"attempt":1,"cause":"confirm","why":"slow"})",
-    R"({"n":1,"kind":"ruling","fixture":"r1-f1","leg":2,"score":{"home":0,"away":10},"why":"w","by":"H"})",
+    R"({"n":1,"kind":"ruling","fixture":"r1-f1","leg":2,"score":{"home":0,"away":10},)"
+    R"("why":"w","by":"H"})",
     R"({"n":1,"kind":"withdraw","results":"annul","team":"a","why":"left","by":"H"})",
     R"({"n":1,"kind":"pause","team":"a","why":"w"})",
     R"({"n":1,"kind":"resume","team":"a","why":""})"};
