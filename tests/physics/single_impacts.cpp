@@ -117,9 +117,9 @@ bool is_intercepted(const Scene& s, const field::Field& field, Real time) {
 // Wide enough that no tick begins where two touch already by the tolerance.
 constexpr double clear = 1e-6;  // s
 
-// Returns the world `clear` seconds before an impact, and puts the bodies of the scene where those of
-// the world are: the error of free motion until then has a bar of its own. Null if a body bounced
-// earlier.
+// Returns the world `clear` seconds before an impact, and puts the bodies of the scene where those
+// of the world are: the error of free motion until then has a bar of its own. Returns null if a
+// body bounced earlier.
 std::unique_ptr<World> world_before(Real time, Scene& s) {
   auto world = world_of(s.start);
   if (world->advance(s.commands, static_cast<double>(time) - clear).impacts != 0) return nullptr;

@@ -7,7 +7,8 @@
 
 #include <bit>
 
-namespace mirocup::simulator::inline model {
+namespace mirocup::simulator {
+inline namespace model {
 
 // The obstacles are the eight half-plane walls, the two side walls first, then the four end walls
 // beside the goal mouths. A partner's index is that of a body, or max_bodies plus an obstacle's.
@@ -59,4 +60,5 @@ inline Pair pair_with_obstacle(int i, int obstacle) {
   return {i, max_bodies + obstacle};
 }
 
-}  // namespace mirocup::simulator::inline model
+}  // namespace model
+}  // namespace mirocup::simulator

@@ -3,7 +3,8 @@
 
 #include "core/base/assert.hpp"
 
-namespace mirocup::simulator::inline model {
+namespace mirocup::simulator {
+inline namespace model {
 
 double Parameters::robot_inertia() const {
   if (robot_corners.corners == 0) return robot_mass * robot_side * robot_side / 6.0;
@@ -30,4 +31,5 @@ geometry::Outline robot_outline(const Parameters& p) {
   return geometry::polygon({corners.data(), static_cast<std::size_t>(p.robot_corners.corners)});
 }
 
-}  // namespace mirocup::simulator::inline model
+}  // namespace model
+}  // namespace mirocup::simulator

@@ -13,7 +13,8 @@
 #include <array>
 #include <limits>
 
-namespace mirocup::simulator::inline model {
+namespace mirocup::simulator {
+inline namespace model {
 
 inline constexpr double gravity = 9.81;  // m/s^2
 
@@ -81,7 +82,8 @@ struct Parameters {
 // Returns the outline of the robot: robot_corners if there are any, else the square.
 geometry::Outline robot_outline(const Parameters& parameters);
 
-}  // namespace mirocup::simulator::inline model
+}  // namespace model
+}  // namespace mirocup::simulator
 
 namespace mirocup {
 

@@ -11,7 +11,8 @@
 #include <bitset>
 #include <optional>
 
-namespace mirocup::simulator::inline model {
+namespace mirocup::simulator {
+inline namespace model {
 
 inline constexpr int max_robots = 2 * max_robots_per_team;
 inline constexpr int max_bodies = max_robots + 1;  // and the ball
@@ -55,4 +56,5 @@ struct WheelSpeeds {
 // robot is then a free body without motor and grip.
 using WheelCommand = std::optional<WheelSpeeds>;
 
-}  // namespace mirocup::simulator::inline model
+}  // namespace model
+}  // namespace mirocup::simulator

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/simulator/model/tolerances.hpp"
 
-namespace mirocup::simulator::inline model {
+namespace mirocup::simulator {
+inline namespace model {
 
 Tolerances tolerances_of(Accuracy accuracy) {
   Tolerances t;
@@ -34,4 +35,5 @@ Tolerances tolerances_of(Accuracy accuracy) {
   return t;
 }
 
-}  // namespace mirocup::simulator::inline model
+}  // namespace model
+}  // namespace mirocup::simulator

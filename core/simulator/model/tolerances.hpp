@@ -10,7 +10,8 @@
 
 #include <array>
 
-namespace mirocup::simulator::inline model {
+namespace mirocup::simulator {
+inline namespace model {
 
 // A level of accuracy and cost. A match is always played with `standard`. `coarse` steps every
 // contact in time; `reference` follows every event and is the yardstick of the other two.
@@ -71,7 +72,8 @@ struct Tolerances {
 // Returns the thresholds of a level.
 Tolerances tolerances_of(Accuracy accuracy);
 
-}  // namespace mirocup::simulator::inline model
+}  // namespace model
+}  // namespace mirocup::simulator
 
 namespace mirocup {
 
