@@ -21,6 +21,9 @@ constexpr std::string_view result_schema = "mirocup/scene-result/1";
 // The largest number of samples of a scene, and of rows of commands of one robot.
 constexpr std::size_t max_rows = 1'000'000;
 
+// How far the length of a heading [cos, sin] may be from 1.
+constexpr double max_heading_length_error = 1e-12;
+
 Vec2 read_vector(const JsonReader& json) {
   if (!json.expect_array(2, 2)) return {0.0, 0.0};
   return {json.at(0).number(), json.at(1).number()};
@@ -112,13 +115,25 @@ void read_wheels(const JsonReader& json, SceneRobot& robot) {
   }
 }
 
+// An angle, or the exact cosine and sine as the simulator keeps them. The vector is not normalized,
+// because that would change its last bits.
+Heading read_heading(const JsonReader& json) {
+  if (!json.json().is_array()) return Heading::from_angle(json.number());
+  const Vec2 direction = read_vector(json);
+  if (!(std::abs(std::sqrt(direction.squaredNorm()) - 1.0) <= max_heading_length_error)) {
+    json.complain("a heading [cos, sin] must be of length 1 within 1e-12");
+    return {};
+  }
+  return {direction.x(), direction.y()};
+}
+
 SceneRobot read_robot(const JsonReader& json, const std::string& default_name) {
   SceneRobot robot{.name = default_name, .state = {}, .wheels_on_ground = true, .wheels = {}};
   if (!json.expect_object({"name", "pose", "twist", "wheels"})) return robot;
   json.read_if_present("name", robot.name);
   if (const JsonReader pose = json.at("pose"); pose.expect_array(3, 3)) {
     robot.state.position = {pose.at(0).number(), pose.at(1).number()};
-    robot.state.heading = Heading::from_angle(pose.at(2).number());
+    robot.state.heading = read_heading(pose.at(2));
   }
   if (json.has("twist")) {
     const JsonReader twist = json.at("twist");

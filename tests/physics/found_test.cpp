@@ -2,7 +2,7 @@
 //
 // Scenes that long runs have found: tests/scenes/found/NAME.json, each the start of a tick in
 // which an earlier simulator went wrong. Every scene of the folder is played with an unlimited
-// event budget, so time stepping hides nothing.
+// event budget, so no body is time-stepped because of its budget.
 //
 //   - crowd_that_slides: wheels that are stopped push others that stand; these slide, stop and push
 //     back, ever less. Slides were stopped robot by robot instead of together.
@@ -12,9 +12,7 @@
 //     The projection of velocities started the ball with a speed of rounding: it stopped within
 //     7 ns, and so on.
 //
-// The headings are those of the finds to one rounding, because a scene gives them as angles. So
-// these scenes hold the simulator to its bounds where it once broke them; they need not meet the
-// old faults bit for bit.
+// A scene gives a heading as [cos, sin], so every number of a find is repeated bit for bit.
 #include "core/simulator/scene.hpp"
 #include "core/simulator/world.hpp"
 #include "server/record/scene_json.hpp"
@@ -35,6 +33,33 @@ namespace {
 // followed by a collision.
 constexpr int max_events_per_tick = 2 * (47 + 17);
 
+// The limits of one scene.
+struct Limits {
+  int events_per_tick = max_events_per_tick;
+  bool may_be_stepped = true;
+};
+
+// The limits are those with which the finds were kept first. They leave room above the counts of
+// today's simulator:
+//
+//   scene                    events of its ticks   limit
+//   crowd_that_slides        52, 20, 41            80
+//   wedge_at_rest            21, 15, 13, 13        40, and nothing is time-stepped
+//   ball_at_rest_in_a_heap   27                    120
+//
+// Today no scene catches a fault that is put back alone, and the limits cannot change that:
+//   - Without ContactMotion::arrest_reversed_slip() the wedge has 19, 15, 13 and 13 events, and
+//     nothing is time-stepped. The other two scenes do not change.
+//   - Without the rule of ContactForces::decide() that keeps a ball at rest, no count changes.
+//     Today bodies of the heap are time-stepped in this tick, with and without the rule.
+// So the scenes hold the simulator to its bounds, and they do not guard these two rules.
+Limits limits_of(const std::string& scene) {
+  if (scene == "crowd_that_slides") return {.events_per_tick = 80};
+  if (scene == "wedge_at_rest") return {.events_per_tick = 40, .may_be_stepped = false};
+  if (scene == "ball_at_rest_in_a_heap") return {.events_per_tick = 120};
+  return {};
+}
+
 constexpr double tick = 0.033;  // s
 
 class FoundScene : public testing::TestWithParam<std::filesystem::path> {};
@@ -49,6 +74,7 @@ TEST_P(FoundScene, IsPlayedWithinTheBoundOfEventsAndWithoutOverlaps) {
   tolerances.event_budget = 1'000'000;
   simulator::World world(scene->has_walls ? &field : nullptr, scene->parameters, tolerances,
                          static_cast<int>(scene->robots.size()), scene->ball.has_value());
+  const Limits limits = limits_of(GetParam().stem().string());
   std::vector<simulator::WheelCommand> commands;
   for (int i = 0; i < world.robots(); ++i) {
     world.set_robot(i, scene->robots[i].state);
@@ -57,7 +83,8 @@ TEST_P(FoundScene, IsPlayedWithinTheBoundOfEventsAndWithoutOverlaps) {
   if (scene->ball) world.set_ball(*scene->ball);
   for (double t = 0.0; t < scene->duration - 0.5 * tick; t += tick) {
     const simulator::TickEvents& events = world.advance(commands, tick);
-    EXPECT_LE(events.events, max_events_per_tick) << "in the tick from " << t << " s";
+    EXPECT_LE(events.events, limits.events_per_tick) << "in the tick from " << t << " s";
+    EXPECT_TRUE(limits.may_be_stepped || !events.stepped) << "in the tick from " << t << " s";
     EXPECT_LT(events.deepest_overlap, 1e-8) << "m, in the tick from " << t << " s";
     for (int i = 0; i < world.robots(); ++i) {
       EXPECT_TRUE(std::isfinite(world.robot(i).position.squaredNorm())) << "robot " << i;

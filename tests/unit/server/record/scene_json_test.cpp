@@ -40,6 +40,18 @@ TEST(SceneJson, ReadsEverything) {
   EXPECT_EQ(scene->sample_at, (std::vector<double>{0.1, 0.3}));
 }
 
+// The vector is neither normalized nor turned into an angle and back.
+TEST(SceneJson, TakesAHeadingAsAUnitVectorBitForBit) {
+  constexpr double cosine = -0x1.6a96aea0e5e78p-1;
+  constexpr double sine = 0x1.697ce75b17af6p-1;
+  ordered_json json = good();
+  json["robots"][0]["pose"][2] = {cosine, sine};
+  const auto scene = parse_scene(json.dump(), "s.json");
+  ASSERT_TRUE(scene) << scene.error().what;
+  EXPECT_EQ(scene->robots[0].state.heading.cos, cosine);
+  EXPECT_EQ(scene->robots[0].state.heading.sin, sine);
+}
+
 TEST(SceneJson, WritesNumbersThatReadBackTheSame) {
   const auto scene = parse_scene(good().dump(), "s.json");
   const auto result =
@@ -99,6 +111,9 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"/ball/position", "[5, 0]", "/ball/position: ball lies outside"},
         Mistake{"/ball/position", "[0.02, 0]", "/ball/position: ball and a overlap"},
         Mistake{"/robots/0/pose", "[0, 0]", "/robots/0/pose: 3 values"},
+        Mistake{"/robots/0/pose/2", "[1, 2e-6]",
+                "/robots/0/pose/2: a heading [cos, sin] must be of length 1 within 1e-12"},
+        Mistake{"/robots/0/pose/2", "[1, 0, 0]", "/robots/0/pose/2: 2 values"},
         Mistake{"/robots/0/wheels/0", "[0, 1]", "/robots/0/wheels/0: 3 values"},
         Mistake{"/robots/0/wheels/1/0", "-0.1", "/robots/0/wheels/1/0: -0.1"},
         Mistake{"/robots/1/name", "\"a\"", "/robots/1/name: \"a\" is taken"},
