@@ -41,11 +41,14 @@ struct ContactImpact {
   double impulse = 0.0;                // N s along the normal
 };
 
-// The force of a resting contact.
+// The force of a resting contact. An active contact presses at this instant. It is persistent if, in
+// addition, no equation of its contact cluster is redundant: then the equations hold its gap at
+// zero on the whole curve, and no later time of impact needs to be searched for it. Where equations
+// are redundant, the forces of some are only kept at their first value, and gaps may drift.
 struct RestingForce {
-  bool is_active = false;      // the contact presses: its gap stays zero
-  bool is_persistent = false;  // its gap is known to stay zero on the whole curve that follows
-  double force = 0.0;          // N along the normal, while it is active
+  bool is_active = false;
+  bool is_persistent = false;
+  double force = 0.0;  // N along the normal, while it is active
 };
 
 // A contact point of a pair with everything that the rooms above keep for it.
