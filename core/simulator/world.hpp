@@ -62,7 +62,7 @@ class World {
   void set_ball(const BallState& state);
 
   // Sets where impacts and counts are recorded from now on; null, the default, records nothing. The
-  // statistics outlive the world or are unset before.
+  // statistics must live until others are set here, or the world ends.
   void set_statistics(RunStatistics* statistics) { statistics_ = statistics; }
 
   // Plays one tick of `duration` seconds (zero or more) under these commands, one per robot.
@@ -108,8 +108,8 @@ class World {
   void start_segments(const BodySet& involved, double t, double tick_end);
 
   collision::StaticWorld static_world_;
-  // Trajectories. A body has one of three kinds: series; a closed form; a step, if it is in
-  // step_islands_, too. Of the last two the segment has begin and end only.
+  // Trajectories, of three kinds. Series: the segment is complete. Closed form (the body is in
+  // closed_form_) and step (in closed_form_ and step_islands_): the segment has begin and end only.
   std::array<BodyState, max_bodies> bodies_{};  // each at the start of its segment
   std::array<trajectory::Segment, max_bodies> segments_{};
   BodySet closed_form_;                                // bodies without series

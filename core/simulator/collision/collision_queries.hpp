@@ -46,20 +46,19 @@ void refresh_contact(const StaticWorld& world, std::span<const BodyState> bodies
                      ContactPoint& contact);
 
 // Returns the gap of a contact where its bodies are now, m: the signed distance of its point from
-// its edge's line. Once that is deeper than `trusted_depth`, m, it is clamped from below by the
-// pair's separation, because a corner beside the edge's end lies behind the line without
-// penetrating.
+// its edge's line. A corner beside the edge's end can lie behind the line without penetrating. So
+// below -`trusted_depth`, m, the pair's separation is returned if it is larger.
 double clamped_gap(const StaticWorld& world, std::span<const BodyState> bodies,
                    const Contact& contact, double trusted_depth);
 
-// Returns the first time from t on, until the pair's first segment ends, at which the pair's gap is
-// `level`, m, or less; trajectory::never if there is none. `level` is 0 for a touch, or negative.
-// The segments, by body, must hold at t.
+// Returns the first time, from t to the earlier end of the pair's two segments, at which the pair's
+// gap is `level`, m, or less; trajectory::never if there is none. `level` is 0 for a touch, or
+// negative. The segments, by body, must hold at t.
 double first_time_below(const StaticWorld& world, const Pair& pair, double level,
                         std::span<const trajectory::Segment> segments, double t);
 
-// Returns the first time from t on, until the pair's first segment ends, at which the pair touches,
-// or trajectory::never. If it touches at t already, returns when it has come closer by
+// Returns the first time, from t to the earlier end of the pair's two segments, at which the pair
+// touches, or trajectory::never. If it touches at t already, returns when it has come closer by
 // `penetration`, m.
 double contact_time(const StaticWorld& world, const Pair& pair,
                     std::span<const trajectory::Segment> segments, double t, double penetration);

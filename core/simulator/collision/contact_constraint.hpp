@@ -17,11 +17,12 @@
 
 namespace mirocup::simulator::collision {
 
-// Return the inverse masses of a robot whose wheels are lifted; of a robot, whose wheels take all
-// sideways impulses if they are on the ground and the grip is infinite; and of the ball, which
-// rolls and has no spin of its own.
+// Returns the inverse mass of a robot whose wheels are lifted.
 solver::InverseMass free_robot_mass(const Parameters& parameters);
+// Returns the inverse mass of a robot. With wheels on the ground and infinite grip, no impulse
+// moves it sideways.
 solver::InverseMass robot_mass(const Parameters& parameters, bool wheels_on_ground);
+// Returns the inverse mass of the ball, which rolls: it has no spin of its own.
 solver::InverseMass ball_mass(const Parameters& parameters);
 
 // Returns the velocity of the contact point along the normal, as a row on this body's twist.
@@ -29,7 +30,7 @@ solver::JacobianRow contact_row(const BodyState& body, const ContactPoint& conta
 
 // The coefficients of a pair of surfaces.
 struct ContactMaterial {
-  double restitution = 0.0;  // e in (12)
+  double restitution = 0.0;  // e in (21)
   double friction = 0.0;     // Coulomb's coefficient
 };
 

@@ -16,8 +16,9 @@
 namespace mirocup::simulator::collision {
 
 // True if the contact's edge is guaranteed to separate the pair until another corner reaches it.
-// Requires a persistent contact of a corner or the ball on a wall or robot edge, with no corner
-// beyond the edge's line (which happens for corner-corner contacts).
+// That takes a persistent contact, either of the ball, or of a robot's corner on an edge of a
+// half-plane wall or of a robot. No other corner of that robot may be beyond the edge's line, as
+// one can be where corner meets corner.
 bool is_separating_edge(const StaticWorld& world, const Contact& contact);
 
 // Returns the first time, s of the tick, at which another corner of the point's side reaches the
@@ -28,8 +29,8 @@ bool is_separating_edge(const StaticWorld& world, const Contact& contact);
 double next_corner_contact(const StaticWorld& world, const Contact& contact, bool others,
                            std::span<const trajectory::Segment> segments, double penetration);
 
-// Returns next_corner_contact() of a pair from all contacts of its island; nothing if none of them
-// has a separating edge, so that the time must be found by contact_time().
+// Looks among the contacts of an island for one of the pair with a separating edge, and returns its
+// next_corner_contact(). Nothing if there is none: then contact_time() must be used.
 std::optional<double> next_contact_time(const StaticWorld& world, const Pair& pair,
                                         std::span<const Contact> contacts,
                                         std::span<const trajectory::Segment> segments,

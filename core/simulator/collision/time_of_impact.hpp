@@ -33,8 +33,9 @@ double time_of_impact(const MovingOutline& a, const MovingOutline& b, double lev
 double time_of_impact(const MovingOutline& a, const field::Wall& wall, double level, double begin,
                       double end);
 
-// Returns the time of impact at level 0; but if the outlines touch at `begin` already, or are
-// closer than `penetration`, m, the first time at which they are closer than then by `penetration`.
+// Returns the first time at which the gap has fallen to 0. If the gap at `begin` is already at most
+// `penetration`, m, returns instead when it has fallen to min(gap at `begin`, 0) - `penetration`.
+// Both may be trajectory::never.
 double time_of_impact_or_penetration(const MovingOutline& a, const MovingOutline& b,
                                      double penetration, double begin, double end);
 double time_of_impact_or_penetration(const MovingOutline& a, const field::Wall& wall,

@@ -39,7 +39,8 @@ BodySet connected(const BodySet& start, std::span<const collision::Contact> cont
 // connect with it. Empty if it has none.
 BodySet cluster_of(int body, std::span<const collision::Contact> contacts);
 
-// Returns the islands of these bodies, which any contacts connect. Empty if they have no contact.
+// Returns, as one set, all bodies of the islands of these bodies: here every contact connects,
+// active or not. A body without a contact is left out.
 BodySet islands_of(const BodySet& bodies, std::span<const collision::Contact> contacts);
 
 // The contacts of an instant, sorted by islands. Kept and reused: holds scratch space, so nothing

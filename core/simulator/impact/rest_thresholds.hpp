@@ -22,8 +22,8 @@
 //     in contact before the tick and had no impact in it: 2e-4 m/s.
 //
 // The numbers are those of Tolerances at the level `standard` and of settings::rest_thresholds. An
-// impact counts for its two bodies, and a pair has the count of the body with more impacts: a crowd
-// does not change these limits elsewhere. Events count for all bodies.
+// impact counts only for its two bodies, so a crowd does not change these limits elsewhere. A pair
+// has the larger count of its bodies. Events count for all bodies.
 //
 // The event budget (Tolerances::event_budget) is the last resort: a body that has used it up is
 // time-stepped. Uses model and trajectory.
@@ -54,8 +54,8 @@ class RestThresholds {
   // Counts an impact of both bodies of a pair at time t.
   void note_impact(const Pair& pair, double t);
 
-  // Counts a bounce as an impact of each body that has none at time t yet: wheels that grip again
-  // can throw a robot at a body that it touches already.
+  // Counts a bounce without a note_impact() as an impact: wheels that grip again can throw a robot
+  // at a body that it touches already. A body with an impact at time t is not counted again.
   void note_bounce(const Pair& pair, double t);
 
   // Counts an event. Each involved body pays (n m)^2 of its budget, where n bodies are involved and
@@ -63,9 +63,9 @@ class RestThresholds {
   // as min_duration() allowed.
   void note_event(const BodySet& involved, bool was_forced);
 
-  // To be called at the start of a tick with the bodies of each island. An island with a body that
-  // went over budget in the last tick is over budget from now on if a single event of all its
-  // bodies would cost the whole budget.
+  // To be called at the start of a tick with the bodies of each island. If one of them went
+  // over budget in the last tick, and one event of the whole island would cost the whole budget,
+  // all of the island is over budget in this tick.
   void note_island(const BodySet& island);
 
   // Returns the bodies that have used up their event budget.
@@ -75,7 +75,7 @@ class RestThresholds {
   double restitution_threshold(const Pair& pair) const;
   // Returns by how much a pair in contact must come closer to have an impact again, m.
   double penetration(const Pair& pair) const;
-  // Returns the lateral slip, m/s, up to which the impact that caused it stops it, too.
+  // Returns the fastest lateral slip, m/s, that is removed together with the impact that caused it.
   double min_slip_speed(int robot) const;
   // Return the speeds, m/s, up to which sliding wheels and a rolling ball in contact hold.
   double slip_threshold() const { return slip_threshold_; }

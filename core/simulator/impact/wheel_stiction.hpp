@@ -14,9 +14,9 @@
 
 namespace mirocup::simulator::impact {
 
-// Stops the lateral slip of these robots together, by an impulse of the ground of at most
-// `max_impulse`, N s, on each robot and such impulses at the contacts that no contact approaches.
-// Adds the latter to the contacts' impulses. Stopping one robot may push others that stood: if the
+// Stops the lateral slip of these robots together: the ground pushes each with at most
+// `max_impulse`, N s, and the contacts push so that none of them approaches. The pushes of the
+// contacts are added to their impulses. Stopping one robot may push others that stood: if the
 // fastest slip does not become slower, nothing changes. `contacts` are those of the robots'
 // islands, `mass` and `bodies` hold all bodies, and `problem` is scratch space.
 void arrest_slip(std::span<collision::Contact> contacts, std::span<const int> robots,

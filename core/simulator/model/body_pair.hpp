@@ -10,8 +10,9 @@
 namespace mirocup::simulator {
 inline namespace model {
 
-// The obstacles are the eight half-plane walls, the two side walls first, then the four end walls
-// beside the goal mouths. A partner's index is that of a body, or max_bodies plus an obstacle's.
+// Obstacles by index: 0 to 7 are the half-plane walls (0 and 1 the side walls), 8 to 11 the end
+// walls beside the goal mouths. A partner's index is that of a body, or max_bodies plus an
+// obstacle's.
 inline constexpr int side_walls = 2;
 inline constexpr int plane_walls = 8;
 inline constexpr int end_walls = 4;
@@ -24,12 +25,13 @@ struct Pair {
   int a = 0;
   int partner = 0;
 
-  // True if the partner is an obstacle, or a half-plane wall.
+  // True if the partner is an obstacle.
   bool with_obstacle() const { return partner >= max_bodies; }
+  // True if the partner is a half-plane wall.
   bool with_plane() const { return with_obstacle() && obstacle() < plane_walls; }
-  // Returns the partner as the index of an obstacle (with_obstacle() must be true), or as that of a
-  // body, no_body for an obstacle.
+  // Returns the index of the partner among the obstacles. Precondition: with_obstacle().
   int obstacle() const { return partner - max_bodies; }
+  // Returns the index of the partner among the bodies; no_body if it is an obstacle.
   int b() const { return with_obstacle() ? no_body : partner; }
 
   bool operator==(const Pair&) const = default;

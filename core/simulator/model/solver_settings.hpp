@@ -59,8 +59,9 @@ inline constexpr struct RollingBallSettings {
   // [m/s] Below this speed the direction in which a pushed ball brakes is kept fixed, because it
   // is not smooth where the speed is zero.
   double min_speed_with_direction = 1e-3;
-  // [1] Per axis: share of k by which rounding may leave a component above k although it is slow.
-  // A component that speeds up stays slow until it is twice this above, so no ball waits at k.
+  // [1] For RollingFriction::per_axis. A component that is above k by at most this share of k still
+  // counts as slow, because rounding may leave it there. One that speeds up counts as slow up to
+  // twice this share above k, so events do not repeat at k.
   double k_margin = 1e-9;
 } rolling_ball;
 
@@ -81,9 +82,9 @@ inline constexpr struct MotionBoundSettings {
 
 inline constexpr struct BoxQpSettings {
   // [1] Smallest pivot, as a share of its diagonal entry. A smaller one says that the unknown
-  // depends on others, as of two contacts that push the same bodies the same way. It is replaced by
-  // this much compliance: the unknown hardly moves where the others leave it open, and goes to its
-  // bound where they contradict it.
+  // depends on others, as of two contacts that push the same bodies the same way. It is raised to
+  // this share. So the unknown hardly moves if the others do not determine it, and goes to its
+  // bound if they contradict it.
   double min_pivot = 1e-10;
   // [1] Gradient that counts as zero, as a share of the largest |b|.
   double gradient_tolerance = 1e-14;
@@ -130,11 +131,12 @@ inline constexpr struct PivotedCholeskySettings {
 // ---- collision/
 
 inline constexpr struct TimeOfImpactSettings {
-  // [1] Separating axes that are tried for a pair; two or three are usual. Beyond, the time reached
-  // is returned as if it were a touch: the caller finds none there and searches on from it.
+  // [1] Separating axes that are tried for a pair; two or three are usual. After the last one the
+  // search stops and returns the time that it has reached. No touch is there; the caller sees that
+  // and searches again from that time.
   int max_axes = 64;
-  // [1] Share of root_tolerance by which the ball must be outside the sector of a
-  // corner to have left it.
+  // [1] Multiple of root_tolerance. The ball has left a corner's sector when it is this far
+  // outside.
   double sector_round_off = 4.0;
 } time_of_impact;
 
@@ -177,8 +179,8 @@ inline constexpr struct ContactMotionSettings {
 } contact_motion;
 
 inline constexpr struct ContactSeriesSettings {
-  // [1] of root_tolerance, above the level of the last root: the next search must not
-  // end at that root again.
+  // [1] Multiple of root_tolerance. A series that starts at most this far above its level is not
+  // searched: the search would end at the root at which the last curve ended.
   double restart_margin = 10.0;
 } contact_series;
 
@@ -198,14 +200,15 @@ inline constexpr struct TimeStepperSettings {
   // [1] of the ball's radius: no body moves further against the others in a step, or it could end
   // up behind what it hit.
   double max_travel_in_radii = 0.5;
-  double travel_overrun =
-      1.5;                     // [1] ratio to that limit which the twists found in a step may reach
-  int max_refinements = 10;    // fixed-point iterations for the gaps at the end of a step
-  int strict_refinements = 4;  // of these, the first ones must meet the strict gap tolerance
+  // [1] The twists that a step finds may move a body by up to this multiple of that limit.
+  double travel_overrun = 1.5;
+  int max_refinements = 10;         // fixed-point iterations for the gaps at the end of a step
+  int strict_refinements = 4;       // of these, the first ones must meet the strict gap tolerance
   double impulse_tolerance = 1e-9;  // [1] of the largest relative velocity: precision of impulses
   int max_halvings = 6;             // of the step's length; then the last attempt is taken
-  // Overlaps at the start of a step shrink no faster than this speed [m/s], lest they add energy;
-  // but in steps in which that comes to this distance [m] they shrink at once.
+  // A step reduces an overlap that exists at its start by at most [m/s] `max_undoing_speed` times
+  // its length: faster would add energy. A step so long that this product reaches [m]
+  // `undone_overlap` removes the whole overlap.
   double max_undoing_speed = 2e-4;
   double undone_overlap = 1e-7;
   // [1] a remembered wheel force is enlarged by it, lest rounding takes it off its bound.
@@ -220,8 +223,9 @@ inline constexpr struct TimeStepperSettings {
 // ---- world.cpp
 
 inline constexpr struct WorldSettings {
-  double min_remaining_share = 0.5;  // [1] of a step: a shorter rest of the tick is added to it
-  int max_estimates = 2;             // refinements of a pair's contact time before the exact search
+  // [1] of a step's length. If less than this would be left of the tick, the step takes that, too.
+  double min_remaining_share = 0.5;
+  int max_estimates = 2;  // refinements of a pair's contact time before the exact search
   double forced_end_round_off = 1e-3;  // [1] of the minimum duration: a curve that ends at it
   // [1] of Tolerances::contact_gap: a deeper overlap is projected away at an event.
   double projected_overlap = 2.0;

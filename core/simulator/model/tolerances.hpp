@@ -17,27 +17,31 @@ inline namespace model {
 // contact in time; `reference` follows every event and is the yardstick of the other two.
 enum class Accuracy { coarse, standard, reference };
 
-// The thresholds of one level; the values here are those of `standard`. A contact of a body is
-// counted per tick, and thresholds that grow with that count make sure that a tick ends (see "Zeno
-// behaviour" in docs/algorithm.md).
+// The thresholds of one level; the values here are those of `standard`. The impacts of a body
+// are counted per tick, and thresholds that grow with that count make sure that a tick ends (see
+// "Zeno behaviour" in docs/algorithm.md).
 struct Tolerances {
   // ---- gaps
   double contact_gap = 1e-10;  // m: bodies with a smaller gap are in contact
   double penetration = 1e-12;  // m: bodies in contact that overlap more than this collide again
 
   // ---- restitution: an approach slower than the threshold does not bounce, it comes to rest
-  // m/s: the threshold for a body's first contact in a tick, so that this contact always bounces.
+  // m/s: the threshold for a body's first impact in a tick, so that this impact always bounces.
   double first_restitution_threshold = 1e-10;
-  // m/s: the threshold for bodies that were in contact before the tick. It exceeds the speed that
-  // motors can gain over `penetration`, so bouncing ends.
+  // m/s: the threshold for bodies that were in contact before the tick and had no impact in it.
+  // While two bodies come closer by `penetration`, motors give them less speed than this; so
+  // bouncing ends.
   double restitution_threshold = 2e-4;
-  // Growth factor of `restitution_threshold` with each contact of a body in the tick.
+  // At the n-th impact of a body in the tick, n >= 2, the threshold is `restitution_threshold`
+  // times this to the power n.
   double restitution_growth_per_touch = 3.0;
 
-  // ---- the count of contacts within a tick
-  double impact_memory = 2e-3;  // s: one contact is forgotten after this time,
-  int remembered_touches = 4;   // unless a body has had as many: then bouncing has to end
-  // Growth factor of `penetration` with each contact beyond `free_touches`, up to `contact_gap`.
+  // ---- the count of impacts within a tick
+  // s: one counted impact of a body is forgotten each time that this long passed without one.
+  double impact_memory = 2e-3;
+  // Once a body has counted this many impacts, none is forgotten any more, so that bouncing ends.
+  int remembered_touches = 4;
+  // Growth factor of `penetration` with each impact beyond `free_touches`, up to `contact_gap`.
   double penetration_growth_per_touch = 4.0;
   int free_touches = 8;
 
@@ -45,7 +49,7 @@ struct Tolerances {
   // m/s: slip that an impact causes and that is at most this fast is removed at once. The wheels
   // would grip again within v / (grip g).
   double min_slip_speed = 1e-6;
-  // Growth factor of `min_slip_speed` with each contact of a body in the tick.
+  // Growth factor of `min_slip_speed` with each impact of a body in the tick.
   double min_slip_growth_per_touch = 8.0;
 
   // ---- events of contact clusters

@@ -6,7 +6,7 @@
 // hold or slide, is one convex problem in accelerations (Baraff 1994): 0 <= force, 0 <=
 // acceleration of the gap, and one of the two is zero. It is solved for all contacts of an island
 // together with the ground's lateral force on wheels, which is at most grip M g. A ball at rest
-// feels no rolling resistance until it is pushed harder than that.
+// stays at rest until it is pushed harder than its rolling resistance.
 //
 // Uses impact/, collision/, solver/, trajectory/ and model/. Units: m, s, rad, N. Threads: none.
 #pragma once
@@ -46,8 +46,8 @@ class ContactForces {
   explicit ContactForces(const collision::StaticWorld& world);
 
   // Decides for the contacts of one island. Sets Contact::resting of each contact, grounding() of
-  // each body with a contact whose gap does not open, and these bodies' velocities: they become
-  // admissible for what was decided, which never adds energy.
+  // each body with a contact whose gap does not open. Changes the velocities of these bodies so
+  // that they fit the decision; the change never adds energy.
   //
   // A gap opens if it does so faster than the contact's restitution threshold. Wheels that slide
   // no faster than `slip_threshold` and a ball that rolls no faster than `roll_threshold` (m/s)

@@ -42,8 +42,8 @@ struct ContactSeries {
   TwoSeries heading;         // cos and sin of the point's side, seen from the edge's side
   trajectory::Series omega;  // rad/s: rate of that heading
   TwoSeries velocity;        // m/s: of the contact point, in the frame of the point's side
-  // m/s: latest term of that velocity in the frame of the edge's side, without what term 0 of the
-  // heading contributes.
+  // m/s: term k of `velocity` turned into the frame of the edge's side, as of the last
+  // gap_rate_term(), less the part that term 0 of the heading contributes.
   Vec2 later_velocity;
   trajectory::Series lever_b;   // m: third component of row_b, minus the place along the edge
   double edge_begin, edge_end;  // m, along the edge
@@ -68,13 +68,13 @@ void extend_rows(const collision::StaticWorld& world, const collision::Contact& 
 double gap_rate_term(const collision::Contact& contact,
                      std::span<const trajectory::Segment> segments, int k, ContactSeries& rows);
 
-// Returns term k of row times force without the product of the row's term 0 and the force's term k.
+// Returns term k of the series row * force, less (term 0 of the row) * (term k of the force).
 solver::ConstraintRow later_force_term(const collision::Contact& contact, const ContactSeries& rows,
                                        int k);
 
 // Returns when the point has left the edge, or the ball the corner's sector, by `margin` (m, or
-// of the sine): s after the start, at most `length`. A point that is out there at the start may
-// stay.
+// of the sine): s after the start, at most `length`. A point or ball that is already there at
+// the start is not reported.
 double time_on_edge(const collision::Contact& contact, const ContactSeries& rows, double margin,
                     double length);
 

@@ -37,7 +37,8 @@ class TimeStepper {
   // construction.
   TimeStepper(const collision::StaticWorld& world, solver::RegularizedQp& problem);
 
-  // A step that was taken. No members: none of the candidates has a lasting contact.
+  // A step that was taken. If no candidate has a lasting contact, there are no members, and no step
+  // was taken.
   struct Step {
     BodySet members;
     double length = 0.0;  // s
@@ -92,8 +93,9 @@ class TimeStepper {
     double next_length = 0.0;  // s: what the attempt proposes for the members' next step
   };
 
-  // A pressing contact of an earlier step: the warm start of the next. The impulse is an upper
-  // bound: the large force of a short step that stopped a body says nothing about a longer step.
+  // A pressing contact of an earlier step: the warm start of the next. That warm start does
+  // not exceed `impulse`: the force of a short step that stopped a body is large, and says nothing
+  // about a longer step.
   struct RememberedForce {
     Pair pair;
     collision::ContactPoint point;

@@ -40,8 +40,8 @@ bool has_closed_form(const Parameters& parameters, const BodyState& robot,
 BodyState closed_form_state(const BodyState& robot, const DriveReference& drive,
                             const MotorDecay& decay);
 
-// Returns the larger size of a speed now and of the speed that the motors aim at. The speed goes
-// from one to the other monotonically, so it is never faster.
+// Returns the largest magnitude of a speed on its way from `now` to `aim`, the speed that the
+// motors aim at. It changes monotonically, so this is the magnitude of one of the two.
 inline double fastest(double now, double aim) {
   return std::max(std::abs(now), std::abs(aim));
 }

@@ -53,8 +53,8 @@ void set_terms(Segment& segment, int terms);
 // do not grow from one to the next. All terms must be there.
 bool has_converged(const Segment& segment, double length, double truncation);
 
-// Returns the longest length, s, at most `longest`, over which the series have converged, or a
-// length that is up to 15 % shorter.
+// Returns a length, s, over which the series have converged. It is at most `longest`, and at most
+// 15 % shorter than the longest such length.
 double converged_length(const Segment& segment, double longest, double truncation);
 
 // Fills the series of a segment that has only its first terms. extend(k) adds term k + 1. The
