@@ -26,8 +26,8 @@ constexpr std::string_view to_string(E value) {
   return enum_names<E>[static_cast<std::size_t>(value)];
 }
 
-// True if these enumerators have the values 0, 1, 2, … in this order and are all that the enum
-// names. For a static_assert beside an enum whose numbers leave the program, in a message or a
+// True if these are all enumerators that enum_names has, and their values are 0, 1, 2, … in this
+// order. For a static_assert beside an enum whose numbers leave the program, in a message or a
 // file.
 template <auto first, decltype(first)... others>
 constexpr bool is_numbered_in_order() {

@@ -142,7 +142,7 @@ class Leg {
 
   // The hash of the states of all ticks played until now.
   std::uint64_t state_hash() const { return hash_.value(); }
-  // The robot that touched the ball last in the tick played last, if any robot did.
+  // The last robot to touch the ball in the most recent tick; nothing if none touched it.
   std::optional<Touch> last_touch() const;
 
   // Counted for each team: commands with a value that was zeroed or clamped, and late answers.

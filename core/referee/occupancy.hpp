@@ -23,9 +23,9 @@ struct Occupancy {
   // lowest index first. Nothing if no robot of the team is there.
   ByEnd<std::optional<RobotId>> keeper;
 
-  // The time for which each robot is still excused for its place, s. An opponent that drives at the
-  // robot while it does not drive back sets this to `shoved_s` of the rules; from then on it runs
-  // down to 0.
+  // The time for which each robot is still excused for its place, s. It is `shoved_s` of the rules
+  // while an opponent that touches the robot drives at it and the robot does not drive back; then
+  // it runs down to 0.
   ByRobot<double> excused_s{};
   ByEnd<RobotSet> shoved;  // the robots with time left
 };

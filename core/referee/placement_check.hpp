@@ -42,10 +42,11 @@ struct CheckedPlacement {
 CheckedPlacement check_placement(const Pitch& pitch, const Decision& restart, Roles roles,
                                  const Placement& asked);
 
-// Checks what one team asks for in its turn: `asked` holds the poses that it asks for, and the
-// others where they stand. In the first team's turn robots of the second team are moved if they
-// stand on a requested place; in the second team's turn the first team's robots stay. The ball may
-// be moved only in the turn of a taker that places first.
+// Checks what one team asks for in its turn. `asked` is a whole placement: the team's robots where
+// it wants them, all others where they stand, and the ball on its spot or where the team wants it.
+// In the first team's turn robots of the second team are moved if they stand on a requested place;
+// in the second team's turn the first team's robots stay. The ball may be moved only in the turn of
+// a taker that places first.
 CheckedPlacement check_turn(const Pitch& pitch, const Decision& restart, End team, Roles roles,
                             const Placement& asked);
 

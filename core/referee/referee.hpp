@@ -79,8 +79,8 @@ class Referee {
   // decides it, the end of a half whose time is over, or a time-out that a team asked for.
   std::optional<Decision> follow_up(const Decision& decision);
 
-  // Resets every count, because the restart of a decision has been placed. `since` is the time that
-  // play has already been on, s; it is not 0 only for a recorded trace that starts later.
+  // Resets every count, because the restart of a decision has been placed. `since`: for how long
+  // play is already on, s. It is 0 in a leg; a recorded trace may start later.
   void resume(const Decision& restart, double since = 0.0);
 
   // Starts the half after HALF_END, SECOND_HALF or EXTRA: the ends are swapped and the other team

@@ -39,11 +39,11 @@ struct Rules {
   int shoot_out_rounds = 3;        // attempts of each team before single pairs decide
   int shoot_out_most_rounds = 15;  // rounds after which lots are drawn
   double attempt_s = 30.0;         // length of a penalty attempt
-  double attempt_hold_s = 1.0;     // the keeper holds the ball: it alone touches it for this time
+  double attempt_hold_s = 1.0;     // the keeper alone touches the ball this long: it holds it
   int time_outs = 2;               // of each team
   double time_out_s = 120.0;       // length of one
   int substitutions = 2;           // of each team while play is on; in the break any number
-  double half_late_s = 300.0;      // how long a team that is late after the break is waited for
+  double half_late_s = 300.0;      // after the break a late team is waited for this long
   int mercy_goal_diff = 10;        // a lead of this many goals ends the match
   int forfeit_goals = 10;          // a forfeit counts as 0 to this many
   double ready_s = 0.33;           // from placement to whistle: robots stand, teams place and see
@@ -52,10 +52,9 @@ struct Rules {
   double touch_m = 0.004;       // bodies this near touch
   double drive_mps = 0.05;      // commanding this speed towards a robot is driving at it
   double contested_m = 0.1125;  // an opponent's centre this near to the ball contests it
-  double zone_margin_m =
-      0.05;                  // small league: this near to the goal area the ball is "in play" there
-  double shoved_s = 1.0;     // how long a robot is excused after it was pushed
-  double advantage_s = 0.5;  // how long a foul of the defenders waits for a goal
+  double zone_margin_m = 0.05;  // small league: a goal's zone reaches this far beyond its goal area
+  double shoved_s = 1.0;        // how long a robot is excused after it was pushed
+  double advantage_s = 0.5;     // how long a foul of the defenders waits for a goal
 
   // Kick-off.
   bool kickoff_backward_required = true;  // the ball goes towards the taker's own side first

@@ -3,9 +3,10 @@
 // The trace of all bodies that a replay file keeps, so that a playback that diverges can name the
 // body.
 //
-// The trace holds a fingerprint of one byte for each body and tick, which tells whether the body is
-// where a playback has it. Every few seconds it also holds the whole state, which tells where the
-// body was. The hash of a tick only tells that some number differs.
+// The trace holds a fingerprint of one byte for each body and tick, of its position, heading and
+// velocity. Where those of record and playback differ, the body's state differs. Every few seconds
+// the trace also holds the whole state, which tells where the body was. The hash of a tick only
+// tells that some number differs.
 #pragma once
 
 #include "core/match/leg.hpp"
