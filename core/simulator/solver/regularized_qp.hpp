@@ -79,7 +79,7 @@ class RegularizedQp {
   Unknowns rates_, x_at_rates_;  // A x, and the x of which they are
   bool rates_current_ = false;   // the rows have not changed since
 
-  // Of one round: x and its gradient at the start, and Newton's direction.
+  // The data of one round: x and its gradient at the start, and Newton's direction.
   Unknowns x_at_start_, gradient_at_start_, direction_;
 
   BodyVector velocities_;  // scratch: twists of the bodies

@@ -2,7 +2,7 @@
 //
 // What a host does beside starting a league: takes entries, rules, pauses, uses other machines.
 // Catches an entry that plays without having passed, a decision that is lost or not told, a leg
-// that is played twice because somebody else had played it.
+// that is played twice because another process had played it.
 #include "tests/programs/league/league_command.hpp"
 
 #include <gtest/gtest.h>

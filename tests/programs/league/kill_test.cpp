@@ -51,7 +51,7 @@ struct Kills {
   int all() const { return of[0] + of[1] + of[2]; }
 };
 
-// Plays a league to its end; somebody kills at random moments, each generation in turn, until
+// Plays a league to its end; kills it at random moments, each generation in turn, until
 // `most` were killed.
 void play_with_kills(const std::string& folder, int most, std::mt19937& random, Kills& kills) {
   while (run(league("status", folder)).exit_code != 0) {

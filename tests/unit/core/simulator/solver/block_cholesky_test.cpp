@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Solutions are put back into their equations. Catches a block that is transposed the wrong way
-// round, two that the elimination of a third couples and nobody does, and one that is left over
+// round, two that the elimination of a third couples and no row does, and one that is left over
 // from before.
 #include "core/simulator/solver/block_cholesky.hpp"
 
