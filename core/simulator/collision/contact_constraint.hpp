@@ -42,10 +42,10 @@ struct ContactImpact {
   double impulse = 0.0;                // N s along the normal
 };
 
-// The force of a resting contact. An active contact presses at this instant. It is persistent if no
-// equation of its contact cluster is redundant, too: then the equations hold its gap at zero on the
-// whole curve, and no later time of impact is searched for it. Where equations are redundant, some
-// forces are only kept at their first value, and gaps may drift.
+// The force of a resting contact. An active contact presses at this instant. It is also persistent
+// if no equation of its contact cluster is redundant: then the equations hold its gap at zero on
+// the whole curve, and no later time of impact is searched for it. Where equations are redundant,
+// some forces merely keep their first value, so gaps may drift.
 struct RestingForce {
   bool is_active = false;
   bool is_persistent = false;
