@@ -1,11 +1,21 @@
 // SPDX-License-Identifier: MIT
-#include "server/system/locations.hpp"
+#include "system/locations.hpp"
 
 #include <filesystem>
 
 namespace mirocup::system {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+// A name that no file can have, for example a very long one, is that of no file.
+bool is_there(const fs::path& path) {
+  std::error_code none;
+  return fs::exists(path, none);
+}
+
+}  // namespace
 
 std::string program_folder() {
   return fs::read_symlink("/proc/self/exe").parent_path().string();
@@ -14,7 +24,7 @@ std::string program_folder() {
 std::string sibling_program(const std::string& name) {
   const fs::path here = program_folder();
   const fs::path installed = here.parent_path() / "libexec" / "mirocup" / name;
-  return fs::exists(here / name) ? (here / name).string() : installed.string();
+  return is_there(here / name) ? (here / name).string() : installed.string();
 }
 
 TeamKit team_kit() {
@@ -35,7 +45,7 @@ std::string house_team(const std::string& name) {
   for (const fs::path& folder :
        {here / "house", here.parent_path() / "lib" / "mirocup" / "house"}) {
     const fs::path library = folder / (name + ".so");
-    if (fs::exists(library)) return library.string();
+    if (is_there(library)) return library.string();
   }
   return "";
 }

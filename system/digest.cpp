@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/system/digest.hpp"
+#include "system/digest.hpp"
 
 #include <climits>
 #include <openssl/evp.h>

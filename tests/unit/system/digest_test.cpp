@@ -2,7 +2,7 @@
 //
 // Catches a digest or an encoding that other programs do not compute. The digests are those of
 // FIPS 180-4 and of `openssl dgst -sha256 -binary | base64`.
-#include "server/system/digest.hpp"
+#include "system/digest.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/system/markup.hpp"
+#include "system/markup.hpp"
 
 namespace mirocup::system {
 

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "core/base/error.hpp"
-#include "server/system/child_process.hpp"
+#include "system/child_process.hpp"
 
 #include <optional>
 #include <string>

@@ -14,17 +14,21 @@ class Descriptor {
   explicit Descriptor(int fd = -1) : fd_(fd) {}
   Descriptor(Descriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
   Descriptor& operator=(Descriptor&& other) noexcept {
-    std::swap(fd_, other.fd_);
+    reset(std::exchange(other.fd_, -1));
     return *this;
   }
-  ~Descriptor() {
-    if (fd_ >= 0) close(fd_);
-  }
+  ~Descriptor() { reset(); }
 
   bool is_open() const { return fd_ >= 0; }
 
   // The descriptor, which stays owned; negative if there is none.
   int get() const { return fd_; }
+
+  // Closes the descriptor and owns `fd` from now on.
+  void reset(int fd = -1) {
+    if (fd_ >= 0) close(fd_);
+    fd_ = fd;
+  }
 
  private:
   int fd_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/system/process_set.hpp"
+#include "system/process_set.hpp"
 
 #include <algorithm>
 #include <cassert>

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "server/system/child_process.hpp"
+#include "system/child_process.hpp"
+
+#include "system/descriptor.hpp"
 
 #include <cassert>
 #include <cerrno>
@@ -8,8 +10,10 @@
 #include <fcntl.h>
 #include <sched.h>
 #include <sys/prctl.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <utility>
 
 namespace mirocup::system {
 
@@ -23,8 +27,25 @@ std::vector<char*> pointers_to(std::vector<std::string>& words) {
   return pointers;
 }
 
+// Opens the file that a child writes to, empty. A file that another user has put there, by a link
+// or by a second name of a file of ours, is refused and keeps its bytes.
+Result<Descriptor> open_log(const std::string& path) {
+  constexpr int flags = O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
+  Descriptor log(open(path.c_str(), flags, 0644));
+  struct stat about {};
+  if (!log.is_open() || fstat(log.get(), &about) != 0)
+    return fail(Errc::unavailable, path + " cannot be written: " + std::strerror(errno));
+  if (S_ISREG(about.st_mode) && (about.st_uid != geteuid() || about.st_nlink > 1))
+    return fail(Errc::unavailable, path + " cannot be written: another user has put a file there");
+  if (S_ISREG(about.st_mode) && ftruncate(log.get(), 0) != 0)
+    return fail(Errc::unavailable, path + " cannot be written: " + std::strerror(errno));
+  if (!S_ISREG(about.st_mode) && !S_ISCHR(about.st_mode))
+    return fail(Errc::unavailable, path + " cannot be written: it is not a regular file");
+  return log;
+}
+
 // In the child, between fork and exec: only functions that are safe there if there are threads.
-[[noreturn]] void become_child(char* const* arguments, int cpu, const char* log, pid_t parent) {
+[[noreturn]] void become_child(char* const* arguments, int cpu, int log, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(not_found);
   sigset_t none;
@@ -36,13 +57,12 @@ std::vector<char*> pointers_to(std::vector<std::string>& words) {
     CPU_SET(cpu, &one);
     sched_setaffinity(0, sizeof one, &one);
   }
-  if (*log != '\0') {
+  if (log >= 0) {
     setpgid(0, 0);
     const int nothing = open("/dev/null", O_RDONLY);
-    const int out = open(log, O_WRONLY | O_CREAT | O_TRUNC, 0644);
     dup2(nothing, STDIN_FILENO);
-    dup2(out, STDOUT_FILENO);
-    dup2(out, STDERR_FILENO);
+    dup2(log, STDOUT_FILENO);
+    dup2(log, STDERR_FILENO);
   }
   close_range(3, ~0U, 0);
   execvp(arguments[0], arguments);
@@ -55,9 +75,15 @@ Result<pid_t> start_child(const ChildOptions& options) {
   assert(!options.arguments.empty());
   std::vector<std::string> words = options.arguments;
   const std::vector<char*> arguments = pointers_to(words);
+  Descriptor log;
+  if (!options.log.empty()) {
+    auto opened = open_log(options.log);
+    if (!opened) return tl::unexpected(opened.error());
+    log = std::move(*opened);
+  }
   const pid_t parent = getpid();
   const pid_t pid = fork();
-  if (pid == 0) become_child(arguments.data(), options.cpu, options.log.c_str(), parent);
+  if (pid == 0) become_child(arguments.data(), options.cpu, log.get(), parent);
   if (pid > 0) return pid;
   return fail(Errc::unavailable,
               std::string("a process cannot be started: ") + std::strerror(errno));

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+//
+// An exclusive lock on a file (flock), held as long as the object lives. The kernel releases it
+// when the process ends, in whatever manner, so a file without a lock says nothing.
+//
+// Only this user can open the file (mode 0600), because a user who can read a file can lock it.
+// A link is refused, and a file that belongs neither to this user nor to the owner of the folder.
+#pragma once
+
+#include "core/base/error.hpp"
+#include "system/descriptor.hpp"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+
+namespace mirocup::system {
+
+class FileLock {
+ public:
+  // Waits until the lock is free.
+  static Result<FileLock> acquire(const std::string& path);
+
+  // Returns nothing if another process holds the lock and keeps it for 0.2 s. Otherwise the file names this process until
+  // it ends, for signal_holder().
+  static Result<std::optional<FileLock>> try_acquire(const std::string& path);
+
+  // Sends the signals to the process that holds the lock. Returns false if no process does.
+  // Errc::unavailable if the holder cannot be told for certain, for example because it runs on
+  // another computer: no other process is ever signalled.
+  static Result<bool> signal_holder(const std::string& path, std::span<const int> signals);
+
+ private:
+  explicit FileLock(Descriptor file) : file_(std::move(file)) {}
+  Descriptor file_;
+};
+
+}  // namespace mirocup::system

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: MIT
+#include "system/files.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <optional>
+#include <sys/file.h>
+#include <sys/random.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <utility>
+
+namespace mirocup::system {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+tl::unexpected<Error> problem(const std::string& path, const char* doing) {
+  return fail(Errc::unavailable, path + " cannot be " + doing + ": " + std::strerror(errno));
+}
+
+tl::unexpected<Error> wrong(const std::string& path, const std::string& why) {
+  return fail(Errc::input, path + ": " + why);
+}
+
+std::int64_t ns_of(const timespec& time) {
+  return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
+}
+
+std::string size_text(std::uint64_t bytes) {
+  return bytes % (1u << 20) == 0 ? std::to_string(bytes >> 20) + " MiB"
+                                 : std::to_string(bytes) + " bytes";
+}
+
+bool write_all(int fd, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t n = ::write(fd, bytes.data(), bytes.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(n));
+  }
+  return true;
+}
+
+// A new name is on disk only after its folder has been flushed.
+bool sync_folder_of(const std::string& path) {
+  fs::path folder = fs::path(path).parent_path();
+  if (folder.empty()) folder = ".";
+  const Descriptor fd(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  return fd.is_open() && fsync(fd.get()) == 0;
+}
+
+// True for a device or a pipe, for example /dev/null. A file must not replace it. Of a name that
+// another user has made, only the name is replaced.
+bool is_special(const std::string& path) {
+  struct stat name {};
+  struct stat target {};
+  if (lstat(path.c_str(), &name) != 0 || stat(path.c_str(), &target) != 0) return false;
+  const bool is_trusted = name.st_uid == 0 || name.st_uid == geteuid();
+  return is_trusted && !S_ISREG(target.st_mode) && !S_ISDIR(target.st_mode);
+}
+
+Result<void> write_into(const std::string& path, std::string_view bytes) {
+  const Descriptor fd(open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  if (!fd.is_open() || !write_all(fd.get(), bytes)) return problem(path, "written");
+  return {};
+}
+
+// Opens a regular file for writing, and no link; negative on failure, with errno.
+Descriptor open_for_writing(const std::string& path, int flags) {
+  constexpr int always = O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
+  Descriptor fd(open(path.c_str(), always | flags, 0644));
+  struct stat about {};
+  if (fd.is_open() && fstat(fd.get(), &about) == 0 && !S_ISREG(about.st_mode)) {
+    fd.reset();
+    errno = EINVAL;
+  }
+  return fd;
+}
+
+// The name of a temporary file is the file's name, this mark and random digits.
+constexpr std::string_view unfinished_mark = ".unfinished-";
+constexpr std::size_t random_digits = 32;
+
+std::optional<std::string> random_name() {
+  unsigned char bytes[random_digits / 2];
+  if (getrandom(bytes, sizeof bytes, 0) != sizeof bytes) return std::nullopt;
+  std::string digits;
+  for (const unsigned char byte : bytes) {
+    constexpr char hex[] = "0123456789abcdef";
+    digits += {hex[byte >> 4], hex[byte & 15]};
+  }
+  return digits;
+}
+
+// Earlier versions wrote the id of the process instead of random digits.
+bool is_unfinished(const std::string& path) {
+  const std::size_t mark = path.rfind(unfinished_mark);
+  if (mark == std::string::npos) return false;
+  const std::string_view end = std::string_view(path).substr(mark + unfinished_mark.size());
+  const bool is_number =
+      !end.empty() && end.find_first_not_of("0123456789") == std::string_view::npos;
+  const bool is_random = end.size() == random_digits &&
+                         end.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+  return is_number || is_random;
+}
+
+struct Unfinished {
+  std::string path;
+  Descriptor descriptor{};  // closed on failure, with errno
+};
+
+// Makes a new temporary file and locks it. The kernel releases the lock when the process ends, so a
+// temporary file without a lock has no writer any more. The lock is not waited for: if another user
+// is quick enough to take it, the file is written without it, as on a disk without locks.
+Unfinished make_unfinished(const std::string& path, mode_t mode) {
+  constexpr int tries = 8;
+  for (int i = 0; i < tries; ++i) {
+    const auto name = random_name();
+    if (!name) break;
+    Unfinished made{.path = path + std::string(unfinished_mark) + *name};
+    made.descriptor.reset(
+        open(made.path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode));
+    if (!made.descriptor.is_open() && errno == EEXIST) continue;
+    if (!made.descriptor.is_open()) return made;
+    const bool is_locked = flock(made.descriptor.get(), LOCK_EX | LOCK_NB) == 0;
+    // remove_unfinished() may have been quicker.
+    struct stat about {};
+    const bool is_there = fstat(made.descriptor.get(), &about) == 0 && about.st_nlink > 0;
+    if (is_there && (is_locked || errno != EWOULDBLOCK || i + 1 == tries)) return made;
+    unlink(made.path.c_str());
+  }
+  return Unfinished{};
+}
+
+void remove_if_abandoned(const std::string& path) {
+  const Descriptor fd = open_for_writing(path, 0);
+  if (fd.is_open() && flock(fd.get(), LOCK_EX | LOCK_NB) == 0) unlink(path.c_str());
+}
+
+}  // namespace
+
+Result<OpenFile> open_file(const std::string& path, const ReadOptions& options) {
+  const int links = options.links == Links::refused ? O_NOFOLLOW : 0;
+  OpenFile file{.path = path, .options = options};
+  file.descriptor.reset(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC | links));
+  if (!file.descriptor.is_open()) {
+    if (errno == ELOOP && links != 0)
+      return wrong(path, "it is a symbolic link; name the file itself");
+    if (errno == ENXIO) return wrong(path, "it is not a regular file");  // a socket
+    return problem(path, "read");
+  }
+  struct stat about {};
+  if (fstat(file.descriptor.get(), &about) != 0) return problem(path, "read");
+  if (S_ISDIR(about.st_mode)) return wrong(path, "it is a folder and not a regular file");
+  if (!S_ISREG(about.st_mode)) return wrong(path, "it is not a regular file");
+  file.size = static_cast<std::uint64_t>(about.st_size);
+  if (file.size > options.max_size)
+    return wrong(path, "it is larger than " + size_text(options.max_size) +
+                           std::string(options.if_too_large));
+  file.owner = about.st_uid;
+  file.names = about.st_nlink;
+  file.inode = about.st_ino;
+  file.changed = ns_of(about.st_ctim);
+  file.modified = ns_of(about.st_mtim);
+  return file;
+}
+
+Result<std::string> read_file(const OpenFile& file, std::uint64_t offset) {
+  std::string bytes(file.size - std::min(offset, file.size), '\0');
+  std::size_t done = 0;
+  while (done < bytes.size()) {
+    const ssize_t n = pread(file.descriptor.get(), bytes.data() + done, bytes.size() - done,
+                            static_cast<off_t>(offset + done));
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) return problem(file.path, "read");
+    if (n == 0) break;
+    done += static_cast<std::size_t>(n);
+  }
+  if (file.options.growth == Growth::ignored) {
+    bytes.resize(done);
+    return bytes;
+  }
+  struct stat now {};
+  if (fstat(file.descriptor.get(), &now) != 0) return problem(file.path, "read");
+  if (done < bytes.size() || static_cast<std::uint64_t>(now.st_size) != file.size ||
+      ns_of(now.st_mtim) != file.modified) {
+    return fail(Errc::unavailable, file.path + " was changed while it was read; try again");
+  }
+  return bytes;
+}
+
+Result<std::string> Files::read_from(const std::string& path, std::size_t offset,
+                                     const ReadOptions& options) {
+  auto bytes = read(path, options);
+  if (bytes) bytes->erase(0, offset);
+  return bytes;
+}
+
+Result<std::string> Disk::read(const std::string& path, const ReadOptions& options) {
+  return read_from(path, 0, options);
+}
+
+Result<std::string> Disk::read_from(const std::string& path, std::size_t offset,
+                                    const ReadOptions& options) {
+  const auto file = open_file(path, options);
+  if (!file) return tl::unexpected(file.error());
+  return read_file(*file, offset);
+}
+
+Result<void> Disk::write(const std::string& path, std::string_view bytes, Readers readers) {
+  if (is_special(path)) return write_into(path, bytes);
+  const Unfinished made = make_unfinished(path, readers == Readers::owner ? 0600 : 0644);
+  if (!made.descriptor.is_open()) return problem(path, "written");
+  if (!write_all(made.descriptor.get(), bytes) || fsync(made.descriptor.get()) != 0 ||
+      rename(made.path.c_str(), path.c_str()) != 0 || !sync_folder_of(path)) {
+    const auto failed = problem(path, "written");
+    unlink(made.path.c_str());
+    return failed;
+  }
+  return {};
+}
+
+Result<void> Disk::remove_unfinished(const std::string& folder) {
+  std::error_code code;
+  using Walk = fs::recursive_directory_iterator;
+  Walk file(folder, fs::directory_options::skip_permission_denied, code);
+  for (; !code && file != Walk(); file.increment(code)) {
+    const std::string path = file->path().string();
+    if (is_unfinished(path)) remove_if_abandoned(path);
+  }
+  if (code) return fail(Errc::unavailable, folder + " cannot be searched: " + code.message());
+  return {};
+}
+
+Result<void> Disk::append(const std::string& path, std::string_view bytes) {
+  const bool is_new = !exists(path);
+  const Descriptor fd = open_for_writing(path, O_CREAT | O_APPEND);
+  if (!fd.is_open() || !write_all(fd.get(), bytes) || fsync(fd.get()) != 0) {
+    return problem(path, "written");
+  }
+  if (is_new && !sync_folder_of(path)) return problem(path, "written");
+  return {};
+}
+
+Result<void> Disk::truncate(const std::string& path, std::size_t size) {
+  const Descriptor fd = open_for_writing(path, 0);
+  if (!fd.is_open() || ftruncate(fd.get(), static_cast<off_t>(size)) != 0 || fsync(fd.get()) != 0) {
+    return problem(path, "shortened");
+  }
+  return {};
+}
+
+bool Disk::exists(const std::string& path) {
+  return access(path.c_str(), F_OK) == 0;
+}
+
+Result<void> Disk::make_folder(const std::string& path, Readers readers) {
+  const fs::path parent = fs::path(path).parent_path();
+  std::error_code code;
+  fs::create_directories(readers == Readers::owner ? parent : fs::path(path), code);
+  if (readers == Readers::owner && (!code || parent.empty())) {
+    code.clear();
+    if (mkdir(path.c_str(), 0700) != 0 && errno != EEXIST) return problem(path, "made");
+    const Descriptor fd(open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+    if (!fd.is_open() || fchmod(fd.get(), 0700) != 0) return problem(path, "closed to others");
+  }
+  if (code) return fail(Errc::unavailable, path + " cannot be made: " + code.message());
+  return {};
+}
+
+Result<std::vector<std::string>> Disk::names_in(const std::string& folder) {
+  std::vector<std::string> names;
+  std::error_code code;
+  fs::directory_iterator file(folder, code);
+  for (; !code && file != fs::directory_iterator(); file.increment(code))
+    names.push_back(file->path().filename().string());
+  if (code) return fail(Errc::unavailable, folder + " cannot be read: " + code.message());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+Result<void> Disk::remove(const std::string& path) {
+  std::error_code code;
+  fs::remove_all(path, code);
+  if (code) return fail(Errc::unavailable, path + " cannot be removed: " + code.message());
+  return {};
+}
+
+}  // namespace mirocup::system

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+//
+// Access to the disk. Whoever reads says what the file may be: how large, and whether its name may
+// be a link. Only regular files are read, so nobody waits for a pipe or reads a device without an
+// end. A file that is written whole is at any moment either the old one or the new one, also after
+// a crash. What is appended is on disk when append() returns. Tests replace the disk by one with
+// faults.
+//
+// Errors name the file and the reason. A file that is of the wrong kind, too large or a link is
+// Errc::input; what the system refuses is Errc::unavailable.
+#pragma once
+
+#include "core/base/error.hpp"
+#include "system/descriptor.hpp"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <sys/types.h>
+#include <vector>
+
+namespace mirocup::system {
+
+// How large a file of each kind may be, bytes. Each is several times what a person or a program
+// writes for good reason, and small enough to be held in memory.
+namespace size_limit {
+inline constexpr std::uint64_t entry = 32u << 20;        // a strategy as it is handed in
+inline constexpr std::uint64_t scene = 64u << 20;        // a scene, or one situation of a league
+inline constexpr std::uint64_t trace = 256u << 20;       // situations, one a line
+inline constexpr std::uint64_t record = 64u << 20;       // the JSON of a leg
+inline constexpr std::uint64_t replay = 256u << 20;      // the commands of a leg, compressed
+inline constexpr std::uint64_t league_file = 4u << 20;   // league.json
+inline constexpr std::uint64_t journal = 256u << 20;     // of a league
+inline constexpr std::uint64_t page = 256u << 20;        // that a program of ours has made
+inline constexpr std::uint64_t note = 4u << 20;          // verdicts, plans and other small JSON
+inline constexpr std::uint64_t certificate = 1u << 20;   // of one process
+inline constexpr std::uint64_t log = 16u << 20;          // the output of a child process
+inline constexpr std::uint64_t system_file = 64u << 20;  // of the installation
+}  // namespace size_limit
+
+enum class Links {
+  refused,   // whoever may write into the folder could name a file that only the host may read
+  followed,  // the host has named the file: an argument of the command line
+};
+
+enum class Growth {
+  refused,  // the file is complete: a change while it is read is an error
+  ignored,  // another process appends to it: what is there when it is opened is read
+};
+
+// What a file may be that is read.
+struct ReadOptions {
+  std::uint64_t max_size;  // bytes; a larger file is refused before its first byte is read
+  Links links = Links::refused;
+  Growth growth = Growth::refused;
+  std::string_view if_too_large = "";  // what its owner may do about that
+};
+
+// A regular file that is open for reading, as it was when it was opened.
+struct OpenFile {
+  std::string path;
+  ReadOptions options;
+  Descriptor descriptor{};
+  std::uint64_t size = 0;     // bytes
+  uid_t owner = 0;            // user
+  std::uint64_t names = 1;    // number of hard links
+  std::uint64_t inode = 0;    // with `changed`, tells whether it is the same file as before
+  std::int64_t changed = 0;   // ns since 1970 of the last change, also of its owner and names
+  std::int64_t modified = 0;  // ns since 1970 of the last change of its bytes
+};
+
+// Opens a file. It never waits, neither for the other end of a pipe nor for the holder of a lease.
+Result<OpenFile> open_file(const std::string& path, const ReadOptions& options);
+
+// Reads the file from `offset` to the size that it had when it was opened.
+Result<std::string> read_file(const OpenFile& file, std::uint64_t offset = 0);
+
+// The users that may read a written file. Only its owner may write it again.
+enum class Readers {
+  everybody,  // mode 0644, folders 0755, less what the umask takes
+  owner,      // mode 0600, folders 0700
+};
+
+class Files {
+ public:
+  virtual ~Files() = default;
+
+  virtual Result<std::string> read(const std::string& path, const ReadOptions& options) = 0;
+
+  // Returns the bytes behind the first `offset`.
+  virtual Result<std::string> read_from(const std::string& path, std::size_t offset,
+                                        const ReadOptions& options);
+
+  // Replaces the file: writes a temporary file in the same folder, flushes it to disk, renames it
+  // and flushes the folder. The temporary file has a name that nobody can guess and is always a new
+  // one. If another user has put a link at `path`, the link is replaced and its target untouched. A
+  // device or a pipe of the host or of the system is written into.
+  virtual Result<void> write(const std::string& path, std::string_view bytes,
+                             Readers readers = Readers::everybody) = 0;
+
+  // Removes the temporary files of killed writers from the folder and from those below it. Files
+  // that are being written stay.
+  virtual Result<void> remove_unfinished(const std::string& folder) = 0;
+
+  // Appends to a regular file and flushes to disk. A link is refused.
+  virtual Result<void> append(const std::string& path, std::string_view bytes) = 0;
+
+  // Cuts the file to its first `size` bytes.
+  virtual Result<void> truncate(const std::string& path, std::size_t size) = 0;
+
+  virtual bool exists(const std::string& path) = 0;
+
+  // Makes the folder and its missing parents. With Readers::owner the folder, but not its parents,
+  // is closed to others, also if it was there; a folder of another user is refused.
+  virtual Result<void> make_folder(const std::string& path,
+                                   Readers readers = Readers::everybody) = 0;
+
+  // Returns the names in a folder, sorted by their bytes.
+  virtual Result<std::vector<std::string>> names_in(const std::string& folder) = 0;
+
+  // Removes a file, or a folder with everything in it. Links are removed and not followed. What is
+  // not there is no error.
+  virtual Result<void> remove(const std::string& path) = 0;
+};
+
+// The real disk. It has no state: any number of objects may be used from any thread.
+class Disk final : public Files {
+ public:
+  Result<std::string> read(const std::string& path, const ReadOptions& options) override;
+  Result<std::string> read_from(const std::string& path, std::size_t offset,
+                                const ReadOptions& options) override;
+  Result<void> write(const std::string& path, std::string_view bytes,
+                     Readers readers = Readers::everybody) override;
+  Result<void> remove_unfinished(const std::string& folder) override;
+  Result<void> append(const std::string& path, std::string_view bytes) override;
+  Result<void> truncate(const std::string& path, std::size_t size) override;
+  bool exists(const std::string& path) override;
+  Result<void> make_folder(const std::string& path, Readers readers = Readers::everybody) override;
+  Result<std::vector<std::string>> names_in(const std::string& folder) override;
+  Result<void> remove(const std::string& path) override;
+};
+
+}  // namespace mirocup::system

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+//
+// The memory of the machine, as far as this process may use it, and what a leg needs of it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace mirocup::system {
+
+// What a team's process may take (its limit of addresses), what a match server takes at most, and
+// both together, bytes.
+inline constexpr std::size_t memory_of_a_team = std::size_t{1} << 30;
+inline constexpr std::size_t memory_of_a_server = std::size_t{64} << 20;
+inline constexpr std::size_t memory_of_a_leg = 2 * memory_of_a_team + memory_of_a_server;
+
+// Returns how much memory this process and its children could take before the kernel has to
+// end a process, bytes: the least of what the kernel calls available and of the room that each memory cgroup
+// around this process has left. Nothing if the kernel does not tell. Tests give another `root`.
+std::optional<std::size_t> available_memory(const std::string& root = "");
+
+// Returns how many processes the kernel has ended for want of memory since it was started; nothing
+// if it does not tell.
+std::optional<std::uint64_t> out_of_memory_kills(const std::string& root = "");
+
+// Returns a size as a person reads it, "181 MiB".
+std::string mebibytes(std::size_t bytes);
+
+}  // namespace mirocup::system

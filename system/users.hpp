@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+//
+// The users of this computer, by number and by name, and who of them may write where.
+#pragma once
+
+#include "core/base/error.hpp"
+
+#include <optional>
+#include <string>
+#include <sys/types.h>
+
+namespace mirocup::system {
+
+// Returns the number of the user whose rights this process has.
+uid_t this_user();
+
+// Returns how a sentence names the user: "alice", or "user 1001" if the number has no name.
+std::string name_of_user(uid_t user);
+
+// Returns the user of that name or number; nothing if there is no such name.
+std::optional<uid_t> find_user(const std::string& text);
+
+// The users that may write into a folder, beside the superuser.
+struct FolderWriters {
+  uid_t owner = 0;
+  bool others_write = false;   // true: others make files in it
+  bool others_remove = false;  // true: they remove and rename each other's files, too
+};
+Result<FolderWriters> writers_of(const std::string& folder);
+
+// Returns the owner of a file, or of the link if it is one; nothing if there is no file.
+std::optional<uid_t> owner_of(const std::string& path);
+
+}  // namespace mirocup::system
