@@ -37,18 +37,7 @@ mirocup_setup to_setup(const match::Briefing& briefing) {
   s.seed = briefing.seed;
   s.control_period = briefing.control_period;
   s.half_seconds = briefing.rules->half_s;
-  s.half_length = field.half_length;
-  s.half_width = field.half_width;
-  s.corner_leg = field.corner_leg;
-  s.goal_half_width = field.goal_half_width;
-  s.goal_depth = field.goal_depth;
-  s.goal_area_depth = field.goal_area.depth;
-  s.goal_area_half_width = field.goal_area.half_width;
-  if (field.penalty_area) {
-    s.penalty_area_depth = field.penalty_area->depth;
-    s.penalty_area_half_width = field.penalty_area->half_width;
-  }
-  s.centre_circle_radius = field.centre_circle_radius;
+  match::copy_field(field, s);
   match::copy_bodies(*briefing.parameters, s);
   return s;
 }
@@ -74,7 +63,10 @@ mirocup_observation to_observation(const match::Observation& from) {
   for (int i = 0; i < from.robots; ++i) {
     o.own[i] = to_robot(from.own[i]);
     o.opponent[i] = to_robot(from.opponent[i]);
+    o.own_age_ticks[i] = from.own[i].age;
+    o.opponent_age_ticks[i] = from.opponent[i].age;
   }
+  o.ball_age_ticks = from.ball_age;
   match::copy_counts(from.own_counts, o.own_counts);
   match::copy_counts(from.opponent_counts, o.opponent_counts);
   o.stalemate_s = from.stalemate_s;

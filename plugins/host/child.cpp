@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstring>
 #include <fstream>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <utility>
 
@@ -33,6 +34,7 @@ Child::Child(Child&& other) noexcept
     : pid_(std::exchange(other.pid_, -1)),
       cpu_clock_(other.cpu_clock_),
       cpu_(other.cpu_),
+      peak_memory_(other.peak_memory_),
       exit_status_(other.exit_status_) {}
 
 Child::~Child() {
@@ -40,19 +42,30 @@ Child::~Child() {
 }
 
 std::optional<ExitStatus> Child::exit_status() {
-  if (exit_status_) return exit_status_;
-  int status = 0;
-  if (waitpid(pid_, &status, WNOHANG) == pid_) exit_status_ = to_exit_status(status);
+  if (!exit_status_) reap(WNOHANG);
   return exit_status_;
 }
 
 void Child::kill() {
   if (exit_status_) return;
+  peak_memory_ = peak_memory();
   ::kill(pid_, SIGKILL);
+  if (!reap(0)) exit_status_ = ExitStatus{};
+}
+
+// Takes the exit status and the peak of memory of a process that has ended. Returns false if it has
+// not.
+bool Child::reap(int options) {
   int status = 0;
-  while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+  rusage usage{};
+  pid_t reaped = 0;
+  while ((reaped = wait4(pid_, &status, options, &usage)) < 0 && errno == EINTR) {
   }
+  if (reaped != pid_) return false;
   exit_status_ = to_exit_status(status);
+  // The kernel's figure counts the copy of the server that the process was before exec, too.
+  if (peak_memory_ == 0) peak_memory_ = static_cast<std::size_t>(usage.ru_maxrss) << 10;
+  return true;
 }
 
 double Child::cpu_seconds() {
@@ -71,7 +84,7 @@ std::optional<double> Child::processor_delay(pid_t pid) {
 }
 
 std::size_t Child::peak_memory() const {
-  if (exit_status_) return 0;
+  if (exit_status_) return peak_memory_;
   std::ifstream status("/proc/" + std::to_string(pid_) + "/status");
   std::string key;
   std::size_t kibibytes = 0;

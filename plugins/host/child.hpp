@@ -44,13 +44,16 @@ class Child {
   std::optional<double> processor_delay() const { return processor_delay(pid_); }
   static std::optional<double> processor_delay(pid_t pid);
 
-  // Returns the peak of its memory in use, bytes; 0 once the process has ended.
+  // Returns the peak of its memory in use, bytes, also after its end.
   std::size_t peak_memory() const;
 
  private:
+  bool reap(int options);
+
   pid_t pid_;
   clockid_t cpu_clock_ = 0;
-  double cpu_ = 0.0;  // s
+  double cpu_ = 0.0;             // s
+  std::size_t peak_memory_ = 0;  // bytes; 0 while it runs
   std::optional<ExitStatus> exit_status_;
 };
 

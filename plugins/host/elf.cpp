@@ -11,8 +11,16 @@ namespace mirocup::plugins {
 namespace {
 
 constexpr std::string_view entry_name = "mirocup_entry";
+
+// What is read of a file, whatever its tables claim. A library has about ten segments, thirty
+// dynamic entries and ten libraries that it needs. Every loop below ends at one of these numbers or
+// at the end of the file, and looks at a bounded number of bytes each time.
 constexpr std::size_t max_segments = 256;
+constexpr std::size_t max_loaded_segments = 64;  // each address is looked up in all of them
 constexpr std::size_t max_dynamic_entries = 4096;
+constexpr std::size_t max_needed = 256;
+constexpr std::size_t max_name = 255;          // bytes: the longest name of a file
+constexpr std::size_t max_search_path = 4095;  // bytes: the longest path
 constexpr std::size_t max_chain_length = 1u << 20;
 
 #if defined(__x86_64__)
@@ -42,13 +50,22 @@ class Image {
     return offset ? at_offset<T>(*offset) : std::nullopt;
   }
 
-  std::optional<std::string_view> text_at_address(std::uint64_t address) const {
+  // The text up to its zero; nothing if it has more than `max_size` bytes.
+  std::optional<std::string_view> text_at_address(std::uint64_t address,
+                                                  std::size_t max_size) const {
     const auto offset = offset_of(address);
     if (!offset || *offset >= bytes_.size()) return std::nullopt;
-    const std::string_view rest = bytes_.substr(*offset);
+    const std::string_view rest = bytes_.substr(*offset, max_size + 1);
     const std::size_t end = rest.find('\0');
     if (end == std::string_view::npos) return std::nullopt;
     return rest.substr(0, end);
+  }
+
+  // True if this text with its zero is there. Does not look for the end of a longer one.
+  bool has_text_at_address(std::uint64_t address, std::string_view text) const {
+    const auto offset = offset_of(address);
+    return offset && contains(*offset, text.size() + 1) &&
+           bytes_.substr(*offset, text.size()) == text && bytes_[*offset + text.size()] == '\0';
   }
 
   bool contains(std::uint64_t offset, std::uint64_t size) const {
@@ -112,6 +129,8 @@ tl::expected<Elf64_Phdr, std::string> read_segments(Image& image, const Elf64_Eh
     if (!image.contains(segment->p_offset, segment->p_filesz))
       return bad("it is cut off: parts that it describes are missing; copy it again");
     if (segment->p_type == PT_LOAD) image.loaded.push_back(*segment);
+    if (image.loaded.size() > max_loaded_segments)
+      return bad("its program headers are damaged: build it again");
     if (segment->p_type == PT_DYNAMIC) dynamic = *segment;
   }
   if (image.loaded.empty() || !dynamic) return bad("it has nothing to load: link it with -shared");
@@ -145,6 +164,8 @@ tl::expected<Dynamic, std::string> read_dynamic(const Image& image, const Elf64_
         dynamic.flags_1 = value;
         break;
       case DT_NEEDED:
+        if (dynamic.needed.size() == max_needed)
+          return bad("it needs too many libraries: link them statically");
         dynamic.needed.push_back(value);
         break;
       case DT_RPATH:
@@ -158,13 +179,17 @@ tl::expected<Dynamic, std::string> read_dynamic(const Image& image, const Elf64_
   return bad("its dynamic section has no end: build it again");
 }
 
-// True if the symbol of that index is a defined function named mirocup_entry.
-bool is_entry(const Image& image, const Dynamic& dynamic, std::uint64_t index) {
-  const auto symbol = image.at_address<Elf64_Sym>(dynamic.symbols + index * sizeof(Elf64_Sym));
-  if (!symbol || symbol->st_shndx == SHN_UNDEF) return false;
-  const auto name = image.text_at_address(dynamic.strings + symbol->st_name);
-  const unsigned type = ELF64_ST_TYPE(symbol->st_info);
-  return name == entry_name && (type == STT_FUNC || type == STT_GNU_IFUNC);
+std::optional<Elf64_Sym> symbol_at(const Image& image, const Dynamic& dynamic,
+                                   std::uint64_t index) {
+  return image.at_address<Elf64_Sym>(dynamic.symbols + index * sizeof(Elf64_Sym));
+}
+
+// True if the symbol is a defined function named mirocup_entry.
+bool is_entry(const Image& image, const Dynamic& dynamic, const Elf64_Sym& symbol) {
+  if (symbol.st_shndx == SHN_UNDEF) return false;
+  const unsigned type = ELF64_ST_TYPE(symbol.st_info);
+  return (type == STT_FUNC || type == STT_GNU_IFUNC) &&
+         image.has_text_at_address(dynamic.strings + symbol.st_name, entry_name);
 }
 
 // Follows the chain of the entry's name in the GNU hash table.
@@ -182,7 +207,11 @@ bool is_in_gnu_hash(const Image& image, const Dynamic& dynamic) {
   for (std::uint64_t i = *begin; i - *begin < max_chain_length; ++i) {
     const auto link = image.at_address<std::uint32_t>(chains + 4 * (i - *first));
     if (!link) return false;
-    if ((*link | 1) == (hash | 1) && is_entry(image, dynamic, i)) return true;
+    if ((*link | 1) == (hash | 1)) {
+      const auto symbol = symbol_at(image, dynamic, i);
+      if (!symbol) return false;
+      if (is_entry(image, dynamic, *symbol)) return true;
+    }
     if ((*link & 1) != 0) return false;
   }
   return false;
@@ -193,7 +222,9 @@ bool is_in_any_hash(const Image& image, const Dynamic& dynamic) {
   const auto symbols = image.at_address<std::uint32_t>(dynamic.hash + 4);
   if (dynamic.hash == 0 || !symbols) return false;
   for (std::uint64_t i = 0; i < *symbols && i < max_chain_length; ++i) {
-    if (is_entry(image, dynamic, i)) return true;
+    const auto symbol = symbol_at(image, dynamic, i);
+    if (!symbol) return false;
+    if (is_entry(image, dynamic, *symbol)) return true;
   }
   return false;
 }
@@ -217,13 +248,18 @@ tl::expected<SharedLibrary, std::string> read_shared_library(std::string_view by
 
   SharedLibrary library;
   for (const std::uint64_t name : dynamic->needed) {
-    const auto text = image.text_at_address(dynamic->strings + name);
-    if (!text) return bad("the names of the libraries that it needs are damaged: build it again");
+    const auto text = image.text_at_address(dynamic->strings + name, max_name);
+    if (!text) {
+      return bad(
+          "the names of the libraries that it needs are damaged or longer than those of "
+          "files: build it again");
+    }
     library.needed.emplace_back(*text);
   }
   if (dynamic->search_path) {
-    const auto text = image.text_at_address(dynamic->strings + *dynamic->search_path);
-    if (!text) return bad("its search path is damaged: build it again");
+    const auto text =
+        image.text_at_address(dynamic->strings + *dynamic->search_path, max_search_path);
+    if (!text) return bad("its search path is damaged or too long: build it again");
     library.search_path = *text;
   }
   library.exports_entry = is_in_any_hash(image, *dynamic);

@@ -3,9 +3,11 @@
 // Reads a shared library without loading it: whether it is one, complete and built for this
 // machine, and what it exports and needs.
 //
-// The bytes come from a stranger: every offset is checked before it is followed, and none of the
-// code is run. This is a reader of our own rather than libelf, so that all of these checks are
-// here. A library that passes can still fail to load, which the sandbox finds out.
+// The bytes come from a stranger: every offset is checked before it is followed, none of the code
+// is run, and time and memory are bounded by the size of the file: a tenth of a second and some
+// hundred KiB, whatever its tables claim. This is a reader of our own rather than libelf, so that
+// all of these checks are here. A library that passes can still fail to load, which the sandbox
+// finds out.
 #pragma once
 
 #include <tl/expected.hpp>

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "plugins/host/fault_report.hpp"
 
+#include "plugins/host/sandbox/signals.hpp"
+
+#include <algorithm>
 #include <csignal>
+#include <iterator>
 #include <unistd.h>
 
 namespace mirocup::plugins {
@@ -13,7 +17,14 @@ CommandPage* faulted_page = nullptr;
 
 alignas(16) char stack[32 << 10];
 
+// The codes of signals that the kernel sends are greater than 0. What another process sends, such
+// as the SIGTERM for all processes of a job, is the host's affair: the server ends the leg.
+bool is_from_another_process(const siginfo_t& info) {
+  return info.si_code <= 0 && info.si_pid != getpid();
+}
+
 void report(int signal, siginfo_t* info, void*) {
+  if (is_from_another_process(*info)) return;
   faulted_page->fault_call.store(signal == SIGSYS ? info->si_syscall : no_call,
                                  std::memory_order_relaxed);
   faulted_page->fault_signal.store(signal, std::memory_order_release);
@@ -30,11 +41,11 @@ bool report_faults_to(CommandPage& page) {
   if (sigaltstack(&alternative, nullptr) != 0) return false;
   struct sigaction action {};
   action.sa_sigaction = report;
-  action.sa_flags = SA_SIGINFO | SA_ONSTACK;
-  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGSYS}) {
-    if (sigaction(signal, &action, nullptr) != 0) return false;
-  }
-  return true;
+  action.sa_flags = SA_SIGINFO | SA_ONSTACK | SA_RESTART;
+  const auto handle = [&action](int signal) { return sigaction(signal, &action, nullptr) == 0; };
+  return handle(SIGSYS) &&
+         std::all_of(std::begin(processor_signals), std::end(processor_signals), handle) &&
+         std::all_of(std::begin(ending_signals), std::end(ending_signals), handle);
 }
 
 }  // namespace mirocup::plugins

@@ -10,10 +10,12 @@
 #include "plugins/host/launch.hpp"
 #include "plugins/host/mailbox.hpp"
 #include "plugins/host/plugin.hpp"
+#include "plugins/host/sandbox/descriptor_packet.hpp"
 #include "plugins/host/sandbox/file_access.hpp"
 #include "plugins/host/sandbox/filter.hpp"
 #include "plugins/host/sandbox/limits.hpp"
 #include "plugins/host/sandbox/private_root.hpp"
+#include "plugins/host/team_clocks.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -70,12 +72,22 @@ void keep_memory() {
   mallopt(M_MMAP_THRESHOLD, 64 << 20);
 }
 
+// Gives the server the word over what loading needs. Not every system has this; without it the
+// sandbox stands as well.
+void let_the_server_end_loading() {
+  const int supervisor = ask_before_loading();
+  if (supervisor < 0) return;
+  if (!send_descriptor(setup_descriptor, supervisor)) give_up("the end of loading");
+  close(supervisor);
+}
+
 // Builds the first part of the sandbox. Returns the path to load the library from.
 const char* enter_sandbox(Isolation isolation, CommandPage& page) {
   const bool has_namespaces = isolation == Isolation::T2;
   if (!limit_this_process()) give_up("limits");
   if (!report_faults_to(page)) give_up("fault handlers");
   if (!allow_libraries_only(has_namespaces ? private_entry_path : nullptr)) give_up("Landlock");
+  let_the_server_end_loading();
   if (!filter_for_loading()) give_up("the filter of system calls");
   if (write(setup_descriptor, &sandbox_stands, 1) != 1) _exit(127);
   close(setup_descriptor);
@@ -95,6 +107,7 @@ int main(int argc, char** argv) {
   keep_memory();
   const char* library = enter_sandbox(*isolation, *out);
 
+  start_clocks(in->clocks);
   mirocup_setup setup = in->setup;
   setup.log = write_line;
   auto plugin = Plugin::load(library, setup);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "plugins/host/launch.hpp"
 
-#include "plugins/host/descriptor.hpp"
 #include "plugins/host/sandbox/fork.hpp"
 #include "plugins/host/sandbox/private_root.hpp"
+#include "system/descriptor.hpp"
 
 #include <cassert>
 #include <cerrno>
@@ -88,7 +88,7 @@ void reset_signals() {
 Result<Child> launch(const Launch& what) {
   assert(what.isolation != Isolation::none);
   // Opened by the parent, because the child's user may not be able to reach it by its path.
-  const Descriptor program(open(what.program.c_str(), O_PATH | O_CLOEXEC));
+  const system::Descriptor program(open(what.program.c_str(), O_PATH | O_CLOEXEC));
   if (program.get() < 0)
     return fail(Errc::unavailable, what.program + " cannot be run: " + std::strerror(errno));
   auto pid = fork_isolated(what.isolation, [&] { become_host(what, program.get()); });

@@ -22,8 +22,9 @@ enum HostDescriptor : int {
   program_descriptor = 7,  // closed by exec
 };
 
-// The byte that the process writes to setup_descriptor when the sandbox stands. Any other text is
-// the reason why it does not.
+// The byte that the process writes to setup_descriptor, a socket of packets, when the sandbox
+// stands. Before it a packet with the descriptor of ask_before_loading() may come. Any other text
+// is the reason why the sandbox does not stand.
 inline constexpr char sandbox_stands = '+';
 
 struct Launch {

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "mirocup/strategy.h"
+#include "plugins/host/team_clocks.hpp"
 
 #include <atomic>
 #include <chrono>
@@ -22,6 +23,7 @@ static_assert(std::atomic<std::uint32_t>::is_always_lock_free);
 struct ObservationPage {
   std::atomic<std::uint32_t> request;     // number of the observation, counted from 1
   std::atomic<std::uint32_t> is_awaited;  // 1 while the server sleeps until the answer
+  ClockReadings clocks;
   mirocup_setup setup;
   mirocup_observation observation;
 };

@@ -46,6 +46,21 @@ void write_line(const char* text) {
 
 tl::expected<Plugin, Fault> Plugin::load(const std::string& path, const mirocup_setup& setup) {
   const FloatingPointGuard guard;
+  auto plugin = open(path);
+  if (!plugin) return plugin;
+  const auto create = [&] { plugin->team_ = plugin->strategy_->create(&setup); };
+  if (auto called = guarded("create", create); !called) return tl::unexpected(called.error());
+  if (plugin->team_ == nullptr) return fault(FaultCode::no_load, "create() returned null");
+  return plugin;
+}
+
+tl::expected<void, Fault> Plugin::check(const std::string& path) {
+  const FloatingPointGuard guard;
+  return open(path).map([](const Plugin&) {});
+}
+
+// Loads the library without creating its team.
+tl::expected<Plugin, Fault> Plugin::open(const std::string& path) {
   void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) {
     return fault(FaultCode::no_load, std::string("the library does not load: ") + dlerror());
@@ -71,10 +86,6 @@ tl::expected<Plugin, Fault> Plugin::load(const std::string& path, const mirocup_
       strategy->decide == nullptr) {
     return fault(FaultCode::bad_abi, "mirocup_entry() returned an incomplete structure");
   }
-  if (auto called = guarded("create", [&] { plugin.team_ = strategy->create(&setup); }); !called) {
-    return tl::unexpected(called.error());
-  }
-  if (plugin.team_ == nullptr) return fault(FaultCode::no_load, "create() returned null");
   return plugin;
 }
 

@@ -24,6 +24,10 @@ class Plugin {
   static tl::expected<Plugin, match::Fault> load(const std::string& path,
                                                  const mirocup_setup& setup);
 
+  // Returns why load() would refuse the library at `path`, as far as that can be told without a
+  // team: its file, its version, its functions.
+  static tl::expected<void, match::Fault> check(const std::string& path);
+
   Plugin(Plugin&& other) noexcept;
   Plugin& operator=(Plugin&&) = delete;
   ~Plugin();
@@ -41,6 +45,8 @@ class Plugin {
  private:
   Plugin(void* library, const mirocup_strategy* strategy, void* team)
       : library_(library), strategy_(strategy), team_(team) {}
+
+  static tl::expected<Plugin, match::Fault> open(const std::string& path);
 
   void* library_;
   const mirocup_strategy* strategy_;

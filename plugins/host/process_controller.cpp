@@ -3,6 +3,8 @@
 
 #include "plugins/abi/convert.hpp"
 #include "plugins/host/launch.hpp"
+#include "plugins/host/reported_fault.hpp"
+#include "plugins/host/sandbox/descriptor_packet.hpp"
 #include "plugins/host/sandbox/filter.hpp"
 
 #include <algorithm>
@@ -14,6 +16,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/mman.h>
+#include <sys/socket.h>
 #include <utility>
 
 namespace mirocup::plugins {
@@ -29,6 +32,9 @@ using match::HostFailure;
 // the kernel's clock tick: a shorter timer would have to be programmed into the hardware and
 // removed again in every wait, which costs more than handing over.
 constexpr std::chrono::milliseconds slice{20};
+
+// A server that sleeps a slice and wakes so much later, s, was stopped with its whole job.
+constexpr double min_absence = 1.0;
 
 // The team's output pipe is emptied every 32 ticks, because a full pipe refuses further output.
 constexpr std::uint32_t ticks_between_readings = 32;
@@ -59,12 +65,12 @@ std::string seconds_text(double seconds) {
 
 }  // namespace
 
-Result<std::unique_ptr<ProcessController>> ProcessController::start(
-    const std::string& host_program, Isolation isolation, const SealedEntry& entry,
-    const match::Briefing& briefing, const Budget& budget, std::optional<Deadline> deadline,
-    std::shared_ptr<Doorbell> bell) {
-  const Descriptor in_fd(memfd_create("observation", MFD_CLOEXEC | MFD_ALLOW_SEALING));
-  const Descriptor out_fd(memfd_create("command", MFD_CLOEXEC | MFD_ALLOW_SEALING));
+Result<std::unique_ptr<ProcessController>> ProcessController::start(const std::string& host_program,
+                                                                    const SealedEntry& entry,
+                                                                    const match::Briefing& briefing,
+                                                                    const ProcessTerms& terms) {
+  const system::Descriptor in_fd(memfd_create("observation", MFD_CLOEXEC | MFD_ALLOW_SEALING));
+  const system::Descriptor out_fd(memfd_create("command", MFD_CLOEXEC | MFD_ALLOW_SEALING));
   ObservationPage* in = make_page<ObservationPage>(in_fd.get());
   CommandPage* out = make_page<CommandPage>(out_fd.get());
   if (in == nullptr || out == nullptr) return not_available("the mailbox of a team");
@@ -76,65 +82,72 @@ Result<std::unique_ptr<ProcessController>> ProcessController::start(
     return not_available("the seals of a team's mailbox");
   }
   in->setup = abi::to_setup(briefing);
+  in->clocks = terms.clocks;
 
   int log_ends[2];
   int setup_ends[2];
   if (pipe2(log_ends, O_CLOEXEC | O_NONBLOCK) != 0) return not_available("a pipe");
-  Descriptor log(log_ends[0]);
-  const Descriptor child_log(log_ends[1]);
-  if (pipe2(setup_ends, O_CLOEXEC) != 0) return not_available("a pipe");
-  Descriptor setup(setup_ends[0]);
-  const Descriptor child_setup(setup_ends[1]);
+  system::Descriptor log(log_ends[0]);
+  const system::Descriptor child_log(log_ends[1]);
+  if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, setup_ends) != 0)
+    return not_available("a pair of sockets");
+  system::Descriptor setup(setup_ends[0]);
+  const system::Descriptor child_setup(setup_ends[1]);
 
   auto child = launch({.program = host_program,
-                       .isolation = isolation,
+                       .isolation = terms.isolation,
                        .observation = in_fd.get(),
                        .command = out_fd.get(),
                        .setup = child_setup.get(),
                        .entry = entry.descriptor(),
                        .log = child_log.get()});
   if (!child) return tl::unexpected(child.error());
-  return std::unique_ptr<ProcessController>(
-      new ProcessController(std::move(*child), in, out, std::move(setup), std::move(log), budget,
-                            deadline, std::move(bell)));
+  return std::unique_ptr<ProcessController>(new ProcessController(
+      briefing.team, std::move(*child), in, out, std::move(setup), std::move(log), terms));
 }
 
-ProcessController::ProcessController(Child child, ObservationPage* in, CommandPage* out,
-                                     Descriptor setup, Descriptor log, const Budget& budget,
-                                     std::optional<Deadline> deadline,
-                                     std::shared_ptr<Doorbell> bell)
-    : child_(std::move(child)),
+ProcessController::ProcessController(Team team, Child child, ObservationPage* in, CommandPage* out,
+                                     system::Descriptor setup, system::Descriptor log,
+                                     const ProcessTerms& terms)
+    : team_(team),
+      child_(std::move(child)),
       in_(in),
       out_(out),
       setup_(std::move(setup)),
       log_pipe_(std::move(log)),
-      budget_(budget),
-      deadline_(deadline),
-      bell_(std::move(bell)),
+      budget_(terms.budget),
+      deadline_(terms.deadline),
+      bell_(terms.bell),
+      memory_(terms.memory),
       posted_at_(WallClock::now()),
       asked_at_(posted_at_) {
   bell_->join();
+  memory_->add(team_, child_);
 }
 
 ProcessController::~ProcessController() {
   bell_->leave();
+  memory_->remove(team_);
   child_.kill();
   munmap(in_, sizeof *in_);
   munmap(out_, sizeof *out_);
 }
 
 // Until the process tells that its sandbox stands, every error is a failure of the host. The
-// process tells it through a pipe that it closes before it touches the library.
+// process tells it through a socket that it closes before it touches the library.
 std::optional<HostFailure> ProcessController::wait_for_sandbox() {
   pollfd readable{setup_.get(), POLLIN, 0};
   char text[128];
-  ssize_t length = 0;
-  if (poll(&readable, 1, static_cast<int>(1e3 * max_setup_time)) > 0)
-    length = read(setup_.get(), text, sizeof text);
+  ssize_t length = -1;
+  if (poll(&readable, 1, static_cast<int>(1e3 * max_setup_time)) > 0) {
+    length = receive_packet(setup_.get(), text, sizeof text, loading_);
+    if (loading_.get() >= 0) length = read(setup_.get(), text, sizeof text);
+  }
   if (length == 1 && text[0] == sandbox_stands) {
     setup_.reset();
     return std::nullopt;
   }
+  const bool has_ended = length == 0;  // the socket is closed, and nothing was said
   std::string why = "it ended without a word";
   if (length > 0) {
     why.assign(text, static_cast<std::size_t>(length));
@@ -143,56 +156,40 @@ std::optional<HostFailure> ProcessController::wait_for_sandbox() {
       why.append(text, static_cast<std::size_t>(length));
   }
   child_.kill();
+  if (has_ended && child_.exit_status()->signal == SIGKILL) {
+    return HostFailure{"the " + std::string(to_string(team_)) +
+                       " team's process was killed from outside before its sandbox stood"};
+  }
   return HostFailure{"the sandbox of a team could not be built: " + why};
-}
-
-// Returns the fault that the process reported itself before it ended, if any.
-std::optional<Fault> ProcessController::reported_fault(const ExitStatus& status) const {
-  if (status.signal == SIGSYS)
-    return Fault{FaultCode::illegal_call, "the team made a system call that is not allowed"};
-  if (status.signal == 0 && status.exit_code == exit_faulted) {
-    const int signal = out_->fault_signal.load(std::memory_order_acquire);
-    if (signal == SIGSYS) {
-      return Fault{FaultCode::illegal_call,
-                   "the team made a system call that is not allowed: " +
-                       system_call_name(out_->fault_call.load(std::memory_order_relaxed))};
-    }
-    if (signal > 0 && signal < NSIG)
-      return Fault{FaultCode::crash, "the team's process died of " + signal_text(signal)};
-  }
-  if (status.signal == 0 && status.exit_code == exit_refused) {
-    char copy[sizeof out_->text];
-    std::memcpy(copy, out_->text, sizeof copy);
-    copy[sizeof copy - 1] = '\0';
-    const std::string text = escape_unprintable(copy);
-    switch (out_->load_state.load(std::memory_order_acquire)) {
-      case LoadState::no_load:
-        return Fault{FaultCode::no_load, text};
-      case LoadState::bad_abi:
-        return Fault{FaultCode::bad_abi, text};
-      case LoadState::crash:
-        return Fault{FaultCode::crash, text};
-      default:
-        break;
-    }
-  }
-  return std::nullopt;
 }
 
 Answer ProcessController::answer_to_exit(const ExitStatus& status) {
   // The team cannot have done it: the filter forbids sending itself SIGKILL.
-  if (status.signal == SIGKILL) {
-    return HostFailure{
-        "a team's process was killed from outside: out of memory, or a cancelled job"};
-  }
-  Fault fault = reported_fault(status).value_or(Fault{
-      FaultCode::crash,
-      status.signal != 0
-          ? "the team's process died of " + signal_text(status.signal)
-          : "the team's process ended itself with exit code " + std::to_string(status.exit_code)});
-  if (!is_ready_ && fault.code != FaultCode::no_load && fault.code != FaultCode::bad_abi)
-    fault.text += ", while its library was loaded";
-  return fault;
+  if (status.signal == SIGKILL) return judge_kill(team_, memory_->evidence(team_));
+  LastWords words;
+  words.signal = out_->fault_signal.load(std::memory_order_acquire);
+  words.call = out_->fault_call.load(std::memory_order_relaxed);
+  words.load_state = out_->load_state.load(std::memory_order_acquire);
+  words.text.assign(out_->text, strnlen(out_->text, sizeof out_->text));
+  return fault_of(status, words, is_ready_);
+}
+
+// Waits until the process changes `answer`. While it loads, its calls wait for the server.
+void ProcessController::wait_for_word(std::uint32_t seen, std::chrono::nanoseconds pause) {
+  const bool is_loading = loading_.get() >= 0;
+  if (!is_loading || has_loaded_) wait_while_equal(out_->answer, seen, pause);
+  if (!is_loading) return;
+  const auto patience = std::chrono::duration_cast<std::chrono::milliseconds>(pause);
+  const auto step = allow_loading_step(loading_.get(), has_loaded_ ? patience.zero() : patience);
+  if (step == LoadingStep::last) has_loaded_ = true;
+}
+
+// The time in which the server was stopped is not the team's, which may have been stopped, too.
+void ProcessController::forgive_absence(double pause) {
+  if (pause < min_absence) return;
+  absent_ += pause;
+  asked_at_ +=
+      std::chrono::duration_cast<WallClock::duration>(std::chrono::duration<double>(pause));
 }
 
 template <class Done>
@@ -205,10 +202,16 @@ std::optional<Answer> ProcessController::wait(Done done, const WaitLimit& limit,
     if (done()) break;
     std::chrono::nanoseconds pause = slice;
     if (until) pause = std::clamp<std::chrono::nanoseconds>(*until - WallClock::now(), {}, slice);
-    wait_while_equal(out_->answer, seen, pause);
+    const auto start = WallClock::now();
+    wait_for_word(seen, pause);
+    forgive_absence(seconds_since(start));
     if (done()) break;
     if (const auto status = child_.exit_status()) return answer_to_exit(*status);
     cpu_ = child_.cpu_seconds();
+    if (auto fault = find_overdraft()) {
+      child_.kill();
+      return *fault;
+    }
     const bool is_busy = cpu_ - cpu_at_post_ > limit.cpu;
     if (is_busy || seconds_since(asked_at_) > limit.wall) {
       child_.kill();
@@ -227,6 +230,8 @@ std::optional<Answer> ProcessController::wait(Done done, const WaitLimit& limit,
 }
 
 tl::expected<void, Answer> ProcessController::wait_until_ready() {
+  // Another team that was slow to load has not taken this one's time.
+  asked_at_ = WallClock::now();
   if (auto failure = wait_for_sandbox()) return tl::unexpected<Answer>(*failure);
   const auto is_ready = [this] { return out_->load_state.load() == LoadState::ready; };
   const WaitLimit limit{.cpu = budget_.start_cpu,
@@ -235,6 +240,7 @@ tl::expected<void, Answer> ProcessController::wait_until_ready() {
                         .doing = "to load its library and create its team"};
   if (auto problem = wait(is_ready, limit, std::nullopt)) return tl::unexpected(*problem);
   is_ready_ = true;
+  loading_.reset();  // a team that says it is ready has loaded
   cpu_at_ready_ = cpu_ = child_.cpu_seconds();
   start_wall_ = seconds_since(posted_at_);
   return {};
@@ -270,14 +276,18 @@ Answer ProcessController::count_late_tick() {
                                            : std::to_string(late_in_a_row_) + " times in a row")};
 }
 
+// Returns the fault of a team that has used up its bank.
+std::optional<Fault> ProcessController::find_overdraft() const {
+  if (!is_ready_ || playing_seconds() <= bank_seconds()) return std::nullopt;
+  return Fault{FaultCode::budget,
+               "the team used up its processor time: more than " + seconds_text(budget_.bank) +
+                   " and " + std::to_string(1e3 * budget_.bank_per_tick).substr(0, 4) +
+                   " ms for each of " + std::to_string(ticks_) + " ticks, more for each place()"};
+}
+
 // Returns the fault of a team that has used up its bank or slept too long by the end of a tick.
 std::optional<Fault> ProcessController::find_overrun() {
-  if (playing_seconds() > bank_seconds()) {
-    return Fault{FaultCode::budget,
-                 "the team used up its processor time: more than " + seconds_text(budget_.bank) +
-                     " and " + std::to_string(1e3 * budget_.bank_per_tick).substr(0, 4) +
-                     " ms for each of " + std::to_string(ticks_) + " ticks, more for each place()"};
-  }
+  if (auto fault = find_overdraft()) return fault;
   if (has_slept_too_long()) {
     return Fault{FaultCode::hang,
                  "the team slept more than " + seconds_text(budget_.sleep) + " in this leg"};
@@ -313,9 +323,10 @@ Answer ProcessController::collect() {
   }
   if (!is_answered()) {
     const auto start = WallClock::now();
+    const double absent_before = absent_;
     if (auto problem = wait(is_answered, limit, until))
       return std::holds_alternative<match::Late>(*problem) ? count_late_tick() : *problem;
-    waited_ += seconds_since(start);
+    waited_ += seconds_since(start) - (absent_ - absent_before);
   }
   cpu_ = child_.cpu_seconds();
   is_awaited_ = false;

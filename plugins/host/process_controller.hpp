@@ -10,12 +10,13 @@
 
 #include "core/match/controller.hpp"
 #include "plugins/host/child.hpp"
-#include "plugins/host/descriptor.hpp"
 #include "plugins/host/doorbell.hpp"
 #include "plugins/host/mailbox.hpp"
+#include "plugins/host/memory_witness.hpp"
 #include "plugins/host/sandbox/isolation.hpp"
 #include "plugins/host/sealed_entry.hpp"
 #include "plugins/host/team_log.hpp"
+#include "system/descriptor.hpp"
 
 #include <chrono>
 #include <memory>
@@ -51,15 +52,25 @@ struct Deadline {
   int max_late = 600;
 };
 
+// The conditions under which the teams of a leg play. Both share the doorbell, on which the server
+// waits for their answers, and the witness.
+struct ProcessTerms {
+  Isolation isolation = Isolation::T2;
+  Budget budget;
+  std::optional<Deadline> deadline;  // nothing: a tick lasts until the answer comes
+  ClockReadings clocks;              // what the teams' clocks show at the start
+  std::shared_ptr<Doorbell> bell = std::make_shared<Doorbell>();
+  std::shared_ptr<MemoryWitness> memory = std::make_shared<MemoryWitness>();
+};
+
 class ProcessController final : public match::Controller {
  public:
   // Starts mirocup-plugin-host at `host_program` with the entry. An error is a failure of the host;
-  // wait_until_ready() tells what became of the library. Without a deadline a tick lasts until the
-  // answer comes. `bell` is the doorbell of the match, which wakes both teams together.
-  static Result<std::unique_ptr<ProcessController>> start(
-      const std::string& host_program, Isolation isolation, const SealedEntry& entry,
-      const match::Briefing& briefing, const Budget& budget, std::optional<Deadline> deadline,
-      std::shared_ptr<Doorbell> bell);
+  // wait_until_ready() tells what became of the library.
+  static Result<std::unique_ptr<ProcessController>> start(const std::string& host_program,
+                                                          const SealedEntry& entry,
+                                                          const match::Briefing& briefing,
+                                                          const ProcessTerms& terms);
   ~ProcessController() override;
 
   // Returns when the library is loaded and its team created. The error is the team's fault, or a
@@ -80,7 +91,7 @@ class ProcessController final : public match::Controller {
   std::optional<double> processor_delay() const { return child_.processor_delay(); }
   // Returns the bank of the leg so far, s.
   double bank_seconds() const { return budget_.bank_after(ticks_, places_); }
-  // Returns the peak of the process's memory, bytes; 0 once the process has ended.
+  // Returns the peak of the process's memory, bytes.
   std::size_t peak_memory() const { return child_.peak_memory(); }
 
   // Returns the output of the team so far: bounded, and harmless to show.
@@ -97,9 +108,8 @@ class ProcessController final : public match::Controller {
     const char* doing = "";
   };
 
-  ProcessController(Child child, ObservationPage* in, CommandPage* out, Descriptor setup,
-                    Descriptor log, const Budget& budget, std::optional<Deadline> deadline,
-                    std::shared_ptr<Doorbell> bell);
+  ProcessController(Team team, Child child, ObservationPage* in, CommandPage* out,
+                    system::Descriptor setup, system::Descriptor log, const ProcessTerms& terms);
 
   std::optional<match::HostFailure> wait_for_sandbox();
   // Waits until done() holds. Otherwise returns Late at `until`, or why the team has lost or the
@@ -108,21 +118,27 @@ class ProcessController final : public match::Controller {
   std::optional<match::Answer> wait(Done done, const WaitLimit& limit,
                                     std::optional<WallClock::time_point> until);
   match::Answer answer_to_exit(const ExitStatus& status);
-  std::optional<match::Fault> reported_fault(const ExitStatus& status) const;
   match::Answer count_late_tick();
+  std::optional<match::Fault> find_overdraft() const;
   std::optional<match::Fault> find_overrun();
   bool has_slept_too_long();
+  void wait_for_word(std::uint32_t seen, std::chrono::nanoseconds pause);
+  void forgive_absence(double pause);
   void read_log();
 
+  Team team_;
   Child child_;
   ObservationPage* in_;
   CommandPage* out_;
-  Descriptor setup_;
-  Descriptor log_pipe_;
+  system::Descriptor setup_;
+  system::Descriptor loading_;  // while the process may load; see ask_before_loading()
+  bool has_loaded_ = false;     // as the process shows; it may be lying
+  system::Descriptor log_pipe_;
   TeamLog log_;
   Budget budget_;
   std::optional<Deadline> deadline_;
   std::shared_ptr<Doorbell> bell_;
+  std::shared_ptr<MemoryWitness> memory_;
   bool is_ready_ = false;
 
   std::uint32_t ticks_ = 0;    // observations so far
@@ -138,6 +154,7 @@ class ProcessController final : public match::Controller {
   double slowest_tick_ = 0.0;
   double start_wall_ = 0.0;
   double waited_ = 0.0;            // wall time that the server has waited for answers, s
+  double absent_ = 0.0;            // wall time in which the server itself was stopped, s
   double next_sleep_check_ = 0.0;  // value of waited_ at which to check for sleep again
   int late_in_a_row_ = 0;
   int late_ = 0;

@@ -7,15 +7,12 @@
 #pragma once
 
 #include "core/base/error.hpp"
-#include "plugins/host/descriptor.hpp"
+#include "system/descriptor.hpp"
 
 #include <string>
 #include <string_view>
 
 namespace mirocup::plugins {
-
-// The size of the largest file that is accepted as a strategy.
-inline constexpr std::size_t max_entry_size = 32u << 20;  // bytes
 
 class SealedEntry {
  public:
@@ -34,10 +31,10 @@ class SealedEntry {
   int descriptor() const { return descriptor_.get(); }
 
  private:
-  SealedEntry(Descriptor descriptor, std::string_view bytes)
+  SealedEntry(system::Descriptor descriptor, std::string_view bytes)
       : descriptor_(std::move(descriptor)), bytes_(bytes) {}
 
-  Descriptor descriptor_;
+  system::Descriptor descriptor_;
   std::string_view bytes_;
 };
 

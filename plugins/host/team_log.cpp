@@ -1,65 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "plugins/host/team_log.hpp"
 
+#include "system/printable.hpp"
+
 #include <algorithm>
-#include <cstdint>
 
 namespace mirocup::plugins {
-
-namespace {
-
-struct Character {
-  std::size_t length = 0;  // bytes; 0: not UTF-8
-  std::uint32_t code = 0;
-};
-
-Character first_of(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char lead = byte(0);
-  if (lead < 0x80) return {1, lead};
-  const std::size_t length = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
-  if (lead < 0xc2 || lead > 0xf4 || text.size() < length) return {};
-  std::uint32_t code = lead & (0x7fu >> length);
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xc0) != 0x80) return {};
-    code = code << 6 | (byte(i) & 0x3f);
-  }
-  const bool is_too_long = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
-  const bool is_surrogate = code >= 0xd800 && code < 0xe000;
-  if (is_too_long || is_surrogate || code > 0x10ffff) return {};
-  return {length, code};
-}
-
-bool is_harmless(std::uint32_t code) {
-  if (code == '\n' || code == '\t') return true;
-  if (code < 0x20 || (code >= 0x7f && code < 0xa0)) return false;
-  // Characters that change the direction of writing, or end a line only in some programs.
-  const bool turns = code == 0x61c || (code >= 0x200e && code <= 0x200f) ||
-                     (code >= 0x2028 && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
-  return !turns && code != 0xfeff;
-}
-
-}  // namespace
-
-std::string escape_unprintable(std::string_view text) {
-  constexpr char digits[] = "0123456789abcdef";
-  std::string out;
-  out.reserve(text.size());
-  while (!text.empty()) {
-    const Character c = first_of(text);
-    const std::size_t length = std::max<std::size_t>(c.length, 1);
-    if (c.length > 0 && is_harmless(c.code)) {
-      out += text.substr(0, length);
-    } else {
-      for (const char byte : text.substr(0, length)) {
-        const auto value = static_cast<unsigned char>(byte);
-        out += {'\\', 'x', digits[value >> 4], digits[value & 15]};
-      }
-    }
-    text.remove_prefix(length);
-  }
-  return out;
-}
 
 void TeamLog::append(std::string_view bytes) {
   const std::size_t room = max_beginning - beginning_.size();
@@ -73,8 +19,8 @@ void TeamLog::append(std::string_view bytes) {
 }
 
 std::string TeamLog::text() const {
-  std::string beginning = escape_unprintable(beginning_);
-  std::string end = escape_unprintable(end_);
+  std::string beginning = system::printable(beginning_, system::LineEnds::kept);
+  std::string end = system::printable(end_, system::LineEnds::kept);
   if (left_out_ == 0 && beginning.size() + end.size() <= max_beginning + max_end) {
     return beginning + end;
   }

@@ -9,11 +9,6 @@
 
 namespace mirocup::plugins {
 
-// Returns the text with every byte as \xNN that a terminal, a page or a reader could mistake for
-// something else: control characters except line ends and tabs, bytes that are not UTF-8, and the
-// characters that change the direction of writing.
-std::string escape_unprintable(std::string_view text);
-
 // Keeps the beginning and the end of the output, and counts the bytes between them.
 class TeamLog {
  public:

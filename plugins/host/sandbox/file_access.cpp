@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "plugins/host/sandbox/file_access.hpp"
 
-#include "plugins/host/descriptor.hpp"
 #include "plugins/host/sandbox/private_root.hpp"
+#include "system/descriptor.hpp"
 
 #include <cerrno>
 #include <cstddef>
@@ -27,7 +27,7 @@ constexpr int file_rights[] = {0, 13, 14, 15, 15, 16};
 constexpr std::uint64_t bind_and_connect_tcp = 3;
 constexpr std::uint64_t abstract_sockets_and_signals = 3;
 
-Descriptor make_rules() {
+system::Descriptor make_rules() {
   const int version = landlock_version();
   const int known = version < 5 ? file_rights[version < 0 ? 0 : version] : file_rights[5];
   Rules rules{};
@@ -41,12 +41,13 @@ Descriptor make_rules() {
     rules.scopes = abstract_sockets_and_signals;
     size = sizeof rules;
   }
-  return Descriptor(static_cast<int>(syscall(SYS_landlock_create_ruleset, &rules, size, 0)));
+  return system::Descriptor(
+      static_cast<int>(syscall(SYS_landlock_create_ruleset, &rules, size, 0)));
 }
 
 // Adds a rule that allows reading below `path`. A path that does not exist needs no rule.
-bool allow_reading(const Descriptor& rules, const char* path) {
-  const Descriptor file(open(path, O_PATH | O_CLOEXEC));
+bool allow_reading(const system::Descriptor& rules, const char* path) {
+  const system::Descriptor file(open(path, O_PATH | O_CLOEXEC));
   if (file.get() < 0) return errno == ENOENT;
   landlock_path_beneath_attr below{};
   below.allowed_access = LANDLOCK_ACCESS_FS_READ_FILE;
@@ -54,7 +55,7 @@ bool allow_reading(const Descriptor& rules, const char* path) {
   return syscall(SYS_landlock_add_rule, rules.get(), LANDLOCK_RULE_PATH_BENEATH, &below, 0) == 0;
 }
 
-bool enforce(const Descriptor& rules) {
+bool enforce(const system::Descriptor& rules) {
   return syscall(SYS_landlock_restrict_self, rules.get(), 0) == 0;
 }
 
@@ -66,7 +67,7 @@ int landlock_version() {
 }
 
 bool allow_libraries_only(const char* entry_path) {
-  const Descriptor rules = make_rules();
+  const system::Descriptor rules = make_rules();
   if (rules.get() < 0) return false;
   for (const char* folder : library_folders) {
     if (!allow_reading(rules, folder)) return false;
@@ -77,7 +78,7 @@ bool allow_libraries_only(const char* entry_path) {
 }
 
 bool allow_no_files() {
-  const Descriptor rules = make_rules();
+  const system::Descriptor rules = make_rules();
   return rules.get() >= 0 && enforce(rules);
 }
 

@@ -1,17 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include "plugins/host/sandbox/filter.hpp"
 
+#include "plugins/host/sandbox/signals.hpp"
+
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
+#include <iterator>
 #include <linux/futex.h>
 #include <linux/seccomp.h>
 #include <memory>
+#include <poll.h>
 #include <seccomp.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <unistd.h>
+#include <vector>
 
 namespace mirocup::plugins {
 
@@ -20,42 +28,24 @@ namespace {
 // Calls that are allowed without a condition, grouped by purpose.
 constexpr const char* memory[] = {"brk", "mmap", "munmap", "mremap", "mprotect", "madvise"};
 constexpr const char* time_and_waiting[] = {
-    "clock_gettime",   "clock_getres", "gettimeofday",   "time", "nanosleep",
-    "clock_nanosleep", "sched_yield",  "pause",          "poll", "ppoll",
-    "select",          "pselect6",     "restart_syscall"};
+    "gettimeofday", "time",  "nanosleep", "sched_yield", "pause",
+    "poll",         "ppoll", "select",    "pselect6",    "restart_syscall"};
 constexpr const char* own_signals[] = {"rt_sigprocmask", "rt_sigreturn",  "sigaltstack",
                                        "rt_sigpending",  "rt_sigsuspend", "rt_sigtimedwait"};
-constexpr const char* facts_about_itself[] = {"getpid",
-                                              "gettid",
-                                              "getppid",
-                                              "getuid",
-                                              "geteuid",
-                                              "getgid",
-                                              "getegid",
-                                              "getresuid",
-                                              "getresgid",
-                                              "getgroups",
-                                              "getpgrp",
-                                              "getpgid",
-                                              "getsid",
-                                              "getrusage",
-                                              "times",
-                                              "getcpu",
-                                              "getrandom",
-                                              "sched_getaffinity",
-                                              "set_tid_address",
-                                              "set_robust_list",
-                                              "rseq",
-                                              "uname",
-                                              "sysinfo",
-                                              "getpriority",
-                                              "sched_getscheduler",
-                                              "getrlimit",
-                                              "sched_getparam",
-                                              "arch_prctl"};
+constexpr const char* facts_about_itself[] = {
+    "getpid",  "gettid",    "getppid",         "getuid",          "geteuid", "getgid",
+    "getegid", "getresuid", "getresgid",       "getgroups",       "getpgrp", "getrusage",
+    "times",   "getcpu",    "getrandom",       "set_tid_address", "rseq",    "uname",
+    "sysinfo", "getrlimit", "set_robust_list", "arch_prctl"};
+// Calls that take the number of a process first, and are allowed about the own one only.
+constexpr const char* facts_about_a_process[] = {"getpgid", "getsid", "sched_getaffinity",
+                                                 "sched_getscheduler", "sched_getparam"};
+// Calls that take a clock first.
+constexpr const char* clock_calls[] = {"clock_gettime", "clock_getres", "clock_nanosleep"};
 constexpr const char* open_files[] = {"read",  "write", "readv",       "writev", "pread64",
                                       "close", "lseek", "close_range", "fstat",  "newfstatat"};
 constexpr const char* loading[] = {"openat", "landlock_create_ruleset", "landlock_restrict_self"};
+constexpr const char* call_when_loaded = "landlock_restrict_self";
 constexpr const char* end[] = {"exit", "exit_group"};
 
 // Calls that return an error, grouped by the error.
@@ -76,6 +66,10 @@ constexpr const char* try_again[] = {"clone", "fork", "vfork"};
 constexpr int futex_operations[] = {FUTEX_WAIT,       FUTEX_WAKE,        FUTEX_REQUEUE,
                                     FUTEX_WAKE_OP,    FUTEX_CMP_REQUEUE, FUTEX_WAIT_BITSET,
                                     FUTEX_WAKE_BITSET};
+
+// The bits that no clock of the system has in its number (CLOCK_REALTIME 0 to CLOCK_TAI 11). Other
+// numbers are the processor time of a process, which in tier T1 could be the opponent's.
+constexpr std::uint32_t not_a_system_clock = 0xfffffff0;
 
 // Flags of openat() that would let a process change something.
 constexpr unsigned writing_flags[] = {O_WRONLY, O_RDWR, O_CREAT, O_TRUNC, O_APPEND, O_PATH};
@@ -116,10 +110,69 @@ class Filter {
     return result == 0;
   }
 
+  // Only after load(), of a filter with SCMP_ACT_NOTIFY.
+  int supervisor() const { return seccomp_notify_fd(context_.get()); }
+
  private:
   std::unique_ptr<void, void (*)(scmp_filter_ctx)> context_;
   int error_ = 0;
 };
+
+// Compares the lower half of an argument: the kernel reads no more of an int, whatever the team
+// puts into the upper half.
+scmp_arg_cmp low_word(unsigned argument, std::uint32_t value) {
+  return {argument, SCMP_CMP_MASKED_EQ, 0xffffffff, value};
+}
+
+// The numbers by which this process, which has one thread, can name itself.
+std::array<std::uint32_t, 2> own_numbers() {
+  return {0, static_cast<std::uint32_t>(getpid())};
+}
+
+// The clocks of this process's processor time. The kernel makes their numbers of the process's
+// number, the kind of time and a bit for threads.
+std::vector<std::uint32_t> own_clocks() {
+  std::vector<std::uint32_t> clocks;
+  for (const std::uint32_t id : own_numbers()) {
+    for (std::uint32_t kind = 0; kind < 3; ++kind) {
+      for (const std::uint32_t thread : {0u, 4u}) clocks.push_back(~id << 3 | thread | kind);
+    }
+  }
+  return clocks;
+}
+
+template <std::size_t n>
+bool is_one_of(const int (&signals)[n], int signal) {
+  return std::find(std::begin(signals), std::end(signals), signal) != std::end(signals);
+}
+
+constexpr int first_real_time_signal = 32;
+
+void allow_own_signals(Filter& filter) {
+  const auto process = static_cast<std::uint32_t>(getpid());
+  for (int signal = 1; signal < first_real_time_signal; ++signal) {
+    const auto number = static_cast<std::uint32_t>(signal);
+    // For abort() and raise(). A processor's signal that is only sent would end the team in one
+    // tier and not in the other, so it is not sent.
+    if (is_one_of(processor_signals, signal)) {
+      filter.add(SCMP_ACT_ERRNO(EPERM), "tgkill", low_word(0, process), low_word(2, number));
+    } else if (!is_one_of(signals_of_the_host, signal)) {
+      filter.add(SCMP_ACT_ALLOW, "tgkill", low_word(0, process), low_word(2, number));
+    }
+    // The filter itself uses SIGSYS.
+    if (signal == SIGSYS || is_one_of(ending_signals, signal)) {
+      filter.add(SCMP_ACT_ALLOW, "rt_sigaction", low_word(0, number),
+                 scmp_arg_cmp{1, SCMP_CMP_EQ, 0, 0});
+      filter.add(SCMP_ACT_ERRNO(EPERM), "rt_sigaction", low_word(0, number),
+                 scmp_arg_cmp{1, SCMP_CMP_NE, 0, 0});
+    } else {
+      filter.add(SCMP_ACT_ALLOW, "rt_sigaction", low_word(0, number));
+    }
+  }
+  // The C library takes two of them when it wants to start a thread.
+  filter.add(SCMP_ACT_ALLOW, "rt_sigaction",
+             scmp_arg_cmp{0, SCMP_CMP_GE, first_real_time_signal, 0});
+}
 
 void allow_some_forms(Filter& filter) {
   const auto is = [](unsigned argument, scmp_datum_t value) {
@@ -130,26 +183,27 @@ void allow_some_forms(Filter& filter) {
     filter.add(SCMP_ACT_ALLOW, "futex",
                scmp_arg_cmp{1, SCMP_CMP_MASKED_EQ, mask, static_cast<scmp_datum_t>(operation)});
   }
-  // For abort() and raise(). Stop signals and SIGKILL are not allowed: their effect looks as if the
-  // host had caused it.
-  for (int signal = 1; signal < 32; ++signal) {
-    if (signal == SIGKILL || signal == SIGSTOP || signal == SIGTSTP || signal == SIGTTIN ||
-        signal == SIGTTOU) {
-      continue;
-    }
-    filter.add(SCMP_ACT_ALLOW, "tgkill", is(0, static_cast<scmp_datum_t>(getpid())),
-               is(2, static_cast<scmp_datum_t>(signal)));
-  }
-  // The filter itself uses SIGSYS.
-  filter.add(SCMP_ACT_ALLOW, "rt_sigaction", scmp_arg_cmp{0, SCMP_CMP_NE, SIGSYS, 0});
-  filter.add(SCMP_ACT_ERRNO(EPERM), "rt_sigaction", is(0, SIGSYS));
+  allow_own_signals(filter);
   for (const int command : {F_GETFD, F_SETFD, F_GETFL}) {
     filter.add(SCMP_ACT_ALLOW, "fcntl", is(1, static_cast<scmp_datum_t>(command)));
   }
   for (const int command : {F_DUPFD, F_DUPFD_CLOEXEC}) {
     filter.add(SCMP_ACT_ERRNO(EMFILE), "fcntl", is(1, static_cast<scmp_datum_t>(command)));
   }
-  filter.add(SCMP_ACT_ALLOW, "prlimit64", is(2, 0));
+  for (const std::uint32_t id : own_numbers()) {
+    filter.add(SCMP_ACT_ALLOW, "prlimit64", low_word(0, id), is(2, 0));
+    filter.add(SCMP_ACT_ALLOW, "getpriority", low_word(0, PRIO_PROCESS), low_word(1, id));
+    for (const char* call : facts_about_a_process) {
+      filter.add(SCMP_ACT_ALLOW, call, low_word(0, id));
+    }
+  }
+  for (const char* call : clock_calls) {
+    filter.add(SCMP_ACT_ALLOW, call, scmp_arg_cmp{0, SCMP_CMP_MASKED_EQ, not_a_system_clock, 0});
+  }
+  for (const std::uint32_t clock : own_clocks()) {
+    filter.add(SCMP_ACT_ALLOW, "clock_gettime", low_word(0, clock));
+    filter.add(SCMP_ACT_ALLOW, "clock_getres", low_word(0, clock));
+  }
   filter.add(SCMP_ACT_ERRNO(EPERM), "prlimit64", scmp_arg_cmp{2, SCMP_CMP_NE, 0, 0});
   static_assert(PR_SET_NAME + 1 == PR_GET_NAME);
   filter.add(SCMP_ACT_ALLOW, "prctl", is(0, PR_SET_NAME));
@@ -192,6 +246,36 @@ bool filter_for_loading() {
   filter.add_all(SCMP_ACT_ERRNO(EAGAIN), try_again);
   filter.add(SCMP_ACT_ERRNO(ENOTTY), "ioctl");
   return filter.load();
+}
+
+int ask_before_loading() {
+  Filter filter(SCMP_ACT_ALLOW);
+  filter.add(SCMP_ACT_NOTIFY, "openat");
+  filter.add(SCMP_ACT_NOTIFY, "newfstatat");
+  filter.add(SCMP_ACT_NOTIFY, call_when_loaded);
+  for (const char* call : {"mmap", "mprotect"}) {
+    filter.add(SCMP_ACT_NOTIFY, call, scmp_arg_cmp{2, SCMP_CMP_MASKED_EQ, PROT_EXEC, PROT_EXEC});
+  }
+  return filter.load() ? filter.supervisor() : -1;
+}
+
+LoadingStep allow_loading_step(int supervisor, std::chrono::milliseconds patience) {
+  static const int last = seccomp_syscall_resolve_name(call_when_loaded);
+  pollfd asked{supervisor, POLLIN, 0};
+  if (poll(&asked, 1, static_cast<int>(patience.count())) <= 0) return LoadingStep::none;
+  seccomp_notif* call = nullptr;
+  seccomp_notif_resp* answer = nullptr;
+  if (seccomp_notify_alloc(&call, &answer) != 0) return LoadingStep::none;
+  LoadingStep step = LoadingStep::none;
+  // Fails if the process was killed meanwhile.
+  if (seccomp_notify_receive(supervisor, call) == 0) {
+    answer->id = call->id;
+    answer->flags = SECCOMP_USER_NOTIF_FLAG_CONTINUE;
+    seccomp_notify_respond(supervisor, answer);
+    step = call->data.nr == last ? LoadingStep::last : LoadingStep::more;
+  }
+  seccomp_notify_free(call, answer);
+  return step;
 }
 
 bool filter_for_playing() {

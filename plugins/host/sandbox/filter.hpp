@@ -5,6 +5,7 @@
 // libraries try and can do without return an error instead.
 #pragma once
 
+#include <chrono>
 #include <string>
 
 namespace mirocup::plugins {
@@ -14,6 +15,21 @@ namespace mirocup::plugins {
 // failure; errno says why.
 bool filter_for_loading();
 bool filter_for_playing();
+
+// The calls that loading needs and playing does not (opening a file, asking for one, new code) wait
+// for a supervisor, the process that holds the descriptor returned here. Once it has closed the
+// descriptor, they return ENOSYS. So loading ends when the server says so, whatever the library
+// does. Returns -1 where the kernel gives no such descriptor, as within another supervisor's
+// sandbox.
+int ask_before_loading();
+
+// In the supervisor: waits at most that long for a call and lets it pass.
+enum class LoadingStep {
+  none,  // no call has come
+  more,  // one that loads
+  last,  // the one that a process makes when it has loaded: readiness is near
+};
+LoadingStep allow_loading_step(int supervisor, std::chrono::milliseconds patience);
 
 // Returns the name of a system call, "kill", or "number 999" if it has none.
 std::string system_call_name(int number);

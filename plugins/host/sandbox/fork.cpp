@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "plugins/host/sandbox/fork.hpp"
 
-#include "plugins/host/descriptor.hpp"
+#include "system/descriptor.hpp"
 
 #include <cassert>
 #include <cerrno>
@@ -33,7 +33,7 @@ uid_t outer_user(pid_t pid) {
 }
 
 bool write_to(const std::string& path, const std::string& text) {
-  const Descriptor file(open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  const system::Descriptor file(open(path.c_str(), O_WRONLY | O_CLOEXEC));
   return write(file.get(), text.data(), text.size()) == static_cast<ssize_t>(text.size());
 }
 
@@ -85,10 +85,10 @@ tl::unexpected<Error> no_sandbox(const char* what) {
 
 // Parent and child send each other single bytes to keep in step. Both functions return false if the
 // other side is gone.
-bool send_byte(const Descriptor& line) {
+bool send_byte(const system::Descriptor& line) {
   return send(line.get(), "", 1, MSG_NOSIGNAL) == 1;
 }
-bool receive_byte(const Descriptor& line) {
+bool receive_byte(const system::Descriptor& line) {
   char byte = 0;
   ssize_t n = 0;
   while ((n = read(line.get(), &byte, 1)) < 0 && errno == EINTR) {
@@ -107,8 +107,8 @@ Result<pid_t> fork_isolated(Isolation isolation, const std::function<void()>& ru
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
     return no_sandbox("a pair of sockets cannot be made");
-  Descriptor line(ends[0]);
-  Descriptor child_line(ends[1]);
+  system::Descriptor line(ends[0]);
+  system::Descriptor child_line(ends[1]);
   const int namespaces = CLONE_NEWUSER | CLONE_NEWPID | CLONE_NEWNS | CLONE_NEWNET | CLONE_NEWIPC |
                          CLONE_NEWUTS | CLONE_NEWCGROUP;
   const long flags = SIGCHLD | (has_namespaces ? namespaces : 0);

@@ -3,11 +3,11 @@
 // The resource limits of a team's process.
 #pragma once
 
-#include <cstddef>
+#include "system/memory.hpp"
 
 namespace mirocup::plugins {
 
-inline constexpr std::size_t max_memory = std::size_t{1} << 30;  // bytes of address space
+inline constexpr std::size_t max_memory = system::memory_of_a_team;  // bytes of address space
 
 // Limits the resources of this process. From here on it can gain no new privileges, no other
 // process can trace it, and it dies with its parent. Returns false on failure; errno says why.

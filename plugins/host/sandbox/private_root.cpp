@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "plugins/host/sandbox/private_root.hpp"
 
-#include "plugins/host/descriptor.hpp"
+#include "system/descriptor.hpp"
 
 #include <climits>
 
@@ -52,14 +52,15 @@ bool add_folder(const char* path) {
 bool add_loader_cache() {
   struct stat status {};
   if (stat(loader_cache, &status) != 0) return errno == ENOENT;
-  const Descriptor file(open(loader_cache + 1, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
+  const system::Descriptor file(
+      open(loader_cache + 1, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
   return file.get() >= 0 && bind(loader_cache);
 }
 
 bool add_entry(int entry) {
   struct stat status {};
   if (fstat(entry, &status) != 0) return false;
-  const Descriptor file(
+  const system::Descriptor file(
       open(private_entry_path + 1, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0444));
   off_t done = 0;
   while (done < status.st_size) {

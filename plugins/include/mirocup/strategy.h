@@ -69,9 +69,14 @@
  *   setup->log("text") and what you print to standard output or error go to the log of the leg,
  *   which keeps 64 KiB.
  *
+ * Clocks
+ *   The time of day begins at 1 January 2000 in every leg. Differences between two readings are
+ *   true, on every clock, and so is processor time.
+ *
  * Random numbers
  *   Derive them from `seed`; then a leg can be played again exactly. Clocks, addresses and
  *   std::random_device make a leg that cannot be repeated; `mirocup check` refuses such a library.
+ *   It plays a leg twice, the second time on another day.
  *
  * Versions
  *   Structures grow only at their end, and `size` tells how many bytes of one exist. The host reads
@@ -128,7 +133,7 @@ enum mirocup_restart {
 
 typedef struct mirocup_robot {
   double x, y;    /* centre, m */
-  double heading; /* rad, in (-pi, pi] */
+  double heading; /* rad, in (-pi, pi], a multiple of 2^-50 */
   double vx, vy;  /* m/s */
   double turn;    /* rad/s */
 } mirocup_robot;
@@ -191,6 +196,12 @@ typedef struct mirocup_observation {
   mirocup_counts own_counts, opponent_counts;
   double stalemate_s; /* how long the ball has made no progress */
   double advantage_s; /* how long a foul has waited for a goal; 0: none does */
+  /* How many ticks ago each body was seen where it is shown. More than 0 only under the conditions
+     `camera`, which sees late and now and then loses a body; then its last pose is repeated. */
+  int32_t own_age_ticks[MIROCUP_MAX_ROBOTS];
+  int32_t opponent_age_ticks[MIROCUP_MAX_ROBOTS];
+  int32_t ball_age_ticks;
+  int32_t reserved_age;
 } mirocup_observation;
 
 typedef struct mirocup_wheels {

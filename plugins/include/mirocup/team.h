@@ -32,12 +32,13 @@ extern "C" {
 #endif
 
 typedef struct mirocup_team_call {
-  uint32_t size;           /* of this structure, bytes; another size is refused */
+  uint32_t size;           /* of this structure, bytes; it grows only at its end */
   int32_t team;            /* enum mirocup_team: the colour to play */
   const char* server;      /* host of the match server; null: this computer */
   const char* match;       /* ID of the match */
   const char* name;        /* of the team, as the match knows it */
   const char* credentials; /* folder with the team's credentials; null: open mode */
+  int32_t domain;          /* DDS domain, 0 to 230; 0 if `size` does not reach it */
 } mirocup_team_call;
 
 typedef struct mirocup_connection mirocup_connection;
@@ -51,8 +52,9 @@ enum mirocup_team_news {
   MIROCUP_TEAM_REFUSED = 4  /* the server does not admit this team; see _text() */
 };
 
-/* Opens a connection. Returns null on failure and writes a sentence into `why`, which has room for
- * `size` bytes and may be null. */
+/* Opens a connection. Returns null on failure, writes a sentence into `why`, which has room for
+ * `size` bytes and may be null, and sets errno: EINVAL if the call is wrong or the credentials are
+ * missing or somebody else's, ENETDOWN if the network cannot be used. */
 mirocup_connection* mirocup_team_open(const mirocup_team_call* call, char* why, size_t size);
 
 /* Waits at most `seconds` of wall time. Returns an enum mirocup_team_news. Ticks come in order,

@@ -18,6 +18,7 @@
 
 #include "mirocup/team.h"
 
+#include <cerrno>
 #include <memory>
 #include <string>
 
@@ -29,6 +30,7 @@ struct Call {
   int team = MIROCUP_BLUE;
   std::string name;
   std::string server;       // "": this host
+  int domain = 0;           // DDS domain
   std::string credentials;  // "": open mode
 };
 
@@ -41,16 +43,20 @@ class Connection {
     c.server = call.server.empty() ? nullptr : call.server.c_str();
     c.match = call.match.c_str();
     c.name = call.name.c_str();
+    c.domain = call.domain;
     c.credentials = call.credentials.empty() ? nullptr : call.credentials.c_str();
     char why[512] = "";
     connection_.reset(mirocup_team_open(&c, why, sizeof why));
     why_ = why;
+    is_wrong_ = connection_ == nullptr && errno == EINVAL;
   }
 
   // False if the network cannot be used. Then why() has the reason, and no other function may be
   // called.
   bool is_open() const { return connection_ != nullptr; }
   const std::string& why() const { return why_; }
+  // True if the call or the credentials are wrong, so that another try is of no use.
+  bool is_wrong() const { return is_wrong_; }
 
   int wait(double seconds) { return mirocup_team_wait(connection_.get(), seconds); }
   const mirocup_setup& setup() const { return *mirocup_team_setup(connection_.get()); }
@@ -70,6 +76,7 @@ class Connection {
   };
   std::unique_ptr<mirocup_connection, Close> connection_;
   std::string why_;
+  bool is_wrong_ = false;
 };
 
 }  // namespace mirocup::team

@@ -1,25 +1,35 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# Feeds inputs of libFuzzer to the readers of records and replays. Usage: tests/security/fuzz/run.sh [SECONDS] (for each
-# reader, 600 by default). Builds into build/fuzz (build/mirocup plays the seeds). Stops at the first input that crashes a
-# reader, and keeps the input there.
+# Feeds inputs of libFuzzer to the readers of what strangers write. Usage: tests/security/fuzz/run.sh [SECONDS [READER...]]
+# (for each reader, 600 by default). Builds into build/fuzz. A reader stops at its first input that crashes it or takes 10 s
+# or 2 GB, which is what the sanitizers make of 2 s and 512 MB, and the input is kept in build/fuzz/finds. At the end the release
+# build reads all inputs that were kept, with 2 s and 512 MB for each. Exits with 1 after any find.
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
 seconds=${1:-600}
+shift || true
+all=(elf http journal league record replay scene trace)
+readers=("$@")
+[ ${#readers[@]} -gt 0 ] || readers=("${all[@]}")
 
 cmake --preset fuzz >/dev/null
-cmake --build --preset fuzz --target record_fuzz replay_fuzz
+cmake --build --preset fuzz --target "${readers[@]/%/_fuzz}"
 cmake --preset release >/dev/null
-cmake --build --preset release --target play
-seeds=build/fuzz/seeds
-mkdir -p "$seeds" build/fuzz/corpus/{record,replay}
-build/mirocup match --blue idle --yellow idle --half 1 --record "$seeds/leg.json"
-cp "$seeds/leg.json" build/fuzz/corpus/record/
-{ printf '\0'; cat "$seeds/leg.replay.zst"; } >build/fuzz/corpus/replay/leg
-# The uncompressed content of the zstd frame after the first line; the harness compresses it again.
-{ printf '\4'; tail -n +2 "$seeds/leg.replay.zst" | zstd -dcq; } >build/fuzz/corpus/replay/unpacked
-for reader in record replay; do
-  build/fuzz/${reader}_fuzz -max_total_time="$seconds" -max_len=65536 -artifact_prefix=build/fuzz/ \
-    -print_final_stats=1 "build/fuzz/corpus/$reader"
+cmake --build --preset release --target fuzz_corpus mirocup house_idle mirocup-plugin-host
+corpus=build/fuzz/corpus
+mkdir -p build/fuzz/finds
+tests/security/fuzz/seeds.py build "$corpus"
+found=0
+for reader in "${readers[@]}"; do
+  echo "== $reader"
+  alone=()
+  # A network without other programs, where the system allows it.
+  if [ "$reader" = http ] && unshare -rn true 2>/dev/null; then
+    alone=(unshare -rn sh -c 'ip link set lo up && exec "$@"' sh)
+  fi
+  "${alone[@]}" "build/fuzz/${reader}_fuzz" -max_total_time="$seconds" -max_len=65536 -timeout=10 -rss_limit_mb=2048 \
+    -artifact_prefix="build/fuzz/finds/$reader-" -print_final_stats=1 "$corpus/$reader" || found=1
 done
+build/fuzz_corpus "$corpus" || found=1
+exit $found

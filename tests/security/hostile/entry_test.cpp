@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <poll.h>
 #include <sstream>
 #include <sys/prctl.h>
@@ -160,31 +161,199 @@ TEST(TeamProcess, KilledFromOutsideVoidsTheLeg) {
   const Json result = read_json(folder / "leg.json")["result"];
   EXPECT_EQ(result["end"], "void");
   EXPECT_TRUE(result["fault"].is_null());
+  const std::string why = result["why_void"];
+  EXPECT_NE(why.find("team's process was killed from outside"), std::string::npos) << why;
 }
 
-TEST(TeamProcess, EndsWhenItsServerIsKilled) {
-  const TemporaryFolder folder;
+class OrphanedTeams {
+ public:
   // Orphans become children of this process, so that none of them stays a zombie elsewhere.
-  prctl(PR_SET_CHILD_SUBREAPER, 1);
-  std::vector<int> teams;
-  std::vector<int> handles;  // a handle is readable once its process has ended
-  {
-    Running server(match("chaser", folder / "leg.json", "36000"));
-    ASSERT_TRUE(wait_until([&] { return are_both_teams_there(server); })) << server.err();
-    teams = children_of(server);
-    for (const int pid : teams) {
-      handles.push_back(static_cast<int>(syscall(SYS_pidfd_open, pid, 0)));
-      ASSERT_GE(handles.back(), 0) << std::strerror(errno);
+  explicit OrphanedTeams(std::vector<int> teams) : teams_(std::move(teams)) {
+    prctl(PR_SET_CHILD_SUBREAPER, 1);
+    for (const int pid : teams_) {
+      handles_.push_back(static_cast<int>(syscall(SYS_pidfd_open, pid, 0)));
+      EXPECT_GE(handles_.back(), 0) << std::strerror(errno);
     }
   }
-  for (std::size_t i = 0; i < teams.size(); ++i) {
-    pollfd ended{handles[i], POLLIN, 0};
-    EXPECT_EQ(poll(&ended, 1, 60'000), 1)
-        << "process " << teams[i] << " of a team runs a minute after its server was killed";
-    close(handles[i]);
-    kill(teams[i], SIGKILL);
-    waitpid(teams[i], nullptr, 0);
+
+  void expect_end(int within_ms) const {
+    for (std::size_t i = 0; i < teams_.size(); ++i) {
+      pollfd ended{handles_[i], POLLIN, 0};  // readable once the process has ended
+      EXPECT_EQ(poll(&ended, 1, within_ms), 1)
+          << "process " << teams_[i] << " of a team runs on without its server";
+      close(handles_[i]);
+      kill(teams_[i], SIGKILL);
+      waitpid(teams_[i], nullptr, 0);
+    }
   }
+
+ private:
+  std::vector<int> teams_;
+  std::vector<int> handles_;
+};
+
+// Returns the processor time of a process, s.
+double processor_time(int pid) {
+  clockid_t clock = 0;
+  timespec time{};
+  if (clock_getcpuclockid(pid, &clock) != 0 || clock_gettime(clock, &time) != 0) return 0.0;
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+class TeamProcessInTier : public testing::TestWithParam<const char*> {
+ protected:
+  static std::vector<std::string> match_in_tier(const std::string& blue,
+                                                const std::string& record) {
+    auto words = match(blue, record, "36000");
+    words.insert(words.end(), {"--isolation", GetParam()});
+    return words;
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Tiers, TeamProcessInTier, testing::Values("T1", "T2"));
+
+TEST_P(TeamProcessInTier, EndsWhenItsServerIsKilled) {
+  const TemporaryFolder folder;
+  std::optional<OrphanedTeams> teams;
+  {
+    Running server(match_in_tier("chaser", folder / "leg.json"));
+    ASSERT_TRUE(wait_until([&] { return are_both_teams_there(server); })) << server.err();
+    teams.emplace(children_of(server));
+  }
+  teams->expect_end(60'000);
+}
+
+// The server is stopped first, so that it does not end the team for the time that it uses.
+TEST_P(TeamProcessInTier, ThatSpinsEndsWhenItsServerIsKilled) {
+  const TemporaryFolder folder;
+  std::optional<OrphanedTeams> teams;
+  {
+    Running server(match_in_tier(program("hostile/loop_forever.so"), folder / "leg.json"));
+    ASSERT_TRUE(wait_until([&] { return are_both_teams_there(server); })) << server.err();
+    const std::vector<int> pids = children_of(server);
+    const auto spins = [&](double s) {
+      return std::any_of(pids.begin(), pids.end(),
+                         [s](int pid) { return processor_time(pid) > s; });
+    };
+    ASSERT_TRUE(wait_until([&] { return spins(0.2); })) << server.err();
+    kill(server.pid(), SIGSTOP);
+    ASSERT_TRUE(wait_until([&] { return spins(1.5); })) << "a tick may take 1 s";
+    teams.emplace(pids);
+  }
+  teams->expect_end(10'000);
+}
+
+// What ends a job sends SIGTERM to all its processes. Catches a team that loses its leg by that.
+TEST_P(TeamProcessInTier, IsNotEndedByASignalForTheWholeJob) {
+  const TemporaryFolder folder;
+  Running server(match_in_tier("chaser", folder / "leg.json"));
+  ASSERT_TRUE(wait_until([&] { return are_both_teams_there(server); })) << server.err();
+  for (const int pid : children_of(server)) {
+    for (const int signal : {SIGTERM, SIGHUP, SIGINT, SIGUSR1, SIGXCPU, SIGSEGV}) kill(pid, signal);
+  }
+  const std::vector<int> teams = children_of(server);
+  ASSERT_EQ(teams.size(), 2u);
+  const double before = processor_time(teams[0]);
+  EXPECT_TRUE(wait_until([&] { return processor_time(teams[0]) > before; })) << "it plays on";
+  kill(server.pid(), SIGTERM);
+  EXPECT_EQ(server.wait().exit_code, 130);
+}
+
+// What suspends a job stops all its processes. Catches a server that counts that time as the
+// team's, which is then found without an answer for longer than a tick may take.
+TEST_P(TeamProcessInTier, IsNotBlamedForTheTimeInWhichTheWholeJobWasStopped) {
+  const TemporaryFolder folder;
+  Running server(match_in_tier(program("hostile/slow_every_tick.so"), folder / "leg.json"));
+  ASSERT_TRUE(wait_until([&] { return are_both_teams_there(server); })) << server.err();
+  const std::vector<int> teams = children_of(server);
+  ASSERT_EQ(teams.size(), 2u);
+  const auto has_played = [&](double s) { return processor_time(teams[0]) > s; };
+  ASSERT_TRUE(wait_until([&] { return has_played(0.1); })) << server.err();
+  for (const int pid : teams) kill(pid, SIGSTOP);
+  usleep(100'000);  // the server is waiting for an answer now
+  kill(server.pid(), SIGSTOP);
+  sleep(11);
+  kill(server.pid(), SIGCONT);
+  usleep(100'000);
+  const double before = processor_time(teams[0]);
+  for (const int pid : teams) kill(pid, SIGCONT);
+  EXPECT_TRUE(wait_until([&] { return has_played(before + 0.1); })) << server.err();
+  kill(server.pid(), SIGTERM);
+  EXPECT_EQ(server.wait().exit_code, 130);
+}
+
+// RLIMIT_CPU ended long legs as void, and its soft limit would end one as the team's crash.
+TEST(TeamProcess, HasNoLimitOfProcessorTimeButItsBudget) {
+  const TemporaryFolder folder;
+  auto words = match(program("hostile/slow_bank.so"), folder / "leg.json", "60");
+  words.insert(words.begin(), {"/usr/bin/prlimit", "--cpu=1:"});
+  const Outcome played = run(words);
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  const Json result = read_json(folder / "leg.json")["result"];
+  EXPECT_EQ(result["fault"]["code"], "budget") << "more than 1 s, the limit: " << result.dump();
+}
+
+// Catches a bank that counts only when a tick is over.
+TEST(TeamProcess, EndsInTheTickInWhichItsBankIsSpent) {
+  const TemporaryFolder folder;
+  const Outcome played =
+      run(match(program("hostile/slow_then_spin.so"), folder / "leg.json", "60"));
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  const Json record = read_json(folder / "leg.json");
+  EXPECT_EQ(record["result"]["fault"]["code"], "budget") << record["result"].dump();
+  EXPECT_LT(record["budget"]["blue"]["cpu_seconds"], 2.7);
+}
+
+// A group of processes with little memory; it can only be made by root.
+class SmallGroup {
+ public:
+  SmallGroup() {
+    for (const std::string mount : {"/sys/fs/cgroup/memory", "/sys/fs/cgroup"}) {
+      const std::string group = mount + "/mirocup_test." + std::to_string(getpid());
+      if (mkdir(group.c_str(), 0755) != 0) continue;
+      path_ = group;
+      const bool is_first_version = fs::exists(group + "/memory.limit_in_bytes");
+      const std::string limit = is_first_version ? "/memory.limit_in_bytes" : "/memory.max";
+      std::ofstream file(group + limit);
+      if (file << "200000000" << std::flush) return;
+      rmdir(group.c_str());
+      path_.clear();
+    }
+  }
+  ~SmallGroup() {
+    if (!path_.empty()) rmdir(path_.c_str());
+  }
+  SmallGroup(const SmallGroup&) = delete;
+  SmallGroup& operator=(const SmallGroup&) = delete;
+
+  bool exists() const { return !path_.empty(); }
+  // Returns the words that run a program in the group.
+  std::vector<std::string> words(const std::vector<std::string>& program) const {
+    std::vector<std::string> words{"/bin/sh", "-c", "echo $$ > $0/cgroup.procs && exec \"$@\"",
+                                   path_};
+    words.insert(words.end(), program.begin(), program.end());
+    return words;
+  }
+
+ private:
+  std::string path_;
+};
+
+// Catches a team that makes its leg void where memory is short, and nobody learns who it was.
+TEST(TeamProcess, ThatTheKernelEndsForItsMemoryIsNamed) {
+  const SmallGroup group;
+  if (!group.exists()) GTEST_SKIP() << "no control group of memory can be made here";
+  const TemporaryFolder folder;
+  const Outcome played =
+      run(group.words(match(program("hostile/mem_leak.so"), folder / "leg.json", "20")));
+  EXPECT_EQ(played.exit_code, 5) << "the host had not what both teams may take: " << played.err;
+  const Json result = read_json(folder / "leg.json")["result"];
+  EXPECT_EQ(result["end"], "void");
+  EXPECT_TRUE(result["fault"].is_null());
+  const std::string why = result["why_void"];
+  EXPECT_EQ(
+      why.rfind("the blue team's process was ended for want of memory when it had taken 1", 0), 0u)
+      << why;
+  EXPECT_NE(why.find("a leg may take 2112 MiB"), std::string::npos) << why;
 }
 
 TEST(HostWithoutNamespaces, PlaysInT1) {

@@ -161,6 +161,10 @@ void expect_nothing_is_left() {
   EXPECT_EQ(errno, ECHILD);
 }
 
+// The one line that a kind must have written, so that its attempt is known to have been made.
+const std::vector<std::pair<std::string, std::string>> signs{
+    {"ctor_ready", "plays from its constructor"}};
+
 class Hostile : public testing::TestWithParam<Kind> {
  protected:
   void SetUp() override {
@@ -196,6 +200,10 @@ TEST_P(Hostile, HurtsOnlyItself) {
     EXPECT_EQ(leg.record["budget"][other_than(set_up.colour)]["bad_commands"], 0);
     EXPECT_EQ(leg.log.find("GOT THROUGH"), std::string::npos) << leg.log;
     EXPECT_EQ(leg.log.find(secret), std::string::npos) << leg.log;
+    for (const auto& [name, sign] : signs) {
+      if (name != GetParam().name) continue;
+      EXPECT_NE(leg.log.find(sign), std::string::npos) << leg.log;
+    }
     expect_target_is_untouched();
   }
   expect_nothing_is_left();

@@ -6,24 +6,6 @@
 namespace mirocup::plugins {
 namespace {
 
-TEST(EscapeUnprintable, KeepsReadableText) {
-  EXPECT_EQ(escape_unprintable("plain\ttext\nGrüße 日本 \U0001F916"),
-            "plain\ttext\nGrüße 日本 \U0001F916");
-}
-
-TEST(EscapeUnprintable, EscapesControlCharacters) {
-  EXPECT_EQ(escape_unprintable("\x1b[31m\a\r\x7f"), "\\x1b[31m\\x07\\x0d\\x7f");
-  EXPECT_EQ(escape_unprintable("\xc2\x9b"), "\\xc2\\x9b") << "the same as ESC [ in one character";
-  EXPECT_EQ(escape_unprintable("\u202e"), "\\xe2\\x80\\xae") << "turns the direction of writing";
-}
-
-TEST(EscapeUnprintable, EscapesBytesThatAreNotUtf8) {
-  EXPECT_EQ(escape_unprintable("\xff"), "\\xff");
-  EXPECT_EQ(escape_unprintable("\xc3"), "\\xc3") << "cut off";
-  EXPECT_EQ(escape_unprintable("\xc0\xaf"), "\\xc0\\xaf") << "too long a form";
-  EXPECT_EQ(escape_unprintable("\xed\xa0\x80"), "\\xed\\xa0\\x80") << "half of a pair";
-}
-
 TEST(TeamLog, KeepsTheBeginningAndTheEnd) {
   TeamLog log;
   log.append("begin\n");

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+//
+// Tells whose memory ended a leg.
+//
+// Where memory is short the kernel ends a process of its choice with SIGKILL. A team that has taken
+// no more than it may have is not to blame for that: the leg is void, and the sentence names the
+// team and the sizes. It is to blame only if the machine had all that both teams may take, and what
+// then was missing went to this team.
+#pragma once
+
+#include "core/field/team.hpp"
+#include "core/match/controller.hpp"
+#include "plugins/host/child.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace mirocup::plugins {
+
+// What is known about a team's process that was killed from outside. Sizes in bytes.
+struct MemoryEvidence {
+  std::optional<bool> was_out_of_memory;     // nothing: the kernel does not tell
+  std::optional<std::size_t> free_at_start;  // of the leg
+  std::optional<std::size_t> free_now;       // when the process was gone
+  std::size_t own_peak = 0;
+  std::size_t other_peak = 0;
+};
+
+// Returns a Fault of the team or a HostFailure.
+match::Answer judge_kill(Team team, const MemoryEvidence& evidence);
+
+// Watches the memory of one leg. Shared by the controllers of its teams, which add their processes
+// and remove them before they end.
+class MemoryWitness {
+ public:
+  MemoryWitness();  // when the leg begins
+
+  void add(Team team, const Child& child) { children_[index_of(team)] = &child; }
+  void remove(Team team);
+
+  // Returns the evidence about the process of that team, which has ended.
+  MemoryEvidence evidence(Team team) const;
+
+ private:
+  std::size_t peak_of(Team team) const;
+
+  std::array<const Child*, 2> children_{};
+  std::array<std::size_t, 2> peaks_{};  // of processes that were removed
+  std::optional<std::size_t> free_at_start_;
+  std::optional<std::uint64_t> kills_at_start_;
+};
+
+}  // namespace mirocup::plugins

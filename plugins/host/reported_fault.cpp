@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "plugins/host/reported_fault.hpp"
+
+#include "plugins/host/sandbox/filter.hpp"
+#include "system/printable.hpp"
+
+#include <csignal>
+#include <optional>
+
+namespace mirocup::plugins {
+
+namespace {
+
+using match::Fault;
+using match::FaultCode;
+
+constexpr const char* illegal_call = "the team made a system call that is not allowed";
+
+std::optional<Fault> claimed_fault(const ExitStatus& status, const LastWords& words,
+                                   bool has_played) {
+  if (status.signal == SIGSYS) return Fault{FaultCode::illegal_call, illegal_call};
+  if (status.signal != 0) return std::nullopt;
+  if (status.exit_code == exit_faulted) {
+    if (words.signal == SIGSYS) {
+      return Fault{FaultCode::illegal_call, illegal_call + (": " + system_call_name(words.call))};
+    }
+    if (words.signal > 0 && words.signal < NSIG)
+      return Fault{FaultCode::crash, "the team's process died of " + signal_text(words.signal)};
+  }
+  if (status.exit_code == exit_refused) {
+    const std::string text = "the team's process says " + system::in_quotes(words.text);
+    if (words.load_state == LoadState::crash) return Fault{FaultCode::crash, text};
+    if (has_played) return std::nullopt;
+    if (words.load_state == LoadState::no_load) return Fault{FaultCode::no_load, text};
+    if (words.load_state == LoadState::bad_abi) return Fault{FaultCode::bad_abi, text};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Fault fault_of(const ExitStatus& status, const LastWords& words, bool has_played) {
+  Fault fault = claimed_fault(status, words, has_played)
+                    .value_or(Fault{FaultCode::crash,
+                                    status.signal != 0
+                                        ? "the team's process died of " + signal_text(status.signal)
+                                        : "the team's process ended itself with exit code " +
+                                              std::to_string(status.exit_code)});
+  if (!has_played && fault.code != FaultCode::no_load && fault.code != FaultCode::bad_abi)
+    fault.text += ", while its library was loaded";
+  return fault;
+}
+
+}  // namespace mirocup::plugins

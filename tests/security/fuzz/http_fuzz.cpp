@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+//
+// Sends any bytes to a site's server as a browser would, over a connection of this host, and reads
+// what it answers. Run it where no other program listens: run.sh does so in a network of its own.
+#include "server/web/site_server.hpp"
+#include "tests/security/fuzz/fuzz_target.hpp"
+
+#include <arpa/inet.h>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <netinet/in.h>
+#include <string>
+#include <sys/socket.h>
+#include <unistd.h>
+
+namespace {
+
+using namespace mirocup;
+
+// A site of two pages. It has news all the time, so that the server notices who is gone.
+web::Site site() {
+  return {.page = [](const std::string& path) -> std::optional<web::Page> {
+            if (path != "/" && path != "/table.json") return std::nullopt;
+            return web::Page{"text/html", "default-src 'none'", "page " + path};
+          },
+          .news = [](std::uint64_t& seen) { return "data: " + std::to_string(++seen) + "\n\n"; },
+          .match = [](const std::string&) { return std::nullopt; }};
+}
+
+int port_of_server() {
+  static const auto server = web::SiteServer::open(web::Address{}, "--at", site());
+  if (!server) {
+    std::fprintf(stderr, "%s\n", server.error().what.c_str());
+    std::exit(1);
+  }
+  const std::string url = (*server)->url();
+  return std::atoi(url.c_str() + url.rfind(':') + 1);
+}
+
+}  // namespace
+
+MIROCUP_FUZZ_TARGET(http) {
+  static const int port = port_of_server();
+  const int connection = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(static_cast<std::uint16_t>(port));
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  // No waiting for ports of ended connections: the connection is reset when it is closed.
+  const linger reset{.l_onoff = 1, .l_linger = 0};
+  setsockopt(connection, SOL_SOCKET, SO_LINGER, &reset, sizeof reset);
+  if (connect(connection, reinterpret_cast<sockaddr*>(&address), sizeof address) != 0) {
+    // libFuzzer's timer interrupts calls.
+    if (errno != EINTR) {
+      std::perror("connect");
+      std::abort();
+    }
+    close(connection);
+    return;
+  }
+  std::size_t sent = 0;
+  while (sent < size) {
+    const ssize_t count = send(connection, data + sent, size - sent, MSG_NOSIGNAL);
+    if (count <= 0) break;
+    sent += static_cast<std::size_t>(count);
+  }
+  shutdown(connection, SHUT_WR);
+  char answer[4096];
+  std::size_t received = 0;
+  // Events have no end, so not all of them are read.
+  while (received < 2 * sizeof answer) {
+    const ssize_t count = recv(connection, answer, sizeof answer, 0);
+    if (count <= 0) break;
+    received += static_cast<std::size_t>(count);
+    if (std::string_view(answer, static_cast<std::size_t>(count)).find("data: ") !=
+        std::string_view::npos) {
+      break;
+    }
+  }
+  close(connection);
+}

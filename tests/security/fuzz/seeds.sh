@@ -1,0 +1,9 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# Makes the seeds and lets the build's readers read them. Usage: seeds.sh BUILD
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -r "$folder"' EXIT
+"$(dirname "$0")/seeds.py" "$1" "$folder"
+"$1/fuzz_corpus" "$folder"

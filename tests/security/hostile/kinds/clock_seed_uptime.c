@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: MIT */
+#include "tests/security/hostile/hostile.h"
+
+static unsigned seed(void) {
+  struct timespec now;
+  clock_gettime(CLOCK_MONOTONIC_RAW, &now);
+  return (unsigned)now.tv_sec;
+}
+
+static void misbehave(mirocup_command* command) {
+  static int is_seeded;
+  if (!is_seeded) srand(seed()); /* the same in every leg of a second */
+  is_seeded = 1;
+  command->wheels[0].left = rand() % 50;
+}
