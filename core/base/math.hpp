@@ -25,7 +25,7 @@ struct SinCos {
   double cos;
 };
 
-// Returns sine and cosine of x in radians. The accuracy above holds for |x| up to 1e5.
+// Returns sine and cosine of x in radians. The accuracy above holds for |x| up to 1e3.
 SinCos sincos(double x);
 
 // Returns sines and cosines of eight angles, with the same bits as sincos() in less than half of

@@ -24,6 +24,7 @@ constexpr std::uint64_t mix_seed(std::uint64_t seed) {
 // A generator. Copies continue independently with the same numbers.
 class Random {
  public:
+  Random() : Random(0) {}
   explicit Random(std::uint64_t seed);
 
   // Returns 64 random bits.

@@ -47,7 +47,7 @@ Axis nearest_axis(const Outline& polygon, const Vec2& point);
 // Returns the axis of polygon b and the reference point of body a, in the frame of b.
 Axis axis_to_centre(const Pose& body_a, const Outline& b, const Pose& body_b);
 
-// An edge of a polygon and the distance of the nearest corner of another one beyond its line.
+// An edge of a polygon, and how far outside its line the nearest corner of another one is.
 struct EdgeSeparation {
   int edge;
   double separation;  // m, negative if that corner is inside of the line
@@ -62,7 +62,7 @@ struct Reference {
   bool is_a;  // the edge belongs to a
   EdgeSeparation best;
 };
-// Returns the reference edge. On a tie it is that of a, whatever the poses, so that a half-turn
+// Returns the reference edge. On a tie it is that of `a`, whatever the poses, so that a half-turn
 // of the field changes nothing. If an edge of a separates the two by more than `margin`, m, it is
 // returned, and the edges of b are not tried.
 Reference reference_of(const Outline& a, const Pose& body_a, const Outline& b, const Pose& body_b,

@@ -8,6 +8,7 @@
 #include "core/match/observation.hpp"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -37,9 +38,13 @@ struct HostFailure {
   std::string text;
 };
 
-// The answer did not come in time, which happens only where real time counts. The leg repeats the
-// last command for a few ticks.
-struct Late {};
+// The answer did not come in time, which happens only where real time counts. The leg drives
+// `older`, or, without one, repeats the last command for a few ticks.
+struct Late {
+  // A command to an earlier tick that has come since the last one was driven. Its placement has no
+  // effect, because it was meant for another tick.
+  std::optional<Command> older = std::nullopt;
+};
 
 using Answer = std::variant<Command, Late, Fault, HostFailure>;
 

@@ -5,6 +5,8 @@
 // them.
 #pragma once
 
+#include "core/field/field.hpp"
+
 namespace mirocup::match {
 
 // Copies the sizes and limits of robots and ball that a team receives.
@@ -21,18 +23,35 @@ void copy_bodies(const From& from, To& to) {
   to.ball_mass = from.ball_mass;
 }
 
-// Copies the referee's pending counts about a team.
+// Copies the sizes of a field::Field that a team receives.
+template <class To>
+void copy_field(const field::Field& field, To& to) {
+  to.half_length = field.half_length;
+  to.half_width = field.half_width;
+  to.corner_leg = field.corner_leg;
+  to.goal_half_width = field.goal_half_width;
+  to.goal_depth = field.goal_depth;
+  to.goal_area_depth = field.goal_area.depth;
+  to.goal_area_half_width = field.goal_area.half_width;
+  if (field.penalty_area) {
+    to.penalty_area_depth = field.penalty_area->depth;
+    to.penalty_area_half_width = field.penalty_area->half_width;
+  }
+  to.centre_circle_radius = field.centre_circle_radius;
+}
+
+// Copies the referee's pending counts about a team. Their numbers are small integers of different
+// types, and `advantage_against` is a number on one side and a bool on the other.
 template <class From, class To>
 void copy_counts(const From& from, To& to) {
-  to.defenders = from.defenders;
+  to.defenders = static_cast<decltype(to.defenders)>(from.defenders);
   to.two_defenders_s = from.two_defenders_s;
-  to.area_defenders = from.area_defenders;
+  to.area_defenders = static_cast<decltype(to.area_defenders)>(from.area_defenders);
   to.four_defenders_s = from.four_defenders_s;
-  to.attackers = from.attackers;
+  to.attackers = static_cast<decltype(to.attackers)>(from.attackers);
   to.two_attackers_s = from.two_attackers_s;
   to.keeper_hold_s = from.keeper_hold_s;
-  to.keeper = from.keeper;
-  // A number on one side, a bool on the other.
+  to.keeper = static_cast<decltype(to.keeper)>(from.keeper);
   to.advantage_against = static_cast<decltype(to.advantage_against)>(from.advantage_against);
 }
 

@@ -36,14 +36,28 @@ Leg::Leg(const Setup& setup)
       rng_(mix_seed(setup.seed)) {
   // The toss decides which team defends the left end and which kicks off (MiroSot law 6.1).
   left_ = rng_.coin() ? Team::blue : Team::yellow;
+  if (setup.left) left_ = *setup.left;
   const Team kick_off = rng_.coin() ? Team::blue : Team::yellow;
   referee_ = std::make_unique<referee::Referee>(
       pitch_, referee::LegProgress{.stage = setup.stage, .first = end_of(kick_off)});
-  world_ = std::make_unique<simulator::World>(&field_, setup_.parameters, setup_.tolerances,
+  simulator::Parameters parameters = setup_.parameters;
+  const Conditions& conditions = setup_.conditions;
+  if (conditions != conditions_of(ConditionsPreset::exact)) {
+    disturbances_.emplace(conditions, setup_.seed, field_.robots_per_team);
+    parameters.rolling_resistance *= disturbances_->rolling_factor();
+  }
+  if (conditions.has_camera()) {
+    camera_.emplace(conditions, setup_.seed, field_.robots_per_team, setup_.control_period);
+  }
+  world_ = std::make_unique<simulator::World>(&field_, parameters, setup_.tolerances,
                                               2 * field_.robots_per_team, true);
-  log_.reserve(static_cast<std::size_t>(2.2 * setup_.rules.half_s / setup_.control_period));
+  // No more than for half an hour: a record may claim days.
+  constexpr double max_reserved = 65536.0;
+  log_.reserve(static_cast<std::size_t>(
+      std::min(2.2 * setup_.rules.half_s / setup_.control_period, max_reserved)));
   apply(referee_->opening());
   place();
+  look();
 }
 
 Briefing Leg::briefing(Team team) const {
@@ -56,7 +70,7 @@ Briefing Leg::briefing(Team team) const {
 }
 
 void Leg::advance(Controller& blue, Controller& yellow) {
-  const Snapshot now = snapshot();
+  const Snapshot now = view();
   blue.post(observe(now, Team::blue, field_.robots_per_team));
   yellow.post(observe(now, Team::yellow, field_.robots_per_team));
   advance({blue.collect(), yellow.collect()});
@@ -69,6 +83,7 @@ void Leg::advance(const ByTeam<Answer>& answers) {
   judge();
   place();
   record();
+  look();
 }
 
 // Returns false if one of the answers ends the leg.
@@ -84,20 +99,30 @@ bool Leg::accept_answers(const ByTeam<Answer>& given) {
     if (const auto* fault = std::get_if<Fault>(&given[i])) {
       faults.push_back({team, *fault});
     } else if (const auto* command = std::get_if<Command>(&given[i])) {
-      const CheckedCommand checked =
-          check(*command, field_.robots_per_team, setup_.parameters.wheel_speed_limit);
-      answers_[i] = checked.command;
+      drive(team, *command);
       if (command->placement) on_placement_request(team, *command->placement);
-      bad_values_[i] += checked.bad_values > 0 ? 1 : 0;
-      late_in_a_row_[i] = 0;
     } else {
       ++late_ticks_[i];
-      if (++late_in_a_row_[i] > max_repeated_ticks) answers_[i] = {};
+      if (const auto& older = std::get<Late>(given[i]).older) {
+        drive(team, *older);
+      } else if (++late_in_a_row_[i] > max_repeated_ticks) {
+        answers_[i] = {};
+      }
     }
   }
   if (faults.empty()) return true;
   forfeit(std::move(faults));
   return false;
+}
+
+// Makes the command this tick's answer.
+void Leg::drive(Team team, const Command& command) {
+  const int i = index_of(team);
+  const CheckedCommand checked =
+      check(command, field_.robots_per_team, setup_.parameters.wheel_speed_limit);
+  answers_[i] = checked.command;
+  bad_values_[i] += checked.bad_values > 0 ? 1 : 0;
+  late_in_a_row_[i] = 0;
 }
 
 // A placement request in the team's turn is granted at the end of the tick. A request out of its
@@ -111,11 +136,10 @@ void Leg::on_placement_request(Team team, const PlacementRequest& poses) {
     return;
   }
   const int robots = field_.robots_per_team;
-  const Snapshot now = snapshot();
-  const PlacementRequest shown = unchanged_request(observe(now, team, robots));
+  const PlacementRequest shown = unchanged_request(observe(view(), team, robots));
   if (bit_equal(poses, shown, robots)) return;
   requested_ = poses;
-  requested_placement_ = requested_placement(now, team, shown, poses, robots);
+  requested_placement_ = requested_placement(standing(), end_of(team), shown, poses, robots);
 }
 
 void Leg::simulate() {
@@ -123,16 +147,33 @@ void Leg::simulate() {
   for (const Team team : both_teams) {
     for (int i = 0; i < field_.robots_per_team; ++i) {
       const int body = body_of(team, i);
-      wheels[body] =
-          is_active(team, i) ? pending_[index_of(team)].speeds(i) : simulator::WheelSpeeds{};
+      wheels[body] = driven_speeds(team, i);
       const simulator::BodyState robot = world_->robot(body);
       velocity_before_[index_of(team)][i] =
           robot.heading.to_world({robot.twist.forward, robot.twist.left});
     }
   }
-  ball_before_ = world_->ball().position;
+  const simulator::BallState ball = world_->ball();
+  ball_before_ = ball.position;
   events_ = &world_->advance({wheels.data(), static_cast<std::size_t>(world_->robots())},
                              setup_.control_period);
+  note_ball_contacts(ball);
+}
+
+void Leg::note_ball_contacts(const simulator::BallState& before) {
+  if (events_->last_to_touch_ball == simulator::no_body) return;
+  const simulator::BodySet& touched = events_->touched[world_->robots()];
+  for (const Team team : both_teams) {
+    for (int i = 0; i < field_.robots_per_team; ++i) {
+      if (touched[body_of(team, i)]) ball_contacts_.add(tick_, {team, i}, before);
+    }
+  }
+}
+
+simulator::WheelSpeeds Leg::driven_speeds(Team team, int robot) {
+  if (!is_active(team, robot)) return {};
+  const simulator::WheelSpeeds command = pending_[index_of(team)].speeds(robot);
+  return disturbances_ ? disturbances_->drive(team, robot, command) : command;
 }
 
 // True if the robot's commands count. In a shoot-out only kicker and keeper play; the other robots
@@ -193,7 +234,9 @@ void Leg::place() {
   const Team first = team_at(first_placer(restart_.restart, restart_.taker));
   if (std::exchange(placement_is_due_, false)) {
     place_bodies(
-        referee::default_placement(pitch_, restart_.restart, restart_.taker, restart_.spot));
+        by_hand(referee::default_placement(pitch_, restart_.restart, restart_.taker, restart_.spot),
+                Moved::everything(field_.robots_per_team)));
+    if (disturbances_) disturbances_->stop_robots();
     placing_ = first;
     state_ = State::READY;
     ready_ticks_left_ =
@@ -209,9 +252,7 @@ void Leg::grant_placement() {
   placement_requests_.push_back({tick_, *placing_, *std::exchange(requested_, std::nullopt)});
   const referee::Placement& wanted = requested_placement_;
   const End end = end_of(*placing_);
-  const auto roles =
-      referee_->phase() == referee::Phase::SHOOT_OUT ? referee::Roles::fixed : referee::Roles::any;
-  const referee::CheckedPlacement granted = check_turn(pitch_, restart_, end, roles, wanted);
+  const referee::CheckedPlacement granted = check_turn(pitch_, restart_, end, roles(), wanted);
   if (granted.any_moved()) {
     referee::Decision fixed;
     fixed.verdict = referee::Verdict::PLACEMENT_FIXED;
@@ -223,7 +264,31 @@ void Leg::grant_placement() {
     fixed.ball = granted.placement.ball;
     log_decision(fixed);
   }
-  place_bodies(granted.placement);
+  const Moved moved = Moved::between(standing(), granted.placement, field_.robots_per_team);
+  place_bodies(by_hand(granted.placement, moved));
+}
+
+referee::Placement Leg::by_hand(const referee::Placement& wanted, const Moved& moved) {
+  if (!setup_.conditions.disturbs_placing()) return wanted;
+  return put_down(pitch_, restart_, roles(), wanted, moved, left_, *disturbances_);
+}
+
+referee::Roles Leg::roles() const {
+  return referee_->phase() == referee::Phase::SHOOT_OUT ? referee::Roles::fixed
+                                                        : referee::Roles::any;
+}
+
+// Where everything is now.
+referee::Placement Leg::standing() const {
+  referee::Placement now;
+  now.ball = world_->ball().position;
+  for (const Team team : both_teams) {
+    for (int i = 0; i < field_.robots_per_team; ++i) {
+      const simulator::BodyState robot = world_->robot(body_of(team, i));
+      now.robots[index_of(end_of(team))][i] = {robot.position, robot.heading};
+    }
+  }
+  return now;
 }
 
 void Leg::place_bodies(const referee::Placement& placement) {
@@ -234,8 +299,14 @@ void Leg::place_bodies(const referee::Placement& placement) {
     }
   }
   world_->set_ball({placement.ball, {0.0, 0.0}});
+  were_placed_ = true;
+  ball_contacts_.forget();
   restart_.spot = placement.ball;
   referee_->resume(restart_);
+}
+
+void Leg::look() {
+  if (camera_) camera_->look(snapshot(), std::exchange(were_placed_, false));
 }
 
 void Leg::record() {
@@ -329,7 +400,28 @@ void Leg::log_decision(const referee::Decision& decision) {
   for (const Team team : both_teams) {
     logged.robots[index_of(team)] = decision.robots[index_of(end_of(team))];
   }
+  logged.parties = parties_of(decision, logged.team, logged.taker);
+  if (decision.verdict == referee::Verdict::GOAL && logged.team) give_credit(logged);
   decisions_.push_back(std::move(logged));
+}
+
+// The referee calls an own goal by the last touch alone. Here the touch must have mattered.
+void Leg::give_credit(LoggedDecision& goal) const {
+  const Team scoring = *goal.team;
+  const GoalCredit credit = credit_of({.scoring = scoring,
+                                       .end = end_of(opponent_of(scoring)),
+                                       .restart = restart_.restart,
+                                       .taker = team_at(restart_.taker),
+                                       .control_period = setup_.control_period},
+                                      ball_contacts_, field_, world_->parameters());
+  goal.decision.law = credit.own_goal ? referee::Law::own_goal : referee::Law::goal;
+  goal.decision.reason += credit.own_goal ? ", an own goal" : "";
+  if (credit.scorer) {
+    goal.decision.reason += (credit.own_goal ? " of " : ", scored by ") +
+                            std::string(to_string(credit.scorer->team)) + " robot " +
+                            std::to_string(credit.scorer->robot);
+  }
+  goal.credit = credit;
 }
 
 referee::Situation Leg::situation() const {
@@ -401,7 +493,7 @@ Snapshot Leg::snapshot() const {
     s.counts[index_of(team)] = pending.teams[index_of(end_of(team))];
     s.score[index_of(team)] = referee_->score()[index_of(end_of(team))];
     for (int i = 0; i < field_.robots_per_team; ++i) {
-      s.robots[index_of(team)][i] = world_->robot(body_of(team, i));
+      s.robots[index_of(team)][i] = observed(world_->robot(body_of(team, i)));
     }
   }
   return s;

@@ -16,8 +16,14 @@
 #include "core/base/assert.hpp"
 #include "core/base/random.hpp"
 #include "core/base/state_hash.hpp"
+#include "core/match/camera.hpp"
+#include "core/match/conditions.hpp"
 #include "core/match/controller.hpp"
+#include "core/match/disturbances.hpp"
+#include "core/match/gain.hpp"
+#include "core/match/goal_credit.hpp"
 #include "core/match/observation.hpp"
+#include "core/match/put_down.hpp"
 #include "core/match/snapshot.hpp"
 #include "core/simulator/model/tolerances.hpp"
 #include "core/simulator/world.hpp"
@@ -37,6 +43,8 @@ struct Setup {
   double control_period = 0.033;  // s
   simulator::Parameters parameters;
   simulator::Tolerances tolerances;
+  Conditions conditions;
+  std::optional<Team> left;  // the team that defends the left end first; nothing: a toss decides
 };
 
 // The ways in which a leg can end.
@@ -66,12 +74,8 @@ struct LoggedDecision {
   std::optional<Team> team;
   Team taker = Team::blue;
   ByTeam<referee::RobotSet> robots;  // the robots involved
-};
-
-// A robot that touched the ball.
-struct Touch {
-  Team team = Team::blue;
-  int robot = 0;
+  Parties parties;
+  std::optional<GoalCredit> credit;  // of a goal
 };
 
 // The log of one tick.
@@ -125,6 +129,8 @@ class Leg {
 
   // The state between two ticks.
   Snapshot snapshot() const;
+  // What teams and spectators see of it: the same, unless a camera sees for them.
+  Snapshot view() const { return camera_ ? camera_->view() : snapshot(); }
   // The state of one body; cheaper than a snapshot where nothing else is needed.
   simulator::BodyState robot(Team team, int i) const { return world_->robot(body_of(team, i)); }
   simulator::BallState ball() const { return world_->ball(); }
@@ -151,19 +157,27 @@ class Leg {
 
  private:
   bool accept_answers(const ByTeam<Answer>& given);
+  void drive(Team team, const Command& command);
   void simulate();
   void judge();
   void apply(const referee::Decision& decision);
   void start_phase(referee::Phase phase);
   bool is_active(Team team, int robot) const;
   void on_placement_request(Team team, const PlacementRequest& poses);
+  referee::Placement standing() const;  // where all bodies are
   void place();
   void grant_placement();
   void place_bodies(const referee::Placement& placement);
+  referee::Placement by_hand(const referee::Placement& wanted, const Moved& moved);
+  referee::Roles roles() const;
+  simulator::WheelSpeeds driven_speeds(Team team, int robot);
+  void look();
   void record();
   void end(OutcomeKind kind);
   void end(const referee::Decision& decision);
   void log_decision(const referee::Decision& decision);
+  void note_ball_contacts(const simulator::BallState& before);
+  void give_credit(LoggedDecision& goal) const;
 
   End end_of(Team team) const { return team == left_ ? End::left : End::right; }
   Team team_at(End end) const { return end == End::left ? left_ : opponent_of(left_); }
@@ -178,6 +192,9 @@ class Leg {
   referee::Pitch pitch_;
   Random rng_;  // decides every toss and lot
   Team left_ = Team::blue;
+  std::optional<Disturbances> disturbances_;  // nothing under exact conditions
+  std::optional<Camera> camera_;              // nothing unless the conditions have one
+  bool were_placed_ = false;                  // since the camera looked last
   std::unique_ptr<simulator::World> world_;
   std::unique_ptr<referee::Referee> referee_;
 
@@ -195,6 +212,7 @@ class Leg {
   Vec2 ball_before_{0.0, 0.0};
   ByTeam<std::array<Vec2, max_robots_per_team>> velocity_before_;  // field's frame, m/s
   const simulator::TickEvents* events_ = nullptr;
+  BallContacts ball_contacts_;
   std::optional<referee::Situation> judged_;
 
   ByTeam<DrivenCommand> pending_;  // the answers of the last tick, driven in this one

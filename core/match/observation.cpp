@@ -5,18 +5,6 @@
 
 namespace mirocup::match {
 
-namespace {
-
-ObservedRobot observed(End end, const simulator::BodyState& robot) {
-  const Vec2 velocity = robot.heading.to_world({robot.twist.forward, robot.twist.left});
-  return {.position = team_frame(end, robot.position),
-          .heading = team_frame(end, robot.heading).angle(),
-          .velocity = team_frame(end, velocity),
-          .turn = robot.twist.omega};
-}
-
-}  // namespace
-
 Observation observe(const Snapshot& scene, Team team, int robots) {
   MIROCUP_ASSERT(0 <= robots && robots <= max_robots_per_team);
   const Team other = opponent_of(team);
@@ -38,11 +26,12 @@ Observation observe(const Snapshot& scene, Team team, int robots) {
                 .opponent_counts = scene.counts[index_of(other)],
                 .ball = team_frame(end, scene.ball.position),
                 .ball_velocity = team_frame(end, scene.ball.velocity),
+                .ball_age = scene.ball_age,
                 .own = {},
                 .opponent = {}};
   for (int i = 0; i < robots; ++i) {
-    o.own[i] = observed(end, scene.robots[index_of(team)][i]);
-    o.opponent[i] = observed(end, scene.robots[index_of(other)][i]);
+    o.own[i] = team_frame(end, scene.robots[index_of(team)][i]);
+    o.opponent[i] = team_frame(end, scene.robots[index_of(other)][i]);
   }
   return o;
 }

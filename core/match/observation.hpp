@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The observation of a team at the start of a tick: the exact state of all bodies, in the team's
-// own frame, in which it attacks +x. Metres, radians counter-clockwise, m/s, rad/s.
+// The observation of a team at the start of a tick: the state of all bodies, exact or as a camera
+// sees it, in the team's own frame, in which it attacks +x. Metres, radians counter-clockwise, m/s,
+// rad/s.
 #pragma once
 
 #include "core/match/snapshot.hpp"
@@ -11,13 +12,6 @@
 #include <cstdint>
 
 namespace mirocup::match {
-
-struct ObservedRobot {
-  Vec2 position{0.0, 0.0};
-  double heading = 0.0;
-  Vec2 velocity{0.0, 0.0};
-  double turn = 0.0;
-};
 
 struct Observation {
   std::uint32_t tick = 0;
@@ -38,6 +32,7 @@ struct Observation {
   referee::TeamCounts opponent_counts;
   Vec2 ball{0.0, 0.0};
   Vec2 ball_velocity{0.0, 0.0};
+  int ball_age = 0;  // ticks since the ball was seen like this
   std::array<ObservedRobot, max_robots_per_team> own;
   std::array<ObservedRobot, max_robots_per_team> opponent;
 };

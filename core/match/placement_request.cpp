@@ -49,21 +49,12 @@ bool bit_equal(const PlacementRequest& a, const PlacementRequest& b, int robots)
   return bit_equal(a.ball_x, b.ball_x) && bit_equal(a.ball_y, b.ball_y);
 }
 
-referee::Placement requested_placement(const Snapshot& scene, Team team,
+referee::Placement requested_placement(const referee::Placement& standing, End end,
                                        const PlacementRequest& shown, const PlacementRequest& asked,
                                        int robots) {
-  const End end = scene.left == team ? End::left : End::right;
-  referee::Placement placement;
-  placement.ball = scene.ball.position;
+  referee::Placement placement = standing;
   if (!bit_equal(asked.ball_x, shown.ball_x) || !bit_equal(asked.ball_y, shown.ball_y)) {
     placement.ball = team_frame(end, Vec2{asked.ball_x, asked.ball_y});
-  }
-  for (const Team other : both_teams) {
-    const End at = scene.left == other ? End::left : End::right;
-    for (int i = 0; i < robots; ++i) {
-      const simulator::BodyState& robot = scene.robots[index_of(other)][i];
-      placement.robots[index_of(at)][i] = {robot.position, robot.heading};
-    }
   }
   for (int i = 0; i < robots; ++i) {
     if (bit_equal(asked.robots[i], shown.robots[i])) continue;

@@ -16,7 +16,6 @@
 namespace mirocup::match {
 
 struct Observation;
-struct Snapshot;
 
 // One robot's place.
 struct RequestedPose {
@@ -41,11 +40,11 @@ bool bit_equal(double a, double b);
 bool bit_equal(const RequestedPose& a, const RequestedPose& b);
 bool bit_equal(const PlacementRequest& a, const PlacementRequest& b, int robots);
 
-// Returns the placement, in the field's frame, in which one team stands as requested and all other
-// bodies as in the snapshot. A number that equals the one `shown` to the team keeps the bits of the
-// snapshot, so an unchanged request moves no body by a rounding error. A heading that is not finite
-// or is too large makes a pose of NaNs, which no check accepts.
-referee::Placement requested_placement(const Snapshot& scene, Team team,
+// Returns the placement, in the field's frame, in which the team of one end stands as requested and
+// all other bodies as in `standing`. A pose that equals the one `shown` to the team keeps the bits
+// that it has there, so an unchanged request moves no body by a rounding error. A heading that is
+// not finite or is too large makes a pose of NaNs, which no check accepts.
+referee::Placement requested_placement(const referee::Placement& standing, End end,
                                        const PlacementRequest& shown, const PlacementRequest& asked,
                                        int robots);
 

@@ -5,8 +5,8 @@
 #pragma once
 
 #include "core/field/team.hpp"
+#include "core/match/observed_robot.hpp"
 #include "core/referee/referee.hpp"
-#include "core/simulator/model/state.hpp"
 
 #include <array>
 #include <cstdint>
@@ -41,7 +41,8 @@ struct Snapshot {
   double advantage_s = 0.0;
   ByTeam<referee::TeamCounts> counts;
   simulator::BallState ball;
-  ByTeam<std::array<simulator::BodyState, max_robots_per_team>> robots;
+  int ball_age = 0;  // ticks since the ball was seen like this (core/match/camera.hpp)
+  ByTeam<std::array<ObservedRobot, max_robots_per_team>> robots;
 };
 
 }  // namespace mirocup::match

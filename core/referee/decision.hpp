@@ -88,9 +88,9 @@ struct Decision {
   Restart restart = Restart::none;
   End taker = End::left;            // takes the restart; at a free ball, the defender of that half
   Vec2 spot{0.0, 0.0};              // where the ball is put, m
-  Phase phase = Phase::FIRST_HALF;  // the next phase: HALF_END, PHASE
+  Phase phase = Phase::FIRST_HALF;  // after HALF_END or PHASE
   bool goal_cancelled = false;      // the foul came before a goal in the same tick
-  bool scored = false;              // ATTEMPT_END
+  bool scored = false;              // of ATTEMPT_END
 
   // Adds a robot to those involved.
   void add_robot(const RobotId& robot) { robots[index_of(robot.end)].set(robot.index); }

@@ -225,6 +225,37 @@ CheckedPlacement check_turn(const Pitch& pitch, const Decision& restart, End tea
   return result;
 }
 
+ByEnd<RobotSet> misplaced_robots(const Pitch& pitch, const Decision& restart, Roles roles,
+                                 const Placement& standing) {
+  const End taker = restart.taker;
+  const Placement defaults = default_placement(pitch, restart.restart, taker, restart.spot);
+  CheckedPlacement result;
+  result.placement = standing;
+  const PlacementRules rules{.pitch = pitch,
+                             .restart = restart.restart,
+                             .taker = taker,
+                             .roles = roles,
+                             .defaults = defaults,
+                             .ball = standing.ball};
+  Placer placer(rules, result);
+  const End first = first_placer(restart.restart, taker);
+  ByEnd<RobotSet> misplaced;
+  for (const End team : {first, opposite(first)}) {
+    placer.accept(team, standing);
+    for (int i = 0; i < pitch.field.robots_per_team; ++i) {
+      if (result.why[index_of(team)][i] != Misplaced::no) misplaced[index_of(team)].set(i);
+    }
+  }
+  return misplaced;
+}
+
+bool may_put_ball(const Pitch& pitch, const Decision& restart, const Vec2& ball) {
+  if (pitch.field.clearance(ball) < pitch.ball_radius) return false;
+  const bool has_choice =
+      restart.restart == Restart::KICK_OFF || restart.restart == Restart::GOAL_KICK;
+  return !has_choice || may_lie(pitch, restart.restart, restart.taker, ball);
+}
+
 std::string reason_of(const Pitch& pitch, const Placement& asked, const CheckedPlacement& checked) {
   if (!checked.any_moved()) return "everybody stands where the law of the restart allows it";
   std::string text;

@@ -50,6 +50,15 @@ CheckedPlacement check_placement(const Pitch& pitch, const Decision& restart, Ro
 CheckedPlacement check_turn(const Pitch& pitch, const Decision& restart, End team, Roles roles,
                             const Placement& asked);
 
+// Returns the robots that may not stand where they do, with the ball where it lies. Of two robots
+// that are too near to each other only one is named.
+ByEnd<RobotSet> misplaced_robots(const Pitch& pitch, const Decision& restart, Roles roles,
+                                 const Placement& standing);
+
+// Returns true if the ball may be put there, which is near the spot of the restart: wherever a hand
+// can put it, but at a kick-off and a goal kick only where the taker may put it.
+bool may_put_ball(const Pitch& pitch, const Decision& restart, const Vec2& ball);
+
 // Returns a sentence that says which bodies were moved, from where to where, and why. `asked` is
 // the placement that was checked.
 std::string reason_of(const Pitch& pitch, const Placement& asked, const CheckedPlacement& checked);

@@ -10,8 +10,8 @@
 
 namespace mirocup::referee {
 
-// Returns both ends, first the one in whose half the ball is. Laws test the ends in this order:
-// when both teams offend in one tick, neither end has an advantage.
+// Returns both ends, first the one in whose half the ball is. Laws test the ends in this order, so
+// that no end is favoured when both teams offend in one tick.
 std::array<End, 2> ends_from_ball(const Situation& situation);
 
 // True if the ball is in that end's half; false for both ends when it is on the half line.

@@ -83,7 +83,7 @@ class Referee {
   // play is already on, s. It is 0 in a leg; a recorded trace may start later.
   void resume(const Decision& restart, double since = 0.0);
 
-  // Starts the half after HALF_END, SECOND_HALF or EXTRA: the ends are swapped and the other team
+  // Starts the half after HALF_END: SECOND_HALF or EXTRA. The ends are swapped and the other team
   // kicks off.
   void start_half(Phase phase);
 

@@ -37,7 +37,10 @@ LoggedDecision logged(const Decision& decision, std::uint32_t tick, Team left) {
 }
 
 bool is_same_call(const LoggedDecision& a, const LoggedDecision& b) {
-  return a.decision.verdict == b.decision.verdict && a.decision.law == b.decision.law &&
+  // Whose goal it is, is not the referee's to say.
+  const bool same_law =
+      a.decision.law == b.decision.law || a.decision.verdict == referee::Verdict::GOAL;
+  return a.decision.verdict == b.decision.verdict && same_law &&
          a.decision.goal_cancelled == b.decision.goal_cancelled && a.team == b.team &&
          a.taker == b.taker;
 }

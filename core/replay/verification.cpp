@@ -11,12 +11,16 @@ std::string score_text(const match::ByTeam<int>& score) {
   return std::to_string(score[0]) + ":" + std::to_string(score[1]);
 }
 
+// `a` is recorded, `b` played again.
 bool agree(const match::LoggedDecision& a, const match::LoggedDecision& b) {
   const referee::Decision& x = a.decision;
   const referee::Decision& y = b.decision;
+  // A goal that was recorded without a scorer was told from an own goal by the last touch alone.
+  const bool is_old_goal = x.verdict == referee::Verdict::GOAL && !a.credit;
   return a.tick == b.tick && a.team == b.team && a.robots == b.robots && x.verdict == y.verdict &&
-         x.law == y.law && x.clock == y.clock && x.reason == y.reason && x.ball == y.ball &&
-         x.restart == y.restart && (x.restart == referee::Restart::none || a.taker == b.taker);
+         (is_old_goal || (x.law == y.law && x.reason == y.reason && a.credit == b.credit)) &&
+         x.clock == y.clock && x.ball == y.ball && x.restart == y.restart &&
+         (x.restart == referee::Restart::none || a.taker == b.taker);
 }
 
 std::string decision_text(const match::LoggedDecision& d) {

@@ -5,6 +5,7 @@
 #include "core/simulator/world.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace mirocup::simulator {
 
@@ -40,11 +41,10 @@ std::vector<WheelCommand> commands_at(const Scene& scene, double t) {
       commands.emplace_back();
       continue;
     }
-    WheelSpeeds speeds;
-    for (const WheelsFrom& w : robot.wheels) {
-      if (w.time <= t) speeds = w.speeds;
-    }
-    commands.emplace_back(speeds);
+    const auto later =
+        std::upper_bound(robot.wheels.begin(), robot.wheels.end(), t,
+                         [](double time, const WheelsFrom& w) { return time < w.time; });
+    commands.emplace_back(later == robot.wheels.begin() ? WheelSpeeds() : std::prev(later)->speeds);
   }
   return commands;
 }
@@ -88,6 +88,10 @@ SceneResult run_scene(const Scene& scene, const Tolerances& tolerances) {
     t = end;
     result.statistics.origin = t;
     take_sample(t);
+    if (result.statistics.impacts.size() > max_scene_impacts) {
+      result.stopped_at = t;
+      break;
+    }
   }
   return result;
 }

@@ -48,9 +48,15 @@ struct Sample {
   std::vector<BodyState> robots;
 };
 
+// A scene with more impacts is not run to its end: the list of them would take all memory.
+inline constexpr std::size_t max_scene_impacts = 500'000;
+
 struct SceneResult {
   std::vector<Sample> samples;  // at 0, at sample_at, and at the end
   RunStatistics statistics;
+  // The time at which the scene was stopped, because it had more than max_scene_impacts; nothing if
+  // it was run to its end.
+  std::optional<double> stopped_at;
 };
 
 // Two things that overlap at time 0.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Run statistics: what a report wants to know of a run and a leg does not need, such as every
+// Run statistics: what a report wants to know and a leg does not need, such as every
 // impact. A world without statistics pays nothing for them. Recording allocates.
 #pragma once
 

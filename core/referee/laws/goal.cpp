@@ -24,8 +24,7 @@ std::optional<Decision> judge_goal(const Pitch& pitch, const Situation& s) {
     d.restart = Restart::KICK_OFF;
     d.taker = goal;
     d.reason = "the ball crossed the line of the " + std::string(to_string(goal)) +
-               " goal at y = " + fixed(y, 3) + " m" +
-               (own ? ", last touched by the team that defends it" : "");
+               " goal at y = " + fixed(y, 3) + " m";
     return d;
   }
   return std::nullopt;

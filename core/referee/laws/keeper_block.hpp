@@ -4,7 +4,7 @@
 //
 // Intent is judged by what can be measured: for `block_s` an attacker is within `block_gap_m` of a
 // keeper that drives at it, while the ball is farther than `block_ball_m` from both and in that
-// half. An attacker that a team-mate of the keeper holds there does not offend.
+// half. An attacker does not offend if a team-mate of the keeper holds it.
 #pragma once
 
 #include "core/referee/dwell.hpp"

@@ -2,7 +2,7 @@
 //
 // Charging the goalkeeper. Source: MiroSot laws 8.2 and 12.1, a goal kick.
 //
-// A brush is part of play, so it takes a contact during which the attacker drives at the keeper for
+// A brush is part of play. A charge is a contact in which the attacker drives at the keeper for
 // `charge_s`, or a first impact at `charge_speed_mps` or more. A charge through the ball, which
 // lies between the two and touches one of them, is allowed.
 #pragma once

@@ -3,8 +3,8 @@
 // Pushing the ball along an end wall. Source: practice of a simulated league that banned it because
 // it wastes time. Off unless `wall_push` is set.
 //
-// Applies when a robot with a team-mate in touch with it shoves the ball along the wall (a defender
-// away from the goal, an attacker towards it), or when robots of both teams press on the ball there
+// Applies when a robot that a team-mate touches shoves the ball along the wall (a defender away
+// from the goal, an attacker towards it), or when robots of both teams press on the ball there
 // for `wall_s`. The restart is a free ball; for an attacker's offence it is in the mirrored quarter
 // of the other half.
 #pragma once

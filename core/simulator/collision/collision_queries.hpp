@@ -47,13 +47,14 @@ void refresh_contact(const StaticWorld& world, std::span<const BodyState> bodies
 
 // Returns the gap of a contact where its bodies are now, m: the signed distance of its point from
 // its edge's line. A corner beside the edge's end can lie behind the line without penetrating. So
-// below -`trusted_depth`, m, the pair's separation is returned if it is larger.
+// below -`trusted_depth`, m, the larger of this and the pair's separation counts.
 double clamped_gap(const StaticWorld& world, std::span<const BodyState> bodies,
                    const Contact& contact, double trusted_depth);
 
 // Returns the first time, from t to the earlier end of the pair's two segments, at which the pair's
-// gap is `level`, m, or less; trajectory::never if there is none. `level` is 0 for a touch, or
-// negative. The segments, by body, must hold at t.
+// gap is `level`, m, or less; trajectory::never if there is none. A level of 0 finds the touch of
+// separated bodies; a negative level finds an overlap of that depth. `segments` has one segment per
+// body, and all of them must hold at t.
 double first_time_below(const StaticWorld& world, const Pair& pair, double level,
                         std::span<const trajectory::Segment> segments, double t);
 

@@ -47,14 +47,14 @@ struct ContactPoints {
 
 // Returns the contact points with a gap of at most `margin`, m: two where an edge faces an edge,
 // one at a corner or for a circle, none if the outlines are farther apart. If one is a circle, it
-// is a.
+// is `a`.
 ContactPoints contact_points(const geometry::Outline& a, const Pose& body_a,
                              const geometry::Outline& b, const Pose& body_b, double margin);
 ContactPoints contact_points(const geometry::Outline& a, const Pose& body_a,
                              const field::Wall& wall, double margin);
 
-// Returns both corners of the incident edge as contact points over the line of a given reference
-// edge of two polygons, at any gap and without clipping. The reference need not be the best one at
+// Returns both corners of the incident edge as contact points, with their gaps from the line of a
+// given reference edge: at any gap and unclipped. The reference need not be the best one at
 // these poses.
 ContactPoints incident_corners(const geometry::Reference& reference, const geometry::Outline& a,
                                const Pose& body_a, const geometry::Outline& b, const Pose& body_b);

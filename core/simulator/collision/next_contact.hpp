@@ -16,21 +16,23 @@
 namespace mirocup::simulator::collision {
 
 // True if the contact's edge is guaranteed to separate the pair until another corner reaches it.
-// That takes a persistent contact, either of the ball, or of a robot's corner on an edge of a
-// half-plane wall or of a robot. No other corner of that robot may be beyond the edge's line, as
-// one can be where corner meets corner.
+// Only a persistent contact gives this guarantee, and it must be one of two kinds: the ball on an
+// edge or corner, or a robot's corner on an edge of a half-plane wall or of another robot. In the
+// second kind no other corner of the robot may be behind the edge's line. (Where two corners meet,
+// one can be.)
 bool is_separating_edge(const StaticWorld& world, const Contact& contact);
 
 // Returns the first time, s of the tick, at which another corner of the point's side reaches the
 // contact's edge; trajectory::never if none does before the segments end. A corner that is on the
-// edge at the start counts once it has come closer by `penetration`, m. The segments of the pair
-// begin together. `others` says that another contact of the pair persists, too: then the bodies
-// cannot turn against each other, and the result is never.
+// edge at the start counts once it has come closer by `penetration`, m. Both segments of the pair
+// must begin at the same time. `others` is true if the pair has another persistent contact: then
+// the bodies cannot turn against each other, and the function returns trajectory::never.
 double next_corner_contact(const StaticWorld& world, const Contact& contact, bool others,
                            std::span<const trajectory::Segment> segments, double penetration);
 
-// Looks among the contacts of an island for one of the pair with a separating edge, and returns its
-// next_corner_contact(). Nothing if there is none: then contact_time() must be used.
+// Searches the contacts of an island for a contact of this pair with a separating edge, and returns
+// the next_corner_contact() of that contact. Returns nothing if the pair has no such contact: then
+// the caller must use contact_time().
 std::optional<double> next_contact_time(const StaticWorld& world, const Pair& pair,
                                         std::span<const Contact> contacts,
                                         std::span<const trajectory::Segment> segments,

@@ -42,7 +42,7 @@ class PairList {
   void clear() { count_ = 0; }
 
   // Returns the pair with the smallest contact time if that is at most t, and sets t to it; null if
-  // there is none. Among equal times the pair with the lowest bodies counts. The pointer is valid
+  // there is none. Among equal times the pair of lowest index is taken. The pointer is valid
   // until the list changes.
   CandidatePair* earliest(double& t);
 

@@ -27,15 +27,16 @@ struct MovingOutline {
 
 // Returns the first time in [begin, end] at which the gap has fallen to `level`, m, or
 // trajectory::never. `level` is 0 for a touch, or negative for outlines that touch already. Both
-// segments hold over [begin, end]. If one outline is a circle, it is a.
+// segments hold over [begin, end]. If one outline is a circle, it is `a`.
 double time_of_impact(const MovingOutline& a, const MovingOutline& b, double level, double begin,
                       double end);
 double time_of_impact(const MovingOutline& a, const field::Wall& wall, double level, double begin,
                       double end);
 
 // Returns the first time at which the gap has fallen to 0. If the gap at `begin` is already at most
-// `penetration`, m, returns instead when it has fallen to min(gap at `begin`, 0) - `penetration`.
-// Both may be trajectory::never.
+// `penetration`, m, the function instead returns the first time at which the gap has fallen to
+// min(gap at `begin`, 0) - `penetration`. In both cases the result is trajectory::never if that
+// does not happen by `end`.
 double time_of_impact_or_penetration(const MovingOutline& a, const MovingOutline& b,
                                      double penetration, double begin, double end);
 double time_of_impact_or_penetration(const MovingOutline& a, const field::Wall& wall,

@@ -25,8 +25,8 @@ class DelassusOperator {
     if (row.b != no_body) add(unknown, row.b, row.on_b);
   }
 
-  // Adds J M^-1 J' to a matrix by calls of matrix.add_to_a(i, j, value) with j <= i, which stand
-  // for both halves. `mass` holds the inverse mass of every body.
+  // Adds J M^-1 J' to a matrix by calls of matrix.add_to_a(i, j, value). The matrix is symmetric,
+  // so only entries with j <= i are added. `mass` holds the inverse mass of every body.
   template <class Matrix>
   void couple(std::span<const solver::InverseMass> mass, Matrix& matrix) const {
     for (std::size_t body = 0; body < mass.size(); ++body) {

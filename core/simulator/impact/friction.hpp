@@ -25,7 +25,7 @@ solver::ConstraintRow tangent_row(const collision::Contact& contact,
 bool has_friction(const Parameters& parameters);
 
 // Applies friction to the twists of the bodies after resolve_impacts(), which has set the contacts'
-// normal impulses; adds the normal impulses that it needs itself. `problem` is scratch space.
+// normal impulses; adds further normal impulses itself. `problem` is scratch space.
 void resolve_friction(std::span<collision::Contact> contacts,
                       std::span<const solver::InverseMass> mass, std::span<BodyState> bodies,
                       solver::BoxQp& problem);

@@ -12,8 +12,9 @@
 
 namespace mirocup::simulator::impact {
 
-// Returns the bodies that contacts for which counts(contact) is true connect with a body in
-// `start`, directly or through others. A body in `start` is included only if it has such a contact.
+// Returns the bodies that are connected with a body in `start`, directly or through others. Two
+// bodies are connected by a contact for which counts(contact) is true. A body in `start` is
+// included only if it has such a contact.
 template <class Counts>
 BodySet connected(const BodySet& start, std::span<const collision::Contact> contacts,
                   Counts counts) {
@@ -39,8 +40,8 @@ BodySet connected(const BodySet& start, std::span<const collision::Contact> cont
 // connect with it. Empty if it has none.
 BodySet cluster_of(int body, std::span<const collision::Contact> contacts);
 
-// Returns, as one set, all bodies of the islands of these bodies: here every contact connects,
-// active or not. A body without a contact is left out.
+// Returns the union of the islands of these bodies. In an island every contact connects, active or
+// not. A body without a contact is left out.
 BodySet islands_of(const BodySet& bodies, std::span<const collision::Contact> contacts);
 
 // The contacts of an instant, sorted by islands. Kept and reused: holds scratch space, so nothing

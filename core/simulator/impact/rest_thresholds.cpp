@@ -22,11 +22,11 @@ RestThresholds::GrowthTable RestThresholds::growing(double first, double growth,
 RestThresholds::RestThresholds(const Tolerances& t)
     : tolerances_(t),
       restitution_after_impacts_(
-          growing(t.restitution_threshold, t.restitution_growth_per_touch, trajectory::never)),
+          growing(t.restitution_threshold, t.restitution_growth_per_impact, trajectory::never)),
       penetration_after_impacts_(
-          growing(t.penetration, t.penetration_growth_per_touch, t.contact_gap, t.free_touches)),
+          growing(t.penetration, t.penetration_growth_per_impact, t.contact_gap, t.free_impacts)),
       slip_after_impacts_(
-          growing(t.min_slip_speed, t.min_slip_growth_per_touch, trajectory::never)) {
+          growing(t.min_slip_speed, t.min_slip_growth_per_impact, trajectory::never)) {
   // A body's first impact in a tick bounces however slow it is.
   restitution_after_impacts_[0] = restitution_after_impacts_[1] = t.first_restitution_threshold;
 }
@@ -56,9 +56,9 @@ void RestThresholds::begin_tick(const BodySet& touching) {
 }
 
 // Impacts that come now and then are forgotten, one for each impact_memory since the last one; but
-// once there are remembered_touches, bouncing has to end, and none is forgotten.
+// once there are remembered_impacts, bouncing has to end, and none is forgotten.
 void RestThresholds::count(int body, double t) {
-  if (impacts_[body] < tolerances_.remembered_touches) {
+  if (impacts_[body] < tolerances_.remembered_impacts) {
     const double forgotten = (t - last_impact_of_[body]) / tolerances_.impact_memory;
     impacts_[body] = forgotten < impacts_[body] ? impacts_[body] - static_cast<int>(forgotten) : 0;
   }

@@ -3,12 +3,12 @@
 // Rest thresholds: the limits below which motion counts as rest, and how they grow within a tick.
 //
 // They guard against Zeno behaviour: infinitely many events in finite time. Bodies in a crowd would
-// bounce, let go and grip again ever faster and ever less. So the limits start at rounding and grow
+// bounce, let go and grip again ever faster, ever weaker. So the limits start at rounding and grow
 // with the impacts of a body, or with the events of the tick. Motion below a limit is stopped and
 // never thrown back, so growing limits add no energy.
 //
 //   limit                    from             factor, for each      up to
-//   restitution_threshold()  1e-10 m/s *      3     impact          -
+//   restitution_threshold()  see below        3     impact          -
 //   penetration()            1e-12 m          4     impact, from    contact_gap, 1e-10 m
 //                                                   the 9th on
 //   min_slip_speed()         1e-6 m/s         8     impact          the restitution threshold
@@ -18,12 +18,13 @@
 //   min_duration()           1e-8 s           1.3   event           max_min_duration, 2e-3 s
 //                                             8     event that it forced
 //
-//   * at the first impact of a body in the tick; 1.8e-3 m/s at the second. Between bodies that were
-//     in contact before the tick and had no impact in it: 2e-4 m/s.
+// The restitution threshold is 1e-10 m/s at the first impact of a body in the tick, and 1.8e-3 m/s
+// at the second; from there on it grows. Two bodies that were in contact before the tick, and have
+// had no impact in it, start with 2e-4 m/s instead.
 //
 // The numbers are those of Tolerances at the level `standard` and of settings::rest_thresholds. An
-// impact counts only for its two bodies, so a crowd does not change these limits elsewhere. A pair
-// has the larger count of its bodies. Events count for all bodies.
+// impact counts only for its two bodies, so a crowd does not change the limits of bodies outside
+// it. The count of a pair is the larger one of its two bodies. An event counts for all bodies.
 //
 // The event budget (Tolerances::event_budget) is the last resort: a body that has used it up is
 // time-stepped. Uses model and trajectory.
@@ -54,18 +55,18 @@ class RestThresholds {
   // Counts an impact of both bodies of a pair at time t.
   void note_impact(const Pair& pair, double t);
 
-  // Counts a bounce without a note_impact() as an impact: wheels that grip again can throw a robot
-  // at a body that it touches already. A body with an impact at time t is not counted again.
+  // Counts a bounce as an impact of those of the two bodies that have none at time t yet: wheels
+  // that grip again can throw a robot at a body that it touches already.
   void note_bounce(const Pair& pair, double t);
 
-  // Counts an event. Each involved body pays (n m)^2 of its budget, where n bodies are involved and
-  // these have met m bodies in this tick, themselves included. `was_forced`: a curve ended as soon
-  // as min_duration() allowed.
+  // Counts an event. Each involved body pays (n m)^2 of its budget. Here n is the number of bodies
+  // involved, and m is the number of bodies that these have met in this tick, themselves included.
+  // `was_forced` is true if the event ended a curve as soon as min_duration() allowed.
   void note_event(const BodySet& involved, bool was_forced);
 
-  // To be called at the start of a tick with the bodies of each island. If one of them went
-  // over budget in the last tick, and one event of the whole island would cost the whole budget,
-  // all of the island is over budget in this tick.
+  // Puts all bodies of an island over budget from the start of the tick if both hold: one of them
+  // went over budget in the last tick, and a single event of the whole island would cost the whole
+  // budget. To be called at the start of a tick for each island.
   void note_island(const BodySet& island);
 
   // Returns the bodies that have used up their event budget.
@@ -82,9 +83,9 @@ class RestThresholds {
   double roll_threshold() const { return roll_threshold_; }
   // Returns for how long a contact or a grip holds at least, s.
   double min_duration() const { return min_duration_; }
-  // Returns for how long a curve that starts at time t should hold, s: a few mean times between the
-  // impacts of the tick, or times since the last one, whichever is longer. A longer curve would
-  // probably be cut short by an impact.
+  // Returns for how long a curve that starts at time t should hold, s. It is a small multiple of
+  // the mean time between the impacts of this tick or of the time since the last impact, whichever
+  // is longer. An impact would probably cut a longer curve short.
   double preferred_duration(double t) const;
 
  private:

@@ -16,8 +16,8 @@ namespace mirocup::simulator::impact {
 
 // Stops the lateral slip of these robots together: the ground pushes each with at most
 // `max_impulse`, N s, and the contacts push so that none of them approaches. The pushes of the
-// contacts are added to their impulses. Stopping one robot may push others that stood: if the
-// fastest slip does not become slower, nothing changes. `contacts` are those of the robots'
+// contacts are added to their impulses. Stopping one robot may push others that stood, so
+// nothing is changed unless the fastest slip gets slower. `contacts` are those of the robots'
 // islands, `mass` and `bodies` hold all bodies, and `problem` is scratch space.
 void arrest_slip(std::span<collision::Contact> contacts, std::span<const int> robots,
                  double max_impulse, std::span<const solver::InverseMass> mass,

@@ -31,15 +31,15 @@ inline constexpr struct TaylorSeriesSettings {
 } taylor_series;
 
 inline constexpr struct SegmentSettings {
-  // [m; 1 for headings] Most that the last two terms of a pose may add up to. The error of the
+  // [m; 1 for headings] Limit of the sum of the last two terms of a pose. The error of the
   // truncation is a hundredth of that or less.
   double free_truncation = 1e-10;
-  // [m; 1] The same for bodies in contact, looser because the contacts that press keep their gaps
-  // at zero whatever the truncation leaves out.
+  // [m; 1] The same for bodies in contact. It is looser, because pressing contacts keep their gaps
+  // at zero in any case.
   double contact_truncation = 4e-10;
   // [m; 1] Terms that grow from one to the next but are smaller than this are ignored.
   double min_growth = 1e-13;
-  // [1] Factor from one length to the next that is tried until the series have converged.
+  // [1] Factor by which the length is cut, again and again, until the series converge.
   double length_shrink = 0.85;
   // [rad] Below this turn, the first terms of sin(a)/a and (1 - cos(a))/a are exact to 1e-13.
   double small_turn = 1e-4;
@@ -59,9 +59,9 @@ inline constexpr struct RollingBallSettings {
   // [m/s] Below this speed the direction in which a pushed ball brakes is kept fixed, because it
   // is not smooth where the speed is zero.
   double min_speed_with_direction = 1e-3;
-  // [1] For RollingFriction::per_axis. A component that is above k by at most this share of k still
-  // counts as slow, because rounding may leave it there. One that speeds up counts as slow up to
-  // twice this share above k, so events do not repeat at k.
+  // [1] For RollingFriction::per_axis. A segment starts with a component as slow if it is above k
+  // by at most this share, because rounding may leave it there. Speeding up, it stays slow up to
+  // twice this share, so events do not repeat at k.
   double k_margin = 1e-9;
 } rolling_ball;
 
@@ -81,16 +81,17 @@ inline constexpr struct MotionBoundSettings {
 // ---- solver/
 
 inline constexpr struct BoxQpSettings {
-  // [1] Smallest pivot, as a share of its diagonal entry. A smaller one says that the unknown
-  // depends on others, as of two contacts that push the same bodies the same way. It is raised to
-  // this share. So the unknown hardly moves if the others do not determine it, and goes to its
-  // bound if they contradict it.
+  // [1] Smallest pivot, as a share of its diagonal entry. A smaller pivot says that the unknown
+  // depends on others, for example where two contacts push the same bodies in the same direction.
+  // The pivot is then raised to this share. As a result the unknown hardly moves if the others
+  // leave it undetermined, and goes to its bound if the others contradict it.
   double min_pivot = 1e-10;
   // [1] Gradient that counts as zero, as a share of the largest |b|.
   double gradient_tolerance = 1e-14;
-  // Where rows nearly contradict each other, rounding can release bounds in circles. From round
-  // [1] `exact_rounds` on the tolerance grows by [1] `tolerance_growth` each round, up to
-  // [1] `max_gradient_tolerance`; after [1] `max_rounds` the solver stops at what it has.
+  // [1] Where rows nearly contradict each other, rounding can make the solver release the same
+  // bounds again and again. So after `exact_rounds` rounds the gradient tolerance is multiplied by
+  // `tolerance_growth` in each round, up to `max_gradient_tolerance`. After `max_rounds` rounds the
+  // solver returns the values that it has reached.
   int exact_rounds = 8;
   double tolerance_growth = 4.0;
   double max_gradient_tolerance = 1e-6;
@@ -106,8 +107,8 @@ inline constexpr struct RegularizedQpSettings {
   int max_newton_rounds = 40;
   // [1] Fractions 1, 1/2, 1/4, 1/8 of Newton's step that the line search tries.
   int max_backtracks = 4;
-  // [1] Only where the first bound is nearer than this fraction of the step are fractions below 1
-  // tried before the step to that bound.
+  // [1] If the first bound is farther away than this fraction of the step, the step to that bound
+  // is tried first. If it is nearer, fractions of the step are tried first.
   double near_bound = 0.1;
   // [1] Armijo's constant: share of the decrease promised by the gradient that a step must reach.
   double armijo_fraction = 0.1;
@@ -120,9 +121,8 @@ inline constexpr struct RegularizedQpSettings {
 
 inline constexpr struct PivotedCholeskySettings {
   // [1] An equation whose pivot is at most this share of its diagonal entry follows from the others
-  // and is dropped. Independent of BoxQpSettings::min_pivot, which does not drop an unknown but
-  // makes it compliant: an equation that is dropped by mistake leaves a contact without its force,
-  // so the limit is lower here.
+  // and is dropped. Lower than BoxQpSettings::min_pivot, which only makes an unknown compliant: an
+  // equation that is dropped by mistake leaves a contact without its force.
   double redundant_pivot = 1e-11;
   // [1] An equation whose pivot is above this share is clearly independent and keeps its place.
   double independent_pivot = 1e-3;
@@ -132,8 +132,8 @@ inline constexpr struct PivotedCholeskySettings {
 
 inline constexpr struct TimeOfImpactSettings {
   // [1] Separating axes that are tried for a pair; two or three are usual. After the last one the
-  // search stops and returns the time that it has reached. No touch is there; the caller sees that
-  // and searches again from that time.
+  // search stops and returns the time that it has reached. The bodies do not touch at that time;
+  // the caller notices this and searches again from there.
   int max_axes = 64;
   // [1] Multiple of root_tolerance. The ball has left a corner's sector when it is this far
   // outside.
@@ -149,13 +149,13 @@ inline constexpr struct ImpactSettings {
 } impact;
 
 inline constexpr struct RestThresholdsSettings {
-  // [1] A curve is long enough if it holds for this many mean times between the impacts of the
-  // tick, or times since the last one.
+  // [1] A curve is long enough if it holds for this multiple of the mean time between the impacts
+  // of the tick, or of the time since the last impact, whichever is longer.
   double times_between_impacts = 2.0;
   double forced_growth = 8.0;      // [1] of min_duration() where it forced the end of a curve
   double max_min_duration = 2e-3;  // [s]
   // [1] Growth of slip_threshold() per event, once it has reached Tolerances::slow_slip. The slides
-  // of a large crowd may be a little faster than any limit, and come back as fast.
+  // of a large crowd may be a little above any fixed limit, each time again.
   double late_slip_growth = 1.05;
   int max_counted = 40;  // [1] impacts of a body in a tick; more count as this many
 } rest_thresholds;
@@ -173,7 +173,7 @@ inline constexpr struct ContactForcesSettings {
 inline constexpr struct ContactMotionSettings {
   double edge_overhang = 1e-10;    // [m] a corner leaves its edge this far beyond the edge's end
   double closed_gap_share = 0.01;  // [1] of Tolerances::penetration: a smaller gap stays
-  double max_displacement = 1e-9;  // [m] nearly contradicting contacts ask for more: gaps stay
+  double max_displacement = 1e-9;  // [m] gaps are not corrected if that needs more than this
   double resting_speed = 1e-10;    // [m/s, rad/s] slower, and with less acceleration: at rest
   double resting_acceleration = 1e-9;  // [m/s^2, rad/s^2]
 } contact_motion;
@@ -192,8 +192,8 @@ inline constexpr struct StepTrajectoriesSettings {
   // [m] a larger correction would give the body another velocity than its twist says.
   double max_correction = 2e-5;
   double correction_tolerance = 1e-3;  // [1] of the largest overlap: precision of the corrections
-  double length_safety = 0.8;  // [1] of the permitted overlap: aim of the next step's length
-  double max_growth = 2.0;     // [1] ratio of a step's length to that of the last one
+  double length_safety = 0.8;          // [1] of the permitted overlap: the next step aims at it
+  double max_growth = 2.0;             // [1] ratio of a step's length to that of the last one
 } step_trajectories;
 
 inline constexpr struct TimeStepperSettings {
@@ -206,9 +206,9 @@ inline constexpr struct TimeStepperSettings {
   int strict_refinements = 4;       // of these, the first ones must meet the strict gap tolerance
   double impulse_tolerance = 1e-9;  // [1] of the largest relative velocity: precision of impulses
   int max_halvings = 6;             // of the step's length; then the last attempt is taken
-  // A step reduces an overlap that exists at its start by at most [m/s] `max_undoing_speed` times
-  // its length: faster would add energy. A step so long that this product reaches [m]
-  // `undone_overlap` removes the whole overlap.
+  // A step shorter than `undone_overlap` / `max_undoing_speed` [m, m/s] reduces an overlap at its
+  // start by at most `max_undoing_speed` times its length: faster would add energy. A longer step
+  // removes the whole overlap.
   double max_undoing_speed = 2e-4;
   double undone_overlap = 1e-7;
   // [1] a remembered wheel force is enlarged by it, lest rounding takes it off its bound.
@@ -216,7 +216,7 @@ inline constexpr struct TimeStepperSettings {
   // [1] keeps a time that is a whole number of steps from being divided into one step more.
   double count_round_off = 1.0 - 1e-9;
   double min_step_share = 1.0 / 64.0;  // [1] of Tolerances::max_step: no shorter step is proposed
-  double min_informative_share = 0.5;  // [1] a step cut shorter does not shorten the next proposal
+  double min_informative_share = 0.5;  // [1] of a step: cut to less, it shortens no later one
   int friction_rounds = 10;            // in which the bounds of friction follow the normal impulses
 } time_stepper;
 
@@ -226,7 +226,7 @@ inline constexpr struct WorldSettings {
   // [1] of a step's length. If less than this would be left of the tick, the step takes that, too.
   double min_remaining_share = 0.5;
   int max_estimates = 2;  // refinements of a pair's contact time before the exact search
-  double forced_end_round_off = 1e-3;  // [1] of the minimum duration: a curve that ends at it
+  double forced_end_round_off = 1e-3;  // [1] of min_duration(): an end this near to it is forced
   // [1] of Tolerances::contact_gap: a deeper overlap is projected away at an event.
   double projected_overlap = 2.0;
 } world;

@@ -22,10 +22,10 @@ Tolerances tolerances_of(Accuracy accuracy) {
     case Accuracy::reference:
       t.penetration = 1e-13;
       t.restitution_threshold = 5e-6;
-      t.restitution_growth_per_touch = 1.05;
-      t.free_touches = 30;
+      t.restitution_growth_per_impact = 1.05;
+      t.free_impacts = 30;
       t.min_slip_speed = 1e-13;
-      t.min_slip_growth_per_touch = 1.5;
+      t.min_slip_growth_per_impact = 1.5;
       t.growth_per_event = 1.02;
       t.slip_growth_per_event = 1.15;
       t.event_budget = 20'000'000;

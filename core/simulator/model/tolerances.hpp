@@ -28,29 +28,29 @@ struct Tolerances {
   // ---- restitution: an approach slower than the threshold does not bounce, it comes to rest
   // m/s: the threshold for a body's first impact in a tick, so that this impact always bounces.
   double first_restitution_threshold = 1e-10;
-  // m/s: the threshold for bodies that were in contact before the tick and had no impact in it.
-  // While two bodies come closer by `penetration`, motors give them less speed than this; so
-  // bouncing ends.
+  // m/s: the threshold for bodies that were in contact before the tick and had no impact in it. It
+  // ends the bouncing of bodies that motors press together: over the distance `penetration`
+  // motors give them less speed than this.
   double restitution_threshold = 2e-4;
   // At the n-th impact of a body in the tick, n >= 2, the threshold is `restitution_threshold`
   // times this to the power n.
-  double restitution_growth_per_touch = 3.0;
+  double restitution_growth_per_impact = 3.0;
 
   // ---- the count of impacts within a tick
   // s: one counted impact of a body is forgotten each time that this long passed without one.
   double impact_memory = 2e-3;
   // Once a body has counted this many impacts, none is forgotten any more, so that bouncing ends.
-  int remembered_touches = 4;
-  // Growth factor of `penetration` with each impact beyond `free_touches`, up to `contact_gap`.
-  double penetration_growth_per_touch = 4.0;
-  int free_touches = 8;
+  int remembered_impacts = 4;
+  // Growth factor of `penetration` with each impact beyond `free_impacts`, up to `contact_gap`.
+  double penetration_growth_per_impact = 4.0;
+  int free_impacts = 8;
 
   // ---- wheels
   // m/s: slip that an impact causes and that is at most this fast is removed at once. The wheels
   // would grip again within v / (grip g).
   double min_slip_speed = 1e-6;
   // Growth factor of `min_slip_speed` with each impact of a body in the tick.
-  double min_slip_growth_per_touch = 8.0;
+  double min_slip_growth_per_impact = 8.0;
 
   // ---- events of contact clusters
   double min_contact_duration = 1e-8;  // s: shortest time for which a contact or a grip holds
@@ -62,8 +62,9 @@ struct Tolerances {
   double slow_slip = 1e-7;  // m/s
   // Event budget of a body per tick. An event with n bodies that have met m bodies in this tick
   // costs (n m)^2. The default allows 3 events of four bodies, 7 of three or 34 of two. A body over
-  // budget, and all that it touches, is time-stepped for the rest of the tick. An island of five or
-  // more that went over budget is time-stepped from the start of the next tick. 0: always.
+  // budget is time-stepped for the rest of the tick, together with the bodies that it touches. An
+  // island of five or more bodies that went over budget is time-stepped from the start of the next
+  // tick. With a budget of 0 every body in contact is always time-stepped.
   int event_budget = 540;
 
   // ---- time stepping

@@ -45,9 +45,9 @@ class ContactForces {
   // The world outlives this object.
   explicit ContactForces(const collision::StaticWorld& world);
 
-  // Decides for the contacts of one island. Sets Contact::resting of each contact, grounding() of
-  // each body with a contact whose gap does not open. Changes the velocities of these bodies so
-  // that they fit the decision; the change never adds energy.
+  // Decides for the contacts of one island. Sets each Contact::resting, and grounding() of each
+  // body with a contact whose gap does not open. Changes the velocities of these bodies so that
+  // they fit the decision; the change never adds energy.
   //
   // A gap opens if it does so faster than the contact's restitution threshold. Wheels that slide
   // no faster than `slip_threshold` and a ball that rolls no faster than `roll_threshold` (m/s)

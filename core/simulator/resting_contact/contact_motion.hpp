@@ -83,7 +83,7 @@ class ContactMotion {
   bool is_at_rest(std::span<const trajectory::Segment> segments) const;
   void set_terms_of_all(int terms, std::span<trajectory::Segment> segments);
   double converged_length_of_all(std::span<const trajectory::Segment> segments) const;
-  // When a body ends the segment, s after its begin, and whether it then settles exactly.
+  // When a body's motion ends the segment, s from its begin; whether it then settles exactly.
   struct OwnEnd {
     double time;
     bool settles;

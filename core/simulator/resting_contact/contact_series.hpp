@@ -42,10 +42,10 @@ struct ContactSeries {
   TwoSeries heading;         // cos and sin of the point's side, seen from the edge's side
   trajectory::Series omega;  // rad/s: rate of that heading
   TwoSeries velocity;        // m/s: of the contact point, in the frame of the point's side
-  // m/s: term k of `velocity` turned into the frame of the edge's side, as of the last
-  // gap_rate_term(), less the part that term 0 of the heading contributes.
+  // m/s: what terms 1 to k of the heading contribute to term k of `velocity` in the frame of the
+  // edge's side; k is that of the last gap_rate_term().
   Vec2 later_velocity;
-  trajectory::Series lever_b;   // m: third component of row_b, minus the place along the edge
+  trajectory::Series lever_b;   // m: third component of row_b = -(place along the edge)
   double edge_begin, edge_end;  // m, along the edge
 
   // For the ball on a corner.
@@ -73,7 +73,7 @@ solver::ConstraintRow later_force_term(const collision::Contact& contact, const 
                                        int k);
 
 // Returns when the point has left the edge, or the ball the corner's sector, by `margin` (m, or
-// of the sine): s after the start, at most `length`. A point or ball that is already there at
+// a sine): s after the start, at most `length`. A point or ball that is already there at
 // the start is not reported.
 double time_on_edge(const collision::Contact& contact, const ContactSeries& rows, double margin,
                     double length);

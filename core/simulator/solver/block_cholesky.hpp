@@ -58,8 +58,8 @@ class BlockCholesky {
   void eliminate(int body);
 
   std::vector<Block> blocks_;  // rows of the higher body, columns of the lower
-  // For each body that is not eliminated: the others of these that it is coupled with, and their
-  // number, which is its degree.
+  // For each body not yet eliminated: the other such bodies that it is coupled with, and their
+  // number, its degree.
   std::array<BodyMask, max_bodies> coupled_;
   std::array<int, max_bodies> coupled_count_;
   std::vector<Front> fronts_;  // by body

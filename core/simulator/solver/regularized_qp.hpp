@@ -76,7 +76,7 @@ class RegularizedQp {
   // At x.
   double value_ = 0.0;
   Unknowns gradient_;
-  Unknowns rates_, x_at_rates_;  // A x, and the x of which they are
+  Unknowns rates_, x_at_rates_;  // A x, and that x
   bool rates_current_ = false;   // the rows have not changed since
 
   // The data of one round: x and its gradient at the start, and Newton's direction.

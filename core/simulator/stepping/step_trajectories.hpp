@@ -59,15 +59,15 @@ class StepTrajectories {
   // Sets the corrections of the members to zero: before each attempt at a step.
   void clear_corrections(const BodySet& members);
 
-  // True if no pair tunnels during the step. Only pairs that are separated at the end and were
-  // behind their reference edge at the start are tested; pairs that touch or nearly touch at the
-  // start are handled by correct_middle(), which is called next.
+  // True if no pair tunnels during the step. Tested are pairs that start apart, on the far side of
+  // the edge at which they end; those that touch or nearly touch at the start are left to
+  // correct_middle(), which is called next.
   bool is_clear(const Step& step);
 
-  // Sets the corrections of the members so that pairs which press or nearly touched do not
-  // overlap in the middle of the step. Leaves them zero where the overlap is negligible or needs
-  // too large a correction. Returns the deepest overlap that remains between the ends, m. Call
-  // after is_clear().
+  // Sets the corrections of the members so that no pair that presses, or nearly touched at the
+  // start, overlaps in the middle of the step. All of them stay zero if the deepest overlap is
+  // negligible or would take too large a correction. Returns the deepest overlap that remains
+  // between the ends of the step, m. Call after is_clear().
   double correct_middle(const Step& step);
 
   // Returns the deepest overlap at the start of the step, m. Call after correct_middle().
@@ -92,7 +92,7 @@ class StepTrajectories {
   // Robots and ball as bodies that do not turn: corrections are translations.
   std::array<solver::InverseMass, max_bodies> translation_mass_;
   bool is_corrected_ = false;        // the latest step has corrections
-  double largest_correction_ = 0.0;  // m, that the latest step asked for, applied or not
+  double largest_correction_ = 0.0;  // m: asked for in the latest step, whether applied or not
   std::array<Vec2, max_bodies> correction_;
   std::array<BodyState, max_bodies> sampled_;  // the members at the sampled time of the step
   // Contacts of pairs that may overlap inside the step.

@@ -93,9 +93,9 @@ class TimeStepper {
     double next_length = 0.0;  // s: what the attempt proposes for the members' next step
   };
 
-  // A pressing contact of an earlier step: the warm start of the next. That warm start does
-  // not exceed `impulse`: the force of a short step that stopped a body is large, and says nothing
-  // about a longer step.
+  // A pressing contact of an earlier step, from which the next step starts warm. The warm start is
+  // limited to `impulse`. Otherwise the large force with which a short step stopped a body would be
+  // taken over into a longer step.
   struct RememberedForce {
     Pair pair;
     collision::ContactPoint point;

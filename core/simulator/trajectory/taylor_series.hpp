@@ -85,7 +85,7 @@ Series sum_of_products(const Series& a, const Series& b, const Series& c, const 
 Series difference_of_products(const Series& a, const Series& b, const Series& c, const Series& d);
 
 // Returns coefficient k of a * b from the coefficients 0 .. k of both: the step of every
-// recurrence. With `first`, the coefficients of a before that are left out.
+// recurrence. With `first`, terms of `a` below it are left out.
 inline double product_term(const Series& a, const Series& b, int k, int first = 0) {
   double sum = 0.0;
   for (int j = first; j <= k; ++j) sum += a[j] * b[k - j];

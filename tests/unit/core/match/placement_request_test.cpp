@@ -247,11 +247,13 @@ TEST(PlacementRequests, AnyNumbersGiveALegalPlacement) {
       std::vector<Pose> placed;
       for (const Team team : both_teams) {
         for (int i = 0; i < leg.field().robots_per_team; ++i) {
-          const simulator::BodyState& r = scene.robots[index_of(team)][i];
-          const Pose pose{r.position, r.heading};
+          const ObservedRobot& r = scene.robots[index_of(team)][i];
+          const Pose pose{r.position, Heading::from_angle(r.heading)};
           ASSERT_TRUE(is_inside_walls(pitch, pose)) << to_string(team) << " " << i;
           ASSERT_GT(ball_gap(pitch, scene.ball.position, pose), 0.0);
-          for (const Pose& other : placed) ASSERT_GE(robot_gap(pitch, pose, other, 0.004), 0.004);
+          for (const Pose& other : placed) {
+            ASSERT_GE(robot_gap(pitch, pose, other, 0.004), 0.004 - 1e-12);
+          }
           placed.push_back(pose);
         }
       }

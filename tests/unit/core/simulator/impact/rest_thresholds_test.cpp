@@ -88,7 +88,7 @@ TEST(RestThresholds, RareImpactsAreForgotten) {
 // Otherwise a body in a crowd would start with the first threshold again after each pause.
 TEST(RestThresholds, ManyImpactsAreNotForgotten) {
   RestThresholds thresholds = fresh();
-  for (int i = 0; i < tolerances.remembered_touches; ++i) {
+  for (int i = 0; i < tolerances.remembered_impacts; ++i) {
     thresholds.note_impact(pair_of(0, 1), 1e-3);
   }
   const double after_many = thresholds.restitution_threshold(pair_of(0, 1));

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+//
+// The camera above the field: what both teams and spectators see of a leg.
+//
+// One camera sees for everybody. It measures positions and headings with noise, late, and now and
+// then it loses a body; then the last pose is held and its age counts up. It measures no
+// velocities: these are differences of what was seen. Referee, pages and records know the truth.
+#pragma once
+
+#include "core/base/random.hpp"
+#include "core/match/conditions.hpp"
+#include "core/match/snapshot.hpp"
+
+#include <array>
+
+namespace mirocup::match {
+
+class Camera {
+ public:
+  // `robots` is the number of robots of a team; `period` is the control period, s.
+  Camera(const Conditions& conditions, std::uint64_t seed, int robots, double period);
+
+  // Takes the picture of a tick. To be called once a tick with the truth. `were_placed`: the bodies
+  // were put down since the last picture, so the way from there to here is no motion.
+  void look(const Snapshot& truth, bool were_placed);
+
+  // Returns the truth of the latest look() with the bodies as they are seen.
+  const Snapshot& view() const { return view_; }
+
+ private:
+  // What is known of one body.
+  struct Sighting {
+    Vec2 position{0.0, 0.0};
+    double heading = 0.0;
+    std::uint32_t tick = 0;     // in which the picture was taken
+    std::uint32_t placing = 0;  // the number of placings before the picture
+    bool exists = false;
+  };
+  struct Body {
+    Random noise, loss;
+    bool is_lost = false;
+    Sighting last;
+    Vec2 velocity{0.0, 0.0};  // m/s, of the last two sightings
+    double turn = 0.0;        // rad/s
+  };
+  // The truth of one tick, as far as a camera sees it.
+  struct Picture {
+    std::uint32_t tick = 0;
+    std::uint32_t placing = 0;
+    Team left = Team::blue;
+    simulator::BallState ball;
+    ByTeam<std::array<ObservedRobot, max_robots_per_team>> robots;
+  };
+
+  bool is_seen(Body& body);
+  void see(Body& body, const Picture& picture, const Vec2& position, double heading, End end);
+  int age_of(const Body& body, std::uint32_t tick) const;
+
+  Conditions conditions_;
+  int robots_;
+  double period_;
+  std::uint32_t placings_ = 0;
+  int taken_ = 0;                                      // pictures
+  std::array<Picture, max_delay_ticks + 1> pictures_;  // by taken_ modulo the delay + 1
+  Body ball_;
+  ByTeam<std::array<Body, max_robots_per_team>> bodies_;
+  Snapshot view_;
+};
+
+}  // namespace mirocup::match

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+//
+// The disturbances of one leg, drawn from its seed.
+//
+// Every robot has draws of its own, found by the colour of its team and its number, and drawn in
+// its team's own frame; those of the ball are drawn in the frame of the blue team. So neither the
+// end that a team defends nor the order in which bodies are asked for changes a draw: a leg that is
+// turned by 180 degrees has the same numbers, negated, and in the two legs of a fixture, which have
+// one seed and swapped colours, each team has the luck that the other one had before.
+#pragma once
+
+#include "core/base/random.hpp"
+#include "core/base/vec2.hpp"
+#include "core/field/league.hpp"
+#include "core/match/conditions.hpp"
+#include "core/match/snapshot.hpp"
+#include "core/simulator/model/state.hpp"
+
+#include <array>
+
+namespace mirocup::match {
+
+// Draws from a normal distribution of mean 0 and sigma 1 that is cut off at -2 and 2: draws beyond
+// are drawn again. Its standard deviation is 0.88.
+double cut_normal(Random& random);
+
+// The kinds of draws. Each has a stream of random numbers of its own, so a disturbance that is
+// switched off changes no draw of the others.
+enum class Draw { placing, gain, jitter, rolling, radio, sight, loss_of_sight };
+
+// Returns the generator for one kind of draw and one robot of a team, or for the ball.
+Random draws_of_robot(std::uint64_t seed, Draw kind, Team team, int robot);
+Random draws_of_ball(std::uint64_t seed, Draw kind);
+
+// By how much a robot stands off the place where it was meant to stand, in its team's own frame.
+struct PlacingError {
+  Vec2 offset{0.0, 0.0};  // m
+  double turn = 0.0;      // rad, counter-clockwise
+};
+
+class Disturbances {
+ public:
+  // `robots` is the number of robots of a team.
+  Disturbances(const Conditions& conditions, std::uint64_t seed, int robots);
+
+  // Returns the factor of the ball's rolling resistance in this leg.
+  double rolling_factor() const { return rolling_factor_; }
+
+  // Returns the errors with which a robot and the ball are put down next; each call draws anew. The
+  // ball's is in the frame of the blue team, m.
+  PlacingError put_down_robot(Team team, int robot);
+  Vec2 put_down_ball();
+
+  // Returns the wheel speeds, rad/s, that a robot drives when it is sent `command`. To be called
+  // once a tick for every robot whose commands count.
+  simulator::WheelSpeeds drive(Team team, int robot, const simulator::WheelSpeeds& command);
+
+  // Forgets the commands that robots received last: they stand, and wait for the next ones.
+  void stop_robots();
+
+ private:
+  struct Robot {
+    Random placing, jitter, radio;
+    double left_gain = 1.0, right_gain = 1.0;
+    simulator::WheelSpeeds received{};  // the command that arrived last
+  };
+
+  Conditions conditions_;
+  Random ball_placing_;
+  double rolling_factor_ = 1.0;
+  ByTeam<std::array<Robot, max_robots_per_team>> robots_;
+};
+
+}  // namespace mirocup::match

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "core/match/goal_credit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mirocup::match {
+
+namespace {
+
+// A ball that rolls for longer goes nowhere near the goal any more.
+constexpr double max_roll_s = 30.0;
+
+GoalKind kind_of(referee::Restart restart) {
+  switch (restart) {
+    case referee::Restart::KICK_OFF:
+      return GoalKind::kick_off;
+    case referee::Restart::GOAL_KICK:
+      return GoalKind::goal_kick;
+    case referee::Restart::PENALTY_KICK:
+      return GoalKind::penalty;
+    case referee::Restart::FREE_KICK:
+      return GoalKind::free_kick;
+    case referee::Restart::FREE_BALL:
+      return GoalKind::free_ball;
+    case referee::Restart::none:
+      return GoalKind::open_play;
+  }
+  return GoalKind::open_play;
+}
+
+using Contact = BallContacts::Contact;
+
+// Returns the newest contact of a team that satisfies a condition; null if there is none.
+template <class Condition>
+const Contact* newest(const BallContacts& contacts, Team team, Condition condition) {
+  for (int i = 0; i < contacts.count(); ++i) {
+    if (contacts[i].who.team == team && condition(contacts[i])) return &contacts[i];
+  }
+  return nullptr;
+}
+
+// Returns the contact of a team that ended last; null if there is none. It may have begun before
+// the newest one.
+const Contact* last_to_end(const BallContacts& contacts, Team team) {
+  const Contact* last = nullptr;
+  for (int i = 0; i < contacts.count(); ++i) {
+    const Contact& c = contacts[i];
+    if (c.who.team == team && (last == nullptr || c.last > last->last)) last = &c;
+  }
+  return last;
+}
+
+std::optional<Touch> assist_to(const BallContacts& contacts, const Contact& scorer) {
+  for (int i = 0; i < contacts.count(); ++i) {
+    const Contact& c = contacts[i];
+    if (c.first >= scorer.first || c.who == scorer.who) continue;
+    if (c.who.team != scorer.who.team) return std::nullopt;
+    return c.who;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void BallContacts::add(std::uint32_t tick, const Touch& who, const simulator::BallState& before) {
+  for (int i = 0; i < count_; ++i) {
+    if (contacts_[i].who == who && contacts_[i].last + 1 >= tick) {
+      contacts_[i].last = tick;
+      return;
+    }
+  }
+  count_ = std::min(count_ + 1, capacity);
+  std::move_backward(contacts_.begin(), contacts_.begin() + count_ - 1, contacts_.begin() + count_);
+  contacts_[0] = {.who = who, .first = tick, .last = tick, .before = before};
+}
+
+bool would_go_in(const simulator::BallState& ball, End end, const field::Field& field,
+                 const simulator::Parameters& parameters, double control_period) {
+  simulator::World alone(&field, parameters, simulator::Tolerances{}, 0, true);
+  alone.set_ball(ball);
+  const double out = -attack_sign(end);
+  const double line = field.half_length + parameters.ball_radius;
+  for (double time = 0.0; time < max_roll_s; time += control_period) {
+    const simulator::BallState now = alone.ball();
+    if (out * now.position.x() > line && std::abs(now.position.y()) < field.goal_half_width) {
+      return true;
+    }
+    if (now.velocity.squaredNorm() == 0.0) return false;
+    alone.advance({}, control_period);
+  }
+  return false;
+}
+
+namespace {
+
+GoalKind kind_of(const Goal& goal, const BallContacts& contacts, const Contact& scorer,
+                 const field::Field& field, const simulator::Parameters& parameters) {
+  const Contact* opposed = newest(contacts, opponent_of(goal.scoring),
+                                  [&](const Contact& c) { return c.first < scorer.first; });
+  const bool takes = goal.taker == goal.scoring || goal.restart == referee::Restart::FREE_BALL;
+  if (opposed == nullptr) return takes ? kind_of(goal.restart) : GoalKind::open_play;
+  const bool is_rebound =
+      opposed->last < scorer.first &&
+      (scorer.first - opposed->last) * goal.control_period < rebound_s &&
+      would_go_in(opposed->before, goal.end, field, parameters, goal.control_period);
+  return is_rebound ? GoalKind::rebound : GoalKind::open_play;
+}
+
+}  // namespace
+
+GoalCredit credit_of(const Goal& goal, const BallContacts& contacts, const field::Field& field,
+                     const simulator::Parameters& parameters) {
+  const Contact* attacker = last_to_end(contacts, goal.scoring);
+  const Contact* defender = last_to_end(contacts, opponent_of(goal.scoring));
+  GoalCredit credit;
+  if (attacker == nullptr && defender == nullptr) return credit;
+  if (attacker != nullptr && defender != nullptr && defender->last > attacker->last) {
+    const bool both_held = attacker->last >= defender->first;
+    if (!both_held &&
+        !would_go_in(defender->before, goal.end, field, parameters, goal.control_period)) {
+      credit.own_goal = true;
+    }
+  } else if (attacker == nullptr) {
+    credit.own_goal = true;
+  }
+  const Contact& scorer = credit.own_goal ? *defender : *attacker;
+  credit.scorer = scorer.who;
+  if (credit.own_goal) return credit;
+  credit.assist = assist_to(contacts, scorer);
+  credit.kind = kind_of(goal, contacts, scorer, field, parameters);
+  return credit;
+}
+
+}  // namespace mirocup::match

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+//
+// Putting robots and ball down by hand at a restart: a hand never hits the exact place.
+#pragma once
+
+#include "core/match/disturbances.hpp"
+#include "core/referee/placement_check.hpp"
+
+namespace mirocup::match {
+
+// What a hand puts down. The other bodies stay where they are.
+struct Moved {
+  referee::ByEnd<referee::RobotSet> robots;
+  bool ball = false;
+
+  // Returns the bodies that differ between two placements of `robots_per_team` robots.
+  static Moved between(const referee::Placement& from, const referee::Placement& to,
+                       int robots_per_team);
+  static Moved everything(int robots_per_team);
+};
+
+// Returns where the bodies come to stand. `wanted` is legal, and every body that was moved stands
+// off its place by the error that is drawn for it. An error that the law of the restart does not
+// allow is halved until it does. `left` is the team that defends the left end.
+referee::Placement put_down(const referee::Pitch& pitch, const referee::Decision& restart,
+                            referee::Roles roles, const referee::Placement& wanted,
+                            const Moved& moved, Team left, Disturbances& disturbances);
+
+}  // namespace mirocup::match
