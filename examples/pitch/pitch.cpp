@@ -29,14 +29,11 @@ constexpr double period = 1.0 / 30.0;  // s between two pictures
 constexpr std::uint32_t max_silence = 4;
 
 // Computes speeds from two pictures. For a noisy camera put a filter here.
-simulator::BodyState robot_state(const Place& now, const Place& before) {
-  const Vec2 speed{(now.x - before.x) / period, (now.y - before.y) / period};
-  const double c = std::cos(now.heading);
-  const double s = std::sin(now.heading);
+match::ObservedRobot robot_state(const Place& now, const Place& before) {
   return {{now.x, now.y},
-          {c, s},
-          {c * speed.x() + s * speed.y(), c * speed.y() - s * speed.x(),
-           std::remainder(now.heading - before.heading, 2.0 * M_PI) / period}};
+          match::observed_angle(Heading::from_angle(now.heading)),
+          {(now.x - before.x) / period, (now.y - before.y) / period},
+          std::remainder(now.heading - before.heading, 2.0 * M_PI) / period};
 }
 
 match::Snapshot scene_of(const Picture& now, const Picture& before) {
@@ -91,7 +88,7 @@ class Pitch {
   std::uint64_t leg_ = dds::random_nonce();
   dds::Domain domain_ = need(dds::open_server_domain("lo", ""));
   dds::Entity participant_ = need(dds::make_participant(domain_));
-  dds::Entity publisher_, state_topic_, event_topic_, states_, events_;
+  dds::Entity publisher_, state_topic_, event_topic_, info_topic_, states_, events_, infos_;
   std::vector<Side> sides_;
 };
 
@@ -100,19 +97,25 @@ Pitch::Pitch(const std::string& match_id, const std::vector<std::string>& names,
     : camera_(camera), radio_(radio) {
   const dds::Entity& p = participant_;
   publisher_ = need(dds::make_publisher(p, dds::match_partition(match_id)));
-  state_topic_ = need(dds::make_topic(p, mirocup_v2_WorldState_desc, idl::world_state));
-  event_topic_ = need(dds::make_topic(p, mirocup_v2_MatchEvent_desc, idl::match_event));
+  state_topic_ = need(dds::make_topic(p, mirocup_v3_WorldState_desc, idl::world_state));
+  event_topic_ = need(dds::make_topic(p, mirocup_v3_MatchEvent_desc, idl::match_event));
   states_ = need(dds::make_writer(publisher_, state_topic_, idl::world_state));
   events_ = need(dds::make_writer(publisher_, event_topic_, idl::match_event));
+  info_topic_ = need(dds::make_topic(p, mirocup_v3_MatchInfo_desc, idl::match_info));
+  infos_ = need(dds::make_writer(publisher_, info_topic_, idl::match_info));
+  const match::Briefing facts{&field_, &robots_, &rules_, period, Team::blue, 1};
+  const mirocup_v3_MatchInfo info =
+      dds::to_sample(facts, leg_, {names[0], names.size() > 1 ? names[1] : std::string()}, 1.0);
+  dds_write(infos_.get(), &info);
   for (std::size_t i = 0; i < names.size(); ++i) {
     Side side;
     side.team = both_teams[i];
     const std::string own = dds::team_partition(match_id, static_cast<int>(i), names[i]);
     side.publisher = need(dds::make_publisher(p, own));
     side.subscriber = need(dds::make_subscriber(p, own));
-    side.hello_topic = need(dds::make_topic(p, mirocup_v2_Hello_desc, idl::hello));
-    side.welcome_topic = need(dds::make_topic(p, mirocup_v2_Welcome_desc, idl::welcome));
-    side.command_topic = need(dds::make_topic(p, mirocup_v2_TeamCommand_desc, idl::team_command));
+    side.hello_topic = need(dds::make_topic(p, mirocup_v3_Hello_desc, idl::hello));
+    side.welcome_topic = need(dds::make_topic(p, mirocup_v3_Welcome_desc, idl::welcome));
+    side.command_topic = need(dds::make_topic(p, mirocup_v3_TeamCommand_desc, idl::team_command));
     side.hellos = need(dds::make_reader(side.subscriber, side.hello_topic, idl::hello));
     side.welcomes = need(dds::make_writer(side.publisher, side.welcome_topic, idl::welcome));
     side.commands = need(dds::make_reader(side.subscriber, side.command_topic, idl::team_command));
@@ -121,14 +124,14 @@ Pitch::Pitch(const std::string& match_id, const std::vector<std::string>& names,
 }
 
 void Pitch::hear(Side& side, std::uint32_t tick) {
-  mirocup_v2_Hello hello;
+  mirocup_v3_Hello hello;
   while (dds::take(side.hellos, hello)) {
     side.nonce = hello.nonce;
     const match::Briefing briefing{&field_, &robots_, &rules_, period, side.team, 1};
-    const mirocup_v2_Welcome welcome = dds::to_sample(briefing, leg_, hello.nonce);
+    const mirocup_v3_Welcome welcome = dds::to_sample(briefing, leg_, hello.nonce);
     dds_write(side.welcomes.get(), &welcome);
   }
-  mirocup_v2_TeamCommand command;
+  mirocup_v3_TeamCommand command;
   while (dds::take(side.commands, command)) {
     if (side.nonce == 0 || command.nonce != side.nonce || command.tick >= tick) continue;
     ++side.heard;
@@ -152,8 +155,10 @@ void Pitch::show(const Picture& now, const Picture& before, std::uint32_t tick,
   scene.tick = tick;
   scene.time = scene.clock = tick * period;
   scene.state = state;
-  mirocup_v2_WorldState sample = dds::to_sample(scene, field_.robots_per_team, leg_);
-  for (const Side& side : sides_) sample.heard[index_of(side.team)] = side.heard;
+  mirocup_v3_WorldState sample = dds::to_sample(scene, field_.robots_per_team, leg_);
+  for (const Side& side : sides_) {
+    sample.heard[index_of(side.team)] = static_cast<std::uint32_t>(side.heard);
+  }
   dds_write(states_.get(), &sample);
 }
 
@@ -180,7 +185,8 @@ void Pitch::play(double seconds) {
 }
 
 void Pitch::say_that_it_is_over(std::uint32_t tick) {
-  mirocup_v2_MatchEvent event{};
+  mirocup_v3_MatchEvent event{};
+  event.layout = mirocup_v3_LAYOUT;
   event.leg = leg_;
   event.tick = tick;
   event.ends_match = true;

@@ -26,7 +26,7 @@ COLOURS = {"blue": 0, "yellow": 1}
 
 
 class Error(Exception):
-    """The network cannot be used, or the server does not admit the team."""
+    """The library or the network cannot be used, or the server does not admit the team."""
 
 
 class Robot(ctypes.Structure):
@@ -80,12 +80,21 @@ class Placement(ctypes.Structure):
 
 class Call(ctypes.Structure):
     _fields_ = [("size", c_uint32), ("team", c_int32), ("server", c_char_p), ("match", c_char_p),
-                ("name", c_char_p), ("credentials", c_char_p)]
+                ("name", c_char_p), ("credentials", c_char_p), ("domain", c_int32)]
 
 
 def load(path=None):
-    """Loads the library from `path`, from $MIROCUP_TEAM_LIBRARY, or from the installation."""
-    library = ctypes.CDLL(path or os.environ.get("MIROCUP_TEAM_LIBRARY", "libmirocup_team.so"))
+    """Loads the library from `path`, from $MIROCUP_TEAM_LIBRARY, or from the installation.
+
+    Raises Error if it is not there.
+    """
+    path = path or os.environ.get("MIROCUP_TEAM_LIBRARY", "libmirocup_team.so")
+    try:
+        library = ctypes.CDLL(path)
+    except OSError as error:
+        raise Error(f"{path} cannot be loaded ({error}); in mirocup's folder, `cmake --preset release && cmake --build "
+                    "--preset release --target mirocup_team` makes build/libmirocup_team.so, and "
+                    "$MIROCUP_TEAM_LIBRARY says where it is") from error
     library.mirocup_team_open.restype = c_void_p
     library.mirocup_team_open.argtypes = [ctypes.POINTER(Call), c_char_p, c_size_t]
     library.mirocup_team_wait.argtypes = [c_void_p, c_double]
@@ -114,12 +123,14 @@ def standing(now):
     return placement
 
 
-def play(match, colour, name, decide, server=None, credentials=None, patience=60.0, place=None):
+def play(match, colour, name, decide, server=None, credentials=None, patience=60.0, place=None,
+         domain=0):
     """Plays one leg and returns how it ended and the score, as in ("full_time", (2, 1)).
 
     decide(setup, observation) gives a (left, right) pair of wheel speeds for each robot.
     place(setup, observation, placement), if given, changes where the robots are to stand at a
-    restart. Raises Error if the match cannot be had within `patience` seconds.
+    restart. `domain` is the DDS domain of the match. Raises Error if the match cannot be had within
+    `patience` seconds.
     """
     library = load()
 
@@ -127,7 +138,7 @@ def play(match, colour, name, decide, server=None, credentials=None, patience=60
         return None if value is None else str(value).encode()
 
     call = Call(ctypes.sizeof(Call), COLOURS[colour], text(server), text(match), text(name),
-                text(credentials))
+                text(credentials), domain)
     why = ctypes.create_string_buffer(512)
     connection = library.mirocup_team_open(ctypes.byref(call), why, len(why))
     if not connection:

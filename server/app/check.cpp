@@ -3,7 +3,9 @@
 // mirocup check FILE.so: prints whether the library would be accepted as an entry, and why.
 #include "server/app/commands.hpp"
 #include "server/app/entry_check.hpp"
+#include "server/record/json_reader.hpp"
 #include "server/record/match_record.hpp"
+#include "system/printable.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -15,7 +17,7 @@ namespace mirocup::app {
 namespace {
 
 // An entry that uses a larger share of a leg's processor time gets a warning.
-constexpr double max_bank_share = 0.6;
+constexpr double max_leg_share = 0.6;
 
 record::Json to_json(const CheckOptions& options, const EntryReport& report) {
   record::Json checks = record::Json::array();
@@ -36,7 +38,9 @@ record::Json to_json(const CheckOptions& options, const EntryReport& report) {
            {{"start_ms", report.start_ms},
             {"mean_tick_ms", report.mean_tick_ms},
             {"slowest_tick_ms", report.slowest_tick_ms},
-            {"bank_share", report.bank_share}}},
+            {"bank_share", report.bank_share},
+            {"leg_seconds", report.leg_seconds},
+            {"leg_share", report.leg_share}}},
           {"peak_memory_bytes", report.peak_memory},
           {"log", report.log}};
 }
@@ -44,7 +48,7 @@ record::Json to_json(const CheckOptions& options, const EntryReport& report) {
 void print(const CheckOptions& options, const EntryReport& report) {
   for (const Check& check : report.checks) {
     const char* mark = !check.passed ? "  - " : *check.passed ? " ok " : "NO  ";
-    std::cout << mark << check.name << ": " << check.text << '\n';
+    std::cout << mark << check.name << ": " << system::printable(check.text) << '\n';
   }
   char text[200];
   if (report.mean_tick_ms > 0.0) {
@@ -56,32 +60,31 @@ void print(const CheckOptions& options, const EntryReport& report) {
                   std::string(to_string(report.isolation)).c_str());
     std::cout << text;
   }
-  if (report.bank_share > max_bank_share) {
+  const Check* failure = report.failure();
+  if (failure == nullptr && report.leg_share > max_leg_share) {
     std::snprintf(text, sizeof text,
                   "    warning: that is %.0f %% of the time that a leg has; leave room for slower "
                   "machines\n",
-                  100.0 * report.bank_share);
+                  100.0 * report.leg_share);
     std::cout << text;
   }
   if (!report.log.empty()) std::cout << "--- log\n" << report.log << "\n--- end of log\n";
-  const Check* failure = report.failure();
   if (failure == nullptr) {
-    std::cout << options.path << ": accepted\n";
+    std::cout << system::printable(options.path) << ": accepted\n";
   } else {
-    std::cout << options.path << ": not accepted, " << failure->name << ": " << failure->text
-              << '\n';
+    std::cout << system::printable(options.path) << ": not accepted, " << failure->name << ": "
+              << system::printable(failure->text) << '\n';
   }
 }
 
 }  // namespace
 
 Result<int> run_check(const CheckOptions& options) {
-  const auto report = check_entry(options.path, *from_string<League>(options.league));
+  const auto report =
+      check_entry(options.path, *from_string<League>(options.league), options.half_s);
   if (!report) return tl::unexpected(report.error());
   if (options.json) {
-    std::cout
-        << to_json(options, *report).dump(-1, ' ', false, record::Json::error_handler_t::replace)
-        << '\n';
+    std::cout << record::json_text(to_json(options, *report)) << '\n';
   } else {
     print(options, *report);
   }

@@ -4,6 +4,7 @@
 #include "server/app/command_line.hpp"
 
 #include "server/app/commands.hpp"
+#include "server/dds/domain.hpp"
 #include "server/record/match_record.hpp"
 
 #include <CLI/CLI.hpp>
@@ -35,6 +36,12 @@ CLI::Validator one_of() {
   std::vector<std::string> names;
   for (const auto name : enum_names<E>) names.emplace_back(name);
   return CLI::IsMember(names);
+}
+
+void add_dds_domain(CLI::App& command, int& domain) {
+  command.add_option("--dds-domain", domain, "DDS domain of the match; each has ports of its own")
+      ->check(CLI::Range(dds::default_domain, dds::last_domain))
+      ->capture_default_str();
 }
 
 void add_match(CLI::App& app, Run& run) {
@@ -83,6 +90,16 @@ void add_match(CLI::App& app, Run& run) {
       ->add_option("--rule", o.rule_changes,
                    "Change a parameter of the rules; may be given several times")
       ->type_name("KEY=VALUE");
+  command
+      ->add_option("--conditions", o.conditions,
+                   "What disturbs the leg: nothing (exact), placing by hand, wheels and floor "
+                   "(hall), also a camera and a radio (camera)")
+      ->check(one_of<match::ConditionsPreset>())
+      ->capture_default_str();
+  command
+      ->add_option("--condition", o.condition_changes,
+                   "Change a value of the conditions; may be given several times")
+      ->type_name("KEY=VALUE");
   command->add_option("--record", o.record_path, "File to write the match record to")
       ->type_name("FILE");
   command->add_flag("--trusted", o.trusted,
@@ -100,6 +117,7 @@ void add_match(CLI::App& app, Run& run) {
       ->add_option("--interface", o.interface,
                    "Network interface for DDS teams; lo: this host only")
       ->capture_default_str();
+  add_dds_domain(*command.sub, o.dds_domain);
   command
       ->add_option("--join-within", o.join_within, "Seconds that a DDS team has to join the match")
       ->capture_default_str();
@@ -124,6 +142,12 @@ void add_check(CLI::App& app, Run& run) {
                    "Field and number of robots: small (3 a side), middle (5), large (11)")
       ->check(CLI::IsMember({"small", "middle", "large"}))
       ->capture_default_str();
+  command
+      ->add_option(
+          "--half", o.half_s,
+          "Seconds of a half in the league that it is for, which says how much time it has "
+          "(default: as in the rules)")
+      ->check(CLI::Range(0.1, 36000.0));
   command->add_flag("--json", o.json, "Print the report as one JSON object");
 }
 
@@ -138,6 +162,7 @@ void add_join(CLI::App& app, Run& run) {
   command->add_option("--name", o.name, "Name of the team, as the match expects it (dds:NAME)")
       ->required();
   command->add_option("--server", o.server, "Host on which the match runs")->capture_default_str();
+  add_dds_domain(*command.sub, o.dds_domain);
   command->add_option("--patience", o.join_within, "Seconds to wait for the match")
       ->capture_default_str();
   command

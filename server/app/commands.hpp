@@ -27,11 +27,14 @@ struct MatchOptions {
       watch;  // address of the live page: PORT, HOST:PORT, or "" for any port
   std::optional<double> half_s;
   std::vector<std::string> rule_changes;  // KEY=VALUE
+  std::string conditions{to_string(match::default_preset)};
+  std::vector<std::string> condition_changes;  // KEY=VALUE
   std::string record_path;
   bool trusted = false;
   std::string isolation;  // "": the strongest that this system allows
   std::string match_id = "1";
   std::string interface = "lo";
+  int dds_domain = 0;
   double join_within = 60.0;  // s that a DDS team has to join
   double away_limit = 10.0;   // s that a DDS team may be absent in total
   std::string credentials;
@@ -42,6 +45,7 @@ Result<int> run_match(const MatchOptions& options);
 struct CheckOptions {
   std::string path;
   std::string league = "small";
+  std::optional<double> half_s;  // of the legs that the entry is for
   bool json = false;
 };
 Result<int> run_check(const CheckOptions& options);
@@ -52,6 +56,7 @@ struct JoinOptions {
   std::string name;
   std::string library;
   std::string server = "127.0.0.1";
+  int dds_domain = 0;
   std::string credentials;
   double join_within = 60.0;  // s to wait for the match
 };

@@ -8,9 +8,10 @@
 #include "plugins/host/sandbox/probe.hpp"
 #include "plugins/host/sealed_entry.hpp"
 #include "server/pace/wall_clock.hpp"
-#include "server/system/digest.hpp"
-#include "server/system/files.hpp"
-#include "server/system/locations.hpp"
+#include "system/digest.hpp"
+#include "system/files.hpp"
+#include "system/locations.hpp"
+#include "system/printable.hpp"
 
 #include <algorithm>
 #include <array>
@@ -26,13 +27,21 @@ namespace {
 namespace fs = std::filesystem;
 
 // The names of all checks, in the order in which they run.
-constexpr std::array<const char*, 9> check_names{"file",      "complete",   "entry",
-                                                 "libraries", "loads",      "ticks",
-                                                 "leg_blue",  "leg_yellow", "repeatable"};
+constexpr std::array<const char*, 10> check_names{
+    "file",  "complete", "entry",      "libraries",  "loads",
+    "ticks", "leg_blue", "leg_yellow", "repeatable", "budget"};
 
 constexpr std::uint32_t first_ticks = 100;
-constexpr double half_s = 8.0;                // of the legs
+constexpr double half_s = 8.0;                // of the trial legs
 constexpr double max_playing_seconds = 14.0;  // all legs together, without waiting for a processor
+
+// The clocks of the second leg of two that should be alike. The time of day has other remainders
+// than the one that every other leg begins with, whatever it is divided by.
+constexpr plugins::ClockReadings other_clocks{.time_of_day = 1'234'567'891, .uptime_behind = 17};
+
+// An entry is refused if it would use this many times the processor time that its leg gives. The
+// time that a team uses changes by less than that on a busy machine.
+constexpr double refused_leg_share = 1.25;
 
 // Stricter than in a match, so that the author of a slow team learns it soon.
 plugins::Budget budget() {
@@ -75,19 +84,26 @@ const char* advice(match::FaultCode code) {
 bool is_on_this_system(const std::string& name) {
   if (name.find('/') != std::string::npos) return false;
   system::Disk disk;
-  if (const auto cache = disk.read(plugins::loader_cache)) {
+  if (const auto cache = disk.read(
+          plugins::loader_cache,
+          {.max_size = system::size_limit::system_file, .links = system::Links::followed})) {
     // The cache holds paths that end with a zero.
     if (cache->find('/' + name + '\0') != std::string::npos) return true;
   }
   return std::any_of(std::begin(plugins::library_folders), std::end(plugins::library_folders),
-                     [&](const char* folder) { return fs::exists(fs::path(folder) / name); });
+                     [&](const char* folder) {
+                       std::error_code unknown;  // of a name that no file can have, for example
+                       return fs::exists(fs::path(folder) / name, unknown);
+                     });
 }
 
 // Runs the checks of one entry, one after the other, and fills its report.
 class Examination {
  public:
-  Examination(std::string path, League league) : path_(std::move(path)) {
+  Examination(std::string path, League league, std::optional<double> half)
+      : path_(std::move(path)) {
     setup_.league = league;
+    real_half_ = half.value_or(setup_.rules.half_s);
     setup_.rules.half_s = half_s;
   }
 
@@ -105,8 +121,10 @@ class Examination {
 
   Result<bool> examine_file();
   Result<bool> examine_play();
-  Result<TrialLeg> play(Team team, std::uint32_t max_ticks);
+  Result<TrialLeg> play(Team team, std::uint32_t max_ticks,
+                        const plugins::ClockReadings& clocks = {});
   void measure(plugins::ProcessController& process, std::uint32_t ticks);
+  bool judge_time();
   bool is_over_time(const Seats& seats);
   static double delay_of(const Seats& seats);
 
@@ -116,7 +134,8 @@ class Examination {
   bool judge(const TrialLeg& leg, std::string text);
 
   std::string path_;
-  match::Setup setup_;
+  match::Setup setup_;  // of the trial legs
+  double real_half_;    // s, of the legs that the entry is for
   pace::SteadyWallClock clock_;
   double delay_ = 0.0;  // s that processes of earlier legs waited for a processor
   std::optional<plugins::SealedEntry> entry_;
@@ -184,10 +203,10 @@ Result<bool> Examination::examine_file() {
   std::string names;
   for (const std::string& name : library->needed) {
     if (!is_on_this_system(name)) {
-      return fail_with("it needs " + plugins::escape_unprintable(name) +
+      return fail_with("it needs " + system::printable(name) +
                        ", which this system does not have: link it statically");
     }
-    names += (names.empty() ? "" : ", ") + plugins::escape_unprintable(name);
+    names += (names.empty() ? "" : ", ") + system::printable(name);
   }
   return pass(names.empty() ? "needs no other library" : "needs " + names);
 }
@@ -212,7 +231,7 @@ Result<bool> Examination::examine_play() {
   if (!yellow) return tl::unexpected(yellow.error());
   if (!judge(*yellow, "plays a leg as yellow against idle, in both halves")) return false;
 
-  const auto again = play(Team::blue, UINT32_MAX);
+  const auto again = play(Team::blue, UINT32_MAX, other_clocks);
   if (!again) return tl::unexpected(again.error());
   // The hashes differ if the team asks for other poses at a restart.
   const auto differs =
@@ -226,17 +245,36 @@ Result<bool> Examination::examine_play() {
                      ": take chance from setup.seed, and no clocks, addresses or memory that was "
                      "never written");
   }
-  return judge(*again, "answers the same observations in the same way");
+  return judge(*again,
+               "answers the same observations in the same way, also at another time of day") &&
+         judge_time();
 }
 
-Result<Examination::TrialLeg> Examination::play(Team team, std::uint32_t max_ticks) {
+// A team that would lose each of its legs by its budget is told so now.
+bool Examination::judge_time() {
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "a leg with halves of %g s would take %.1f s of processor time, %.0f %% of the "
+                "%.1f s that it has",
+                real_half_, report_.leg_seconds, 100.0 * report_.leg_share,
+                report_.leg_seconds / report_.leg_share);
+  if (report_.leg_share > refused_leg_share)
+    return fail_with(std::string(text) + ": " + advice(match::FaultCode::budget));
+  return pass(text);
+}
+
+Result<Examination::TrialLeg> Examination::play(Team team, std::uint32_t max_ticks,
+                                                const plugins::ClockReadings& clocks) {
   match::Leg match(setup_);
   Seats seats;
-  const auto bell = std::make_shared<plugins::Doorbell>();
+  plugins::ProcessTerms terms;
+  terms.isolation = report_.isolation;
+  terms.budget = budget();
+  terms.clocks = clocks;
   for (const Team seat : both_teams) {
-    auto process = plugins::ProcessController::start(
-        system::sibling_program("mirocup-plugin-host"), report_.isolation,
-        seat == team ? *entry_ : *idle_, match.briefing(seat), budget(), std::nullopt, bell);
+    auto process = plugins::ProcessController::start(system::sibling_program("mirocup-plugin-host"),
+                                                     seat == team ? *entry_ : *idle_,
+                                                     match.briefing(seat), terms);
     if (!process) return tl::unexpected(process.error());
     seats[index_of(seat)] = std::move(*process);
   }
@@ -290,6 +328,15 @@ void Examination::measure(plugins::ProcessController& process, std::uint32_t tic
   report_.mean_tick_ms = 1e3 * process.playing_seconds() / ticks;
   // In a leg of full length the bank's fixed part hardly counts.
   report_.bank_share = report_.mean_tick_ms / (1e3 * plugins::Budget().bank_per_tick);
+  if (ticks <= first_ticks) return;
+  // The cheapest of the legs counts: what disturbs a measurement only adds to it.
+  const double legs = real_half_ / half_s;
+  const double bank = plugins::Budget().bank;
+  const double needed = legs * process.playing_seconds();
+  const double share = needed / (bank + legs * (process.bank_seconds() - bank));
+  if (report_.leg_seconds > 0.0 && share >= report_.leg_share) return;
+  report_.leg_seconds = needed;
+  report_.leg_share = share;
 }
 
 }  // namespace
@@ -300,8 +347,9 @@ const Check* EntryReport::failure() const {
   return found == checks.end() ? nullptr : &*found;
 }
 
-Result<EntryReport> check_entry(const std::string& path, League league) {
-  return Examination(path, league).run();
+Result<EntryReport> check_entry(const std::string& path, League league,
+                                std::optional<double> half) {
+  return Examination(path, league, half).run();
 }
 
 }  // namespace mirocup::app

@@ -29,7 +29,9 @@ struct EntryReport {
   double start_ms = 0.0;
   double mean_tick_ms = 0.0;     // processor time
   double slowest_tick_ms = 0.0;  // processor time
-  double bank_share = 0.0;       // used share of the processor time that a leg has
+  double bank_share = 0.0;       // mean_tick_ms, of the time that a tick adds to the bank
+  double leg_seconds = 0.0;      // processor time that a leg of full length would take
+  double leg_share = 0.0;        // leg_seconds, of the time that such a leg gives
   std::size_t peak_memory = 0;   // bytes
   std::string log;
 
@@ -37,8 +39,9 @@ struct EntryReport {
   const Check* failure() const;
 };
 
-// Takes at most 20 s. An error means that there is no answer: the file cannot be read, or the host
-// failed.
-Result<EntryReport> check_entry(const std::string& path, League league);
+// `half` is the length, s, of the halves that the entry is for; nothing: that of the rules. The
+// trial legs are shorter. Takes at most 20 s. An error means that there is no answer: the file
+// cannot be read, or the host failed.
+Result<EntryReport> check_entry(const std::string& path, League league, std::optional<double> half);
 
 }  // namespace mirocup::app

@@ -5,8 +5,11 @@
 #include "plugins/host/plugin.hpp"
 #include "server/app/commands.hpp"
 #include "server/app/interrupt.hpp"
+#include "server/dds/credentials.hpp"
+#include "system/certificate.hpp"
 
 #include <chrono>
+#include <cstdint>
 #include <iostream>
 #include <optional>
 
@@ -19,6 +22,25 @@ using std::chrono::steady_clock;
 // A server that sends nothing for longer than this is taken to be gone, s.
 constexpr double max_silence = 10.0;
 constexpr double poll_interval = 0.25;  // s, for interrupts
+
+// A team is warned if its credentials are valid for less than this, s.
+constexpr std::int64_t short_validity = 86400;
+
+// dlopen() searches for a name without a slash in the system's folders.
+std::string library_path(const JoinOptions& options) {
+  const bool is_bare = options.library.find('/') == std::string::npos;
+  return is_bare ? "./" + options.library : options.library;
+}
+
+// The match server refuses credentials that expire before the latest end of the leg.
+void warn_of_expiry(const std::string& credentials) {
+  if (credentials.empty()) return;
+  const auto end = dds::credentials_end(credentials);
+  const std::int64_t now = system::present_moment();
+  if (!end || *end < now || *end - now >= short_validity) return;
+  std::cerr << "mirocup: warning: the credentials in " << credentials << " are valid until "
+            << system::date_text(*end) << " only\n";
+}
 
 // A library that answers the ticks that come over a connection.
 class RemoteTeam {
@@ -69,9 +91,7 @@ Result<int> RemoteTeam::play() {
 // Loads the library afresh for every leg, as for a team with a process of its own.
 Result<void> RemoteTeam::take_seat() {
   plugin_.reset();
-  const std::string path =
-      options_.library.find('/') == std::string::npos ? "./" + options_.library : options_.library;
-  auto plugin = plugins::Plugin::load(path, match_.setup());
+  auto plugin = plugins::Plugin::load(library_path(options_), match_.setup());
   if (!plugin) return fail(Errc::input, options_.library + ": " + plugin.error().text);
   plugin_.emplace(std::move(*plugin));
   std::cerr << "mirocup: " << options_.name << " plays " << options_.team << " in match "
@@ -115,12 +135,19 @@ int RemoteTeam::report() const {
 
 Result<int> run_join(const JoinOptions& options) {
   Interrupt interrupt;
+  if (auto checked = plugins::Plugin::check(library_path(options)); !checked) {
+    return fail(Errc::input, options.library + ": " + checked.error().text);
+  }
+  warn_of_expiry(options.credentials);
   team::Connection match({.match = options.match_id,
                           .team = index_of(*from_string<Team>(options.team)),
                           .name = options.name,
                           .server = options.server,
+                          .domain = options.dds_domain,
                           .credentials = options.credentials});
-  if (!match.is_open()) return fail(Errc::unavailable, match.why());
+  if (!match.is_open()) {
+    return fail(match.is_wrong() ? Errc::input : Errc::unavailable, match.why());
+  }
   return RemoteTeam(options, interrupt, match).play();
 }
 

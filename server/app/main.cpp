@@ -3,6 +3,7 @@
 // mirocup: one match, its records, its teams. One file per subcommand.
 #include "server/app/command_line.hpp"
 #include "server/app/commands.hpp"
+#include "system/printable.hpp"
 
 #include <iostream>
 #include <string_view>
@@ -12,7 +13,7 @@ using namespace mirocup;
 int main(int argc, char** argv) {
   const auto report = [](const Result<int>& result) {
     if (result) return *result;
-    std::cerr << "mirocup: " << result.error().what << '\n';
+    std::cerr << "mirocup: " << system::printable(result.error().what) << '\n';
     return exit_code(result.error().code);
   };
   const std::string_view command = argc > 1 ? argv[1] : "";

@@ -6,11 +6,15 @@
 #include "server/app/interrupt.hpp"
 #include "server/app/seats.hpp"
 #include "server/pace/pacer.hpp"
+#include "server/record/conditions_json.hpp"
+#include "server/record/json_reader.hpp"
 #include "server/record/rules_json.hpp"
 #include "server/web/live_server.hpp"
+#include "system/printable.hpp"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -27,6 +31,9 @@ constexpr double answer_share = 0.9;
 constexpr double ticks_to_notice = 9.0;
 constexpr double min_notice = 0.1;  // s
 
+// The clock of a half stands at restarts. They take far less than half as much time again.
+constexpr double share_for_restarts = 1.5;
+
 Result<match::Setup> setup_of(const MatchOptions& options) {
   match::Setup setup;
   setup.league = *from_string<League>(options.league);
@@ -38,6 +45,10 @@ Result<match::Setup> setup_of(const MatchOptions& options) {
   setup.seed = options.seed;
   if (setup.rules.preset == referee::Preset::simurosot) setup.control_period = 1.0 / 60.0;
   if (options.half_s) setup.rules.half_s = *options.half_s;
+  const auto conditions = record::conditions_with_changes(
+      *from_string<match::ConditionsPreset>(options.conditions), options.condition_changes);
+  if (!conditions) return tl::unexpected(conditions.error());
+  setup.conditions = *conditions;
   return setup;
 }
 
@@ -61,7 +72,10 @@ constexpr std::uint32_t ticks_between_polls = 16;
 class Session {
  public:
   Session(const MatchOptions& options, const match::Setup& setup, std::optional<double> factor)
-      : options_(options), match_(setup), pacer_(clock_, setup.control_period, factor) {}
+      : options_(options),
+        match_(setup),
+        speed_(factor.value_or(0.0)),
+        pacer_(clock_, setup.control_period, factor) {}
 
   Result<void> seat_teams();
   Result<void> open_live_page();
@@ -76,7 +90,8 @@ class Session {
  private:
   Result<TeamSeat> take_seat(const TeamChoice& choice, Team team);
   dds::JoinTerms patience();
-  Result<ProcessTerms> process_terms() const;
+  Result<plugins::ProcessTerms> process_terms() const;
+  double longest_play() const;
   record::MatchRecord record() const;
 
   const MatchOptions& options_;
@@ -84,11 +99,13 @@ class Session {
   system::Disk disk_;
   pace::SteadyWallClock clock_;
   match::Leg match_;
+  double speed_;  // factor of real time; 0: lockstep
   replay::StateTrace trace_;
   pace::Pacer pacer_;
   std::unique_ptr<dds::MatchServer> network_;  // null unless a team plays over it
   std::unique_ptr<web::LiveServer> live_;      // null unless the leg is watched
   std::shared_ptr<plugins::Doorbell> bell_ = std::make_shared<plugins::Doorbell>();
+  std::shared_ptr<plugins::MemoryWitness> memory_ = std::make_shared<plugins::MemoryWitness>();
   std::vector<TeamSeat> seats_;  // blue, yellow
   std::string isolation_ = "network";
 };
@@ -105,8 +122,8 @@ Result<void> Session::seat_teams() {
   const bool any_dds = choices[0].info.kind == record::TeamKind::dds ||
                        choices[1].info.kind == record::TeamKind::dds;
   if (any_dds) {
-    auto server =
-        dds::MatchServer::open(options_.match_id, options_.interface, options_.credentials);
+    auto server = dds::MatchServer::open(options_.match_id, options_.interface,
+                                         options_.credentials, options_.dds_domain);
     if (!server) return tl::unexpected(server.error());
     network_ = std::move(*server);
   } else if (pacer_.period() == 0.0) {
@@ -116,6 +133,10 @@ Result<void> Session::seat_teams() {
     auto seat = take_seat(choices[index_of(team)], team);
     if (!seat) return tl::unexpected(seat.error());
     seats_.push_back(std::move(*seat));
+  }
+  if (network_) {
+    network_->announce(match_.briefing(Team::blue), {seats_[0].info().name, seats_[1].info().name},
+                       speed_);
   }
   if (network_) network_->publish(match_);  // teams answer it before the match begins
   wait_until_ready(seats_, match_, interrupt_);
@@ -137,9 +158,10 @@ Result<TeamSeat> Session::take_seat(const TeamChoice& choice, Team team) {
   return TeamSeat::take_in_process(choice, briefing, *terms);
 }
 
-Result<ProcessTerms> Session::process_terms() const {
-  ProcessTerms terms;
+Result<plugins::ProcessTerms> Session::process_terms() const {
+  plugins::ProcessTerms terms;
   terms.bell = bell_;
+  terms.memory = memory_;
   const auto strongest = plugins::strongest_isolation();
   if (!strongest) return tl::unexpected(strongest.error());
   const auto wanted = from_string<plugins::Isolation>(options_.isolation);
@@ -160,13 +182,29 @@ dds::JoinTerms Session::patience() {
   dds::JoinTerms patience;
   patience.to_join = options_.join_within;
   patience.away = options_.away_limit;
+  patience.longest = options_.join_within + 2.0 * options_.away_limit + longest_play();
   patience.interrupted = [this] { return interrupt_.is_asked_for(); };
-  patience.tell = [](const std::string& text) { std::cerr << "mirocup: " << text << '\n'; };
+  patience.tell = [](const std::string& text) {
+    std::cerr << "mirocup: " << system::printable(text) << '\n';
+  };
   if (pacer_.period() > 0.0) {
     patience.tick = answer_share * pacer_.period();
     patience.notice = std::max(min_notice, ticks_to_notice * pacer_.period());
   }
   return patience;
+}
+
+// Wall seconds after which a leg is over, if its teams are there. In lockstep it is played faster.
+double Session::longest_play() const {
+  const match::Setup& setup = match_.setup();
+  const referee::Rules& r = setup.rules;
+  double play = 2.0 * r.half_s;
+  if (setup.stage == referee::Stage::knockout) {
+    play += std::max(r.golden_goal_s, 2.0 * r.extra_halves_s) +
+            2.0 * r.shoot_out_most_rounds * r.attempt_s;
+  }
+  const double speed = pacer_.period() > 0.0 ? setup.control_period / pacer_.period() : 1.0;
+  return share_for_restarts * play / speed;
 }
 
 Result<void> Session::open_live_page() {
@@ -234,9 +272,7 @@ Result<void> Session::write_record() {
 
 void Session::report() const {
   if (options_.json) {
-    std::cout << record::to_json(record()).dump(-1, ' ', false,
-                                                record::Json::error_handler_t::replace)
-              << '\n';
+    std::cout << record::json_text(record::to_json(record())) << '\n';
     return;
   }
   const match::Outcome& r = match_.outcome();
@@ -244,10 +280,10 @@ void Session::report() const {
             << seats_[1].info().name << " (yellow), " << to_string(r.kind) << " after "
             << match_.tick() << " ticks, state hash " << to_hex(match_.state_hash()) << '\n';
   for (const match::TeamFault& f : r.faults) {
-    std::cout << to_string(f.team) << ": " << to_string(f.fault.code) << ": " << f.fault.text
-              << '\n';
+    std::cout << to_string(f.team) << ": " << to_string(f.fault.code) << ": "
+              << system::printable(f.fault.text) << '\n';
   }
-  if (!r.why_void.empty()) std::cout << "void: " << r.why_void << '\n';
+  if (!r.why_void.empty()) std::cout << "void: " << system::printable(r.why_void) << '\n';
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 //
 // mirocup new DIR: writes a team that builds without changes.
 #include "server/app/commands.hpp"
-#include "server/system/files.hpp"
-#include "server/system/locations.hpp"
+#include "system/files.hpp"
+#include "system/locations.hpp"
 
 #include <filesystem>
 #include <iostream>
@@ -37,7 +37,8 @@ Result<int> run_new(const NewOptions& options) {
   if (auto made = disk.make_folder(folder); !made) return tl::unexpected(made.error());
 
   for (const auto& file : fs::directory_iterator(kit.templates)) {
-    auto text = disk.read(file.path().string());
+    auto text = disk.read(file.path().string(), {.max_size = system::size_limit::system_file,
+                                                 .links = system::Links::followed});
     if (!text) return tl::unexpected(text.error());
     std::string filled = replaced(std::move(*text), "@MIROCUP@", kit.program);
     filled = replaced(std::move(filled), "@MIROCUP_PREFIX@", kit.prefix);

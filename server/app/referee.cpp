@@ -6,11 +6,11 @@
 // mirocup referee --record FILE: judges a played match again, with other parameters.
 #include "core/replay/rejudge.hpp"
 #include "server/app/commands.hpp"
+#include "server/record/json_reader.hpp"
 #include "server/record/match_record.hpp"
 #include "server/record/rules_json.hpp"
 #include "server/traces/trace_verdict.hpp"
-
-#include <nlohmann/json.hpp>
+#include "system/printable.hpp"
 
 #include <iostream>
 #include <sstream>
@@ -22,37 +22,46 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// The situation's name, for its verdict; "" if it has none.
 std::string id_of(const Json& json) {
-  const bool named = json.is_object() && json.contains("id") && json["id"].is_string();
-  return named ? json["id"].get<std::string>() : "";
+  std::optional<record::JsonProblem> ignored;
+  const auto id = record::JsonReader(json, "", ignored).find("id");
+  return id && id->is_string() ? id->text() : "";
+}
+
+void print(const Json& json) {
+  std::cout << record::json_text(json) << '\n';
 }
 
 Result<int> judge_traces(const std::string& path) {
   system::Disk disk;
-  const auto text = disk.read(path);
+  const auto text =
+      disk.read(path, {.max_size = system::size_limit::trace, .links = system::Links::followed});
   if (!text) return tl::unexpected(text.error());
   std::istringstream lines(*text);
   std::string line;
   bool all_judged = true;
   for (int number = 1; std::getline(lines, line); ++number) {
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-    const Json json = Json::parse(line, nullptr, false);
+    const record::ParsedJson parsed = record::parse_json(line);
+    const Json& json = parsed.value;
     // A line with the results of a league is not a situation, but it is not an error either.
     if (json.is_object() && json.contains("results")) {
-      std::cout << traces::reject_trace(id_of(json), "a table of results is no situation").dump()
-                << '\n';
+      print(traces::reject_trace(id_of(json), "a table of results is no situation"));
       continue;
     }
-    const auto trace = json.is_discarded()
-                           ? Result<traces::Trace>(fail(Errc::input, "this is not JSON"))
-                           : traces::trace_from_json(json);
+    const auto trace =
+        parsed.problem ? Result<traces::Trace>(fail(
+                             Errc::input, parsed.problem->pointer + ": " + parsed.problem->reason))
+                       : traces::trace_from_json(json);
     if (!trace) {
       all_judged = false;
-      std::cerr << path << ":" << number << ": " << trace.error().what << '\n';
-      std::cout << traces::reject_trace(id_of(json), trace.error().what).dump() << '\n';
+      std::cerr << system::printable(path) << ":" << number << ": "
+                << system::printable(trace.error().what) << '\n';
+      print(traces::reject_trace(id_of(json), trace.error().what));
       continue;
     }
-    std::cout << traces::judge_trace(*trace).dump() << '\n';
+    print(traces::judge_trace(*trace));
   }
   return all_judged ? exit_yes : exit_no;
 }
@@ -95,13 +104,11 @@ Result<int> judge_record(const RefereeOptions& options) {
     }
   }
   if (options.json) {
-    std::cout << Json{{"record", options.record_path},
-                      {"rules", record::to_json(*rules)},
-                      {"differences", list}}
-                     .dump()
-              << '\n';
+    print({{"record", options.record_path},
+           {"rules", record::to_json(*rules)},
+           {"differences", list}});
   } else {
-    std::cout << options.record_path << ": " << differences.size()
+    std::cout << system::printable(options.record_path) << ": " << differences.size()
               << " decisions would differ, for the match as it was played\n";
   }
   return differences.empty() ? exit_yes : exit_no;

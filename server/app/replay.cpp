@@ -4,6 +4,7 @@
 #include "server/app/commands.hpp"
 #include "server/web/page.hpp"
 #include "server/web/picture.hpp"
+#include "system/printable.hpp"
 
 #include <iostream>
 #include <optional>
@@ -46,14 +47,15 @@ Result<int> run_replay(const ReplayOptions& options) {
     return tl::unexpected(record::behaviour_mismatch(options.record, *record, made.error().tick));
   }
   if (!made) {
-    std::cerr << "mirocup: " << options.record << ": cannot be shown, it differs from tick "
-              << made.error().tick << " on: " << made.error().what << '\n';
+    std::cerr << "mirocup: " << system::printable(options.record)
+              << ": cannot be shown, it differs from tick " << made.error().tick
+              << " on: " << made.error().what << '\n';
     return exit_no;
   }
   if (auto written = disk.write(options.output, *made); !written) {
     return tl::unexpected(written.error());
   }
-  std::cout << options.output << '\n';
+  std::cout << system::printable(options.output) << '\n';
   return exit_yes;
 }
 

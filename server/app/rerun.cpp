@@ -5,7 +5,9 @@
 #include "server/app/commands.hpp"
 #include "server/app/interrupt.hpp"
 #include "server/app/seats.hpp"
-#include "server/system/digest.hpp"
+#include "server/record/json_reader.hpp"
+#include "system/digest.hpp"
+#include "system/printable.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -38,8 +40,8 @@ std::string library_with(system::Files& files, const std::string& folder,
   std::error_code none;
   for (fs::recursive_directory_iterator at(folder, none), end; !none && at != end;
        at.increment(none)) {
-    if (at->path().extension() != ".so" || !at->is_regular_file(none)) continue;
-    const auto bytes = files.read(at->path().string());
+    if (at->path().extension() != ".so") continue;
+    const auto bytes = files.read(at->path().string(), {.max_size = system::size_limit::entry});
     if (bytes && system::sha256(*bytes) == sha256) return at->path().string();
   }
   return "";
@@ -136,7 +138,7 @@ Result<std::optional<CommandDifference>> play_again(const replay::Recording& rec
   std::vector<TeamSeat> seats;
   const auto isolation = plugins::strongest_isolation();
   if (!isolation) return tl::unexpected(isolation.error());
-  ProcessTerms terms;
+  plugins::ProcessTerms terms;
   terms.isolation = *isolation;
   for (const Team team : both_teams) {
     auto seat = TeamSeat::take_in_process(choices[index_of(team)], match.briefing(team), terms);
@@ -164,14 +166,14 @@ void report(const RerunOptions& options, const std::optional<CommandDifference>&
     answer["team"] = difference && difference->team ? record::Json(to_string(*difference->team))
                                                     : record::Json();
     answer["what"] = difference ? record::Json(difference->what) : record::Json();
-    std::cout << answer.dump() << '\n';
+    std::cout << record::json_text(answer) << '\n';
   } else if (difference) {
     const std::string team =
         difference->team ? std::string(to_string(*difference->team)) + ": " : std::string();
-    std::cout << options.record << ": differs from tick " << difference->tick << " on: " << team
-              << difference->what << '\n';
+    std::cout << system::printable(options.record) << ": differs from tick " << difference->tick
+              << " on: " << team << difference->what << '\n';
   } else {
-    std::cout << options.record << ": both teams give the recorded commands\n";
+    std::cout << system::printable(options.record) << ": both teams give the recorded commands\n";
   }
 }
 

@@ -2,8 +2,8 @@
 #include "server/app/seats.hpp"
 
 #include "plugins/host/elf.hpp"
-#include "server/system/digest.hpp"
-#include "server/system/locations.hpp"
+#include "system/digest.hpp"
+#include "system/locations.hpp"
 
 #include <filesystem>
 #include <sched.h>
@@ -60,13 +60,12 @@ Result<TeamChoice> choose_team(const std::string& text) {
 
 Result<TeamSeat> TeamSeat::take_in_process(const TeamChoice& choice,
                                            const match::Briefing& briefing,
-                                           const ProcessTerms& terms) {
+                                           const plugins::ProcessTerms& terms) {
   TeamSeat seat(choice.info);
   seat.load_fault_ = choice.fault;
   if (choice.fault) return seat;
   auto process = plugins::ProcessController::start(system::sibling_program("mirocup-plugin-host"),
-                                                   terms.isolation, *choice.entry, briefing,
-                                                   terms.budget, terms.deadline, terms.bell);
+                                                   *choice.entry, briefing, terms);
   if (!process) return tl::unexpected(process.error());
   seat.process_ = process->get();
   seat.controller_ = process->get();
@@ -129,6 +128,7 @@ std::optional<record::NetworkReport> TeamSeat::network_report() const {
   const dds::CommandCounts& commands = network_->commands();
   return record::NetworkReport{.in_step = commands.in_step,
                                .late = commands.late,
+                               .late_driven = commands.late_driven,
                                .duplicate = commands.duplicate,
                                .ahead = commands.ahead,
                                .foreign = commands.foreign,
@@ -148,6 +148,15 @@ void wait_until_ready(std::span<TeamSeat> seats, match::Leg& match, Interrupt& i
       return;
     }
     faults.push_back({team, std::get<match::Fault>(ready.error())});
+  }
+  // Nobody wins who is not there.
+  if (faults.size() == 1) {
+    const Team other = opponent_of(faults[0].team);
+    if (!seats[index_of(other)].is_there()) {
+      faults.push_back({other,
+                        {match::FaultCode::disconnected,
+                         "the team had joined, but was gone before the leg began"}});
+    }
   }
   if (!faults.empty()) match.forfeit(std::move(faults));
 }

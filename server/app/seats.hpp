@@ -31,22 +31,13 @@ struct TeamChoice {
 
 Result<TeamChoice> choose_team(const std::string& text);
 
-// The conditions for teams in processes of their own. Both teams of a leg share the doorbell, on
-// which this process waits for their answers.
-struct ProcessTerms {
-  plugins::Isolation isolation = plugins::Isolation::T2;
-  plugins::Budget budget;
-  std::optional<plugins::Deadline> deadline;
-  std::shared_ptr<plugins::Doorbell> bell = std::make_shared<plugins::Doorbell>();
-};
-
 // The place of one team in a leg: starts the team and asks it, whatever kind it is.
 class TeamSeat {
  public:
   // Each starts the team or makes room for it, and does not wait for it. An error is a failure of
   // the host. A fault of the team is returned by wait_until_ready().
   static Result<TeamSeat> take_in_process(const TeamChoice& choice, const match::Briefing& briefing,
-                                          const ProcessTerms& terms);
+                                          const plugins::ProcessTerms& terms);
   static Result<TeamSeat> take_trusted(const TeamChoice& choice, const match::Briefing& briefing);
   static Result<TeamSeat> take_on_network(const TeamChoice& choice, const match::Briefing& briefing,
                                           dds::MatchServer& server, const dds::JoinTerms& patience);
@@ -54,6 +45,9 @@ class TeamSeat {
   // Waits until the team can play. The error is why it never will: a Fault of its own, or a
   // HostFailure.
   tl::expected<void, match::Answer> wait_until_ready();
+
+  // False for a team on the network that was ready and has gone since.
+  bool is_there() const { return network_ == nullptr || network_->is_there(); }
 
   // Only for a team that is ready. The seat keeps it alive.
   match::Controller& controller() {

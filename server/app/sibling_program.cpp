@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/app/commands.hpp"
-#include "server/system/child_process.hpp"
-#include "server/system/locations.hpp"
+#include "system/child_process.hpp"
+#include "system/locations.hpp"
 
 namespace mirocup::app {
 

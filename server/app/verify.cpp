@@ -3,7 +3,9 @@
 // mirocup verify RECORD: simulates the leg again and compares it with the record.
 #include "core/replay/verification.hpp"
 #include "server/app/commands.hpp"
+#include "server/record/json_reader.hpp"
 #include "server/record/match_record.hpp"
+#include "system/printable.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -29,13 +31,14 @@ Result<int> run_verify(const VerifyOptions& options) {
     record::Json answer{{"record", options.path}, {"reproduced", !divergence}};
     answer["tick"] = divergence ? record::Json(divergence->tick) : record::Json();
     answer["what"] = divergence ? record::Json(divergence->what) : record::Json();
-    std::cout << answer.dump() << '\n';
+    std::cout << record::json_text(answer) << '\n';
   } else if (divergence) {
-    std::cout << options.path << ": differs from tick " << divergence->tick
+    std::cout << system::printable(options.path) << ": differs from tick " << divergence->tick
               << " on: " << divergence->what << '\n';
   } else {
-    std::cout << options.path << ": reproduced, " << record->recording.ticks.size()
-              << " ticks, state hash " << to_hex(record->recording.state_hash) << '\n';
+    std::cout << system::printable(options.path) << ": reproduced, "
+              << record->recording.ticks.size() << " ticks, state hash "
+              << to_hex(record->recording.state_hash) << '\n';
   }
   return divergence ? exit_no : exit_yes;
 }

@@ -3,81 +3,97 @@
 
 #include "core/match/copy_fields.hpp"
 
+#include <algorithm>
 #include <cassert>
 
 namespace mirocup::dds {
 
-static_assert(max_robots_per_team == mirocup_v2_MAX_ROBOTS);
+static_assert(max_robots_per_team == mirocup_v3_MAX_ROBOTS);
 
-// The numbers that idl/mirocup.idl gives to enumerators are on the network. If an enum of the core
-// were reordered, or got a member in its middle, the topics would change without an error.
-template <class E>
-constexpr bool is_wire_value(E value, int number) {
-  return static_cast<int>(value) == number;
+// The enumerators of the core and those of idl/mirocup.idl are the same numbers. If an enum of the
+// core were reordered, or got a member in its middle, the topics would change without an error.
+template <class E, class Wire>
+constexpr bool is_wire_value(E value, Wire number) {
+  return static_cast<int>(value) == static_cast<int>(number);
 }
-static_assert(enum_names<League>.size() == 3 && is_wire_value(League::small, 0) &&
-              is_wire_value(League::middle, 1) && is_wire_value(League::large, 2));
-static_assert(enum_names<Team>.size() == 2 && is_wire_value(Team::blue, 0) &&
-              is_wire_value(Team::yellow, 1));
-static_assert(enum_names<match::State>.size() == 3 && is_wire_value(match::State::READY, 0) &&
-              is_wire_value(match::State::PLAY, 1) && is_wire_value(match::State::END, 2));
+static_assert(enum_names<League>.size() == 3 && is_wire_value(League::small, mirocup_v3_SMALL) &&
+              is_wire_value(League::middle, mirocup_v3_MIDDLE) &&
+              is_wire_value(League::large, mirocup_v3_LARGE));
+static_assert(enum_names<Team>.size() == 2 && is_wire_value(Team::blue, mirocup_v3_BLUE) &&
+              is_wire_value(Team::yellow, mirocup_v3_YELLOW));
+static_assert(enum_names<match::State>.size() == 3 &&
+              is_wire_value(match::State::READY, mirocup_v3_READY) &&
+              is_wire_value(match::State::PLAY, mirocup_v3_PLAY) &&
+              is_wire_value(match::State::END, mirocup_v3_END));
 static_assert(enum_names<referee::Phase>.size() == 4 &&
-              is_wire_value(referee::Phase::FIRST_HALF, 0) &&
-              is_wire_value(referee::Phase::SECOND_HALF, 1) &&
-              is_wire_value(referee::Phase::EXTRA, 2) &&
-              is_wire_value(referee::Phase::SHOOT_OUT, 3));
+              is_wire_value(referee::Phase::FIRST_HALF, mirocup_v3_FIRST_HALF) &&
+              is_wire_value(referee::Phase::SECOND_HALF, mirocup_v3_SECOND_HALF) &&
+              is_wire_value(referee::Phase::EXTRA, mirocup_v3_EXTRA) &&
+              is_wire_value(referee::Phase::SHOOT_OUT, mirocup_v3_SHOOT_OUT));
 static_assert(enum_names<referee::Restart>.size() == 6 &&
-              is_wire_value(referee::Restart::none, 0) &&
-              is_wire_value(referee::Restart::KICK_OFF, 1) &&
-              is_wire_value(referee::Restart::GOAL_KICK, 2) &&
-              is_wire_value(referee::Restart::PENALTY_KICK, 3) &&
-              is_wire_value(referee::Restart::FREE_BALL, 4) &&
-              is_wire_value(referee::Restart::FREE_KICK, 5));
-static_assert(is_wire_value(Admission::accepted, 0) && is_wire_value(Admission::not_now, 1) &&
-              is_wire_value(Admission::refused, 2));
+              is_wire_value(referee::Restart::none, mirocup_v3_NO_RESTART) &&
+              is_wire_value(referee::Restart::KICK_OFF, mirocup_v3_KICK_OFF) &&
+              is_wire_value(referee::Restart::GOAL_KICK, mirocup_v3_GOAL_KICK) &&
+              is_wire_value(referee::Restart::PENALTY_KICK, mirocup_v3_PENALTY_KICK) &&
+              is_wire_value(referee::Restart::FREE_BALL, mirocup_v3_FREE_BALL) &&
+              is_wire_value(referee::Restart::FREE_KICK, mirocup_v3_FREE_KICK));
+static_assert(is_wire_value(Admission::accepted, mirocup_v3_ACCEPTED) &&
+              is_wire_value(Admission::not_now, mirocup_v3_NOT_NOW) &&
+              is_wire_value(Admission::refused, mirocup_v3_REFUSED));
 
 namespace {
 
-mirocup_v2_RobotState to_sample(const simulator::BodyState& r) {
-  return {r.position.x(),  r.position.y(), r.heading.cos, r.heading.sin,
-          r.twist.forward, r.twist.left,   r.twist.omega};
+mirocup_v3_RobotState to_sample(const match::ObservedRobot& r) {
+  return {r.position.x(), r.position.y(), r.heading, r.velocity.x(), r.velocity.y(), r.turn};
 }
 
-simulator::BodyState to_robot(const mirocup_v2_RobotState& r) {
-  return {{r.x, r.y}, {r.heading_cos, r.heading_sin}, {r.forward, r.left, r.turn}};
+match::ObservedRobot to_robot(const mirocup_v3_RobotState& r) {
+  return {.position = {r.x, r.y}, .heading = r.heading, .velocity = {r.vx, r.vy}, .turn = r.turn};
 }
 
-template <class E>
-std::uint8_t octet(E value) {
-  return static_cast<std::uint8_t>(value);
+std::uint8_t age_octet(int ticks) {
+  return static_cast<std::uint8_t>(std::min(ticks, 255));
 }
 
-constexpr std::uint8_t no_team = 2;  // WorldState.placing while no team places
+mirocup_v3_Facts facts_of(const match::Briefing& briefing) {
+  mirocup_v3_Facts facts{};
+  facts.league = static_cast<mirocup_v3_LeagueSize>(briefing.field->league);
+  facts.robots = static_cast<std::uint8_t>(briefing.field->robots_per_team);
+  facts.control_period = briefing.control_period;
+  facts.half_seconds = briefing.rules->half_s;
+  match::copy_field(*briefing.field, facts);
+  match::copy_bodies(*briefing.parameters, facts);
+  return facts;
+}
 
-// Converts a number from the network; one that is out of range becomes the first enumerator.
-template <class E>
-E enumerator(std::uint8_t value) {
-  return value < enum_names<E>.size() ? static_cast<E>(value) : E{};
+mirocup_v3_Colour colour(Team team) {
+  return static_cast<mirocup_v3_Colour>(team);
+}
+
+Team team_of(mirocup_v3_Colour colour) {
+  return colour == mirocup_v3_YELLOW ? Team::yellow : Team::blue;
 }
 
 }  // namespace
 
-mirocup_v2_WorldState to_sample(const match::Snapshot& scene, int robots, std::uint64_t leg) {
+mirocup_v3_WorldState to_sample(const match::Snapshot& scene, int robots, std::uint64_t leg) {
   assert(robots >= 0 && robots <= max_robots_per_team);
-  mirocup_v2_WorldState s{};
+  mirocup_v3_WorldState s{};
+  s.layout = mirocup_v3_LAYOUT;
   s.leg = leg;
   s.tick = scene.tick;
   s.time = scene.time;
   s.clock = scene.clock;
-  s.state = octet(scene.state);
-  s.phase = octet(scene.phase);
-  s.restart = octet(scene.restart);
-  s.taker = octet(scene.taker);
-  s.left = octet(scene.left);
-  s.placing = scene.placing ? octet(*scene.placing) : no_team;
+  s.state = static_cast<mirocup_v3_MatchState>(scene.state);
+  s.phase = static_cast<mirocup_v3_MatchPhase>(scene.phase);
+  s.restart = static_cast<mirocup_v3_RestartKind>(scene.restart);
+  s.taker = colour(scene.taker);
+  s.left = colour(scene.left);
+  s.placing = scene.placing ? colour(*scene.placing) : mirocup_v3_NEITHER;
   s.robots = static_cast<std::uint8_t>(robots);
-  s.score[0] = scene.score[0];
-  s.score[1] = scene.score[1];
+  for (int team = 0; team < 2; ++team) {
+    s.score[team] = static_cast<std::uint16_t>(scene.score[team]);
+  }
   s.ball_x = scene.ball.position.x();
   s.ball_y = scene.ball.position.y();
   s.ball_vx = scene.ball.velocity.x();
@@ -85,68 +101,85 @@ mirocup_v2_WorldState to_sample(const match::Snapshot& scene, int robots, std::u
   for (int i = 0; i < robots; ++i) {
     s.blue[i] = to_sample(scene.robots[0][i]);
     s.yellow[i] = to_sample(scene.robots[1][i]);
+    s.blue_age[i] = age_octet(scene.robots[0][i].age);
+    s.yellow_age[i] = age_octet(scene.robots[1][i].age);
   }
+  s.ball_age = age_octet(scene.ball_age);
   s.stalemate_s = scene.stalemate_s;
   s.advantage_s = scene.advantage_s;
   for (int team = 0; team < 2; ++team) match::copy_counts(scene.counts[team], s.counts[team]);
   return s;
 }
 
-match::Snapshot to_scene(const mirocup_v2_WorldState& s) {
+match::Snapshot to_scene(const mirocup_v3_WorldState& s) {
   match::Snapshot scene;
   scene.tick = s.tick;
   scene.time = s.time;
   scene.clock = s.clock;
-  scene.state = enumerator<match::State>(s.state);
-  scene.phase = enumerator<referee::Phase>(s.phase);
-  scene.restart = enumerator<referee::Restart>(s.restart);
-  scene.taker = enumerator<Team>(s.taker);
-  scene.left = enumerator<Team>(s.left);
-  if (s.placing < no_team) scene.placing = enumerator<Team>(s.placing);
+  scene.state = static_cast<match::State>(s.state);
+  scene.phase = static_cast<referee::Phase>(s.phase);
+  scene.restart = static_cast<referee::Restart>(s.restart);
+  scene.taker = team_of(s.taker);
+  scene.left = team_of(s.left);
+  if (s.placing != mirocup_v3_NEITHER) scene.placing = team_of(s.placing);
   scene.score = {s.score[0], s.score[1]};
   scene.ball = {{s.ball_x, s.ball_y}, {s.ball_vx, s.ball_vy}};
   for (int i = 0; i < max_robots_per_team; ++i) {
     scene.robots[0][i] = to_robot(s.blue[i]);
     scene.robots[1][i] = to_robot(s.yellow[i]);
+    scene.robots[0][i].age = s.blue_age[i];
+    scene.robots[1][i].age = s.yellow_age[i];
   }
+  scene.ball_age = s.ball_age;
   scene.stalemate_s = s.stalemate_s;
   scene.advantage_s = s.advantage_s;
   for (int team = 0; team < 2; ++team) match::copy_counts(s.counts[team], scene.counts[team]);
   return scene;
 }
 
-mirocup_v2_Welcome to_sample(const match::Briefing& briefing, std::uint64_t leg,
+mirocup_v3_Welcome to_sample(const match::Briefing& briefing, std::uint64_t leg,
                              std::uint64_t nonce) {
-  mirocup_v2_Welcome w{};
-  w.team = octet(briefing.team);
+  mirocup_v3_Welcome w{};
+  w.layout = mirocup_v3_LAYOUT;
+  w.team = colour(briefing.team);
   w.nonce = nonce;
   w.leg = leg;
-  w.answer = octet(Admission::accepted);
-  w.league = octet(briefing.field->league);
+  w.answer = mirocup_v3_ACCEPTED;
   w.seed = briefing.seed;
-  w.control_period = briefing.control_period;
-  w.half_seconds = briefing.rules->half_s;
-  match::copy_bodies(*briefing.parameters, w);
+  w.facts = facts_of(briefing);
   return w;
 }
 
-bool from_sample(const mirocup_v2_Welcome& w, OwnedBriefing& owned) {
-  if (w.league >= enum_names<League>.size() || w.team >= enum_names<Team>.size()) return false;
-  owned.field = field::make_field(static_cast<League>(w.league));
-  match::copy_bodies(w, owned.parameters);
-  owned.rules.half_s = w.half_seconds;
+mirocup_v3_MatchInfo to_sample(const match::Briefing& briefing, std::uint64_t leg,
+                               const match::ByTeam<std::string>& names, double speed) {
+  mirocup_v3_MatchInfo info{};
+  info.layout = mirocup_v3_LAYOUT;
+  info.leg = leg;
+  copy_text(info.blue, names[0]);
+  copy_text(info.yellow, names[1]);
+  info.speed = speed;
+  info.facts = facts_of(briefing);
+  return info;
+}
+
+bool from_sample(const mirocup_v3_Welcome& w, OwnedBriefing& owned) {
+  if (w.facts.league > mirocup_v3_LARGE || w.team > mirocup_v3_YELLOW) return false;
+  owned.field = field::make_field(static_cast<League>(w.facts.league));
+  match::copy_bodies(w.facts, owned.parameters);
+  owned.rules.half_s = w.facts.half_seconds;
   owned.briefing = {.field = &owned.field,
                     .parameters = &owned.parameters,
                     .rules = &owned.rules,
-                    .control_period = w.control_period,
+                    .control_period = w.facts.control_period,
                     .team = static_cast<Team>(w.team),
                     .seed = w.seed};
   return true;
 }
 
-mirocup_v2_MatchEvent to_sample(const match::LoggedDecision& d, std::uint64_t leg,
+mirocup_v3_MatchEvent to_sample(const match::LoggedDecision& d, std::uint64_t leg,
                                 std::uint32_t number, const match::ByTeam<int>& score) {
-  mirocup_v2_MatchEvent e{};
+  mirocup_v3_MatchEvent e{};
+  e.layout = mirocup_v3_LAYOUT;
   e.leg = leg;
   e.number = number;
   e.tick = d.tick;
@@ -154,15 +187,14 @@ mirocup_v2_MatchEvent to_sample(const match::LoggedDecision& d, std::uint64_t le
   copy_text(e.decision, to_string(d.decision.verdict));
   copy_text(e.law, to_string(d.decision.law));
   copy_text(e.reason, d.decision.reason);
-  e.score[0] = score[0];
-  e.score[1] = score[1];
+  for (int team = 0; team < 2; ++team) e.score[team] = static_cast<std::uint16_t>(score[team]);
   return e;
 }
 
-mirocup_v2_TeamCommand to_sample(const match::Command& command, Team team, std::uint32_t tick,
+mirocup_v3_TeamCommand to_sample(const match::Command& command, Team team, std::uint32_t tick,
                                  std::uint64_t nonce) {
-  mirocup_v2_TeamCommand s{};
-  s.team = octet(team);
+  mirocup_v3_TeamCommand s{};
+  s.team = colour(team);
   s.nonce = nonce;
   s.tick = tick;
   for (int i = 0; i < max_robots_per_team; ++i) {
@@ -170,7 +202,7 @@ mirocup_v2_TeamCommand to_sample(const match::Command& command, Team team, std::
     s.right[i] = command.wheels[i].right;
   }
   if (!command.placement) return s;
-  s.places = 1;
+  s.places = true;
   s.place_ball_x = command.placement->ball_x;
   s.place_ball_y = command.placement->ball_y;
   for (int i = 0; i < max_robots_per_team; ++i) {
@@ -180,10 +212,10 @@ mirocup_v2_TeamCommand to_sample(const match::Command& command, Team team, std::
   return s;
 }
 
-match::Command to_command(const mirocup_v2_TeamCommand& s) {
+match::Command to_command(const mirocup_v3_TeamCommand& s) {
   match::Command command;
   for (int i = 0; i < max_robots_per_team; ++i) command.wheels[i] = {s.left[i], s.right[i]};
-  if (s.places == 0) return command;
+  if (!s.places) return command;
   match::PlacementRequest& poses = command.placement.emplace();
   poses.ball_x = s.place_ball_x;
   poses.ball_y = s.place_ball_y;
@@ -191,6 +223,12 @@ match::Command to_command(const mirocup_v2_TeamCommand& s) {
     poses.robots[i] = {s.place[i].x, s.place[i].y, s.place[i].heading};
   }
   return command;
+}
+
+std::string layout_mismatch(std::uint32_t theirs) {
+  if (theirs == mirocup_v3_LAYOUT) return "";
+  return "its topics have layout " + std::to_string(theirs) + ", those here " +
+         std::to_string(mirocup_v3_LAYOUT) + ": both need the same version of mirocup";
 }
 
 }  // namespace mirocup::dds

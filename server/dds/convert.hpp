@@ -7,20 +7,24 @@
 #include "core/match/leg.hpp"
 
 #include <mirocup.h>
+#include <string>
 #include <string_view>
 
 namespace mirocup::dds {
 
 // `robots`: of each team. `leg`: the number that the server drew for the leg.
-mirocup_v2_WorldState to_sample(const match::Snapshot& scene, int robots, std::uint64_t leg);
-// An octet that stands for no enumerator becomes the first one: the sample comes from a stranger.
-match::Snapshot to_scene(const mirocup_v2_WorldState& sample);
+mirocup_v3_WorldState to_sample(const match::Snapshot& scene, int robots, std::uint64_t leg);
+match::Snapshot to_scene(const mirocup_v3_WorldState& sample);
 
-// The answer of a Welcome to a Hello.
+// The answer of a Welcome to a Hello; the numbers are those of mirocup_v3_Admission.
 enum class Admission : std::uint8_t { accepted, not_now, refused };
 
+// Returns what spectators are told of a leg. `speed`: factor of real time, 0 for lockstep.
+mirocup_v3_MatchInfo to_sample(const match::Briefing& briefing, std::uint64_t leg,
+                               const match::ByTeam<std::string>& names, double speed);
+
 // Returns a Welcome that accepts the team and holds the whole briefing.
-mirocup_v2_Welcome to_sample(const match::Briefing& briefing, std::uint64_t leg,
+mirocup_v3_Welcome to_sample(const match::Briefing& briefing, std::uint64_t leg,
                              std::uint64_t nonce);
 
 // A briefing together with the structures that it points to. It cannot be copied or moved: the
@@ -38,16 +42,19 @@ struct OwnedBriefing {
 
 // Fills `owned` from the numbers of a Welcome. Returns false, and leaves `owned` unchanged, if its
 // league or its colour does not exist.
-bool from_sample(const mirocup_v2_Welcome& sample, OwnedBriefing& owned);
+bool from_sample(const mirocup_v3_Welcome& sample, OwnedBriefing& owned);
 
 // `number` counts the events of the leg from 0; `score` is the one after the decision.
-mirocup_v2_MatchEvent to_sample(const match::LoggedDecision& decision, std::uint64_t leg,
+mirocup_v3_MatchEvent to_sample(const match::LoggedDecision& decision, std::uint64_t leg,
                                 std::uint32_t number, const match::ByTeam<int>& score);
 
 // `tick`: of the WorldState that the command answers. `nonce`: of the team's Hello.
-mirocup_v2_TeamCommand to_sample(const match::Command& command, Team team, std::uint32_t tick,
+mirocup_v3_TeamCommand to_sample(const match::Command& command, Team team, std::uint32_t tick,
                                  std::uint64_t nonce);
-match::Command to_command(const mirocup_v2_TeamCommand& sample);
+match::Command to_command(const mirocup_v3_TeamCommand& sample);
+
+// Returns why two processes that speak these layouts cannot play together; "" if they can.
+std::string layout_mismatch(std::uint32_t theirs);
 
 // Copies text into a bounded string of a sample and cuts it to fit.
 template <std::size_t size>

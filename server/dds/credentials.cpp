@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "server/dds/credentials.hpp"
 
+#include "server/dds/domain.hpp"
+#include "system/certificate.hpp"
+#include "system/files.hpp"
+
+#include <algorithm>
 #include <filesystem>
 
 namespace mirocup::dds {
@@ -50,17 +55,45 @@ Result<void> set_credentials(dds_qos_t* qos, const std::string& folder) {
   for (const File& f : files) {
     const std::string path = folder + "/" + f.name;
     std::error_code none;
-    if (!std::filesystem::exists(path, none)) {
+    if (!std::filesystem::is_regular_file(path, none)) {
       return fail(Errc::input, folder + " holds no credentials: " + path + " is not there");
     }
     dds_qset_prop(qos, f.property, ("file:" + path).c_str());
   }
   const std::string list = folder + "/" + revoked.name;
   std::error_code none;
-  if (std::filesystem::exists(list, none)) {
+  if (std::filesystem::is_regular_file(list, none)) {
     dds_qset_prop(qos, revoked.property, ("file:" + list).c_str());
   }
   return {};
+}
+
+namespace {
+
+// Reads a certificate of a folder that the host or the team has named.
+Result<std::string> read_certificate(const std::string& path) {
+  system::Disk disk;
+  return disk.read(path,
+                   {.max_size = system::size_limit::certificate, .links = system::Links::followed});
+}
+
+}  // namespace
+
+std::optional<std::int64_t> credentials_end(const std::string& folder) {
+  std::optional<std::int64_t> end;
+  for (const char* name : {"certificate.pem", "identity_ca.pem", "permissions_ca.pem"}) {
+    const auto text = read_certificate(folder + "/" + name);
+    const auto one = text ? system::certificate_end(*text) : std::nullopt;
+    if (!one) return std::nullopt;
+    end = end ? std::min(*end, *one) : *one;
+  }
+  return end;
+}
+
+std::optional<std::int64_t> team_credentials_end(const std::string& server_folder,
+                                                 std::string_view team) {
+  const auto text = read_certificate(server_folder + "/teams/" + encoded(team) + ".pem");
+  return text ? system::certificate_end(*text) : std::nullopt;
 }
 
 }  // namespace mirocup::dds

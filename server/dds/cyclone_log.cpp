@@ -19,6 +19,11 @@ constexpr std::string_view malformed = "malformed packet";
 constexpr std::string_view by_strangers[] = {malformed, "not allowed",
                                              "certificate signature failure"};
 
+// A part of the trace of Cyclone's discovery, and what it means. As a warning it has no end of line
+// and is never passed on.
+constexpr std::string_view without_credentials = "Non secure remote";
+constexpr const char* meaning = "a process without credentials was seen, and is not allowed";
+
 bool has(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
 }
@@ -46,11 +51,18 @@ CycloneLog::CycloneLog() {
             {data->message, std::min(data->size, max_message_length)});
       },
       this);
+  dds_set_trace_sink(
+      [](void* log, const dds_log_data_t* data) {
+        if (!has({data->message, data->size}, without_credentials)) return;
+        static_cast<CycloneLog*>(log)->keep(meaning);
+      },
+      this);
 }
 
 CycloneLog::~CycloneLog() {
   // The default sink is the standard error, where the user should not see messages of the shutdown.
   dds_set_log_sink([](void*, const dds_log_data_t*) {}, nullptr);
+  dds_set_trace_sink([](void*, const dds_log_data_t*) {}, nullptr);
 }
 
 void CycloneLog::keep(std::string text) {

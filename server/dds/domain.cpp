@@ -10,9 +10,15 @@ namespace mirocup::dds {
 
 namespace {
 
-constexpr dds_domainid_t domain_id = 0;
-constexpr int first_port =
-    7410;  // of participant 0 in domain 0; each following participant's is two higher
+// Returns the port of the participant with an index, as DDSI-RTPS 2.2 says (9.6.1.1).
+int port_of(int domain, int index) {
+  return 7400 + 250 * domain + 10 + 2 * index;
+}
+
+// Nothing that is sent needs to be fragmented by IP: a lost fragment would lose all of a packet,
+// and some firewalls drop fragments. Cyclone splits larger samples itself.
+constexpr const char* message_sizes =
+    "<MaxMessageSize>1472B</MaxMessageSize><FragmentSize>1344B</FragmentSize>";
 
 bool is_address(const std::string& interface) {
   return interface.find_first_not_of("0123456789.:") == std::string::npos;
@@ -29,7 +35,8 @@ std::string configuration(const std::string& interface, const std::string& index
                           const std::string& peers) {
   return "<CycloneDDS><Domain Id=\"any\"><General>" +
          (interface.empty() ? std::string() : interface_xml(interface)) +
-         "<AllowMulticast>false</AllowMulticast></General>"
+         "<AllowMulticast>false</AllowMulticast>" + message_sizes +
+         "</General>"
          "<Discovery><ParticipantIndex>" +
          index +
          "</ParticipantIndex><SPDPInterval>500ms</SPDPInterval><LeaseDuration>3s</LeaseDuration>" +
@@ -37,21 +44,69 @@ std::string configuration(const std::string& interface, const std::string& index
          "</Discovery>"
          // Otherwise Cyclone would assemble a giant sample before it throws it away.
          "<Internal><MaxSampleSize>64 kB</MaxSampleSize></Internal>"
-         "<Tracing><Verbosity>none</Verbosity></Tracing></Domain></CycloneDDS>";
+         // CycloneLog reads of it who has no credentials; nothing is written.
+         "<Tracing><Category>discovery</Category><OutputFile>stderr</OutputFile></Tracing>"
+         "</Domain></CycloneDDS>";
 }
 
 Result<Domain> open_domain(const std::string& interface, const std::string& xml,
-                           const std::string& credentials) {
-  Domain opened{.log = std::make_unique<CycloneLog>(), .domain = {}, .credentials = credentials};
+                           const std::string& credentials, int number) {
+  Domain opened{.log = std::make_unique<CycloneLog>(),
+                .domain = {},
+                .number = number,
+                .credentials = credentials};
   const auto before = open_descriptors();
-  auto made =
-      keep(opened.domain, created(dds_create_domain(domain_id, xml.c_str()), "the connection"));
+  auto made = keep(opened.domain,
+                   created(dds_create_domain(static_cast<dds_domainid_t>(number), xml.c_str()),
+                           "the connection"));
   if (!made) return fail(made.error().code, made.error().what + opened.log->last_error_suffix());
   if (!interface.empty()) bind_to_interface(before, interface);
   return opened;
 }
 
-std::string safe(std::string_view text) {
+}  // namespace
+
+Result<Domain> open_server_domain(const std::string& interface, const std::string& credentials,
+                                  int number) {
+  Result<Domain> opened = fail(Errc::unavailable, "");
+  for (int index = 0; index < server_ports; ++index) {
+    opened = open_domain(interface, configuration(interface, std::to_string(index), ""),
+                         credentials, number);
+    if (opened) return opened;
+  }
+  return fail(Errc::unavailable, "none of the " + std::to_string(server_ports) +
+                                     " ports for match servers in DDS domain " +
+                                     std::to_string(number) + " is free on \"" + interface +
+                                     "\" (or there is no such interface): " + opened.error().what);
+}
+
+Result<Domain> open_team_domain(const std::string& server, const std::string& credentials,
+                                int number) {
+  const bool is_local = server == "localhost" || server.rfind("127.", 0) == 0;
+  std::string peers;
+  for (int index = 0; index < server_ports; ++index) {
+    peers += "<Peer Address=\"" + server + ":" + std::to_string(port_of(number, index)) + "\"/>";
+  }
+  const std::string interface = is_local ? "lo" : "";
+  return open_domain(interface, configuration(interface, "none", "<Peers>" + peers + "</Peers>"),
+                     credentials, number);
+}
+
+Result<Entity> make_participant(const Domain& domain) {
+  Qos qos(dds_create_qos());
+  if (!domain.credentials.empty()) {
+    if (auto set = set_credentials(qos.get(), domain.credentials); !set) {
+      return tl::unexpected(set.error());
+    }
+  }
+  auto made = created(
+      dds_create_participant(static_cast<dds_domainid_t>(domain.number), qos.get(), nullptr),
+      "the participant");
+  if (!made) return fail(made.error().code, made.error().what + domain.log->last_error_suffix());
+  return made;
+}
+
+std::string encoded(std::string_view text) {
   std::string out;
   for (const char c : text) {
     const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
@@ -67,49 +122,12 @@ std::string safe(std::string_view text) {
   return out;
 }
 
-}  // namespace
-
-Result<Domain> open_server_domain(const std::string& interface, const std::string& credentials) {
-  Result<Domain> opened = fail(Errc::unavailable, "");
-  for (int index = 0; index < server_ports; ++index) {
-    opened =
-        open_domain(interface, configuration(interface, std::to_string(index), ""), credentials);
-    if (opened) return opened;
-  }
-  return fail(Errc::unavailable, "none of the " + std::to_string(server_ports) +
-                                     " ports for match servers is free on \"" + interface +
-                                     "\" (or there is no such interface): " + opened.error().what);
-}
-
-Result<Domain> open_team_domain(const std::string& server, const std::string& credentials) {
-  const bool is_local = server == "localhost" || server.rfind("127.", 0) == 0;
-  std::string peers;
-  for (int index = 0; index < server_ports; ++index) {
-    peers += "<Peer Address=\"" + server + ":" + std::to_string(first_port + 2 * index) + "\"/>";
-  }
-  const std::string interface = is_local ? "lo" : "";
-  return open_domain(interface, configuration(interface, "none", "<Peers>" + peers + "</Peers>"),
-                     credentials);
-}
-
-Result<Entity> make_participant(const Domain& domain) {
-  Qos qos(dds_create_qos());
-  if (!domain.credentials.empty()) {
-    if (auto set = set_credentials(qos.get(), domain.credentials); !set) {
-      return tl::unexpected(set.error());
-    }
-  }
-  auto made = created(dds_create_participant(domain_id, qos.get(), nullptr), "the participant");
-  if (!made) return fail(made.error().code, made.error().what + domain.log->last_error_suffix());
-  return made;
-}
-
 std::string match_partition(std::string_view match_id) {
-  return "match-" + safe(match_id);
+  return "match-" + encoded(match_id);
 }
 
 std::string team_partition(std::string_view match_id, int colour, std::string_view name) {
-  return match_partition(match_id) + (colour == 0 ? "/blue/" : "/yellow/") + safe(name);
+  return match_partition(match_id) + (colour == 0 ? "/blue/" : "/yellow/") + encoded(name);
 }
 
 }  // namespace mirocup::dds

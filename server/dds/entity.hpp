@@ -39,6 +39,7 @@ class Entity {
     if (handle_ > 0) dds_delete(handle_);
     handle_ = 0;
   }
+  void abandon() { handle_ = 0; }  // is not deleted before the process ends
 
  private:
   dds_entity_t handle_ = 0;

@@ -1,20 +1,35 @@
 // SPDX-License-Identifier: MIT
 //
-// Decides which of the arriving commands is driven: the first one that answers the present tick.
-// All others are counted by kind and thrown away.
+// Sorts the arriving commands of a team: the first one that answers the present tick is driven in
+// step. The newest one that comes too late is kept, and may be driven where nothing newer is there.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 
 namespace mirocup::dds {
 
+// A late command is driven if it answers a tick that is at most this many ticks old. 6 ticks are
+// 0.2 s at a control period of 33 ms. An older one only shows that the team is there.
+inline constexpr std::uint32_t max_late_ticks = 6;
+
 struct CommandCounts {
-  std::uint64_t in_step = 0;    // answered the present tick; at most one for each tick
-  std::uint64_t late = 0;       // answered a tick that was over
-  std::uint64_t duplicate = 0;  // answered the last answered tick again
-  std::uint64_t ahead = 0;      // answered a tick that has not begun
-  std::uint64_t foreign = 0;    // from another process than the team's
+  std::uint64_t in_step = 0;      // answered the present tick; at most one for each tick
+  std::uint64_t late = 0;         // answered a tick that was over
+  std::uint64_t late_driven = 0;  // of these, the ones that were driven
+  std::uint64_t duplicate = 0;    // answered the last answered tick again
+  std::uint64_t ahead = 0;        // answered a tick that has not begun
+  std::uint64_t foreign = 0;      // from another process than the team's
+};
+
+// The kinds of commands of the team's own process.
+enum class Arrival {
+  in_step,   // the answer to the present tick
+  late,      // to a tick that is over, and newer than all before
+  old,       // to a tick that is over, and not newer
+  repeated,  // the answer to the last answered tick again
+  ahead,
 };
 
 class Inbox {
@@ -23,22 +38,32 @@ class Inbox {
   void expect(std::uint32_t tick) { expected_ = tick; }
 
   void count_foreign() { ++counts_.foreign; }
+  void count_late_driven() { ++counts_.late_driven; }
 
-  // Counts a command of the team's own process. Returns true if it is the answer to the present
-  // tick.
-  bool accept(std::uint32_t tick) {
+  // Counts a command of the team's own process.
+  Arrival sort(std::uint32_t tick) {
     if (tick == answered_) {
       ++counts_.duplicate;
-    } else if (tick < expected_) {
-      ++counts_.late;
-    } else if (tick > expected_) {
-      ++counts_.ahead;
-    } else {
-      answered_ = tick;
-      ++counts_.in_step;
-      return true;
+      return Arrival::repeated;
     }
-    return false;
+    if (tick > expected_) {
+      ++counts_.ahead;
+      return Arrival::ahead;
+    }
+    const bool is_newer = !newest_ || tick > *newest_;
+    if (is_newer) newest_ = tick;
+    if (tick < expected_) {
+      ++counts_.late;
+      return is_newer ? Arrival::late : Arrival::old;
+    }
+    answered_ = tick;
+    ++counts_.in_step;
+    return Arrival::in_step;
+  }
+
+  // True if a command to `tick` may still be driven in the present one.
+  bool may_be_driven(std::uint32_t tick) const {
+    return tick <= expected_ && expected_ - tick <= max_late_ticks;
   }
 
   // Returns the number of commands from the team's own process, in step or not.
@@ -51,6 +76,7 @@ class Inbox {
  private:
   std::uint32_t expected_ = 0;
   std::optional<std::uint32_t> answered_;
+  std::optional<std::uint32_t> newest_;
   CommandCounts counts_;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "server/dds/liveliness.hpp"
 
+#include <algorithm>
+
 namespace mirocup::dds {
 
 namespace {
@@ -10,9 +12,21 @@ constexpr std::size_t max_listed = 100;
 }  // namespace
 
 bool Liveliness::answered(std::uint32_t tick, double now) {
-  asked_at_.reset();
+  owes_ = false;
+  silent_since_ = heard_ = now;
   next_tick_ = tick + 1;
+  return end_absence(tick, now);
+}
+
+bool Liveliness::answered_late(std::uint32_t tick, std::uint32_t present, double now) {
+  silent_since_ = heard_ = now;
+  next_tick_ = std::max(next_tick_, tick + 1);
+  return end_absence(present, now);
+}
+
+bool Liveliness::end_absence(std::uint32_t tick, double now) {
   if (!away_since_) return false;
+  lost_at_ = lost_at(now);
   away_ += now - *away_since_;
   away_since_.reset();
   if (is_listed_) absences_.back().back = tick;
@@ -20,15 +34,33 @@ bool Liveliness::answered(std::uint32_t tick, double now) {
 }
 
 bool Liveliness::silent(std::uint32_t tick, double now, bool has_left) {
-  if (away_since_ || !asked_at_) return false;
-  if (!has_left && now - *asked_at_ < notice_) return false;
+  if (away_since_ || !silent_since_) return false;
+  if (!has_left && now - *silent_since_ < notice_) return false;
   away_since_ = now;
+  present_ = {.tick = std::min(next_tick_, tick),
+              .noticed = tick,
+              .back = std::nullopt,
+              .has_left = has_left};
   is_listed_ = absences_.size() < max_listed;
-  if (is_listed_) {
-    absences_.push_back(
-        {.tick = next_tick_, .noticed = tick, .back = std::nullopt, .has_left = has_left});
-  }
+  if (is_listed_) absences_.push_back(present_);
   return true;
+}
+
+std::optional<double> Liveliness::lost_at(double now) const {
+  if (lost_at_ || !away_since_ || away(now) <= limit_) return lost_at_;
+  return *away_since_ + limit_ - away_;
+}
+
+Standing Liveliness::standing(double now) const {
+  Presence presence = Present{heard_};
+  if (away_since_ && present_.has_left) {
+    presence = Left{*away_since_, present_.noticed};
+  } else if (away_since_) {
+    presence = Away{*away_since_, present_.noticed};
+  } else if (owes_) {
+    presence = Late{heard_};
+  }
+  return {presence, lost_at(now)};
 }
 
 }  // namespace mirocup::dds

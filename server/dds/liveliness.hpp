@@ -3,10 +3,12 @@
 // The liveliness of a team that plays over the network. The class is the rule alone: it is told
 // what happened and when, in seconds of wall time, and knows neither the network nor a clock.
 //
-// A team is away from when it has left a tick unanswered for `notice` seconds, or its process has
-// left the network, until it answers a tick again. Its absences are added up over the leg.
+// A team is away from when it has been silent for `notice` seconds though a state waited for its
+// answer, or its process has left the network, until it answers again. An answer that comes too
+// late for its tick is a sign of life as well. The absences are added up over the leg.
 #pragma once
 
+#include "server/dds/presence.hpp"
 #include "server/pace/absence.hpp"
 
 #include <cstdint>
@@ -17,18 +19,30 @@ namespace mirocup::dds {
 
 class Liveliness {
  public:
-  explicit Liveliness(double notice) : notice_(notice) {}
+  // `limit`: how long the absences of a leg may last together, s.
+  Liveliness(double notice, double limit) : notice_(notice), limit_(limit) {}
 
   // Tells that a tick waits for its answer from now on.
   void asked(double now) {
-    if (!asked_at_) asked_at_ = now;
+    if (!owes_) silent_since_ = now;
+    owes_ = true;
   }
 
-  // Tells that the answer to `tick` has come. Returns true if the team was away.
+  // Tells that the answer to `tick`, the present one, has come. Returns true if the team was away.
   bool answered(std::uint32_t tick, double now);
 
-  // Tells that there is no answer to `tick` yet. Returns true if the team is away from this moment
-  // on. `has_left`: its process has left the network.
+  // Tells that a command has come to `tick`, the newest up to now, when the present tick was
+  // `present` already. Returns true if the team was away.
+  bool answered_late(std::uint32_t tick, std::uint32_t present, double now);
+
+  // Tells that the answer to the present tick has come once more, as it must while the state is
+  // sent again.
+  void repeated(double now) {
+    if (!owes_) silent_since_ = heard_ = now;
+  }
+
+  // Tells that nothing has come up to now, in the present `tick`. Returns true if the team is away
+  // from this moment on. `has_left`: its process has left the network.
   bool silent(std::uint32_t tick, double now, bool has_left);
 
   bool is_away() const { return away_since_.has_value(); }
@@ -36,15 +50,26 @@ class Liveliness {
   // Returns how long the team has been away in this leg, s, the present absence included.
   double away(double now) const { return away_ + (away_since_ ? now - *away_since_ : 0.0); }
 
+  // Returns how the team stands at this moment.
+  Standing standing(double now) const;
+
   // Returns the first absences of the leg, at most 100.
   const std::vector<pace::Absence>& absences() const { return absences_; }
 
  private:
+  bool end_absence(std::uint32_t tick, double now);
+  std::optional<double> lost_at(double now) const;
+
   double notice_;
-  std::optional<double> asked_at_;  // since when a tick has waited for its answer
-  std::uint32_t next_tick_ = 0;     // the one after the last answered tick
+  double limit_;
+  bool owes_ = false;                   // a tick waits for its answer
+  std::optional<double> silent_since_;  // nothing before the first tick
+  double heard_ = 0.0;
+  std::uint32_t next_tick_ = 0;  // the one after the last answered tick
   std::optional<double> away_since_;
-  double away_ = 0.0;  // sum of the absences that are over, s
+  pace::Absence present_;  // the absence that began at away_since_
+  double away_ = 0.0;      // sum of the absences that are over, s
+  std::optional<double> lost_at_;
   bool is_listed_ = false;
   std::vector<pace::Absence> absences_;
 };

@@ -8,6 +8,9 @@
 #pragma once
 
 #include "server/dds/domain.hpp"
+#include "server/dds/excused_time.hpp"
+#include "server/dds/former_client.hpp"
+#include "server/dds/match_claim.hpp"
 #include "server/dds/seat.hpp"
 
 #include <memory>
@@ -16,13 +19,23 @@ namespace mirocup::dds {
 
 class MatchServer {
  public:
-  // `interface` as for open_server_domain(). `credentials` is the folder of the server's
-  // credentials; "" is open mode.
+  // `interface` and `domain` as for open_server_domain(). `credentials` is the folder of the
+  // server's credentials; "" is open mode. Errc::unavailable also if another server of this host
+  // plays `match_id`.
   static Result<std::unique_ptr<MatchServer>> open(const std::string& match_id,
                                                    const std::string& interface,
-                                                   const std::string& credentials);
+                                                   const std::string& credentials,
+                                                   int domain = default_domain);
 
-  // Adds a seat for the team that calls itself `name`. The server owns the seat.
+  // Tells spectators what is played: the names of the teams, the facts that both teams have in
+  // their briefings, and the factor of real time, 0 for lockstep.
+  void announce(const match::Briefing& briefing, const match::ByTeam<std::string>& names,
+                double speed);
+
+  ~MatchServer();
+
+  // Adds a seat for the team that calls itself `name`. The server owns the seat. Errc::input if the
+  // server's own credentials expire before the leg's latest end.
   Result<Seat*> add_seat(const match::Briefing& briefing, const std::string& name,
                          const JoinTerms& terms);
 
@@ -30,8 +43,16 @@ class MatchServer {
   void publish(const match::Leg& match);
 
   // Receives the samples that have arrived for all seats. Waits at most `seconds` if there is none.
-  // Sends the state again every 10 ms while it waits, because a team may have missed it.
+  // Sends the state again while it waits, because a team may have missed it: every 5 ms, or later
+  // where the answers need longer.
   void listen(double seconds);
+
+  // Waits until all seats have answered the tick, until its time is over, or until the absences of
+  // the teams end the leg. Then each seat's collect() returns at once.
+  void settle();
+
+  // Returns why the leg must be void, if the host's own network was down for too long.
+  std::optional<match::HostFailure> host_failure();
 
   // Publishes the end of the match and waits, at most 1 s, until all readers have it.
   void close(const match::Leg& match);
@@ -40,20 +61,39 @@ class MatchServer {
   std::string last_error() const;
 
  private:
-  MatchServer(std::string match_id, Domain domain);
+  MatchServer(std::string match_id, std::string interface, Domain domain);
   Result<void> open_topics();
   void send_state();
+  void look_after_host();
+  double resend_after() const;
+  bool decides_by_absence(bool all_have_answered, bool& awaits_other);
   void publish_decisions(const match::Leg& match);
 
   std::string match_id_;
+  std::string interface_;
+  system::Descriptor claim_;  // of the match ID on this host
   Domain domain_;
   std::uint64_t leg_;
   Entity participant_;
-  Entity publisher_, state_topic_, event_topic_, state_writer_, event_writer_, waitset_;
+  Entity publisher_, state_topic_, event_topic_, info_topic_;
+  Entity state_writer_, event_writer_, info_writer_, waitset_;
   std::vector<std::unique_ptr<Seat>> seats_;
-  mirocup_v2_WorldState state_{};
+  // One for each seat, and what it tells the host when a program of v2 asks for that seat.
+  struct FormerSeat {
+    FormerClient client;
+    std::function<void()> tell;
+  };
+  std::vector<FormerSeat> former_;
+  mirocup_v3_WorldState state_{};
   WallClock::time_point sent_;  // when the state was sent last
   std::size_t events_ = 0;      // number of events already published
+  bool is_settled_ = true;      // the present tick has been waited for
+  std::optional<ExcusedTime> excused_;
+  WallClock::time_point began_ = WallClock::now();
+  WallClock::time_point looked_;  // at the host's interface
+  bool is_up_ = true;             // the host's interface
+  bool was_up_ = false;           // it has been seen up, so that its state can be told
+  FewWords of_host_{4};
 };
 
 }  // namespace mirocup::dds

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <ifaddrs.h>
 #include <linux/filter.h>
+#include <net/if.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
 
@@ -83,6 +84,24 @@ void bind_to_interface(const std::vector<int>& before, const std::string& interf
     if (!is_datagram_socket(descriptor)) continue;
     setsockopt(descriptor, SOL_SOCKET, SO_ATTACH_FILTER, &filter, sizeof filter);
   }
+}
+
+bool interface_is_up(const std::string& interface) {
+  in_addr wanted{};
+  const bool is_address = inet_pton(AF_INET, interface.c_str(), &wanted) == 1;
+  ifaddrs* all = nullptr;
+  if (getifaddrs(&all) != 0) return true;
+  bool is_up = false;
+  for (const ifaddrs* a = all; a != nullptr; a = a->ifa_next) {
+    if (a->ifa_addr == nullptr || a->ifa_addr->sa_family != AF_INET) continue;
+    const auto* own = reinterpret_cast<const sockaddr_in*>(a->ifa_addr);
+    const bool is_this =
+        is_address ? own->sin_addr.s_addr == wanted.s_addr : interface == a->ifa_name;
+    constexpr unsigned works = IFF_UP | IFF_RUNNING;
+    if (is_this && (a->ifa_flags & works) == works) is_up = true;
+  }
+  freeifaddrs(all);
+  return is_up;
 }
 
 }  // namespace mirocup::dds

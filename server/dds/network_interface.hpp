@@ -18,4 +18,7 @@ std::vector<int> open_descriptors();
 // nothing if the interface has no IPv4 address.
 void bind_to_interface(const std::vector<int>& before, const std::string& interface);
 
+// True if the interface (a name or an IPv4 address) is up and has a carrier and an IPv4 address.
+bool interface_is_up(const std::string& interface);
+
 }  // namespace mirocup::dds

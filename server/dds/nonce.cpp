@@ -17,4 +17,11 @@ std::uint64_t random_nonce() {
   return number;
 }
 
+std::uint64_t connection_nonce() {
+  static const std::uint64_t process = random_nonce();
+  constexpr std::uint64_t connection = 0xffffU;
+  const std::uint64_t number = (process & ~connection) | (random_nonce() & connection);
+  return number == 0 ? process : number;
+}
+
 }  // namespace mirocup::dds

@@ -2,7 +2,11 @@
 #include "server/dds/seat.hpp"
 
 #include "server/dds/domain.hpp"
+#include "server/dds/nonce.hpp"
+#include "system/certificate.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace mirocup::dds {
@@ -16,18 +20,38 @@ using match::FaultCode;
 // Seconds between two checks whether the team is still there.
 constexpr double poll_interval = 0.02;
 
+constexpr double longest_leg = 86400.0;  // s; rules can have no limit at all
+
+// So many late commands in a row are told to the host.
+constexpr int late_commands_to_tell = 10;
+
+// The upper bits of a nonce are the same for all connections of one process (nonce.hpp).
+bool is_same_process(std::uint64_t one, std::uint64_t other) {
+  return process_of_nonce(one) == process_of_nonce(other);
+}
+
+std::string milliseconds_text(double seconds) {
+  return std::to_string(std::lround(1e3 * seconds)) + " ms";
+}
+
 std::string seconds_text(double seconds) {
   return std::to_string(static_cast<int>(seconds)) + " s";
 }
 
 }  // namespace
 
+std::int64_t latest_end(const JoinTerms& terms) {
+  return system::present_moment() +
+         static_cast<std::int64_t>(std::ceil(std::min(terms.longest, longest_leg)));
+}
+
 Seat::Seat(SeatLink link, const match::Briefing& briefing, std::string name, const JoinTerms& terms)
     : link_(std::move(link)),
       briefing_(briefing),
       name_(std::move(name)),
       terms_(terms),
-      liveliness_(terms.notice) {}
+      last_end_(latest_end(terms)),
+      liveliness_(terms.notice, terms.away) {}
 
 Result<void> Seat::open(const Entity& participant, const std::string& match_id,
                         const Entity& waitset) {
@@ -35,14 +59,14 @@ Result<void> Seat::open(const Entity& participant, const std::string& match_id,
   return keep(publisher_, make_publisher(participant, partition))
       .and_then([&] { return keep(subscriber_, make_subscriber(participant, partition)); })
       .and_then([&] {
-        return keep(hello_topic_, make_topic(participant, mirocup_v2_Hello_desc, idl::hello));
+        return keep(hello_topic_, make_topic(participant, mirocup_v3_Hello_desc, idl::hello));
       })
       .and_then([&] {
-        return keep(welcome_topic_, make_topic(participant, mirocup_v2_Welcome_desc, idl::welcome));
+        return keep(welcome_topic_, make_topic(participant, mirocup_v3_Welcome_desc, idl::welcome));
       })
       .and_then([&] {
         return keep(command_topic_,
-                    make_topic(participant, mirocup_v2_TeamCommand_desc, idl::team_command));
+                    make_topic(participant, mirocup_v3_TeamCommand_desc, idl::team_command));
       })
       .and_then(
           [&] { return keep(hello_reader_, make_reader(subscriber_, hello_topic_, idl::hello)); })
@@ -56,9 +80,9 @@ Result<void> Seat::open(const Entity& participant, const std::string& match_id,
       .and_then([&] { return attach(waitset, command_reader_); });
 }
 
-void Seat::tell(const std::string& what) const {
-  terms_.tell(std::string(to_string(briefing_.team)) + " (" + name_ + "), tick " +
-              std::to_string(tick_) + ": " + what);
+void Seat::tell(FewWords& of_its_kind, const std::string& what) const {
+  of_its_kind.say(terms_.tell, std::string(to_string(briefing_.team)) + " (" + name_ + "), tick " +
+                                   std::to_string(tick_) + ": " + what);
 }
 
 void Seat::receive() {
@@ -67,36 +91,58 @@ void Seat::receive() {
 }
 
 void Seat::take_hellos() {
-  mirocup_v2_Hello hello;
+  mirocup_v3_Hello hello;
   dds_instance_handle_t writer = 0;
   while (take(hello_reader_, hello, &writer)) {
-    const mirocup_v2_Welcome welcome = answer_to(hello, writer);
+    const mirocup_v3_Welcome welcome = answer_to(hello, writer);
     dds_write(welcome_writer_.get(), &welcome);
   }
 }
 
-mirocup_v2_Welcome Seat::answer_to(const mirocup_v2_Hello& hello, dds_instance_handle_t writer) {
-  mirocup_v2_Welcome welcome = to_sample(briefing_, link_.leg, hello.nonce);
+mirocup_v3_Welcome Seat::answer_to(const mirocup_v3_Hello& hello, dds_instance_handle_t writer) {
+  mirocup_v3_Welcome welcome = to_sample(briefing_, link_.leg, hello.nonce);
   const auto answer = [&welcome](Admission admission, const std::string& reason) {
-    welcome.answer = static_cast<std::uint8_t>(admission);
+    welcome.answer = static_cast<mirocup_v3_Admission>(admission);
     copy_text(welcome.reason, reason);
     return welcome;
   };
   const auto process = participant_of(hello_reader_, writer);
   if (!process) return answer(Admission::not_now, "your process cannot be seen yet");
-  if (hello.nonce == 0 || hello.team != index_of(briefing_.team) || name_ != hello.name) {
+  if (const std::string why = layout_mismatch(hello.layout); !why.empty()) {
+    return answer(Admission::refused, "the team cannot be understood: " + why);
+  }
+  if (hello.nonce == 0 || static_cast<int>(hello.team) != index_of(briefing_.team) ||
+      name_ != hello.name) {
     return answer(Admission::refused, "this seat is kept for \"" + name_ + "\"");
+  }
+  if (const std::string why = why_too_short(); !why.empty()) {
+    tell(of_strangers_, why);
+    return answer(Admission::refused, why);
   }
   if (hello.nonce == nonce_ && *process == process_) return welcome;
   if (!may_be_taken()) {
     return answer(Admission::not_now, "another process of the team is playing");
   }
+  const bool is_same = nonce_ != 0 && is_same_process(nonce_, hello.nonce);
   nonce_ = hello.nonce;
   process_ = *process;
   hello_writer_ = writer;
   command_writer_ = 0;
-  if (processes_++ > 0) tell("another process of the team takes its seat");
+  late_.reset();
+  if (is_same) {
+    tell(of_processes_, "the team's process has joined the network anew");
+  } else if (processes_++ > 0) {
+    tell(of_processes_, "another process of the team takes its seat");
+  }
   return welcome;
+}
+
+// Catches credentials that expire in the middle of the leg, where nobody would learn why the team
+// has gone. Returns the reason for the team; "" if they last.
+std::string Seat::why_too_short() const {
+  if (!link_.credentials_end || *link_.credentials_end >= last_end_) return "";
+  return "the team's credentials are valid until " + system::date_text(*link_.credentials_end) +
+         ", but the leg may last until " + system::date_text(last_end_) + ": it needs new ones";
 }
 
 // A process that still loads its team is silent, so before the first tick the seat becomes free
@@ -109,8 +155,9 @@ bool Seat::has_left() const {
   return nonce_ != 0 && !participant_of(hello_reader_, hello_writer_);
 }
 
-bool Seat::is_ours(const mirocup_v2_TeamCommand& command, dds_instance_handle_t writer) {
-  if (nonce_ == 0 || command.nonce != nonce_ || command.team != index_of(briefing_.team)) {
+bool Seat::is_ours(const mirocup_v3_TeamCommand& command, dds_instance_handle_t writer) {
+  if (nonce_ == 0 || command.nonce != nonce_ ||
+      static_cast<int>(command.team) != index_of(briefing_.team)) {
     return false;
   }
   if (command_writer_ == 0 && participant_of(command_reader_, writer) == process_) {
@@ -120,22 +167,60 @@ bool Seat::is_ours(const mirocup_v2_TeamCommand& command, dds_instance_handle_t 
 }
 
 void Seat::take_commands() {
-  mirocup_v2_TeamCommand command;
+  mirocup_v3_TeamCommand command;
   dds_instance_handle_t writer = 0;
   while (take(command_reader_, command, &writer)) {
     if (!is_ours(command, writer)) {
-      if (inbox_.counts().foreign == 0) tell("commands from another process are ignored");
+      if (inbox_.counts().foreign == 0) {
+        tell(of_strangers_, "commands from another process are ignored");
+      }
       inbox_.count_foreign();
-    } else if (inbox_.accept(command.tick)) {
-      answer_ = to_command(command);
-      if (is_ready_) answers_.add(now() - posted_at_);
+      continue;
     }
+    was_heard_ = true;
+    heard_at_ = now();
+    const std::optional<double> taken = round_trip_.answered(command.tick, now());
+    switch (inbox_.sort(command.tick)) {
+      case Arrival::in_step:
+        answer_ = to_command(command);
+        late_.reset();
+        late_in_a_row_ = 0;
+        if (is_ready_) {
+          if (taken) answers_.add(*taken);
+          if (liveliness_.answered(tick_, fair_now())) tell(of_absences_, "the team is back");
+        }
+        break;
+      case Arrival::late:
+        if (terms_.tick) take_late(command);
+        if (terms_.tick && taken && ++late_in_a_row_ == late_commands_to_tell) {
+          tell(of_lateness_, "answers come " + milliseconds_text(*taken - *terms_.tick) +
+                                 " too late; what came last is driven");
+        }
+        break;
+      case Arrival::repeated:
+        if (answer_ && is_ready_) liveliness_.repeated(fair_now());
+        break;
+      case Arrival::old:
+      case Arrival::ahead:
+        break;
+    }
+  }
+}
+
+// In real time a late command shows that the team is there. In lockstep the match waits for the
+// answer to the present tick, and nothing else can make it go on.
+void Seat::take_late(const mirocup_v3_TeamCommand& command) {
+  late_ = to_command(command);
+  late_tick_ = command.tick;
+  if (liveliness_.answered_late(command.tick, tick_, fair_now())) {
+    tell(of_absences_, "the team is back");
   }
 }
 
 tl::expected<void, Answer> Seat::wait_until_ready() {
   while (!answer_) {
-    if (now() > terms_.to_join) {
+    if (auto failure = link_.host_failure()) return tl::unexpected<Answer>(*failure);
+    if (fair_now() > terms_.to_join) {
       const char* what = nonce_ == 0 ? "the team did not join within "
                                      : "the team joined but did not answer within ";
       return tl::unexpected<Answer>(Fault{
@@ -151,36 +236,46 @@ tl::expected<void, Answer> Seat::wait_until_ready() {
 
 void Seat::post(const match::Observation& observation) {
   posted_at_ = now();
-  liveliness_.asked(posted_at_);
   is_ready_ = true;
   // The first state was answered already, before wait_until_ready() returned.
-  if (observation.tick != tick_) answer_.reset();
+  const bool is_answered = answer_ && observation.tick == tick_;
+  if (!is_answered) answer_.reset();
   tick_ = observation.tick;
   inbox_.expect(tick_);
+  round_trip_.sent(tick_, posted_at_);
+  liveliness_.asked(fair_now());
+  if (is_answered) liveliness_.answered(tick_, fair_now());
+}
+
+Standing Seat::look() {
+  const double time = fair_now();
+  const bool is_gone = has_left();
+  if (liveliness_.silent(tick_, time, is_gone)) {
+    tell(of_absences_, is_gone ? "the team has left the network" : "the team is silent");
+  }
+  return liveliness_.standing(time);
+}
+
+Fault Seat::disconnected() const {
+  return {FaultCode::disconnected, "the team was away for " + seconds_text(terms_.away)};
 }
 
 Answer Seat::collect() {
-  link_.listen(0.0);
-  while (!answer_) {
-    const double time = now();
-    if (liveliness_.silent(tick_, time, has_left())) {
-      tell(liveliness_.absences().back().has_left ? "the team has left the network"
-                                                  : "the team is silent");
-    }
-    if (liveliness_.away(time) > terms_.away) {
-      return Fault{FaultCode::disconnected, "the team was away for " + seconds_text(terms_.away)};
-    }
-    double left = poll_interval;
-    if (terms_.tick) {
-      left = std::min(left, posted_at_ + *terms_.tick - time);
-      if (left <= 0.0) return match::Late{};
-    } else if (terms_.interrupted()) {
-      return match::HostFailure{"interrupted while a team was awaited"};
-    }
-    link_.listen(left);
+  link_.settle();
+  if (end_) return *end_;
+  if (answer_) return *answer_;
+  return late();
+}
+
+// The tick's time is over without its answer.
+match::Late Seat::late() {
+  match::Late late;
+  if (late_ && inbox_.may_be_driven(late_tick_)) {
+    late.older = *late_;
+    inbox_.count_late_driven();
   }
-  if (liveliness_.answered(tick_, now())) tell("the team is back");
-  return *answer_;
+  late_.reset();
+  return late;
 }
 
 }  // namespace mirocup::dds

@@ -7,18 +7,22 @@
 // in the team's name are counted and thrown away. Another process of the same team name may take
 // the seat only while the first one is away.
 //
-// A seat is part of a MatchServer and is used from its thread.
+// A seat is part of a MatchServer and is used from its thread. Its collect() settles the tick for
+// all seats of the server at once, because what one team's absence means depends on the other one.
 #pragma once
 
 #include "server/dds/convert.hpp"
 #include "server/dds/entity.hpp"
+#include "server/dds/few_words.hpp"
 #include "server/dds/inbox.hpp"
 #include "server/dds/liveliness.hpp"
+#include "server/dds/round_trip.hpp"
 #include "server/dds/wall_time.hpp"
 #include "server/pace/durations.hpp"
 
 #include <functional>
 #include <string>
+#include <utility>
 
 namespace mirocup::dds {
 
@@ -27,17 +31,27 @@ struct JoinTerms {
   double to_join = 60.0;  // from the making of the seat to the team's first answer
   // The time in which a tick must be answered (real time). Nothing: the match waits (lockstep).
   std::optional<double> tick;
-  double notice = 1.0;  // a team that is silent for this long is away
-  double away = 10.0;   // how long a team may be away in a leg, all absences together
+  double notice = 1.0;   // a team that is silent for this long is away
+  double away = 10.0;    // how long a team may be away in a leg, all absences together
+  double longest = 0.0;  // how long the leg may last, from the making of the seat
   std::function<bool()> interrupted = [] { return false; };     // called while the seat waits
   std::function<void(const std::string&)> tell = [](auto&) {};  // gets a sentence for the host
 };
+
+// Returns the latest end of a leg that begins now, in seconds since 1970 UTC.
+std::int64_t latest_end(const JoinTerms& terms);
 
 // The services of a match server that its seats use.
 struct SeatLink {
   std::uint64_t leg = 0;                       // the number of the server's leg
   std::function<void(double seconds)> listen;  // receives for all seats; waits at most `seconds`
-  std::function<std::string()> last_error;     // the last messages of DDS, as the end of a sentence
+  std::function<void()> settle;                // waits for the answers of all seats
+  // Wall seconds in which the host's own fault kept the teams away, and those of its interface.
+  std::function<double()> excused;
+  std::function<std::optional<match::HostFailure>()> host_failure;
+  // Until when the team's credentials are valid, s since 1970 UTC; nothing: that is not known.
+  std::optional<std::int64_t> credentials_end;
+  std::function<std::string()> last_error;  // the last messages of DDS, as the end of a sentence
 };
 
 class Seat final : public match::Controller {
@@ -57,6 +71,23 @@ class Seat final : public match::Controller {
   void post(const match::Observation& observation) override;
   match::Answer collect() override;
 
+  // For the server, while it settles a tick.
+  bool has_answered() const { return answer_.has_value(); }
+  // Seconds in which the answer is still in time; in lockstep, longer than any wait.
+  double time_left() const { return terms_.tick ? posted_at_ + *terms_.tick - now() : 1.0; }
+  bool is_overdue() const { return time_left() <= 0.0; }
+  Standing look();  // notices that the team is away
+  Standing standing() const { return liveliness_.standing(fair_now()); }
+  void end(match::Answer how) { end_ = std::move(how); }  // what collect() returns instead
+  match::Fault disconnected() const;
+  const JoinTerms& terms() const { return terms_; }
+  double resend_after() const { return round_trip_.resend_after(); }  // s
+  bool take_heard() { return std::exchange(was_heard_, false); }      // since the last call
+
+  // True if the team's process has been heard lately. For the time before the first tick, in which
+  // the state is sent again and again.
+  bool is_there() const { return !has_left() && now() - heard_at_ < terms_.notice; }
+
   Team team() const { return briefing_.team; }
   std::uint64_t heard() const { return inbox_.heard(); }
   const CommandCounts& commands() const { return inbox_.counts(); }
@@ -67,18 +98,23 @@ class Seat final : public match::Controller {
  private:
   void take_hellos();
   void take_commands();
-  mirocup_v2_Welcome answer_to(const mirocup_v2_Hello& hello, dds_instance_handle_t writer);
-  bool is_ours(const mirocup_v2_TeamCommand& command, dds_instance_handle_t writer);
+  mirocup_v3_Welcome answer_to(const mirocup_v3_Hello& hello, dds_instance_handle_t writer);
+  bool is_ours(const mirocup_v3_TeamCommand& command, dds_instance_handle_t writer);
+  std::string why_too_short() const;
   bool may_be_taken() const;
   bool has_left() const;
+  void take_late(const mirocup_v3_TeamCommand& command);
+  match::Late late();
   double now() const { return seconds_since(begin_); }
-  void tell(const std::string& what) const;
+  double fair_now() const { return now() - link_.excused(); }
+  void tell(FewWords& of_its_kind, const std::string& what) const;
 
   SeatLink link_;
   match::Briefing briefing_;
   std::string name_;
   JoinTerms terms_;
   WallClock::time_point begin_ = WallClock::now();
+  std::int64_t last_end_;  // the latest end of the leg, s since 1970 UTC
   Entity publisher_, subscriber_, hello_topic_, welcome_topic_, command_topic_;
   Entity hello_reader_, welcome_writer_, command_reader_;
 
@@ -95,7 +131,16 @@ class Seat final : public match::Controller {
   std::uint32_t tick_ = 0;
   double posted_at_ = 0.0;
   pace::Durations answers_;
+  RoundTrip round_trip_;
   std::optional<match::Command> answer_;  // to tick_
+  std::optional<match::Command> late_;    // the newest late command, until it is driven
+  std::uint32_t late_tick_ = 0;           // that it answers
+  int late_in_a_row_ = 0;
+  bool was_heard_ = false;
+  double heard_at_ = 0.0;
+  std::optional<match::Answer> end_;
+
+  mutable FewWords of_absences_, of_processes_, of_lateness_{3}, of_strangers_{2};
 };
 
 }  // namespace mirocup::dds

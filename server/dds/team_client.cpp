@@ -17,15 +17,34 @@ constexpr double max_poll_interval = 0.05;
 // is broken.
 constexpr double max_silence = 3.0;
 
+// The client keeps to the leg in which it has its seat. Only after this many seconds without a
+// state of that leg it believes that the server was started again.
+constexpr double leg_patience = 0.5;
+
 // The connection is also broken if the server has received none of the last commands, more than
 // this many, for this long (s).
 constexpr int max_unacknowledged = 30;
 constexpr double max_unacknowledged_time = 1.5;
 
+bool is_in_partition(const dds_qos_t* qos, std::string_view partition) {
+  std::uint32_t count = 0;
+  char** names = nullptr;
+  if (qos == nullptr || !dds_qget_partition(qos, &count, &names)) return false;
+  bool found = false;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    found = found || partition == names[i];
+    dds_free(names[i]);
+  }
+  dds_free(names);
+  return found;
+}
+
+constexpr const char* not_understood = "the match server cannot be understood: ";
+
 }  // namespace
 
 Result<std::unique_ptr<TeamClient>> TeamClient::open(const JoinRequest& request) {
-  auto domain = open_team_domain(request.server, request.credentials);
+  auto domain = open_team_domain(request.server, request.credentials, request.domain);
   if (!domain) return tl::unexpected(domain.error());
   std::unique_ptr<TeamClient> client(new TeamClient(request, std::move(*domain)));
   if (auto connected = client->connect(); !connected) return tl::unexpected(connected.error());
@@ -35,7 +54,7 @@ Result<std::unique_ptr<TeamClient>> TeamClient::open(const JoinRequest& request)
 Result<void> TeamClient::connect() {
   link_ = {};  // leaves the network before it joins it again
   Link link;
-  link.nonce = random_nonce();
+  link.nonce = connection_nonce();
   connected_at_ = last_heard_at_ = acknowledged_at_ = WallClock::now();
   unacknowledged_ = 0;
   hello_sent_at_ = {};
@@ -62,12 +81,12 @@ Result<void> TeamClient::open_readers_and_writers(Link& l) const {
   return keep(l.match_subscriber, make_subscriber(p, match))
       .and_then([&] { return keep(l.team_publisher, make_publisher(p, own)); })
       .and_then([&] { return keep(l.team_subscriber, make_subscriber(p, own)); })
-      .and_then([&] { return topic(l.state_topic, mirocup_v2_WorldState_desc, idl::world_state); })
-      .and_then([&] { return topic(l.event_topic, mirocup_v2_MatchEvent_desc, idl::match_event); })
-      .and_then([&] { return topic(l.hello_topic, mirocup_v2_Hello_desc, idl::hello); })
-      .and_then([&] { return topic(l.welcome_topic, mirocup_v2_Welcome_desc, idl::welcome); })
+      .and_then([&] { return topic(l.state_topic, mirocup_v3_WorldState_desc, idl::world_state); })
+      .and_then([&] { return topic(l.event_topic, mirocup_v3_MatchEvent_desc, idl::match_event); })
+      .and_then([&] { return topic(l.hello_topic, mirocup_v3_Hello_desc, idl::hello); })
+      .and_then([&] { return topic(l.welcome_topic, mirocup_v3_Welcome_desc, idl::welcome); })
       .and_then(
-          [&] { return topic(l.command_topic, mirocup_v2_TeamCommand_desc, idl::team_command); })
+          [&] { return topic(l.command_topic, mirocup_v3_TeamCommand_desc, idl::team_command); })
       .and_then([&] {
         return reader(l.state_reader, l.match_subscriber, l.state_topic, idl::world_state);
       })
@@ -104,15 +123,18 @@ std::optional<News> TeamClient::poll() {
 }
 
 std::optional<News> TeamClient::take_welcome() {
-  mirocup_v2_Welcome welcome;
+  mirocup_v3_Welcome welcome;
   while (take(link_.welcome_reader, welcome)) {
-    if (welcome.nonce != link_.nonce) continue;
+    if (const std::string why = layout_mismatch(welcome.layout); !why.empty()) {
+      return Refused{not_understood + why};
+    }
+    if (welcome.nonce != link_.nonce || is_of_another_leg(welcome.leg)) continue;
     link_.leg = welcome.leg;
-    if (welcome.answer == static_cast<std::uint8_t>(Admission::not_now)) {
+    if (welcome.answer == mirocup_v3_NOT_NOW) {
       wait_reason_ = welcome.reason;
       continue;
     }
-    if (welcome.answer != static_cast<std::uint8_t>(Admission::accepted)) {
+    if (welcome.answer != mirocup_v3_ACCEPTED) {
       return Refused{welcome.reason};
     }
     // A server that was started again receives the old Hello from its history, so its Welcome may
@@ -127,8 +149,13 @@ std::optional<News> TeamClient::take_welcome() {
   return std::nullopt;
 }
 
+// Two servers with one match ID would otherwise tear the team apart between their legs.
+bool TeamClient::is_of_another_leg(std::uint64_t leg) const {
+  return link_.is_seated && leg != link_.leg && seconds_since(last_heard_at_) < leg_patience;
+}
+
 std::optional<News> TeamClient::take_event() {
-  mirocup_v2_MatchEvent event;
+  mirocup_v3_MatchEvent event;
   while (take(link_.event_reader, event)) {
     if (event.leg != link_.leg || !event.ends_match) continue;
     return MatchOver{event.reason, {event.score[0], event.score[1]}};
@@ -137,11 +164,15 @@ std::optional<News> TeamClient::take_event() {
 }
 
 std::optional<News> TeamClient::take_state() {
-  mirocup_v2_WorldState state;
+  mirocup_v3_WorldState state;
   while (take(link_.state_reader, state)) {
+    if (is_of_another_leg(state.leg)) continue;
+    if (const std::string why = layout_mismatch(state.layout); !why.empty()) {
+      return Refused{not_understood + why};
+    }
     last_heard_at_ = WallClock::now();
     if (!link_.is_seated) continue;
-    const std::uint64_t heard = state.heard[index_of(request_.team)];
+    const std::uint32_t heard = state.heard[index_of(request_.team)];
     if (heard != acknowledged_commands_) {
       acknowledged_commands_ = heard;
       acknowledged_at_ = last_heard_at_;
@@ -176,8 +207,9 @@ void TeamClient::look_after_connection() {
 
 void TeamClient::send_hello() {
   hello_sent_at_ = WallClock::now();
-  mirocup_v2_Hello hello{};
-  hello.team = static_cast<std::uint8_t>(index_of(request_.team));
+  mirocup_v3_Hello hello{};
+  hello.layout = mirocup_v3_LAYOUT;
+  hello.team = static_cast<mirocup_v3_Colour>(request_.team);
   hello.nonce = link_.nonce;
   copy_text(hello.name, request_.name);
   dds_write(link_.hello_writer.get(), &hello);
@@ -189,6 +221,27 @@ void TeamClient::send(const match::Command& command, std::uint32_t tick) {
   ++unacknowledged_;
 }
 
+// Returns the type of the states that are written in this match and that this program cannot read;
+// "" if there are none.
+std::string TeamClient::type_of_server() const {
+  const Entity reader(dds_create_reader(link_.participant.get(), DDS_BUILTIN_TOPIC_DCPSPUBLICATION,
+                                        nullptr, nullptr));
+  const std::string match = match_partition(request_.match_id);
+  std::string found;
+  void* sample = nullptr;  // on loan from the reader
+  dds_sample_info_t info;
+  while (found.empty() && dds_take(reader.get(), &sample, &info, 1, 1) == 1) {
+    const auto& writer = *static_cast<const dds_builtintopic_endpoint_t*>(sample);
+    if (info.valid_data && std::string_view(writer.topic_name) == idl::world_state.name &&
+        is_in_partition(writer.qos, match)) {
+      found = writer.type_name;
+    }
+    dds_return_loan(reader.get(), &sample, 1);
+    sample = nullptr;
+  }
+  return found;
+}
+
 std::string TeamClient::last_error() const {
   if (!wait_reason_.empty()) return "the match server says: " + wait_reason_;
   dds_subscription_matched_status_t match{};
@@ -197,7 +250,17 @@ std::string TeamClient::last_error() const {
     return "the match is there, but does not expect a team called \"" + request_.name + "\" as " +
            std::string(to_string(request_.team));
   }
-  return "no match server answered" + domain_.log->last_error_suffix();
+  const std::string reasons =
+      request_.credentials.empty()
+          ? "does it run, under this ID, and can it be reached by UDP? If the match is played with "
+            "credentials, it answers only a team that shows its own"
+          : "does it run, under this ID, and can it be reached by UDP? The match must be played "
+            "with credentials of the same league, and yours be neither revoked nor expired";
+  if (const std::string type = type_of_server(); !type.empty()) {
+    return "the match is there, but its server sends " + type + ", and this program needs " +
+           mirocup_v3_WorldState_desc.m_typename + ": both need the same version of mirocup";
+  }
+  return "no match server answered (" + reasons + ")" + domain_.log->last_error_suffix();
 }
 
 }  // namespace mirocup::dds

@@ -27,6 +27,7 @@ struct JoinRequest {
   Team team = Team::blue;
   std::string name;
   std::string credentials;  // folder; "": open mode
+  int domain = default_domain;
 };
 
 // The possible results of TeamClient::wait().
@@ -85,7 +86,9 @@ class TeamClient {
   std::optional<News> take_welcome();
   std::optional<News> take_event();
   std::optional<News> take_state();
+  bool is_of_another_leg(std::uint64_t leg) const;
   bool is_cut_off() const;
+  std::string type_of_server() const;
   void look_after_connection();
   void send_hello();
 
@@ -97,8 +100,8 @@ class TeamClient {
   WallClock::time_point last_heard_at_;  // when the last sample of the match came
   std::uint64_t seated_leg_ = 0;
   OwnedBriefing briefing_;
-  std::optional<mirocup_v2_TeamCommand> answer_;  // the last one that was sent
-  std::uint64_t acknowledged_commands_ = 0;       // as the server counts them
+  std::optional<mirocup_v3_TeamCommand> answer_;  // the last one that was sent
+  std::uint32_t acknowledged_commands_ = 0;       // as the server counts them
   WallClock::time_point acknowledged_at_;         // when that count changed last
   int unacknowledged_ = 0;                        // commands that were sent since then
   std::string wait_reason_;                       // why the server said "not now"

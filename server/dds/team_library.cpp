@@ -5,6 +5,8 @@
 #include "plugins/abi/convert.hpp"
 #include "server/dds/team_client.hpp"
 
+#include <cerrno>
+#include <cstddef>
 #include <cstdio>
 
 // The connection that a caller of the C interface holds.
@@ -66,10 +68,14 @@ void put_why(char* why, std::size_t size, const std::string& text) {
 namespace dds = mirocup::dds;
 
 mirocup_connection* mirocup_team_open(const mirocup_team_call* call, char* why, std::size_t size) {
-  if (call == nullptr || call->size != sizeof *call || call->match == nullptr ||
-      call->name == nullptr || (call->team != MIROCUP_BLUE && call->team != MIROCUP_YELLOW)) {
+  // Programs that were built before there was a domain pass a shorter structure.
+  constexpr std::size_t size_without_domain = offsetof(mirocup_team_call, domain);
+  if (call == nullptr || (call->size != sizeof *call && call->size != size_without_domain) ||
+      call->match == nullptr || call->name == nullptr ||
+      (call->team != MIROCUP_BLUE && call->team != MIROCUP_YELLOW)) {
     dds::put_why(why, size,
                  "the call names no match, no team or no colour, or is of another version");
+    errno = EINVAL;
     return nullptr;
   }
   dds::JoinRequest c;
@@ -78,9 +84,15 @@ mirocup_connection* mirocup_team_open(const mirocup_team_call* call, char* why, 
   c.team = static_cast<mirocup::Team>(call->team);
   c.name = call->name;
   if (call->credentials != nullptr) c.credentials = call->credentials;
+  if (call->size == sizeof *call) c.domain = call->domain;
+  if (c.domain < dds::default_domain || c.domain > dds::last_domain) {
+    dds::put_why(why, size, "DDS domain " + std::to_string(c.domain) + " does not exist: 0 to 230");
+    return nullptr;
+  }
   auto client = dds::TeamClient::open(c);
   if (!client) {
     dds::put_why(why, size, client.error().what);
+    errno = client.error().code == mirocup::Errc::input ? EINVAL : ENETDOWN;
     return nullptr;
   }
   auto connection = std::make_unique<mirocup_connection>();

@@ -24,6 +24,10 @@
 // The error of a wrong league is then "limits.json: /league: one of small, middle, large is
 // expected, not "huge"". A reader of files that later versions may extend calls expect_object()
 // without a list of keys: then unknown keys are ignored.
+//
+// Documents may come from strangers. parse_json() is the only place where text becomes a tree, and
+// JsonLimits says how much of it: nothing that is larger is built, and no tree is too deep for
+// functions that call themselves. A message quotes a short piece of the document at most.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -61,7 +65,7 @@ class JsonReader {
   JsonReader(const Json& value, std::string pointer, std::optional<JsonProblem>& problem)
       : value_(&value), pointer_(std::move(pointer)), problem_(&problem) {}
 
-  // Reports a problem of this value, unless the document has one already.
+  // Reports a problem of this value, unless the document has one already. A long reason is cut.
   void complain(const std::string& reason) const;
 
   // True if this is an object. Otherwise complains.
@@ -150,12 +154,27 @@ class JsonReader {
   std::optional<JsonProblem>* problem_;
 };
 
-// A parsed document, or the reason why the text is not JSON: "not JSON: parse error at line 3, …".
+// What a document may have. The defaults are many times what the files of this project need.
+struct JsonLimits {
+  std::size_t bytes = 32u << 20;   // of the whole text
+  std::size_t depth = 64;          // lists and objects within each other
+  std::size_t values = 1'000'000;  // numbers, texts, lists, objects, …, all together
+  std::size_t members = 256;       // of one object: keys are compared one by one
+  std::size_t number = 1024;       // characters of one number
+  std::size_t text = 1u << 20;     // bytes of one text or key
+};
+
+// A parsed document, or the problem of a text that is not JSON, is larger than the limits, has a
+// key twice in one object, or a character U+0000.
 struct ParsedJson {
   JsonReader::Json value;
-  std::string error;  // "" if there is none
+  std::optional<JsonProblem> problem;
 };
-ParsedJson parse_json(std::string_view text);
+ParsedJson parse_json(std::string_view text, const JsonLimits& limits = {});
+
+// The text of a value, in one line or with this many spaces for each level. What is not UTF-8
+// becomes U+FFFD, so it is always JSON.
+std::string json_text(const JsonReader::Json& value, int indent = -1);
 
 // Returns the error that a person reads: "PATH: POINTER: REASON".
 Error error_of(const JsonProblem& problem, const std::string& path, Errc code);
@@ -163,11 +182,10 @@ Error error_of(const JsonProblem& problem, const std::string& path, Errc code);
 // Parses `text` and returns read(reader of the whole document), a T, or the document's first
 // problem as an error of `code` that names `path`.
 template <class T, class Read>
-Result<T> read_json(std::string_view text, const std::string& path, Errc code, Read read) {
-  const ParsedJson parsed = parse_json(text);
-  if (!parsed.error.empty()) {
-    return tl::unexpected(error_of({"/", parsed.error}, path, code));
-  }
+Result<T> read_json(std::string_view text, const std::string& path, Errc code, Read read,
+                    const JsonLimits& limits = {}) {
+  const ParsedJson parsed = parse_json(text, limits);
+  if (parsed.problem) return tl::unexpected(error_of(*parsed.problem, path, code));
   std::optional<JsonProblem> problem;
   T value = read(JsonReader(parsed.value, "", problem));
   if (problem) return tl::unexpected(error_of(*problem, path, code));

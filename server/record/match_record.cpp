@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "server/record/match_record.hpp"
 
+#include "server/record/conditions_json.hpp"
 #include "server/record/json_reader.hpp"
 #include "server/record/replay_file.hpp"
 #include "server/record/rules_json.hpp"
-#include "server/system/digest.hpp"
+#include "system/digest.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -77,18 +78,36 @@ Json to_json(const match::Outcome& result) {
           {"why_void", result.why_void.empty() ? Json() : Json(result.why_void)}};
 }
 
+namespace {
+
+Json touch_json(const std::optional<match::Touch>& touch) {
+  if (!touch) return {};
+  return {{"team", to_string(touch->team)}, {"robot", touch->robot}};
+}
+
+}  // namespace
+
 Json to_json(const match::LoggedDecision& d) {
   const bool restarts = d.decision.restart != referee::Restart::none;
-  return {{"tick", d.tick},
-          {"clock", d.decision.clock},
-          {"law", to_string(d.decision.law)},
-          {"decision", to_string(d.decision.verdict)},
-          {"team", optional_name(d.team)},
-          {"robots", robots_json(d.robots)},
-          {"reason", d.decision.reason},
-          {"ball", {d.decision.ball.x(), d.decision.ball.y()}},
-          {"restart", restarts ? Json(to_string(d.decision.restart)) : Json()},
-          {"taker", restarts ? Json(to_string(d.taker)) : Json()}};
+  Json json{{"tick", d.tick},
+            {"clock", d.decision.clock},
+            {"law", to_string(d.decision.law)},
+            {"decision", to_string(d.decision.verdict)},
+            {"team", optional_name(d.team)},
+            {"robots", robots_json(d.robots)},
+            {"reason", d.decision.reason},
+            {"ball", {d.decision.ball.x(), d.decision.ball.y()}},
+            {"restart", restarts ? Json(to_string(d.decision.restart)) : Json()},
+            {"taker", restarts ? Json(to_string(d.taker)) : Json()},
+            {"gainer", optional_name(d.parties.gainer)},
+            {"offender", optional_name(d.parties.offender)}};
+  if (d.credit) {
+    json["scorer"] = touch_json(d.credit->scorer);
+    json["assist"] = touch_json(d.credit->assist);
+    json["own_goal"] = d.credit->own_goal;
+    json["kind"] = to_string(d.credit->kind);
+  }
+  return json;
 }
 
 namespace {
@@ -133,10 +152,15 @@ Json network_json(const std::optional<NetworkReport>& report) {
                         {"back", a.back ? Json(*a.back) : Json()},
                         {"why", a.has_left ? "left" : "silent"}});
   }
-  return {{"in_step", report->in_step},     {"late", report->late},
-          {"duplicate", report->duplicate}, {"ahead", report->ahead},
-          {"foreign", report->foreign},     {"processes", report->processes},
-          {"absences", absences},           {"answers", durations_json(report->answers)}};
+  return {{"in_step", report->in_step},
+          {"late", report->late},
+          {"late_driven", report->late_driven},
+          {"duplicate", report->duplicate},
+          {"ahead", report->ahead},
+          {"foreign", report->foreign},
+          {"processes", report->processes},
+          {"absences", absences},
+          {"answers", durations_json(report->answers)}};
 }
 
 Json network_json(const match::ByTeam<std::optional<NetworkReport>>& reports) {
@@ -172,6 +196,21 @@ match::Outcome read_outcome(const JsonReader& json) {
   return outcome;
 }
 
+std::optional<match::Touch> read_touch(const JsonReader& json) {
+  if (json.is_null()) return std::nullopt;
+  return match::Touch{json.at("team").name<Team>(),
+                      json.at("robot").integer<int>(0, max_robots_per_team - 1)};
+}
+
+// Older records do not say who scored.
+std::optional<match::GoalCredit> read_credit(const JsonReader& json) {
+  if (!json.has("kind")) return std::nullopt;
+  return match::GoalCredit{.scorer = read_touch(json.at("scorer")),
+                           .assist = read_touch(json.at("assist")),
+                           .own_goal = json.at("own_goal").boolean(),
+                           .kind = json.at("kind").name<match::GoalKind>()};
+}
+
 match::LoggedDecision read_decision(const JsonReader& json) {
   match::LoggedDecision d;
   d.tick = json.at("tick").as<std::uint32_t>();
@@ -191,6 +230,8 @@ match::LoggedDecision read_decision(const JsonReader& json) {
     d.decision.restart = restart.name<referee::Restart>();
     d.taker = json.at("taker").name<Team>();
   }
+  d.credit = read_credit(json);
+  d.parties = match::parties_of(d.decision, d.team, d.taker);
   return d;
 }
 
@@ -226,6 +267,8 @@ match::Setup read_setup(const JsonReader& json) {
   setup.stage = json.at("stage").name<referee::Stage>();
   setup.seed = json.at("seed").as<std::uint64_t>();
   setup.control_period = json.at("control_period").number(min_period, max_period);
+  // Records without this key are of exact legs.
+  if (json.has("conditions")) setup.conditions = read_conditions(json.at("conditions"));
   return setup;
 }
 
@@ -354,6 +397,7 @@ Json to_json(const MatchRecord& record) {
           {"stage", to_string(r.setup.stage)},
           {"seed", r.setup.seed},
           {"control_period", r.setup.control_period},
+          {"conditions", to_json(r.setup.conditions)},
           {"teams", {{"blue", team_json(record.teams[0])}, {"yellow", team_json(record.teams[1])}}},
           {"result", to_json(r.outcome)},
           {"decisions", decisions},
@@ -376,19 +420,26 @@ Result<void> save(system::Files& files, const std::string& path, const MatchReco
   json["replay"] = {{"file", std::filesystem::path(replay_path).filename().string()},
                     {"sha256", system::sha256(replay)}};
   // Names of teams may be any bytes: what is not UTF-8 is replaced.
-  return files.write(path, with_checksum(json.dump(1, ' ', false, Json::error_handler_t::replace)));
+  return files.write(path, with_checksum(json_text(json, 1)));
 }
 
 Result<MatchRecord> load(system::Files& files, const std::string& path, ChecksumPolicy policy) {
-  const auto text = files.read(path);
+  const auto text =
+      files.read(path, {.max_size = system::size_limit::record, .links = system::Links::followed});
   if (!text) return tl::unexpected(text.error());
   if (policy == ChecksumPolicy::checked && !has_valid_checksum(*text)) {
     return fail(Errc::damaged, path + ": its text is not what was written (sha256)");
   }
   auto file = read_json<RecordFile>(*text, path, Errc::damaged, read_record_file);
   if (!file) return tl::unexpected(file.error());
-  const std::string replay_path = beside(path, file->replay_name);
-  const auto replay = files.read(replay_path);
+  std::string replay_path = beside(path, file->replay_name);
+  // JSON holds no name that is not UTF-8; the digest tells whether it is the right file.
+  if (const std::string same_name = replay_path_of(path);
+      !files.exists(replay_path) && files.exists(same_name)) {
+    replay_path = same_name;
+  }
+  const auto replay = files.read(
+      replay_path, {.max_size = system::size_limit::replay, .links = system::Links::followed});
   if (!replay) return tl::unexpected(replay.error());
   if (system::sha256(*replay) != file->replay_sha256) {
     return fail(Errc::damaged,
@@ -396,12 +447,8 @@ Result<MatchRecord> load(system::Files& files, const std::string& path, Checksum
   }
   MatchRecord record = std::move(file->record);
   const int robots = field::make_field(record.recording.setup.league).robots_per_team;
-  auto unpacked = unpack_replay(*replay, robots, replay_path);
+  auto unpacked = unpack_replay(*replay, {.robots = robots, .ticks = file->ticks}, replay_path);
   if (!unpacked) return tl::unexpected(unpacked.error());
-  if (unpacked->ticks.size() != file->ticks) {
-    return fail(Errc::damaged,
-                replay_path + ": it has another number of ticks than the record says");
-  }
   record.recording.ticks = std::move(unpacked->ticks);
   record.recording.trace = std::move(unpacked->trace);
   record.recording.placement_requests = std::move(unpacked->asked);

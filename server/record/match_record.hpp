@@ -9,7 +9,7 @@
 #include "core/replay/recording.hpp"
 #include "server/pace/absence.hpp"
 #include "server/pace/durations.hpp"
-#include "server/system/files.hpp"
+#include "system/files.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -40,14 +40,15 @@ struct BudgetReport {
 };
 
 // The traffic between the server and a team on the network. Commands are counted by their fate:
-// only those in step were driven.
+// those in step were driven, and of the late ones the newest where nothing newer was there.
 struct NetworkReport {
   std::uint64_t in_step = 0;
-  std::uint64_t late = 0;       // for a tick that was over
-  std::uint64_t duplicate = 0;  // a further one for the tick that was answered last
-  std::uint64_t ahead = 0;      // for a tick that had not begun
-  std::uint64_t foreign = 0;    // from a process that is not the team's
-  int processes = 0;            // that played for the team, one after the other
+  std::uint64_t late = 0;         // for a tick that was over
+  std::uint64_t late_driven = 0;  // of these, the ones that were driven
+  std::uint64_t duplicate = 0;    // a further one for the tick that was answered last
+  std::uint64_t ahead = 0;        // for a tick that had not begun
+  std::uint64_t foreign = 0;      // from a process that is not the team's
+  int processes = 0;              // that played for the team, one after the other
   std::vector<pace::Absence> absences;
   pace::Durations answers;  // wall time from a tick's state to the answer in step
 };
@@ -58,9 +59,9 @@ struct PaceReport {
   pace::Durations lateness;  // of the ticks: start minus due time
 };
 
-// The program that plays or played a match. `behaviour_hash` stands for its physics and laws: the
-// hash of the golden leg (core/golden_hash.txt). A program with another one may play another leg
-// from the same commands.
+// The program that plays or played a match. `behaviour_hash` stands for its physics, laws and
+// conditions: the first 16 digits of the SHA-256 of core/golden_hash.txt. A program with another
+// one may play another leg from the same commands.
 struct Software {
   std::string version;
   std::string build;

@@ -14,8 +14,14 @@ constexpr std::string_view magic = "mirocup/replay/2\n";
 // Most of a replay is hashes, which cannot be compressed. The highest levels save 1 % and take 20
 // times as long, which is a tenth of the time of a whole leg.
 constexpr int compression_level = 1;
-constexpr std::size_t max_ticks = 10'000'000;
 constexpr std::size_t head_size = 16;
+
+// The longest legs: two halves of ten hours at 60 ticks a second, and their stoppages.
+constexpr std::size_t max_ticks = 5'000'000;
+// A tick has a hash of 8 bytes, which cannot be compressed. What has less than half of it for each
+// tick is made up. Short legs may be.
+constexpr std::size_t min_bytes_per_tick = 4;
+constexpr std::size_t always_allowed_ticks = 4096;
 
 // The file has 0 for blue and 1 for yellow, and a team's commands at that index.
 static_assert(index_of(Team::blue) == 0 && index_of(Team::yellow) == 1);
@@ -141,16 +147,24 @@ void get_commands(const std::string& plain, std::size_t& at, std::vector<match::
   }
 }
 
-// The decompressed bytes behind the magic word; "" if they are damaged or larger than `largest`.
-std::string decompressed(std::string_view bytes, const Counts& largest) {
+// The largest number of bytes of a replay of this shape, before compression: with a trace, and with
+// an answer of each team in every tick.
+std::size_t largest_size(const ReplayShape& shape) {
+  const Counts most{.ticks = shape.ticks,
+                    .robots = static_cast<std::size_t>(shape.robots),
+                    .fingerprints = shape.ticks,
+                    .checkpoints = shape.ticks / replay::checkpoint_ticks + 1};
+  return most.plain_size() + both_teams.size() * shape.ticks * most.asked_size();
+}
+
+// The decompressed bytes behind the magic word; "" if they are damaged or more than `largest`.
+std::string decompressed(std::string_view bytes, std::size_t largest) {
   const unsigned long long size = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
   if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN || size < head_size ||
-      size > largest.plain_size() + largest.ticks * largest.asked_size()) {
+      size > largest) {
     return "";
   }
-  // zstd compresses real data less than this, so do not reserve memory for a larger claim.
-  constexpr unsigned long long max_growth = 4096;
-  if (size / max_growth > bytes.size()) return "";
+  // One frame: a second one has no room in `plain`.
   std::string plain(size, '\0');
   if (ZSTD_decompress(plain.data(), plain.size(), bytes.data(), bytes.size()) != size) return "";
   return plain;
@@ -193,23 +207,28 @@ std::string pack_replay(const replay::Recording& recording, int robots) {
   return packed;
 }
 
-Result<Replay> unpack_replay(std::string_view bytes, int robots, const std::string& path) {
+Result<Replay> unpack_replay(std::string_view bytes, const ReplayShape& shape,
+                             const std::string& path) {
   const auto damaged = [&path](const char* why) { return fail(Errc::damaged, path + ": " + why); };
   if (bytes.substr(0, magic.size()) != magic) return damaged("this is not a replay of version 2");
   bytes.remove_prefix(magic.size());
-  Counts counts{.ticks = max_ticks,
-                .robots = static_cast<std::size_t>(robots),
-                .fingerprints = max_ticks,
-                .checkpoints = max_ticks};
-  const std::string plain = decompressed(bytes, counts);
+  if (shape.ticks > max_ticks ||
+      shape.ticks > always_allowed_ticks + bytes.size() / min_bytes_per_tick) {
+    return damaged("it is too short for the ticks of the record");
+  }
+  const std::string plain = decompressed(bytes, largest_size(shape));
   if (plain.empty()) return damaged("the compressed data is damaged");
+  Counts counts;
   std::size_t at = 0;
   for (std::size_t* count :
        {&counts.ticks, &counts.robots, &counts.fingerprints, &counts.checkpoints}) {
     *count = get(plain, at, 4);
   }
-  if (counts.robots != static_cast<std::size_t>(robots)) {
+  if (counts.robots != static_cast<std::size_t>(shape.robots)) {
     return damaged("it is of another number of robots than the record");
+  }
+  if (counts.ticks != shape.ticks) {
+    return damaged("it has another number of ticks than the record says");
   }
   const bool is_whole = plain.size() >= counts.plain_size() &&
                         (plain.size() - counts.plain_size()) % counts.asked_size() == 0;
@@ -220,7 +239,7 @@ Result<Replay> unpack_replay(std::string_view bytes, int robots, const std::stri
 
   Replay replay;
   replay.ticks.resize(counts.ticks);
-  get_commands(plain, at, replay.ticks, robots);
+  get_commands(plain, at, replay.ticks, shape.robots);
   for (match::TickLog& tick : replay.ticks) tick.hash = get(plain, at, 8);
   replay.trace.ticks.resize(counts.fingerprints);
   for (std::size_t body = 0; body < counts.bodies(); ++body) {

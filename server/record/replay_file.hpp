@@ -23,8 +23,16 @@ struct Replay {
 // Returns the bytes of the file. `robots`: number of robots of a team.
 std::string pack_replay(const replay::Recording& recording, int robots);
 
-// Reads the bytes, which may come from strangers. `robots`: number of robots of a team in the
-// record. `path` is for the message of the error, which is Errc::damaged.
-Result<Replay> unpack_replay(std::string_view bytes, int robots, const std::string& path);
+// What the record says of its replay.
+struct ReplayShape {
+  int robots = 0;         // of a team
+  std::size_t ticks = 0;  // of the leg
+};
+
+// Reads the bytes, which may come from strangers: nothing is decompressed that is larger than a
+// replay of this shape can be, or of more ticks than the bytes can hold. `path` is for the message
+// of the error, which is Errc::damaged.
+Result<Replay> unpack_replay(std::string_view bytes, const ReplayShape& shape,
+                             const std::string& path);
 
 }  // namespace mirocup::record

@@ -2,6 +2,7 @@
 #include "server/record/rules_json.hpp"
 
 #include "server/record/json_reader.hpp"
+#include "server/record/key_values.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -93,7 +94,8 @@ void read(const JsonReader& json, double& value) {
 }
 // A count that is off is 0 or null.
 void read(const JsonReader& json, int& value) {
-  value = json.is_null() ? 0 : json.integer<int>(0);
+  constexpr int max_count = 10'000;  // robots, goals, rounds
+  value = json.is_null() ? 0 : json.integer<int>(0, max_count);
 }
 void read(const JsonReader& json, bool& value) {
   value = json.boolean();
@@ -140,16 +142,9 @@ Result<Rules> rules_from_json(const Json& object, Errc code, League league) {
 
 Result<Rules> rules_with_changes(Json object, const std::vector<std::string>& changes,
                                  League league) {
-  for (const std::string& change : changes) {
-    const std::size_t equals = change.find('=');
-    const std::string text = equals == std::string::npos ? "" : change.substr(equals + 1);
-    Json value = Json::parse(text, nullptr, false);
-    if (value.is_discarded()) {
-      return fail(Errc::input, "--rule " + change + ": KEY=VALUE is expected");
-    }
-    object[change.substr(0, equals)] = std::move(value);
-  }
-  return rules_from_json(object, Errc::input, league);
+  const auto changed = with_changes(std::move(object), changes, "--rule");
+  if (!changed) return tl::unexpected(changed.error());
+  return rules_from_json(*changed, Errc::input, league);
 }
 
 }  // namespace mirocup::record

@@ -18,15 +18,21 @@ using namespace simulator;
 constexpr std::string_view scene_schema = "mirocup/scene/1";
 constexpr std::string_view result_schema = "mirocup/scene-result/1";
 
-// The largest number of samples of a scene, and of rows of commands of one robot.
-constexpr std::size_t max_rows = 1'000'000;
+// What a scene may ask for, so that every scene ends and its result fits into memory. scene.md
+// gives the reasons.
+constexpr double max_duration = 3600.0;  // s
+constexpr double min_grip = 1e-6;
+constexpr double max_size = 1e6;  // of positions, m, speeds, m/s and rad/s
+constexpr double min_parameter = 1e-9;
+constexpr double max_parameter = 1e9;
+constexpr std::size_t max_sampled_states = 250'000;  // of all bodies in all samples
 
 // How far the length of a heading [cos, sin] may be from 1.
 constexpr double max_heading_length_error = 1e-12;
 
 Vec2 read_vector(const JsonReader& json) {
   if (!json.expect_array(2, 2)) return {0.0, 0.0};
-  return {json.at(0).number(), json.at(1).number()};
+  return {json.at(0).number(-max_size, max_size), json.at(1).number(-max_size, max_size)};
 }
 
 void read_per_pair(const JsonReader& json, double max, PerPair& value) {
@@ -66,7 +72,7 @@ geometry::OutlineCorners read_outline(const JsonReader& json) {
 }
 
 double read_grip(const JsonReader& json) {
-  if (!json.is_string()) return json.number(0.0);
+  if (!json.is_string()) return json.number(min_grip);
   if (json.text() != "infinite") json.complain("a number or \"infinite\" is expected");
   return infinite_grip;
 }
@@ -79,10 +85,13 @@ void read_parameters(const JsonReader& json, Parameters& p) {
     return;
   }
   const auto positive = [&](const char* key, double& member) {
-    if (json.has(key)) member = json.at(key).positive_number();
+    if (!json.has(key)) return;
+    const JsonReader value = json.at(key);
+    member = value.positive_number();
+    if (member > 0.0) member = value.number(min_parameter, max_parameter);
   };
   const auto not_negative = [&](const char* key, double& member) {
-    if (json.has(key)) member = json.at(key).number(0.0);
+    if (json.has(key)) member = json.at(key).number(0.0, max_parameter);
   };
   positive("robot_side", p.robot_side);
   positive("robot_mass", p.robot_mass);
@@ -108,17 +117,18 @@ void read_wheels(const JsonReader& json, SceneRobot& robot) {
   robot.wheels_on_ground = !json.is_null();
   if (json.is_null()) return;
   double latest = 0.0;
-  for (const JsonReader& row : json.elements(0, max_rows)) {
+  for (const JsonReader& row : json.elements()) {
     if (!row.expect_array(3, 3)) return;
     latest = row.at(0).number(latest);
-    robot.wheels.push_back({latest, {row.at(1).number(), row.at(2).number()}});
+    robot.wheels.push_back(
+        {latest, {row.at(1).number(-max_size, max_size), row.at(2).number(-max_size, max_size)}});
   }
 }
 
 // An angle, or the exact cosine and sine as the simulator keeps them. The vector is not normalized,
 // because that would change its last bits.
 Heading read_heading(const JsonReader& json) {
-  if (!json.json().is_array()) return Heading::from_angle(json.number());
+  if (!json.json().is_array()) return Heading::from_angle(json.number(-max_size, max_size));
   const Vec2 direction = read_vector(json);
   if (!(std::abs(std::sqrt(direction.squaredNorm()) - 1.0) <= max_heading_length_error)) {
     json.complain("a heading [cos, sin] must be of length 1 within 1e-12");
@@ -132,13 +142,17 @@ SceneRobot read_robot(const JsonReader& json, const std::string& default_name) {
   if (!json.expect_object({"name", "pose", "twist", "wheels"})) return robot;
   json.read_if_present("name", robot.name);
   if (const JsonReader pose = json.at("pose"); pose.expect_array(3, 3)) {
-    robot.state.position = {pose.at(0).number(), pose.at(1).number()};
+    robot.state.position = {pose.at(0).number(-max_size, max_size),
+                            pose.at(1).number(-max_size, max_size)};
     robot.state.heading = read_heading(pose.at(2));
   }
   if (json.has("twist")) {
     const JsonReader twist = json.at("twist");
     if (twist.expect_array(3, 3)) {
-      robot.state.twist = {twist.at(0).number(), twist.at(1).number(), twist.at(2).number()};
+      const auto speed = [&twist](std::size_t i) {
+        return twist.at(i).number(-max_size, max_size);
+      };
+      robot.state.twist = {speed(0), speed(1), speed(2)};
     }
   }
   if (json.has("wheels")) read_wheels(json.at("wheels"), robot);
@@ -152,12 +166,15 @@ void read_robots(const JsonReader& json, Scene& scene) {
     scene.robots.push_back(read_robot(json.at(i), "robot" + std::to_string(i + 1)));
     const std::string& name = scene.robots.back().name;
     if (names.insert(name).second) continue;
-    json.at(i).at("name").complain("\"" + name + "\" is taken already");
+    const JsonReader at = json.at(i).at("name");
+    at.complain(at.quoted() + " is taken already");
   }
 }
 
 void read_samples(const JsonReader& json, Scene& scene) {
-  for (const JsonReader& time : json.elements(0, max_rows)) {
+  const std::size_t bodies = scene.robots.size() + (scene.ball ? 1 : 0);
+  for (const JsonReader& time :
+       json.elements(0, max_sampled_states / std::max<std::size_t>(bodies, 1))) {
     scene.sample_at.push_back(time.number(0.0, scene.duration));
   }
   std::sort(scene.sample_at.begin(), scene.sample_at.end());
@@ -173,7 +190,7 @@ Scene read_scene(const JsonReader& json) {
   json.read_if_present("league", scene.league);
   if (json.has("parameters")) read_parameters(json.at("parameters"), scene.parameters);
   json.read_if_present("walls", scene.has_walls);
-  scene.duration = json.at("duration").number(0.0);
+  scene.duration = json.at("duration").number(0.0, max_duration);
   if (json.has("ball")) {
     const JsonReader ball = json.at("ball");
     if (ball.expect_object({"position", "velocity"})) {

@@ -18,8 +18,13 @@ using Json = nlohmann::ordered_json;
 using record::JsonReader;
 using referee::RobotId;
 
-// A longer situation is a mistake, s.
-constexpr double max_time = 1e6;
+// What a situation may have. It is sampled every 33 ms and judged at each sample, so the longest
+// takes a second.
+constexpr double max_time = 3600.0;  // s
+constexpr double max_size = 1e6;     // of every other number: m, rad, m/s, Hz, goals
+constexpr std::size_t max_frames = 10'000;
+constexpr std::size_t max_contacts = 500;  // of a frame; each body with each other is fewer
+constexpr std::size_t max_events = 1000;
 
 double read_time(const JsonReader& json) {
   return json.number(-max_time, max_time);
@@ -31,12 +36,16 @@ End read_end(const JsonReader& json) {
   return name == "R" ? End::right : End::left;
 }
 
+double read_number(const JsonReader& json) {
+  return json.number(-max_size, max_size);
+}
+
 Vec2 read_point(const JsonReader& json) {
-  return {json.at(0).number(), json.at(1).number()};
+  return {read_number(json.at(0)), read_number(json.at(1))};
 }
 
 Pose read_pose(const JsonReader& json) {
-  return {read_point(json), Heading::from_angle(json.size() > 2 ? json.at(2).number() : 0.0)};
+  return {read_point(json), Heading::from_angle(json.size() > 2 ? read_number(json.at(2)) : 0.0)};
 }
 
 // A robot by its name, "L0" or "R10". `at` is where the name stands, for the complaint.
@@ -71,13 +80,19 @@ void read_robots(const JsonReader& json, int robots, referee::ByEnd<std::vector<
 
 std::vector<KeyFrame::Contact> read_contacts(const JsonReader& json, int robots) {
   std::vector<KeyFrame::Contact> contacts;
-  for (const JsonReader& pair : json.elements()) {
+  for (const JsonReader& pair : json.elements(0, max_contacts)) {
     JsonReader a = pair.at(0);
     JsonReader b = pair.at(1);
     if (a.json() == "ball") std::swap(a, b);
     const bool is_ball = b.json() == "ball";
-    contacts.emplace_back(read_robot(a, robots), is_ball ? std::optional<RobotId>()
-                                                         : std::optional(read_robot(b, robots)));
+    const RobotId robot = read_robot(a, robots);
+    if (is_ball) {
+      contacts.emplace_back(robot, std::nullopt);
+    } else if (const RobotId other = read_robot(b, robots); robot == other) {
+      pair.complain("no robot touches itself");
+    } else {
+      contacts.emplace_back(robot, other);
+    }
   }
   return contacts;
 }
@@ -99,7 +114,7 @@ KeyFrame read_frame(const JsonReader& json, KeyFrame frame, int robots) {
   if (json.has("drive")) {
     for (const auto& [name, value] : json.at("drive").members()) {
       const RobotId robot = robot_of(name, robots, value);
-      frame.drive[index_of(robot.end)][robot.index] = value.number();
+      frame.drive[index_of(robot.end)][robot.index] = read_number(value);
     }
   }
   if (json.has("last_touch")) frame.last_touch = read_robot(json.at("last_touch"), robots);
@@ -118,8 +133,8 @@ Motion read_motion(const JsonReader& json) {
   const JsonReader type = json.at("type");
   if (type.text() == "sine") {
     motion.type = Motion::Type::sine;
-    motion.amplitude = json.at("amp").number();
-    motion.frequency = json.at("hz").number();
+    motion.amplitude = read_number(json.at("amp"));
+    motion.frequency = read_number(json.at("hz"));
   } else if (type.text() == "line") {
     motion.type = Motion::Type::line;
     motion.velocity = read_point(json.at("v"));
@@ -132,7 +147,7 @@ Motion read_motion(const JsonReader& json) {
 void read_frames(const JsonReader& json, int robots, Trace& trace) {
   KeyFrame before;
   if (json.has("frames")) {
-    for (const JsonReader& frame : json.at("frames").elements()) {
+    for (const JsonReader& frame : json.at("frames").elements(0, max_frames)) {
       if (frame.has("motion")) trace.motion = read_motion(frame.at("motion"));
       before = read_frame(frame, before, robots);
       if (!trace.frames.empty() && before.t < trace.frames.back().t) {
@@ -226,12 +241,13 @@ Trace read_trace(const JsonReader& json) {
   trace.rules = read_situation_rules(json, trace.league);
   json.read_if_present("state", trace.state);
   trace.progress.clock = 60.0;
-  json.read_if_present("clock", trace.progress.clock);
+  if (json.has("clock")) trace.progress.clock = read_number(json.at("clock"));
   json.read_if_present("phase", trace.progress.phase);
   json.read_if_present("stage", trace.progress.stage);
   if (json.has("score")) {
     const JsonReader score = json.at("score");
-    trace.progress.score = {score.at(0).as<int>(), score.at(1).as<int>()};
+    constexpr int most = static_cast<int>(max_size);
+    trace.progress.score = {score.at(0).integer(0, most), score.at(1).integer(0, most)};
   }
   const field::Field field = field::make_field(trace.league);
   const int robots = field.robots_per_team;
@@ -241,12 +257,13 @@ Trace read_trace(const JsonReader& json) {
   if (json.has("motion")) trace.motion = read_motion(json.at("motion"));
   if (json.has("hold")) trace.hold = read_time(json.at("hold"));
   if (json.has("clock_stops")) {
-    for (const JsonReader& stop : json.at("clock_stops").elements()) {
-      trace.clock_stops.emplace_back(stop.at(0).number(), stop.at(1).number());
+    for (const JsonReader& stop : json.at("clock_stops").elements(0, max_events)) {
+      trace.clock_stops.emplace_back(read_number(stop.at(0)), read_number(stop.at(1)));
     }
   }
   if (json.has("events")) {
-    for (const JsonReader& event : json.at("events").elements()) read_event(event, robots, trace);
+    for (const JsonReader& event : json.at("events").elements(0, max_events))
+      read_event(event, robots, trace);
   }
   if (json.has("missing")) {
     for (const JsonReader& team : json.at("missing").elements()) {

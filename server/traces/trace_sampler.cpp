@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace mirocup::traces {
 
@@ -38,11 +39,10 @@ TraceSampler::TraceSampler(const Trace& trace, const referee::Pitch& pitch)
 }
 
 const KeyFrame& TraceSampler::frame_at(double t) const {
-  const KeyFrame* shown = &trace_.frames.front();
-  for (const KeyFrame& frame : trace_.frames) {
-    if (frame.t <= t + time_tolerance) shown = &frame;
-  }
-  return *shown;
+  const auto later =
+      std::upper_bound(trace_.frames.begin(), trace_.frames.end(), t + time_tolerance,
+                       [](double time, const KeyFrame& frame) { return time < frame.t; });
+  return later == trace_.frames.begin() ? *later : *std::prev(later);
 }
 
 Vec2 TraceSampler::ball_at(double t) const {

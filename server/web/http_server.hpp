@@ -16,6 +16,18 @@
 
 namespace mirocup::web {
 
+// The library's server, but a request has at most 64 KiB in all and arrives within ten seconds, and
+// asks for a whole page: the library itself takes headers, lines and bodies without end, and a
+// thousand ranges of one page at once.
+class BoundedServer : public httplib::Server {
+ public:
+  // Answers the one request of a connection; the connection stays open.
+  bool answer(socket_t connection);
+
+ private:
+  bool process_and_close_socket(socket_t connection) override;
+};
+
 class HttpServer {
  public:
   HttpServer();
@@ -24,7 +36,7 @@ class HttpServer {
   HttpServer& operator=(const HttpServer&) = delete;
 
   // For setting the routes, before listen().
-  httplib::Server& server() { return server_; }
+  BoundedServer& server() { return server_; }
 
   // Binds to the address and serves requests from now on, in threads of a lower priority. `option`
   // is the one that named the address, for the error: Errc::unavailable if the address is in use or
@@ -48,7 +60,7 @@ class HttpServer {
   Address address_;
   std::atomic<int> viewers_{0};
   std::atomic<bool> is_closed_{false};
-  httplib::Server server_;
+  BoundedServer server_;
   std::thread thread_;
 };
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "server/web/page.hpp"
 
-#include "server/system/digest.hpp"
-#include "server/system/markup.hpp"
+#include "server/record/json_reader.hpp"
 #include "server/web/assets.hpp"
 #include "server/web/page_json.hpp"
 #include "server/web/picture.hpp"
+#include "system/digest.hpp"
+#include "system/markup.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -43,7 +44,7 @@ std::string script() {
 // Returns JSON text for a <script> element; no part of the text can close the element.
 std::string embedded(const Json& json) {
   std::string text;
-  for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
+  for (const char c : record::json_text(json)) {
     c == '<' ? text += "\\u003c" : text += c;
   }
   return text;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "server/web/page_json.hpp"
 
+#include "server/record/json_reader.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -37,8 +39,7 @@ Json statistics_json(const Statistics& statistics,
 
 std::string event_text(const char* name, const Json& data) {
   // The data is one line, so a name of a team cannot start another event.
-  return std::string("event: ") + name +
-         "\ndata: " + data.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n\n";
+  return std::string("event: ") + name + "\ndata: " + record::json_text(data) + "\n\n";
 }
 
 }  // namespace mirocup::web

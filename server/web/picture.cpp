@@ -28,11 +28,11 @@ std::string translated(const Vec2& position) {
   return "translate(" + millimetres(position.x()) + " " + millimetres(-position.y()) + ")";
 }
 
-std::string robot(Team team, int number, const simulator::BodyState& state, double side) {
+std::string robot(Team team, int number, const match::ObservedRobot& state, double side) {
   const std::string half = millimetres(-side / 2.0);
   const std::string edge = millimetres(side);
   const std::string degrees =
-      std::to_string(-std::lround(state.heading.angle() * 180.0 / std::numbers::pi));
+      std::to_string(-std::lround(state.heading * 180.0 / std::numbers::pi));
   // A bright strip along the front edge shows the heading.
   const double front = side / 2.0;
   const std::string strip = SvgPath()

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/web/track_encoder.hpp"
 
-#include "server/system/digest.hpp"
+#include "system/digest.hpp"
 
 #include <cassert>
 #include <cmath>
@@ -52,10 +52,10 @@ Frame frame_of(const match::Snapshot& scene, int robots, const Frame& before) {
   add_point(scene.ball.position);
   for (const Team team : both_teams) {
     for (int i = 0; i < robots; ++i) {
-      const simulator::BodyState& robot = scene.robots[index_of(team)][i];
+      const match::ObservedRobot& robot = scene.robots[index_of(team)][i];
       add_point(robot.position);
       const std::int32_t last = before.empty() ? 0 : before[frame.size()];
-      frame.push_back(heading_near(robot.heading.angle(), last));
+      frame.push_back(heading_near(robot.heading, last));
     }
   }
   return frame;

@@ -3,6 +3,7 @@
  * Simulates a network that loses and changes packets, for processes that load this library with
  * LD_PRELOAD:
  *   BAD_NETWORK_LOSS=P    loses each packet that the process sends with probability P
+ *   BAD_NETWORK_DELAY=MS  each packet that the process sends takes this long, in milliseconds
  *   BAD_NETWORK_GARBAGE=N sends N changed copies before each packet: other bits, lengths, ends,
  *                         senders
  *   BAD_NETWORK_LIMIT=N   sends at most N changed copies, and writes to standard error when it has
@@ -11,13 +12,15 @@
  * The random numbers are the same in each run. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
+#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/socket.h>
 #include <sys/uio.h>
+#include <time.h>
 
-enum { largest = 65536 };
+enum { largest = 65536, most_delayed = 4096 };
 
 typedef ssize_t send_function(int, const struct msghdr*, int);
 
@@ -122,15 +125,88 @@ static void send_garbage(send_function* real, int socket, const struct msghdr* m
   }
 }
 
+/* Packets on their way, in the order in which they were sent. */
+static struct delayed {
+  struct timespec due;
+  int socket;
+  struct sockaddr_storage to;
+  socklen_t to_size;
+  size_t size;
+  unsigned char* bytes;
+} on_the_way[most_delayed];
+static unsigned long first_on_the_way, behind_last_on_the_way;
+static pthread_mutex_t way = PTHREAD_MUTEX_INITIALIZER;
+static pthread_cond_t more = PTHREAD_COND_INITIALIZER;
+
+static void* deliver(void* real_function) {
+  send_function* real = NULL;
+  *(void**)&real = real_function;
+  for (;;) {
+    struct delayed packet;
+    struct iovec whole;
+    struct msghdr message = {0};
+    pthread_mutex_lock(&way);
+    while (first_on_the_way == behind_last_on_the_way) pthread_cond_wait(&more, &way);
+    packet = on_the_way[first_on_the_way++ % most_delayed];
+    pthread_mutex_unlock(&way);
+    clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &packet.due, NULL);
+    whole.iov_base = packet.bytes;
+    whole.iov_len = packet.size;
+    message.msg_name = &packet.to;
+    message.msg_namelen = packet.to_size;
+    message.msg_iov = &whole;
+    message.msg_iovlen = 1;
+    real(packet.socket, &message, MSG_NOSIGNAL);
+    free(packet.bytes);
+  }
+  return NULL;
+}
+
+/* Returns 0 if the packet cannot be delayed. */
+static int delay(send_function* real, int socket, const struct msghdr* message, double ms) {
+  static int is_running = 0;
+  static unsigned char packet[largest];
+  struct delayed* last;
+  const long ns = (long)(1e6 * ms);
+  pthread_t thread;
+  int is_kept = 0;
+  if (message->msg_name == NULL || message->msg_namelen > sizeof last->to) return 0;
+  pthread_mutex_lock(&way);
+  if (behind_last_on_the_way - first_on_the_way < most_delayed) {
+    last = &on_the_way[behind_last_on_the_way % most_delayed];
+    last->size = gather(message, packet);
+    last->bytes = malloc(last->size + 1);
+    memcpy(last->bytes, packet, last->size);
+    memcpy(&last->to, message->msg_name, message->msg_namelen);
+    last->to_size = message->msg_namelen;
+    last->socket = socket;
+    clock_gettime(CLOCK_MONOTONIC, &last->due);
+    last->due.tv_sec += (last->due.tv_nsec + ns) / 1000000000L;
+    last->due.tv_nsec = (last->due.tv_nsec + ns) % 1000000000L;
+    ++behind_last_on_the_way;
+    is_kept = 1;
+  }
+  if (!is_running) {
+    is_running = 1;
+    pthread_create(&thread, NULL, deliver, *(void**)&real);
+    pthread_detach(thread);
+  }
+  pthread_cond_signal(&more);
+  pthread_mutex_unlock(&way);
+  return is_kept;
+}
+
 ssize_t sendmsg(int socket, const struct msghdr* message, int flags) {
   send_function* real = NULL;
   size_t size = 0, i;
   *(void**)&real = dlsym(RTLD_NEXT, "sendmsg");
   if (getenv("BAD_NETWORK_GARBAGE") != NULL) send_garbage(real, socket, message, flags);
   if (getenv("BAD_NETWORK_JUMP") != NULL) jump(real, socket, message, flags);
-  if ((double)(next() % 1000000) >= 1e6 * number("BAD_NETWORK_LOSS")) {
-    return real(socket, message, flags);
-  }
   for (i = 0; i < message->msg_iovlen; ++i) size += message->msg_iov[i].iov_len;
-  return (ssize_t)size;
+  if ((double)(next() % 1000000) < 1e6 * number("BAD_NETWORK_LOSS")) return (ssize_t)size;
+  if (getenv("BAD_NETWORK_DELAY") != NULL &&
+      delay(real, socket, message, number("BAD_NETWORK_DELAY"))) {
+    return (ssize_t)size;
+  }
+  return real(socket, message, flags);
 }

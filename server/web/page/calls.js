@@ -10,21 +10,25 @@ export class Calls {
   constructor(list, marks, banner, names, jump) {
     Object.assign(this, { list, marks, banner, names, jump });
     this.calls = [];
+    this.score = { blue: 0, yellow: 0 };  // after the calls so far
     this.rows = [];
     this.shown = -1;
   }
 
   add(call) {
+    if (call.decision === 'GOAL') ++this.score[call.team];
+    call = { ...call, score: { ...this.score } };
+    const colour = this.colour(call);
     this.calls.push(call);
     const row = element('li', call.decision === 'GOAL' ? 'goal' : '');
-    const button = element('button', call.team ?? 'nobody');
+    const button = element('button', colour);
     button.append(element('span', 'when', minutes(call.clock, 0)),
       element('span', 'what', this.title(call)), element('span', 'why', call.reason));
     button.addEventListener('click', () => this.jump(call.tick));
     row.append(button);
     this.list.append(row);
     this.rows.push(row);
-    const mark = element('button', `${call.decision === 'GOAL' ? 'goal' : 'call'} ${call.team ?? 'nobody'}`);
+    const mark = element('button', `${call.decision === 'GOAL' ? 'goal' : 'call'} ${colour}`);
     mark.title = `${minutes(call.clock, 0)} ${this.title(call)}`;
     mark.tabIndex = -1;  // keyboard users reach the calls through the list
     mark.setAttribute('aria-hidden', 'true');
@@ -32,8 +36,19 @@ export class Calls {
     this.marks.append(mark);
   }
 
+  // Colours follow the team that gains; records from before it was written down name one team only.
+  colour(call) {
+    return ('gainer' in call ? call.gainer : call.team) ?? 'nobody';
+  }
+
+  // "Goal · striker 2 : 1", "Penalty kick for striker".
   title(call) {
-    return words(call.decision) + (call.team ? ` · ${this.names[call.team]}` : '');
+    const gainer = call.gainer ?? (call.decision === 'GOAL' ? call.team : null);
+    if (call.decision === 'GOAL') {
+      const kind = call.own_goal ? ' (own goal)' : '';
+      return `${words(call.decision)}${kind} · ${this.names[gainer]} ${call.score.blue} : ${call.score.yellow}`;
+    }
+    return words(call.decision) + (gainer ? ` for ${this.names[gainer]}` : '');
   }
 
   // Places the marks between the ends of the time line.
@@ -59,7 +74,7 @@ export class Calls {
     row.setAttribute('aria-current', 'true');
     this.list.scrollTop = row.offsetTop - this.list.clientHeight / 2;
     this.banner.textContent = this.title(call);
-    this.banner.className = `${call.team ?? 'nobody'}${call.decision === 'GOAL' ? ' goal' : ''}`;
+    this.banner.className = `${this.colour(call)}${call.decision === 'GOAL' ? ' goal' : ''}`;
   }
 
   // Returns the tick of the call before or after the given tick.

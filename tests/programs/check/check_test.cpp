@@ -90,6 +90,29 @@ TEST(Check, NamesTheFirstCheckThatFails) {
   expect_rejected(hostile("clock_random"), "repeatable", "tick 25");
 }
 
+// Each time, although both legs are played in the same second, minute or day.
+TEST(Check, RefusesMovesThatDependOnTheTimeOfDay) {
+  for (const char* kind : {"clock_seed", "clock_seed_day", "clock_seed_uptime", "clock_seed_chrono",
+                           "clock_seed_c11", "clock_seed", "clock_seed"}) {
+    expect_rejected(hostile(kind), "repeatable", "tick 25");
+  }
+}
+
+TEST(Check, AcceptsATeamThatMeasuresTime) {
+  EXPECT_EQ(check(program("honest/clocks.so")).exit_code, 0);
+}
+
+// 3 ms of processor time for each tick, in a leg that gives 1 ms and something.
+TEST(Check, RefusesATeamThatWouldLoseEachLegByItsBudget) {
+  const Examined long_halves = check(hostile("slow_every_tick"), {"--half", "120"});
+  EXPECT_EQ(long_halves.exit_code, 1);
+  const std::string reason = long_halves.report["reason"];
+  EXPECT_EQ(reason.rfind("budget: a leg with halves of 120 s would take ", 0), 0u) << reason;
+  EXPECT_GT(long_halves.report["timing"]["leg_share"], 1.25);
+  const Examined short_halves = check(hostile("slow_every_tick"), {"--half", "5"});
+  EXPECT_EQ(short_halves.exit_code, 0) << short_halves.report["reason"];
+}
+
 TEST(Check, ReportsAnErrorForAMissingFile) {
   const Outcome outcome = run({program("mirocup"), "check", "/no/such/file.so"});
   EXPECT_EQ(outcome.exit_code, 3);

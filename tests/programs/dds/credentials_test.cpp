@@ -155,12 +155,106 @@ TEST_F(Credentials, AreValidOnAComputerWhoseClockIsBehind) {
   EXPECT_EQ(record["result"]["end"], "full_time") << record["result"];
 }
 
+// The leg may last longer than the certificate. Catches a team that vanishes in the middle of it,
+// of which nobody learns why.
+TEST_F(Credentials, ThatExpireBeforeTheLatestEndAreRefused) {
+  const Outcome made = run(behind(22, {program("mirocup"), "league", "credentials",
+                                       folder_ / "league", "--team", "remote2", "--days", "1"}));
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  for (const std::string colour : {"blue", "yellow"}) {
+    const std::string other = colour == "blue" ? "yellow" : "blue";
+    const std::string id = match_id("expiring-" + colour);
+    Running leg({program("mirocup"), "match", "--" + colour, "dds:remote2", "--" + other, "keeper",
+                 "--match", id, "--credentials", of("server"), "--half", "30000"});
+    auto arguments = test_support::join(id, colour, "remote2", "striker");
+    arguments.insert(arguments.end(), {"--credentials", of("teams/remote2")});
+    const Outcome joined = run(arguments);
+    EXPECT_EQ(joined.exit_code, 3);
+    EXPECT_NE(joined.err.find("warning: the credentials in"), std::string::npos) << joined.err;
+    EXPECT_NE(joined.err.find("refuses the team: the team's credentials are valid until 20"),
+              std::string::npos)
+        << joined.err;
+    EXPECT_TRUE(has_said(leg, "credentials are valid until 20")) << leg.err();
+  }
+  // A leg that is over in time is played.
+  const std::string id = match_id("in-time");
+  Running leg({program("mirocup"), "match", "--blue", "dds:remote2", "--yellow", "keeper",
+               "--match", id, "--credentials", of("server"), "--half", "5"});
+  auto arguments = test_support::join(id, "blue", "remote2", "striker");
+  arguments.insert(arguments.end(), {"--credentials", of("teams/remote2")});
+  EXPECT_EQ(run(arguments).exit_code, 0);
+  EXPECT_EQ(leg.wait().exit_code, 0);
+}
+
+// Catches a host that looks for a firewall where a team has no credentials.
+TEST_F(Credentials, AreMissedByTheServer) {
+  const std::string id = match_id("without");
+  Running remote(join(id, ""));
+  const std::string said = "a process without credentials was seen";
+  run_until_said(said, [&](const std::string& limit) { return run(match(id, limit)); });
+  const auto fault = read_json(folder_ / "leg.json")["result"]["fault"];
+  EXPECT_NE(fault["text"].get<std::string>().find(said), std::string::npos) << fault;
+}
+
+// Catches --revoke '' that deletes the folder of all teams, and keys beside the authority.
+TEST_F(Credentials, AreMadeForProperNamesOnly) {
+  const auto call = [this](std::vector<std::string> more) {
+    more.insert(more.begin(), {program("mirocup"), "league", "credentials", folder_ / "league"});
+    return run(more);
+  };
+  for (const std::string name : {"", ".", "..", "a\nb", "\x7f"}) {
+    EXPECT_EQ(call({"--team", name}).exit_code, 2) << name;
+    EXPECT_EQ(call({"--revoke", name}).exit_code, 2) << name;
+    EXPECT_EQ(call({"--team", "late", "--team", name}).exit_code, 2) << name;
+  }
+  EXPECT_EQ(call({"--team", std::string(65, 'x')}).exit_code, 2);
+  EXPECT_FALSE(std::filesystem::exists(of("teams/key.pem")));
+  EXPECT_FALSE(std::filesystem::exists(of("key.pem")));
+  EXPECT_FALSE(std::filesystem::exists(of("teams/late")));
+  EXPECT_TRUE(std::filesystem::exists(of("teams/remote/key.pem")));
+}
+
+// Names that are longer in a certificate than it allows. Catches raw messages of openssl, and a
+// folder with a key and nothing else.
+TEST_F(Credentials, AreMadeForLongNames) {
+  const std::string chinese = "北京大学机器人队";
+  const std::string id = match_id("long");
+  const Outcome made = run({program("mirocup"), "league", "credentials", folder_ / "league",
+                            "--team", std::string(64, 'x'), "--team", chinese, "--team", "last"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const std::string own = of("teams/" + std::string(64, 'x'));
+  EXPECT_TRUE(std::filesystem::exists(of("teams/last/permissions.p7s")));
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(of(""))) {
+    const auto others = std::filesystem::perms::group_all | std::filesystem::perms::others_all;
+    EXPECT_EQ(entry.status().permissions() & others, std::filesystem::perms::none) << entry.path();
+  }
+  Running leg({program("mirocup"), "match", "--blue", "dds:" + std::string(64, 'x'), "--yellow",
+               "keeper", "--match", id, "--credentials", of("server"), "--half", "2"});
+  auto arguments = test_support::join(id, "blue", std::string(64, 'x'), "striker");
+  arguments.insert(arguments.end(), {"--credentials", own});
+  const Outcome joined = run(arguments);
+  EXPECT_EQ(joined.exit_code, 0) << joined.err;
+  EXPECT_EQ(leg.wait().exit_code, 0);
+}
+
+// A team whose credentials cannot be made does not stop the others.
+TEST_F(Credentials, AreMadeForTheOthersToo) {
+  const Outcome made = run({program("mirocup"), "league", "credentials", folder_ / "league",
+                            "--revoke", "nobody", "--revoke", "other"});
+  EXPECT_EQ(made.exit_code, 3);
+  EXPECT_NE(made.err.find("\"nobody\" has no credentials"), std::string::npos) << made.err;
+  EXPECT_FALSE(std::filesystem::exists(of("teams/other")));
+  EXPECT_TRUE(std::filesystem::exists(of("teams/remote/key.pem")));
+}
+
 TEST_F(Credentials, OfAnotherTeamAreRefused) {
-  const Outcome other = run(join("x", of("teams/other")));
-  EXPECT_EQ(other.exit_code, 3);
-  EXPECT_NE(other.err.find("somebody else's"), std::string::npos) << other.err;
+  for (const std::string whose : {"teams/other", "spectator", "server"}) {
+    const Outcome other = run(join("x", of(whose)));
+    EXPECT_EQ(other.exit_code, 2) << whose;
+    EXPECT_NE(other.err.find("somebody else's"), std::string::npos) << other.err;
+  }
   const Outcome none = run(join("x", folder_ / "nothing"));
-  EXPECT_EQ(none.exit_code, 3);
+  EXPECT_EQ(none.exit_code, 2);
   EXPECT_NE(none.err.find("identity_ca.pem is not there"), std::string::npos) << none.err;
 }
 

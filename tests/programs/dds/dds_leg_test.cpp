@@ -114,6 +114,24 @@ TEST(DdsTeam, SaysInOneSentenceThatThereIsNoInterface) {
   EXPECT_NE(played.err.find("nonsense0"), std::string::npos) << played.err;
 }
 
+// Catches a library that is looked at only when the team has a seat.
+TEST(DdsTeam, IsToldAtOnceThatItsLibraryDoesNotLoad) {
+  auto arguments = join(match_id("passwd"), "blue", "remote", "/etc/passwd");
+  const Outcome joined = run(arguments);
+  EXPECT_EQ(joined.exit_code, 2);
+  EXPECT_NE(joined.err.find("/etc/passwd: the library does not load"), std::string::npos)
+      << joined.err;
+}
+
+TEST(DdsTeam, IsToldWhatMayKeepItFromAServer) {
+  auto arguments = join(match_id("nobody"), "blue", "remote", "idle");
+  arguments.insert(arguments.end(), {"--patience", "0.5"});
+  const Outcome joined = run(arguments);
+  EXPECT_EQ(joined.exit_code, 3);
+  EXPECT_NE(joined.err.find("no match server answered"), std::string::npos) << joined.err;
+  EXPECT_NE(joined.err.find("credentials"), std::string::npos) << joined.err;
+}
+
 // Each side reacts to Ctrl-C while it waits for the other.
 TEST(DdsTeam, CanBeInterruptedWhileItIsAwaited) {
   Running server({program("mirocup"), "match", "--blue", "dds:nobody", "--yellow", "idle",

@@ -7,6 +7,12 @@
 //   hellos       asks for the seat all the time, each time as another process
 //   wrong_types  writes other types under the names of the topics
 //   stuck        reads everything, and then stops
+//   former       asks for the seat as a program of v2 does, and prints the answer
+//   layout       asks for the seat with another layout of v3, and prints the answer
+//   look         reads states
+//   watch        prints what spectators are told, after the first state of the leg
+//   configured   the same, configured by $CYCLONEDDS_URI alone
+//   other        writes states of v2, as a server of that version does
 #include "server/dds/convert.hpp"
 #include "server/dds/domain.hpp"
 #include "server/dds/nonce.hpp"
@@ -15,6 +21,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
+#include <mirocup_former.h>
 #include <utility>
 
 namespace mirocup::dds {
@@ -39,8 +46,8 @@ struct Stranger {
     const std::string own = team_partition(match_id, 0, name);
     team = need(make_subscriber(participant, own));
     publisher = need(make_publisher(participant, own));
-    states = need(make_topic(participant, mirocup_v2_WorldState_desc, idl::world_state));
-    events = need(make_topic(participant, mirocup_v2_MatchEvent_desc, idl::match_event));
+    states = need(make_topic(participant, mirocup_v3_WorldState_desc, idl::world_state));
+    events = need(make_topic(participant, mirocup_v3_MatchEvent_desc, idl::match_event));
     state_reader = need(make_reader(all, states, idl::world_state));
     event_reader = need(make_reader(all, events, idl::match_event));
   }
@@ -59,7 +66,7 @@ struct Stranger {
   // Changed packets, its own or another process's, can cut it off from the match.
   bool is_cut_off() const { return seconds_since(heard) > max_silence; }
 
-  mirocup_v2_WorldState state{};
+  mirocup_v3_WorldState state{};
   WallClock::time_point heard = WallClock::now();
   Entity participant, all, team, publisher, states, events, state_reader, event_reader;
 };
@@ -67,16 +74,16 @@ struct Stranger {
 // Acts for as long as it receives samples of the match.
 void imitate(Stranger& s, int copies) {
   const Entity commands =
-      need(make_topic(s.participant, mirocup_v2_TeamCommand_desc, idl::team_command));
-  const Entity welcomes = need(make_topic(s.participant, mirocup_v2_Welcome_desc, idl::welcome));
+      need(make_topic(s.participant, mirocup_v3_TeamCommand_desc, idl::team_command));
+  const Entity welcomes = need(make_topic(s.participant, mirocup_v3_Welcome_desc, idl::welcome));
   const Entity writer = need(make_writer(s.publisher, commands, idl::team_command));
   const Entity reader = need(make_reader(s.team, welcomes, idl::welcome));
-  mirocup_v2_TeamCommand command{};
+  mirocup_v3_TeamCommand command{};
   for (double& wheel : command.left) wheel = 40.0;
   for (double& wheel : command.right) wheel = -40.0;
   bool is_there = false;
   while (!s.is_cut_off()) {
-    mirocup_v2_Welcome welcome;
+    mirocup_v3_Welcome welcome;
     while (take(reader, welcome)) command.nonce = welcome.nonce;
     if (s.take_state()) {
       command.tick = s.state.tick;
@@ -88,10 +95,11 @@ void imitate(Stranger& s, int copies) {
 }
 
 void say_hellos(Stranger& s, const char* name) {
-  const Entity topic = need(make_topic(s.participant, mirocup_v2_Hello_desc, idl::hello));
+  const Entity topic = need(make_topic(s.participant, mirocup_v3_Hello_desc, idl::hello));
   const Entity writer = need(make_writer(s.publisher, topic, idl::hello));
   s.wait_for_match();
-  mirocup_v2_Hello hello{};
+  mirocup_v3_Hello hello{};
+  hello.layout = mirocup_v3_LAYOUT;
   copy_text(hello.name, std::string(name) + " or not");
   while (true) {
     hello.nonce = random_nonce();
@@ -102,14 +110,14 @@ void say_hellos(Stranger& s, const char* name) {
 
 void write_wrong_types(Stranger& s) {
   idl::TopicQos row = idl::team_command;
-  const Entity commands = need(make_topic(s.participant, mirocup_v2_Hello_desc, row));
+  const Entity commands = need(make_topic(s.participant, mirocup_v3_Hello_desc, row));
   const Entity writer = need(make_writer(s.publisher, commands, row));
   row = idl::hello;
-  const Entity hellos = need(make_topic(s.participant, mirocup_v2_TeamCommand_desc, row));
+  const Entity hellos = need(make_topic(s.participant, mirocup_v3_TeamCommand_desc, row));
   const Entity other = need(make_writer(s.publisher, hellos, row));
   s.wait_for_match();
-  const mirocup_v2_Hello hello{};
-  const mirocup_v2_TeamCommand command{};
+  const mirocup_v3_Hello hello{};
+  const mirocup_v3_TeamCommand command{};
   while (true) {
     dds_write(writer.get(), &hello);
     dds_write(other.get(), &command);
@@ -117,8 +125,71 @@ void write_wrong_types(Stranger& s) {
   }
 }
 
+// Writes the Hello until there is a Welcome, and prints the reason in it.
+template <class Welcome, class Hello>
+int ask(Stranger& s, const dds_topic_descriptor_t& hello_type,
+        const dds_topic_descriptor_t& welcome_type, Hello hello) {
+  const Entity hellos = need(make_topic(s.participant, hello_type, idl::hello));
+  const Entity welcomes = need(make_topic(s.participant, welcome_type, idl::welcome));
+  const Entity writer = need(make_writer(s.publisher, hellos, idl::hello));
+  const Entity reader = need(make_reader(s.team, welcomes, idl::welcome));
+  Welcome welcome;
+  while (!take(reader, welcome) || welcome.nonce != hello.nonce) {
+    dds_write(writer.get(), &hello);
+    dds_sleepfor(DDS_MSECS(20));
+  }
+  std::cout << static_cast<int>(welcome.answer) << ' ' << welcome.reason << '\n';
+  return 0;
+}
+
+int ask_as_former(Stranger& s, const char* name) {
+  mirocup_v2_Hello hello{};
+  hello.nonce = random_nonce();
+  copy_text(hello.name, name);
+  return ask<mirocup_v2_Welcome>(s, mirocup_v2_Hello_desc, mirocup_v2_Welcome_desc, hello);
+}
+
+int ask_with_other_layout(Stranger& s, const char* name) {
+  mirocup_v3_Hello hello{};
+  hello.layout = mirocup_v3_LAYOUT + 1;
+  hello.nonce = random_nonce();
+  copy_text(hello.name, name);
+  return ask<mirocup_v3_Welcome>(s, mirocup_v3_Hello_desc, mirocup_v3_Welcome_desc, hello);
+}
+
+int print_info(Stranger& s) {
+  const Entity topic = need(make_topic(s.participant, mirocup_v3_MatchInfo_desc, idl::match_info));
+  const Entity reader = need(make_reader(s.all, topic, idl::match_info));
+  s.wait_for_match();
+  mirocup_v3_MatchInfo info;
+  while (!take(reader, info)) dds_sleepfor(DDS_MSECS(1));
+  std::cout << info.blue << " - " << info.yellow << ", league " << info.facts.league << ", "
+            << int{info.facts.robots} << " robots, period " << info.facts.control_period
+            << ", speed " << info.speed << ", field " << info.facts.half_length << ", same leg "
+            << (info.leg == s.state.leg) << '\n';
+  return 0;
+}
+
+// The states of v2 are known by their name alone here: any structure will do.
+int write_former_states(const char* match_id) {
+  const Domain domain = need(open_server_domain("lo", ""));
+  const Entity participant = need(make_participant(domain));
+  const Entity publisher = need(make_publisher(participant, match_partition(match_id)));
+  dds_topic_descriptor_t type = mirocup_v3_WorldState_desc;
+  type.m_typename = "mirocup::v2::WorldState";
+  const Entity topic = need(make_topic(participant, type, idl::world_state));
+  const Entity writer = need(make_writer(publisher, topic, idl::world_state));
+  const mirocup_v3_WorldState state{};
+  while (dds_write(writer.get(), &state) == DDS_RETCODE_OK) dds_sleepfor(DDS_MSECS(10));
+  return 0;
+}
+
 int run(const std::string& kind, const char* match_id, const char* name, const char* credentials) {
-  const Domain domain = need(open_team_domain("127.0.0.1", credentials));
+  if (kind == "other") return write_former_states(match_id);
+  const Domain domain =
+      kind == "configured"
+          ? Domain{.log = std::make_unique<CycloneLog>(), .domain = {}, .credentials = {}}
+          : need(open_team_domain("127.0.0.1", credentials));
   while (kind == "imitate" || kind == "flood") {
     Stranger stranger(domain, match_id, name);
     imitate(stranger, kind == "flood" ? 10 : 1);
@@ -126,6 +197,10 @@ int run(const std::string& kind, const char* match_id, const char* name, const c
   Stranger stranger(domain, match_id, name);
   if (kind == "hellos") say_hellos(stranger, name);
   if (kind == "wrong_types") write_wrong_types(stranger);
+  if (kind == "former") return ask_as_former(stranger, name);
+  if (kind == "layout") return ask_with_other_layout(stranger, name);
+  if (kind == "watch" || kind == "configured") return print_info(stranger);
+  while (kind == "look") stranger.wait_for_match();
   if (kind != "stuck") return 2;
   stranger.wait_for_match();
   return raise(SIGSTOP);

@@ -66,5 +66,16 @@ TEST(PythonTeam, SaysWhereItStands) {
   EXPECT_EQ(fixed, 2) << "one for each kick-off";
 }
 
+// Catches a traceback where a sentence says what to do.
+TEST(PythonTeam, SaysWhatBuildsTheLibrary) {
+  const Outcome missing =
+      run({"/usr/bin/env", "MIROCUP_TEAM_LIBRARY=/nowhere/libmirocup_team.so",
+           "PYTHONDONTWRITEBYTECODE=1", "python3",
+           MIROCUP_SOURCE_FOLDER "/examples/python/chaser.py", "final", "blue", "snake"});
+  EXPECT_EQ(missing.exit_code, 3);
+  EXPECT_NE(missing.err.find("--target mirocup_team"), std::string::npos) << missing.err;
+  EXPECT_EQ(missing.err.find("Traceback"), std::string::npos) << missing.err;
+}
+
 }  // namespace
 }  // namespace mirocup

@@ -5,7 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
 #include <csignal>
+#include <thread>
 
 namespace mirocup {
 namespace {
@@ -55,6 +58,164 @@ TEST(DdsSession, NoticesWithinTenTicksThatATeamWasKilled) {
   EXPECT_TRUE(absence["back"].is_null());
   EXPECT_EQ(record["network"]["blue"]["absences"].back(), absence);
   EXPECT_EQ(run({program("mirocup"), "verify", folder / "leg.json"}).exit_code, 0);
+}
+
+// The round trip of 40 ms is longer than a tick. Catches late answers that are thrown away, and a
+// team that loses though all its answers come.
+void expect_late_answers_play(const std::string& colour) {
+  const TemporaryFolder folder;
+  const std::string id = match_id("slow-" + colour);
+  const std::string other = colour == "blue" ? "yellow" : "blue";
+  const std::vector<std::string> slowly{"BAD_NETWORK_DELAY=20"};
+  Running leg(on_bad_network(
+      {program("mirocup"), "match", "--" + colour, "dds:remote", "--" + other, "idle", "--match",
+       id, "--record", folder / "leg.json", "--speed", "1", "--half", "5", "--away-limit", "1"},
+      slowly));
+  Running remote(on_bad_network(join(id, colour, "remote", "striker"), slowly));
+  const Outcome played = leg.wait();
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_EQ(remote.wait().exit_code, 0);
+  const auto record = read_json(folder / "leg.json");
+  EXPECT_EQ(record["result"]["end"], "full_time") << record["result"].dump() << played.err;
+  const auto network = record["network"][colour];
+  const double ticks = record["ticks"];
+  EXPECT_GT(network["late_driven"], 0.8 * ticks) << network;
+  EXPECT_LE(network["late_driven"], network["late"]);
+  EXPECT_LE(network["late_driven"], record["budget"][colour]["late_ticks"]);
+  EXPECT_LT(network["duplicate"], 0.3 * ticks) << "states are sent again too early";
+  EXPECT_NE(played.err.find(" ms too late; what came last is driven"), std::string::npos)
+      << played.err;
+  EXPECT_EQ(run({program("mirocup"), "verify", folder / "leg.json"}).exit_code, 0);
+}
+
+TEST(DdsSession, PlaysWithLateAnswersOfBlue) {
+  expect_late_answers_play("blue");
+}
+
+TEST(DdsSession, PlaysWithLateAnswersOfYellow) {
+  expect_late_answers_play("yellow");
+}
+
+// Two servers with one ID would tear the team apart between their legs.
+TEST(DdsSession, RefusesASecondServerWithTheSameId) {
+  const TemporaryFolder folder;
+  const std::string id = match_id("twice");
+  Running leg(match(id, folder / "leg.json", {"--half", "5"}));
+  ASSERT_TRUE(is_there(leg));
+  const Outcome second = run(match(id, folder / "second.json", {"--half", "5"}));
+  EXPECT_EQ(second.exit_code, 3);
+  EXPECT_NE(second.err.find("is already played by another match server"), std::string::npos)
+      << second.err;
+  Running remote(join(id, "blue", "remote", "striker"));
+  EXPECT_EQ(leg.wait().exit_code, 0);
+  EXPECT_EQ(remote.wait().exit_code, 0);
+  EXPECT_EQ(read_json(folder / "leg.json")["result"]["end"], "full_time");
+}
+
+// The server's own network is down. Catches a leg that a team loses by it.
+TEST(DdsSession, IsVoidWhenTheHostsNetworkIsDown) {
+  if (run({"/usr/sbin/ip", "link", "set", "lo", "up"}).exit_code != 0) {
+    GTEST_SKIP() << "needs ip and a host of its own";
+  }
+  for (const std::string speed : {"1", "max"}) {
+    const TemporaryFolder folder;
+    const std::string id = match_id("host-" + speed);
+    Running leg(
+        match(id, folder / "leg.json", {"--speed", speed, "--half", "3000", "--away-limit", "1"}));
+    Running remote(join(id, "blue", "remote", "striker"));
+    ASSERT_TRUE(has_said(remote, "remote plays blue"));
+    run({"/usr/sbin/ip", "link", "set", "lo", "down"});
+    const Outcome played = leg.wait();
+    run({"/usr/sbin/ip", "link", "set", "lo", "up"});
+    EXPECT_EQ(played.exit_code, 5) << played.err;
+    const auto record = read_json(folder / "leg.json");
+    EXPECT_EQ(record["result"]["end"], "void");
+    EXPECT_NE(record["result"]["why_void"].get<std::string>().find("interface lo was down"),
+              std::string::npos);
+  }
+}
+
+// Ends both teams with one signal each, `first` first, and expects that nobody wins.
+void expect_no_winner(int signal, const std::string& first, const std::string& speed) {
+  const TemporaryFolder folder;
+  const std::string id = match_id("both-" + std::to_string(signal) + first + speed);
+  Running leg({program("mirocup"), "match", "--blue", "dds:one", "--yellow", "dds:two", "--match",
+               id, "--speed", speed, "--half", "3000", "--away-limit", "1", "--record",
+               folder / "leg.json"});
+  Running blue(join(id, "blue", "one", "striker"));
+  Running yellow(join(id, "yellow", "two", "striker"));
+  ASSERT_TRUE(has_said(blue, "one plays blue"));
+  ASSERT_TRUE(has_said(yellow, "two plays yellow"));
+  // Both have answered the first tick by then; otherwise they have not joined in time.
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  (first == "blue" ? blue : yellow).signal(signal);
+  (first == "blue" ? yellow : blue).signal(signal);
+  const Outcome played = leg.wait();
+  EXPECT_EQ(played.exit_code, 0) << played.err;
+  const auto result = read_json(folder / "leg.json")["result"];
+  EXPECT_EQ(result["end"], "double_forfeit") << result << played.err;
+  EXPECT_TRUE(result["winner"].is_null());
+  for (const auto& fault : result["faults"]) EXPECT_EQ(fault["code"], "disconnected");
+}
+
+TEST(DdsSession, IsWonByNobodyWhenBothTeamsAreKilledAtOnce) {
+  for (const char* first : {"blue", "yellow"}) {
+    for (const char* speed : {"1", "max"}) expect_no_winner(SIGKILL, first, speed);
+  }
+}
+
+TEST(DdsSession, IsWonByNobodyWhenBothTeamsAreStoppedAtOnce) {
+  for (const char* first : {"blue", "yellow"}) {
+    for (const char* speed : {"1", "max"}) expect_no_winner(SIGSTOP, first, speed);
+  }
+}
+
+// One team joins and dies, the other one never comes. Catches a winner that is not there.
+TEST(DdsSession, IsWonByNobodyWhenOneTeamDiesBeforeTheStartAndTheOtherDoesNotCome) {
+  const TemporaryFolder folder;
+  const std::string id = match_id("before");
+  Running leg({program("mirocup"), "match", "--blue", "dds:one", "--yellow", "dds:two", "--match",
+               id, "--join-within", "4", "--record", folder / "leg.json"});
+  Running blue(join(id, "blue", "one", "striker"));
+  ASSERT_TRUE(has_said(blue, "one plays blue"));
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  blue.signal(SIGKILL);
+  EXPECT_EQ(leg.wait().exit_code, 0);
+  EXPECT_EQ(read_json(folder / "leg.json")["result"]["end"], "double_forfeit");
+}
+
+// The process draws new numbers when it joins anew after a stop, but it is the same one.
+TEST(DdsSession, KnowsAStoppedProcessAgain) {
+  const TemporaryFolder folder;
+  const std::string id = match_id("again");
+  Running leg(match(id, folder / "leg.json", {"--speed", "1", "--half", "8"}));
+  Running remote(join(id, "blue", "remote", team("stops")));
+  ASSERT_TRUE(has_said(leg, "the team is silent")) << leg.err();
+  // Longer than the client waits for a state, so that it joins anew.
+  std::this_thread::sleep_for(std::chrono::milliseconds(3500));
+  remote.signal(SIGCONT);
+  ASSERT_EQ(leg.wait().exit_code, 0);
+  EXPECT_EQ(remote.wait().exit_code, 0);
+  const auto record = read_json(folder / "leg.json");
+  EXPECT_EQ(record["result"]["end"], "full_time");
+  EXPECT_EQ(record["network"]["blue"]["processes"], 1);
+  EXPECT_EQ(leg.err().find("another process"), std::string::npos) << leg.err();
+}
+
+// A process that joins and leaves again and again. Catches a log without end.
+TEST(DdsSession, SaysAtMostTenTimesThatTheSeatIsTaken) {
+  const TemporaryFolder folder;
+  const std::string id = match_id("many");
+  Running leg(match(id, folder / "leg.json", {"--speed", "1", "--half", "3000"}));
+  for (int i = 0; i < 14; ++i) {
+    Running remote(join(id, "blue", "remote", "chaser"));
+    ASSERT_TRUE(has_said(remote, "remote plays blue")) << i << leg.err();
+    remote.signal(SIGTERM);
+    remote.wait();
+  }
+  const std::string said = leg.err();
+  EXPECT_LE(std::count(said.begin(), said.end(), '\n'), 25) << said;
+  EXPECT_NE(said.find("more of this kind is counted, but not told"), std::string::npos) << said;
 }
 
 TEST(DdsSession, LetsAStoppedTeamGoOn) {

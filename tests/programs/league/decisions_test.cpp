@@ -10,6 +10,7 @@
 #include <csignal>
 #include <filesystem>
 #include <memory>
+#include <regex>
 #include <unistd.h>
 
 namespace mirocup {
@@ -17,6 +18,7 @@ namespace {
 
 using test_support::count_kind;
 using test_support::expect_same_site;
+using test_support::house;
 using test_support::init_league;
 using test_support::journal_of;
 using test_support::league;
@@ -28,10 +30,6 @@ using test_support::run;
 using test_support::Running;
 using test_support::TemporaryFolder;
 using test_support::wait_until_it_plays;
-
-std::string house(const std::string& name) {
-  return program("house/" + name + ".so");
-}
 
 TEST(Entries, AreStoredAndCheckedAndTheLastAcceptedOnePlays) {
   const TemporaryFolder temporary;
@@ -73,6 +71,7 @@ TEST(Entries, AreStoredAndCheckedAndTheLastAcceptedOnePlays) {
 }
 
 TEST(Rulings, ArePublishedAndCount) {
+  const std::regex utc_time(R"(\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ)");
   const TemporaryFolder temporary;
   const std::string folder = temporary / "l";
   init_league(folder, {"a=house:chaser", "b=house:keeper", "c=house:idle"});
@@ -112,10 +111,29 @@ TEST(Rulings, ArePublishedAndCount) {
   EXPECT_NE(page.find("ruling: &lt;b&gt;glue&lt;/b&gt; (Host)"), std::string::npos);
   EXPECT_NE(page.find("what was played before is void: cable fault"), std::string::npos);
   EXPECT_NE(page.find("7 : 6"), std::string::npos);
+  const auto decisions = read_json(folder + "/site/decisions.json")["decisions"];
+  ASSERT_EQ(decisions.size(), 3u);
+  EXPECT_EQ(decisions[0]["by"], "Host");
+  EXPECT_TRUE(decisions[1]["by"].is_null());
+  EXPECT_EQ(decisions[2]["why"], "cable fault");
+  for (const auto& decision : decisions) {
+    EXPECT_TRUE(std::regex_match(decision["at"].get<std::string>(), utc_time)) << decision;
+  }
+  for (const auto& line : journal_of(folder)) {
+    const bool is_decision = line["kind"] == "ruling" || line["kind"] == "void";
+    EXPECT_EQ(line.contains("at"), is_decision) << line;
+  }
 
   EXPECT_EQ(
       run(league("withdraw", folder, {"c", "--reason", "left", "--results", "annul"})).exit_code,
       0);
+  ASSERT_EQ(run(league("publish", folder)).exit_code, 0);
+  const auto later = read_json(folder + "/site/decisions.json")["decisions"];
+  ASSERT_EQ(later.size(), 4u);
+  EXPECT_EQ(later[3]["kind"], "withdraw");
+  const auto site = test_support::site_of(folder);
+  ASSERT_EQ(run(league("publish", folder)).exit_code, 0);
+  EXPECT_TRUE(site == test_support::site_of(folder)) << "the same journal, the same bytes";
   const auto status = nlohmann::json::parse(run(league("status", folder, {"--json"})).out);
   EXPECT_EQ(status["legs"], 2);
   EXPECT_EQ(status["played"], 2);

@@ -23,6 +23,11 @@ inline std::vector<std::string> league(const std::string& command, const std::st
   return words;
 }
 
+// Returns the library of a house team.
+inline std::string house(const std::string& name) {
+  return program("house/" + name + ".so");
+}
+
 // Returns NAME=ENTRY for each team.
 inline void init_league(const std::string& folder, const std::vector<std::string>& teams,
                         const std::string& half = "1", const std::string& format = "") {

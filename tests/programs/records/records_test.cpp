@@ -90,7 +90,11 @@ TEST(Records, HaveTheKeysThatTheirDocumentationDescribes) {
                                  source + "/server/record/schema.md", source + "/docs/laws.md"};
   for (const auto end : {match::OutcomeKind::shoot_out, match::OutcomeKind::forfeit}) {
     words.push_back(folder / (std::string(to_string(end)) + ".json"));
-    ASSERT_TRUE(record::save(disk, words.back(), record_of(leg_that_ends(end))));
+    record::MatchRecord record = record_of(leg_that_ends(end));
+    // A goal has keys of its own.
+    record.recording.decisions.front().credit = {.scorer = match::Touch{Team::blue, 1},
+                                                 .assist = match::Touch{Team::blue, 2}};
+    ASSERT_TRUE(record::save(disk, words.back(), record));
   }
   const Outcome outcome = run(words);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;

@@ -92,12 +92,13 @@ void expect_legal(const Leg& leg) {
   std::vector<Pose> placed;
   for (const Team team : both_teams) {
     for (int i = 0; i < leg.field().robots_per_team; ++i) {
-      const simulator::BodyState& r = scene.robots[index_of(team)][i];
-      const Pose pose{r.position, r.heading};
+      const ObservedRobot& r = scene.robots[index_of(team)][i];
+      const Pose pose{r.position, Heading::from_angle(r.heading)};
       EXPECT_TRUE(is_inside_walls(pitch, pose)) << to_string(team) << " " << i;
       EXPECT_GT(ball_gap(pitch, scene.ball.position, pose), 0.0) << to_string(team) << " " << i;
       for (const Pose& other : placed) {
-        EXPECT_GE(robot_gap(pitch, pose, other, 0.004), 0.004) << to_string(team) << " " << i;
+        EXPECT_GE(robot_gap(pitch, pose, other, 0.004), 0.004 - 1e-12)
+            << to_string(team) << " " << i;
       }
       placed.push_back(pose);
     }

@@ -9,11 +9,11 @@ namespace {
 TEST(Inbox, TakesTheFirstAnswerToThePresentTick) {
   Inbox inbox;
   inbox.expect(7);
-  EXPECT_TRUE(inbox.accept(7));
-  EXPECT_FALSE(inbox.accept(7));
+  EXPECT_EQ(inbox.sort(7), Arrival::in_step);
+  EXPECT_EQ(inbox.sort(7), Arrival::repeated);
   inbox.expect(8);
-  EXPECT_FALSE(inbox.accept(7));
-  EXPECT_TRUE(inbox.accept(8));
+  EXPECT_EQ(inbox.sort(7), Arrival::repeated);
+  EXPECT_EQ(inbox.sort(8), Arrival::in_step);
   EXPECT_EQ(inbox.counts().in_step, 2U);
   EXPECT_EQ(inbox.counts().duplicate, 2U);
 }
@@ -21,16 +21,42 @@ TEST(Inbox, TakesTheFirstAnswerToThePresentTick) {
 TEST(Inbox, CountsLateAndEarlyCommandsByKind) {
   Inbox inbox;
   inbox.expect(7);
-  EXPECT_FALSE(inbox.accept(6));
-  EXPECT_FALSE(inbox.accept(8));
-  EXPECT_FALSE(inbox.accept(0xffffffffU));
+  EXPECT_EQ(inbox.sort(6), Arrival::late);
+  EXPECT_EQ(inbox.sort(8), Arrival::ahead);
+  EXPECT_EQ(inbox.sort(0xffffffffU), Arrival::ahead);
   inbox.count_foreign();
   inbox.expect(8);
-  EXPECT_TRUE(inbox.accept(8));  // the inbox does not keep a command that came too early
+  EXPECT_EQ(inbox.sort(8), Arrival::in_step);  // a command that came too early is not kept
   EXPECT_EQ(inbox.counts().late, 1U);
   EXPECT_EQ(inbox.counts().ahead, 2U);
   EXPECT_EQ(inbox.counts().foreign, 1U);
   EXPECT_EQ(inbox.counts().in_step, 1U);
+}
+
+// Catches a process that sends an old command for ever and counts as present, and an older command
+// that is driven after a newer one.
+TEST(Inbox, TakesOfLateCommandsOnlyNewerOnes) {
+  Inbox inbox;
+  inbox.expect(20);
+  EXPECT_EQ(inbox.sort(17), Arrival::late);
+  EXPECT_EQ(inbox.sort(17), Arrival::old);
+  EXPECT_EQ(inbox.sort(16), Arrival::old);
+  EXPECT_EQ(inbox.sort(19), Arrival::late);
+  EXPECT_EQ(inbox.sort(20), Arrival::in_step);
+  inbox.expect(21);
+  EXPECT_EQ(inbox.sort(19), Arrival::old);
+  EXPECT_EQ(inbox.counts().late, 5U);
+}
+
+TEST(Inbox, DrivesCommandsUpToSixTicksOld) {
+  Inbox inbox;
+  inbox.expect(20);
+  EXPECT_TRUE(inbox.may_be_driven(19));
+  EXPECT_TRUE(inbox.may_be_driven(20 - max_late_ticks));
+  EXPECT_FALSE(inbox.may_be_driven(19 - max_late_ticks));
+  EXPECT_FALSE(inbox.may_be_driven(21));
+  inbox.expect(2);
+  EXPECT_TRUE(inbox.may_be_driven(0));
 }
 
 }  // namespace

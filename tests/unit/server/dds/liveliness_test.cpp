@@ -7,7 +7,7 @@ namespace mirocup::dds {
 namespace {
 
 TEST(Liveliness, ForgivesAShortSilence) {
-  Liveliness a(0.3);
+  Liveliness a(0.3, 10.0);
   a.asked(1.0);
   EXPECT_FALSE(a.silent(5, 1.2, false));
   EXPECT_FALSE(a.answered(5, 1.25));
@@ -17,7 +17,7 @@ TEST(Liveliness, ForgivesAShortSilence) {
 }
 
 TEST(Liveliness, CountsSilenceFromTheFirstTickWithoutAnswer) {
-  Liveliness a(0.3);
+  Liveliness a(0.3, 10.0);
   a.asked(1.0);
   a.answered(4, 1.0);
   for (int i = 0; i < 10; ++i) {
@@ -33,7 +33,7 @@ TEST(Liveliness, CountsSilenceFromTheFirstTickWithoutAnswer) {
 }
 
 TEST(Liveliness, NoticesAtOnceThatAProcessHasLeft) {
-  Liveliness a(0.3);
+  Liveliness a(0.3, 10.0);
   a.asked(1.0);
   EXPECT_TRUE(a.silent(0, 1.0, true));
   EXPECT_FALSE(a.silent(0, 1.1, true));  // once
@@ -41,7 +41,7 @@ TEST(Liveliness, NoticesAtOnceThatAProcessHasLeft) {
 }
 
 TEST(Liveliness, AddsUpAllAbsences) {
-  Liveliness a(0.3);
+  Liveliness a(0.3, 10.0);
   for (int i = 0; i < 3; ++i) {
     a.asked(10.0 * i);
     EXPECT_TRUE(a.silent(2, 10.0 * i, true));
@@ -52,8 +52,57 @@ TEST(Liveliness, AddsUpAllAbsences) {
   EXPECT_EQ(a.absences().size(), 3U);
 }
 
+// Catches a team that answers every tick too late and is taken to be away.
+TEST(Liveliness, TakesLateAnswersForASignOfLife) {
+  Liveliness a(0.3, 10.0);
+  for (std::uint32_t tick = 1; tick < 100; ++tick) {
+    const double now = 0.033 * tick;
+    a.asked(now);
+    EXPECT_FALSE(a.answered_late(tick - 1, tick, now + 0.007));
+    EXPECT_FALSE(a.silent(tick, now + 0.03, false)) << tick;
+  }
+  EXPECT_TRUE(a.absences().empty());
+  // From then on it is silent.
+  EXPECT_FALSE(a.silent(109, 0.033 * 99 + 0.3, false));
+  EXPECT_TRUE(a.silent(109, 0.033 * 99 + 0.31, false));
+  EXPECT_EQ(a.absences()[0].tick, 99U);
+  EXPECT_TRUE(a.answered_late(108, 110, 4.0));
+  EXPECT_EQ(a.absences()[0].back, 110U);
+}
+
+// While the match waits for the other team, the answer is asked for again and again. Catches a team
+// that dies after it has answered.
+TEST(Liveliness, NoticesATeamThatFallsSilentAfterItsAnswer) {
+  Liveliness a(1.0, 2.0);
+  a.asked(1.0);
+  a.answered(7, 1.0);
+  a.repeated(1.5);
+  EXPECT_FALSE(a.silent(7, 2.4, false));
+  EXPECT_TRUE(a.silent(7, 2.6, false));
+  EXPECT_EQ(a.absences()[0].tick, 7U);
+  EXPECT_EQ(a.absences()[0].noticed, 7U);
+  EXPECT_TRUE(std::holds_alternative<Away>(a.standing(3.0).presence));
+}
+
+TEST(Liveliness, SaysWhenTheLimitIsOver) {
+  Liveliness a(0.3, 2.0);
+  a.asked(0.0);
+  EXPECT_TRUE(std::holds_alternative<Late>(a.standing(0.1).presence));
+  a.silent(0, 1.0, true);
+  EXPECT_TRUE(std::holds_alternative<Left>(a.standing(1.0).presence));
+  EXPECT_FALSE(a.standing(3.0).lost_at);
+  EXPECT_EQ(a.standing(3.1).lost_at, 3.0);
+  a.answered(3, 2.5);
+  a.asked(2.6);
+  EXPECT_EQ(std::get<Late>(a.standing(2.7).presence).heard, 2.5);
+  a.silent(4, 4.0, false);
+  EXPECT_EQ(a.standing(5.0).lost_at, 4.5);
+  a.answered(9, 6.0);  // too late: it has lost
+  EXPECT_EQ(a.standing(7.0).lost_at, 4.5);
+}
+
 TEST(Liveliness, KeepsABoundedList) {
-  Liveliness a(0.3);
+  Liveliness a(0.3, 10.0);
   for (int i = 0; i < 1000; ++i) {
     a.asked(i);
     a.silent(0, i, true);

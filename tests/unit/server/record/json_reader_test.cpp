@@ -126,5 +126,81 @@ TEST(JsonReader, QuotesLongTextsInPart) {
   }
 }
 
+std::string nested(std::size_t depth) {
+  return std::string(depth, '[') + std::string(depth, ']');
+}
+
+// Catches a document that takes the stack, the memory or the time of who reads it, and a problem
+// that is not named at its place.
+TEST(JsonReader, RefusesWhatIsLargerThanItsLimits) {
+  const auto problem_of = [](const std::string& text, const JsonLimits& limits = {}) {
+    const auto parsed = parse_json(text, limits);
+    return parsed.problem ? parsed.problem->pointer + ": " + parsed.problem->reason : "none";
+  };
+  EXPECT_EQ(problem_of(nested(64)), "none");
+  for (const std::size_t depth : {65u, 200'000u}) {
+    EXPECT_NE(problem_of(nested(depth)).find("at most 64 deep"), std::string::npos);
+  }
+  std::string objects;
+  for (int i = 0; i < 100'000; ++i) objects += "{\"a\":";
+  EXPECT_NE(problem_of(objects).find("/a/a/a/a"), std::string::npos);
+  EXPECT_NE(problem_of(objects).find("at most 64 deep"), std::string::npos);
+  EXPECT_LT(problem_of(objects).size(), 500u);
+
+  EXPECT_EQ(problem_of("[1,2,[3]]", {.values = 5}), "none");
+  EXPECT_EQ(problem_of("[1,2,[3]]", {.values = 4}), "/2/0: a document has at most 4 values");
+  std::string keys = "{\"key\":{";
+  for (int i = 0; i < 257; ++i) keys += (i > 0 ? ",\"" : "\"") + std::to_string(i) + "\":0";
+  EXPECT_EQ(problem_of(keys + "}}"), "/key/256: an object has at most 256 keys");
+  EXPECT_EQ(problem_of("{\"n\":[0,0." + std::string(1'000'000, '9') + "]}"),
+            "/n/1: a number has at most 1024 characters, not 1000002");
+  EXPECT_EQ(problem_of("[0.12345]", {.number = 7}), "none");
+  EXPECT_EQ(problem_of("{\"t\":\"abcde\"}", {.text = 4}), "/t: a text has at most 4 bytes, not 5");
+  EXPECT_EQ(problem_of("{\"abcde\":1}", {.text = 4}), "/abcde: a text has at most 4 bytes, not 5");
+  EXPECT_EQ(problem_of("[1, 2]", {.bytes = 5}), "/: it has 6 bytes; at most 5 are read");
+}
+
+// Catches a key of which one reader takes the first value and another one the last, and texts that
+// end early where they are paths.
+TEST(JsonReader, RefusesWhatReadersMayTakeDifferently) {
+  EXPECT_EQ(parse_json(R"({"a":{"b":1,"c":2,"b":3}})").problem->pointer, "/a/b");
+  EXPECT_EQ(parse_json(R"({"a":{"b":1,"c":2,"b":3}})").problem->reason, "the key is there twice");
+  EXPECT_EQ(parse_json(R"(["x\u0000y"])").problem->pointer, "/0");
+  EXPECT_EQ(parse_json(R"({"x\u0000y":1})").problem->pointer, "/x\\u0000y");
+}
+
+// Catches a text of the library in a message, and one that does not say where.
+TEST(JsonReader, SaysWhereATextIsNotJson) {
+  const auto reason_of = [](const std::string& text) { return parse_json(text).problem->reason; };
+  EXPECT_EQ(reason_of("{\n  \"a\": ]"), "not JSON: wrong at line 2, column 8");
+  EXPECT_EQ(reason_of("{\"a\":"), "not JSON: it ends too early, in line 1, column 5");
+  EXPECT_EQ(reason_of(""), "not JSON: it ends too early, in line 1, column 0");
+  EXPECT_EQ(reason_of("[1e999]"), "line 1, column 6: the number is too large");
+  EXPECT_EQ(reason_of("[" + std::string(1'000'000, '9') + "]"),
+            "line 1, column 1000001: the number is too large");
+  for (const char* text : {"[\"\\ud800\"]", "[\"\xff\"]", "[01]", "[1] 2", "nul", "\"\x01\""}) {
+    EXPECT_EQ(reason_of(text).find("not JSON: "), 0u) << text;
+    EXPECT_EQ(reason_of(text).find("exception"), std::string::npos) << text;
+  }
+}
+
+// Catches a message that repeats a document, or writes control characters to a terminal.
+TEST(JsonReader, QuotesKeysAndReasonsInPart) {
+  const std::string key(100'000, 'k');
+  const std::string text = "{\"a\\u001b[31m\":{\"" + key + "\":1}}";
+  const std::string error = error_text(text, [](const JsonReader& json) {
+    for (const auto& [name, member] : json.members()) (void)member.expect_object({"b"});
+  });
+  EXPECT_EQ(error.find("f.json: /a\\u001b[31m/kkk"), 0u) << error.substr(0, 100);
+  EXPECT_LT(error.size(), 200u);
+  EXPECT_LT(error_text("[]", [&](const JsonReader& json) { json.complain(key + "\x1b"); }).size(),
+            1000u);
+}
+
+// Catches an exception where a path or a name is not UTF-8.
+TEST(JsonText, IsAlwaysJson) {
+  EXPECT_EQ(json_text({{"path", "a\xff"}}), "{\"path\":\"a\xef\xbf\xbd\"}");
+}
+
 }  // namespace
 }  // namespace mirocup::record

@@ -5,7 +5,7 @@
 #include "server/record/match_record.hpp"
 
 #include "core/replay/verification.hpp"
-#include "server/system/digest.hpp"
+#include "system/digest.hpp"
 #include "tests/support/controllers.hpp"
 #include "tests/support/memory_files.hpp"
 

@@ -98,6 +98,11 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"/walls", "1", "/walls: true or false"},
         Mistake{"/duration", "-1", "/duration: -1 is not at least 0"},
         Mistake{"/duration", "\"1\"", "/duration: a number"},
+        Mistake{"/duration", "1e9", "/duration: 1e+09 is not at most 3600"},
+        Mistake{"/ball/velocity", "[1e18, 0]", "/ball/velocity/0: 1e+18 is not at most 1e+06"},
+        Mistake{"/parameters/robot_mass", "1e-300", "/parameters/robot_mass: 1e-300 is not"},
+        Mistake{"/parameters/grip", "0", "/parameters/grip: 0 is not at least 1e-06"},
+        Mistake{"/parameters/grip", "1e-9", "/parameters/grip: 1e-09 is not at least 1e-06"},
         Mistake{"/parameters/grip", "\"none\"", "/parameters/grip: a number or \"infinite\""},
         Mistake{"/parameters/robot_mass", "0", "/parameters/robot_mass: a number above 0"},
         Mistake{"/parameters/restitution/ball_wall", "1.1",
@@ -125,8 +130,18 @@ TEST(SceneJson, NamesMissingKeysAndTextThatIsNotJson) {
   json["robots"][0].erase("pose");
   EXPECT_EQ(parse_scene(json.dump(), "s").error().what, "s: /robots/0/pose: missing");
   EXPECT_NE(parse_scene("{\"a\":", "s").error().what.find("s: /: not JSON: "), std::string::npos);
-  EXPECT_NE(parse_scene("{\"a\": 1e999}", "s").error().what.find("overflow"), std::string::npos);
+  EXPECT_NE(parse_scene("{\"a\": 1e999}", "s").error().what.find("too large"), std::string::npos);
   EXPECT_FALSE(parse_scene("[]", "s"));
+}
+
+// Catches a result that takes all memory.
+TEST(SceneJson, BoundsTheStatesOfAllSamples) {
+  ordered_json json = good();
+  json["sample_at"] = ordered_json::array();
+  for (int i = 0; i < 90'000; ++i) json["sample_at"].push_back(0.25);
+  const auto scene = parse_scene(json.dump(), "s.json");
+  ASSERT_FALSE(scene);
+  EXPECT_EQ(scene.error().what, "s.json: /sample_at: 0 to 83333 values are expected, not 90000");
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ TEST(Picture, ShowsEveryBodyWhereItIs) {
   Moment moment;
   moment.scene.left = Team::yellow;
   moment.scene.ball.position = {0.5, -0.25};
-  moment.scene.robots[1][4] = {{-0.1, 0.3}, Heading::from_angle(1.0), {}};
+  moment.scene.robots[1][4] = {{-0.1, 0.3}, 1.0, {0.0, 0.0}, 0.0};
   moment.trail = {{0.4, -0.25}, {-0.4, 0.0}};  // it was put elsewhere in between
   const std::string svg = picture(field, simulator::Parameters{}, moment);
   EXPECT_NE(svg.find("class=\"ball\" r=\"21.4\" transform=\"translate(500 250)\""),

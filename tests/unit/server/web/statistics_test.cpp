@@ -48,9 +48,9 @@ TEST(Statistics, CreditTheTeamThatPlays) {
 
 TEST(TrackEncoder, KeepsHeadingsContinuousAcrossAHalfTurn) {
   match::Snapshot scene;
-  scene.robots[0][0].heading = Heading::from_angle(3.1);
+  scene.robots[0][0].heading = 3.1;
   const Frame before = frame_of(scene, 1, {});
-  scene.robots[0][0].heading = Heading::from_angle(-3.1);
+  scene.robots[0][0].heading = -3.1;
   const Frame after = frame_of(scene, 1, before);
   EXPECT_LT(std::abs(after[5] - before[5]), 40) << "a turn is 2048";
 }

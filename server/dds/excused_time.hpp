@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+//
+// The wall time of a match that is the host's own fault and therefore no absence of a team: its
+// network interface was down, or the server itself stood still. The class is the rule alone, and is
+// told the time and what was seen.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+namespace mirocup::dds {
+
+class ExcusedTime {
+ public:
+  // `usual_step`: a server at work looks at least this often, s. What a step lasts longer, the
+  // server stood still.
+  explicit ExcusedTime(double usual_step) : usual_step_(usual_step) {}
+
+  // Tells what is seen at a moment, s. `is_up`: the host's interface has a carrier and an address.
+  // `any_heard`: a command of a team has come since the last look. A network over which one team is
+  // heard is not down, whatever the interface says: then the other team is away by itself.
+  void look(double now, bool is_up, bool any_heard) {
+    const double step = last_ ? now - *last_ : 0.0;
+    last_ = now;
+    if (step > usual_step_) total_ += step - usual_step_;
+    const double seen = std::min(step, usual_step_);
+    if (any_heard) {
+      recovering_ = 0.0;
+    } else if (!is_up) {
+      total_ += seen;
+      was_down_ += seen;
+      recovering_ = recovery;
+    } else if (recovering_ > 0.0) {
+      total_ += seen;
+      recovering_ -= seen;
+    }
+  }
+
+  double total() const { return total_; }        // s, of all causes
+  double was_down() const { return was_down_; }  // s, of the interface alone
+
+ private:
+  // Seconds that the teams have, after the interface is up again, to find the server.
+  static constexpr double recovery = 5.0;
+
+  double usual_step_;
+  std::optional<double> last_;
+  double total_ = 0.0;
+  double was_down_ = 0.0;
+  double recovering_ = 0.0;
+};
+
+}  // namespace mirocup::dds

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+//
+// The time from a state to its answer, as the last few ticks show it. It decides when a state that
+// has not been answered is sent again.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+namespace mirocup::dds {
+
+class RoundTrip {
+ public:
+  // Tells that a tick's state was sent first at this time, s.
+  void sent(std::uint32_t tick, double now) { sent_[tick % sent_.size()] = {tick, now, false}; }
+
+  // Tells that a command to a tick has come. Returns how long it took, s; nothing if it is not the
+  // first one, or if the tick is forgotten.
+  std::optional<double> answered(std::uint32_t tick, double now) {
+    Sent& sent = sent_[tick % sent_.size()];
+    if (sent.tick != tick || sent.is_answered) return std::nullopt;
+    sent.is_answered = true;
+    const double taken = std::max(0.0, now - sent.at);
+    last_[count_++ % last_.size()] = taken;
+    return taken;
+  }
+
+  // Returns the shortest time of the last 32 answers, s; 0 if there was none. The shortest, because
+  // an answer to a state that was lost and sent again took longer than the network needs.
+  double shortest() const {
+    const std::size_t known = std::min(count_, last_.size());
+    return known == 0 ? 0.0
+                      : *std::min_element(last_.begin(),
+                                          last_.begin() + static_cast<std::ptrdiff_t>(known));
+  }
+
+  // Seconds until an unanswered state is sent again: half as long again as the network needs.
+  double resend_after() const {
+    return std::clamp(1.5 * shortest(), min_resend_interval, max_resend_interval);
+  }
+
+  static constexpr double min_resend_interval = 0.005;  // s
+  static constexpr double max_resend_interval = 0.25;
+
+ private:
+  struct Sent {
+    std::uint32_t tick = ~0U;
+    double at = 0.0;
+    bool is_answered = false;
+  };
+  std::array<Sent, 64> sent_{};
+  std::array<double, 32> last_{};
+  std::size_t count_ = 0;
+};
+
+}  // namespace mirocup::dds

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+//
+// KEY=VALUE from a command line, as --rule and --condition take it.
+#pragma once
+
+#include "core/base/error.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+#include <vector>
+
+namespace mirocup::record {
+
+// Returns the object with these changes: each is KEY=VALUE with a value in JSON. An error is
+// Errc::input and names the option.
+Result<nlohmann::ordered_json> with_changes(nlohmann::ordered_json object,
+                                            const std::vector<std::string>& changes,
+                                            const std::string& option);
+
+}  // namespace mirocup::record

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+//
+// What is on the network: versions that cannot play together and say so, what spectators are told,
+// DDS domains, and the size of packets.
+#include "tests/programs/dds/network.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <arpa/inet.h>
+#include <atomic>
+#include <netinet/ether.h>
+#include <netinet/ip.h>
+#include <netinet/udp.h>
+#include <netpacket/packet.h>
+#include <sys/socket.h>
+#include <thread>
+
+namespace mirocup {
+namespace {
+
+using namespace test_support;
+
+std::vector<std::string> match(const std::string& id, const std::vector<std::string>& more = {}) {
+  std::vector<std::string> arguments{program("mirocup"), "match", "--blue", "dds:ours",
+                                     "--yellow",         "idle",  "--half", "2",
+                                     "--match",          id};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+Outcome intruder(const std::string& kind, const std::string& id) {
+  return run({program("dds/intruder"), kind, id, "ours"});
+}
+
+// Catches a server at which programs of an earlier version wait in vain, and one that takes them
+// for its own.
+TEST(Protocol, OtherVersionsAreToldSoAndDoNotDisturbTheLeg) {
+  const std::string id = match_id("versions");
+  Running server(match(id));
+  const Outcome former = intruder("former", id);
+  EXPECT_EQ(former.out.rfind("2 you speak v2 of the topics, the match server v3", 0), 0U)
+      << former.out << former.err;
+  EXPECT_TRUE(has_said(server, "speaks v2 of the topics, and is refused"));
+  const Outcome layout = intruder("layout", id);
+  EXPECT_EQ(layout.out.rfind("2 the team cannot be understood: its topics have layout ", 0), 0U)
+      << layout.out << layout.err;
+  EXPECT_EQ(run(join(id, "blue", "ours", "idle")).exit_code, 0);
+  EXPECT_EQ(server.wait().exit_code, 0);
+}
+
+// Catches a team that looks for a firewall because its program is newer than the server.
+TEST(Protocol, ATeamNamesTheVersionOfItsServer) {
+  const std::string id = match_id("former-server");
+  Running server({program("dds/intruder"), "other", id, "ours"});
+  const std::string reason = "its server sends mirocup::v2::WorldState";
+  const Outcome team = run_until_said(reason, [&](const std::string& patience) {
+    auto arguments = join(id, "blue", "ours", "idle");
+    arguments.insert(arguments.end(), {"--patience", patience});
+    return run(arguments);
+  });
+  EXPECT_EQ(team.exit_code, 3);
+  EXPECT_NE(team.err.find(reason), std::string::npos) << team.err;
+}
+
+// Catches facts that only the teams are told.
+TEST(Protocol, SpectatorsAreToldLeagueNamesPeriodAndSpeed) {
+  const std::string id = match_id("watched");
+  Running server(match(id, {"--league", "middle", "--speed", "4"}));
+  const std::string info =
+      "ours - idle, league 1, 5 robots, period 0.033, speed 4, field 1.1, same leg 1\n";
+  const Outcome spectator = intruder("watch", id);
+  EXPECT_EQ(spectator.out, info) << spectator.err;
+  // With the configuration that the page gives.
+  const Outcome configured = run(
+      {"/usr/bin/env", "CYCLONEDDS_URI=file://" MIROCUP_SOURCE_FOLDER "/server/dds/participant.xml",
+       program("dds/intruder"), "configured", id, "ours"});
+  EXPECT_EQ(configured.out, info) << configured.err;
+  // Both have seen the state before the first tick, which is there until the team comes.
+  EXPECT_EQ(run(join(id, "blue", "ours", "idle")).exit_code, 0);
+  EXPECT_EQ(server.wait().exit_code, 0);
+}
+
+// Catches a domain that only one of the two sides uses, or that leaves the ports where they were.
+TEST(Protocol, AMatchMayHaveADomainOfItsOwn) {
+  const std::string id = match_id("domain");
+  Running server(match(id, {"--dds-domain", "7"}));
+  ASSERT_TRUE(is_there(server));
+  auto elsewhere = join(id, "blue", "ours", "idle");
+  elsewhere.insert(elsewhere.end(), {"--patience", "1"});
+  const Outcome lost = run(elsewhere);
+  EXPECT_EQ(lost.exit_code, 3);
+  EXPECT_NE(lost.err.find("no match server answered"), std::string::npos) << lost.err;
+  auto here = join(id, "blue", "ours", "idle");
+  here.insert(here.end(), {"--dds-domain", "7"});
+  EXPECT_EQ(run(here).exit_code, 0);
+  EXPECT_EQ(server.wait().exit_code, 0);
+  EXPECT_EQ(run(match(id, {"--dds-domain", "231"})).exit_code, 2);
+}
+
+// Catches a league that cannot be played any more because its credentials are of an earlier
+// version.
+TEST(Protocol, PermissionsOfAnEarlierVersionAreRenewed) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> make{program("mirocup"), "league", "credentials",
+                                      folder / "league",  "--team", "ours"};
+  ASSERT_EQ(run(make).exit_code, 0);
+  const std::string team = folder / "league/credentials/teams/ours/";
+  const std::string key = read_file(team + "key.pem");
+  write_file(team + "permissions.p7s", "<topic>WorldState</topic><topic>MatchEvent</topic>");
+  ASSERT_EQ(run(make).exit_code, 0);
+  EXPECT_NE(read_file(team + "permissions.p7s").find("MatchInfo"), std::string::npos);
+  EXPECT_EQ(read_file(team + "key.pem"), key);
+}
+
+// Takes the ports that match servers have in domain 0, as processes of ROS 2 do.
+class TakenPorts {
+ public:
+  TakenPorts() {
+    for (std::uint16_t port = 7410; port < 7430; ++port) {
+      sockets_.push_back(socket(AF_INET, SOCK_DGRAM, 0));
+      sockaddr_in address{};
+      address.sin_family = AF_INET;
+      address.sin_port = htons(port);
+      if (bind(sockets_.back(), reinterpret_cast<sockaddr*>(&address), sizeof address) != 0) return;
+    }
+    has_all_ = true;
+  }
+  TakenPorts(const TakenPorts&) = delete;
+  TakenPorts& operator=(const TakenPorts&) = delete;
+  ~TakenPorts() {
+    for (const int one : sockets_) close(one);
+  }
+  bool has_all() const { return has_all_; }
+
+ private:
+  std::vector<int> sockets_;
+  bool has_all_ = false;
+};
+
+// Catches a league whose legs stay in domain 0, or of which only the servers move.
+TEST(Protocol, ALeagueCanBePlayedBesideRos) {
+  const TakenPorts taken;
+  if (!taken.has_all()) GTEST_SKIP() << "something else has these ports";
+  const Outcome in_domain_0 = run(match(match_id("no-port")));
+  EXPECT_EQ(in_domain_0.exit_code, 3);
+  EXPECT_NE(in_domain_0.err.find("in DDS domain 0"), std::string::npos) << in_domain_0.err;
+
+  const TemporaryFolder temporary;
+  const std::string folder = temporary / "league";
+  const std::string config = temporary / "league.json";
+  write_file(config, R"({"schema": "mirocup/league/1", "title": "Test", "seed": 5,
+      "rules": {"half_s": 2}, "teams": [{"name": "near", "entry": "house:idle"},
+      {"name": "far", "entry": "house:keeper", "dds": true}]})");
+  ASSERT_EQ(run({program("mirocup"), "league", "init", folder, "--config", config}).exit_code, 0);
+  const Outcome played = run({program("mirocup"), "league", "start", folder, "--dds-domain", "9"});
+  EXPECT_EQ(played.exit_code, 0) << played.err;
+  const Outcome status = run({program("mirocup"), "league", "status", folder, "--json"});
+  EXPECT_EQ(nlohmann::json::parse(status.out)["played"], 2) << status.out;
+}
+
+// Sees the UDP packets of the loopback interface of this test's own host.
+class Packets {
+ public:
+  Packets() : socket_(socket(AF_PACKET, SOCK_DGRAM, htons(ETH_P_IP))) {
+    const timeval pause{0, 50000};
+    setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &pause, sizeof pause);
+    if (is_open()) reader_ = std::thread([this] { read(); });
+  }
+  Packets(const Packets&) = delete;
+  Packets& operator=(const Packets&) = delete;
+  ~Packets() {
+    stop();
+    close(socket_);
+  }
+  bool is_open() const { return socket_ >= 0; }
+
+  void stop() {
+    is_over_ = true;
+    if (reader_.joinable()) reader_.join();
+  }
+  std::size_t longest() const { return longest_; }  // payload, bytes
+  int long_ones() const { return long_ones_; }      // with more than 1000 bytes
+
+ private:
+  void read() {
+    std::vector<char> packet(65536);
+    while (!is_over_) {
+      const ssize_t size = recv(socket_, packet.data(), packet.size(), 0);
+      if (size < static_cast<ssize_t>(sizeof(iphdr) + sizeof(udphdr))) continue;
+      const auto& ip = *reinterpret_cast<const iphdr*>(packet.data());
+      if (ip.protocol != IPPROTO_UDP) continue;
+      const auto& udp = *reinterpret_cast<const udphdr*>(packet.data() + 4 * ip.ihl);
+      const std::size_t payload = ntohs(udp.len) - sizeof(udphdr);
+      longest_ = std::max(longest_, payload);
+      if (payload > 1000) ++long_ones_;
+    }
+  }
+
+  int socket_;
+  std::atomic<bool> is_over_ = false;
+  std::size_t longest_ = 0;
+  int long_ones_ = 0;
+  std::thread reader_;
+};
+
+// The largest league, with credentials, and two teams and two spectators whose signatures are in
+// each state. Catches a state that needs two Ethernet frames, and certificates that IP fragments.
+TEST(Protocol, EveryPacketFitsOneEthernetFrame) {
+  constexpr std::size_t udp_payload = 1500 - 20 - 8;
+  const TemporaryFolder folder;
+  ASSERT_EQ(run({program("mirocup"), "league", "credentials", folder / "league", "--team", "ours",
+                 "--team", "theirs"})
+                .exit_code,
+            0);
+  const std::string credentials = folder / "league/credentials/";
+  Packets packets;
+  if (!packets.is_open()) GTEST_SKIP() << "this system does not show packets";
+  const std::string id = match_id("frames");
+  const auto player = [&](const char* colour, const char* name) {
+    auto arguments = join(id, colour, name, "striker");
+    arguments.insert(arguments.end(), {"--credentials", credentials + "teams/" + name});
+    return arguments;
+  };
+  Running blue(player("blue", "ours"));
+  Running yellow(player("yellow", "theirs"));
+  const std::vector<std::string> watch{program("dds/intruder"), "look", id, "ours",
+                                       credentials + "spectator"};
+  Running one(watch);
+  Running two(watch);
+  Running informed({program("dds/intruder"), "watch", id, "ours", credentials + "spectator"});
+  const Outcome played = run({program("mirocup"), "match", "--blue", "dds:ours", "--yellow",
+                              "dds:theirs", "--league", "large", "--half", "2", "--speed", "1",
+                              "--match", id, "--credentials", credentials + "server"});
+  EXPECT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_EQ(blue.wait().exit_code, 0);
+  EXPECT_EQ(yellow.wait().exit_code, 0);
+  EXPECT_EQ(informed.wait().out.rfind("ours - theirs, league 2, 11 robots", 0), 0U);
+  packets.stop();
+  EXPECT_GT(packets.long_ones(), 100) << "states";
+  EXPECT_LE(packets.longest(), udp_payload);
+}
+
+}  // namespace
+}  // namespace mirocup

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+//
+// Files that were made to harm who reads them. Catches a program that crashes, or that ends without
+// a sentence and the exit code for a wrong or a damaged file.
+#include "tests/support/program.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+namespace mirocup {
+namespace {
+
+using test_support::Outcome;
+using test_support::program;
+using test_support::run;
+using test_support::TemporaryFolder;
+
+// Lists within each other, 200 000 deep: they ended the programs by SIGSEGV.
+std::string deep() {
+  return std::string(200'000, '[') + std::string(200'000, ']');
+}
+
+void expect_sentence(const Outcome& outcome, int exit_code, const std::string& file) {
+  EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err.substr(0, 1000);
+  EXPECT_NE(outcome.err.find(file), std::string::npos) << outcome.err.substr(0, 1000);
+  EXPECT_EQ(outcome.err.find("exception"), std::string::npos) << outcome.err.substr(0, 1000);
+  EXPECT_LT(outcome.err.size(), 1500u);
+}
+
+TEST(StrangeFiles, AreRefusedWithASentence) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "f.json";
+  const std::string mirocup = program("mirocup");
+  for (const std::string& text :
+       {deep(), "{\"schema\":" + deep() + "}", "{\"a\\u001b[31m\":" + deep(),
+        "[" + std::string(1'000'000, '1') + "]", std::string("\xff\xfe{}"), std::string()}) {
+    test_support::write_file(file, text);
+    expect_sentence(run({mirocup, "verify", file}), 4, file);
+    expect_sentence(run({mirocup, "referee", "--record", file}), 4, file);
+    expect_sentence(run({mirocup, "replay", file, "-o", folder / "page.html"}), 4, file);
+    expect_sentence(run({mirocup, "scene", file}), 2, file);
+    expect_sentence(run({mirocup, "league", "init", folder / "l", "--config", file}), 2, file);
+  }
+  test_support::write_file(file, deep() + "\n{}\n");
+  const Outcome judged = run({mirocup, "referee", file});
+  expect_sentence(judged, 1, file);
+  EXPECT_NE(judged.out.find("\"REJECTED\""), std::string::npos);
+  EXPECT_NE(judged.out.find("\"NONE\""), std::string::npos) << "the next line is judged";
+}
+
+TEST(StrangeFiles, MakeAJournalDamaged) {
+  const TemporaryFolder folder;
+  const std::string mirocup = program("mirocup");
+  const std::string league = folder / "l";
+  ASSERT_EQ(
+      run({mirocup, "league", "init", league, "--team", "a=house:idle", "--team", "b=house:idle"})
+          .exit_code,
+      0);
+  test_support::write_file(league + "/journal.jsonl", "{\"n\":1,\"kind\":" + deep() + "}\n");
+  expect_sentence(run({mirocup, "league", "status", league}), 4, "journal.jsonl: line 1");
+}
+
+// Catches an exception where the answer has a path whose name is not UTF-8.
+TEST(StrangeFiles, MayHaveNamesThatAreNotUtf8) {
+  const TemporaryFolder folder;
+  const std::string mirocup = program("mirocup");
+  const std::string record = folder / "leg\xff.json";
+  ASSERT_EQ(run({mirocup, "match", "--blue", "idle", "--yellow", "idle", "--half", "1", "--record",
+                 record})
+                .exit_code,
+            0);
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{mirocup, "verify", record, "--json"},
+        std::vector<std::string>{mirocup, "referee", "--record", record, "--json"}}) {
+    const Outcome outcome = run(command);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_TRUE(nlohmann::json::accept(outcome.out)) << outcome.out;
+  }
+}
+
+// A ball on its way for years, and wheels that hold a billionth of the weight, did not end.
+TEST(StrangeFiles, AreScenesThatEnd) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "s.json";
+  for (const char* scene : {R"("duration":1e9)", R"("duration":1,"parameters":{"grip":1e-9})",
+                            R"("duration":1,"parameters":{"grip":0})"}) {
+    test_support::write_file(file, std::string("{\"schema\":\"mirocup/scene/1\",") + scene + "}");
+    expect_sentence(run({program("mirocup"), "scene", file}), 2, file);
+  }
+}
+
+}  // namespace
+}  // namespace mirocup

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+//
+// Files that are none, names of any bytes, and names that another user has put in the way. Catches
+// a reader that waits or takes all memory, an answer that is no JSON or that writes lines of its
+// own, and a record that is written through a link.
+#include "tests/support/program.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace mirocup {
+namespace {
+
+namespace fs = std::filesystem;
+using test_support::Outcome;
+using test_support::program;
+using test_support::read_file;
+using test_support::run;
+using test_support::TemporaryFolder;
+using test_support::write_file;
+
+std::vector<std::string> mirocup(std::vector<std::string> words) {
+  words.insert(words.begin(), program("mirocup"));
+  return words;
+}
+
+Outcome play(const std::string& record) {
+  return run(mirocup({"match", "--blue", "idle", "--yellow", "idle", "--trusted", "--half", "1",
+                      "--record", record}));
+}
+
+class StrangeFiles : public testing::Test {
+ protected:
+  TemporaryFolder folder_;
+};
+
+TEST_F(StrangeFiles, AreRefusedByEveryReader) {
+  const std::string pipe = folder_ / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  write_file(folder_ / "big", "");
+  ASSERT_EQ(truncate((folder_ / "big").c_str(), off_t{8} << 30), 0);
+  for (const std::string& file : {pipe, std::string("/dev/zero"), folder_ / ".", folder_ / "big"}) {
+    for (const std::vector<std::string>& command :
+         {std::vector<std::string>{"verify", file},
+          {"scene", file},
+          {"referee", file},
+          {"referee", "--record", file},
+          {"replay", file, "-o", folder_ / "page.html"},
+          {"rerun", file},
+          {"league", "init", folder_ / "l", "--config", file},
+          {"league", "init", folder_ / "l", "--team", "a=" + file}}) {
+      const Outcome outcome = run(mirocup(command));
+      EXPECT_EQ(outcome.exit_code, 2) << command[0] << ' ' << file << ": " << outcome.err;
+      EXPECT_NE(outcome.err.find(file + ": it is "), std::string::npos) << outcome.err;
+    }
+  }
+}
+
+TEST_F(StrangeFiles, MayHaveNamesOfAnyBytes) {
+  const std::string record = folder_ / "a\xff\n\x1b[31mverified\n.json";
+  ASSERT_EQ(play(record).exit_code, 0);
+  for (const std::vector<std::string>& command : {std::vector<std::string>{"verify", record},
+                                                  {"rerun", record},
+                                                  {"referee", "--record", record}}) {
+    std::vector<std::string> with_json = command;
+    with_json.emplace_back("--json");
+    const Outcome json = run(mirocup(with_json));
+    EXPECT_EQ(json.exit_code, 0) << command[0] << json.err;
+    EXPECT_TRUE(nlohmann::json::accept(json.out)) << json.out;
+    const Outcome text = run(mirocup(command));
+    EXPECT_EQ(text.out.find("\nverified"), std::string::npos) << text.out;
+    EXPECT_EQ(text.out.find('\x1b'), std::string::npos) << text.out;
+  }
+  const Outcome missing = run(mirocup({"verify", folder_ / "no\nsuch\x1b[31mfile\xff"}));
+  EXPECT_EQ(missing.exit_code, 3);
+  EXPECT_NE(missing.err.find("no\\x0asuch\\x1b[31mfile\\xff cannot be read"), std::string::npos);
+  EXPECT_EQ(run(mirocup({"match", "--blue", std::string(300, 'x'), "--yellow", "idle"})).exit_code,
+            2)
+      << "longer than any name of a file";
+}
+
+// In a folder that others may write to.
+TEST_F(StrangeFiles, AreNotWrittenThroughLinks) {
+  write_file(folder_ / "precious", "precious");
+  for (const char* name : {"r.json", "r.replay.zst", "page.html"})
+    fs::create_symlink(folder_ / "precious", folder_ / name);
+  ASSERT_EQ(play(folder_ / "r.json").exit_code, 0);
+  ASSERT_EQ(run(mirocup({"replay", folder_ / "r.json", "-o", folder_ / "page.html"})).exit_code, 0);
+  EXPECT_EQ(read_file(folder_ / "precious"), "precious");
+  for (const char* name : {"r.json", "r.replay.zst", "page.html"})
+    EXPECT_FALSE(fs::is_symlink(folder_ / name)) << name;
+  EXPECT_EQ(run(mirocup({"verify", folder_ / "r.json"})).exit_code, 0);
+}
+
+// A pipe or a link to a device of another user is a name in the way and no place to write to.
+TEST_F(StrangeFiles, OfAnotherUserAreReplaced) {
+  if (geteuid() != 0) GTEST_SKIP() << "only the superuser makes files of two users";
+  constexpr uid_t other = 64001;
+  ASSERT_EQ(mkfifo((folder_ / "r.json").c_str(), 0666), 0);
+  ASSERT_EQ(chown((folder_ / "r.json").c_str(), other, other), 0);
+  fs::create_symlink("/dev/full", folder_ / "r.replay.zst");
+  ASSERT_EQ(lchown((folder_ / "r.replay.zst").c_str(), other, other), 0);
+  ASSERT_EQ(play(folder_ / "r.json").exit_code, 0);
+  EXPECT_EQ(run(mirocup({"verify", folder_ / "r.json"})).exit_code, 0);
+  EXPECT_EQ(play("/dev/null").exit_code, 0) << "a device that the host names is written into";
+}
+
+}  // namespace
+}  // namespace mirocup
