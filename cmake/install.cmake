@@ -1,5 +1,5 @@
 # The files of a prefix, and find_package(mirocup) from a prefix and from the build tree. Programs find their parts relative to
-# themselves (server/system/locations.hpp), so a prefix can be moved.
+# themselves (system/locations.hpp), so a prefix can be moved.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/mirocup)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/bench/legs.hpp"
 
-#include "server/system/locations.hpp"
+#include "system/locations.hpp"
 #include "tests/bench/programs.hpp"
 #include "tests/support/temporary_folder.hpp"
 

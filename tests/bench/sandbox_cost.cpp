@@ -88,8 +88,10 @@ class Bench {
       measured.start_ms.push_back(1e3 * seconds_since(begin));
       return std::move(*controller);
     }
-    auto controller = ProcessController::start(host_program_, isolation, *entry_, briefing,
-                                               Budget{}, std::nullopt, bell);
+    ProcessTerms terms;
+    terms.isolation = isolation;
+    terms.bell = bell;
+    auto controller = ProcessController::start(host_program_, *entry_, briefing, terms);
     if (!controller) give_up(controller.error().what);
     if (!(*controller)->wait_until_ready()) give_up("the team does not start");
     measured.start_ms.push_back(1e3 * seconds_since(begin));

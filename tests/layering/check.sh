@@ -38,25 +38,25 @@ may $simulator "$below|$simulator/"
 may core/referee 'core/(base|field|geometry|referee)/'
 may core/match 'core/(base|field|geometry|simulator|referee|match)/'
 may core/replay 'core/'
+may system 'core/base/|system/'
 may plugins/include 'mirocup/(strategy|team)\.h"'
 may plugins/house 'mirocup/'
 may plugins/abi 'core/|plugins/abi/|mirocup/'
-may plugins/host 'core/|plugins/(abi|host)/|mirocup/'
+may plugins/host 'core/|system/|plugins/(abi|host)/|mirocup/'
 may idl 'idl/'
-may server/system 'core/base/|server/system/'
 may server/pace 'server/pace/'
-may server/record 'core/|server/(system|record)/|server/pace/(absence|durations)\.hpp"'
-may server/traces 'core/|server/(system|record|traces)/'
-may server/dds 'core/|idl/|server/dds/|server/pace/(absence|durations)\.hpp"|plugins/abi/|mirocup/'
-may server/web 'core/|server/(system|record|web)/'
-may server/app 'core/|plugins/(abi|host)/|mirocup/|server/'
+may server/record 'core/|system/|server/record/|server/pace/(absence|durations)\.hpp"'
+may server/traces 'core/|system/|server/(record|traces)/'
+may server/dds 'core/|system/|idl/|server/dds/|server/pace/(absence|durations)\.hpp"|plugins/abi/|mirocup/'
+may server/web 'core/|system/|server/(record|web)/'
+may server/app 'core/|system/|plugins/(abi|host)/|mirocup/|server/'
 may tournaments/table 'core/base/|tournaments/table/'
-may tournaments/format 'core/|server/(system|record)/|tournaments/(format|table)/'
-may tournaments/journal 'core/base/|server/system/|tournaments/journal/'
-may tournaments/league 'core/|server/(system|record)/|tournaments/(format|table|journal|league)/'
-may tournaments/play 'core/|server/(system|record)/|tournaments/(format|table|journal|league|play)/'
-may tournaments/publish 'core/|server/(system|record)/|tournaments/(format|table|journal|league|publish)/'
-may tournaments/app 'core/|server/(system|record|web)/|tournaments/'
+may tournaments/format 'core/|system/|server/record/|tournaments/(format|table)/'
+may tournaments/journal 'core/base/|system/|server/record/|tournaments/journal/'
+may tournaments/league 'core/|system/|server/record/|tournaments/(format|table|journal|league)/'
+may tournaments/play 'core/|system/|server/record/|tournaments/(format|table|journal|league|play)/'
+may tournaments/publish 'core/|system/|server/record/|tournaments/(format|table|journal|league|publish)/'
+may tournaments/app 'core/|system/|server/(record|web)/|tournaments/'
 
 # only PATTERN ROOM...: only these rooms include headers of the system or of a library that match PATTERN.
 only() {
@@ -64,7 +64,7 @@ only() {
   shift
   while IFS= read -r line; do
     complain "$line: not in this room"
-  done < <(grep -rnE "^#include <($pattern)" core plugins idl server tournaments |
+  done < <(grep -rnE "^#include <($pattern)" core system plugins idl server tournaments |
     grep -vE "^($(IFS='|'; echo "$*"))/" || true)
 }
 
@@ -73,20 +73,21 @@ only 'nlohmann/' server/record server/traces server/web server/app tournaments
 only 'dlfcn\.h' plugins/host
 only 'httplib' server/web
 only 'CLI/' server/app tournaments/app
-only 'openssl/|zstd' server/system server/record
+only 'openssl/' system
+only 'zstd' server/record
 only 'box2d/|chipmunk/|ode/' none  # peers: tests/bench alone
-only 'thread>|chrono>|mutex>|fstream>|iostream>|filesystem>|random>|sys/|unistd\.h' plugins server tournaments
+only 'thread>|chrono>|mutex>|fstream>|iostream>|filesystem>|random>|sys/|unistd\.h' system plugins server tournaments
 
 while IFS= read -r line; do
   complain "$line: a source is compiled, not included"
-done < <(grep -rnE '^#include ["<].*\.(c|cpp)[">]' core plugins idl server tournaments || true)
+done < <(grep -rnE '^#include ["<].*\.(c|cpp)[">]' core system plugins idl server tournaments || true)
 
 # No two folders include each other, directly or through others. A folder in this list counts as one room with its parent:
 # the referee calls the laws, which share its tools; the host builds the sandbox, which shares its descriptors.
 with_parent='core/referee/laws|plugins/host/sandbox'
 while IFS= read -r line; do
   complain "$line: these folders include each other"
-done < <(grep -rE '^#include "[^"]*/' core plugins idl server tournaments \
+done < <(grep -rE '^#include "[^"]*/' core system plugins idl server tournaments \
   --include='*.hpp' --include='*.cpp' --include='*.h' --include='*.c' 2>/dev/null |
   sed -nE 's|^(.*)/[^/]+:#include "(.*)/[^/]+".*$|\1 \2|p' |
   sed -E "s#\\b($with_parent)\\b#\\1/..#g; s#/[^/ ]+/\\.\\.##g" |
@@ -103,13 +104,13 @@ done < <(find core/simulator -type d 2>/dev/null)
 # The interface of a law is for the laws and for the referee, who calls them.
 while IFS= read -r line; do
   complain "$line: only laws and sources of core/referee include the interface of a law"
-done < <(grep -rn '^#include "core/referee/laws/law\.hpp"' core plugins idl server tournaments 2>/dev/null |
+done < <(grep -rn '^#include "core/referee/laws/law\.hpp"' core system plugins idl server tournaments 2>/dev/null |
   grep -vE '^core/referee/(laws/[^:]*|[^/:]*\.cpp):' || true)
 
 # The product is built without the tests: it may name them in comments only.
 while IFS= read -r line; do
   complain "$line: the product reads nothing from tests/"
-done < <(grep -rnE '\btests/' core plugins idl server tournaments --include=CMakeLists.txt --include='*.cmake' \
+done < <(grep -rnE '\btests/' core system plugins idl server tournaments --include=CMakeLists.txt --include='*.cmake' \
   --include='*.hpp' --include='*.cpp' --include='*.h' --include='*.c' --include='*.idl' --include='*.js' \
   --include='*.sh' 2>/dev/null | grep -vE '^[^:]*:[0-9]+:([^#/]|/[^/])*(//|#).*tests/' || true)
 
@@ -125,7 +126,8 @@ links_not() {
     complain "$room/CMakeLists.txt: $line is a link against the order"
   done < <(grep -nE "mirocup::($forbidden)" "$room/CMakeLists.txt" || true)
 }
-links_not core 'plugins|strategy|idl|record|dds|league'
+links_not core 'system|plugins|strategy|idl|record|dds|league'
+links_not system 'plugins|strategy|idl|record|dds|league'
 links_not plugins 'idl|record|dds|league'
 links_not idl 'core|plugins|record|dds|league'
 links_not server 'league'

@@ -70,6 +70,17 @@ void add_submit(CLI::App& app, Action& action) {
   command->add_flag("--json", o.json, "one JSON object for each entry on standard output");
 }
 
+void add_owner(CLI::App& app, Action& action) {
+  Subcommand<OwnerOptions> command(
+      app, action, "owner", "Say which user hands in for a team by an inbox that users share",
+      run_owner);
+  OwnerOptions& o = *command.options;
+  add_folder(command);
+  command->add_option("TEAM", o.team, "its name")->required();
+  CLI::Option* user = command->add_option("USER", o.user, "name or number (default: print it)");
+  command->add_flag("--free", o.is_free, "the next user whose file is accepted")->excludes(user);
+}
+
 // Playing and showing a league.
 void add_running(CLI::App& app, Action& action) {
   LeagueSubcommand start(app, action, "start", "Play the league, or resume it", run_start);
@@ -85,6 +96,11 @@ void add_running(CLI::App& app, Action& action) {
       ->add_option("--jobs", start.options->jobs,
                    "number of legs, and then of pages, at once (default: one for each processor)")
       ->check(CLI::Range(1, 1024));
+  start
+      ->add_option("--dds-domain", start.options->dds_domain,
+                   "DDS domain of legs on this host in which a team plays over DDS")
+      ->check(CLI::Range(0, 230))
+      ->capture_default_str();
 
   LeagueSubcommand stop(app, action, "stop", "Stop a league that is being played", run_stop);
   add_folder(stop);
@@ -250,6 +266,7 @@ std::optional<int> read_command_line(int argc, char** argv, Action& action) {
   cli.set_version_flag("--version", record::software_version());
   add_init(cli, action);
   add_submit(cli, action);
+  add_owner(cli, action);
   add_running(cli, action);
   add_rulings(cli, action);
   add_compare(cli, action);

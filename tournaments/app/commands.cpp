@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/app/commands.hpp"
 
+#include "server/record/json_reader.hpp"
+#include "system/file_lock.hpp"
+#include "system/printable.hpp"
 #include "tournaments/app/progress_bar.hpp"
-#include "tournaments/journal/file_lock.hpp"
 #include "tournaments/league/apply.hpp"
 #include "tournaments/play/runner.hpp"
 #include "tournaments/play/slurm_runner.hpp"
@@ -25,7 +27,8 @@ namespace {
 
 Result<LeagueFile> file_from(system::Files& files, const LeagueOptions& options) {
   if (!options.config.empty()) {
-    const auto text = files.read(options.config);
+    const auto text = files.read(options.config, {.max_size = system::size_limit::league_file,
+                                                  .links = system::Links::followed});
     if (!text) return tl::unexpected(text.error());
     auto file = parse_league_file(*text, options.config);
     if (!file) return file;
@@ -34,6 +37,7 @@ Result<LeagueFile> file_from(system::Files& files, const LeagueOptions& options)
     for (TeamConfig& team : file->teams) {
       if (team.source.rfind("house:", 0) != 0) team.source = (base / team.source).string();
     }
+    if (!file->conditions) file->conditions = default_conditions();
     return file;
   }
   LeagueFile file;
@@ -43,6 +47,7 @@ Result<LeagueFile> file_from(system::Files& files, const LeagueOptions& options)
   if (file.format.kind == FormatKind::swiss)
     file.tie_breaks.insert(file.tie_breaks.begin(), TieBreak::opponents_points);
   if (options.half_s > 0.0) file.rules.half_s = options.half_s;
+  file.conditions = default_conditions();
   for (const std::string& text : options.teams) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos) {
@@ -76,7 +81,8 @@ void say_what_is_left(const LeagueState& state) {
   std::cerr << "mirocup: " << state.legs() - state.played() << " legs are not decided\n";
   for (std::size_t i = 0; i < state.teams.size(); ++i) {
     if (state.teams[i].status != TeamStatus::paused) continue;
-    std::cerr << "mirocup: " << state.file.teams[i].name << " is paused: " << state.teams[i].why
+    std::cerr << "mirocup: " << state.file.teams[i].name
+              << " is paused: " << system::printable(state.teams[i].why)
               << "; league resume or league withdraw decides\n";
   }
   for (const FixtureState& f : state.fixtures) {
@@ -100,7 +106,9 @@ Result<LeagueState> play(system::Files& files, LeagueStore store, ProgressReport
     return state_of(runner, runner.run(options.jobs));
   }
   Runner runner(files, std::move(store), progress);
-  return state_of(runner, runner.run({.jobs = options.jobs, .watched = options.watched}));
+  return state_of(runner, runner.run({.jobs = options.jobs,
+                                      .watched = options.watched,
+                                      .dds_domain = options.dds_domain}));
 }
 
 }  // namespace
@@ -123,7 +131,7 @@ Result<int> run_start(const LeagueOptions& options) {
   auto store = LeagueStore::open(disk, folder, &notice);
   if (!store) return tl::unexpected(store.error());
   if (!notice.empty()) std::cerr << "mirocup: " << notice << '\n';
-  const auto mine = FileLock::try_acquire(folder.running(), std::to_string(getpid()) + "\n");
+  const auto mine = system::FileLock::try_acquire(folder.running());
   if (!mine) return tl::unexpected(mine.error());
   if (!*mine) {
     return fail(Errc::unavailable, folder.path + " is being played already; mirocup league stop " +
@@ -149,20 +157,15 @@ Result<int> run_start(const LeagueOptions& options) {
 
 // Asks the process that plays the league to stop. The lock on the file tells whether there is one.
 Result<int> run_stop(const LeagueOptions& options) {
-  system::Disk disk;
   const Folder folder{options.folder};
-  if (!FileLock::is_held(folder.running())) {
+  // A second SIGINT could merge with the first, so the second request is another signal.
+  std::vector<int> signals{SIGINT};
+  if (options.now) signals.push_back(SIGTERM);
+  const auto asked = system::FileLock::signal_holder(folder.running(), signals);
+  if (!asked) return tl::unexpected(asked.error());
+  if (!*asked) {
     std::cout << folder.path << " is not being played\n";
     return exit_no;
-  }
-  const auto text = disk.read(folder.running());
-  if (!text) return tl::unexpected(text.error());
-  const int pid = std::atoi(text->c_str());
-  if (pid <= 0 || kill(pid, SIGINT) != 0)
-    return fail(Errc::unavailable, "process " + *text + " cannot be asked to stop");
-  if (options.now) {
-    // A second SIGINT could merge with the first, so the second request is another signal.
-    kill(pid, SIGTERM);
   }
   std::cout << folder.path << (options.now ? " stops\n" : " stops when its legs are played\n");
   return exit_yes;
@@ -174,17 +177,17 @@ Result<int> run_status(const LeagueOptions& options) {
   if (!store) return tl::unexpected(store.error());
   const LeagueState& state = store->state();
   if (options.json) {
-    std::cout << table_json(overview(state)).dump() << '\n';
+    std::cout << record::json_text(table_json(overview(state))) << '\n';
   } else {
-    std::cout << state.file.title << ": " << state.played() << " of " << state.legs()
-              << " legs played\n"
+    std::cout << system::printable(state.file.title) << ": " << state.played() << " of "
+              << state.legs() << " legs played\n"
               << table_text(state);
     for (std::size_t i = 0; i < state.teams.size(); ++i) {
       const TeamState& team = state.teams[i];
       if (team.status == TeamStatus::playing) continue;
       std::cout << state.file.teams[i].name
                 << (team.status == TeamStatus::paused ? " is paused: " : " has withdrawn: ")
-                << team.why << '\n';
+                << system::printable(team.why) << '\n';
     }
   }
   return state.played() == state.legs() ? exit_yes : exit_no;

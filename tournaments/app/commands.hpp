@@ -25,6 +25,7 @@ struct LeagueOptions {
   std::string engine = "local";    // start
   int jobs = 0;                    // start; legs, then pages, at once; 0: one for each processor
   bool watched = false;            // start
+  int dds_domain = 0;              // start; of the legs in which a team plays over DDS
   bool now = false;                // stop
   std::string output;              // export, publish
   std::string through;             // publish: the last round shown; "": all rounds
@@ -70,6 +71,15 @@ struct SubmitOptions {
   bool json = false;
 };
 Result<int> run_submit(const SubmitOptions& options);
+
+// Options of `owner`, which says whose files in a shared inbox count for a team.
+struct OwnerOptions {
+  std::string folder;
+  std::string team;
+  std::string user;      // name or number; "": print who it is
+  bool is_free = false;  // the next user whose file is accepted is the owner
+};
+Result<int> run_owner(const OwnerOptions& options);
 
 struct CompareOptions {
   ComparisonRun run;

@@ -3,8 +3,8 @@
 // The subcommand credentials. credentials/credentials.sh makes the certificates with openssl; this
 // source determines the teams.
 #include "server/record/match_record.hpp"
-#include "server/system/child_process.hpp"
-#include "server/system/locations.hpp"
+#include "system/child_process.hpp"
+#include "system/locations.hpp"
 #include "tournaments/app/commands.hpp"
 #include "tournaments/league/folder.hpp"
 
@@ -23,12 +23,41 @@ Result<std::vector<std::string>> teams_of(const CredentialsOptions& options) {
     if (!names.empty() || !options.revoked.empty()) return names;
     return fail(Errc::input, options.folder + " holds no league, and --team names nobody");
   }
-  const auto text = disk.read(config);
+  const auto text = disk.read(
+      config, {.max_size = system::size_limit::league_file, .links = system::Links::followed});
   if (!text) return tl::unexpected(text.error());
   const auto league = parse_league_file(*text, config);
   if (!league) return tl::unexpected(league.error());
   for (const TeamConfig& team : league->teams) names.push_back(team.name);
   return names;
+}
+
+// A team's name must fit the topic Hello, and becomes the name of a folder.
+constexpr std::size_t max_name = 64;  // bytes
+
+Result<void> check_name(const std::string& option, const std::string& name) {
+  const auto bad = [&](const std::string& why) {
+    return fail(Errc::input, option + ": a team's name " + why);
+  };
+  if (name.empty()) return bad("must not be empty");
+  if (name == "." || name == "..") return bad("must not be that of a folder itself");
+  if (name.size() > max_name) {
+    return bad("has at most " + std::to_string(max_name) + " bytes, this one has " +
+               std::to_string(name.size()));
+  }
+  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; };
+  if (std::ranges::any_of(name, is_control)) return bad("has no control characters");
+  return {};
+}
+
+Result<void> check_names(const CredentialsOptions& options) {
+  for (const std::string& name : options.teams) {
+    if (auto checked = check_name("--team", name); !checked) return checked;
+  }
+  for (const std::string& name : options.revoked) {
+    if (auto checked = check_name("--revoke", name); !checked) return checked;
+  }
+  return {};
 }
 
 Result<void> run_script(std::vector<std::string> arguments) {
@@ -43,6 +72,7 @@ Result<void> run_script(std::vector<std::string> arguments) {
 }  // namespace
 
 Result<int> run_credentials(const CredentialsOptions& options) {
+  if (auto checked = check_names(options); !checked) return tl::unexpected(checked.error());
   const auto teams = teams_of(options);
   if (!teams) return tl::unexpected(teams.error());
   system::Disk disk;

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// The subcommands submit and compare.
+// The subcommands submit, owner and compare.
+#include "server/record/json_reader.hpp"
+#include "system/file_lock.hpp"
+#include "system/printable.hpp"
+#include "system/users.hpp"
 #include "tournaments/app/commands.hpp"
 #include "tournaments/app/progress_bar.hpp"
-#include "tournaments/league/submission.hpp"
+#include "tournaments/league/inbox.hpp"
 #include "tournaments/play/comparison_run.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
@@ -21,51 +24,47 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string time_now() {
-  const std::time_t now = std::time(nullptr);
-  std::tm utc{};
-  gmtime_r(&now, &utc);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
-  return text;
-}
-
-void print(const Submission& done, bool json) {
+// Prints the answer to one file.
+void print(const std::string& path, const std::string& team, const Submission& done, bool json) {
   if (!json) {
-    std::cout << done.message << '\n';
+    std::cout << system::printable(done.message) << '\n';
     return;
   }
-  const Json line{{"accepted", done.is_accepted},
-                  {"entry", done.entry > 0 ? Json(done.entry) : Json()},
-                  {"message", done.message},
-                  {"verdict", done.verdict}};
-  std::cout << line.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+  std::cout << record::json_text({{"accepted", done.is_accepted},
+                                  {"team", team.empty() ? Json() : Json(team)},
+                                  {"file", path},
+                                  {"entry", done.entry > 0 ? Json(done.entry) : Json()},
+                                  {"message", done.message},
+                                  {"verdict", done.verdict}})
+            << '\n';
 }
 
-// Hands in each TEAM.so of the inbox, unless it equals the last entry of the team.
+// Hands in each TEAM.so of the inbox that is news. The answer is no if one was not accepted; a
+// fault of the host is told by its own code, after the other files.
 Result<int> collect(system::Files& files, const SubmitOptions& options) {
-  std::vector<fs::path> libraries;
-  std::error_code code;
-  for (const auto& file : fs::directory_iterator(options.inbox, code)) {
-    if (file.path().extension() == ".so") libraries.push_back(file.path());
-  }
-  if (code) return fail(Errc::unavailable, options.inbox + " cannot be read: " + code.message());
-  std::sort(libraries.begin(), libraries.end());
-  const Folder folder{options.folder};
   int result = exit_yes;
-  for (const fs::path& library : libraries) {
-    const std::string team = library.stem().string();
-    const int last = is_good_name(team) ? last_entry(files, folder, team) : 0;
-    if (last > 0) {
-      const auto before = files.read(folder.library(team, last));
-      const auto now = files.read(library.string());
-      if (before && now && *before == *now) continue;
+  const auto tell = [&](const std::string& path, const std::string& team,
+                        const Result<Submission>& answer) {
+    Submission done;
+    if (answer) {
+      done = *answer;
+    } else {
+      done.message = (team.empty() ? path : team) + ": not taken: " + answer.error().what;
     }
-    const auto done = submit(files, folder, team, library.string(), time_now());
-    if (!done) return tl::unexpected(done.error());
-    print(*done, options.json);
-    if (!done->is_accepted) result = exit_no;
+    print(path, team, done, options.json);
+    if (!answer && answer.error().code == Errc::host) result = exit_code(Errc::host);
+    if (!done.is_accepted && result == exit_yes) result = exit_no;
+  };
+  const auto writers = system::writers_of(options.inbox);
+  if (!writers) return tl::unexpected(writers.error());
+  if (writers->others_remove) {
+    std::cerr << "mirocup: " << system::printable(options.inbox)
+              << ": who writes into it can also remove and rename files of others; chmod +t "
+                 "prevents that\n";
   }
+  const auto done =
+      submit_inbox(files, Folder{options.folder}, options.inbox, std::time(nullptr), tell);
+  if (!done) return tl::unexpected(done.error());
   return result;
 }
 
@@ -95,10 +94,42 @@ Result<int> run_submit(const SubmitOptions& options) {
   if (!options.inbox.empty()) return collect(disk, options);
   if (options.file.empty())
     return fail(Errc::input, "TEAM and FILE.so are expected, or --inbox FOLDER");
-  const auto done = submit(disk, Folder{options.folder}, options.team, options.file, time_now());
+  HandIn handed;
+  handed.team = options.team;
+  handed.path = options.file;
+  handed.at = std::time(nullptr);
+  const auto done = submit(disk, Folder{options.folder}, handed);
   if (!done) return tl::unexpected(done.error());
-  print(*done, options.json);
+  print(options.file, options.team, *done, options.json);
   return done->is_accepted ? exit_yes : exit_no;
+}
+
+Result<int> run_owner(const OwnerOptions& options) {
+  system::Disk disk;
+  const Folder folder{options.folder};
+  if (!is_good_name(options.team))
+    return fail(Errc::input, "\"" + options.team + "\" is no name of a team");
+  if (const auto store = LeagueStore::open(disk, folder); !store)
+    return tl::unexpected(store.error());
+  const auto lock = system::FileLock::acquire(folder.submitting());
+  if (!lock) return tl::unexpected(lock.error());
+  auto known = read_hand_ins(disk, folder, options.team);
+  if (!known) return tl::unexpected(known.error());
+  if (options.is_free || !options.user.empty()) {
+    known->owner.reset();
+    if (!options.is_free) {
+      known->owner = system::find_user(options.user);
+      if (!known->owner) return fail(Errc::input, "there is no user " + options.user);
+    }
+    if (auto noted = write_hand_ins(disk, folder, options.team, *known); !noted)
+      return tl::unexpected(noted.error());
+  }
+  std::cout << options.team << ": "
+            << (known->owner ? system::printable(system::name_of_user(*known->owner)) +
+                                   " hands in by a shared inbox"
+                             : "who hands in first by a shared inbox is its owner")
+            << '\n';
+  return exit_yes;
 }
 
 Result<int> run_compare(const CompareOptions& options) {
@@ -119,7 +150,7 @@ Result<int> run_compare(const CompareOptions& options) {
                     {"won", {result->first_wins, result->second_wins}},
                     {"level", result->level},
                     {"error", run.test.error}};
-    std::cout << json.dump() << '\n';
+    std::cout << record::json_text(json) << '\n';
   } else {
     std::cout << (is_decided ? better + " is better" : std::string("it cannot be said"))
               << ": fixtures won " << result->first_wins << " to " << result->second_wins << ", "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // mirocup-league: plays leagues, each in a folder. `mirocup league` starts this program.
+#include "system/printable.hpp"
 #include "tournaments/app/command_line.hpp"
 
 #include <iostream>
@@ -12,6 +13,6 @@ int main(int argc, char** argv) {
   if (const auto done = league::read_command_line(argc, argv, action)) return *done;
   const Result<int> result = action();
   if (result) return *result;
-  std::cerr << "mirocup: " << result.error().what << '\n';
+  std::cerr << "mirocup: " << system::printable(result.error().what) << '\n';
   return exit_code(result.error().code);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/app/progress_bar.hpp"
 
+#include "system/printable.hpp"
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -16,7 +18,7 @@ constexpr int bar_width = 24;
 
 class LineReporter final : public ProgressReporter {
  public:
-  void say(const std::string& line) override { std::cerr << line << '\n'; }
+  void say(const std::string& line) override { std::cerr << system::printable(line) << '\n'; }
   void update(int, int, int) override {}
 };
 
@@ -25,7 +27,7 @@ class BarReporter final : public ProgressReporter {
   ~BarReporter() override { std::cerr << clear << std::flush; }
 
   void say(const std::string& line) override {
-    std::cerr << clear << line << '\n' << text_ << std::flush;
+    std::cerr << clear << system::printable(line) << '\n' << text_ << std::flush;
   }
 
   void update(int decided, int legs, int playing) override {

@@ -7,12 +7,18 @@
 #include "tournaments/app/commands.hpp"
 #include "tournaments/league/league_store.hpp"
 
+#include <ctime>
 #include <iostream>
 #include <sstream>
 
 namespace mirocup::league {
 
 namespace {
+
+// Returns the time, as decisions carry it.
+std::string now_text() {
+  return utc_text(std::time(nullptr));
+}
 
 // Returns the legs that the options name: one, or all of the fixture.
 Result<std::vector<int>> legs_of(const LeagueStore& store, const RulingOptions& options) {
@@ -35,7 +41,8 @@ Result<int> rule(const RulingOptions& options, int home_goals, int away_goals) {
                                           .leg = leg,
                                           .score = {.home = home_goals, .away = away_goals},
                                           .why = options.reason,
-                                          .by = options.by});
+                                          .by = options.by,
+                                          .at = now_text()});
         !written) {
       return tl::unexpected(written.error());
     }
@@ -100,7 +107,8 @@ Result<int> run_void(const RulingOptions& options) {
                                               .attempt = attempt,
                                               .cause = VoidCause::ruling,
                                               .why = options.reason,
-                                              .by = options.by});
+                                              .by = options.by,
+                                              .at = now_text()});
         !written) {
       return tl::unexpected(written.error());
     }
@@ -112,10 +120,11 @@ Result<int> run_void(const RulingOptions& options) {
 Result<int> run_withdraw(const RulingOptions& options) {
   const auto results = from_string<WithdrawnResults>(options.results);
   MIROCUP_ASSERT(results);  // the command line accepts no other words
-  const auto done = write_event(
-      options,
-      Withdrawn{
-          .team = options.team, .results = *results, .why = options.reason, .by = options.by});
+  const auto done = write_event(options, Withdrawn{.team = options.team,
+                                                   .results = *results,
+                                                   .why = options.reason,
+                                                   .by = options.by,
+                                                   .at = now_text()});
   if (done) {
     std::cout << options.team << " has withdrawn; "
               << (*results == WithdrawnResults::keep
@@ -126,13 +135,15 @@ Result<int> run_withdraw(const RulingOptions& options) {
 }
 
 Result<int> run_pause(const RulingOptions& options) {
-  return write_event(options,
-                     Paused{.team = options.team, .why = options.reason, .by = options.by});
+  return write_event(
+      options,
+      Paused{.team = options.team, .why = options.reason, .by = options.by, .at = now_text()});
 }
 
 Result<int> run_resume(const RulingOptions& options) {
-  return write_event(options,
-                     Resumed{.team = options.team, .why = options.reason, .by = options.by});
+  return write_event(
+      options,
+      Resumed{.team = options.team, .why = options.reason, .by = options.by, .at = now_text()});
 }
 
 }  // namespace mirocup::league

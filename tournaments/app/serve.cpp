@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The subcommand serve.
-#include "server/system/process_set.hpp"
+#include "system/process_set.hpp"
 #include "tournaments/app/commands.hpp"
 #include "tournaments/app/served_league.hpp"
 

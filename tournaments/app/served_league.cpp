@@ -80,7 +80,10 @@ std::vector<ServedLeague::LiveLeg> ServedLeague::find_live_legs() const {
       const LegId leg{f.fixture, number, f.legs[number - 1].version};
       const std::string output = leg_output(store_.folder(), leg);
       if (!files_.exists(output)) continue;
-      const int port = port_in(files_.read(output).value_or(""));
+      const int port = port_in(files_
+                                   .read(output, {.max_size = system::size_limit::log,
+                                                  .growth = system::Growth::ignored})
+                                   .value_or(""));
       if (port == 0 || !web::is_watched_at(port)) continue;
       const int blue = blue_team(leg.fixture, number);
       const int yellow = blue == leg.fixture.home ? leg.fixture.away : leg.fixture.home;
@@ -137,7 +140,7 @@ std::optional<web::Page> ServedLeague::page(const std::string& path) {
   if (path == "/replays/" + stem + ".html") return replay(stem);
   if (path != "/records/" + stem + ".json" && path != "/records/" + stem + ".replay.zst")
     return std::nullopt;
-  auto bytes = files_.read(store_.folder().path + path);
+  auto bytes = files_.read(store_.folder().path + path, {.max_size = system::size_limit::replay});
   if (!bytes) return std::nullopt;
   return web::Page{type_of(path), "", std::move(*bytes)};
 }
@@ -146,7 +149,8 @@ std::optional<web::Page> ServedLeague::page(const std::string& path) {
 std::optional<web::Page> ServedLeague::replay(const std::string& stem) {
   const std::string record = "records/" + stem + ".json";
   const std::string html = replay_page_of(record);
-  if (auto made = files_.read(store_.folder().site() + "/" + html))
+  if (auto made =
+          files_.read(store_.folder().site() + "/" + html, {.max_size = system::size_limit::page}))
     return web::Page{type_of(html), "", std::move(*made)};
   const std::lock_guard one_at_a_time(replaying_);
   const auto loaded = record::load(files_, store_.folder().path + "/" + record);

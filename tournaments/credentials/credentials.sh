@@ -3,13 +3,14 @@
 #
 # Makes the credentials of the processes of a league in DDS secure mode, with openssl. `mirocup league credentials` calls it.
 # Usage: credentials.sh FOLDER DAYS [team NAME | revoke NAME]...
+# A team whose credentials cannot be made does not stop those of the others; then the exit code is 1.
 #
 # FOLDER/authority   the two certificate authorities; their keys can certify any identity, so they never leave the host's computer
-# FOLDER/server      for `mirocup match --credentials`
+# FOLDER/server      for `mirocup match --credentials`; teams/NAME.pem is each team's certificate, which says when it expires
 # FOLDER/spectator   for programs that only read
 # FOLDER/teams/NAME  for `mirocup join --credentials`: a folder that only this team may get
 #
-# Existing files are kept. There are two authorities because Cyclone DDS 0.10 accepts permissions that are signed by any
+# Existing files are kept. A folder appears only when it is complete. Folders are 0700, files 0600. There are two authorities because Cyclone DDS 0.10 accepts permissions that are signed by any
 # identity that the permissions' authority has certified (CVE-2023-24011); so that authority certifies no identity.
 set -euo pipefail
 folder=$1
@@ -17,7 +18,9 @@ days=$2
 shift 2
 authority=$folder/authority
 organisation=mirocup
+longest_name=64   # bytes of a common name in a certificate (X.520)
 umask 077
+chmod 700 "$folder"
 
 quietly() { # runs a command; its output is shown only if it fails
   local said
@@ -76,9 +79,12 @@ subjectKeyIdentifier = hash
 CNF
   new_authority identity_ca
   new_authority permissions_ca
+  touch "$authority/complete"
+}
+
+new_governance() {
   governance >"$authority/governance.xml"
   sign "$authority/governance.xml" "$authority/governance.p7s"
-  touch "$authority/complete"
 }
 
 # Every participant needs a certificate, and its rights to read and write are checked. Commands are encrypted; all other topics
@@ -103,7 +109,7 @@ XML
     xsi:noNamespaceSchemaLocation="http://www.omg.org/spec/DDS-SECURITY/20170901/omg_shared_ca_governance.xsd">
   <domain_access_rules>
     <domain_rule>
-      <domains><id>0</id></domains>
+      <domains><id_range><min>0</min><max>230</max></id_range></domains>
       <allow_unauthenticated_participants>false</allow_unauthenticated_participants>
       <enable_join_access_control>true</enable_join_access_control>
       <discovery_protection_kind>ENCRYPT</discovery_protection_kind>
@@ -130,14 +136,14 @@ rule() { # publish|subscribe PARTITION TOPIC...
 rules_of() { # KIND WORD; WORD is the team's name as in partitions
   case $1 in
     server)
-      rule publish 'match-*' WorldState MatchEvent Welcome
+      rule publish 'match-*' WorldState MatchEvent MatchInfo Welcome
       rule subscribe 'match-*' TeamCommand Hello ;;
     spectator)
-      rule subscribe 'match-*' WorldState MatchEvent ;;
+      rule subscribe 'match-*' WorldState MatchEvent MatchInfo ;;
     team)
       rule publish "match-*/$2" TeamCommand Hello
       rule subscribe "match-*/$2" Welcome
-      rule subscribe 'match-*' WorldState MatchEvent ;;
+      rule subscribe 'match-*' WorldState MatchEvent MatchInfo ;;
   esac
 }
 
@@ -153,7 +159,7 @@ permissions() { # KIND WORD CERTIFICATE
     <grant name="$1">
       <subject_name>$(openssl x509 -in "$3" -noout -subject -nameopt RFC2253 | sed 's/^subject=//')</subject_name>
       <validity><not_before>$from</not_before><not_after>$to</not_after></validity>
-      <allow_rule><domains><id>0</id></domains>
+      <allow_rule><domains><id_range><min>0</min><max>230</max></id_range></domains>
 $(rules_of "$1" "$2")
       </allow_rule>
       <default>DENY</default>
@@ -175,34 +181,79 @@ encoded() { # encodes characters that are unsafe in a partition as %XX, as serve
   echo "$out"
 }
 
+common_name() { # KIND WORD; a name that is too long for a certificate is replaced by its digest
+  local name="$1 $2" digest
+  if [[ ${#name} -gt $longest_name ]]; then
+    digest=$(printf '%s' "$2" | sha256sum)
+    name="$1 sha256-${digest:0:40}"
+  fi
+  echo "$name"
+}
+
 issue() { # KIND NAME INTO
-  local kind=$1 word into=$3
+  local kind=$1 word into=$3 new
   word=$(encoded "$2")
-  [[ -e $into/permissions.p7s ]] && return
-  mkdir -p "$into"
-  new_key "$into/key.pem"
-  certify "$into/key.pem" "$kind $word" "$into/certificate.pem"
-  cp "$authority/identity_ca.pem" "$authority/permissions_ca.pem" "$authority/governance.p7s" "$into/"
-  permissions "$kind" "$word" "$into/certificate.pem" >"$authority/permissions.xml"
-  sign "$authority/permissions.xml" "$into/permissions.p7s"
+  # Permissions that were made before there was a MatchInfo are renewed; key and certificate stay.
+  if grep -qs MatchInfo "$into/permissions.p7s"; then return 0; fi
+  new=$(mktemp -d "$folder/.new.XXXXXX")
+  if [[ -e $into/certificate.pem ]]; then
+    cp -a "$into/." "$new/"
+  else
+    new_key "$new/key.pem"
+    certify "$new/key.pem" "$(common_name "$kind" "$word")" "$new/certificate.pem"
+  fi
+  cp "$authority/identity_ca.pem" "$authority/permissions_ca.pem" "$authority/governance.p7s" "$new/"
+  permissions "$kind" "$word" "$new/certificate.pem" >"$authority/permissions.xml"
+  sign "$authority/permissions.xml" "$new/permissions.p7s"
+  mkdir -p "$(dirname "$into")"
+  rm -rf "$into"   # what an earlier call left unfinished, or is renewed
+  mv -T "$new" "$into"
   echo "$into"
+}
+
+issue_to_team() { # NAME
+  local word
+  word=$(encoded "$1")
+  issue team "$1" "$folder/teams/$word"
+  mkdir -p "$folder/server/teams"
+  cp "$folder/teams/$word/certificate.pem" "$folder/server/teams/$word.pem"
+}
+
+revoke() { # NAME
+  local word
+  word=$(encoded "$1")
+  if [[ ! -e $folder/teams/$word/certificate.pem ]]; then
+    echo "credentials: \"$1\" has no credentials to revoke" >&2
+    return 1
+  fi
+  quietly openssl ca -config "$authority/ca.cnf" -revoke "$folder/teams/$word/certificate.pem"
+  update_revoked
+  rm -f "$folder/server/teams/$word.pem"
+  rm -r "$folder/teams/$word"
 }
 
 update_revoked() {
   quietly openssl ca -config "$authority/ca.cnf" -gencrl -out "$folder/server/revoked.pem"
 }
 
+rm -rf "$folder"/.new.*   # of a call that was killed
 [[ -e $authority/complete ]] || new_authorities
+grep -qs id_range "$authority/governance.xml" || new_governance
 issue server server "$folder/server"
 issue spectator spectator "$folder/spectator"
+failed=()
 while [[ $# -gt 0 ]]; do
-  into=$folder/teams/$(encoded "$2")
+  [[ -n ${2:-} && $2 != . && $2 != .. ]] || { echo "credentials: \"${2:-}\" is no name of a team" >&2; exit 2; }
   case $1 in
-    team) issue team "$2" "$into" ;;
-    revoke)
-      quietly openssl ca -config "$authority/ca.cnf" -revoke "$into/certificate.pem"
-      rm -r "$into" ;;
+    team) issue_to_team "$2" & ;;   # a process of its own ends by itself at its first error
+    revoke) revoke "$2" & ;;
+    *) exit 2 ;;
   esac
+  wait $! || failed+=("$2")
   shift 2
 done
 update_revoked
+if [[ ${#failed[@]} -gt 0 ]]; then
+  echo "credentials: not done for: ${failed[*]}" >&2
+  exit 1
+fi

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/format/league_file.hpp"
 
+#include "server/record/conditions_json.hpp"
 #include "server/record/json_reader.hpp"
 #include "server/record/rules_json.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <ctime>
 #include <set>
 
 namespace mirocup::league {
@@ -18,6 +20,8 @@ using Json = JsonReader::Json;
 
 constexpr std::string_view schema = "mirocup/league/1";
 constexpr int max_name_length = 40;
+// A round robin of so many teams is half a million fixtures.
+constexpr std::size_t max_teams = 1000;
 
 TeamConfig read_team(const JsonReader& json) {
   json.expect_object({"name", "entry", "dds"});
@@ -39,7 +43,7 @@ TeamConfig read_team(const JsonReader& json) {
 std::vector<TeamConfig> read_teams(const JsonReader& json) {
   std::vector<TeamConfig> teams;
   std::set<std::string> names;
-  for (const JsonReader& element : json.elements()) {
+  for (const JsonReader& element : json.elements(0, max_teams)) {
     const TeamConfig& team = teams.emplace_back(read_team(element));
     if (!names.insert(team.name).second) {
       element.at("name").complain("two teams are called \"" + team.name + "\"");
@@ -104,26 +108,27 @@ std::string read_time(const JsonReader& json) {
 Points read_points(const JsonReader& json) {
   json.expect_object({"win", "draw", "loss"});
   Points points;
-  json.read_if_present("win", points.win);
-  json.read_if_present("draw", points.draw);
-  json.read_if_present("loss", points.loss);
+  read_count(json, "win", -max_points, max_points, points.win);
+  read_count(json, "draw", -max_points, max_points, points.draw);
+  read_count(json, "loss", -max_points, max_points, points.loss);
   return points;
 }
 
 LeagueFile read_league(const JsonReader& json) {
-  json.expect_object({"schema", "title", "format", "league", "rules", "seed", "points",
-                      "tie_breaks", "freeze", "strikes", "teams"});
+  json.expect_object({"schema", "title", "format", "league", "rules", "conditions", "seed",
+                      "points", "tie_breaks", "freeze", "strikes", "teams"});
   json.expect_schema(schema);
   LeagueFile file;
   json.read_if_present("title", file.title);
   if (json.has("format")) file.format = read_format(json.at("format"));
   json.read_if_present("league", file.league);
   if (json.has("rules")) file.rules = record::read_rules(json.at("rules"), file.league);
+  if (json.has("conditions")) file.conditions = record::read_conditions(json.at("conditions"));
   json.read_if_present("seed", file.seed);
   if (json.has("points")) file.points = read_points(json.at("points"));
   if (json.has("tie_breaks")) {
     file.tie_breaks.clear();
-    for (const JsonReader& rule : json.at("tie_breaks").elements()) {
+    for (const JsonReader& rule : json.at("tie_breaks").elements(0, enum_names<TieBreak>.size())) {
       file.tie_breaks.push_back(rule.name<TieBreak>());
     }
   } else if (file.format.kind == FormatKind::swiss) {
@@ -137,6 +142,19 @@ LeagueFile read_league(const JsonReader& json) {
 }
 
 }  // namespace
+
+match::Conditions default_conditions() {
+  return match::conditions_of(match::default_preset);
+}
+
+std::string utc_text(std::int64_t at) {
+  const std::time_t time = at;
+  std::tm utc{};
+  gmtime_r(&time, &utc);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text;
+}
 
 bool is_good_name(const std::string& name) {
   if (name.empty() || name.size() > max_name_length || name[0] == '.' || name[0] == '-')
@@ -166,15 +184,16 @@ std::string print_league_file(const LeagueFile& file) {
             {"title", file.title},
             {"format", format_json(file.format)},
             {"league", to_string(file.league)},
-            {"rules", record::to_json(file.rules)},
-            {"seed", file.seed},
-            {"points",
-             {{"win", file.points.win}, {"draw", file.points.draw}, {"loss", file.points.loss}}},
-            {"tie_breaks", tie_breaks},
-            {"strikes", file.strikes}};
+            {"rules", record::to_json(file.rules)}};
+  if (file.conditions) json["conditions"] = record::to_json(*file.conditions);
+  json.update({{"seed", file.seed},
+               {"points",
+                {{"win", file.points.win}, {"draw", file.points.draw}, {"loss", file.points.loss}}},
+               {"tie_breaks", tie_breaks},
+               {"strikes", file.strikes}});
   if (!file.freeze.empty()) json["freeze"] = file.freeze;
   json["teams"] = teams;
-  return json.dump(2) + "\n";
+  return record::json_text(json, 2) + "\n";
 }
 
 }  // namespace mirocup::league

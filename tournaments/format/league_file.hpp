@@ -5,10 +5,13 @@
 
 #include "core/base/error.hpp"
 #include "core/field/league.hpp"
+#include "core/match/conditions.hpp"
 #include "core/referee/rules.hpp"
 #include "tournaments/format/format.hpp"
 #include "tournaments/table/table.hpp"
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +29,7 @@ struct LeagueFile {
   Format format;
   League league = League::small;
   referee::Rules rules;
+  std::optional<match::Conditions> conditions;  // nothing: `hall` for a league that starts now
   std::uint64_t seed = 1;
   Points points;
   std::vector<TieBreak> tie_breaks{default_tie_breaks.begin(), default_tie_breaks.end()};
@@ -41,9 +45,15 @@ struct LeagueFile {
   TableRules table_rules() const { return {points, tie_breaks, seed}; }
 };
 
+// Returns the conditions of a league that does not choose any.
+match::Conditions default_conditions();
+
 // True if a team may have that name. Names become folders, DDS partitions and pages, so they are
 // letters, digits, '-', '_' and '.', at most 40, and begin with neither '.' nor '-'.
 bool is_good_name(const std::string& name);
+
+// Returns a time, in seconds since 1970, as `freeze` and the journal have it.
+std::string utc_text(std::int64_t at);
 
 // Reads a league file. The error (Errc::input) names `path`, the JSON pointer and the reason.
 Result<LeagueFile> parse_league_file(const std::string& text, const std::string& path);

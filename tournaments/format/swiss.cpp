@@ -20,7 +20,7 @@ constexpr int max_look_ahead_teams = 8;
 // A search for the pairing of one round. Teams are numbered by rank, best first.
 class Pairing {
  public:
-  Pairing(std::vector<std::vector<bool>> have_met, std::vector<int> points)
+  Pairing(std::vector<std::vector<bool>> have_met, std::vector<std::int64_t> points)
       : have_met_(std::move(have_met)),
         points_(std::move(points)),
         partner_(points_.size(), no_team) {}
@@ -55,7 +55,7 @@ class Pairing {
   std::vector<int> candidates(int a) const {
     struct Candidate {
       int rank;
-      int points_below;
+      std::int64_t points_below;
       int position;  // among teams of equal points
     };
     std::vector<Candidate> others;
@@ -82,7 +82,7 @@ class Pairing {
   int size() const { return static_cast<int>(points_.size()); }
 
   std::vector<std::vector<bool>> have_met_;
-  std::vector<int> points_;
+  std::vector<std::int64_t> points_;
   std::vector<int> partner_;
 };
 
@@ -104,7 +104,7 @@ std::vector<Fixture> swiss_round(const std::vector<SwissStanding>& standings,
   // With an odd number the bye takes part as the last team, so no team has it twice.
   std::map<int, int> rank;
   std::vector<int> team;
-  std::vector<int> points;
+  std::vector<std::int64_t> points;
   for (const SwissStanding& s : standings) {
     rank[s.team] = static_cast<int>(team.size());
     team.push_back(s.team);

@@ -6,6 +6,7 @@
 
 #include "tournaments/format/schedule.hpp"
 
+#include <cstdint>
 #include <vector>
 
 namespace mirocup::league {
@@ -20,7 +21,7 @@ int max_swiss_rounds(int teams);
 // The points of a team before a round.
 struct SwissStanding {
   int team = 0;
-  int points = 0;
+  std::int64_t points = 0;
 };
 
 // Returns the fixtures of round `round` (from 1) of `rounds`. `standings` has all teams that still

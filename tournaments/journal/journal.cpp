@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/journal/journal.hpp"
 
-#include "server/system/digest.hpp"
+#include "server/record/json_reader.hpp"
+#include "system/digest.hpp"
 
-#include <nlohmann/json.hpp>
-
+#include <optional>
 #include <utility>
 
 namespace mirocup::league {
@@ -13,6 +13,9 @@ namespace {
 
 // Precedes the hash of a line, which is its last key and covers the text before this.
 constexpr std::string_view before_hash = ",\"hash\":\"";
+
+// A line of ours has some twenty values and a few sentences.
+constexpr record::JsonLimits line_limits{.bytes = 8u << 20, .values = 10'000};
 
 }  // namespace
 
@@ -34,12 +37,14 @@ Result<Journal> Journal::open(system::Files& files, std::string path, std::strin
 
 Result<void> Journal::refresh() {
   if (!files_->exists(path_)) return {};
-  const auto text = files_->read_from(path_, size_);
+  const auto text = files_->read_from(
+      path_, size_, {.max_size = system::size_limit::journal, .growth = system::Growth::ignored});
   if (!text) return tl::unexpected(text.error());
   std::size_t begin = 0;
   for (std::size_t end = text->find('\n'); end != std::string::npos;
        end = text->find('\n', begin)) {
-    if (auto read = read_line(text->substr(begin, end - begin)); !read) return read;
+    const auto line = std::string_view(*text).substr(begin, end - begin);
+    if (auto read = read_line(line); !read) return read;
     size_ += end + 1 - begin;
     begin = end + 1;
   }
@@ -47,25 +52,27 @@ Result<void> Journal::refresh() {
   return {};
 }
 
-Result<void> Journal::read_line(const std::string& line) {
+Result<void> Journal::read_line(std::string_view line) {
   const std::string where = path_ + ": line " + std::to_string(lines_.size() + 1);
-  Json json = Json::parse(line, nullptr, false);
-  if (json.is_discarded() || !json.is_object()) return fail(Errc::damaged, where + " is not JSON");
   const std::size_t hashed = line.rfind(before_hash);
-  const auto has_text = [&json](const char* key, const std::string& value) {
-    return json.contains(key) && json[key].is_string() && json[key] == value;
-  };
-  if (hashed == std::string::npos ||
-      line.substr(hashed) != std::string(before_hash) +
-                                 system::sha256(std::string_view(line).substr(0, hashed)) + "\"}") {
+  if (hashed == std::string_view::npos ||
+      line.substr(hashed) !=
+          std::string(before_hash) + system::sha256(line.substr(0, hashed)) + "\"}") {
     return fail(Errc::damaged, where + " is not as it was written");
   }
-  if (!json.contains("n") || !json["n"].is_number_unsigned() ||
-      json["n"].get<std::size_t>() != lines_.size() + 1 || !has_text("prev", last_hash_)) {
-    return fail(Errc::damaged, where + " does not follow from the line before it");
+  record::ParsedJson parsed = record::parse_json(line, line_limits);
+  std::optional<record::JsonProblem> problem = std::move(parsed.problem);
+  if (!problem) {
+    const record::JsonReader json(parsed.value, "", problem);
+    const std::size_t n = json.at("n").as<std::size_t>();
+    const std::string prev = json.at("prev").text();
+    if (!problem && (n != lines_.size() + 1 || prev != last_hash_)) {
+      return fail(Errc::damaged, where + " does not follow from the line before it");
+    }
   }
+  if (problem) return tl::unexpected(record::error_of(*problem, where, Errc::damaged));
   last_hash_ = system::sha256(line);
-  lines_.push_back(std::move(json));
+  lines_.push_back(std::move(parsed.value));
   return {};
 }
 
@@ -77,10 +84,15 @@ Result<void> Journal::append(const std::string& kind, Json fields) {
   Json line{{"n", lines_.size() + 1}, {"kind", kind}};
   for (auto& [key, value] : fields.items()) line[key] = value;
   line["prev"] = last_hash_;
-  std::string text = line.dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string text = record::json_text(line);
   text.pop_back();
-  line["hash"] = system::sha256(text);
-  text.append(before_hash).append(line["hash"].get<std::string>()).append("\"}");
+  const std::string hash = system::sha256(text);
+  line["hash"] = hash;
+  text.append(before_hash).append(hash).append("\"}");
+  // What readers would refuse is not written.
+  if (const auto parsed = record::parse_json(text, line_limits); parsed.problem) {
+    return tl::unexpected(record::error_of(*parsed.problem, path_, Errc::input));
+  }
   if (auto written = files_->append(path_, text + "\n"); !written) {
     is_torn_ = true;  // part of the line may have been written
     return written;

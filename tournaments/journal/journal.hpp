@@ -11,11 +11,12 @@
 // while it calls refresh() and append(). Threads: one at a time.
 #pragma once
 
-#include "server/system/files.hpp"
+#include "system/files.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace mirocup::league {
@@ -45,7 +46,7 @@ class Journal {
  private:
   Journal(system::Files& files, std::string path);
 
-  Result<void> read_line(const std::string& line);
+  Result<void> read_line(std::string_view line);
 
   system::Files* files_;
   std::string path_;

@@ -2,7 +2,9 @@
 #include "tournaments/league/apply.hpp"
 
 #include "core/base/assert.hpp"
+#include "server/record/json_reader.hpp"
 #include "tournaments/format/swiss.hpp"
+#include "tournaments/league/decisions.hpp"
 #include "tournaments/league/schedule_growth.hpp"
 
 #include <nlohmann/json.hpp>
@@ -108,6 +110,9 @@ struct Validator {
     if (e.score.home < 0 || e.score.away < 0) {
       return fail(Errc::input, "a score cannot be negative");
     }
+    if (e.score.home > max_count || e.score.away > max_count) {
+      return fail(Errc::input, "a score has at most " + std::to_string(max_count) + " goals");
+    }
     return nothing_follows(state, at->fixture);
   }
 
@@ -163,6 +168,7 @@ struct Applier {
   void operator()(const Started& e) const {
     state.is_started = true;
     state.config_sha256 = e.config_sha256;
+    state.conditions = e.conditions;
   }
 
   void operator()(const EntryBooked& e) const {
@@ -278,6 +284,7 @@ Result<void> validate(const LeagueState& state, const Event& event) {
 
 void apply(LeagueState& state, const Event& event) {
   MIROCUP_ASSERT(validate(state, event));
+  note_decision(state, event);
   std::visit(Applier{state}, event);
 }
 
@@ -285,7 +292,7 @@ Result<void> apply_line(LeagueState& state, const Json& line, const std::string&
   const auto event = read_event(line);
   if (!event) return fail(Errc::damaged, journal_path + ": " + event.error().what);
   if (const auto valid = validate(state, *event); !valid) {
-    return fail(Errc::damaged, journal_path + ": line " + line["n"].dump() +
+    return fail(Errc::damaged, journal_path + ": line " + record::json_text(line["n"]) +
                                    " does not fit the league: " + valid.error().what);
   }
   apply(state, *event);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/league/event.hpp"
 
+#include "server/record/conditions_json.hpp"
 #include "server/record/json_reader.hpp"
 
 #include <nlohmann/json.hpp>
@@ -22,7 +23,8 @@ T value_or(const JsonReader& object, const std::string& key, T fallback) {
 }
 
 HomeAway read_home_away(const JsonReader& json) {
-  return {.home = json.at("home").integer<int>(), .away = json.at("away").integer<int>()};
+  return {.home = json.at("home").integer(0, max_count),
+          .away = json.at("away").integer(0, max_count)};
 }
 
 std::optional<LegFault> read_fault(const JsonReader& json) {
@@ -33,8 +35,11 @@ std::optional<LegFault> read_fault(const JsonReader& json) {
 }
 
 Event read_started(const JsonReader& line) {
-  return Started{.config_sha256 = line.at("config_sha256").text(),
-                 .version = value_or<std::string>(line, "version", "")};
+  const auto conditions = line.find("conditions");
+  return Started{
+      .config_sha256 = line.at("config_sha256").text(),
+      .version = value_or<std::string>(line, "version", ""),
+      .conditions = conditions ? record::read_conditions(*conditions) : match::Conditions{}};
 }
 
 Event read_entry(const JsonReader& line) {
@@ -68,7 +73,8 @@ Event read_void(const JsonReader& line) {
                    .attempt = value_or(line, "attempt", 1),
                    .cause = value_or(line, "cause", VoidCause::host),
                    .why = line.at("why").text(),
-                   .by = value_or<std::string>(line, "by", "")};
+                   .by = value_or<std::string>(line, "by", ""),
+                   .at = value_or<std::string>(line, "at", "")};
 }
 
 Event read_ruling(const JsonReader& line) {
@@ -76,21 +82,24 @@ Event read_ruling(const JsonReader& line) {
                .leg = line.at("leg").integer<int>(),
                .score = read_home_away(line.at("score")),
                .why = line.at("why").text(),
-               .by = value_or<std::string>(line, "by", "")};
+               .by = value_or<std::string>(line, "by", ""),
+               .at = value_or<std::string>(line, "at", "")};
 }
 
 Event read_withdrawal(const JsonReader& line) {
   return Withdrawn{.team = line.at("team").text(),
                    .results = line.at("results").name<WithdrawnResults>(),
                    .why = line.at("why").text(),
-                   .by = value_or<std::string>(line, "by", "")};
+                   .by = value_or<std::string>(line, "by", ""),
+                   .at = value_or<std::string>(line, "at", "")};
 }
 
 template <class PausedOrResumed>
 Event read_pause(const JsonReader& line) {
   return PausedOrResumed{.team = line.at("team").text(),
                          .why = line.at("why").text(),
-                         .by = value_or<std::string>(line, "by", "")};
+                         .by = value_or<std::string>(line, "by", ""),
+                         .at = value_or<std::string>(line, "at", "")};
 }
 
 struct Kind {
@@ -124,15 +133,19 @@ Json to_json(const std::optional<LegFault>& fault) {
   return {{"team", fault->team}, {"code", fault->code}, {"text", fault->text}};
 }
 
-// Adds a person's reason and, if it is known, the person's name.
-Json signed_by(Json fields, const std::string& why, const std::string& by) {
-  fields["why"] = why;
-  if (!by.empty()) fields["by"] = by;
+// Adds the reason of a decision and, if they are known, the person who made it and the time.
+template <class Decision>
+Json signed_by(Json fields, const Decision& e) {
+  fields["why"] = e.why;
+  if (!e.by.empty()) fields["by"] = e.by;
+  if (!e.at.empty()) fields["at"] = e.at;
   return fields;
 }
 
 Json fields(const Started& e) {
-  return {{"config_sha256", e.config_sha256}, {"version", e.version}};
+  return {{"config_sha256", e.config_sha256},
+          {"version", e.version},
+          {"conditions", record::to_json(e.conditions)}};
 }
 
 Json fields(const EntryBooked& e) {
@@ -160,30 +173,30 @@ Json fields(const LegVoided& e) {
                    {"leg", e.leg},
                    {"attempt", e.attempt},
                    {"cause", to_string(e.cause)}};
-  return signed_by(place, e.why, e.by);
+  return signed_by(place, e);
 }
 
 Json fields(const Ruled& e) {
   const Json place{{"fixture", e.fixture}, {"leg", e.leg}, {"score", to_json(e.score)}};
-  return signed_by(place, e.why, e.by);
+  return signed_by(place, e);
 }
 
 Json fields(const Withdrawn& e) {
   const Json what{{"results", to_string(e.results)}, {"team", e.team}};
-  return signed_by(what, e.why, e.by);
+  return signed_by(what, e);
 }
 
 Json fields(const Paused& e) {
-  return signed_by({{"team", e.team}}, e.why, e.by);
+  return signed_by({{"team", e.team}}, e);
 }
 
 Json fields(const Resumed& e) {
-  return signed_by({{"team", e.team}}, e.why, e.by);
+  return signed_by({{"team", e.team}}, e);
 }
 
 // Returns "line 7", with the number that the journal gave to the line.
 std::string name_of(const Json& line) {
-  return line.is_object() && line.contains("n") ? "line " + line["n"].dump() : "a line";
+  return line.is_object() && line.contains("n") ? "line " + record::json_text(line["n"]) : "a line";
 }
 
 }  // namespace

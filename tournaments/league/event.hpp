@@ -10,6 +10,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/names.hpp"
+#include "core/match/conditions.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -22,6 +23,9 @@
 namespace mirocup::league {
 
 using Json = nlohmann::ordered_json;
+
+// The largest number of goals or penalties of a leg that is read.
+inline constexpr int max_count = 1'000'000;
 
 // One number for each of the two teams of a fixture: goals, or penalties given against them.
 struct HomeAway {
@@ -60,7 +64,8 @@ struct Started {
   static constexpr std::string_view kind = "start";
 
   std::string config_sha256;
-  std::string version;  // version of the program; "" if the line has none
+  std::string version;                // version of the program; "" if the line has none
+  match::Conditions conditions = {};  // of all legs; exact if the line has none
 
   bool operator==(const Started&) const = default;
 };
@@ -113,7 +118,8 @@ struct LegVoided {
   int attempt = 1;
   VoidCause cause = VoidCause::host;
   std::string why;
-  std::string by;  // the person who decided; "" if not given
+  std::string by;       // the person who decided; "" if not given
+  std::string at = {};  // when the person decided, UTC: "2026-11-30T18:00:00Z"; "" if not known
 
   bool operator==(const LegVoided&) const = default;
 };
@@ -127,6 +133,7 @@ struct Ruled {
   HomeAway score;
   std::string why;
   std::string by;
+  std::string at = {};
 
   bool operator==(const Ruled&) const = default;
 };
@@ -145,17 +152,20 @@ struct Withdrawn {
   WithdrawnResults results = WithdrawnResults::keep;
   std::string why;
   std::string by;
+  std::string at = {};
 
   bool operator==(const Withdrawn&) const = default;
 };
 
-// No leg of the team is started until it is resumed.
+// No leg of the team is started until it is resumed. The program pauses teams, too; then `by` and
+// `at` are empty.
 struct Paused {
   static constexpr std::string_view kind = "pause";
 
   std::string team;
   std::string why;
   std::string by;
+  std::string at = {};
 
   bool operator==(const Paused&) const = default;
 };
@@ -166,6 +176,7 @@ struct Resumed {
   std::string team;
   std::string why;
   std::string by;
+  std::string at = {};
 
   bool operator==(const Resumed&) const = default;
 };

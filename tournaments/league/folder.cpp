@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/league/folder.hpp"
 
-#include "server/system/digest.hpp"
-#include "server/system/locations.hpp"
+#include "server/record/json_reader.hpp"
+#include "system/digest.hpp"
+#include "system/locations.hpp"
 
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <charconv>
 
 namespace mirocup::league {
 
@@ -22,41 +26,76 @@ Result<std::string> library_of(system::Files& files, const TeamConfig& team) {
     if (path.empty())
       return fail(Errc::input, team.name + ": there is no house team \"" + name + "\"");
   }
-  return files.read(path);
+  return files.read(path, {.max_size = system::size_limit::entry});
+}
+
+Result<void> make_entries_folder(system::Files& files, const Folder& folder,
+                                 const std::string& team) {
+  using system::Readers;
+  return files.make_folder(folder.entries(), Readers::owner).and_then([&] {
+    return files.make_folder(folder.entries() + "/" + team, Readers::owner);
+  });
 }
 
 Result<void> add_entry(system::Files& files, const Folder& folder, const std::string& team,
                        int number, const std::string& library, const std::string& verdict) {
+  using system::Readers;
   const Json about{{"schema", "mirocup/entry/1"},
                    {"team", team},
                    {"entry", number},
                    {"sha256", system::sha256(library)}};
-  return files.make_folder(folder.entry(team, number))
-      .and_then([&] { return files.write(folder.library(team, number), library); })
+  return make_entries_folder(files, folder, team)
+      .and_then([&] { return files.make_folder(folder.entry(team, number), Readers::owner); })
+      .and_then([&] { return files.write(folder.library(team, number), library, Readers::owner); })
       .and_then([&]() -> Result<void> {
         if (verdict.empty()) return {};
-        return files.write(folder.verdict(team, number), verdict);
+        return files.write(folder.verdict(team, number), verdict, Readers::owner);
       })
       .and_then([&] {
-        return files.write(folder.entry(team, number) + "/entry.json", about.dump(1) + "\n");
+        return files.write(folder.entry_file(team, number), record::json_text(about, 1) + "\n",
+                           Readers::owner);
       });
 }
 
+std::vector<int> entries_of(system::Files& files, const Folder& folder, const std::string& team) {
+  std::vector<int> numbers;
+  const auto names = files.names_in(folder.entries() + "/" + team);
+  if (!names) return numbers;
+  for (const std::string& name : *names) {
+    int number = 0;
+    const char* const end = name.data() + name.size();
+    const auto read = std::from_chars(name.data(), end, number);
+    if (read.ec != std::errc() || read.ptr != end || number < 1) continue;
+    if (files.exists(folder.entry_file(team, number))) numbers.push_back(number);
+  }
+  std::sort(numbers.begin(), numbers.end());
+  return numbers;
+}
+
 int last_entry(system::Files& files, const Folder& folder, const std::string& team) {
-  int number = 0;
-  while (files.exists(folder.entry(team, number + 1) + "/entry.json")) ++number;
-  return number;
+  const std::vector<int> numbers = entries_of(files, folder, team);
+  return numbers.empty() ? 0 : numbers.back();
+}
+
+bool is_accepted_entry(system::Files& files, const Folder& folder, const std::string& team,
+                       int number) {
+  const std::string verdict = folder.verdict(team, number);
+  if (!files.exists(verdict)) return true;  // stored by the host without a check
+  const auto text = files.read(verdict, {.max_size = system::size_limit::note});
+  if (!text) return false;
+  // A verdict that cannot be read is none.
+  return record::read_json<bool>(
+             *text, verdict, Errc::damaged,
+             [](const record::JsonReader& json) { return json.at("accepted").boolean(); })
+      .value_or(false);
 }
 
 int last_accepted_entry(system::Files& files, const Folder& folder, const std::string& team) {
-  for (int number = last_entry(files, folder, team); number > 0; --number) {
-    const std::string verdict = folder.verdict(team, number);
-    if (!files.exists(verdict)) return number;  // stored by the host without a check
-    const auto text = files.read(verdict);
-    const Json json = text ? Json::parse(*text, nullptr, false) : Json();
-    if (json.is_object() && json.contains("accepted") && json["accepted"] == true) return number;
-  }
-  return 0;
+  const std::vector<int> numbers = entries_of(files, folder, team);
+  const auto last = std::find_if(numbers.rbegin(), numbers.rend(), [&](int number) {
+    return is_accepted_entry(files, folder, team, number);
+  });
+  return last == numbers.rend() ? 0 : *last;
 }
 
 Result<void> init_folder(system::Files& files, const Folder& folder, const LeagueFile& file) {

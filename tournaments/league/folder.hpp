@@ -4,10 +4,11 @@
 // creation, and the entries that were handed in.
 #pragma once
 
-#include "server/system/files.hpp"
+#include "system/files.hpp"
 #include "tournaments/league/league_state.hpp"
 
 #include <string>
+#include <vector>
 
 namespace mirocup::league {
 
@@ -24,11 +25,19 @@ struct Folder {
   // Locked while an entry is checked.
   std::string submitting() const { return path + "/.submitting"; }
 
+  // Only the host reads what is below.
+  std::string entries() const { return path + "/entries"; }
+  std::string hand_ins(const std::string& team) const {
+    return entries() + "/" + team + "/hand-ins.json";
+  }
   std::string entry(const std::string& team, int number) const {
-    return path + "/entries/" + team + "/" + std::to_string(number);
+    return entries() + "/" + team + "/" + std::to_string(number);
   }
   std::string library(const std::string& team, int number) const {
     return entry(team, number) + "/strategy.so";
+  }
+  std::string entry_file(const std::string& team, int number) const {
+    return entry(team, number) + "/entry.json";
   }
   std::string verdict(const std::string& team, int number) const {
     return entry(team, number) + "/verdict.json";
@@ -48,13 +57,26 @@ struct Folder {
 // that holds a league already is refused (Errc::input).
 Result<void> init_folder(system::Files& files, const Folder& folder, const LeagueFile& file);
 
-// Returns the bytes of the library that a team names: a file, or that of a house team.
+// Returns the bytes of the library that a team names: a file, or that of a house team. As in
+// `mirocup check` and `match`, a library is no link.
 Result<std::string> library_of(system::Files& files, const TeamConfig& team);
 
 // Stores a library in the folder as the entry of that number, with the verdict of its check if it
-// was checked. entry.json is written last: an entry without it does not exist.
+// was checked. Its files and folders are closed to other users. entry.json is written last: an
+// entry without it does not exist.
 Result<void> add_entry(system::Files& files, const Folder& folder, const std::string& team,
                        int number, const std::string& library, const std::string& verdict = "");
+
+// Makes the folders of the team's entries, closed to other users.
+Result<void> make_entries_folder(system::Files& files, const Folder& folder,
+                                 const std::string& team);
+
+// Returns the numbers of the entries that are kept, in the order in which they were handed in.
+std::vector<int> entries_of(system::Files& files, const Folder& folder, const std::string& team);
+
+// True if the entry passed its check, or was stored by the host without one.
+bool is_accepted_entry(system::Files& files, const Folder& folder, const std::string& team,
+                       int number);
 
 // Returns the number of the last entry that was handed in, and of the last that was not rejected;
 // 0 if there is none.

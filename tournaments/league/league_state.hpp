@@ -11,6 +11,7 @@
 #include "tournaments/league/event.hpp"
 
 #include <array>
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <optional>
@@ -67,12 +68,22 @@ struct TeamState {
   int strikes = 0;     // number of legs in a row lost by its own faults
 };
 
+// A decision of a person: LegVoided, Ruled, Withdrawn, Paused or Resumed.
+struct Decision {
+  Event event;
+  // The later decision that ended its effect, as an index of LeagueState::decisions: one on the
+  // same leg, a withdrawal that leaves nothing of it, or the end of a pause.
+  std::optional<std::size_t> undone_by;
+};
+
 struct LeagueState {
   LeagueFile file;
   std::vector<FixtureState> fixtures;  // in the order of the schedule
   std::vector<TeamState> teams;        // as in the file
+  std::vector<Decision> decisions;     // of persons, in the order of the journal
   bool is_started = false;
-  std::string config_sha256;  // of league.json when the league was started
+  std::string config_sha256;     // of league.json when the league was started
+  match::Conditions conditions;  // of its legs, once it has started
 
   // Numbers of the legs that the league needs by present results, and of those that are decided.
   int legs() const { return needed_; }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/league/league_store.hpp"
 
-#include "server/system/digest.hpp"
-#include "tournaments/journal/file_lock.hpp"
+#include "system/digest.hpp"
+#include "system/file_lock.hpp"
 #include "tournaments/league/apply.hpp"
 
 #include <nlohmann/json.hpp>
@@ -13,7 +13,8 @@ Result<LeagueStore> LeagueStore::open(system::Files& files, Folder folder, std::
   if (!files.exists(folder.config())) {
     return fail(Errc::input, folder.path + " is not a league: there is no league.json in it");
   }
-  const auto text = files.read(folder.config());
+  const auto text = files.read(folder.config(), {.max_size = system::size_limit::league_file,
+                                                 .links = system::Links::followed});
   if (!text) return tl::unexpected(text.error());
   auto file = parse_league_file(*text, folder.config());
   if (!file) return tl::unexpected(file.error());
@@ -45,7 +46,7 @@ Result<void> LeagueStore::refresh() {
 }
 
 Result<void> LeagueStore::write(const Event& event) {
-  const auto lock = FileLock::acquire(folder_.lock());
+  const auto lock = system::FileLock::acquire(folder_.lock());
   if (!lock) return tl::unexpected(lock.error());
   if (auto fresh = refresh(); !fresh) return fresh;
   if (auto valid = validate(state_, event); !valid) return valid;

@@ -2,7 +2,7 @@
 #include "tournaments/league/start.hpp"
 
 #include "server/record/match_record.hpp"
-#include "server/system/digest.hpp"
+#include "system/digest.hpp"
 
 namespace mirocup::league {
 
@@ -17,10 +17,13 @@ Result<void> write_start(system::Files& files, LeagueStore& store) {
     if (last_accepted_entry(files, store.folder(), team.name) == 0)
       return fail(Errc::input, team.name + " has no entry that was accepted");
   }
-  const auto config = files.read(store.folder().config());
+  const auto config =
+      files.read(store.folder().config(),
+                 {.max_size = system::size_limit::league_file, .links = system::Links::followed});
   if (!config) return tl::unexpected(config.error());
-  return store.write(
-      Started{.config_sha256 = system::sha256(*config), .version = record::software_version()});
+  return store.write(Started{.config_sha256 = system::sha256(*config),
+                             .version = record::software_version(),
+                             .conditions = state.file.conditions.value_or(default_conditions())});
 }
 
 // Books the entry of each team that has none, and checks the libraries of the others against the
@@ -34,7 +37,7 @@ Result<void> book_entries(system::Files& files, LeagueStore& store) {
     const int number =
         booked.entry > 0 ? booked.entry : last_accepted_entry(files, store.folder(), team);
     const std::string path = store.folder().library(team, number);
-    const auto library = files.read(path);
+    const auto library = files.read(path, {.max_size = system::size_limit::entry});
     if (!library) return tl::unexpected(library.error());
     const std::string sha256 = system::sha256(*library);
     if (booked.entry == 0) {

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/league/submission.hpp"
 
-#include "server/system/digest.hpp"
-#include "server/system/locations.hpp"
-#include "server/system/process_set.hpp"
-#include "tournaments/journal/file_lock.hpp"
+#include "server/record/json_reader.hpp"
+#include "system/digest.hpp"
+#include "system/file_lock.hpp"
+#include "system/locations.hpp"
+#include "system/process_set.hpp"
+#include "system/users.hpp"
+
+#include <algorithm>
+#include <strings.h>
+#include <utility>
 
 namespace mirocup::league {
 
@@ -12,26 +18,29 @@ namespace {
 
 // Returns the answer of `mirocup check --json` about a library. Any exit code but yes and no is an
 // error of the host.
-Result<Json> check(system::Files& files, const std::string& library, League league,
+Result<Json> check(system::Files& files, const std::string& library, const LeagueFile& rules,
                    const std::string& log) {
   system::ProcessSet processes;
-  const auto started = processes.start({system::sibling_program("mirocup"), "check", library,
-                                        "--json", "--league", std::string(to_string(league))},
-                                       0, -1, log);
+  const auto started = processes.start(
+      {system::sibling_program("mirocup"), "check", library, "--json", "--league",
+       std::string(to_string(rules.league)), "--half", std::to_string(rules.rules.half_s)},
+      0, -1, log);
   if (!started) return tl::unexpected(started.error());
   const auto exit = processes.wait();
   if (!exit) return fail(Errc::interrupted, "interrupted while an entry was checked");
-  const auto text = files.read(log);
+  const auto text = files.read(log, {.max_size = system::size_limit::log});
   if (!text) return tl::unexpected(text.error());
   // The answer is the last line; the log of the check precedes it.
   const std::size_t begin = text->rfind("\n{");
-  Json verdict =
-      Json::parse(text->substr(begin == std::string::npos ? 0 : begin + 1), nullptr, false);
-  if (exit->signal != 0 || (exit->code != exit_yes && exit->code != exit_no) ||
-      verdict.is_discarded() || !verdict.contains("accepted")) {
-    return fail(Errc::host, "the check of an entry failed: " + *text);
+  record::ParsedJson parsed = record::parse_json(
+      std::string_view(*text).substr(begin == std::string::npos ? 0 : begin + 1));
+  std::optional<record::JsonProblem> problem = std::move(parsed.problem);
+  if (!problem) (void)record::JsonReader(parsed.value, "", problem).at("accepted").boolean();
+  if (exit->signal != 0 || (exit->code != exit_yes && exit->code != exit_no) || problem) {
+    constexpr std::size_t enough = 500;  // bytes
+    return fail(Errc::host, "the check of an entry failed: " + text->substr(0, enough));
   }
-  return verdict;
+  return std::move(parsed.value);
 }
 
 // Returns why no entry of this team is taken now; "" if entries are taken.
@@ -47,6 +56,15 @@ std::string objection_to(const LeagueState& state, const std::string& team,
   return "";
 }
 
+// Returns the name of a team of the league that differs from this one in capitals only; "" if there
+// is none. People, and the disks of some of them, would take the two for one.
+std::string twin_of(const LeagueState& state, const std::string& team) {
+  for (const TeamConfig& other : state.file.teams) {
+    if (other.name != team && strcasecmp(other.name.c_str(), team.c_str()) == 0) return other.name;
+  }
+  return "";
+}
+
 // Adds a team to league.json of a league that has not started.
 Result<void> add_team(system::Files& files, const Folder& folder, LeagueFile file,
                       const std::string& team) {
@@ -54,18 +72,51 @@ Result<void> add_team(system::Files& files, const Folder& folder, LeagueFile fil
   return files.write(folder.config(), print_league_file(file));
 }
 
+// Returns the SHA-256 of a kept entry; "" if there is none.
+std::string sha256_of(system::Files& files, const Folder& folder, const std::string& team,
+                      int number) {
+  if (number == 0) return "";
+  const auto text =
+      files.read(folder.entry_file(team, number), {.max_size = system::size_limit::note});
+  if (!text) return "";
+  return record::read_json<std::string>(
+             *text, folder.entry_file(team, number), Errc::damaged,
+             [](const record::JsonReader& json) { return json.at("sha256").text(); })
+      .value_or("");
+}
+
+// Returns the entries of a team that the journal lets play, now or before.
+std::vector<int> played_entries(const LeagueStore& store, const std::string& team) {
+  std::vector<int> numbers;
+  for (const Json& line : store.journal().lines()) {
+    const auto event = read_event(line);
+    const auto* booked = event ? std::get_if<EntryBooked>(&*event) : nullptr;
+    if (booked != nullptr && booked->team == team) numbers.push_back(booked->entry);
+  }
+  return numbers;
+}
+
 // Stores the library as that entry, checks it there, and writes the verdict beside it.
-Result<Json> store_and_check(system::Files& files, const Folder& folder, League league,
-                             const std::string& team, int number, const std::string& path,
-                             const std::string& library) {
-  const std::string entry = folder.entry(team, number);
-  const std::string stored = folder.library(team, number);
-  auto written = files.make_folder(entry).and_then([&] { return files.write(stored, library); });
+Result<Json> store_and_check(system::Files& files, const Folder& folder, const LeagueFile& rules,
+                             const HandIn& handed, int number, const std::string& library) {
+  const std::string entry = folder.entry(handed.team, number);
+  const std::string stored = folder.library(handed.team, number);
+  const std::string log = entry + "/check.log";
+  using system::Readers;
+  auto written = make_entries_folder(files, folder, handed.team)
+                     .and_then([&] { return files.make_folder(entry, Readers::owner); })
+                     .and_then([&] { return files.write(stored, library, Readers::owner); });
   if (!written) return tl::unexpected(written.error());
-  auto verdict = check(files, stored, league, entry + "/check.log");
+  auto verdict = check(files, stored, rules, log);
   if (!verdict) return verdict;
-  (*verdict)["file"] = path;
-  auto added = add_entry(files, folder, team, number, library, verdict->dump(1) + "\n");
+  const std::string sha256 = system::sha256(library);
+  if (verdict->value("sha256", Json()).is_string() && (*verdict)["sha256"] != sha256)
+    return fail(Errc::host, stored + " was changed while it was checked");
+  (*verdict)["file"] = handed.path;
+  auto added = files.remove(log).and_then([&] {
+    return add_entry(files, folder, handed.team, number, library,
+                     record::json_text(*verdict, 1) + "\n");
+  });
   if (!added) return tl::unexpected(added.error());
   return verdict;
 }
@@ -82,46 +133,193 @@ Result<void> let_play(system::Files& files, LeagueStore& store, const std::strin
   return store.write(EntryBooked{.team = team, .entry = number, .sha256 = system::sha256(library)});
 }
 
-}  // namespace
+// A file as it was found, before any lock is taken.
+struct Found {
+  std::string why_not;  // a sentence; "": it was read
+  std::string library;
+  std::string identity;       // tells it from every other file and from its later versions
+  std::optional<uid_t> user;  // whose hand-in it is; nothing: the host's
+};
 
-Result<Submission> submit(system::Files& files, const Folder& folder, const std::string& team,
-                          const std::string& path, const std::string& now) {
-  // Submissions are handled one at a time, so that each number is used once and checks do not slow
-  // each other down.
-  const auto lock = FileLock::acquire(folder.submitting());
-  if (!lock) return tl::unexpected(lock.error());
-  auto store = LeagueStore::open(files, folder);
-  if (!store) return tl::unexpected(store.error());
-  if (!is_good_name(team)) {
-    return fail(Errc::input,
-                "\"" + team + "\" is no name: letters, digits, '-', '_' and '.', at most 40");
+// Errors: the file is not there, or the system does not let it be read.
+Result<Found> examine(const HandIn& handed) {
+  const auto user_of = [&handed](const std::optional<uid_t>& owner) {
+    const auto& trusted = handed.trusted;
+    const bool is_the_hosts = trusted.empty() || !owner ||
+                              std::find(trusted.begin(), trusted.end(), *owner) != trusted.end();
+    return is_the_hosts ? std::nullopt : owner;
+  };
+  Found found;
+  const auto file = system::open_file(handed.path, {.max_size = system::size_limit::entry});
+  if (!file) {
+    found.user = user_of(system::owner_of(handed.path));
+    if (file.error().code != Errc::input) return tl::unexpected(file.error());
+    found.why_not = file.error().what;
+    found.identity = file.error().what;
+    return found;
   }
-  Submission result;
-  if (const std::string why = objection_to(store->state(), team, now); !why.empty()) {
-    result.message = team + ": not taken: " + why;
+  found.identity = std::to_string(file->inode) + " " + std::to_string(file->changed);
+  found.user = user_of(file->owner);
+  if (!handed.trusted.empty() && file->names > 1) {
+    found.why_not = handed.path + ": it has a second name (a hard link); copy it instead";
+    return found;
+  }
+  auto library = system::read_file(*file);
+  if (!library) return tl::unexpected(library.error());
+  found.library = std::move(*library);
+  return found;
+}
+
+// Returns why this user hands in nothing for the team; "" if the user may.
+std::string objection_to_user(system::Files& files, const Folder& folder, const std::string& team,
+                              const HandIns& known, const std::optional<uid_t>& user,
+                              const Quota& quota) {
+  if (!user || known.owner == user) return "";
+  if (known.owner) {
+    return "the file belongs to " + system::name_of_user(*user) + ", and " +
+           system::name_of_user(*known.owner) + " hands in for " + team +
+           "; league owner changes that";
+  }
+  if (known.last_user != user && teams_of_user(files, folder, *user) >= quota.teams_per_user) {
+    return system::name_of_user(*user) + " hands in for " + std::to_string(quota.teams_per_user) +
+           " teams already, which is the most for one user";
+  }
+  return "";
+}
+
+// One hand-in, after its file was read and while no other is looked at.
+class Desk {
+ public:
+  Desk(system::Files& files, LeagueStore& store, const HandIn& handed, const Quota& quota)
+      : files_(files), store_(store), handed_(handed), quota_(quota) {}
+
+  Result<Submission> take(const Found& found);
+
+ private:
+  Result<Submission> check_and_keep(const Found& found);
+  Result<Submission> refuse(const Found& found);
+
+  // The answer to a file that does not count as a try.
+  Submission not_taken(const std::string& why) const {
+    Submission result;
+    result.message = handed_.team + ": not taken: " + why;
     return result;
   }
-  const auto library = files.read(path);
-  if (!library) return tl::unexpected(library.error());
+  std::string objection(const Found& found) const;
+  const std::string& team() const { return handed_.team; }
+  const Folder& folder() const { return store_.folder(); }
 
-  const int before = last_accepted_entry(files, folder, team);
-  result.entry = last_entry(files, folder, team) + 1;
-  auto verdict = store_and_check(files, folder, store->state().file.league, team, result.entry,
-                                 path, *library);
+  system::Files& files_;
+  LeagueStore& store_;
+  const HandIn& handed_;
+  const Quota& quota_;
+  HandIns known_;
+};
+
+std::string Desk::objection(const Found& found) const {
+  std::string why = objection_to(store_.state(), team(), utc_text(handed_.at));
+  if (why.empty()) why = objection_to_user(files_, folder(), team(), known_, found.user, quota_);
+  if (!why.empty() || store_.state().find_team(team())) return why;
+  const std::string twin = twin_of(store_.state(), team());
+  return twin.empty() ? "" : "the league has a team " + twin + "; choose a name that differs more";
+}
+
+Result<Submission> Desk::take(const Found& found) {
+  auto known = read_hand_ins(files_, folder(), team());
+  if (!known) return tl::unexpected(known.error());
+  known_ = std::move(*known);
+  if (found.why_not.empty() && handed_.is_from_inbox &&
+      sha256_of(files_, folder(), team(), last_entry(files_, folder(), team())) ==
+          system::sha256(found.library)) {
+    Submission nothing;
+    nothing.is_news = false;
+    return nothing;
+  }
+  if (const std::string why = objection(found); !why.empty()) return not_taken(why);
+  // An inbox that is read each minute finds a file that is refused again and again: one try.
+  if (handed_.is_from_inbox && !found.why_not.empty() && known_.last_file == found.identity)
+    return not_taken(found.why_not);
+  if (tries_in_last_hour(known_, handed_.at, found.user) >= quota_.tries_per_hour) {
+    return not_taken("it has had " + std::to_string(quota_.tries_per_hour) +
+                     " tries in the last hour; hand it in later");
+  }
+  if (found.user) known_.last_user = found.user;
+  add_try(known_, {.at = handed_.at,
+                   .user = found.user,
+                   .entry = 0,
+                   .is_accepted = false,
+                   .message = "not looked at to the end"});
+  return found.why_not.empty() ? check_and_keep(found) : refuse(found);
+}
+
+Result<Submission> Desk::refuse(const Found& found) {
+  const Submission result = not_taken(found.why_not);
+  known_.last_file = found.identity;
+  known_.tries.back().message = result.message;
+  // A name under which nobody has handed in a library gets no folder.
+  if (entries_of(files_, folder(), team()).empty() && !store_.state().find_team(team()))
+    return result;
+  if (auto noted = write_hand_ins(files_, folder(), team(), known_); !noted)
+    return tl::unexpected(noted.error());
+  return result;
+}
+
+Result<Submission> Desk::check_and_keep(const Found& found) {
+  // Written before the check, so that a library that stops the check is a try, too.
+  if (auto noted = write_hand_ins(files_, folder(), team(), known_); !noted)
+    return tl::unexpected(noted.error());
+  Submission result;
+  const int before = last_accepted_entry(files_, folder(), team());
+  result.entry = last_entry(files_, folder(), team()) + 1;
+  auto verdict =
+      store_and_check(files_, folder(), store_.state().file, handed_, result.entry, found.library);
   if (!verdict) return tl::unexpected(verdict.error());
   result.verdict = std::move(*verdict);
   result.is_accepted = result.verdict["accepted"] == true;
-  result.message = team + ": entry " + std::to_string(result.entry) +
+  result.message = team() + ": entry " + std::to_string(result.entry) +
                    (result.is_accepted ? " was accepted" : " was not accepted");
   if (!result.is_accepted) {
-    result.message += ": " + result.verdict.value("reason", "");
+    const Json reason = result.verdict.value("reason", Json());
+    result.message += ": " + (reason.is_string() ? reason.get<std::string>() : "");
     if (before > 0) result.message += "; entry " + std::to_string(before) + " plays on";
-    return result;
+  } else if (found.user && !known_.owner) {
+    known_.owner = found.user;
+    result.message +=
+        "; from now on " + system::name_of_user(*found.user) + " hands in for " + team();
   }
-  if (auto playing = let_play(files, *store, team, result.entry, *library); !playing) {
-    return tl::unexpected(playing.error());
-  }
+  known_.tries.back().entry = result.entry;
+  known_.tries.back().is_accepted = result.is_accepted;
+  known_.tries.back().message = result.message;
+  auto done =
+      write_hand_ins(files_, folder(), team(), known_)
+          .and_then([&]() -> Result<void> {
+            if (!result.is_accepted) return {};
+            return let_play(files_, store_, team(), result.entry, found.library);
+          })
+          .and_then([&] {
+            return prune_versions(files_, folder(), team(), played_entries(store_, team()), quota_);
+          });
+  if (!done) return tl::unexpected(done.error());
   return result;
+}
+
+}  // namespace
+
+Result<Submission> submit(system::Files& files, const Folder& folder, const HandIn& handed,
+                          const Quota& quota) {
+  if (!is_good_name(handed.team)) {
+    return fail(Errc::input, "\"" + handed.team +
+                                 "\" is no name: letters, digits, '-', '_' and '.', at most 40");
+  }
+  const auto found = examine(handed);
+  if (!found) return tl::unexpected(found.error());
+  // Submissions are handled one at a time, so that each number is used once and checks do not slow
+  // each other down.
+  const auto lock = system::FileLock::acquire(folder.submitting());
+  if (!lock) return tl::unexpected(lock.error());
+  auto store = LeagueStore::open(files, folder);
+  if (!store) return tl::unexpected(store.error());
+  return Desk(files, *store, handed, quota).take(*found);
 }
 
 }  // namespace mirocup::league

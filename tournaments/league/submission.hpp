@@ -2,25 +2,46 @@
 //
 // Handing in an entry: the library is stored and checked as by `mirocup check`. It plays if it
 // passes; otherwise the team goes on with its last entry that passed.
+//
+// The file is opened once and read into memory, before any lock is taken. What is checked, hashed
+// and kept are these bytes.
 #pragma once
 
+#include "tournaments/league/hand_ins.hpp"
 #include "tournaments/league/league_store.hpp"
 
 #include <nlohmann/json.hpp>
 
 namespace mirocup::league {
 
+// A file that is handed in.
+struct HandIn {
+  std::string team;
+  std::string path;
+  std::int64_t at = 0;  // s since 1970
+
+  // True: an inbox is read again and again, so a file that equals the team's last entry is no news.
+  bool is_from_inbox = false;
+
+  // In an inbox that several users can write to, the users whose files are the host's own word.
+  // Files of others count for the teams of their owners only, and a file with a second name (hard
+  // link) is refused. Empty: every file is the host's own word.
+  std::vector<uid_t> trusted;
+};
+
 struct Submission {
+  bool is_news = true;  // false: it was handed in before, and nothing was done
   bool is_accepted = false;
   int entry = 0;        // its number; 0: it was not even stored
   std::string message;  // a sentence for the team
   Json verdict;         // of the check, as in verdict.json; null if there was no check
 };
 
-// Hands in the library at `path` for a team. `now` is the time, written as LeagueFile::freeze. A
-// team that is not in league.json joins with its first accepted entry, until the league starts. An
-// entry that fails its check is a value; errors are faults of the host or of the call.
-Result<Submission> submit(system::Files& files, const Folder& folder, const std::string& team,
-                          const std::string& path, const std::string& now);
+// Hands in a library for a team. A team that is not in league.json joins with its first accepted
+// entry, until the league starts; its name must differ from the others' by more than capitals. What
+// is wrong with the file, and a quota that is used up, is a value; errors are faults of the host or
+// of the call.
+Result<Submission> submit(system::Files& files, const Folder& folder, const HandIn& handed,
+                          const Quota& quota = {});
 
 }  // namespace mirocup::league

@@ -2,11 +2,11 @@
 #include "tournaments/play/comparison_run.hpp"
 
 #include "core/base/random.hpp"
-#include "server/system/locations.hpp"
-#include "server/system/process_set.hpp"
+#include "server/record/json_reader.hpp"
+#include "system/locations.hpp"
+#include "system/process_set.hpp"
 #include "tournaments/format/schedule.hpp"
-
-#include <nlohmann/json.hpp>
+#include "tournaments/league/event.hpp"
 
 #include <map>
 #include <sstream>
@@ -38,7 +38,7 @@ class Comparison {
   }
 
  private:
-  std::string record(int leg) const { return run_.folder + "/" + std::to_string(leg) + ".json"; }
+  std::string record_of(int leg) const { return run_.folder + "/" + std::to_string(leg) + ".json"; }
 
   Result<void> start(int leg, int cpu) {
     // The second leg of a fixture has the same seed, with colours swapped.
@@ -56,33 +56,35 @@ class Comparison {
                                        "--seed",
                                        std::to_string(seed),
                                        "--record",
-                                       record(leg)};
+                                       record_of(leg)};
     if (run_.half_s > 0.0) {
       std::ostringstream half;
       half << run_.half_s;
       arguments.insert(arguments.end(), {"--half", half.str()});
     }
-    const auto started = processes_.start(arguments, leg, cpu, record(leg) + ".out");
+    const auto started = processes_.start(arguments, leg, cpu, record_of(leg) + ".out");
     if (!started) return tl::unexpected(started.error());
     return {};
   }
 
   // The goals by which the first team is ahead after a leg.
   Result<int> difference(int leg) {
-    const auto text = files_.read(record(leg));
+    const auto text = files_.read(record_of(leg), {.max_size = system::size_limit::record});
     if (!text) return tl::unexpected(text.error());
-    const auto json = nlohmann::json::parse(*text, nullptr, false);
-    const auto blue = nlohmann::json::json_pointer("/result/score/blue");
-    const auto yellow = nlohmann::json::json_pointer("/result/score/yellow");
-    if (json.is_discarded() || !json.contains(blue) || !json.contains(yellow))
-      return fail(Errc::host, record(leg) + " is not the record of a leg");
-    const int ahead = json.at(blue).get<int>() - json.at(yellow).get<int>();
-    return leg % legs_per_fixture == 1 ? -ahead : ahead;
+    const auto ahead = record::read_json<int>(
+        *text, record_of(leg), Errc::host, [](const record::JsonReader& json) {
+          const record::JsonReader score = json.at("result").at("score");
+          return score.at("blue").integer(0, max_count) - score.at("yellow").integer(0, max_count);
+        });
+    if (!ahead) return ahead;
+    return leg % legs_per_fixture == 1 ? -*ahead : *ahead;
   }
 
   Result<void> count(const system::Exit& exit) {
     if (exit.signal != 0 || exit.code != exit_yes) {
-      const auto said = files_.read(record(exit.tag) + ".out");
+      const auto said =
+          files_.read(record_of(exit.tag) + ".out",
+                      {.max_size = system::size_limit::log, .growth = system::Growth::ignored});
       return fail(exit.code == 2 ? Errc::input : Errc::host,
                   "a leg could not be played: " + (said ? *said : std::string()));
     }

@@ -6,7 +6,7 @@
 
 #include "core/base/error.hpp"
 #include "core/field/league.hpp"
-#include "server/system/files.hpp"
+#include "system/files.hpp"
 #include "tournaments/play/progress_reporter.hpp"
 #include "tournaments/table/comparison.hpp"
 

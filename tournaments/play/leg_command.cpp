@@ -2,8 +2,10 @@
 #include "tournaments/play/leg_command.hpp"
 
 #include "core/base/random.hpp"
+#include "server/record/conditions_json.hpp"
+#include "server/record/json_reader.hpp"
 #include "server/record/rules_json.hpp"
-#include "server/system/locations.hpp"
+#include "system/locations.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -11,17 +13,26 @@ namespace mirocup::league {
 
 namespace {
 
-// Returns the rules that differ from their preset as options of `mirocup match`.
-std::vector<std::string> rule_options(const referee::Rules& rules, League league) {
-  std::vector<std::string> options{"--rules", std::string(to_string(rules.preset))};
-  const Json preset = record::to_json(referee::make_rules(rules.preset, league));
-  const Json own = record::to_json(rules);
+// Returns what differs from a preset as options of `mirocup match`: the preset, then KEY=VALUE.
+std::vector<std::string> options_of(const std::string& preset_option, const std::string& option,
+                                    const Json& own, const Json& preset) {
+  std::vector<std::string> options{preset_option, own.at("preset").get<std::string>()};
   for (const auto& [key, value] : own.items()) {
     if (value == preset.at(key)) continue;
-    options.push_back("--rule");
-    options.push_back(key + "=" + value.dump());
+    options.push_back(option);
+    options.push_back(key + "=" + record::json_text(value));
   }
   return options;
+}
+
+std::vector<std::string> rule_options(const referee::Rules& rules, League league) {
+  return options_of("--rules", "--rule", record::to_json(rules),
+                    record::to_json(referee::make_rules(rules.preset, league)));
+}
+
+std::vector<std::string> condition_options(const match::Conditions& conditions) {
+  return options_of("--conditions", "--condition", record::to_json(conditions),
+                    record::to_json(match::conditions_of(conditions.preset)));
 }
 
 std::string seat_of(const Folder& folder, const LeagueState& state, int team) {
@@ -73,6 +84,8 @@ std::vector<std::string> leg_command(const Folder& folder, const LeagueState& st
   }
   const std::vector<std::string> rules = rule_options(file.rules, file.league);
   arguments.insert(arguments.end(), rules.begin(), rules.end());
+  const std::vector<std::string> conditions = condition_options(state.conditions);
+  arguments.insert(arguments.end(), conditions.begin(), conditions.end());
   return arguments;
 }
 

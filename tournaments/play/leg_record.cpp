@@ -51,8 +51,8 @@ LegPlayed read_record(const LeagueFile& file, const LegId& id, const JsonReader&
   const std::string& away = file.teams[id.fixture.away].name;
   const Colours names{.blue = is_home_blue ? home : away, .yellow = is_home_blue ? away : home};
   const JsonReader result = record.at("result");
-  const int blue_goals = result.at("score").at("blue").integer<int>();
-  const int yellow_goals = result.at("score").at("yellow").integer<int>();
+  const int blue_goals = result.at("score").at("blue").integer(0, max_count);
+  const int yellow_goals = result.at("score").at("yellow").integer(0, max_count);
   return {
       .fixture = id.fixture.id(),
       .leg = id.leg,
@@ -102,7 +102,7 @@ std::optional<LegPlayed> find_played_leg(system::Files& files, const Folder& fol
                                          const LeagueState& state, const LegId& id) {
   const std::string path = folder.record(id.fixture, id.leg, id.version);
   if (!files.exists(path)) return std::nullopt;
-  const auto text = files.read(path);
+  const auto text = files.read(path, {.max_size = system::size_limit::record});
   if (!text) return std::nullopt;
   const auto leg =
       record::read_json<LegPlayed>(*text, path, Errc::damaged, [&](const JsonReader& record) {

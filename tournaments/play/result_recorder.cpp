@@ -63,7 +63,11 @@ Result<int> ResultRecorder::book_played(const std::string& fixture) {
 }
 
 std::string ResultRecorder::last_output_line(const LegId& leg) const {
-  const std::string text = files_.read(leg_output(folder(), leg)).value_or("");
+  const std::string text =
+      files_
+          .read(leg_output(folder(), leg),
+                {.max_size = system::size_limit::log, .growth = system::Growth::ignored})
+          .value_or("");
   const std::size_t end = text.find_last_not_of('\n');
   if (end == std::string::npos) return "";
   const std::size_t before = text.rfind('\n', end);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/play/runner.hpp"
 
-#include "server/system/digest.hpp"
-#include "server/system/locations.hpp"
+#include "system/digest.hpp"
+#include "system/locations.hpp"
+#include "system/memory.hpp"
 
 #include <algorithm>
 
@@ -15,6 +16,16 @@ constexpr int joiner_tag = -1;
 
 }  // namespace
 
+std::string memory_warning(std::optional<std::size_t> available, int jobs) {
+  const std::size_t needed = static_cast<std::size_t>(jobs) * system::memory_of_a_leg;
+  if (!available || *available >= needed) return "";
+  const std::size_t room = *available / system::memory_of_a_leg;
+  return "warning: " + system::mebibytes(*available) + " of memory are free, and " +
+         std::to_string(jobs) + (jobs == 1 ? " leg" : " legs at once") + " may take " +
+         system::mebibytes(needed) + "; a leg that runs out of it is void and played again" +
+         (room > 0 ? ": --jobs " + std::to_string(room) + " always has room" : "");
+}
+
 Runner::Runner(system::Files& files, LeagueStore store, ProgressReporter& progress)
     : files_(files), recorder_(files, std::move(store), progress), progress_(progress) {}
 
@@ -24,6 +35,10 @@ Result<int> Runner::run(const RunOptions& options) {
   const std::vector<int> cpus = system::processors();
   const int jobs = options.jobs > 0 ? options.jobs : static_cast<int>(cpus.size());
   workers_.resize(jobs);
+  if (const std::string warning = memory_warning(system::available_memory(), jobs);
+      !warning.empty()) {
+    progress_.say(warning);
+  }
   for (int i = 0; i < jobs; ++i) workers_[i].cpu = cpus[i % cpus.size()];
 
   bool is_asked_to_stop = false;
@@ -110,6 +125,11 @@ std::vector<std::string> Runner::credentials_of(const std::string& whose) const 
   return {"--credentials", folder + "/" + whose};
 }
 
+std::vector<std::string> Runner::dds_domain_of_legs() const {
+  if (options_.dds_domain == 0) return {};
+  return {"--dds-domain", std::to_string(options_.dds_domain)};
+}
+
 Result<void> Runner::start_leg(Worker& worker) {
   const LegId& leg = *worker.playing;
   const int blue = blue_team(leg.fixture, leg.leg);
@@ -122,6 +142,8 @@ Result<void> Runner::start_leg(Worker& worker) {
   auto command = leg_command(recorder_.folder(), state(), leg, match_id);
   const std::vector<std::string> credentials = credentials_of("server");
   command.insert(command.end(), credentials.begin(), credentials.end());
+  const std::vector<std::string> domain = dds_domain_of_legs();
+  command.insert(command.end(), domain.begin(), domain.end());
   if (options_.watched) command.insert(command.end(), {"--watch", "127.0.0.1:0", "--speed", "max"});
   if (auto started =
           processes_.start(command, tag, worker.cpu, leg_output(recorder_.folder(), leg));
@@ -150,6 +172,8 @@ Result<void> Runner::start_joiner(Worker& worker, int team, const std::string& c
       recorder_.folder().library(entry.name, state().teams[team].entry)};
   const std::vector<std::string> credentials = credentials_of("teams/" + entry.name);
   command.insert(command.end(), credentials.begin(), credentials.end());
+  const std::vector<std::string> domain = dds_domain_of_legs();
+  command.insert(command.end(), domain.begin(), domain.end());
   const auto pid = processes_.start(command, joiner_tag, worker.cpu, log);
   if (!pid) return tl::unexpected(pid.error());
   worker.joiner[colour == "blue" ? 0 : 1] = *pid;

@@ -9,19 +9,26 @@
 // team does can stop a league.
 #pragma once
 
-#include "server/system/process_set.hpp"
+#include "system/process_set.hpp"
 #include "tournaments/play/progress_reporter.hpp"
 #include "tournaments/play/result_recorder.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <set>
+#include <string>
 
 namespace mirocup::league {
 
 struct RunOptions {
   int jobs = 0;          // 0: one for each processor
   bool watched = false;  // true: each leg opens a live page on this host
+  int dds_domain = 0;    // of the legs in which a team plays over DDS
 };
+
+// Returns a sentence for the host if that many legs at once may take more memory than there is,
+// bytes; "" if all is well or not known.
+std::string memory_warning(std::optional<std::size_t> available, int jobs);
 
 class Runner {
  public:
@@ -48,6 +55,7 @@ class Runner {
   bool is_taken(const std::string& id) const;
   const FixtureState* next_fixture(const Worker& worker) const;
   Result<void> start_leg(Worker& worker);
+  std::vector<std::string> dds_domain_of_legs() const;
   std::vector<std::string> credentials_of(const std::string& whose) const;
   Result<void> start_joiner(Worker& worker, int team, const std::string& colour,
                             const std::string& match_id);

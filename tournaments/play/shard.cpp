@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/play/shard.hpp"
 
-#include "server/system/process_set.hpp"
+#include "system/process_set.hpp"
 #include "tournaments/play/leg_command.hpp"
 #include "tournaments/play/leg_record.hpp"
 

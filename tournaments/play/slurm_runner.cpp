@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/play/slurm_runner.hpp"
 
-#include "server/system/digest.hpp"
-#include "server/system/locations.hpp"
+#include "system/digest.hpp"
+#include "system/locations.hpp"
 #include "tournaments/play/shard.hpp"
 
 #include <algorithm>
@@ -109,7 +109,8 @@ Result<std::string> SlurmRunner::run_slurm(const CommandLine& command) {
     return tl::unexpected(started.error());
   auto exit = processes_.wait();
   for (; !exit; exit = processes_.wait()) ++interrupts_;
-  const auto text = files_.read(answer);
+  const auto text =
+      files_.read(answer, {.max_size = system::size_limit::log, .growth = system::Growth::ignored});
   if (!text) return text;
   if (exit->signal == 0 && exit->code == exit_yes) return text;
   if (exit->code == system::not_found) {
@@ -252,7 +253,8 @@ void SlurmRunner::drain() {
 std::vector<std::string> SlurmRunner::fixtures_of(const SlurmTask& task) {
   const auto [plan, is_new] = plans_.try_emplace(task.plan);
   if (is_new) {
-    std::istringstream text(files_.read(plan_path(task.plan)).value_or(""));
+    std::istringstream text(
+        files_.read(plan_path(task.plan), {.max_size = system::size_limit::note}).value_or(""));
     for (std::string line; std::getline(text, line);) {
       std::istringstream words(line);
       plan->second.emplace_back();

@@ -11,7 +11,7 @@
 // tasks.
 #pragma once
 
-#include "server/system/process_set.hpp"
+#include "system/process_set.hpp"
 #include "tournaments/play/result_recorder.hpp"
 #include "tournaments/play/slurm.hpp"
 

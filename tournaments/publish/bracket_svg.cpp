@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/bracket_svg.hpp"
 
-#include "server/system/markup.hpp"
+#include "system/markup.hpp"
 
 #include <algorithm>
 

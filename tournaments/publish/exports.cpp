@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/exports.hpp"
 
+#include "server/record/json_reader.hpp"
+#include "system/printable.hpp"
 #include "tournaments/publish/bracket_json.hpp"
+#include "tournaments/publish/decision_view.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 
 #include <nlohmann/json.hpp>
@@ -15,7 +18,8 @@ namespace {
 // One line of comma-separated values (RFC 4180).
 std::string csv_line(const std::vector<std::string>& cells) {
   std::string line;
-  for (const std::string& cell : cells) {
+  for (const std::string& text : cells) {
+    const std::string cell = system::printable(text);
     if (!line.empty()) line += ',';
     if (cell.find_first_of(",\"\r\n") == std::string::npos) {
       line += cell;
@@ -67,6 +71,11 @@ std::string legs_csv(const Overview& o) {
   return text;
 }
 
+// Returns null for a text that is not known.
+Json or_null(const std::string& text) {
+  return text.empty() ? Json() : Json(text);
+}
+
 Json legs_json(const Overview& o) {
   Json legs = Json::array();
   for (const LegView& leg : o.legs) {
@@ -78,9 +87,6 @@ Json legs_json(const Overview& o) {
               {"played", leg.played != nullptr}};
     if (leg.played != nullptr) {
       const PlayedLeg& p = *leg.played;
-      const auto or_null = [](const std::string& text) {
-        return text.empty() ? Json() : Json(text);
-      };
       json["score"] = {{"home", p.result.home_goals}, {"away", p.result.away_goals}};
       json["end"] = to_string(p.end);
       json["fault"] = or_null(fault_text(p));
@@ -92,6 +98,29 @@ Json legs_json(const Overview& o) {
     legs.push_back(json);
   }
   return {{"title", o.state.file.title}, {"legs", legs}};
+}
+
+std::string decisions_csv(const LeagueState& state) {
+  std::string text = csv_line({"number", "at", "by", "kind", "what", "why", "undone_by"});
+  for (const DecisionView& d : decision_views(state)) {
+    text += csv_line({std::to_string(d.number), d.at, d.by, std::string(d.kind), d.what, d.why,
+                      d.undone_by == 0 ? "" : std::to_string(d.undone_by)});
+  }
+  return text;
+}
+
+Json decisions_json(const LeagueState& state) {
+  Json decisions = Json::array();
+  for (const DecisionView& d : decision_views(state)) {
+    decisions.push_back({{"number", d.number},
+                         {"at", or_null(d.at)},
+                         {"by", or_null(d.by)},
+                         {"kind", d.kind},
+                         {"what", d.what},
+                         {"why", d.why},
+                         {"undone_by", d.undone_by == 0 ? Json() : Json(d.undone_by)}});
+  }
+  return {{"title", state.file.title}, {"decisions", decisions}};
 }
 
 Json crosstable_json(const Overview& o) {
@@ -156,12 +185,14 @@ Json table_json(const Overview& o) {
 }
 
 std::vector<SiteFile> exports(const Overview& o) {
-  return {{"table.json", table_json(o).dump(1) + "\n"},
-          {"crosstable.json", crosstable_json(o).dump(1) + "\n"},
-          {"bracket.json", bracket_json(o.state).dump(1) + "\n"},
-          {"legs.json", legs_json(o).dump(1) + "\n"},
+  return {{"table.json", record::json_text(table_json(o), 1) + "\n"},
+          {"crosstable.json", record::json_text(crosstable_json(o), 1) + "\n"},
+          {"bracket.json", record::json_text(bracket_json(o.state), 1) + "\n"},
+          {"legs.json", record::json_text(legs_json(o), 1) + "\n"},
+          {"decisions.json", record::json_text(decisions_json(o.state), 1) + "\n"},
           {"table.csv", table_csv(o)},
-          {"legs.csv", legs_csv(o)}};
+          {"legs.csv", legs_csv(o)},
+          {"decisions.csv", decisions_csv(o.state)}};
 }
 
 }  // namespace mirocup::league

@@ -11,7 +11,8 @@
 
 namespace mirocup::league {
 
-// table.json, crosstable.json, bracket.json, legs.json, table.csv, legs.csv.
+// table.json, crosstable.json, bracket.json, legs.json, decisions.json, table.csv, legs.csv,
+// decisions.csv.
 std::vector<SiteFile> exports(const Overview& overview);
 
 // The content of table.json.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/html.hpp"
 
-#include "server/system/markup.hpp"
+#include "system/markup.hpp"
 
 namespace mirocup::league {
 

@@ -24,11 +24,11 @@ int last_knockout_round(const LeagueState& state) {
   return last;
 }
 
-std::string with_sign(int number) {
+std::string with_sign(std::int64_t number) {
   return (number > 0 ? "+" : "") + std::to_string(number);
 }
 
-std::string to(int a, int b) {
+std::string to(std::int64_t a, std::int64_t b) {
   return ", " + std::to_string(a) + " to " + std::to_string(b);
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/replay_pages.hpp"
 
-#include "server/system/locations.hpp"
-#include "server/system/process_set.hpp"
+#include "system/locations.hpp"
+#include "system/process_set.hpp"
 
 #include <filesystem>
 

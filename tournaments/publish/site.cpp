@@ -2,6 +2,7 @@
 #include "tournaments/publish/site.hpp"
 
 #include "tournaments/publish/bracket_svg.hpp"
+#include "tournaments/publish/decision_view.hpp"
 #include "tournaments/publish/exports.hpp"
 #include "tournaments/publish/html.hpp"
 #include "tournaments/publish/leg_view.hpp"
@@ -132,6 +133,27 @@ void legs_html(Html& html, const Overview& o) {
   html.close_table();
 }
 
+// A league without decisions has no list of them.
+void decisions_html(Html& html, const LeagueState& state) {
+  const std::vector<DecisionView> decisions = decision_views(state);
+  if (decisions.empty()) return;
+  html.cell("h2", "Decisions");
+  html.cell("p", "What persons decided, the latest last.");
+  html.open_table();
+  html.row("th", {"", "When (UTC)", "Who", "What", "Why", "Later"});
+  for (const DecisionView& decision : decisions) {
+    html.open("tr");
+    html.cell_of("number", std::to_string(decision.number));
+    html.cell("td", decision.at);
+    html.cell("td", decision.by);
+    html.cell_of("small", decision.what);
+    html.cell_of("small", decision.why);
+    html.cell_of("small", decision.undoing);
+    html.close("tr");
+  }
+  html.close_table();
+}
+
 std::string index_html(const Overview& o) {
   const LeagueState& state = o.state;
   Html html;
@@ -148,12 +170,13 @@ std::string index_html(const Overview& o) {
   html.raw(
       "<p class=\"small\">Strength is fitted to all results together; 400 more means to win "
       "ten times as often as to lose. The points decide, not the strength. As files: \n");
-  for (const char* file :
-       {"table.csv", "legs.csv", "table.json", "legs.json", "crosstable.json", "bracket.json"}) {
+  for (const char* file : {"table.csv", "legs.csv", "decisions.csv", "table.json", "legs.json",
+                           "decisions.json", "crosstable.json", "bracket.json"}) {
     html.link(file, file);
   }
   html.close("p");
   groups_html(html, o);
+  decisions_html(html, state);
   crosstable_html(html, o);
   legs_html(html, o);
   html.end_page();

@@ -72,9 +72,10 @@ Result<void> copy_records(system::Files& files, const Folder& from, const League
       const std::string& record = leg.played->record;
       for (const std::string& name : {record, record::replay_path_of(record)}) {
         const auto copied =
-            files.read(from.path + "/" + name).and_then([&](const std::string& bytes) {
-              return files.write(to.path + "/" + name, bytes);
-            });
+            files.read(from.path + "/" + name, {.max_size = system::size_limit::replay})
+                .and_then([&](const std::string& bytes) {
+                  return files.write(to.path + "/" + name, bytes);
+                });
         if (!copied) return copied;
       }
     }

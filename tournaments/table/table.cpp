@@ -159,25 +159,25 @@ class Ranking {
   double value(TieBreak rule, int team, const std::map<int, TableRow>& mini) const {
     switch (rule) {
       case TieBreak::goal_difference:
-        return total_[team].difference();
+        return static_cast<double>(total_[team].difference());
       case TieBreak::goals:
-        return total_[team].goals_for;
+        return static_cast<double>(total_[team].goals_for);
       case TieBreak::head_to_head_points:
-        return mini.at(team).points;
+        return static_cast<double>(mini.at(team).points);
       case TieBreak::head_to_head_goal_difference:
-        return mini.at(team).difference();
+        return static_cast<double>(mini.at(team).difference());
       case TieBreak::penalties:
-        return -total_[team].penalties;
+        return -static_cast<double>(total_[team].penalties);
       case TieBreak::lots:
         return Random(mix_seed(rules_.seed ^ static_cast<std::uint64_t>(team))).uniform();
       case TieBreak::wins:
         return total_[team].won;
       case TieBreak::opponents_points: {
-        int sum = 0;
+        std::int64_t sum = 0;
         for (const std::size_t i : legs_of_[team]) {
           sum += total_[results_[i].home == team ? results_[i].away : results_[i].home].points;
         }
-        return sum;
+        return static_cast<double>(sum);
       }
     }
     return 0.0;

@@ -45,6 +45,9 @@ enum class TieBreak {
   opponents_points,  // sum over the legs of the team: the points of the opponent
 };
 
+// Each is within ±max_points, so that sums of them fit into 64 bits whatever is played.
+inline constexpr int max_points = 1'000'000;
+
 struct Points {
   int win = 3;
   int draw = 1;
@@ -63,13 +66,13 @@ struct TableRow {
   int won = 0;
   int drawn = 0;
   int lost = 0;
-  int goals_for = 0;
-  int goals_against = 0;
-  int points = 0;
-  int penalties = 0;         // given against the team
-  std::string separated_by;  // the rule that put it above the next row; "" for the last row
+  std::int64_t goals_for = 0;
+  std::int64_t goals_against = 0;
+  std::int64_t points = 0;
+  std::int64_t penalties = 0;  // given against the team
+  std::string separated_by;    // the rule that put it above the next row; "" for the last row
 
-  int difference() const { return goals_for - goals_against; }
+  std::int64_t difference() const { return goals_for - goals_against; }
 };
 
 struct TableRules {

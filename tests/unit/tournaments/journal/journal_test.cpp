@@ -4,6 +4,7 @@
 // stopped while a line was written.
 #include "tournaments/journal/journal.hpp"
 
+#include "system/digest.hpp"
 #include "tests/support/memory_files.hpp"
 
 #include <gtest/gtest.h>
@@ -121,6 +122,45 @@ TEST(Journal, IsAsBeforeWhenTheDiskIsFull) {
   EXPECT_EQ(journal.lines().size(), 3u);
   files.fail_after(-1);
   EXPECT_TRUE(journal.append("leg", {{"fixture", "r1-f2"}}));
+  EXPECT_EQ(opened(files).lines().size(), 4u);
+}
+
+// A journal of one line, which has these keys besides those that every line has.
+std::string line_with(const std::string& fields) {
+  const std::string text = "{\"n\":1," + fields + ",\"prev\":\"\"";
+  return text + ",\"hash\":\"" + system::sha256(text) + "\"}\n";
+}
+
+// Catches a line with right hashes that takes the stack or the memory of who reads it.
+TEST(Journal, NamesTheLineThatIsLargerThanAnyOfOurs) {
+  MemoryFiles files;
+  const auto error_of = [&files](const std::string& fields) {
+    (void)files.write("journal.jsonl", line_with(fields));
+    const auto journal = Journal::open(files, "journal.jsonl");
+    if (journal) return std::string("none");
+    EXPECT_EQ(journal.error().code, Errc::damaged);
+    return journal.error().what;
+  };
+  EXPECT_EQ(error_of("\"kind\":\"start\""), "none");
+  EXPECT_EQ(
+      error_of("\"kind\":" + std::string(200'000, '[') + std::string(200'000, ']')).substr(0, 29),
+      "journal.jsonl: line 1: /kind/");
+  EXPECT_EQ(error_of("\"kind\":\"a\\u0000\""),
+            "journal.jsonl: line 1: /kind: the character U+0000 is in no text of ours");
+  EXPECT_EQ(error_of("\"why\":\"" + std::string(9u << 20, 'x') + "\""),
+            "journal.jsonl: line 1: /: it has 9437284 bytes; at most 8388608 are read");
+}
+
+// Catches a line that is written and can never be read again.
+TEST(Journal, WritesNoLineThatItWouldRefuse) {
+  MemoryFiles files;
+  write_three_lines(files);
+  Journal journal = opened(files);
+  const auto written = journal.append("void", {{"why", std::string("a\0b", 3)}});
+  ASSERT_FALSE(written);
+  EXPECT_EQ(written.error().code, Errc::input);
+  EXPECT_FALSE(journal.append("void", {{"why", std::string(2u << 20, 'x')}}));
+  EXPECT_TRUE(journal.append("void", {{"why", "test"}}));
   EXPECT_EQ(opened(files).lines().size(), 4u);
 }
 

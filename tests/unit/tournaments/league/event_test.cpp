@@ -14,7 +14,10 @@ namespace {
 
 // The texts of lines as journals have them, without "prev" and "hash".
 const std::vector<const char*> line_texts{
-    R"({"n":1,"kind":"start","config_sha256":"c0","version":"0.1.0"})",
+    R"({"n":1,"kind":"start","config_sha256":"c0","version":"0.1.0","conditions":{"preset":"hall",)"
+    R"("place_sigma_m":0.002,"place_sigma_rad":0.026,"wheel_gain_sigma":0.01,)"
+    R"("wheel_jitter_sigma":0.01,"rolling_sigma":0.1,"see_sigma_m":0.0,"see_sigma_rad":0.0,)"
+    R"("delay_ticks":0,"unseen_rate":0.0,"unseen_mean_ticks":0.0,"radio_loss":0.0}})",
     R"({"n":1,"kind":"entry","team":"a","entry":2,"sha256":"9f"})",
     R"({"n":1,"kind":"leg","fixture":"r1-f1","leg":1,"attempt":2,"home":"a","away":"b","blue":"a",)"
     R"("score":{"home":10,"away":0},"winner":"a","end":"forfeit",)"
@@ -28,7 +31,16 @@ const std::vector<const char*> line_texts{
     R"("why":"w","by":"H"})",
     R"({"n":1,"kind":"withdraw","results":"annul","team":"a","why":"left","by":"H"})",
     R"({"n":1,"kind":"pause","team":"a","why":"w"})",
-    R"({"n":1,"kind":"resume","team":"a","why":""})"};
+    R"({"n":1,"kind":"resume","team":"a","why":""})",
+    // With the time, which older lines lack.
+    R"({"n":1,"kind":"void","fixture":"r1-f1","leg":1,"attempt":1,"cause":"ruling","why":"w",)"
+    R"("by":"H","at":"2026-11-30T18:00:00Z"})",
+    R"({"n":1,"kind":"ruling","fixture":"r1-f1","leg":2,"score":{"home":0,"away":10},)"
+    R"("why":"w","by":"H","at":"2026-11-30T18:00:00Z"})",
+    R"({"n":1,"kind":"withdraw","results":"keep","team":"a","why":"left",)"
+    R"("at":"2026-11-30T18:00:00Z"})",
+    R"({"n":1,"kind":"pause","team":"a","why":"w","at":"2026-11-30T18:00:00Z"})",
+    R"({"n":1,"kind":"resume","team":"a","why":"","at":"2026-11-30T18:00:00Z"})"};
 
 std::string error_of_line(const Json& line) {
   const auto event = read_event(line);
@@ -45,13 +57,21 @@ TEST(Event, IsWrittenAsItWasRead) {
   }
 }
 
+// A league that was started before there were conditions goes on as it began.
+TEST(Event, AStartWithoutConditionsIsExact) {
+  const auto event =
+      read_event(Json::parse(R"({"n":1,"kind":"start","config_sha256":"c0","version":"0.1.0"})"));
+  ASSERT_TRUE(event) << event.error().what;
+  EXPECT_EQ(std::get<Started>(*event).conditions, match::Conditions{});
+}
+
 TEST(Event, NamesLineKeyAndReasonOfAMistake) {
   for (const char* text : line_texts) {
     const Json good = Json::parse(text);
     for (const auto& [key, value] : good.items()) {
       // These have defaults: old lines lack some of them.
       if (key == "n" || key == "version" || key == "attempt" || key == "blue" || key == "cause" ||
-          key == "by") {
+          key == "by" || key == "at" || key == "conditions") {
         continue;
       }
       Json line = good;
@@ -77,6 +97,13 @@ TEST(Event, NamesItsFixtureIfItHasOne) {
   ASSERT_NE(fixture_of(ruled), nullptr);
   EXPECT_EQ(*fixture_of(ruled), "r1-f1");
   EXPECT_EQ(fixture_of(Paused{.team = "a", .why = "w", .by = {}}), nullptr);
+}
+
+// Catches goals whose sums overflow.
+TEST(Event, HasAtMostAMillionGoals) {
+  Json line = Json::parse(line_texts[5]);
+  line["score"]["home"] = 2147483647;
+  EXPECT_EQ(error_of_line(line), "line 1: /score/home: 2147483647 is not at most 1000000");
 }
 
 }  // namespace

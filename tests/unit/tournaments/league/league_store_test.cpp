@@ -4,7 +4,7 @@
 // fails, after an event of another process.
 #include "tournaments/league/league_store.hpp"
 
-#include "server/system/digest.hpp"
+#include "system/digest.hpp"
 #include "tests/support/memory_files.hpp"
 
 #include <gtest/gtest.h>

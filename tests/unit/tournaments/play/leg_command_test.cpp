@@ -47,6 +47,18 @@ TEST(LegCommand, SwapsColoursFromLegToLegAndKeepsTheSeed) {
   EXPECT_EQ(value_of(first, "--stage"), "");
 }
 
+TEST(LegCommand, NamesTheConditionsOfTheLeague) {
+  LeagueState state = league_of_two(FormatKind::double_round_robin);
+  const LegId leg{.fixture = state.fixtures[0].fixture, .leg = 1};
+  EXPECT_EQ(value_of(leg_command(Folder{"l"}, state, leg, "m"), "--conditions"), "exact")
+      << "started without any";
+  state.conditions = match::conditions_of(match::ConditionsPreset::camera);
+  state.conditions.delay_ticks = 2;
+  const auto command = leg_command(Folder{"l"}, state, leg, "m");
+  EXPECT_EQ(value_of(command, "--conditions"), "camera");
+  EXPECT_EQ(value_of(command, "--condition"), "delay_ticks=2");
+}
+
 TEST(LegCommand, PlaysTheLegThatDecidesATieAsAKnockoutWithASeedOfItsOwn) {
   const LeagueState state = league_of_two(FormatKind::knockout);
   const Fixture& tie = state.fixtures[0].fixture;

@@ -192,5 +192,17 @@ TEST(Table, ComparesUnlikeNumbersOfLegsByTheirMean) {
   EXPECT_EQ(rows[1].played, 3) << "B keeps what it won against the old entry";
 }
 
+// Catches sums of points and goals that do not fit into 32 bits: the winner of all stood last.
+TEST(Table, AddsTheLargestPointsAndGoalsOfManyLegs) {
+  TableRules rules;
+  rules.points.win = max_points;
+  constexpr int legs = 3000;
+  const auto rows =
+      make_table(all_teams(2), std::vector<LegResult>(legs, leg_result(A, B, 1'000'000, 0)), rules);
+  EXPECT_EQ(order(rows), (std::vector<int>{A, B}));
+  EXPECT_EQ(rows[0].points, 3'000'000'000);
+  EXPECT_EQ(rows[1].difference(), -3'000'000'000);
+}
+
 }  // namespace
 }  // namespace mirocup::league

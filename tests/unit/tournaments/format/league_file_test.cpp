@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+//
+// Catches a league file whose numbers overflow later, and a message without file and key.
+#include "tournaments/format/league_file.hpp"
+
+#include <gtest/gtest.h>
+
+namespace mirocup::league {
+namespace {
+
+std::string error_of(const std::string& fields) {
+  const auto file =
+      parse_league_file("{\"schema\":\"mirocup/league/1\"," + fields + "}", "league.json");
+  return file ? "none" : file.error().what;
+}
+
+TEST(LeagueFile, BoundsItsNumbers) {
+  EXPECT_EQ(error_of(R"("points":{"win":1000000,"loss":-1000000})"), "none");
+  EXPECT_EQ(error_of(R"("points":{"win":2147483647})"),
+            "league.json: /points/win: 2147483647 is not at most 1000000");
+  EXPECT_EQ(error_of(R"("points":{"loss":-2147483648})"),
+            "league.json: /points/loss: -2147483648 is not at least -1000000");
+  EXPECT_EQ(error_of(R"("rules":{"forfeit_goals":2147483647})"),
+            "league.json: /rules/forfeit_goals: 2147483647 is not at most 10000");
+  std::string teams = R"("teams":[)";
+  for (int i = 0; i < 1001; ++i) teams += (i > 0 ? ",{}" : "{}");
+  EXPECT_EQ(error_of(teams + "]"), "league.json: /teams: 0 to 1000 values are expected, not 1001");
+}
+
+}  // namespace
+}  // namespace mirocup::league

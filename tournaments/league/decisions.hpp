@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+//
+// The list of the decisions of persons, LeagueState::decisions, and which of them a later one
+// undoes.
+#pragma once
+
+#include "tournaments/league/league_state.hpp"
+
+namespace mirocup::league {
+
+// Appends the event to the list if it is a decision of a person, and marks those that it undoes.
+// `state` is the state before the event, which validate() accepts.
+void note_decision(LeagueState& state, const Event& event);
+
+}  // namespace mirocup::league

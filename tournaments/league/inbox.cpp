@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/league/inbox.hpp"
+
+#include "system/users.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace mirocup::league {
+
+namespace {
+
+constexpr std::string_view library_end = ".so";
+
+struct Waiting {
+  std::string path;
+  std::string team;
+  int turn = 0;  // the number of files of the same user before it
+};
+
+// Returns the users whose files are the host's own word; nobody if only the host can write there.
+Result<std::vector<uid_t>> trusted_in(const std::string& inbox) {
+  const auto writers = system::writers_of(inbox);
+  if (!writers) return tl::unexpected(writers.error());
+  const std::vector<uid_t> host{0, system::this_user()};
+  const bool is_the_hosts = std::find(host.begin(), host.end(), writers->owner) != host.end();
+  if (is_the_hosts && !writers->others_write) return std::vector<uid_t>{};
+  return std::vector<uid_t>{host[0], host[1], writers->owner};
+}
+
+// Returns the files of the inbox in the order in which they are taken.
+Result<std::vector<Waiting>> waiting_in(system::Files& files, const std::string& inbox) {
+  const auto names = files.names_in(inbox);
+  if (!names) return tl::unexpected(names.error());
+  std::vector<Waiting> all;
+  std::map<uid_t, int> turns;
+  for (const std::string& name : *names) {
+    if (!name.ends_with(library_end)) continue;
+    const std::string path = inbox + "/" + name;
+    const auto owner = system::owner_of(path);
+    if (!owner) continue;  // removed since
+    all.push_back({.path = path,
+                   .team = name.substr(0, name.size() - library_end.size()),
+                   .turn = turns[*owner]++});
+  }
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Waiting& a, const Waiting& b) { return a.turn < b.turn; });
+  return all;
+}
+
+}  // namespace
+
+Result<void> submit_inbox(system::Files& files, const Folder& folder, const std::string& inbox,
+                          std::int64_t now, const InboxListener& tell, const Quota& quota) {
+  const auto trusted = trusted_in(inbox);
+  if (!trusted) return tl::unexpected(trusted.error());
+  const auto all = waiting_in(files, inbox);
+  if (!all) return tl::unexpected(all.error());
+  for (const Waiting& file : *all) {
+    const std::string team = is_good_name(file.team) ? file.team : "";
+    const auto done = submit(files, folder,
+                             {.team = file.team,
+                              .path = file.path,
+                              .at = now,
+                              .is_from_inbox = true,
+                              .trusted = *trusted},
+                             quota);
+    if (!done && done.error().code == Errc::interrupted) return tl::unexpected(done.error());
+    if (!done || done->is_news) tell(file.path, team, done);
+  }
+  return {};
+}
+
+}  // namespace mirocup::league

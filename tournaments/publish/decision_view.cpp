@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/publish/decision_view.hpp"
+
+namespace mirocup::league {
+
+namespace {
+
+// Returns "r1-f1 leg 2, a – b".
+template <class OfLeg>
+std::string leg_in_words(const LeagueState& state, const OfLeg& e) {
+  std::string words = e.fixture + " leg " + std::to_string(e.leg);
+  const auto index = state.find_fixture(e.fixture);
+  if (!index) return words;
+  const Fixture& f = state.fixtures[*index].fixture;
+  return f.has_both() ? words + ", " + state.name(f.home) + " – " + state.name(f.away) : words;
+}
+
+struct DecisionWriter {
+  const LeagueState& state;
+
+  DecisionView operator()(const LegVoided& e) const {
+    return signed_by(e, leg_in_words(state, e) + ": void, to be played again");
+  }
+
+  DecisionView operator()(const Ruled& e) const {
+    return signed_by(e, leg_in_words(state, e) + ": " + std::to_string(e.score.home) + ":" +
+                            std::to_string(e.score.away));
+  }
+
+  DecisionView operator()(const Withdrawn& e) const {
+    return signed_by(e, e.team + (e.results == WithdrawnResults::keep
+                                      ? " withdrawn, its results stay"
+                                      : " withdrawn, its results count for nothing"));
+  }
+
+  DecisionView operator()(const Paused& e) const { return signed_by(e, e.team + " paused"); }
+
+  DecisionView operator()(const Resumed& e) const { return signed_by(e, e.team + " plays on"); }
+
+  template <class NoDecision>
+  DecisionView operator()(const NoDecision&) const {
+    return {};
+  }
+
+  template <class Signed>
+  DecisionView signed_by(const Signed& e, std::string what) const {
+    DecisionView view;
+    view.kind = Signed::kind;
+    view.at = e.at;
+    view.by = e.by;
+    view.what = std::move(what);
+    view.why = e.why;
+    return view;
+  }
+};
+
+std::string undoing_in_words(const Event& by, int number) {
+  const std::string which = " by " + std::to_string(number);
+  if (const auto* left = std::get_if<Withdrawn>(&by))
+    return "covered" + which + ", " + left->team + " has withdrawn";
+  return (std::holds_alternative<Resumed>(by) ? "ended" : "overruled") + which;
+}
+
+}  // namespace
+
+std::vector<DecisionView> decision_views(const LeagueState& state) {
+  std::vector<DecisionView> views;
+  for (const Decision& decision : state.decisions) {
+    DecisionView view = std::visit(DecisionWriter{state}, decision.event);
+    view.number = static_cast<int>(views.size()) + 1;
+    if (decision.undone_by) {
+      view.undone_by = static_cast<int>(*decision.undone_by) + 1;
+      view.undoing = undoing_in_words(state.decisions[*decision.undone_by].event, view.undone_by);
+    }
+    views.push_back(std::move(view));
+  }
+  return views;
+}
+
+}  // namespace mirocup::league

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+//
+// The decisions of persons in words, as pages and exports list them.
+#pragma once
+
+#include "tournaments/league/league_state.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mirocup::league {
+
+struct DecisionView {
+  int number = 1;         // from 1, in the order of the journal
+  std::string_view kind;  // of its line: "void", "ruling", "withdraw", "pause", "resume"
+  std::string at;         // UTC; "" if the line does not say
+  std::string by;         // "" if no person is named
+  std::string what;       // "r1-f1 leg 2, a – b: 0:10"
+  std::string why;
+  int undone_by = 0;    // the number of the decision that ended its effect; 0: none did
+  std::string undoing;  // the same in words: "overruled by 4"; "" if none did
+};
+
+// Returns all decisions, the latest last.
+std::vector<DecisionView> decision_views(const LeagueState& state);
+
+}  // namespace mirocup::league
