@@ -43,9 +43,12 @@ bool report_faults_to(CommandPage& page) {
   action.sa_sigaction = report;
   action.sa_flags = SA_SIGINFO | SA_ONSTACK | SA_RESTART;
   const auto handle = [&action](int signal) { return sigaction(signal, &action, nullptr) == 0; };
+  sigset_t none;
+  sigemptyset(&none);
   return handle(SIGSYS) &&
          std::all_of(std::begin(processor_signals), std::end(processor_signals), handle) &&
-         std::all_of(std::begin(ending_signals), std::end(ending_signals), handle);
+         std::all_of(std::begin(ending_signals), std::end(ending_signals), handle) &&
+         sigprocmask(SIG_SETMASK, &none, nullptr) == 0;
 }
 
 }  // namespace mirocup::plugins

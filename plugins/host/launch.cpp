@@ -52,18 +52,20 @@ bool arrange_descriptors(const Launch& what, int program) {
   return close_range(count, ~0U, 0) == 0 && fcntl(program_descriptor, F_SETFD, FD_CLOEXEC) == 0;
 }
 
-// Restores the default handlers and unblocks all signals: exec keeps ignored and blocked ones.
-void reset_signals() {
+// Restores the default handlers, because exec keeps ignored signals. All signals are blocked until
+// the host program has its own handlers (report_faults_to): one that is sent to all processes of a
+// job while a team starts must not end the team.
+void hold_signals() {
+  sigset_t all;
+  sigfillset(&all);
+  sigprocmask(SIG_SETMASK, &all, nullptr);
   for (int number = 1; number < NSIG; ++number) signal(number, SIG_DFL);
-  sigset_t none;
-  sigemptyset(&none);
-  sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
 [[noreturn]] void become_host(const Launch& what, int program) {
   // In a session of its own a team cannot reach the server with a signal to its process group.
   setsid();
-  reset_signals();
+  hold_signals();
   umask(077);
   // The same addresses in every leg: one source of randomness less.
   personality(ADDR_NO_RANDOMIZE);

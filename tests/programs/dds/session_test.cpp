@@ -188,7 +188,9 @@ TEST(DdsSession, IsWonByNobodyWhenOneTeamDiesBeforeTheStartAndTheOtherDoesNotCom
 TEST(DdsSession, KnowsAStoppedProcessAgain) {
   const TemporaryFolder folder;
   const std::string id = match_id("again");
-  Running leg(match(id, folder / "leg.json", {"--speed", "1", "--half", "8"}));
+  // Neither the leg nor the limit may end before a slow machine has let the process join anew.
+  Running leg(match(id, folder / "leg.json",
+                    {"--speed", "1", "--half", "12", "--away-limit", "60"}));
   Running remote(join(id, "blue", "remote", team("stops")));
   ASSERT_TRUE(has_said(leg, "the team is silent")) << leg.err();
   // Longer than the client waits for a state, so that it joins anew.
