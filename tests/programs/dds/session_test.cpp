@@ -189,8 +189,8 @@ TEST(DdsSession, KnowsAStoppedProcessAgain) {
   const TemporaryFolder folder;
   const std::string id = match_id("again");
   // Neither the leg nor the limit may end before a slow machine has let the process join anew.
-  Running leg(match(id, folder / "leg.json",
-                    {"--speed", "1", "--half", "12", "--away-limit", "60"}));
+  Running leg(
+      match(id, folder / "leg.json", {"--speed", "1", "--half", "12", "--away-limit", "60"}));
   Running remote(join(id, "blue", "remote", team("stops")));
   ASSERT_TRUE(has_said(leg, "the team is silent")) << leg.err();
   // Longer than the client waits for a state, so that it joins anew.
