@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <optional>
 
 namespace mirocup::league {
 
@@ -32,18 +33,30 @@ std::string csv_line(const std::vector<std::string>& cells) {
   return line + "\r\n";
 }
 
+// Returns how many legs would tell the team of a row from the next one: nothing for the last row,
+// and if it takes too many.
+std::optional<int> legs_to_next(const Overview& o, std::size_t row) {
+  if (row + 1 == o.table.size()) return {};
+  return legs_to_tell(o.ratings, o.table[row].team, o.table[row + 1].team);
+}
+
 std::string table_csv(const Overview& o) {
   std::string text =
       csv_line({"rank", "team", "played", "won", "drawn", "lost", "goals_for", "goals_against",
-                "goal_difference", "points", "penalties", "separated_by", "strength"});
-  int rank = 1;
-  for (const TableRow& row : o.table) {
-    text += csv_line({std::to_string(rank++), o.state.name(row.team), std::to_string(row.played),
-                      std::to_string(row.won), std::to_string(row.drawn), std::to_string(row.lost),
-                      std::to_string(row.goals_for), std::to_string(row.goals_against),
-                      std::to_string(row.difference()), std::to_string(row.points),
-                      std::to_string(row.penalties), row.separated_by,
-                      std::to_string(std::lround(o.strengths[row.team].value))});
+                "goal_difference", "points", "penalties", "separated_by", "strength",
+                "strength_low", "strength_high", "legs_to_tell"});
+  for (std::size_t i = 0; i < o.table.size(); ++i) {
+    const TableRow& row = o.table[i];
+    const Strength& strength = o.ratings.strengths[row.team];
+    const auto legs = legs_to_next(o, i);
+    text += csv_line(
+        {std::to_string(i + 1), o.state.name(row.team), std::to_string(row.played),
+         std::to_string(row.won), std::to_string(row.drawn), std::to_string(row.lost),
+         std::to_string(row.goals_for), std::to_string(row.goals_against),
+         std::to_string(row.difference()), std::to_string(row.points),
+         std::to_string(row.penalties), row.separated_by,
+         std::to_string(std::lround(strength.value)), std::to_string(std::lround(strength.low)),
+         std::to_string(std::lround(strength.high)), legs ? std::to_string(*legs) : std::string()});
   }
   return text;
 }
@@ -153,13 +166,13 @@ Meetings meetings(const Overview& o) {
 
 Json table_json(const Overview& o) {
   Json rows = Json::array();
-  int rank = 1;
   for (std::size_t i = 0; i < o.table.size(); ++i) {
     const TableRow& row = o.table[i];
     const TableRow* next = i + 1 < o.table.size() ? &o.table[i + 1] : nullptr;
-    const Strength& strength = o.strengths[row.team];
+    const Strength& strength = o.ratings.strengths[row.team];
     const std::string reason = reason_in_words(row, next);
-    rows.push_back({{"rank", rank++},
+    const auto legs = legs_to_next(o, i);
+    rows.push_back({{"rank", i + 1},
                     {"team", o.state.name(row.team)},
                     {"played", row.played},
                     {"won", row.won},
@@ -175,7 +188,8 @@ Json table_json(const Overview& o) {
                     {"strength",
                      {{"value", std::lround(strength.value)},
                       {"low", std::lround(strength.low)},
-                      {"high", std::lround(strength.high)}}}});
+                      {"high", std::lround(strength.high)}}},
+                    {"legs_to_tell", legs ? Json(*legs) : Json()}});
   }
   return {{"title", o.state.file.title},
           {"format", to_string(o.state.file.format.kind)},

@@ -13,9 +13,6 @@ namespace mirocup::league {
 
 namespace {
 
-// With more fixtures the intervals of the strengths would take longer than a person waits.
-constexpr std::size_t max_resampled_fixtures = 20'000;
-
 int last_knockout_round(const LeagueState& state) {
   int last = 0;
   for (const FixtureState& f : state.fixtures) {
@@ -94,9 +91,7 @@ Overview overview(const LeagueState& state) {
     }
     if (!fixture.empty()) results.push_back(std::move(fixture));
   }
-  const RatingOptions options{.resamples = results.size() > max_resampled_fixtures ? 0 : 200,
-                              .seed = state.file.seed};
-  o.strengths = strengths(static_cast<int>(state.file.teams.size()), results, options);
+  o.ratings = rate(static_cast<int>(state.file.teams.size()), results);
   return o;
 }
 
@@ -158,6 +153,12 @@ std::string reason_in_words(const TableRow& row, const TableRow* next) {
       return "its opponents have more points";
   }
   return by;
+}
+
+std::string legs_to_tell_in_words(const Overview& o, const TableRow& row, const TableRow* next) {
+  if (next == nullptr) return "";
+  const auto legs = legs_to_tell(o.ratings, row.team, next->team);
+  return legs ? std::to_string(*legs) : "over " + std::to_string(max_legs_to_tell);
 }
 
 }  // namespace mirocup::league

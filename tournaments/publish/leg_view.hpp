@@ -31,8 +31,8 @@ struct LegView {
 struct Overview {
   const LeagueState& state;
   std::vector<TableRow> table;
-  std::vector<Strength> strengths;  // by team
-  std::vector<LegView> legs;        // of the fixtures whose teams are known
+  Ratings ratings;
+  std::vector<LegView> legs;  // of the fixtures whose teams are known
 };
 Overview overview(const LeagueState& state);
 
@@ -48,5 +48,9 @@ std::string fault_in_words(const LegFault& fault);
 // Returns what puts a row above the next: "goal difference, +5 to +2"; "" for the last row, and
 // before both teams have played. `next` is null for the last row.
 std::string reason_in_words(const TableRow& row, const TableRow* next);
+
+// Returns how many legs the team of a row would have to play against the next one to be told apart
+// (legs_to_tell()): "120"; "over 1000000"; "" for the last row.
+std::string legs_to_tell_in_words(const Overview& o, const TableRow& row, const TableRow* next);
 
 }  // namespace mirocup::league

@@ -36,7 +36,10 @@ void rows_html(Html& html, const Overview& o, const std::vector<TableRow>& table
   html.open_table();
   std::vector<std::string> head{"",     "Team",  "Legs",  "Won",    "Drawn",
                                 "Lost", "Goals", "Diff.", "Points", "Ahead of the next by"};
-  if (has_strength) head.push_back("Strength (95 %)");
+  if (has_strength) {
+    head.push_back("Strength (95 %)");
+    head.push_back("Legs to tell");
+  }
   html.row("th", head);
   for (std::size_t i = 0; i < table.size(); ++i) {
     const TableRow& row = table[i];
@@ -53,8 +56,12 @@ void rows_html(Html& html, const Overview& o, const std::vector<TableRow>& table
                  std::to_string(row.goals_for) + " : " + std::to_string(row.goals_against));
     html.cell_of("number", std::to_string(row.difference()));
     html.cell_of("number", std::to_string(row.points));
-    html.cell_of("small", reason_in_words(row, i + 1 < table.size() ? &table[i + 1] : nullptr));
-    if (has_strength) html.cell_of("small", strength_text(o.strengths[row.team]));
+    const TableRow* next = i + 1 < table.size() ? &table[i + 1] : nullptr;
+    html.cell_of("small", reason_in_words(row, next));
+    if (has_strength) {
+      html.cell_of("small", strength_text(o.ratings.strengths[row.team]));
+      html.cell_of("number", legs_to_tell_in_words(o, row, next));
+    }
     html.close("tr");
   }
   html.close_table();
@@ -169,7 +176,9 @@ std::string index_html(const Overview& o) {
   rows_html(html, o, o.table, true);
   html.raw(
       "<p class=\"small\">Strength is fitted to all results together; 400 more means to win "
-      "ten times as often as to lose. The points decide, not the strength. As files: \n");
+      "ten times as often as to lose. The points decide, not the strength. Legs to tell: how many "
+      "legs a team and the next one would have to play against each other before their strengths "
+      "differ beyond chance. As files: \n");
   for (const char* file : {"table.csv", "legs.csv", "decisions.csv", "table.json", "legs.json",
                            "decisions.json", "crosstable.json", "bracket.json"}) {
     html.link(file, file);

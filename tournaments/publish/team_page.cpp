@@ -138,7 +138,7 @@ std::string team_html(const Overview& o, int team) {
   const auto row = std::find_if(o.table.begin(), o.table.end(),
                                 [team](const TableRow& r) { return r.team == team; });
   const TeamState& now = o.state.teams[team];
-  const Strength& strength = o.strengths[team];
+  const Strength& strength = o.ratings.strengths[team];
   Html html;
   html.begin_page(o.state.name(team));
   html.open("p");

@@ -6,36 +6,49 @@
 //
 // Team i beats team j with probability  g_i / (g_i + g_j + v sqrt(g_i g_j)).  A draw has v sqrt(g_i
 // g_j) in the numerator. A strength is 400 log10(g): a team that is 400 stronger wins ten times as
-// often as it loses. The mean over all teams is 0. Each team also gets one win and one loss against
-// a virtual team of strength 0, so that a team that won all legs has a finite strength.
+// often as it loses. The mean over all teams is 0. The likelihood is penalised: each team also gets
+// half a win and half a loss against a virtual team of strength 0, so that a team that won all legs
+// has a finite strength.
+//
+// An interval holds the strengths of one team that the results do not contradict: those for which
+// twice the logarithm of the likelihood falls by at most 3.84, the 95 % point of chi squared with
+// one degree of freedom. The other strengths stay as fitted. What their uncertainty adds is taken
+// from the curvature of the likelihood at its maximum: the permitted fall is multiplied by the
+// variance of the strength, divided by the variance that it had if the others were known. The legs
+// of a fixture count as independent. docs/comparisons.md says how often such intervals hold the
+// truth.
 #pragma once
 
 #include "tournaments/table/table.hpp"
 
-#include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace mirocup::league {
 
 struct Strength {
   double value = 0.0;
-  double low = 0.0;   // of the 95 % interval
-  double high = 0.0;  // low and high equal value if the interval was not computed
+  double low = 0.0;  // of the 95 % interval
+  double high = 0.0;
 };
 
-struct RatingOptions {
-  // Number of bootstrap samples for the interval; 0: no interval. Whole fixtures are drawn with
-  // replacement, because the legs of a fixture share a seed.
-  int resamples = 200;
-  std::uint64_t seed = 1;
+struct Ratings {
+  std::vector<Strength> strengths;  // by team
+  double draws = 1.0;  // v: how many draws there are for a win, where two equal teams meet
 };
 
 // The results of one fixture.
 using FixtureResults = std::vector<LegResult>;
 
 // Returns the strengths of the teams 0 to teams-1. After a double forfeit both teams lose to the
-// virtual team.
-std::vector<Strength> strengths(int teams, const std::vector<FixtureResults>& fixtures,
-                                const RatingOptions& options = {});
+// virtual team. The time grows with the third power of the number of teams; a thousand teams take
+// seconds.
+Ratings rate(int teams, const std::vector<FixtureResults>& fixtures);
+
+// Returns how many legs two teams would have to play against each other to be told apart: then a
+// 95 % interval of their difference excludes 0 with a probability of 80 %, if the teams differ by
+// as much as was fitted. Returns nothing if that takes more than max_legs_to_tell.
+std::optional<int> legs_to_tell(const Ratings& ratings, int one, int other);
+inline constexpr int max_legs_to_tell = 1'000'000;
 
 }  // namespace mirocup::league
