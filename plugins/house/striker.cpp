@@ -2,6 +2,7 @@
 //
 // A team that plays to score: a keeper, one attacker that meets the ball where it will be and
 // shoots past the opponents' keeper, and supporters behind it that take over lost balls.
+#include "mirocup/skills/shoot.hpp"
 #include "mirocup/strategy.hpp"
 
 namespace {
@@ -21,6 +22,18 @@ class Striker : public Team {
       command.wheels[i] = i == attacker_ ? attack(now, i) : support(now, i, rank++);
     }
     keep_laws(setup(), now, command);
+    if (must_take_kick(now, spot_)) {
+      command.wheels[1] = shoot(setup(), now.own[1], ball(now), aim_);
+    }
+  }
+
+  // At a penalty or free kick robot 1 takes a run-up to the corner that the keeper leaves open.
+  void place(const Observation& now, Placement& placement) override {
+    if (now.restart != MIROCUP_PENALTY_KICK && now.restart != MIROCUP_FREE_KICK) return;
+    if (now.own_restart == 0) return;
+    spot_ = ball(now);
+    aim_ = open_corner(setup(), now, 0.05, 0.1 * (random().uniform() - 0.5));
+    placement.robots[1] = run_up(spot_, aim_);
   }
 
  private:
@@ -88,6 +101,8 @@ class Striker : public Team {
     return drive_clear(setup(), now, now.own[i], place);
   }
 
+  Point spot_{10.0, 0.0};  // of the ball at the last kick of this team, m
+  Point aim_;              // of that kick, m
   int attacker_ = 1;
   double corner_ = 0.1;
   double offset_ = 0.0;

@@ -19,7 +19,7 @@
 //   points      Point, + - *, dot, length, unit, inside, wrapped
 //   observation ball, ball_velocity, position, ball_after, meeting_point, must_kick_off
 //   one robot   wheels_for, turn_to, drive_to, drive_to_pose, drive_round, drive_clear
-//   the laws    keep_out (of the goal area), without_pushing, keep_laws
+//   the laws    keep_out (of the goal area), out_of_area, without_pushing, keep_laws
 //   roles       kick_to (behind the ball, then through it), keep_goal, kick_off
 //   a team      Team: decide(), place(), setup(), random(), log("format", values...)
 //
@@ -181,7 +181,8 @@ inline Point meeting_point(const Setup& setup, const Observation& now, const Rob
 // where only the keeper may be, and for robots 3 and higher also the penalty area. Not for the
 // keeper.
 inline Point keep_out(const Setup& setup, int i, Point p) {
-  const double margin = 0.095;  // for the arc in front of the area and half a robot, m
+  // For the arc in front of the area and half a robot, m.
+  const double margin = setup.league == MIROCUP_LARGE ? 0.15 : 0.095;
   const bool is_crowd = i >= 3 && setup.penalty_area_depth > 0.0;
   const double depth = (is_crowd ? setup.penalty_area_depth : setup.goal_area_depth) + margin;
   const double half_width =
@@ -218,10 +219,33 @@ inline Wheels without_pushing(const Setup& setup, const Observation& now, const 
   return wheels_for(setup, forward < 0.0 ? -allowed : allowed, turn);
 }
 
-// Applies without_pushing() to all robots of a command except the keeper, which holds its place.
+// Returns the same wheel speeds, unless robot `i` is in an area that keep_out() forbids, or so fast
+// that it will be there soon. Then it returns speeds that take it out again on the shortest way.
+// Not for the keeper.
+inline Wheels out_of_area(const Setup& setup, int i, const Robot& robot, Wheels wheels) {
+  const double margin = 0.04;    // m: a robot counts if more than half of its body is inside
+  const double braking_s = 0.1;  // the motors, and the delay of a tick
+  const bool is_crowd = i >= 3 && setup.penalty_area_depth > 0.0;
+  const double depth = is_crowd ? setup.penalty_area_depth : setup.goal_area_depth;
+  const double half_width = is_crowd ? setup.penalty_area_half_width : setup.goal_area_half_width;
+  const double arc = is_crowd && setup.league == MIROCUP_LARGE ? 0.1 : 0.0;  // before the area, m
+  const double front = -setup.half_length + depth + arc + margin;
+  const double side = half_width + margin;
+  const double soon_x = robot.x + braking_s * robot.vx;
+  const double soon_y = robot.y + braking_s * robot.vy;
+  if (soon_x > front || std::abs(soon_y) > side) return wheels;
+  const bool is_near_front = front - robot.x < side - std::abs(robot.y);
+  const double beside = robot.y > 0.0 ? side + 0.1 : -side - 0.1;
+  return drive_to(setup, robot,
+                  is_near_front ? Point{front + 0.1, robot.y} : Point{robot.x, beside});
+}
+
+// Applies without_pushing() and out_of_area() to all robots of a command except the keeper, which
+// holds its place.
 inline void keep_laws(const Setup& setup, const Observation& now, Command& command) {
   for (int i = 1; i < now.robots; ++i) {
     command.wheels[i] = without_pushing(setup, now, now.own[i], command.wheels[i]);
+    command.wheels[i] = out_of_area(setup, i, now.own[i], command.wheels[i]);
   }
 }
 

@@ -3,6 +3,8 @@
 // Tests the parts of strategy.hpp that no game of a house team would test.
 #include "mirocup/strategy.hpp"
 
+#include "tests/support/skill_field.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -63,6 +65,26 @@ TEST(TeamInCpp, FormatsItsLogOnlyIfThereAreValues) {
   now.ball_x = 0.25;
   Command command{};
   Talker(setup).decide(now, command);
+}
+
+// Catches a robot that drives through its own goal area on the way to a legal place, which gives
+// the opponents a penalty kick, and one that would stop inside.
+TEST(OutOfArea, TurnsARobotThatWouldEnterTheOwnGoalArea) {
+  for (const Point start : {Point{-0.35, 0.0}, Point{-0.66, 0.55}, Point{-0.66, -0.55}}) {
+    test_support::SkillField field;
+    field.put_ball({0.5, 0.5});
+    field.put_robot(start, start.y == 0.0 ? pi : -start.y / std::abs(start.y) * pi / 2.0);
+    for (int tick = 0; tick < 60; ++tick) {
+      const Robot robot = field.robot();
+      const Wheels into = drive_to(field.setup(), robot, {-0.7, 0.0}, 1.5);
+      field.tick(out_of_area(field.setup(), 1, robot, into));
+      const mirocup_setup& setup = field.setup();
+      EXPECT_FALSE(field.robot().x < -setup.half_length + setup.goal_area_depth &&
+                   std::abs(field.robot().y) < setup.goal_area_half_width)
+          << field.robot().x << ", " << field.robot().y << " from " << start.x << ", " << start.y
+          << ", tick " << tick;
+    }
+  }
 }
 
 }  // namespace
