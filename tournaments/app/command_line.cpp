@@ -31,7 +31,7 @@ struct Subcommand {
   std::shared_ptr<Options> options;
 };
 
-// The first argument of all subcommands but compare.
+// The first argument of all subcommands but compare, which needs no league.
 template <class Options>
 void add_folder(const Subcommand<Options>& command) {
   command->add_option("DIR", command.options->folder, "the league's folder")->required();
@@ -203,30 +203,46 @@ void add_rulings(CLI::App& app, Action& action) {
 
 void add_compare(CLI::App& app, Action& action) {
   Subcommand<CompareOptions> command(
-      app, action, "compare", "Play two entries until a sequential test decides which is better",
+      app, action, "compare",
+      "Play teams against each other until it can be said which is better, or that they are equal",
       run_compare);
   CompareOptions& o = *command.options;
   ComparisonRun& r = o.run;
-  command->add_option("A", r.teams[0], "a library, or the name of a house team")->required();
-  command->add_option("B", r.teams[1], "the other")->required();
+  command
+      ->add_option("TEAM", r.teams,
+                   "libraries, or names of house teams; the first is compared with each other one")
+      ->required()
+      ->expected(2, 100);
+  command
+      ->add_option("--against", o.against,
+                   "all: plays each against each, --most fixtures a pair, and prints a rated table")
+      ->check(CLI::IsMember({"first", "all"}))
+      ->capture_default_str();
   command->add_option("--league", o.league, "small (3 a side), middle (5), large (11)")
       ->check(CLI::IsMember({"small", "middle", "large"}))
       ->capture_default_str();
   command->add_option("--half", r.half_s, "seconds of a half")->check(CLI::Range(0.1, 36000.0));
+  command
+      ->add_option("--conditions", r.conditions, "exact, hall or camera (default: as in a match)")
+      ->check(CLI::IsMember({"exact", "hall", "camera"}));
   command->add_option("--seed", r.seed, "seed of the fixtures")->capture_default_str();
   command->add_option("--jobs", r.jobs, "number of legs at once (default: one for each processor)")
       ->check(CLI::Range(1, 1024));
   command
-      ->add_option("--most", r.max_fixtures,
-                   "number of fixtures of two legs after which it gives up")
-      ->check(CLI::Range(1, 1'000'000))
-      ->capture_default_str();
+      ->add_option("--most", o.most,
+                   "fixtures of two legs after which a pair is given up (default: " +
+                       std::to_string(r.max_fixtures) +
+                       "; with --against all: " + std::to_string(fixtures_of_a_table) + ")")
+      ->check(CLI::Range(1, 1'000'000));
   command
-      ->add_option("--share", r.test.share,
-                   "smallest share of the fixtures that are not level that the better one wins")
-      ->check(CLI::Range(0.51, 0.99))
+      ->add_option("--equal", r.test.equal_elo, "teams that are less Elo than this apart are equal")
+      ->check(CLI::Range(1.0, 400.0))
       ->capture_default_str();
-  command->add_flag("--json", o.json, "one JSON object on standard output");
+  command->add_option("--keep", o.keep,
+                      "a folder for the records; the same command goes on with those in it");
+  CLI::Option* json = command->add_flag("--json", o.json, "one JSON object on standard output");
+  command->add_flag("--csv", o.csv, "comma-separated values: the pairs, or the rated table")
+      ->excludes(json);
 }
 
 void add_shards(CLI::App& app, Action& action) {

@@ -2,7 +2,7 @@
 //
 // The subcommands of `mirocup league` and their options with defaults. command_line.cpp reads the
 // options. Each function returns the exit code of an answer: exit_yes or exit_no. commands.cpp,
-// entries.cpp, rulings.cpp, serve.cpp, shards.cpp and credentials.cpp define them.
+// entries.cpp, compare.cpp, rulings.cpp, serve.cpp, shards.cpp and credentials.cpp define them.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -81,11 +81,18 @@ struct OwnerOptions {
 };
 Result<int> run_owner(const OwnerOptions& options);
 
+// Options of `compare`, which plays teams against each other until it can say which is better.
 struct CompareOptions {
   ComparisonRun run;
   std::string league = "small";
+  std::string against = "first";
+  int most = 0;      // fixtures of a pair; 0: the default
+  std::string keep;  // folder for the records; "": they are not kept
   bool json = false;
+  bool csv = false;
 };
+inline constexpr int fixtures_of_a_table = 50;  // of each pair, by default
+
 Result<int> run_compare(const CompareOptions& options);
 
 // The decisions of a person.

@@ -1,28 +1,21 @@
 // SPDX-License-Identifier: MIT
 //
-// The subcommands submit, owner and compare.
+// The subcommands submit and owner.
 #include "server/record/json_reader.hpp"
 #include "system/file_lock.hpp"
 #include "system/printable.hpp"
 #include "system/users.hpp"
 #include "tournaments/app/commands.hpp"
-#include "tournaments/app/progress_bar.hpp"
 #include "tournaments/league/inbox.hpp"
-#include "tournaments/play/comparison_run.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include <cstdlib>
 #include <ctime>
-#include <filesystem>
 #include <iostream>
-#include <memory>
 
 namespace mirocup::league {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 // Prints the answer to one file.
 void print(const std::string& path, const std::string& team, const Submission& done, bool json) {
@@ -68,25 +61,6 @@ Result<int> collect(system::Files& files, const SubmitOptions& options) {
   return result;
 }
 
-// A temporary folder, removed by the destructor.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string name = (fs::temp_directory_path() / "mirocup-compare-XXXXXX").string();
-    if (mkdtemp(name.data()) != nullptr) path_ = name;
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  ~ScratchFolder() {
-    std::error_code ignored;
-    if (!path_.empty()) fs::remove_all(path_, ignored);
-  }
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
-
 }  // namespace
 
 Result<int> run_submit(const SubmitOptions& options) {
@@ -130,33 +104,6 @@ Result<int> run_owner(const OwnerOptions& options) {
                              : "who hands in first by a shared inbox is its owner")
             << '\n';
   return exit_yes;
-}
-
-Result<int> run_compare(const CompareOptions& options) {
-  system::Disk disk;
-  const ScratchFolder scratch;
-  if (scratch.path().empty())
-    return fail(Errc::unavailable, "no folder for the records can be made");
-  ComparisonRun run = options.run;
-  run.league = *from_string<League>(options.league);
-  run.folder = scratch.path();
-  const auto progress = make_progress_reporter();
-  const auto result = run_comparison(disk, run, *progress);
-  if (!result) return tl::unexpected(result.error());
-  const bool is_decided = result->verdict != ComparisonVerdict::undecided;
-  const std::string& better = run.teams[result->verdict == ComparisonVerdict::second ? 1 : 0];
-  if (options.json) {
-    const Json json{{"better", is_decided ? Json(better) : Json()},
-                    {"won", {result->first_wins, result->second_wins}},
-                    {"level", result->level},
-                    {"error", run.test.error}};
-    std::cout << record::json_text(json) << '\n';
-  } else {
-    std::cout << (is_decided ? better + " is better" : std::string("it cannot be said"))
-              << ": fixtures won " << result->first_wins << " to " << result->second_wins << ", "
-              << result->level << " level\n";
-  }
-  return is_decided ? exit_yes : exit_no;
 }
 
 }  // namespace mirocup::league

@@ -3,122 +3,321 @@
 
 #include "core/base/random.hpp"
 #include "server/record/json_reader.hpp"
+#include "server/record/match_record.hpp"
+#include "system/digest.hpp"
 #include "system/locations.hpp"
 #include "system/process_set.hpp"
 #include "tournaments/format/schedule.hpp"
 #include "tournaments/league/event.hpp"
 
-#include <map>
+#include <filesystem>
 #include <sstream>
+#include <tuple>
 
 namespace mirocup::league {
 
 namespace {
 
+// After so many fixtures a pair whose legs are copies is given up.
+constexpr int enough_to_see_copies = 20;
+
+// A leg of a run: its number counts the legs of a pair, two for each fixture.
+struct Leg {
+  std::size_t pair = 0;
+  int number = 0;
+
+  bool is_swapped() const { return number % legs_per_fixture == 1; }
+  auto operator<=>(const Leg&) const = default;
+};
+
+// Returns the last line of what a program printed, without its end.
+std::string last_line(std::string text) {
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  return text.substr(text.find_last_of('\n') + 1);
+}
+
+std::string digits(double number) {
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
+
+// Reads what a comparison needs; `blue` is the index in the pair of the team that plays in blue.
+ComparedLeg compared_leg(const record::JsonReader& json, int blue) {
+  ComparedLeg leg;
+  const auto team_of = [blue](const std::string& colour) {
+    return colour == "blue" ? blue : 1 - blue;
+  };
+  const record::JsonReader result = json.at("result");
+  leg.score[blue] = result.at("score").at("blue").integer(0, max_count);
+  leg.score[1 - blue] = result.at("score").at("yellow").integer(0, max_count);
+  leg.both_lose = result.at("end").text() == "double_forfeit";
+  for (const record::JsonReader& fault : result.at("faults").elements())
+    leg.faults[team_of(fault.at("team").text())] = 1;
+  for (const record::JsonReader& call : json.at("decisions").elements()) {
+    if (call.at("decision").text() != "GOAL") continue;
+    const int team = team_of(call.at("team").text());
+    ++leg.goals[team][call.at("kind").name<match::GoalKind>()];
+    // Ticks of the colours and not of the teams: a swapped leg may be a copy, too.
+    leg.trajectory += std::to_string(call.at("tick").integer<int>()) + call.at("team").text() + ' ';
+  }
+  if (leg.trajectory.empty()) leg.trajectory = json.at("state_hash").text();
+  return leg;
+}
+
+// What the legs of a folder depend on.
+Result<Json> identity_of(system::Files& files, const ComparisonRun& run) {
+  Json teams = Json::array();
+  for (const std::string& team : run.teams) {
+    const std::string house = system::house_team(team);
+    const auto library =
+        files.read(house.empty() ? team : house,
+                   {.max_size = system::size_limit::entry, .links = system::Links::followed});
+    if (!library) return tl::unexpected(library.error());
+    teams.push_back({{"team", team}, {"sha256", system::sha256(*library)}});
+  }
+  return Json{{"schema", "mirocup/comparison/1"},
+              {"game", record::this_software().behaviour_hash},
+              {"teams", teams},
+              {"league", to_string(run.league)},
+              {"half_s", run.half_s},
+              {"conditions", run.conditions},
+              {"seed", run.seed}};
+}
+
 class Comparison {
  public:
   Comparison(system::Files& files, const ComparisonRun& run, ProgressReporter& progress)
-      : files_(files), run_(run), progress_(progress) {}
+      : files_(files), run_(run), progress_(progress) {
+    const int teams = static_cast<int>(run.teams.size());
+    for (int one = 0; one < (run.all_pairs ? teams : 1); ++one) {
+      for (int other = one + 1; other < teams; ++other) {
+        pairs_.emplace_back().teams = {one, other};
+      }
+    }
+    next_.resize(pairs_.size(), 0);
+  }
 
-  Result<ComparisonResult> play() {
+  Result<std::vector<PairComparison>> play() {
+    if (run_.keeps_legs) {
+      if (auto same = open_folder(); !same) return tl::unexpected(same.error());
+    }
     const std::vector<int> cpus = system::processors();
     const std::size_t jobs = run_.jobs > 0 ? static_cast<std::size_t>(run_.jobs) : cpus.size();
-    int next = 0;  // leg
-    while (result_.verdict == ComparisonVerdict::undecided && counted_ < run_.max_fixtures) {
-      if (processes_.running() < jobs && next < run_.max_fixtures * legs_per_fixture) {
-        const int cpu = cpus[static_cast<std::size_t>(next) % cpus.size()];
-        if (auto started = start(next++, cpu); !started) return tl::unexpected(started.error());
+    int started = 0;
+    while (!is_finished()) {
+      const auto leg = processes_.running() < jobs ? next_leg() : std::nullopt;
+      if (leg) {
+        ++next_[leg->pair];
+        if (run_.keeps_legs && files_.exists(record_of(*leg))) {
+          if (auto counted = count(*leg); !counted) return tl::unexpected(counted.error());
+        } else if (auto done = start(*leg, cpus[started++ % cpus.size()]); !done) {
+          return tl::unexpected(done.error());
+        }
         continue;
       }
       const auto exit = processes_.wait();
-      if (!exit) return fail(Errc::interrupted, "interrupted; nothing can be said");
-      if (auto counted = count(*exit); !counted) return tl::unexpected(counted.error());
+      if (!exit) return fail(Errc::interrupted, "interrupted; " + how_to_go_on());
+      if (auto counted = count_child(*exit); !counted) return tl::unexpected(counted.error());
     }
-    return result_;
+    return pairs_;
   }
 
  private:
-  std::string record_of(int leg) const { return run_.folder + "/" + std::to_string(leg) + ".json"; }
+  bool is_finished() const {
+    for (const PairComparison& pair : pairs_) {
+      if (!is_over(pair, run_)) return false;
+    }
+    return true;
+  }
 
-  Result<void> start(int leg, int cpu) {
-    // The second leg of a fixture has the same seed, with colours swapped.
-    const bool swapped = leg % legs_per_fixture == 1;
-    const std::uint64_t seed =
-        mix_seed(run_.seed ^ mix_seed(static_cast<std::uint64_t>(leg / legs_per_fixture))) >> 11;
+  std::string how_to_go_on() const {
+    return run_.keeps_legs ? "the same command goes on with " + run_.folder
+                           : std::string("nothing can be said (--keep FOLDER keeps the legs)");
+  }
+
+  // Returns the next leg of the pair of which the fewest have been started.
+  std::optional<Leg> next_leg() const {
+    std::optional<Leg> best;
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+      if (is_over(pairs_[i], run_) || next_[i] >= run_.max_fixtures * legs_per_fixture) continue;
+      if (!best || next_[i] < best->number) best = Leg{i, next_[i]};
+    }
+    return best;
+  }
+
+  std::string record_of(const Leg& leg) const {
+    const auto [one, other] = pairs_[leg.pair].teams;
+    return run_.folder + "/" + std::to_string(one + 1) + "-" + std::to_string(other + 1) + "-" +
+           std::to_string(leg.number / legs_per_fixture + 1) + (leg.is_swapped() ? "b" : "a") +
+           ".json";
+  }
+
+  // Writes comparison.json, or compares with the one that is there.
+  Result<void> open_folder() {
+    const auto wanted = identity_of(files_, run_);
+    if (!wanted) return tl::unexpected(wanted.error());
+    const std::string path = run_.folder + "/comparison.json";
+    if (!files_.exists(path)) return files_.write(path, record::json_text(*wanted, 1) + "\n");
+    const auto text = files_.read(path, {.max_size = system::size_limit::note});
+    if (!text) return tl::unexpected(text.error());
+    const auto there = record::read_json<Json>(
+        *text, path, Errc::input, [](const record::JsonReader& json) { return json.json(); });
+    if (!there) return tl::unexpected(there.error());
+    for (const auto& [key, value] : wanted->items()) {
+      if (there->contains(key) && there->at(key) == value) continue;
+      return fail(Errc::input,
+                  path + ": " + key + " is " +
+                      (there->contains(key) ? record::json_text(there->at(key)) : "missing") +
+                      ", and not " + record::json_text(value) +
+                      ": the folder holds another comparison; name a new folder");
+    }
+    return {};
+  }
+
+  Result<void> start(const Leg& leg, int cpu) {
+    const auto& teams = pairs_[leg.pair].teams;
+    const std::uint64_t seed = comparison_seed(run_, teams, leg.number / legs_per_fixture);
     std::vector<std::string> arguments{system::sibling_program("mirocup"),
                                        "match",
                                        "--blue",
-                                       run_.teams[swapped ? 1 : 0],
+                                       run_.teams[teams[leg.is_swapped() ? 1 : 0]],
                                        "--yellow",
-                                       run_.teams[swapped ? 0 : 1],
+                                       run_.teams[teams[leg.is_swapped() ? 0 : 1]],
                                        "--league",
                                        std::string(to_string(run_.league)),
                                        "--seed",
                                        std::to_string(seed),
                                        "--record",
                                        record_of(leg)};
-    if (run_.half_s > 0.0) {
-      std::ostringstream half;
-      half << run_.half_s;
-      arguments.insert(arguments.end(), {"--half", half.str()});
-    }
-    const auto started = processes_.start(arguments, leg, cpu, record_of(leg) + ".out");
+    if (run_.half_s > 0.0) arguments.insert(arguments.end(), {"--half", digits(run_.half_s)});
+    if (!run_.conditions.empty())
+      arguments.insert(arguments.end(), {"--conditions", run_.conditions});
+    playing_[++tag_] = leg;
+    const auto started = processes_.start(arguments, tag_, cpu, record_of(leg) + ".out");
     if (!started) return tl::unexpected(started.error());
     return {};
   }
 
-  // The goals by which the first team is ahead after a leg.
-  Result<int> difference(int leg) {
-    const auto text = files_.read(record_of(leg), {.max_size = system::size_limit::record});
-    if (!text) return tl::unexpected(text.error());
-    const auto ahead = record::read_json<int>(
-        *text, record_of(leg), Errc::host, [](const record::JsonReader& json) {
-          const record::JsonReader score = json.at("result").at("score");
-          return score.at("blue").integer(0, max_count) - score.at("yellow").integer(0, max_count);
-        });
-    if (!ahead) return ahead;
-    return leg % legs_per_fixture == 1 ? -*ahead : *ahead;
+  Result<void> count_child(const system::Exit& exit) {
+    const Leg leg = playing_[exit.tag];
+    playing_.erase(exit.tag);
+    const std::string output = record_of(leg) + ".out";
+    if (exit.signal != 0 || exit.code != exit_yes) {
+      const auto said = files_.read(
+          output, {.max_size = system::size_limit::log, .growth = system::Growth::ignored});
+      return fail(exit.code == 2 ? Errc::input : Errc::host,
+                  "a leg could not be played: " + (said ? last_line(*said) : std::string()));
+    }
+    if (auto removed = files_.remove(output); !removed) return removed;
+    return count(leg);
   }
 
-  Result<void> count(const system::Exit& exit) {
-    if (exit.signal != 0 || exit.code != exit_yes) {
-      const auto said =
-          files_.read(record_of(exit.tag) + ".out",
-                      {.max_size = system::size_limit::log, .growth = system::Growth::ignored});
-      return fail(exit.code == 2 ? Errc::input : Errc::host,
-                  "a leg could not be played: " + (said ? *said : std::string()));
+  // Reads the record of a leg, and counts the fixtures of its pair of which both legs are there.
+  Result<void> count(const Leg& leg) {
+    const std::string path = record_of(leg);
+    const auto text = files_.read(path, {.max_size = system::size_limit::record});
+    if (!text) return tl::unexpected(text.error());
+    const auto read =
+        record::read_json<ComparedLeg>(*text, path, run_.keeps_legs ? Errc::damaged : Errc::host,
+                                       [&leg](const record::JsonReader& json) {
+                                         return compared_leg(json, leg.is_swapped() ? 1 : 0);
+                                       });
+    if (!read) return tl::unexpected(read.error());
+    read_[leg] = *read;
+    if (!run_.keeps_legs) {
+      for (const std::string& file : {path, record::replay_path_of(path)}) {
+        if (auto removed = files_.remove(file); !removed) return removed;
+      }
     }
-    const auto ahead = difference(exit.tag);
-    if (!ahead) return tl::unexpected(ahead.error());
-    ahead_[exit.tag] = *ahead;
-    // Fixtures are counted in order, each when both of its legs are there.
-    while (result_.verdict == ComparisonVerdict::undecided && ahead_.count(2 * counted_) != 0 &&
-           ahead_.count(2 * counted_ + 1) != 0) {
-      const int sum = ahead_[2 * counted_] + ahead_[2 * counted_ + 1];
-      ++counted_;
-      ++(sum > 0 ? result_.first_wins : sum < 0 ? result_.second_wins : result_.level);
-      result_.verdict = verdict(result_.first_wins, result_.second_wins, run_.test);
-      progress_.say("fixture " + std::to_string(counted_) + ": " +
-                    std::to_string(result_.first_wins) + " to " +
-                    std::to_string(result_.second_wins) + ", " + std::to_string(result_.level) +
-                    " level");
+    PairComparison& pair = pairs_[leg.pair];
+    while (!is_over(pair, run_)) {
+      const int first = legs_per_fixture * static_cast<int>(pair.fixtures.size());
+      const auto one = read_.find({leg.pair, first});
+      const auto other = read_.find({leg.pair, first + 1});
+      if (one == read_.end() || other == read_.end()) break;
+      count_fixture(pair, {one->second, other->second}, run_);
+      read_.erase(one);
+      read_.erase(other);
+      tell(pair);
     }
     return {};
+  }
+
+  void tell(const PairComparison& pair) {
+    const ComparisonInterval difference = pair.scores.difference(run_.test);
+    std::ostringstream line;
+    line.precision(0);
+    line << std::fixed << run_.teams[pair.teams[0]] << " - " << run_.teams[pair.teams[1]]
+         << ": fixture " << pair.fixtures.size() << ", " << difference.value << " Elo ("
+         << difference.low << " to " << difference.high << ")";
+    progress_.say(line.str());
   }
 
   system::Files& files_;
   const ComparisonRun& run_;
   ProgressReporter& progress_;
   system::ProcessSet processes_;
-  ComparisonResult result_;
-  std::map<int, int> ahead_;  // by leg
-  int counted_ = 0;           // fixtures
+  std::vector<PairComparison> pairs_;
+  std::vector<int> next_;            // by pair: the leg that is started next
+  std::map<int, Leg> playing_;       // by tag of the child process
+  std::map<Leg, ComparedLeg> read_;  // legs that are not counted yet
+  int tag_ = 0;
 };
 
 }  // namespace
 
-Result<ComparisonResult> run_comparison(system::Files& files, const ComparisonRun& run,
-                                        ProgressReporter& progress) {
+std::uint64_t comparison_seed(const ComparisonRun& run, const std::array<int, 2>& teams,
+                              int fixture) {
+  std::uint64_t seed = mix_seed(run.seed);
+  for (const int number : {teams[0], teams[1], fixture})
+    seed = mix_seed(seed ^ static_cast<std::uint64_t>(number));
+  return seed >> 11;  // so that a double holds it, as in JSON
+}
+
+void count_fixture(PairComparison& pair, const std::array<ComparedLeg, 2>& legs,
+                   const ComparisonRun& run) {
+  int points = 0;
+  for (const ComparedLeg& leg : legs) {
+    const auto [one, other] = leg.score;
+    points += leg.both_lose || one == other ? 1 : one > other ? 2 : 0;
+    pair.trajectories.insert(leg.trajectory);
+  }
+  pair.courses.insert(legs[0].trajectory + '|' + legs[1].trajectory);
+  pair.scores.add(points);
+  pair.fixtures.push_back(legs);
+  const int count = static_cast<int>(pair.fixtures.size());
+  pair.is_of_copies = 2 * static_cast<int>(pair.courses.size()) < count;
+  if (pair.is_of_copies || (run.plays_all && count < run.max_fixtures)) return;
+  pair.verdict = pair.scores.verdict(run.test);
+}
+
+bool is_over(const PairComparison& pair, const ComparisonRun& run) {
+  const int count = static_cast<int>(pair.fixtures.size());
+  if (count >= run.max_fixtures) return true;
+  if (pair.is_of_copies && count >= enough_to_see_copies) return true;
+  return pair.verdict != ComparisonVerdict::undecided;
+}
+
+Ratings rate(const ComparisonRun& run, const std::vector<PairComparison>& pairs) {
+  std::vector<FixtureResults> results;
+  for (const PairComparison& pair : pairs) {
+    for (const auto& legs : pair.fixtures) {
+      FixtureResults& fixture = results.emplace_back();
+      for (const ComparedLeg& leg : legs) {
+        LegResult result;
+        std::tie(result.home, result.away) = std::tie(pair.teams[0], pair.teams[1]);
+        std::tie(result.home_goals, result.away_goals) = std::tie(leg.score[0], leg.score[1]);
+        result.both_lose = leg.both_lose;
+        fixture.push_back(result);
+      }
+    }
+  }
+  return rate(static_cast<int>(run.teams.size()), results);
+}
+
+Result<std::vector<PairComparison>> run_comparison(system::Files& files, const ComparisonRun& run,
+                                                   ProgressReporter& progress) {
   return Comparison(files, run, progress).play();
 }
 

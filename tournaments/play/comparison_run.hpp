@@ -1,41 +1,91 @@
 // SPDX-License-Identifier: MIT
 //
-// Plays two libraries against each other until the sequential test of comparison.hpp decides.
-// Fixtures are counted in their order, so the answer does not depend on the number of jobs.
+// Plays teams against each other until the test of comparison.hpp decides about each pair. A
+// fixture is two legs of one seed with swapped colours; every fixture has a seed of its own.
+// Fixtures count in their order, so the answer does not depend on the number of jobs.
+//
+// Copies prove nothing. Two legs are different if their goals fell in different ticks or for other
+// colours, and, without goals, if their state hashes differ. Nothing is claimed while fewer than
+// half of the fixtures of a pair are different. The two legs of one fixture may be alike: a team
+// that meets itself has the same luck in both.
+//
+// A folder that is kept holds comparison.json, which says what is played, and the record of every
+// leg. The same run with the same folder takes the legs that are there and plays the others.
 #pragma once
 
 #include "core/base/error.hpp"
 #include "core/field/league.hpp"
+#include "core/match/goal_credit.hpp"
 #include "system/files.hpp"
 #include "tournaments/play/progress_reporter.hpp"
 #include "tournaments/table/comparison.hpp"
+#include "tournaments/table/rating.hpp"
 
 #include <array>
+#include <cstdint>
+#include <map>
+#include <set>
 #include <string>
+#include <vector>
 
 namespace mirocup::league {
 
 struct ComparisonRun {
-  std::array<std::string, 2> teams;  // libraries, or names of house teams
+  std::vector<std::string> teams;  // libraries, or names of house teams; at least two
+  bool all_pairs = false;          // false: the first team against each other one
   League league = League::small;
-  double half_s = 0.0;  // seconds of a half; 0: as in the rules
+  double half_s = 0.0;     // seconds of a half; 0: as in the rules
+  std::string conditions;  // a preset; "": the default of a match
   std::uint64_t seed = 1;
-  int jobs = 0;            // 0: one for each processor
-  int max_fixtures = 200;  // after them the answer is "undecided"
-  std::string folder;      // for records; must exist
+  int jobs = 0;             // 0: one for each processor
+  int max_fixtures = 4000;  // of a pair; after them the answer is "undecided"
+  bool plays_all = false;   // plays max_fixtures for each pair, decided or not
+  std::string folder;       // for records; must exist
+  bool keeps_legs = false;  // otherwise a record is removed as soon as it has been read
   ComparisonOptions test;
 };
 
-struct ComparisonResult {
-  ComparisonVerdict verdict = ComparisonVerdict::undecided;
-  int first_wins = 0;
-  int second_wins = 0;
-  int level = 0;
+// What a comparison needs of a leg; the teams are those of its pair.
+struct ComparedLeg {
+  std::array<int, 2> score{};
+  std::array<std::map<match::GoalKind, int>, 2> goals;  // those of a decided forfeit are not here
+  std::array<int, 2> faults{};                          // 1: this team forfeited
+  bool both_lose = false;                               // a double forfeit
+  std::string trajectory;                               // equal for copies
 };
 
-// Plays the fixtures in child processes. Errors: Errc::input if a library cannot play; Errc::host
-// if a leg fails; Errc::interrupted.
-Result<ComparisonResult> run_comparison(system::Files& files, const ComparisonRun& run,
-                                        ProgressReporter& progress);
+// The fixtures of two teams.
+struct PairComparison {
+  std::array<int, 2> teams{};  // indices into ComparisonRun::teams
+  ComparisonVerdict verdict = ComparisonVerdict::undecided;
+  bool is_of_copies = false;  // fewer than half of the fixtures are different: nothing is claimed
+  ScoreSequence scores;
+  std::vector<std::array<ComparedLeg, 2>> fixtures;
+  std::set<std::string> trajectories;  // one for each different leg
+  std::set<std::string> courses;       // one for each different fixture
+
+  int legs() const { return 2 * static_cast<int>(fixtures.size()); }
+  int distinct_legs() const { return static_cast<int>(trajectories.size()); }
+};
+
+// The seed of a fixture (from 0) of two teams.
+std::uint64_t comparison_seed(const ComparisonRun& run, const std::array<int, 2>& teams,
+                              int fixture);
+
+// Adds a fixture to a pair and decides, unless `plays_all` leaves that to the last fixture.
+void count_fixture(PairComparison& pair, const std::array<ComparedLeg, 2>& legs,
+                   const ComparisonRun& run);
+
+// True if no more fixtures of the pair are needed.
+bool is_over(const PairComparison& pair, const ComparisonRun& run);
+
+// Returns the strengths of all teams, fitted to all fixtures.
+Ratings rate(const ComparisonRun& run, const std::vector<PairComparison>& pairs);
+
+// Plays the fixtures in child processes, and returns the pairs in the order of their teams. Errors:
+// Errc::input if a library cannot play, or if the folder holds another comparison; Errc::host if a
+// leg fails; Errc::interrupted.
+Result<std::vector<PairComparison>> run_comparison(system::Files& files, const ComparisonRun& run,
+                                                   ProgressReporter& progress);
 
 }  // namespace mirocup::league

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Catches strengths that do not fit their results, intervals that miss the true strengths, and a
-// sequential test that is wrong more often than its error probability.
+// Catches strengths that do not fit their results, and intervals that miss the true strengths.
 #include "tournaments/table/rating.hpp"
 
 #include "core/base/random.hpp"
 #include "tests/unit/tournaments/leg_result.hpp"
-#include "tournaments/table/comparison.hpp"
 
 #include <gtest/gtest.h>
 
@@ -108,22 +106,6 @@ TEST(LegsToTell, AreTooManyForEqualTeams) {
   const Ratings ratings{{{10.0}, {10.0}, {-2000.0}}, 1.0};
   EXPECT_FALSE(legs_to_tell(ratings, 0, 1));
   EXPECT_EQ(legs_to_tell(ratings, 0, 2), 6);  // a coin falls six times alike in 3 % of trials
-}
-
-TEST(Comparison, IsWrongAsSeldomAsItSays) {
-  const ComparisonOptions options;
-  Random random(5);
-  int wrong = 0;
-  constexpr int trials = 2000;
-  for (int trial = 0; trial < trials; ++trial) {
-    int first = 0;
-    int second = 0;
-    while (verdict(first, second, options) == ComparisonVerdict::undecided)
-      ++(random.uniform() < options.share ? first : second);
-    wrong += verdict(first, second, options) == ComparisonVerdict::second ? 1 : 0;
-  }
-  EXPECT_LT(wrong, trials * 0.06);
-  EXPECT_EQ(deciding_lead({.share = 0.6, .error = 0.05}), 8);
 }
 
 }  // namespace

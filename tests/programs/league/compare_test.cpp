@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+//
+// `mirocup league compare` as a person runs it. Catches conclusions from copies, a folder that is
+// mixed up with another comparison, legs that are played twice, and an answer that depends on the
+// number of jobs.
+#include "tests/programs/league/league_command.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+#include <algorithm>
+
+namespace mirocup::test_support {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Legs of two seconds, and one JSON object.
+Outcome compare(const std::vector<std::string>& more) {
+  std::vector<std::string> words{program("mirocup"), "league", "compare", "--half", "1", "--json"};
+  words.insert(words.end(), more.begin(), more.end());
+  return run(words);
+}
+
+TEST(LeagueCompare, ConcludesNothingFromCopies) {
+  const Outcome done = compare({"idle", "idle", "--conditions", "exact"});
+  EXPECT_EQ(done.exit_code, 1) << done.err;
+  const auto json = nlohmann::json::parse(done.out);
+  EXPECT_EQ(json["verdict"], "undecided");
+  EXPECT_EQ(json["copies"], true);
+  EXPECT_LT(json["distinct_legs"], json["legs"].get<int>() / 2);
+}
+
+TEST(LeagueCompare, GoesOnWithTheLegsOfItsFolder) {
+  const TemporaryFolder folder;
+  const std::string kept = folder / "kept";
+  const Outcome some = compare({"chaser", "keeper", "--most", "2", "--keep", kept});
+  ASSERT_EQ(some.exit_code, 1) << some.err;
+  const std::string leg = kept + "/1-2-1b.json";
+  const auto before = fs::last_write_time(leg);
+  fs::remove(kept + "/1-2-2a.json");
+  const Outcome more = compare({"chaser", "keeper", "--most", "4", "--keep", kept});
+  EXPECT_EQ(fs::last_write_time(leg), before);
+  EXPECT_TRUE(fs::exists(kept + "/1-2-2a.json"));
+  EXPECT_EQ(more.out, compare({"chaser", "keeper", "--most", "4", "--jobs", "1"}).out);
+
+  const Outcome other = compare({"chaser", "keeper", "--seed", "2", "--keep", kept});
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_NE(other.err.find("comparison.json: seed is 1, and not 2"), std::string::npos)
+      << other.err;
+}
+
+TEST(LeagueCompare, RatesEachAgainstEach) {
+  const std::vector<std::string> teams{"idle", "keeper", "chaser", "--against",
+                                       "all",  "--most", "2"};
+  const Outcome done = compare(teams);
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  const auto json = nlohmann::json::parse(done.out);
+  ASSERT_EQ(json["comparisons"].size(), 3u);
+  for (const auto& pair : json["comparisons"]) EXPECT_EQ(pair["fixtures"], 2);
+  ASSERT_EQ(json["table"].size(), 3u);
+  EXPECT_GE(json["table"][0]["strength"]["value"], json["table"][2]["strength"]["value"]);
+
+  std::vector<std::string> words{program("mirocup"), "league", "compare", "--half", "1", "--csv"};
+  words.insert(words.end(), teams.begin(), teams.end());
+  const std::string csv = run(words).out;
+  EXPECT_EQ(csv.rfind("rank,team,strength,", 0), 0u) << csv;
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4);
+}
+
+TEST(LeagueCompare, NamesATeamThatIsNotThere) {
+  const Outcome done = compare({"chaser", "nobody.so"});
+  EXPECT_EQ(done.exit_code, 2);
+  EXPECT_NE(done.err.find("nobody.so"), std::string::npos) << done.err;
+}
+
+}  // namespace
+}  // namespace mirocup::test_support
