@@ -5,15 +5,21 @@
 //
 // contest_figures leagues COUNT: leagues of teams whose strengths are known; how often the 95 %
 // intervals hold the truth, for all teams and for the best and the worst.
+//
+// contest_figures comparisons COUNT MOST: reads the half points (0 to 4) of played fixtures from
+// standard input. Draws the fixtures of COUNT comparisons from them, and counts wrong claims.
 #include "core/base/random.hpp"
+#include "tournaments/table/comparison.hpp"
 #include "tournaments/table/rating.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <numeric>
 #include <string>
+#include <vector>
 
 using namespace mirocup;
 using namespace mirocup::league;
@@ -88,6 +94,71 @@ void leagues(int count, int teams, double spread, Spread kind) {
   std::fflush(stdout);
 }
 
+// How the fixtures of a simulated comparison come from the pool.
+struct Drawing {
+  const char* name;
+  bool is_turned;    // half of the fixtures, by a coin, as the other team saw them: equal teams
+  double elo = 0.0;  // by which the first team is then better: some of the fixtures are won by it
+};
+
+int drawn(const std::vector<int>& pool, const Drawing& drawing, Random& random) {
+  if (random.uniform() < 2.0 * share_of(drawing.elo) - 1.0) return ScoreSequence::most_points;
+  const int points = pool[random.below(pool.size())];
+  return drawing.is_turned && random.coin() ? ScoreSequence::most_points - points : points;
+}
+
+// Whether a claim is false where the first team's expected share is `share`.
+bool is_wrong(ComparisonVerdict verdict, double share) {
+  const double apart = std::abs(elo_of(share));
+  switch (verdict) {
+    case ComparisonVerdict::first:
+      return share <= 0.5;
+    case ComparisonVerdict::second:
+      return share >= 0.5;
+    case ComparisonVerdict::equal:
+      return apart >= ComparisonOptions{}.equal_elo;
+    case ComparisonVerdict::undecided:
+      break;
+  }
+  return false;
+}
+
+void comparisons(int count, int most, const std::vector<int>& pool, const Drawing& drawing) {
+  Random random(mix_seed(static_cast<std::uint64_t>(drawing.elo) * 2 + drawing.is_turned));
+  const double mean = std::accumulate(pool.begin(), pool.end(), 0.0) /
+                      (double(pool.size()) * ScoreSequence::most_points);
+  const double share = drawing.is_turned ? share_of(drawing.elo) : mean;
+  std::array<int, enum_names<ComparisonVerdict>.size()> verdicts{};
+  int wrong = 0;
+  std::vector<int> fixtures;
+  for (int i = 0; i < count; ++i) {
+    ScoreSequence scores;
+    ComparisonVerdict verdict = ComparisonVerdict::undecided;
+    while (verdict == ComparisonVerdict::undecided && scores.fixtures() < most) {
+      scores.add(drawn(pool, drawing, random));
+      verdict = scores.verdict();
+    }
+    ++verdicts[static_cast<std::size_t>(verdict)];
+    wrong += is_wrong(verdict, share) ? 1 : 0;
+    fixtures.push_back(scores.fixtures());
+  }
+  std::sort(fixtures.begin(), fixtures.end());
+  std::printf(
+      "{\"drawing\": \"%s\", \"elo\": %.1f, \"comparisons\": %d, \"wrong\": %d, \"first\": %d, "
+      "\"second\": %d, \"equal\": %d, \"undecided\": %d, \"median_fixtures\": %d, "
+      "\"slowest_tenth\": %d}\n",
+      drawing.name, elo_of(share), count, wrong, verdicts[1], verdicts[2], verdicts[3], verdicts[0],
+      fixtures[fixtures.size() / 2], fixtures[fixtures.size() * 9 / 10]);
+  std::fflush(stdout);
+}
+
+std::vector<int> read_pool() {
+  std::vector<int> pool;
+  for (int points = 0; std::scanf("%d", &points) == 1;)
+    pool.push_back(std::clamp(points, 0, ScoreSequence::most_points));
+  return pool;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -101,6 +172,14 @@ int main(int argc, char** argv) {
     }
     return EXIT_SUCCESS;
   }
-  std::fprintf(stderr, "usage: contest_figures leagues COUNT\n");
+  if (what == "comparisons" && argc > 3) {
+    const std::vector<int> pool = read_pool();
+    if (pool.empty()) return 2;
+    for (const Drawing& drawing : {Drawing{"as played", false}, Drawing{"equal", true},
+                                   Drawing{"20 Elo", true, 20.0}, Drawing{"60 Elo", true, 60.0}})
+      comparisons(std::atoi(argv[2]) / 4, std::atoi(argv[3]), pool, drawing);
+    return EXIT_SUCCESS;
+  }
+  std::fprintf(stderr, "usage: contest_figures leagues COUNT | comparisons COUNT MOST < POINTS\n");
   return 2;
 }
