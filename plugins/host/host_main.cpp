@@ -110,6 +110,9 @@ int main(int argc, char** argv) {
   start_clocks(in->clocks);
   mirocup_setup setup = in->setup;
   setup.log = write_line;
+  ParameterHost parameters{&in->parameters, &out->asked_parameters};
+  setup.host = &parameters;
+  setup.parameter = parameter_of;
   auto plugin = Plugin::load(library, setup);
   close(entry_descriptor);
   if (!plugin) refuse(*out, plugin.error());

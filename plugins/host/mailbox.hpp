@@ -9,6 +9,7 @@
 #pragma once
 
 #include "mirocup/strategy.h"
+#include "plugins/host/parameter_table.hpp"
 #include "plugins/host/team_clocks.hpp"
 
 #include <atomic>
@@ -24,7 +25,8 @@ struct ObservationPage {
   std::atomic<std::uint32_t> request;     // number of the observation, counted from 1
   std::atomic<std::uint32_t> is_awaited;  // 1 while the server sleeps until the answer
   ClockReadings clocks;
-  mirocup_setup setup;
+  mirocup_setup setup;  // its pointers are null: the team's process sets its own
+  ParameterTable parameters;
   mirocup_observation observation;
 };
 
@@ -43,6 +45,7 @@ struct CommandPage {
   std::atomic<LoadState> load_state;
   std::atomic<int> fault_signal;  // 0: none
   std::atomic<int> fault_call;    // number of a forbidden system call, or no_call
+  AskedRows asked_parameters;     // of ObservationPage::parameters
   char text[256];                 // why the team does not play, or what it threw
   mirocup_command command;
   mirocup_placement placement;  // valid if the observation had placing = 1

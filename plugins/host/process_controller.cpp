@@ -65,10 +65,9 @@ std::string seconds_text(double seconds) {
 
 }  // namespace
 
-Result<std::unique_ptr<ProcessController>> ProcessController::start(const std::string& host_program,
-                                                                    const SealedEntry& entry,
-                                                                    const match::Briefing& briefing,
-                                                                    const ProcessTerms& terms) {
+Result<std::unique_ptr<ProcessController>> ProcessController::start(
+    const std::string& host_program, const SealedEntry& entry, const match::Briefing& briefing,
+    const match::TeamParameters& parameters, const ProcessTerms& terms) {
   const system::Descriptor in_fd(memfd_create("observation", MFD_CLOEXEC | MFD_ALLOW_SEALING));
   const system::Descriptor out_fd(memfd_create("command", MFD_CLOEXEC | MFD_ALLOW_SEALING));
   ObservationPage* in = make_page<ObservationPage>(in_fd.get());
@@ -82,6 +81,7 @@ Result<std::unique_ptr<ProcessController>> ProcessController::start(const std::s
     return not_available("the seals of a team's mailbox");
   }
   in->setup = abi::to_setup(briefing);
+  in->parameters = parameter_table(parameters);
   in->clocks = terms.clocks;
 
   int log_ends[2];

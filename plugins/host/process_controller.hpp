@@ -65,11 +65,12 @@ struct ProcessTerms {
 
 class ProcessController final : public match::Controller {
  public:
-  // Starts mirocup-plugin-host at `host_program` with the entry. An error is a failure of the host;
-  // wait_until_ready() tells what became of the library.
+  // Starts mirocup-plugin-host at `host_program` with the entry, which gets the parameters. An
+  // error is a failure of the host; wait_until_ready() tells what became of the library.
   static Result<std::unique_ptr<ProcessController>> start(const std::string& host_program,
                                                           const SealedEntry& entry,
                                                           const match::Briefing& briefing,
+                                                          const match::TeamParameters& parameters,
                                                           const ProcessTerms& terms);
   ~ProcessController() override;
 
@@ -93,6 +94,12 @@ class ProcessController final : public match::Controller {
   double bank_seconds() const { return budget_.bank_after(ticks_, places_); }
   // Returns the peak of the process's memory, bytes.
   std::size_t peak_memory() const { return child_.peak_memory(); }
+
+  // Returns the rows of the table of parameters that the team asked for so far, as its process
+  // shows them.
+  std::uint32_t asked_parameters() const {
+    return out_->asked_parameters.load(std::memory_order_relaxed);
+  }
 
   // Returns the output of the team so far: bounded, and harmless to show.
   std::string output();

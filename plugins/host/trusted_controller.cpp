@@ -9,17 +9,23 @@
 namespace mirocup::plugins {
 
 tl::expected<std::unique_ptr<TrustedController>, match::Fault> TrustedController::load(
-    const std::string& path, const match::Briefing& briefing) {
-  auto setup = std::make_unique<mirocup_setup>(abi::to_setup(briefing));
-  setup->log = write_line;
-  auto plugin = Plugin::load(path, *setup);
+    const std::string& path, const match::Briefing& briefing,
+    const match::TeamParameters& parameters) {
+  auto facts = std::make_unique<Facts>();
+  facts->parameters = parameter_table(parameters);
+  facts->host = {&facts->parameters, &facts->asked};
+  facts->setup = abi::to_setup(briefing);
+  facts->setup.log = write_line;
+  facts->setup.host = &facts->host;
+  facts->setup.parameter = parameter_of;
+  auto plugin = Plugin::load(path, facts->setup);
   if (!plugin) return tl::unexpected(plugin.error());
   return std::unique_ptr<TrustedController>(
-      new TrustedController(std::move(setup), std::move(*plugin)));
+      new TrustedController(std::move(facts), std::move(*plugin)));
 }
 
-TrustedController::TrustedController(std::unique_ptr<mirocup_setup> setup, Plugin plugin)
-    : setup_(std::move(setup)), plugin_(std::move(plugin)) {}
+TrustedController::TrustedController(std::unique_ptr<Facts> facts, Plugin plugin)
+    : facts_(std::move(facts)), plugin_(std::move(plugin)) {}
 
 void TrustedController::post(const match::Observation& observation) {
   observation_ = abi::to_observation(observation);

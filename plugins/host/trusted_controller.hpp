@@ -3,6 +3,7 @@
 // A team in the server's own process (`--trusted`): without protection from it, and without cost.
 #pragma once
 
+#include "plugins/host/parameter_table.hpp"
 #include "plugins/host/plugin.hpp"
 
 #include <memory>
@@ -11,17 +12,30 @@ namespace mirocup::plugins {
 
 class TrustedController final : public match::Controller {
  public:
-  // Loads the library at `path`, which must contain a slash, and creates its team.
+  // Loads the library at `path`, which must contain a slash, and creates its team, which gets the
+  // parameters.
   static tl::expected<std::unique_ptr<TrustedController>, match::Fault> load(
-      const std::string& path, const match::Briefing& briefing);
+      const std::string& path, const match::Briefing& briefing,
+      const match::TeamParameters& parameters);
 
   void post(const match::Observation& observation) override;
   match::Answer collect() override;
 
- private:
-  TrustedController(std::unique_ptr<mirocup_setup> setup, Plugin plugin);
+  // Returns the rows of the table of parameters that the team asked for so far.
+  std::uint32_t asked_parameters() const { return facts_->asked.load(std::memory_order_relaxed); }
 
-  std::unique_ptr<mirocup_setup> setup_;
+ private:
+  // What the team reads while it lives.
+  struct Facts {
+    ParameterTable parameters;
+    AskedRows asked{0};
+    ParameterHost host;
+    mirocup_setup setup{};
+  };
+
+  TrustedController(std::unique_ptr<Facts> facts, Plugin plugin);
+
+  std::unique_ptr<Facts> facts_;
   Plugin plugin_;
   mirocup_observation observation_{};
 };

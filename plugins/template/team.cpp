@@ -1,5 +1,4 @@
-// A keeper, one robot that kicks to the opponents' goal, and the others between the ball and the
-// own goal.
+// A keeper, one robot that kicks to the opponents' goal, and the others behind the ball.
 #include "mirocup/strategy.hpp"
 
 using namespace mirocup::strategy;
@@ -18,6 +17,9 @@ class Mine : public Team {
   }
 
  private:
+  // How far behind the ball the others wait, m. To try another value: --param wait=0.4
+  const double wait_ = parameter("wait", 0.45);
+
   unsigned long long seed() const { return setup().seed; }
 
   // Returns the robot nearest to the ball; robot 0 stays in the goal and is never chosen.
@@ -37,7 +39,8 @@ class Mine : public Team {
 
   Wheels wait(const Observation& now, int i) const {
     const double side = i % 2 == 0 ? 0.2 : -0.2;
-    return drive_clear(setup(), now, now.own[i], {-0.4 * setup().half_length, side});
+    const Point post = inside(setup(), {now.ball_x - wait_, side});
+    return drive_clear(setup(), now, now.own[i], keep_out(setup(), i, post));
   }
 };
 

@@ -5,6 +5,7 @@
 #include "server/app/entry_check.hpp"
 #include "server/record/json_reader.hpp"
 #include "server/record/match_record.hpp"
+#include "server/record/team_parameters_json.hpp"
 #include "system/printable.hpp"
 
 #include <nlohmann/json.hpp>
@@ -42,6 +43,7 @@ record::Json to_json(const CheckOptions& options, const EntryReport& report) {
             {"leg_seconds", report.leg_seconds},
             {"leg_share", report.leg_share}}},
           {"peak_memory_bytes", report.peak_memory},
+          {"unknown_parameters", record::to_json(report.unknown_parameters)},
           {"log", report.log}};
 }
 
@@ -68,6 +70,9 @@ void print(const CheckOptions& options, const EntryReport& report) {
                   100.0 * report.leg_share);
     std::cout << text;
   }
+  for (const auto& parameter : report.unknown_parameters) {
+    std::cout << "    warning: the team did not ask for the parameter " << parameter.first << '\n';
+  }
   if (!report.log.empty()) std::cout << "--- log\n" << report.log << "\n--- end of log\n";
   if (failure == nullptr) {
     std::cout << system::printable(options.path) << ": accepted\n";
@@ -80,8 +85,10 @@ void print(const CheckOptions& options, const EntryReport& report) {
 }  // namespace
 
 Result<int> run_check(const CheckOptions& options) {
+  const auto parameters = record::parameters_with_changes({}, options.parameters, "--param");
+  if (!parameters) return tl::unexpected(parameters.error());
   const auto report =
-      check_entry(options.path, *from_string<League>(options.league), options.half_s);
+      check_entry(options.path, *from_string<League>(options.league), options.half_s, *parameters);
   if (!report) return tl::unexpected(report.error());
   if (options.json) {
     std::cout << record::json_text(to_json(options, *report)) << '\n';

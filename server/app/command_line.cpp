@@ -44,6 +44,15 @@ void add_dds_domain(CLI::App& command, int& domain) {
       ->capture_default_str();
 }
 
+void add_parameters(CLI::App& command, const char* option, std::vector<std::string>& changes,
+                    const char* whose) {
+  command
+      .add_option(option, changes,
+                  "Set a parameter of " + std::string(whose) +
+                      ", a number that the strategy asks for by name; may be given several times")
+      ->type_name("KEY=VALUE");
+}
+
 void add_match(CLI::App& app, Run& run) {
   Subcommand<MatchOptions> command(app, run, "match", "Play one leg", run_match);
   MatchOptions& o = *command.options;
@@ -100,6 +109,9 @@ void add_match(CLI::App& app, Run& run) {
       ->add_option("--condition", o.condition_changes,
                    "Change a value of the conditions; may be given several times")
       ->type_name("KEY=VALUE");
+  add_parameters(*command.sub, "--param", o.parameters, "both teams");
+  add_parameters(*command.sub, "--blue-param", o.own_parameters[0], "the blue team");
+  add_parameters(*command.sub, "--yellow-param", o.own_parameters[1], "the yellow team");
   command->add_option("--record", o.record_path, "File to write the match record to")
       ->type_name("FILE");
   command->add_flag("--trusted", o.trusted,
@@ -148,6 +160,7 @@ void add_check(CLI::App& app, Run& run) {
           "Seconds of a half in the league that it is for, which says how much time it has "
           "(default: as in the rules)")
       ->check(CLI::Range(0.1, 36000.0));
+  add_parameters(*command.sub, "--param", o.parameters, "the team");
   command->add_flag("--json", o.json, "Print the report as one JSON object");
 }
 
@@ -169,6 +182,7 @@ void add_join(CLI::App& app, Run& run) {
       ->add_option("--credentials", o.credentials,
                    "Folder with the team's credentials, for a match that asks for them")
       ->type_name("DIR");
+  add_parameters(*command.sub, "--param", o.parameters, "the team");
   command->add_option("FILE.so", o.library, "Library of the team")->required();
 }
 

@@ -28,7 +28,9 @@ struct MatchOptions {
   std::optional<double> half_s;
   std::vector<std::string> rule_changes;  // KEY=VALUE
   std::string conditions{to_string(match::default_preset)};
-  std::vector<std::string> condition_changes;  // KEY=VALUE
+  std::vector<std::string> condition_changes;              // KEY=VALUE
+  std::vector<std::string> parameters;                     // of both teams, KEY=VALUE
+  match::ByTeam<std::vector<std::string>> own_parameters;  // of one team; they win
   std::string record_path;
   bool trusted = false;
   std::string isolation;  // "": the strongest that this system allows
@@ -45,7 +47,8 @@ Result<int> run_match(const MatchOptions& options);
 struct CheckOptions {
   std::string path;
   std::string league = "small";
-  std::optional<double> half_s;  // of the legs that the entry is for
+  std::optional<double> half_s;         // of the legs that the entry is for
+  std::vector<std::string> parameters;  // KEY=VALUE
   bool json = false;
 };
 Result<int> run_check(const CheckOptions& options);
@@ -58,7 +61,8 @@ struct JoinOptions {
   std::string server = "127.0.0.1";
   int dds_domain = 0;
   std::string credentials;
-  double join_within = 60.0;  // s to wait for the match
+  double join_within = 60.0;            // s to wait for the match
+  std::vector<std::string> parameters;  // KEY=VALUE
 };
 Result<int> run_join(const JoinOptions& options);
 

@@ -100,8 +100,9 @@ bool is_on_this_system(const std::string& name) {
 // Runs the checks of one entry, one after the other, and fills its report.
 class Examination {
  public:
-  Examination(std::string path, League league, std::optional<double> half)
-      : path_(std::move(path)) {
+  Examination(std::string path, League league, std::optional<double> half,
+              match::TeamParameters parameters)
+      : path_(std::move(path)), parameters_(std::move(parameters)) {
     setup_.league = league;
     real_half_ = half.value_or(setup_.rules.half_s);
     setup_.rules.half_s = half_s;
@@ -134,6 +135,7 @@ class Examination {
   bool judge(const TrialLeg& leg, std::string text);
 
   std::string path_;
+  match::TeamParameters parameters_;
   match::Setup setup_;  // of the trial legs
   double real_half_;    // s, of the legs that the entry is for
   pace::SteadyWallClock clock_;
@@ -272,9 +274,9 @@ Result<Examination::TrialLeg> Examination::play(Team team, std::uint32_t max_tic
   terms.budget = budget();
   terms.clocks = clocks;
   for (const Team seat : both_teams) {
-    auto process = plugins::ProcessController::start(system::sibling_program("mirocup-plugin-host"),
-                                                     seat == team ? *entry_ : *idle_,
-                                                     match.briefing(seat), terms);
+    auto process = plugins::ProcessController::start(
+        system::sibling_program("mirocup-plugin-host"), seat == team ? *entry_ : *idle_,
+        match.briefing(seat), seat == team ? parameters_ : match::TeamParameters(), terms);
     if (!process) return tl::unexpected(process.error());
     seats[index_of(seat)] = std::move(*process);
   }
@@ -324,6 +326,7 @@ void Examination::measure(plugins::ProcessController& process, std::uint32_t tic
   report_.peak_memory = std::max(report_.peak_memory, process.peak_memory());
   report_.slowest_tick_ms = std::max(report_.slowest_tick_ms, process.slowest_tick_ms());
   report_.log = process.output();
+  report_.unknown_parameters = plugins::not_asked_for(parameters_, process.asked_parameters());
   if (ticks == 0 || (ticks < first_ticks && report_.mean_tick_ms > 0.0)) return;
   report_.mean_tick_ms = 1e3 * process.playing_seconds() / ticks;
   // In a leg of full length the bank's fixed part hardly counts.
@@ -347,9 +350,9 @@ const Check* EntryReport::failure() const {
   return found == checks.end() ? nullptr : &*found;
 }
 
-Result<EntryReport> check_entry(const std::string& path, League league,
-                                std::optional<double> half) {
-  return Examination(path, league, half).run();
+Result<EntryReport> check_entry(const std::string& path, League league, std::optional<double> half,
+                                const match::TeamParameters& parameters) {
+  return Examination(path, league, half, parameters).run();
 }
 
 }  // namespace mirocup::app

@@ -6,6 +6,7 @@
 
 #include "core/base/error.hpp"
 #include "core/field/league.hpp"
+#include "core/match/team_parameters.hpp"
 #include "plugins/host/sandbox/isolation.hpp"
 
 #include <cstddef>
@@ -33,6 +34,7 @@ struct EntryReport {
   double leg_seconds = 0.0;      // processor time that a leg of full length would take
   double leg_share = 0.0;        // leg_seconds, of the time that such a leg gives
   std::size_t peak_memory = 0;   // bytes
+  match::TeamParameters unknown_parameters;  // given, but the team never asked for them
   std::string log;
 
   // The first check that failed; null if none did.
@@ -40,8 +42,9 @@ struct EntryReport {
 };
 
 // `half` is the length, s, of the halves that the entry is for; nothing: that of the rules. The
-// trial legs are shorter. Takes at most 20 s. An error means that there is no answer: the file
-// cannot be read, or the host failed.
-Result<EntryReport> check_entry(const std::string& path, League league, std::optional<double> half);
+// trial legs are shorter. The team plays them with the parameters. Takes at most 20 s. An error
+// means that there is no answer: the file cannot be read, or the host failed.
+Result<EntryReport> check_entry(const std::string& path, League league, std::optional<double> half,
+                                const match::TeamParameters& parameters);
 
 }  // namespace mirocup::app

@@ -2,10 +2,12 @@
 //
 // mirocup join: lets a library play in a match on the network.
 #include "mirocup/team.hpp"
+#include "plugins/host/parameter_table.hpp"
 #include "plugins/host/plugin.hpp"
 #include "server/app/commands.hpp"
 #include "server/app/interrupt.hpp"
 #include "server/dds/credentials.hpp"
+#include "server/record/team_parameters_json.hpp"
 #include "system/certificate.hpp"
 
 #include <chrono>
@@ -45,8 +47,13 @@ void warn_of_expiry(const std::string& credentials) {
 // A library that answers the ticks that come over a connection.
 class RemoteTeam {
  public:
-  RemoteTeam(const JoinOptions& options, Interrupt& interrupt, team::Connection& match)
-      : options_(options), interrupt_(interrupt), match_(match) {}
+  RemoteTeam(const JoinOptions& options, const match::TeamParameters& parameters,
+             Interrupt& interrupt, team::Connection& match)
+      : options_(options),
+        given_(parameters),
+        parameters_(plugins::parameter_table(parameters)),
+        interrupt_(interrupt),
+        match_(match) {}
 
   // Plays until the match is over.
   Result<int> play();
@@ -58,6 +65,11 @@ class RemoteTeam {
   int report() const;
 
   const JoinOptions& options_;
+  const match::TeamParameters& given_;
+  plugins::ParameterTable parameters_;
+  plugins::AskedRows asked_{0};
+  plugins::ParameterHost host_{&parameters_, &asked_};
+  mirocup_setup setup_{};  // while the plugin lives
   Interrupt& interrupt_;
   team::Connection& match_;
   std::optional<plugins::Plugin> plugin_;
@@ -91,7 +103,10 @@ Result<int> RemoteTeam::play() {
 // Loads the library afresh for every leg, as for a team with a process of its own.
 Result<void> RemoteTeam::take_seat() {
   plugin_.reset();
-  auto plugin = plugins::Plugin::load(library_path(options_), match_.setup());
+  setup_ = match_.setup();
+  setup_.host = &host_;
+  setup_.parameter = plugins::parameter_of;
+  auto plugin = plugins::Plugin::load(library_path(options_), setup_);
   if (!plugin) return fail(Errc::input, options_.library + ": " + plugin.error().text);
   plugin_.emplace(std::move(*plugin));
   std::cerr << "mirocup: " << options_.name << " plays " << options_.team << " in match "
@@ -126,6 +141,10 @@ Result<void> RemoteTeam::check_silence() const {
 }
 
 int RemoteTeam::report() const {
+  for (const auto& parameter : plugins::not_asked_for(given_, asked_)) {
+    std::cerr << "mirocup: warning: the team did not ask for the parameter " << parameter.first
+              << '\n';
+  }
   std::cout << "the match is over (" << match_.text() << "): blue " << match_.score()[0]
             << ", yellow " << match_.score()[1] << '\n';
   return exit_yes;
@@ -135,6 +154,8 @@ int RemoteTeam::report() const {
 
 Result<int> run_join(const JoinOptions& options) {
   Interrupt interrupt;
+  const auto parameters = record::parameters_with_changes({}, options.parameters, "--param");
+  if (!parameters) return tl::unexpected(parameters.error());
   if (auto checked = plugins::Plugin::check(library_path(options)); !checked) {
     return fail(Errc::input, options.library + ": " + checked.error().text);
   }
@@ -148,7 +169,7 @@ Result<int> run_join(const JoinOptions& options) {
   if (!match.is_open()) {
     return fail(match.is_wrong() ? Errc::input : Errc::unavailable, match.why());
   }
-  return RemoteTeam(options, interrupt, match).play();
+  return RemoteTeam(options, *parameters, interrupt, match).play();
 }
 
 }  // namespace mirocup::app

@@ -9,6 +9,7 @@
 #include "server/record/conditions_json.hpp"
 #include "server/record/json_reader.hpp"
 #include "server/record/rules_json.hpp"
+#include "server/record/team_parameters_json.hpp"
 #include "server/web/live_server.hpp"
 #include "system/printable.hpp"
 
@@ -64,6 +65,30 @@ Result<std::optional<double>> factor_of(const MatchOptions& options) {
   return std::optional<double>(factor);
 }
 
+// Gives the teams their parameters, which a team on the network gets from its own program.
+Result<void> give_parameters(const MatchOptions& options, std::vector<TeamChoice>& choices) {
+  const auto shared = record::parameters_with_changes({}, options.parameters, "--param");
+  if (!shared) return tl::unexpected(shared.error());
+  bool is_for_a_library = shared->empty();
+  for (const Team team : both_teams) {
+    const std::string option = "--" + std::string(to_string(team)) + "-param";
+    const auto& own = options.own_parameters[index_of(team)];
+    record::TeamInfo& info = choices[index_of(team)].info;
+    if (info.kind == record::TeamKind::dds) {
+      if (own.empty()) continue;
+      return fail(Errc::input, option + " " + own[0] + ": " + info.name +
+                                   " plays over the network; give it to mirocup join");
+    }
+    auto given = record::parameters_with_changes(*shared, own, option);
+    if (!given) return tl::unexpected(given.error());
+    info.parameters = std::move(*given);
+    is_for_a_library = true;
+  }
+  if (is_for_a_library) return {};
+  return fail(Errc::input, "--param " + options.parameters[0] +
+                               ": both teams play over the network; give it to mirocup join");
+}
+
 // At full speed a match polls for an interrupt only this often, because polling is a system call.
 constexpr std::uint32_t ticks_between_polls = 16;
 
@@ -84,6 +109,7 @@ class Session {
   void end_live_page() {
     if (live_) live_->close(match_);
   }
+  void warn_of_unknown_parameters() const;
   void report() const;
   bool is_void() const { return match_.outcome().kind == match::OutcomeKind::void_; }
 
@@ -119,6 +145,7 @@ Result<void> Session::seat_teams() {
     if (!name.empty()) choice->info.name = name;
     choices.push_back(std::move(*choice));
   }
+  if (auto given = give_parameters(options_, choices); !given) return given;
   const bool any_dds = choices[0].info.kind == record::TeamKind::dds ||
                        choices[1].info.kind == record::TeamKind::dds;
   if (any_dds) {
@@ -270,6 +297,24 @@ Result<void> Session::write_record() {
   return {};
 }
 
+// A name with a slip in it would otherwise have no effect, silently.
+void Session::warn_of_unknown_parameters() const {
+  if (match_.tick() == 0) return;  // a team that never played asked for nothing
+  const auto blue = seats_[0].unknown_parameters();
+  const auto yellow = seats_[1].unknown_parameters();
+  const auto is_known_to = [](const TeamSeat& seat, const match::TeamParameters& unknown,
+                              const std::string& name) {
+    return seat.info().parameters.count(name) != 0 && unknown.count(name) == 0;
+  };
+  match::TeamParameters all = blue;
+  all.insert(yellow.begin(), yellow.end());
+  for (const auto& entry : all) {
+    const std::string& name = entry.first;
+    if (is_known_to(seats_[0], blue, name) || is_known_to(seats_[1], yellow, name)) continue;
+    std::cerr << "mirocup: warning: no team asked for the parameter " << name << '\n';
+  }
+}
+
 void Session::report() const {
   if (options_.json) {
     std::cout << record::json_text(record::to_json(record())) << '\n';
@@ -300,6 +345,7 @@ Result<int> run_match(const MatchOptions& options) {
   if (auto played = session.play(); !played) return tl::unexpected(played.error());
   if (auto written = session.write_record(); !written) return tl::unexpected(written.error());
   session.end_live_page();
+  session.warn_of_unknown_parameters();
   session.report();
   return session.is_void() ? exit_code(Errc::host) : exit_yes;
 }

@@ -56,7 +56,10 @@ Result<TeamChoice> choose_again(system::Files& files, const record::TeamInfo& te
   const std::string sha256 = team.sha256.value_or("");
   if (team.kind == record::TeamKind::house) {
     auto choice = choose_team(team.name);
-    if (choice && choice->info.sha256 == sha256) return choice;
+    if (choice && choice->info.sha256 == sha256) {
+      choice->info = team;
+      return choice;
+    }
   }
   const std::string library = library_with(files, entries, sha256);
   if (library.empty()) {

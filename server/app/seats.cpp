@@ -64,8 +64,9 @@ Result<TeamSeat> TeamSeat::take_in_process(const TeamChoice& choice,
   TeamSeat seat(choice.info);
   seat.load_fault_ = choice.fault;
   if (choice.fault) return seat;
-  auto process = plugins::ProcessController::start(system::sibling_program("mirocup-plugin-host"),
-                                                   *choice.entry, briefing, terms);
+  auto process =
+      plugins::ProcessController::start(system::sibling_program("mirocup-plugin-host"),
+                                        *choice.entry, briefing, choice.info.parameters, terms);
   if (!process) return tl::unexpected(process.error());
   seat.process_ = process->get();
   seat.controller_ = process->get();
@@ -77,11 +78,13 @@ Result<TeamSeat> TeamSeat::take_trusted(const TeamChoice& choice, const match::B
   TeamSeat seat(choice.info);
   seat.load_fault_ = choice.fault;
   if (choice.fault) return seat;
-  auto controller = plugins::TrustedController::load(choice.library, briefing);
+  auto controller =
+      plugins::TrustedController::load(choice.library, briefing, choice.info.parameters);
   if (!controller) {
     seat.load_fault_ = controller.error();
     return seat;
   }
+  seat.trusted_ = controller->get();
   seat.controller_ = controller->get();
   seat.owned_ = std::move(*controller);
   return seat;
@@ -104,6 +107,13 @@ tl::expected<void, match::Answer> TeamSeat::wait_until_ready() {
   if (process_ != nullptr) return process_->wait_until_ready();
   if (network_ != nullptr) return network_->wait_until_ready();
   return {};
+}
+
+match::TeamParameters TeamSeat::unknown_parameters() const {
+  std::uint32_t asked = 0;
+  if (process_ != nullptr) asked = process_->asked_parameters();
+  if (trusted_ != nullptr) asked = trusted_->asked_parameters();
+  return plugins::not_asked_for(info_.parameters, asked);
 }
 
 record::BudgetReport TeamSeat::budget_report() const {

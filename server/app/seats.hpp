@@ -36,6 +36,7 @@ class TeamSeat {
  public:
   // Each starts the team or makes room for it, and does not wait for it. An error is a failure of
   // the host. A fault of the team is returned by wait_until_ready().
+  // A library gets the parameters of `choice.info`.
   static Result<TeamSeat> take_in_process(const TeamChoice& choice, const match::Briefing& briefing,
                                           const plugins::ProcessTerms& terms);
   static Result<TeamSeat> take_trusted(const TeamChoice& choice, const match::Briefing& briefing);
@@ -56,6 +57,9 @@ class TeamSeat {
   }
   const record::TeamInfo& info() const { return info_; }
 
+  // Returns those of its parameters that the team has not asked for so far.
+  match::TeamParameters unknown_parameters() const;
+
   // Without late_ticks and bad_commands, which the match counts.
   record::BudgetReport budget_report() const;
 
@@ -75,6 +79,7 @@ class TeamSeat {
   std::unique_ptr<match::Controller> owned_;
   match::Controller* controller_ = nullptr;
   plugins::ProcessController* process_ = nullptr;
+  plugins::TrustedController* trusted_ = nullptr;
   dds::Seat* network_ = nullptr;
   std::optional<match::Fault> load_fault_;
 };

@@ -29,6 +29,11 @@ void write_line(const char* text) {
   std::fprintf(stderr, "%s\n", text);
 }
 
+// A program has options of its own; a match on the network gives it no parameters.
+double own_default(void*, const char*, double fallback) {
+  return fallback;
+}
+
 // Stores one kind of news in the connection and returns its number in team.h.
 struct Receive {
   mirocup_connection& c;
@@ -37,6 +42,7 @@ struct Receive {
   std::int32_t operator()(const Seated&) const {
     c.setup = abi::to_setup(c.client->briefing());
     c.setup.log = write_line;
+    c.setup.parameter = own_default;
     return MIROCUP_TEAM_SEATED;
   }
   std::int32_t operator()(const match::Snapshot& scene) const {

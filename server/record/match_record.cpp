@@ -5,6 +5,7 @@
 #include "server/record/json_reader.hpp"
 #include "server/record/replay_file.hpp"
 #include "server/record/rules_json.hpp"
+#include "server/record/team_parameters_json.hpp"
 #include "system/digest.hpp"
 
 #include <nlohmann/json.hpp>
@@ -115,7 +116,8 @@ namespace {
 Json team_json(const TeamInfo& team) {
   return {{"name", team.name},
           {"kind", to_string(team.kind)},
-          {"sha256", team.sha256 ? Json(*team.sha256) : Json()}};
+          {"sha256", team.sha256 ? Json(*team.sha256) : Json()},
+          {"parameters", to_json(team.parameters)}};
 }
 
 Json budget_json(const BudgetReport& b) {
@@ -240,6 +242,7 @@ TeamInfo read_team(const JsonReader& json) {
   team.name = json.at("name").text();
   team.kind = json.at("kind").name<TeamKind>();
   if (const JsonReader sha256 = json.at("sha256"); !sha256.is_null()) team.sha256 = sha256.text();
+  if (json.has("parameters")) team.parameters = read_team_parameters(json.at("parameters"));
   return team;
 }
 

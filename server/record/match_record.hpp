@@ -6,6 +6,7 @@
 // written as a Json tree and read with JsonReader.
 #pragma once
 
+#include "core/match/team_parameters.hpp"
 #include "core/replay/recording.hpp"
 #include "server/pace/absence.hpp"
 #include "server/pace/durations.hpp"
@@ -28,6 +29,7 @@ struct TeamInfo {
   std::string name;
   TeamKind kind = TeamKind::plugin;
   std::optional<std::string> sha256;  // of the library; nothing for a DDS team
+  match::TeamParameters parameters = {};
 };
 
 // The time that a team used. `bad_commands` counts commands, not the values in them.

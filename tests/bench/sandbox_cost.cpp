@@ -83,7 +83,7 @@ class Bench {
                                           Measured& measured) {
     const auto begin = Clock::now();
     if (isolation == Isolation::none) {
-      auto controller = TrustedController::load(library_, briefing);
+      auto controller = TrustedController::load(library_, briefing, {});
       if (!controller) give_up(controller.error().text);
       measured.start_ms.push_back(1e3 * seconds_since(begin));
       return std::move(*controller);
@@ -91,7 +91,7 @@ class Bench {
     ProcessTerms terms;
     terms.isolation = isolation;
     terms.bell = bell;
-    auto controller = ProcessController::start(host_program_, *entry_, briefing, terms);
+    auto controller = ProcessController::start(host_program_, *entry_, briefing, {}, terms);
     if (!controller) give_up(controller.error().what);
     if (!(*controller)->wait_until_ready()) give_up("the team does not start");
     measured.start_ms.push_back(1e3 * seconds_since(begin));

@@ -4,6 +4,7 @@
 #include "server/record/conditions_json.hpp"
 #include "server/record/json_reader.hpp"
 #include "server/record/rules_json.hpp"
+#include "server/record/team_parameters_json.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -24,11 +25,14 @@ constexpr int max_name_length = 40;
 constexpr std::size_t max_teams = 1000;
 
 TeamConfig read_team(const JsonReader& json) {
-  json.expect_object({"name", "entry", "dds"});
+  json.expect_object({"name", "entry", "dds", "parameters"});
   TeamConfig team;
   json.read_if_present("name", team.name);
   json.read_if_present("entry", team.source);
   json.read_if_present("dds", team.over_dds);
+  if (json.has("parameters")) {
+    team.parameters = record::read_team_parameters(json.at("parameters"));
+  }
   if (!is_good_name(team.name)) {
     json.at("name").complain("a name of letters, digits, '-', '_' and '.' is expected, at most " +
                              std::to_string(max_name_length));
@@ -178,6 +182,7 @@ std::string print_league_file(const LeagueFile& file) {
   for (const TeamConfig& team : file.teams) {
     Json json{{"name", team.name}, {"entry", team.source}};
     if (team.over_dds) json["dds"] = true;
+    if (!team.parameters.empty()) json["parameters"] = record::to_json(team.parameters);
     teams.push_back(json);
   }
   Json json{{"schema", schema},

@@ -6,6 +6,7 @@
 #include "core/base/error.hpp"
 #include "core/field/league.hpp"
 #include "core/match/conditions.hpp"
+#include "core/match/team_parameters.hpp"
 #include "core/referee/rules.hpp"
 #include "tournaments/format/format.hpp"
 #include "tournaments/table/table.hpp"
@@ -22,6 +23,7 @@ struct TeamConfig {
   std::string name;
   std::string source;     // as written: "house:NAME", a path, or "submitted"
   bool over_dds = false;  // true: it joins over the network (mirocup join); else the server runs it
+  match::TeamParameters parameters = {};  // what each of its legs gives its library
 };
 
 struct LeagueFile {

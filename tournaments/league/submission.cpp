@@ -2,6 +2,7 @@
 #include "tournaments/league/submission.hpp"
 
 #include "server/record/json_reader.hpp"
+#include "server/record/team_parameters_json.hpp"
 #include "system/digest.hpp"
 #include "system/file_lock.hpp"
 #include "system/locations.hpp"
@@ -16,15 +17,25 @@ namespace mirocup::league {
 
 namespace {
 
-// Returns the answer of `mirocup check --json` about a library. Any exit code but yes and no is an
-// error of the host.
+// Returns the answer of `mirocup check --json` about a library of the team. Any exit code but yes
+// and no is an error of the host.
 Result<Json> check(system::Files& files, const std::string& library, const LeagueFile& rules,
-                   const std::string& log) {
+                   const std::string& team, const std::string& log) {
+  std::vector<std::string> command{system::sibling_program("mirocup"),
+                                   "check",
+                                   library,
+                                   "--json",
+                                   "--league",
+                                   std::string(to_string(rules.league)),
+                                   "--half",
+                                   std::to_string(rules.rules.half_s)};
+  for (const TeamConfig& known : rules.teams) {
+    if (known.name != team) continue;
+    const auto parameters = record::parameter_options(known.parameters, "--param");
+    command.insert(command.end(), parameters.begin(), parameters.end());
+  }
   system::ProcessSet processes;
-  const auto started = processes.start(
-      {system::sibling_program("mirocup"), "check", library, "--json", "--league",
-       std::string(to_string(rules.league)), "--half", std::to_string(rules.rules.half_s)},
-      0, -1, log);
+  const auto started = processes.start(command, 0, -1, log);
   if (!started) return tl::unexpected(started.error());
   const auto exit = processes.wait();
   if (!exit) return fail(Errc::interrupted, "interrupted while an entry was checked");
@@ -107,7 +118,7 @@ Result<Json> store_and_check(system::Files& files, const Folder& folder, const L
                      .and_then([&] { return files.make_folder(entry, Readers::owner); })
                      .and_then([&] { return files.write(stored, library, Readers::owner); });
   if (!written) return tl::unexpected(written.error());
-  auto verdict = check(files, stored, rules, log);
+  auto verdict = check(files, stored, rules, handed.team, log);
   if (!verdict) return verdict;
   const std::string sha256 = system::sha256(library);
   if (verdict->value("sha256", Json()).is_string() && (*verdict)["sha256"] != sha256)

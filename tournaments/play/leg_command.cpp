@@ -5,6 +5,7 @@
 #include "server/record/conditions_json.hpp"
 #include "server/record/json_reader.hpp"
 #include "server/record/rules_json.hpp"
+#include "server/record/team_parameters_json.hpp"
 #include "system/locations.hpp"
 
 #include <nlohmann/json.hpp>
@@ -38,6 +39,12 @@ std::vector<std::string> condition_options(const match::Conditions& conditions) 
 std::string seat_of(const Folder& folder, const LeagueState& state, int team) {
   const TeamConfig& entry = state.file.teams[team];
   return entry.over_dds ? "dds:" + entry.name : folder.library(entry.name, state.teams[team].entry);
+}
+
+// A team that joins over the network gets its parameters from `mirocup join`.
+std::vector<std::string> seat_parameters(const TeamConfig& team, const std::string& option) {
+  return team.over_dds ? std::vector<std::string>()
+                       : record::parameter_options(team.parameters, option);
 }
 
 }  // namespace
@@ -86,6 +93,10 @@ std::vector<std::string> leg_command(const Folder& folder, const LeagueState& st
   arguments.insert(arguments.end(), rules.begin(), rules.end());
   const std::vector<std::string> conditions = condition_options(state.conditions);
   arguments.insert(arguments.end(), conditions.begin(), conditions.end());
+  for (const auto& words : {seat_parameters(file.teams[blue], "--blue-param"),
+                            seat_parameters(file.teams[yellow], "--yellow-param")}) {
+    arguments.insert(arguments.end(), words.begin(), words.end());
+  }
   return arguments;
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/field/team.hpp"
 #include "server/record/json_reader.hpp"
+#include "server/record/team_parameters_json.hpp"
 
 namespace mirocup::league {
 
@@ -85,6 +86,11 @@ void expect_same_leg(const LeagueState& state, const LegId& id, const JsonReader
     // A team over DDS loads its library itself, so the record has no hash of it.
     if (state.file.teams[team].over_dds) continue;
     if (seat.at("sha256").text() != state.teams[team].sha256) seat.complain("another entry");
+    match::TeamParameters parameters;
+    if (seat.has("parameters")) {
+      parameters = record::read_team_parameters(seat.at("parameters"));
+    }
+    if (parameters != state.file.teams[team].parameters) seat.complain("other parameters");
   }
 }
 

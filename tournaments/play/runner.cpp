@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/play/runner.hpp"
 
+#include "server/record/team_parameters_json.hpp"
 #include "system/digest.hpp"
 #include "system/locations.hpp"
 #include "system/memory.hpp"
@@ -170,6 +171,8 @@ Result<void> Runner::start_joiner(Worker& worker, int team, const std::string& c
       "--name",
       entry.name,
       recorder_.folder().library(entry.name, state().teams[team].entry)};
+  const auto parameters = record::parameter_options(entry.parameters, "--param");
+  command.insert(command.end(), parameters.begin(), parameters.end());
   const std::vector<std::string> credentials = credentials_of("teams/" + entry.name);
   command.insert(command.end(), credentials.begin(), credentials.end());
   const std::vector<std::string> domain = dds_domain_of_legs();

@@ -69,6 +69,14 @@
  *   setup->log("text") and what you print to standard output or error go to the log of the leg,
  *   which keeps 64 KiB.
  *
+ * Parameters
+ *   A number that you would like to try out need not be a constant of your code:
+ *     setup->parameter(setup->host, "wait", 0.45)
+ *   is 0.45, until `mirocup match --param wait=0.4`, `check` or `join` with the same option, or
+ *   "parameters" of your team in league.json gives another value. A name has letters, digits, '_',
+ *   '-' and '.', begins with a letter and has at most 31 bytes. A leg gives a team at most 32. The
+ *   record keeps them, and `mirocup rerun` gives them again.
+ *
  * Clocks
  *   The time of day begins at 1 January 2000 in every leg. Differences between two readings are
  *   true, on every clock, and so is processor time.
@@ -162,6 +170,14 @@ typedef struct mirocup_setup {
 
   /* Writes a line to the log of the leg. Never null. */
   void (*log)(const char* text);
+
+  /* The handle of the host for this team, which the calls below take as their first argument. Older
+     hosts have nothing of what follows: see "Versions" about `size`. */
+  void* host;
+
+  /* Returns the parameter of that name which the leg gives this team, or `fallback` if it gives
+     none. Never null. See "Parameters". */
+  double (*parameter)(void* host, const char* name, double fallback);
 } mirocup_setup;
 
 /* The referee's counts about a team. A robot counts if more than half of its body is inside and it

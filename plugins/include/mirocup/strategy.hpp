@@ -21,7 +21,8 @@
 //   one robot   wheels_for, turn_to, drive_to, drive_to_pose, drive_round, drive_clear
 //   the laws    keep_out (of the goal area), out_of_area, without_pushing, keep_laws
 //   roles       kick_to (behind the ball, then through it), keep_goal, kick_off
-//   a team      Team: decide(), place(), setup(), random(), log("format", values...)
+//   a team      Team: decide(), place(), setup(), random(), parameter("name", default),
+//               log("format", values...)
 //
 // The functions that drive return the wheel speeds of one robot for this tick; call them again in
 // every tick. They are good enough to start from, and meant to be copied and improved.
@@ -32,8 +33,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdarg>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 
 // Lets the compiler check the arguments of a function against its format, as it does for printf().
 #if defined(__GNUC__)
@@ -356,10 +359,27 @@ class Random {
   std::uint64_t state_;
 };
 
+// Returns the parameter of that name, or `fallback` if the leg gives the team none, or the host is
+// older than parameters. strategy.h says who gives it ("Parameters").
+inline double parameter(const Setup& setup, const char* name, double fallback) {
+  const bool is_there = setup.size >= offsetof(Setup, parameter) + sizeof setup.parameter;
+  if (!is_there || setup.parameter == nullptr) return fallback;
+  return setup.parameter(setup.host, name, fallback);
+}
+
+// Returns a copy of the setup, which ends after `size` bytes. Every host has the members up to
+// `log`.
+inline Setup copy_of(const Setup& setup) {
+  Setup copy{};
+  constexpr std::size_t least = offsetof(Setup, host);
+  std::memcpy(&copy, &setup, std::clamp<std::size_t>(setup.size, least, sizeof copy));
+  return copy;
+}
+
 // The base class of a team in C++. It keeps the setup and has random numbers from its seed.
 class Team {
  public:
-  explicit Team(const Setup& setup) : setup_(setup), random_(setup.seed) {}
+  explicit Team(const Setup& setup) : setup_(copy_of(setup)), random_(setup.seed) {}
   virtual ~Team() = default;
 
   // Sets the wheel speeds of this tick; they are 0 when it is called.
@@ -375,6 +395,12 @@ class Team {
  protected:
   const Setup& setup() const { return setup_; }
   Random& random() { return random_; }
+
+  // Returns the parameter of that name, or `fallback` if the leg gives none. Read it when the team
+  // is made, as a member: `const double wait_ = parameter("wait", 0.45);`
+  double parameter(const char* name, double fallback) const {
+    return strategy::parameter(setup_, name, fallback);
+  }
 
   // Writes a line to the log of the leg. With values, the first argument is a format as that of
   // printf(), log("ball at %.2f", now.ball_x), which the compiler checks, and the line is cut after

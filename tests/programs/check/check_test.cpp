@@ -33,6 +33,15 @@ std::string hostile(const std::string& name) {
   return program("hostile/" + name + ".so");
 }
 
+// Catches a check that plays without the parameters of the league that the entry is for.
+TEST(Check, GivesTheTeamItsParameters) {
+  const Examined examined =
+      check(program("teams/tuned.so"), {"--param", "speed=4.5", "--param", "spede=1"});
+  EXPECT_EQ(examined.exit_code, 0) << examined.report.dump();
+  EXPECT_EQ(examined.report["log"], "team 0 turns at 4.5\n");
+  EXPECT_EQ(examined.report["unknown_parameters"], (Json{{"spede", 1.0}}));
+}
+
 TEST(Check, AcceptsTheHouseTeams) {
   for (const char* name : {"idle", "chaser", "keeper", "striker"}) {
     for (const char* league : {"small", "large"}) {

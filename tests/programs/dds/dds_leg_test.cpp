@@ -35,6 +35,21 @@ TEST(DdsTeam, PlaysTheSameLegAsItsLibrary) {
   EXPECT_EQ(run({program("mirocup"), "verify", folder / "dds.json"}).exit_code, 0);
 }
 
+// Catches a program on the network that loads its library without the parameters.
+TEST(DdsTeam, GetsItsParametersFromItsOwnCommandLine) {
+  const std::string id = match_id("tuned");
+  auto words = join(id, "yellow", "far", program("teams/tuned.so"));
+  words.insert(words.end(), {"--param", "speed=8.5", "--param", "spede=1"});
+  Running remote(words);
+  const Outcome played = run({program("mirocup"), "match", "--blue", "idle", "--yellow", "dds:far",
+                              "--half", "2", "--match", id});
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  const Outcome far = remote.wait();
+  EXPECT_EQ(far.exit_code, 0);
+  EXPECT_NE(far.err.find("team 1 turns at 8.5"), std::string::npos) << far.err;
+  EXPECT_NE(far.err.find("did not ask for the parameter spede"), std::string::npos) << far.err;
+}
+
 // Plays with each team at either end. Catches poses that get lost on the network, that are
 // requested in the wrong tick, or that are turned or rounded by the conversion.
 TEST(DdsTeam, StandsWhereItsLibraryWants) {

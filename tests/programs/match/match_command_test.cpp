@@ -103,6 +103,37 @@ TEST(MatchCommand, TakesSingleRules) {
   EXPECT_TRUE(called);
 }
 
+// Catches two trusted teams in one process that get each other's values, a value of both that wins
+// over a team's own, and a record that does not say what was given.
+TEST(MatchCommand, GivesEachTeamItsParameters) {
+  const std::string tuned = program("teams/tuned.so");
+  for (const bool trusted : {false, true}) {
+    const TemporaryFolder folder;
+    std::vector<std::string> words{"--half",       "2",         "--record", folder / "leg.json",
+                                   "--param",      "speed=7",   "--param",  "spede=1",
+                                   "--blue-param", "speed=5.25"};
+    if (trusted) words.emplace_back("--trusted");
+    const Outcome played = run(match(tuned, tuned, words));
+    ASSERT_EQ(played.exit_code, 0) << played.err;
+    EXPECT_NE(played.err.find("warning: no team asked for the parameter spede\n"),
+              std::string::npos)
+        << played.err;
+    EXPECT_EQ(played.err.find("parameter speed"), std::string::npos) << played.err;
+    const auto teams = read_json(folder / "leg.json")["teams"];
+    EXPECT_EQ(teams["blue"]["parameters"], (nlohmann::json{{"speed", 5.25}, {"spede", 1.0}}));
+    EXPECT_EQ(teams["yellow"]["parameters"], (nlohmann::json{{"speed", 7.0}, {"spede", 1.0}}));
+    std::string log = played.err;
+    if (!trusted) {
+      log = test_support::read_file(folder / "leg.json.blue.log") +
+            test_support::read_file(folder / "leg.json.yellow.log");
+    }
+    EXPECT_NE(log.find("team 0 turns at 5.25"), std::string::npos) << log;
+    EXPECT_NE(log.find("team 1 turns at 7"), std::string::npos) << log;
+  }
+  const Outcome plain = run(match(tuned, "idle", {"--half", "2", "--trusted"}));
+  EXPECT_EQ(plain.err, "team 0 turns at 3\n");
+}
+
 TEST(MatchCommand, NamesTheArgumentThatIsWrong) {
   const auto fails = [](const std::vector<std::string>& words, const std::string& text) {
     const Outcome outcome = run(words);
@@ -115,6 +146,8 @@ TEST(MatchCommand, NamesTheArgumentThatIsWrong) {
   fails(match("idle", "idle", {"--speed", "fast"}), "--speed fast");
   fails(match("idle", "idle", {"--rule", "haste=1"}), "/rules/haste");
   fails(match("idle", "idle", {"--stage", "final"}), "final");
+  fails(match("idle", "idle", {"--blue-param", "wait"}), "--blue-param wait: KEY=VALUE");
+  fails(match("idle", "dds:far", {"--yellow-param", "wait=1"}), "give it to mirocup join");
   fails({program("mirocup"), "match", "--blue", "idle"}, "--yellow");
   fails({program("mirocup")}, "subcommand");
 }

@@ -69,5 +69,17 @@ TEST(RerunCommand, ReproducesAForfeit) {
   EXPECT_EQ(again.exit_code, 0) << again.out << again.err;
 }
 
+// Catches a rerun that gives the teams other parameters than the record says.
+TEST(RerunCommand, GivesTheTeamsTheirParametersAgain) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(
+      run({program("mirocup"), "match", "--blue", "chaser", "--yellow", program("teams/tuned.so"),
+           "--half", "5", "--yellow-param", "speed=9.5", "--record", folder / "leg.json"})
+          .exit_code,
+      0);
+  const Outcome again = rerun(folder / "leg.json", {"--entries", program("teams")});
+  EXPECT_EQ(again.exit_code, 0) << again.out << again.err;
+}
+
 }  // namespace
 }  // namespace mirocup

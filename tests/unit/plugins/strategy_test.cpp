@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <string>
 
@@ -40,6 +41,20 @@ TEST(WrappedAngle, EndsForHugeAndInfiniteAngles) {
   EXPECT_TRUE(std::isnan(wrapped(infinity)));
   EXPECT_TRUE(std::isnan(wrapped(-infinity)));
   EXPECT_TRUE(std::isnan(wrapped(std::nan(""))));
+}
+
+// Catches a team that reads the parameters of a host that has none: the bytes behind `size`.
+TEST(TeamInCpp, HasItsDefaultsUnderAnOlderHost) {
+  mirocup_setup setup{};
+  setup.parameter = [](void* host, const char*, double) { return *static_cast<double*>(host); };
+  double value = 0.4;
+  setup.host = &value;
+  setup.size = sizeof setup;
+  EXPECT_EQ(parameter(setup, "wait", 0.45), 0.4);
+  EXPECT_EQ(parameter(copy_of(setup), "wait", 0.45), 0.4);
+  setup.size = offsetof(mirocup_setup, host);
+  EXPECT_EQ(parameter(setup, "wait", 0.45), 0.45);
+  EXPECT_EQ(copy_of(setup).host, nullptr);
 }
 
 std::string last_line;

@@ -31,6 +31,7 @@ MatchRecord played(std::uint64_t seed, League league = League::small) {
   record.isolation = "none";
   record.teams = {TeamInfo{"hunters", TeamKind::plugin, std::string(64, 'a')},
                   TeamInfo{"\"random\" <b>", TeamKind::dds, std::nullopt}};
+  record.teams[0].parameters = {{"wait", 0.4}};
   record.budget[0] = {.cpu_seconds = 1.25,
                       .slowest_tick_ms = 3.5,
                       .bank_seconds = 2.75,
@@ -117,6 +118,7 @@ TEST(MatchRecord, HasTheKeysThatOthersRelyOn) {
                               "/teams/blue/name",
                               "/teams/blue/kind",
                               "/teams/blue/sha256",
+                              "/teams/blue/parameters/wait",
                               "/teams/yellow/name",
                               "/result/score/blue",
                               "/result/score/yellow",

@@ -27,5 +27,22 @@ TEST(LeagueFile, BoundsItsNumbers) {
   EXPECT_EQ(error_of(teams + "]"), "league.json: /teams: 0 to 1000 values are expected, not 1001");
 }
 
+// Catches parameters that are lost when the file of a league is written again.
+TEST(LeagueFile, KeepsTheParametersOfATeam) {
+  const auto text = [](const std::string& parameters) {
+    return R"("teams":[{"name":"a","entry":"house:idle","parameters":)" + parameters + "}]";
+  };
+  EXPECT_EQ(error_of(text(R"({"wait":"far"})")),
+            "league.json: /teams/0/parameters/wait: a number is expected, not \"far\"");
+  EXPECT_EQ(error_of(text("[]")).substr(0, 32), "league.json: /teams/0/parameters");
+  const auto file = parse_league_file(
+      "{\"schema\":\"mirocup/league/1\"," + text(R"({"wait":0.4})") + "}", "league.json");
+  ASSERT_TRUE(file) << file.error().what;
+  EXPECT_EQ(file->teams[0].parameters, (match::TeamParameters{{"wait", 0.4}}));
+  const auto again = parse_league_file(print_league_file(*file), "league.json");
+  ASSERT_TRUE(again) << again.error().what;
+  EXPECT_EQ(again->teams[0].parameters, file->teams[0].parameters);
+}
+
 }  // namespace
 }  // namespace mirocup::league

@@ -47,6 +47,23 @@ TEST(LegCommand, SwapsColoursFromLegToLegAndKeepsTheSeed) {
   EXPECT_EQ(value_of(first, "--stage"), "");
 }
 
+// Catches parameters that stay with a colour when the teams swap theirs, and those of a team on the
+// network, which `mirocup match` would refuse.
+TEST(LegCommand, GivesATeamItsParametersInBothColours) {
+  LeagueState state = league_of_two(FormatKind::double_round_robin);
+  const Fixture& fixture = state.fixtures[0].fixture;
+  state.file.teams[fixture.home].parameters = {{"wait", 0.1}};
+  const auto first = leg_command(Folder{"l"}, state, {.fixture = fixture, .leg = 1}, "m");
+  const auto second = leg_command(Folder{"l"}, state, {.fixture = fixture, .leg = 2}, "m");
+  EXPECT_EQ(value_of(first, "--blue-param"), "wait=0.1");
+  EXPECT_EQ(value_of(first, "--yellow-param"), "");
+  EXPECT_EQ(value_of(second, "--blue-param"), "");
+  EXPECT_EQ(value_of(second, "--yellow-param"), "wait=0.1");
+  state.file.teams[fixture.home].over_dds = true;
+  const auto remote = leg_command(Folder{"l"}, state, {.fixture = fixture, .leg = 1}, "m");
+  EXPECT_EQ(value_of(remote, "--blue-param"), "");
+}
+
 TEST(LegCommand, NamesTheConditionsOfTheLeague) {
   LeagueState state = league_of_two(FormatKind::double_round_robin);
   const LegId leg{.fixture = state.fixtures[0].fixture, .leg = 1};

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+//
+// The parameters of a team in a fixed form that fits into the mailbox, and the function by which a
+// team's library reads them (`setup.parameter` of strategy.h).
+#pragma once
+
+#include "core/match/team_parameters.hpp"
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+
+namespace mirocup::plugins {
+
+struct ParameterTable {
+  struct Row {
+    char name[match::max_parameter_name + 1] = {};  // ends with a zero
+    double value = 0.0;
+  };
+
+  std::uint32_t count = 0;  // rows that are used
+  std::array<Row, match::max_team_parameters> rows{};
+};
+
+// Returns the table of parameters that problem_with() finds nothing wrong with, in the same order.
+ParameterTable parameter_table(const match::TeamParameters& parameters);
+
+// One bit for each row of a table, counted from the lowest: 1 if the team asked for that name.
+using AskedRows = std::atomic<std::uint32_t>;
+static_assert(match::max_team_parameters <= 32);
+
+// Returns the given parameters that the team has not asked for.
+match::TeamParameters not_asked_for(const match::TeamParameters& parameters, std::uint32_t asked);
+
+// What `setup.host` points to. Both members stay the caller's.
+struct ParameterHost {
+  const ParameterTable* table = nullptr;
+  AskedRows* asked = nullptr;
+};
+
+// The function `setup.parameter`: returns the value of that name in the table of the ParameterHost
+// at `host` and marks it as asked for; `fallback` if the table or the name is missing.
+double parameter_of(void* host, const char* name, double fallback);
+
+}  // namespace mirocup::plugins
