@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+//
+// Where the ball rolls if no robot touches it: it brakes along its path and rebounds from walls and
+// corners. The speed between two walls has a closed form, so a path costs some ten square roots.
+//
+//   rolled       the ball after some seconds
+//   time_at_x    when and where it reaches a line across the field
+//
+// The goals are open: a ball that passes between the posts goes on to the wall behind them. Posts
+// count as points of the end wall. Frames and units are those of strategy.h.
+#pragma once
+
+#include "mirocup/strategy.hpp"
+
+namespace mirocup::strategy {
+
+// The floor and the walls of a match: ds/dt = -constant - linear * s for the speed s.
+struct Rolling {
+  double constant = 0.01 * 9.81 / 1.4;   // m/s^2
+  double linear = 0.01 / (1.4 * 0.046);  // 1/s
+  double bounce = 0.8;                   // part of the speed towards a wall that comes back
+};
+
+// A ball that moves.
+struct MovingBall {
+  Point at;        // m
+  Point velocity;  // m/s
+};
+
+inline MovingBall moving_ball(const Observation& now) {
+  return {ball(now), ball_velocity(now)};
+}
+
+// Returns how far a ball of speed `speed` (m/s) rolls in `seconds`, m.
+inline double rolled_distance(const Rolling& floor, double speed, double seconds) {
+  const double top = speed + floor.constant / floor.linear;
+  return (top * (1.0 - std::exp(-floor.linear * seconds)) - floor.constant * seconds) /
+         floor.linear;
+}
+
+// Returns the seconds in which a ball of speed `speed` (m/s) comes to rest.
+inline double rolling_time(const Rolling& floor, double speed) {
+  return std::log(1.0 + floor.linear * speed / floor.constant) / floor.linear;
+}
+
+// A wall that a ball will meet.
+struct WallAhead {
+  Point normal;     // of length 1, into the field
+  double distance;  // m, along the path of the ball's middle
+};
+
+// Returns the first wall on a straight path from `at` along `along` (of length 1).
+inline WallAhead wall_ahead(const Setup& setup, Point at, Point along) {
+  WallAhead first{{0.0, 0.0}, 1e9};
+  const auto meet = [&](Point normal, double offset, bool has_goal) {
+    const double closing = -dot(along, normal);
+    if (closing <= 1e-12) return;
+    const double distance = std::max(0.0, (dot(at, normal) - offset - setup.ball_radius) / closing);
+    if (distance >= first.distance) return;
+    if (has_goal && std::abs(at.y + distance * along.y) < setup.goal_half_width) return;
+    first = {normal, distance};
+  };
+  meet({0.0, 1.0}, -setup.half_width, false);
+  meet({0.0, -1.0}, -setup.half_width, false);
+  for (const double side : {1.0, -1.0}) {
+    meet({side, 0.0}, -setup.half_length, true);
+    meet({side, 0.0}, -setup.half_length - setup.goal_depth, false);
+  }
+  const double k = std::sqrt(0.5);
+  const double corner = -k * (setup.half_length + setup.half_width - setup.corner_leg);
+  // Behind the goal line the corners are no walls.
+  if (std::abs(at.x) < setup.half_length) {
+    for (const Point normal : {Point{k, k}, Point{k, -k}, Point{-k, k}, Point{-k, -k}}) {
+      meet(normal, corner, false);
+    }
+  }
+  return first;
+}
+
+// Returns the ball after `seconds`. After eight rebounds it stays where it is.
+inline MovingBall rolled(const Setup& setup, MovingBall ball, double seconds,
+                         const Rolling& floor = {}) {
+  for (int rebounds = 0; rebounds < 8; ++rebounds) {
+    const double speed = length(ball.velocity);
+    if (speed < 1e-6 || seconds <= 0.0) return ball;
+    const Point along = unit(ball.velocity);
+    const double rest_time = rolling_time(floor, speed);
+    const double time = std::min(seconds, rest_time);
+    const WallAhead wall = wall_ahead(setup, ball.at, along);
+    const double top = speed + floor.constant / floor.linear;
+    const auto speed_after = [&](double t) {
+      return std::max(0.0, top * std::exp(-floor.linear * t) - floor.constant / floor.linear);
+    };
+    if (rolled_distance(floor, speed, time) < wall.distance) {
+      ball.at = ball.at + rolled_distance(floor, speed, time) * along;
+      ball.velocity = speed_after(time) * along;
+      return ball;
+    }
+    // Newton's method from below; the distance is concave in time, so it does not overshoot.
+    double t = wall.distance / speed;
+    for (int i = 0; i < 4; ++i) {
+      t += (wall.distance - rolled_distance(floor, speed, t)) / std::max(speed_after(t), 1e-3);
+    }
+    t = std::min(t, time);
+    ball.at = ball.at + wall.distance * along;
+    ball.velocity = speed_after(t) * along;
+    const double towards = dot(ball.velocity, wall.normal);
+    ball.velocity = ball.velocity - ((1.0 + floor.bounce) * towards) * wall.normal;
+    seconds -= t;
+  }
+  return ball;
+}
+
+// Where the ball crosses a line across the field.
+struct Crossing {
+  bool is_ahead = false;  // false: it does not within the time
+  double seconds = 0.0;
+  double y = 0.0;  // m
+};
+
+// Returns where the ball first reaches the line x = `x`, coming from greater x, within `most_s`
+// seconds.
+inline Crossing time_at_x(const Setup& setup, const MovingBall& from, double x,
+                          double most_s = 1.5) {
+  const double step = 1.0 / 30.0;  // s
+  MovingBall before = from;
+  if (before.at.x <= x) return {};
+  for (double t = step; t <= most_s; t += step) {
+    const MovingBall after = rolled(setup, before, step);
+    if (after.at.x <= x) {
+      const double part = (before.at.x - x) / (before.at.x - after.at.x);
+      return {true, t - step + part * step, before.at.y + part * (after.at.y - before.at.y)};
+    }
+    before = after;
+  }
+  return {};
+}
+
+}  // namespace mirocup::strategy

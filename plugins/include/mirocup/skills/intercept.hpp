@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+//
+// Interception: the earliest point of the ball's path that a robot reaches before the ball does.
+// The path has walls (ball_path.hpp).
+//
+//   intercept   where and when a robot can meet the ball
+//
+// Frames and units are those of strategy.h.
+#pragma once
+
+#include "mirocup/skills/ball_path.hpp"
+
+namespace mirocup::strategy {
+
+struct Interception {
+  MovingBall ball;       // when the robot is there
+  double seconds = 0.0;  // until then; the longest time asked for if it is not reached before
+  bool is_reached = false;
+};
+
+// Returns where a robot that drives at `pace` m/s in the mean meets the ball. Looks `most_s`
+// seconds ahead. Turning and starting are not counted: an attacker that aims farther ahead for them runs
+// past a ball that it is about to reach.
+inline Interception intercept(const Setup& setup, const Observation& now, const Robot& robot,
+                              double pace = 1.2, double most_s = 1.5) {
+  const double step = 1.0 / 30.0;  // s
+  MovingBall ball = moving_ball(now);
+  double gap = length(ball.at - position(robot)) / pace;  // s, that the robot comes too late
+  for (double t = 0.0; t <= most_s; t += step) {
+    if (gap <= 0.0) return {ball, t, true};
+    const MovingBall next = rolled(setup, ball, step);
+    const double next_gap = length(next.at - position(robot)) / pace - (t + step);
+    if (next_gap <= 0.0) {
+      const double part = step * gap / (gap - next_gap);  // s, of this step
+      return {rolled(setup, ball, part), t + part, true};
+    }
+    ball = next;
+    gap = next_gap;
+  }
+  return {ball, most_s + gap, false};
+}
+
+}  // namespace mirocup::strategy

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+//
+// Goalkeeping: the keeper stays on a line before its goal, where the ball will cross that line with
+// its rebounds from the walls, and clears a slow ball to the side, never across its own goal.
+//
+//   cover_point   where on its line the keeper has to be
+//   guard_goal    drives there, and clears
+//
+// Frames and units are those of strategy.h.
+#pragma once
+
+#include "mirocup/skills/ball_path.hpp"
+#include "mirocup/skills/shoot.hpp"
+
+namespace mirocup::strategy {
+
+struct KeeperHabits {
+  double line = 0.05;        // m, from the goal line to the middle of the keeper
+  double inside_post = 0.0;  // m: the keeper's middle stays so far inside the posts
+  double clear_speed = 0.5;  // m/s: a slower ball in the goal area is cleared
+  double spin = 25.0;        // rad/s, to throw a ball away that lies before the keeper
+};
+
+// Returns the y at which the line through a ball and along `direction` crosses x, m.
+inline double y_on_line(Point ball, Point direction, double x) {
+  return ball.y + (x - ball.x) / direction.x * direction.y;
+}
+
+// Returns the place on the keeper's line from which it covers the goal.
+inline Point cover_point(const Setup& setup, const Observation& now,
+                         const KeeperHabits& habits = {}) {
+  const double line = -setup.half_length + habits.line;
+  const double reach = setup.goal_half_width - habits.inside_post;
+  const auto at = [&](double y) { return Point{line, std::clamp(y, -reach, reach)}; };
+  const double front = line + setup.robot_side / 2.0;
+  const Point where = ball(now);
+
+  // The ball comes: where it will arrive.
+  if (now.ball_vx < -0.15) {
+    const Crossing crossing = time_at_x(setup, moving_ball(now), front);
+    if (crossing.is_ahead && std::abs(crossing.y) < setup.goal_half_width + 0.1) {
+      return at(crossing.y);
+    }
+  }
+  // A robot runs at the ball: where its shot would go.
+  if (length(ball_velocity(now)) < 0.3) {
+    for (int j = 0; j < now.robots; ++j) {
+      const Robot& shooter = now.opponent[j];
+      const Point run{shooter.vx, shooter.vy};
+      const Point to_ball = where - position(shooter);
+      if (shooter.vx > -0.3 || length(to_ball) > 0.35) continue;
+      if (dot(unit(run), unit(to_ball)) < 0.95) continue;
+      // The ball leaves the face that hits it at a right angle.
+      double along = shooter.heading;
+      if (std::cos(along) > 0.0) along += pi;
+      return at(y_on_line(where, {std::cos(along), std::sin(along)}, front));
+    }
+  }
+  // Otherwise the bisector of the angle in which the ball sees the goal.
+  const double left = length(where - Point{-setup.half_length, setup.goal_half_width});
+  const double right = length(where - Point{-setup.half_length, -setup.goal_half_width});
+  const double middle = setup.goal_half_width * (right - left) / (right + left);
+  const double part = std::clamp(habits.line / (where.x + setup.half_length), 0.0, 1.0);
+  return at(middle + part * (where.y - middle));
+}
+
+// Guards the goal.
+inline Wheels guard_goal(const Setup& setup, const Observation& now, const Robot& robot,
+                         const KeeperHabits& habits = {}) {
+  const Point here = position(robot);
+  const Point to_ball = ball(now) - here;
+  const double outwards = now.ball_y >= 0.0 ? 1.0 : -1.0;
+
+  const bool is_slow = length(ball_velocity(now)) < habits.clear_speed;
+  const bool is_in_area = now.ball_x < -setup.half_length + setup.goal_area_depth + 0.03 &&
+                          std::abs(now.ball_y) < setup.goal_area_half_width + 0.03;
+  if (is_slow && is_in_area) {
+    // Before the keeper: spin, so that the face throws it to the nearer side.
+    if (to_ball.x > 0.03 && length(to_ball) < 0.08) {
+      return wheels_for(setup, 0.0, outwards * habits.spin);
+    }
+    // Farther off, and the keeper is on its inner side: push it out of the area.
+    const bool is_outer = outwards * to_ball.y > -0.01;
+    if (to_ball.x > -0.02 && is_outer && length(to_ball) < 0.3) {
+      return drive_to(setup, robot, ball(now) + Point{0.1, 0.15 * outwards}, 1.2);
+    }
+  }
+
+  const Point post = cover_point(setup, now, habits);
+  const Point to = post - here;
+  if (std::abs(to.x) > 0.05 || std::abs(here.y) > setup.goal_half_width + 0.08) {
+    return drive_round(setup, robot, post, ball(now), 0.0, 1.5);
+  }
+  if (std::abs(to.y) < 0.006 && std::abs(to.x) < 0.015) {
+    return turn_to(setup, robot, robot.heading > 0.0 ? pi / 2.0 : -pi / 2.0);
+  }
+  const double speed = std::min(1.8, 7.0 * std::abs(to.y) + 0.05);
+  const LineFollowing how{.aim_ahead = 0.08};
+  return follow_line(setup, robot, post, to.y > 0.0 ? pi / 2.0 : -pi / 2.0, speed, how);
+}
+
+}  // namespace mirocup::strategy

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+//
+// Keeping the laws that the helpers of strategy.hpp do not know.
+//
+//   spare_keeper   brakes before the opponents' keeper
+//
+// Frames and units are those of strategy.h.
+#pragma once
+
+#include "mirocup/strategy.hpp"
+
+namespace mirocup::strategy {
+
+struct Distance {
+  double gap = 0.11;   // m between the middles at which an attacker stands
+  double speed = 0.3;  // m/s, at that gap
+  double rate = 3.5;   // 1/s: how much faster it may be for each metre more
+};
+
+// Slows down all robots but the keeper before the opponents' keeper, unless the ball is between.
+// Touching a keeper without playing the ball costs a goal kick.
+inline void spare_keeper(const Setup& setup, const Observation& now, Command& command,
+                         const Distance& keep = {}) {
+  for (int j = 0; j < now.robots; ++j) {
+    const Point keeper = position(now.opponent[j]);
+    const bool is_home = keeper.x > setup.half_length - setup.goal_area_depth - 0.05 &&
+                         std::abs(keeper.y) < setup.goal_area_half_width;
+    if (!is_home) continue;
+    for (int i = 1; i < now.robots; ++i) {
+      const Robot& robot = now.own[i];
+      const Point to = keeper - position(robot);
+      const double distance = length(to);
+      if (distance > 0.6) continue;
+      Wheels& wheels = command.wheels[i];
+      const double forward = setup.wheel_radius * (wheels.left + wheels.right) / 2.0;
+      const double turn = setup.wheel_radius * (wheels.right - wheels.left) / setup.wheel_distance;
+      const Point nose{std::cos(robot.heading), std::sin(robot.heading)};
+      const double closing = dot((forward < 0.0 ? -1.0 : 1.0) * nose, unit(to));
+      if (closing < 0.3) continue;
+      const Point to_ball = ball(now) - position(robot);
+      const bool has_ball = length(to_ball) < 0.085 && dot(unit(to_ball), unit(to)) > 0.7;
+      const double gap = distance - keep.gap;
+      double allowed = gap > 0.0 ? keep.speed + keep.rate * gap : -0.3;
+      if (has_ball) allowed = std::max(allowed, 0.45);
+      if (std::abs(forward) <= allowed) continue;
+      wheels = wheels_for(setup, forward < 0.0 ? -allowed : allowed, turn);
+    }
+  }
+}
+
+}  // namespace mirocup::strategy

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+//
+// A field of directions that leads to a pose: at each place it says in which direction to drive. A
+// robot that follows it from anywhere reaches the target with the heading wanted, since it comes in
+// along one of two spirals, one on each side. Obstacles turn the field aside.
+//
+//   field_heading    the direction at a place
+//   around           the same direction, turned aside by an obstacle that moves
+//   follow_heading   drives in a direction
+//   follow_field     drives along the field, slower where it bends
+//
+// Y.-J. Kim, J.-H. Kim, D.-S. Kwon: Evolutionary programming-based univector field navigation
+// method for fast mobile robots, IEEE Transactions on Systems, Man, and Cybernetics B 31 (2001).
+// Frames and units are those of strategy.h.
+#pragma once
+
+#include "mirocup/strategy.hpp"
+
+#include <span>
+
+namespace mirocup::strategy {
+
+struct UnivectorField {
+  double radius = 0.075;  // m, of the circles beside the target
+  double smooth = 0.07;   // m: the greater, the wider the way round from far off
+};
+
+// A place and the heading to have there.
+struct Target {
+  Point at;        // m
+  double heading;  // rad
+};
+
+// Returns the direction at `here`, rad.
+inline double field_heading(const UnivectorField& field, Point here, const Target& target) {
+  const double c = std::cos(target.heading);
+  const double s = std::sin(target.heading);
+  const Point from = here - target.at;
+  const Point p{c * from.x + s * from.y, -s * from.x + c * from.y};  // the target looks along +x
+  const double d = field.radius;
+  // The spiral about (0, turn * d): 1 is counter-clockwise, -1 clockwise.
+  const auto spiral = [&](double turn) {
+    const Point v{p.x, p.y - turn * d};
+    const double rho = length(v);
+    const double bend =
+        rho > d ? 2.0 - (d + field.smooth) / (rho + field.smooth) : std::sqrt(rho / d);
+    return std::atan2(v.y, v.x) + turn * pi / 2.0 * bend;
+  };
+  if (p.y < -d) return wrapped(target.heading + spiral(-1.0));
+  if (p.y > d) return wrapped(target.heading + spiral(1.0));
+  const double left = spiral(1.0);
+  const double right = spiral(-1.0);
+  const Point sum = (p.y + d) * Point{std::cos(left), std::sin(left)} +
+                    (d - p.y) * Point{std::cos(right), std::sin(right)};
+  return wrapped(target.heading + std::atan2(sum.y, sum.x));
+}
+
+// An obstacle that moves.
+struct Obstacle {
+  Point at;        // m
+  Point velocity;  // m/s
+};
+
+struct Avoidance {
+  double nearest = 0.085;  // m between the middles: nearer, the robot only avoids
+  double width = 0.045;    // m: how softly that begins
+  double lead_s = 0.15;    // s: an obstacle counts where it will be then, seen from the robot
+};
+
+// Returns `heading`, turned aside by an obstacle on the way. `velocity`: of the robot, m/s.
+inline double around(double heading, Point here, Point velocity, const Obstacle& obstacle,
+                     const Avoidance& how = {}) {
+  const Point to = obstacle.at - here;
+  const double distance = length(to);
+  Point shift = how.lead_s * (obstacle.velocity - velocity);
+  if (length(shift) > 0.8 * distance) shift = (0.8 * distance / length(shift)) * shift;
+  const double gap = length(to + shift);
+  const double bearing = std::atan2(to.y, to.x);
+  const double side = wrapped(heading - bearing);
+  if (std::abs(side) > pi / 2.0) return heading;  // it drives away from the obstacle
+  // Past the obstacle on the side on which the way is, and a little away from it.
+  const double past = bearing + (side >= 0.0 ? 1.0 : -1.0) * 0.6 * pi;
+  const double far = std::max(0.0, gap - how.nearest) / how.width;
+  const double weight = std::exp(-0.5 * far * far);
+  return wrapped(heading + weight * wrapped(past - heading));
+}
+
+// Drives in the direction `heading` at `speed` m/s, forwards or backwards; a robot that already
+// moves keeps its direction of motion if it can. `turn`: rad/s that the direction itself turns.
+inline Wheels follow_heading(const Setup& setup, const Robot& robot, double heading, double speed,
+                             double turn = 0.0) {
+  const double lead_s = 0.06;  // the turn that goes on while the motors follow, s
+  double error = wrapped(heading - robot.heading - lead_s * robot.turn);
+  const double moving = robot.vx * std::cos(robot.heading) + robot.vy * std::sin(robot.heading);
+  double direction = 1.0;
+  if (std::cos(error) + 0.2 * std::clamp(moving, -1.0, 1.0) < 0.0) {
+    direction = -1.0;
+    error = wrapped(error + pi);
+  }
+  const double wanted = turn + 10.0 * error;
+  double forward = speed * std::max(0.0, std::cos(error));
+  const double steady = 0.8 * setup.grip * 9.81;  // sliding wheels do not steer, m/s^2
+  if (std::abs(forward * wanted) > steady) forward = steady / std::abs(wanted);
+  return wheels_for(setup, direction * forward, wanted);
+}
+
+// Drives along the field to a target at up to `speed` m/s and round the obstacles. Reads the field
+// where the robot will be in `lead_s` seconds, because motors follow late. A robot on the axis
+// before the target may choose either side.
+inline Wheels follow_field(const Setup& setup, const Robot& robot, const Target& target,
+                           double speed, std::span<const Obstacle> obstacles = {},
+                           const UnivectorField& field = {}, double lead_s = 0.08) {
+  const Point velocity{robot.vx, robot.vy};
+  const auto direction = [&](Point here) {
+    double heading = field_heading(field, here, target);
+    for (const Obstacle& o : obstacles) heading = around(heading, here, velocity, o);
+    return heading;
+  };
+  // Where the robot will be when its motors have followed the command.
+  const Point here = position(robot) + lead_s * velocity;
+  const double heading = direction(here);
+  const double step = 0.03;  // m
+  const Point next = here + step * Point{std::cos(heading), std::sin(heading)};
+  const double bend = wrapped(direction(next) - heading) / step;  // rad/m
+  const double grip = 0.7 * setup.grip * 9.81;
+  const double fastest = std::min(speed, std::sqrt(grip / std::max(std::abs(bend), 0.1)));
+  return follow_heading(setup, robot, heading, fastest, fastest * bend);
+}
+
+}  // namespace mirocup::strategy
