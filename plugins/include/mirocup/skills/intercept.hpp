@@ -19,8 +19,8 @@ struct Interception {
 };
 
 // Returns where a robot that drives at `pace` m/s in the mean meets the ball. Looks `most_s`
-// seconds ahead. Turning and starting are not counted: an attacker that aims farther ahead for them runs
-// past a ball that it is about to reach.
+// seconds ahead. Turning and starting are not counted: an attacker that aims farther ahead for them
+// runs past a ball that it is about to reach.
 inline Interception intercept(const Setup& setup, const Observation& now, const Robot& robot,
                               double pace = 1.2, double most_s = 1.5) {
   const double step = 1.0 / 30.0;  // s

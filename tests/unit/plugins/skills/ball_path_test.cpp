@@ -14,7 +14,7 @@ namespace {
 using test_support::SkillField;
 
 // Catches a wrong braking constant, a wall at the wrong distance, a rebound of the wrong speed
-// and a corner that is missing: each is centimetres off after three seconds of the match's simulator.
+// and a corner that is missing: each is centimetres off after three seconds of the simulator.
 TEST(BallPath, IsThatOfTheSimulator) {
   const std::vector<MovingBall> starts{
       {{0.0, 0.0}, {0.8, 0.1}},   {{0.1, 0.2}, {0.5, 1.5}},   {{-0.5, 0.5}, {-0.9, 0.8}},
