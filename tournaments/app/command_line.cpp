@@ -209,8 +209,10 @@ void add_compare(CLI::App& app, Action& action) {
   CompareOptions& o = *command.options;
   ComparisonRun& r = o.run;
   command
-      ->add_option("TEAM", r.teams,
-                   "libraries, or names of house teams; the first is compared with each other one")
+      ->add_option(
+          "TEAM", r.teams,
+          "libraries, or names of house teams, each with :KEY=VALUE for its parameters; the "
+          "first is compared with each other one")
       ->required()
       ->expected(2, 100);
   command

@@ -69,9 +69,10 @@ ComparedLeg compared_leg(const record::JsonReader& json, int blue) {
 Result<Json> identity_of(system::Files& files, const ComparisonRun& run) {
   Json teams = Json::array();
   for (const std::string& team : run.teams) {
-    const std::string house = system::house_team(team);
+    const std::string path = compared_team(team).team;
+    const std::string house = system::house_team(path);
     const auto library =
-        files.read(house.empty() ? team : house,
+        files.read(house.empty() ? path : house,
                    {.max_size = system::size_limit::entry, .links = system::Links::followed});
     if (!library) return tl::unexpected(library.error());
     teams.push_back({{"team", team}, {"sha256", system::sha256(*library)}});
@@ -180,16 +181,20 @@ class Comparison {
     const std::uint64_t seed = comparison_seed(run_, teams, leg.number / legs_per_fixture);
     std::vector<std::string> arguments{system::sibling_program("mirocup"),
                                        "match",
-                                       "--blue",
-                                       run_.teams[teams[leg.is_swapped() ? 1 : 0]],
-                                       "--yellow",
-                                       run_.teams[teams[leg.is_swapped() ? 0 : 1]],
                                        "--league",
                                        std::string(to_string(run_.league)),
                                        "--seed",
                                        std::to_string(seed),
                                        "--record",
                                        record_of(leg)};
+    for (const bool is_blue : {true, false}) {
+      const std::string colour = is_blue ? "--blue" : "--yellow";
+      const ComparedTeam team =
+          compared_team(run_.teams[teams[is_blue == leg.is_swapped() ? 1 : 0]]);
+      arguments.insert(arguments.end(), {colour, team.team});
+      for (const std::string& parameter : team.parameters)
+        arguments.insert(arguments.end(), {colour + "-param", parameter});
+    }
     if (run_.half_s > 0.0) arguments.insert(arguments.end(), {"--half", digits(run_.half_s)});
     if (!run_.conditions.empty())
       arguments.insert(arguments.end(), {"--conditions", run_.conditions});
@@ -203,12 +208,14 @@ class Comparison {
     const Leg leg = playing_[exit.tag];
     playing_.erase(exit.tag);
     const std::string output = record_of(leg) + ".out";
+    const auto said = files_.read(
+        output, {.max_size = system::size_limit::log, .growth = system::Growth::ignored});
+    const std::string text = said ? *said : std::string();
     if (exit.signal != 0 || exit.code != exit_yes) {
-      const auto said = files_.read(
-          output, {.max_size = system::size_limit::log, .growth = system::Growth::ignored});
       return fail(exit.code == 2 ? Errc::input : Errc::host,
-                  "a leg could not be played: " + (said ? last_line(*said) : std::string()));
+                  "a leg could not be played: " + last_line(text));
     }
+    repeat_warnings(text);
     if (auto removed = files_.remove(output); !removed) return removed;
     return count(leg);
   }
@@ -244,6 +251,15 @@ class Comparison {
     return {};
   }
 
+  // Says each warning of the match server once, as that of a parameter that no team asks for.
+  void repeat_warnings(const std::string& output) {
+    std::istringstream lines(output);
+    for (std::string line; std::getline(lines, line);) {
+      const bool is_warning = line.find("warning: ") != std::string::npos;
+      if (is_warning && warnings_.insert(line).second) progress_.say(line);
+    }
+  }
+
   void tell(const PairComparison& pair) {
     const ComparisonInterval difference = pair.scores.difference(run_.test);
     std::ostringstream line;
@@ -262,10 +278,23 @@ class Comparison {
   std::vector<int> next_;            // by pair: the leg that is started next
   std::map<int, Leg> playing_;       // by tag of the child process
   std::map<Leg, ComparedLeg> read_;  // legs that are not counted yet
+  std::set<std::string> warnings_;   // that have been said
   int tag_ = 0;
 };
 
 }  // namespace
+
+ComparedTeam compared_team(const std::string& text) {
+  ComparedTeam team{text, {}};
+  for (;;) {
+    const std::size_t colon = team.team.rfind(':');
+    const std::size_t equals = team.team.find('=', colon);
+    if (colon == std::string::npos || equals == std::string::npos || equals == colon + 1) break;
+    team.parameters.insert(team.parameters.begin(), team.team.substr(colon + 1));
+    team.team.resize(colon);
+  }
+  return team;
+}
 
 std::uint64_t comparison_seed(const ComparisonRun& run, const std::array<int, 2>& teams,
                               int fixture) {

@@ -31,7 +31,7 @@
 namespace mirocup::league {
 
 struct ComparisonRun {
-  std::vector<std::string> teams;  // libraries, or names of house teams; at least two
+  std::vector<std::string> teams;  // texts of compared_team(); at least two
   bool all_pairs = false;          // false: the first team against each other one
   League league = League::small;
   double half_s = 0.0;     // seconds of a half; 0: as in the rules
@@ -44,6 +44,15 @@ struct ComparisonRun {
   bool keeps_legs = false;  // otherwise a record is removed as soon as it has been read
   ComparisonOptions test;
 };
+
+// A team of a comparison: a library or the name of a house team, and its parameters.
+struct ComparedTeam {
+  std::string team;
+  std::vector<std::string> parameters;  // KEY=VALUE
+};
+
+// Reads TEAM or TEAM:KEY=VALUE, with as many further :KEY=VALUE as there are parameters.
+ComparedTeam compared_team(const std::string& text);
 
 // What a comparison needs of a leg; the teams are those of its pair.
 struct ComparedLeg {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Catches conclusions from copies of one leg, fixtures with the same seed, and forfeits of both
-// teams that count as a win.
+// teams that count as a win, and parameters that are taken for the name of a file.
 #include "tournaments/play/comparison_run.hpp"
 
 #include <gtest/gtest.h>
@@ -63,6 +63,16 @@ TEST(ComparisonRun, TakesADoubleForfeitForNobodysWin) {
   both.both_lose = true;
   count_fixture(pair, {both, both}, run);
   EXPECT_EQ(pair.scores.count(ScoreSequence::most_points / 2), 1);
+}
+
+TEST(ComparisonRun, ReadsTheParametersOfATeam) {
+  const ComparedTeam one = compared_team("./a:b.so:wait=0.45:speed=2");
+  EXPECT_EQ(one.team, "./a:b.so");
+  EXPECT_EQ(one.parameters, (std::vector<std::string>{"wait=0.45", "speed=2"}));
+  EXPECT_EQ(compared_team("chaser").team, "chaser");
+  EXPECT_EQ(compared_team("a=b.so").team, "a=b.so");
+  EXPECT_TRUE(compared_team("a=b.so").parameters.empty());
+  EXPECT_EQ(compared_team("a:=2").team, "a:=2");
 }
 
 TEST(ComparisonRun, GivesEachFixtureASeedOfItsOwn) {
