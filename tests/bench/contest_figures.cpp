@@ -116,7 +116,7 @@ bool is_wrong(ComparisonVerdict verdict, double share) {
     case ComparisonVerdict::second:
       return share >= 0.5;
     case ComparisonVerdict::equal:
-      return apart >= ComparisonOptions{}.equal_elo;
+      return apart >= ComparisonOptions{}.equal_elo - 1e-6;  // at the bound, but for rounding
     case ComparisonVerdict::undecided:
       break;
   }

@@ -7,6 +7,7 @@
 #include "tests/support/temporary_folder.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace mirocup::test_support {
 namespace {
@@ -64,6 +65,21 @@ TEST(LeagueCompare, RatesEachAgainstEach) {
   const std::string csv = run(words).out;
   EXPECT_EQ(csv.rfind("rank,team,strength,", 0), 0u) << csv;
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4);
+}
+
+// Catches parameters that go to the other team, or to one leg of a fixture only.
+TEST(LeagueCompare, GivesATeamItsParameters) {
+  const TemporaryFolder folder;
+  const std::string kept = folder / "kept";
+  const Outcome done = compare({"chaser", "chaser:nosuch=1", "--most", "1", "--keep", kept});
+  ASSERT_EQ(done.exit_code, 1) << done.err;
+  EXPECT_NE(done.err.find("no team asked for the parameter nosuch"), std::string::npos) << done.err;
+  for (const auto& [leg, own, other] :
+       {std::array{"a", "yellow", "blue"}, std::array{"b", "blue", "yellow"}}) {
+    const auto teams = nlohmann::json::parse(read_file(kept + "/1-2-1" + leg + ".json"))["teams"];
+    EXPECT_EQ(teams[own]["parameters"], (nlohmann::json{{"nosuch", 1}}));
+    EXPECT_TRUE(teams[other]["parameters"].empty());
+  }
 }
 
 TEST(LeagueCompare, NamesATeamThatIsNotThere) {
