@@ -48,7 +48,12 @@ class Navigator : public Team {
  private:
   // The robot that is soonest behind the ball. A robot before the ball has to drive round it, and
   // the attacker of the last tick keeps its role unless another one is clearly sooner.
+  // The kicker of a kick-off stands before the ball, and takes it.
   void choose_attacker(const Observation& now) {
+    if (must_kick_off(now)) {
+      attacker_ = 1;
+      return;
+    }
     const auto cost = [&](int i) {
       const Interception meet = intercept(setup(), now, now.own[i]);
       const bool is_before = now.own[i].x > meet.ball.at.x - 0.03;
