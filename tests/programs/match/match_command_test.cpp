@@ -120,8 +120,10 @@ TEST(MatchCommand, GivesEachTeamItsParameters) {
         << played.err;
     EXPECT_EQ(played.err.find("parameter speed"), std::string::npos) << played.err;
     const auto teams = read_json(folder / "leg.json")["teams"];
-    EXPECT_EQ(teams["blue"]["parameters"], (nlohmann::ordered_json{{"speed", 5.25}, {"spede", 1.0}}));
-    EXPECT_EQ(teams["yellow"]["parameters"], (nlohmann::ordered_json{{"speed", 7.0}, {"spede", 1.0}}));
+    EXPECT_EQ(teams["blue"]["parameters"],
+              (nlohmann::ordered_json{{"spede", 1.0}, {"speed", 5.25}}));
+    EXPECT_EQ(teams["yellow"]["parameters"],
+              (nlohmann::ordered_json{{"spede", 1.0}, {"speed", 7.0}}));
     std::string log = played.err;
     if (!trusted) {
       log = test_support::read_file(folder / "leg.json.blue.log") +
