@@ -1,2 +1,3 @@
-# find_package(mirocup): mirocup::strategy, the headers that a team is built against, and mirocup::mirocup, the program.
+# find_package(mirocup): mirocup::strategy, the headers that a team is built against, mirocup::predict, the same with the simulator,
+# and mirocup::mirocup, the program.
 include("${CMAKE_CURRENT_LIST_DIR}/mirocup-targets.cmake")

@@ -49,6 +49,39 @@ void World::set_ball(const BallState& state) {
   bodies_were_set_ = true;
 }
 
+std::size_t World::size_of(const Memory& memory) {
+  const auto* begin = reinterpret_cast<const std::byte*>(&memory);
+  const auto* end =
+      reinterpret_cast<const std::byte*>(memory.steps.force.data() + memory.steps.forces);
+  return static_cast<std::size_t>(end - begin);
+}
+
+void World::save(Memory& memory) const {
+  memory.bodies_were_set = bodies_were_set_;
+  memory.thresholds = thresholds_.memory();
+  memory.touches = 0;
+  for (int i = 0; i < contacts_.count; ++i) {
+    const Pair& pair = contacts_.list[i].pair;
+    if (i > 0 && pair == contacts_.list[i - 1].pair) continue;
+    memory.touch[memory.touches++] = {static_cast<std::uint8_t>(pair.a),
+                                      static_cast<std::uint8_t>(pair.partner)};
+  }
+  steps_->save(memory.steps);
+}
+
+// The contacts themselves follow from the states of the bodies.
+void World::recall(const Memory& memory) {
+  bodies_were_set_ = memory.bodies_were_set;
+  thresholds_.recall(memory.thresholds);
+  contacts_.count = 0;
+  for (int i = 0; i < memory.touches; ++i) {
+    const Pair pair{memory.touch[i].a, memory.touch[i].partner};
+    add_contacts(static_world_, pair, bodies_, static_world_.tolerances.contact_gap, contacts_);
+  }
+  islands_.sort(contacts_);
+  steps_->recall(memory.steps);
+}
+
 // One tick, in order. Each event repeats steps 2 to 4 for the bodies that it involves (play_event).
 //
 //   1. Start: commands, memory of the last tick, islands that are over budget from the start.

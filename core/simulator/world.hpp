@@ -31,6 +31,8 @@
 #include "core/simulator/trajectory/closed_form.hpp"
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 
@@ -60,6 +62,27 @@ class World {
   // contacts and forces is lost, so a restart is the same as in a new world.
   void set_robot(int i, const BodyState& state);
   void set_ball(const BallState& state);
+
+  // What the next tick depends on besides the states of the bodies: which of them touched, and the
+  // forces with which time steps start warm. Plain data. A copy need not hold more than its first
+  // size_of(memory) bytes.
+  struct Memory {
+    bool bodies_were_set = true;  // since the last tick: the rest does not count
+    impact::RestThresholds::Memory thresholds;
+    struct Touch {
+      std::uint8_t a, partner;  // of a pair
+    };
+    int touches = 0;                                     // in use of the array below
+    std::array<Touch, collision::max_contacts> touch{};  // the pairs in contact, in their order
+    stepping::TimeStepper::Memory steps;                 // ends with the forces in use
+  };
+  static std::size_t size_of(const Memory& memory);
+
+  // Saves the memory, and recalls one that a world of the same kind saved, after set_robot() and
+  // set_ball() have set all bodies to their states of that time. From there on both worlds give the
+  // same bits.
+  void save(Memory& memory) const;
+  void recall(const Memory& memory);
 
   // Sets where impacts and counts are recorded from now on; null, the default, records nothing. The
   // statistics must live until others are set here, or the world ends.

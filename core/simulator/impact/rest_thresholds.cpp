@@ -38,6 +38,12 @@ void RestThresholds::forget() {
   over_budget_.reset();
 }
 
+void RestThresholds::recall(const Memory& memory) {
+  touching_ = memory.touching;
+  hit_ = memory.hit;
+  over_budget_ = memory.over_budget;
+}
+
 void RestThresholds::begin_tick(const BodySet& touching) {
   in_contact_before_ = touching_ | hit_;
   touching_ = touching;

@@ -52,6 +52,15 @@ class RestThresholds {
   // To be called when bodies were placed: contacts that exist now count as new in the next tick.
   void forget();
 
+  // What a tick leaves to the next one.
+  struct Memory {
+    BodySet touching;     // bodies with a contact when the tick began
+    BodySet hit;          // bodies with an impact in it
+    BodySet over_budget;  // bodies that used up their event budget in it
+  };
+  Memory memory() const { return {touching_, hit_, over_budget_}; }
+  void recall(const Memory& memory);
+
   // Counts an impact of both bodies of a pair at time t.
   void note_impact(const Pair& pair, double t);
 

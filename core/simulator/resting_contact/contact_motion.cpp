@@ -157,8 +157,11 @@ void ContactMotion::select_active(std::span<const collision::Contact> contacts) 
     cluster.set(i);
     if (is_held_sideways(world_, grounding_[i])) wheels_[wheel_count_++] = i;
   }
-  std::stable_sort(wheels_.begin(), wheels_.begin() + wheel_count_, [this](int a, int b) {
-    return std::abs(grounding_[a].lateral_force) < std::abs(grounding_[b].lateral_force);
+  // std::stable_sort() would allocate: equal forces stay in the order of their indices.
+  std::sort(wheels_.begin(), wheels_.begin() + wheel_count_, [this](int a, int b) {
+    const double of_a = std::abs(grounding_[a].lateral_force);
+    const double of_b = std::abs(grounding_[b].lateral_force);
+    return of_a < of_b || (of_a == of_b && a < b);
   });
 
   held_count_ = 0;
@@ -166,9 +169,11 @@ void ContactMotion::select_active(std::span<const collision::Contact> contacts) 
     const collision::Contact& c = contacts[i];
     if (c.resting.is_active && cluster[c.pair.a]) held_index_[held_count_++] = static_cast<int>(i);
   }
-  std::stable_sort(
-      held_index_.begin(), held_index_.begin() + held_count_,
-      [contacts](int a, int b) { return contacts[a].resting.force > contacts[b].resting.force; });
+  std::sort(held_index_.begin(), held_index_.begin() + held_count_, [contacts](int a, int b) {
+    const double of_a = contacts[a].resting.force;
+    const double of_b = contacts[b].resting.force;
+    return of_a > of_b || (of_a == of_b && a < b);
+  });
   for (int i = 0; i < held_count_; ++i) held_[i] = contacts[held_index_[i]];
 }
 

@@ -52,7 +52,8 @@ Twist unconstrained_ball_twist(const Parameters& p, const Twist& v, double step)
 }
 
 // True if both are the same corner or ball on the same edge or corner.
-bool is_same_feature(const collision::ContactPoint& p, const collision::ContactPoint& q) {
+template <class Known>
+bool is_same_feature(const Known& p, const collision::ContactPoint& q) {
   return p.kind == q.kind && p.point_on_a == q.point_on_a && p.corner == q.corner &&
          p.edge == q.edge;
 }
@@ -101,7 +102,7 @@ TimeStepper::Step TimeStepper::take_step(const BodySet& candidates,
     twist_before_[i] = bodies[i].twist;
     bodies[i].twist = end_[i].twist;
   });
-  stepped_ |= step.members;
+  memory_.stepped |= step.members;
   propose_next(step, longest, wanted);
   remember_forces(step);
   return {step.members, step.length};
@@ -128,7 +129,8 @@ void TimeStepper::propose_next(const Attempt& step, double longest, double wante
                           ? std::max(wanted, step.next_length)
                           : step.next_length;
   const double shortest = settings::time_stepper.min_step_share * world_.tolerances.max_step;
-  for_each_body(step.members, [&](int i) { proposed_length_of_[i] = std::max(next, shortest); });
+  for_each_body(step.members,
+                [&](int i) { memory_.proposed_length[i] = std::max(next, shortest); });
 }
 
 Twist TimeStepper::twist_after(int member, const Twist& kept, double share) const {
@@ -144,32 +146,45 @@ Twist TimeStepper::twist_after(int member, const Twist& kept, double share) cons
 // zero there.
 void TimeStepper::remember_forces(const Attempt& step) {
   const auto last = std::remove_if(
-      remembered_.begin(), remembered_.begin() + remembered_count_,
+      memory_.force.begin(), memory_.force.begin() + memory_.forces,
       [&](const RememberedForce& known) { return (bodies_of(known.pair) & step.members).any(); });
-  remembered_count_ = static_cast<int>(last - remembered_.begin());
+  memory_.forces = static_cast<int>(last - memory_.force.begin());
   contacts_.keep_if([](const collision::Contact& c) { return c.impact.impulse != 0.0; });
   for (collision::Contact& c : contacts_.contacts()) {
     c.resting = {.is_active = true, .force = c.impact.impulse / step.length};
-    if (remembered_count_ == solver::max_unknowns) continue;
-    remembered_[remembered_count_++] = {
-        .pair = c.pair, .point = c.point, .force = c.resting.force, .impulse = c.impact.impulse};
+    if (memory_.forces == solver::max_unknowns) continue;
+    memory_.force[memory_.forces++] = {.pair = c.pair,
+                                       .kind = c.point.kind,
+                                       .point_on_a = c.point.point_on_a,
+                                       .corner = c.point.corner,
+                                       .edge = c.point.edge,
+                                       .force = c.resting.force,
+                                       .impulse = c.impact.impulse};
   }
   for (int i = 0; i < world_.robots; ++i) {
-    if (step.members[i]) wheel_force_[i] = wheel_impulse_[i] / step.length;
+    if (step.members[i]) memory_.wheel_force[i] = wheel_impulse_[i] / step.length;
   }
 }
 
+void TimeStepper::copy(const Memory& from, Memory& to) {
+  to.stepped = from.stepped;
+  to.wheel_force = from.wheel_force;
+  to.proposed_length = from.proposed_length;
+  to.forces = from.forces;
+  std::copy_n(from.force.begin(), from.forces, to.force.begin());
+}
+
 void TimeStepper::forget_forces() {
-  remembered_count_ = 0;
-  wheel_force_.fill(0.0);
-  proposed_length_of_.fill(infinity);
+  memory_.forces = 0;
+  memory_.wheel_force.fill(0.0);
+  memory_.proposed_length.fill(infinity);
 }
 
 void TimeStepper::begin_tick() {
   for (int i = 0; i < world_.bodies(); ++i) {
-    if (!stepped_[i]) proposed_length_of_[i] = infinity;
+    if (!memory_.stepped[i]) memory_.proposed_length[i] = infinity;
   }
-  stepped_.reset();
+  memory_.stepped.reset();
 }
 
 // Sets the impulses to those of a step with the remembered forces.
@@ -179,17 +194,18 @@ void TimeStepper::warm_start(const Attempt& step) {
   int next = 0;
   for (collision::Contact& c : contacts_.contacts()) {
     c.impact.impulse = 0.0;
-    for (int tried = 0; tried < remembered_count_; ++tried) {
-      const RememberedForce& known = remembered_[next];
-      next = next + 1 == remembered_count_ ? 0 : next + 1;
-      if (!(known.pair == c.pair) || !is_same_feature(known.point, c.point)) continue;
+    for (int tried = 0; tried < memory_.forces; ++tried) {
+      const RememberedForce& known = memory_.force[next];
+      next = next + 1 == memory_.forces ? 0 : next + 1;
+      if (!(known.pair == c.pair) || !is_same_feature(known, c.point)) continue;
       c.impact.impulse = std::min(known.force * step.length, known.impulse);
       break;
     }
   }
   for (int i = 0; i < world_.robots; ++i) {
     if (step.members[i])
-      wheel_impulse_[i] = wheel_force_[i] * step.length * settings::time_stepper.force_round_off;
+      wheel_impulse_[i] =
+          memory_.wheel_force[i] * step.length * settings::time_stepper.force_round_off;
   }
 }
 
@@ -214,7 +230,7 @@ double TimeStepper::max_step_length(const BodySet& some, std::span<const BodySta
 // Returns the shortest length that the last steps of these bodies proposed, s.
 double TimeStepper::proposed_length(const BodySet& some) const {
   double shortest = infinity;
-  for_each_body(some, [&](int i) { shortest = std::min(shortest, proposed_length_of_[i]); });
+  for_each_body(some, [&](int i) { shortest = std::min(shortest, memory_.proposed_length[i]); });
   return shortest;
 }
 

@@ -75,6 +75,30 @@ class TimeStepper {
   // Makes the next steps start from zero forces: bodies were set, so the old forces mean nothing.
   void forget_forces();
 
+  // A pressing contact of an earlier step, from which the next step starts warm. The warm start is
+  // limited to `impulse`. Otherwise the large force with which a short step stopped a body would be
+  // taken over into a longer step. `kind`, `corner` and `edge` are those of its contact point.
+  struct RememberedForce {
+    Pair pair;
+    collision::Touching kind;
+    bool point_on_a;
+    int corner, edge;
+    double force;    // N
+    double impulse;  // N s
+  };
+
+  // What steps leave to later ones, of this tick and of the next.
+  struct Memory {
+    BodySet stepped;                                   // in this tick
+    std::array<double, max_robots> wheel_force{};      // N, lateral, of each robot's latest step
+    std::array<double, max_bodies> proposed_length{};  // s, by each body's latest step
+    int forces = 0;                                    // in use of the array below
+    std::array<RememberedForce, solver::max_unknowns> force;  // of each body's latest step
+  };
+  // Copies of it hold the forces in use only: the rest of the array keeps what it had.
+  void save(Memory& memory) const { copy(memory_, memory); }
+  void recall(const Memory& memory) { copy(memory, memory_); }
+
   // Returns how many tangential impulses were left out since construction because a step had more
   // contacts with friction than the QP has unknowns. Those contacts slid without friction.
   long tangents_without_room() const { return tangents_without_room_; }
@@ -93,15 +117,7 @@ class TimeStepper {
     double next_length = 0.0;  // s: what the attempt proposes for the members' next step
   };
 
-  // A pressing contact of an earlier step, from which the next step starts warm. The warm start is
-  // limited to `impulse`. Otherwise the large force with which a short step stopped a body would be
-  // taken over into a longer step.
-  struct RememberedForce {
-    Pair pair;
-    collision::ContactPoint point;
-    double force;    // N
-    double impulse;  // N s
-  };
+  static void copy(const Memory& from, Memory& to);
 
   // Unknowns of the QP from `begin` to before `end`.
   struct UnknownRange {
@@ -136,13 +152,8 @@ class TimeStepper {
   solver::RegularizedQp& qp_;
   StepTrajectories trajectories_;
 
-  // Memory between steps and ticks.
-  std::array<RememberedForce, solver::max_unknowns> remembered_;  // of each body's latest step
-  int remembered_count_ = 0;
-  std::array<double, max_robots> wheel_force_;         // N, lateral, of each robot's latest step
-  std::array<double, max_bodies> proposed_length_of_;  // s, by each body's latest step
-  std::array<Twist, max_bodies> twist_before_;         // of each body, before its latest step
-  BodySet stepped_;                                    // in this tick
+  Memory memory_;
+  std::array<Twist, max_bodies> twist_before_;  // of each body, before its latest step
   long tangents_without_room_ = 0;
 
   // The attempt that is being made.

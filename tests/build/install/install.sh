@@ -36,6 +36,33 @@ mirocup match --blue build/team.so --yellow idle --half 40 --record leg.json
 mirocup verify leg.json
 grep -q '"winner": "blue"' leg.json
 grep -q '3 robots a side' leg.json.blue.log
+# A team that predicts: the library needs nothing but its header, and the sandbox takes it.
+cat >predicts.cpp <<'END'
+#include "mirocup/predict.hpp"
+using namespace mirocup::strategy;
+class Predicts : public Team {
+ public:
+  explicit Predicts(const Setup& setup) : Team(setup), simulator_(setup) {}
+  void decide(const Observation& now, Command& command) override {
+    Scene scene = scene_of(now);
+    for (int tick = 0; tick < 5; ++tick) simulator_.advance(scene, command, command);
+    Observation soon = now;
+    show(scene, soon);
+    command.wheels[1] = kick_to(setup(), soon, soon.own[1], {setup().half_length, 0.0});
+  }
+ private:
+  Simulator simulator_;
+};
+MIROCUP_EXPORT_TEAM(Predicts, "predicts")
+END
+cat >>CMakeLists.txt <<'END'
+add_library(predicts MODULE predicts.cpp)
+target_link_libraries(predicts PRIVATE mirocup::predict)
+set_target_properties(predicts PROPERTIES PREFIX "")
+END
+env -i PATH=/usr/bin:/bin HOME=/ cmake --workflow --preset team
+mirocup check build/predicts.so
+
 mirocup new "$folder/team" && exit 1  # does not write over a team
 [[ $? -eq 2 ]]
 mirocup league init league --team mine=build/team.so --team house=house:chaser --half 2

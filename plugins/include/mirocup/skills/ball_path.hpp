@@ -3,6 +3,9 @@
 // Where the ball rolls if no robot touches it: it brakes along its path and rebounds from walls and
 // corners. The speed between two walls has a closed form, so a path costs some ten square roots.
 //
+// It is for questions about the ball alone, asked often. What robots make of it is for the
+// Simulator of predict.hpp, which gives the same path to 1e-6 m where no robot is met.
+//
 //   rolled       the ball after some seconds
 //   time_at_x    when and where it reaches a line across the field
 //

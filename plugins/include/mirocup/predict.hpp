@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+//
+// Prediction: what the match's own simulator makes of a scene. Four questions, from cheap to dear:
+//
+//   the ball alone     rolled() in skills/ball_path.hpp: closed form, walls included, a header only
+//   a robot alone      robot_after(): closed form; knows neither walls nor other bodies
+//   a tick before      driven_wheels(), Tracker: which wheel speeds a robot drove
+//   everything         Simulator: all bodies, walls and contacts, bit for bit as in a match
+//
+//   Scene scene = scene_of(now);
+//   Command mine = tracker.in_flight();            // of the answer that is driven in this tick
+//   for (int tick = 0; tick < 20; ++tick) {
+//     simulator.advance(scene, mine, tracker.opponents());
+//     mine = ...;                                  // what you would answer to `scene`
+//   }
+//
+// Scenes are plain structs: copy one to try several futures from it. An advance() allocates
+// nothing. A simulator has no referee: after a goal the ball lies in the goal, and play goes on.
+//
+// How exact it is
+//   From a scene that a simulator made, or from robots and a ball that were just put down, it
+//   computes the next ticks of a match under `exact` conditions to the last bit, if it is given the
+//   commands of both teams. An observation lacks what bodies in contact remember of the last tick,
+//   which matters little, and the commands of the opponents, which matter most. Under `hall` each
+//   wheel turns up to 4 % faster or slower than it was told. Under `camera` an observation is late
+//   and its velocities are noisy: a prediction is as good as they are.
+//
+// Link mirocup::predict (CMake), or libmirocup_predict.a. Frames and units are those of strategy.h.
+#pragma once
+
+#include "mirocup/skills/ball_path.hpp"
+#include "mirocup/strategy.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+
+namespace mirocup::strategy {
+
+// A robot as the simulator has it. The heading is a unit vector, and the velocities are those in
+// the robot's own frame: `left` differs from 0 only while its wheels slide sideways.
+struct Body {
+  Point at;                     // m
+  double cos = 1.0, sin = 0.0;  // of the heading
+  double forward = 0.0;         // m/s
+  double left = 0.0;            // m/s
+  double turn = 0.0;            // rad/s
+};
+
+// Convert between a robot as it is observed and as the simulator has it. A speed to the left that
+// is only rounding becomes 0.
+Body body_of(const Robot& robot);
+Robot robot_of(const Body& body);
+
+// What bodies in contact remember from one tick to the next: opaque, and small while few touch.
+class ContactMemory {
+ public:
+  ContactMemory() = default;
+  ContactMemory(const ContactMemory& from) { *this = from; }
+  ContactMemory& operator=(const ContactMemory& from) {
+    used_ = from.used_;
+    if (used_ > 0) std::memmove(bytes_, from.bytes_, used_);
+    return *this;
+  }
+
+ private:
+  friend class Simulator;
+  std::size_t used_ = 0;  // 0: nothing is remembered
+  alignas(8) std::byte bytes_[9216];
+};
+
+// All bodies at one instant, in your own frame. If you move bodies by hand, set `memory` to {}.
+// They must not overlap by more than a hair, or they will be pushed apart.
+struct Scene {
+  int robots = 0;  // of each team
+  MovingBall ball;
+  std::array<Body, MIROCUP_MAX_ROBOTS> own;
+  std::array<Body, MIROCUP_MAX_ROBOTS> opponent;
+  ContactMemory memory;
+};
+
+// Returns the scene that is observed.
+Scene scene_of(const Observation& now);
+
+// Write the scene into an observation as your team would see it, and as the opponents would in
+// their own frame: own and opponent are exchanged and everything is turned by 180 degrees. Scores,
+// clocks and counts of `now` stay as they are. So functions that decide from an observation can
+// decide in a predicted scene, for either team.
+void show(const Scene& scene, Observation& now);
+void show_to_opponents(const Scene& scene, Observation& now);
+
+// Returns the wheel speeds as they are driven: rounded, and clamped to the limit.
+Wheels sent_wheels(const Setup& setup, Wheels wheels);
+
+// Returns a robot after `seconds` under these wheel speeds if it meets nothing. Exact, at any
+// length of time; a robot whose wheels slide costs ten times as much as one that rolls.
+Body robot_after(const Setup& setup, const Body& robot, Wheels wheels, double seconds);
+
+// Returns the wheel speeds, rad/s, that took a robot from one observation to the next: the motors'
+// equation, solved for what they aimed at. Wrong if the robot hit something or slid in that tick.
+Wheels driven_wheels(const Setup& setup, const Robot& before, const Robot& after);
+
+// What has to be remembered from tick to tick to predict: call saw() at the start of decide() and
+// sent() at its end.
+class Tracker {
+ public:
+  explicit Tracker(const Setup& setup) : setup_(setup) {}
+
+  void saw(const Observation& now);
+  void sent(const Command& command) { sent_ = command; }
+
+  // Returns your answer to the last observation. It is driven in the tick that begins with the one
+  // that was seen; your next answer only in the tick after that.
+  const Command& in_flight() const { return sent_; }
+
+  // Returns what the opponents' wheels drove in the last tick: the best guess for this one. All
+  // zero after a restart.
+  const Command& opponents() const { return opponents_; }
+
+ private:
+  Setup setup_;
+  Command sent_{};
+  Command opponents_{};
+  Observation before_{};
+  bool has_before_ = false;
+};
+
+// How closely contacts are followed. `match` is bit for bit; `coarse` is cheaper in a heap, off by
+// a tenth of a millimetre or so after a collision.
+enum class Precision { match, coarse };
+
+// What happened in a predicted tick. Bit i of a set is robot i.
+struct PredictedTick {
+  std::uint32_t own_touched_ball = 0;
+  std::uint32_t opponent_touched_ball = 0;
+  std::array<std::uint32_t, MIROCUP_MAX_ROBOTS> touched_opponent{};  // by own robot
+  int last_touch = 0;  // of the ball: i + 1 own robot i, -i - 1 opponent i, 0 nobody
+  int events = 0;      // collisions and changes of motion: what a tick costs, without a clock
+};
+
+// The physics of a match in the frame of your team. Making one allocates some hundred KiB; it
+// belongs to one thread.
+class Simulator {
+ public:
+  explicit Simulator(const Setup& setup, Precision precision = Precision::match);
+  ~Simulator();
+  Simulator(const Simulator&) = delete;
+  Simulator& operator=(const Simulator&) = delete;
+
+  // Plays one tick of control_period from the scene, in place. Commands are rounded and clamped as
+  // those of a match; `opponent` is in the order of the scene's opponents.
+  PredictedTick advance(Scene& scene, const Command& own, const Command& opponent);
+
+ private:
+  struct Physics;
+  std::unique_ptr<Physics> physics_;
+};
+
+}  // namespace mirocup::strategy
