@@ -204,7 +204,8 @@ Simulator::Simulator(const Setup& setup, Precision precision)
 
 Simulator::~Simulator() = default;
 
-PredictedTick Simulator::advance(Scene& scene, const Command& own, const Command& opponent) {
+PredictedTick Simulator::advance(Scene& scene, const Command& own, const Command& opponent,
+                                 int ticks) {
   static_assert(sizeof(simulator::World::Memory) <= sizeof scene.memory.bytes_ &&
                 std::is_trivially_copyable_v<simulator::World::Memory>);
   Physics& p = *physics_;
@@ -228,7 +229,7 @@ PredictedTick Simulator::advance(Scene& scene, const Command& own, const Command
     wheels[p.own(i)] = own_driven.speeds(i);
     wheels[p.opponent(i)] = opponent_driven.speeds(i);
   }
-  const simulator::TickEvents& events = world.advance(wheels, p.setup.control_period);
+  const simulator::TickEvents& events = world.advance(wheels, ticks * p.setup.control_period);
 
   const simulator::BallState ball = world.ball();
   scene.ball = {{ball.position.x(), ball.position.y()}, {ball.velocity.x(), ball.velocity.y()}};
