@@ -93,10 +93,16 @@ struct LoggedPlacementRequest {
   PlacementRequest request;
 };
 
+// What a leg keeps of each tick that it has played.
+enum class TickLogs {
+  kept,     // a hash and an entry of the log: what a record needs
+  dropped,  // neither; the play is the same and costs less
+};
+
 class Leg {
  public:
   // Tosses for the ends and the kick-off, and places the bodies for the kick-off.
-  explicit Leg(const Setup& setup);
+  explicit Leg(const Setup& setup, TickLogs tick_logs = TickLogs::kept);
   Leg(const Leg&) = delete;
   Leg& operator=(const Leg&) = delete;
 
@@ -108,6 +114,8 @@ class Leg {
   Briefing briefing(Team team) const;
 
   std::uint32_t tick() const { return tick_; }
+  State state() const { return state_; }
+  End end_of(Team team) const { return team == left_ ? End::left : End::right; }
   bool is_over() const { return outcome_.has_value(); }
   const Outcome& outcome() const {
     MIROCUP_ASSERT(is_over());
@@ -136,8 +144,12 @@ class Leg {
   simulator::BallState ball() const { return world_->ball(); }
   const referee::Referee& referee() const { return *referee_; }
   const referee::Decision& restart() const { return restart_; }  // the last restart
+  Team taker() const { return team_at(restart_.taker); }         // who takes it
   // The situation that the referee judged in the last tick; nothing if play was stopped in it.
   const std::optional<referee::Situation>& judged() const { return judged_; }
+
+  // The answers to the observation of the last tick, which are driven in the next one.
+  const ByTeam<DrivenCommand>& answers() const { return answers_; }
 
   // The log up to now: decisions in their order, one entry for each tick, requests in their order.
   const std::vector<LoggedDecision>& decisions() const { return decisions_; }
@@ -146,7 +158,7 @@ class Leg {
     return placement_requests_;
   }
 
-  // The hash of the states of all ticks played until now.
+  // The hash of the states of all ticks played until now; without meaning if they are dropped.
   std::uint64_t state_hash() const { return hash_.value(); }
   // The last robot to touch the ball in the most recent tick; nothing if none touched it.
   std::optional<Touch> last_touch() const;
@@ -173,13 +185,13 @@ class Leg {
   simulator::WheelSpeeds driven_speeds(Team team, int robot);
   void look();
   void record();
+  void end_tick();
   void end(OutcomeKind kind);
   void end(const referee::Decision& decision);
   void log_decision(const referee::Decision& decision);
   void note_ball_contacts(const simulator::BallState& before);
   void give_credit(LoggedDecision& goal) const;
 
-  End end_of(Team team) const { return team == left_ ? End::left : End::right; }
   Team team_at(End end) const { return end == End::left ? left_ : opponent_of(left_); }
   int body_of(Team team, int robot) const {
     return index_of(team) * field_.robots_per_team + robot;
@@ -221,6 +233,7 @@ class Leg {
   ByTeam<int> late_ticks_{};
   ByTeam<int> bad_values_{};
 
+  TickLogs tick_logs_;
   StateHash hash_;
   std::vector<TickLog> log_;
   std::vector<LoggedDecision> decisions_;
