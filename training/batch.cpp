@@ -45,6 +45,7 @@ Batch::Batch(Config config)
             .terms = terms,
             .statistics = statistics,
             .threads = workers_.threads()};
+  for (int i = 0; i < workers_.threads(); ++i) worlds_.push_back(make_world(config_, field_));
   for (int i = 0; i < config_.matches; ++i) {
     const auto seed = static_cast<std::uint64_t>(i) + 1;
     matches_.push_back(std::make_unique<Match>(config_, slots_, observer_, seed));
@@ -65,14 +66,15 @@ Rows Batch::rows_of(int match) const {
 }
 
 // Returns the error of the first match that has one.
-Result<void> Batch::on_all(const std::function<Result<void>(int)>& act) {
+Result<void> Batch::on_all(const Act& act) {
   std::mutex mutex;
   std::optional<std::pair<int, Error>> first;
   const int pieces = (sizes_.matches + matches_of_a_piece - 1) / matches_of_a_piece;
-  workers_.run(pieces, [&](int piece) {
+  workers_.run(pieces, [&](int piece, int thread) {
+    simulator::World& world = *worlds_[static_cast<std::size_t>(thread)];
     const int end = std::min(sizes_.matches, (piece + 1) * matches_of_a_piece);
     for (int i = piece * matches_of_a_piece; i < end; ++i) {
-      const auto acted = act(i);
+      const auto acted = act(i, world);
       if (acted) continue;
       const std::lock_guard lock(mutex);
       if (!first || i < first->first) first = {i, acted.error()};
@@ -84,32 +86,38 @@ Result<void> Batch::on_all(const std::function<Result<void>(int)>& act) {
 }
 
 Result<void> Batch::reset(const std::uint8_t* mask, const std::uint64_t* seeds) {
-  return on_all([&](int i) -> Result<void> {
+  return on_all([&](int i, simulator::World& world) -> Result<void> {
     if (mask != nullptr && mask[i] == 0) return {};
     return matches_[static_cast<std::size_t>(i)]->reset(
-        seeds == nullptr ? std::nullopt : std::optional(seeds[i]), rows_of(i));
+        seeds == nullptr ? std::nullopt : std::optional(seeds[i]), rows_of(i), world);
   });
 }
 
 Result<void> Batch::step() {
   if (buffers_.actions == nullptr) return fail(Errc::input, "no buffer of actions is bound");
-  return on_all([&](int i) -> Result<void> {
+  return on_all([&](int i, simulator::World& world) -> Result<void> {
     Match& match = *matches_[static_cast<std::size_t>(i)];
     if (!match.has_started()) return fail(Errc::input, "it has not been reset yet");
-    return match.step(rows_of(i), config_.weights);
+    return match.step(rows_of(i), config_.weights, world);
   });
 }
 
-Result<const Match*> Batch::match(int number) const {
+Result<Match*> Batch::match(int number) const {
   if (number < 0 || number >= sizes_.matches) {
     return fail(Errc::input, "there is no match " + std::to_string(number) + ", only 0 to " +
                                  std::to_string(sizes_.matches - 1));
   }
-  const Match* match = matches_[static_cast<std::size_t>(number)].get();
+  Match* match = matches_[static_cast<std::size_t>(number)].get();
   if (!match->has_started()) {
     return fail(Errc::input, "match " + std::to_string(number) + " has not been reset yet");
   }
   return match;
+}
+
+Result<match::Snapshot> Batch::snapshot(int number) const {
+  const auto found = match(number);
+  if (!found) return tl::unexpected(found.error());
+  return (*found)->snapshot(*worlds_.front());
 }
 
 Result<void> Batch::record(int number, bool last, const std::string& path) const {
@@ -127,8 +135,10 @@ Result<void> Batch::restore(int number, std::string_view copy) {
     return fail(Errc::input, "there is no match " + std::to_string(number));
   }
   Result<void> restored;
-  workers_.run(1,
-               [&](int) { restored = matches_[static_cast<std::size_t>(number)]->restore(copy); });
+  workers_.run(1, [&](int, int thread) {
+    restored = matches_[static_cast<std::size_t>(number)]->restore(
+        copy, *worlds_[static_cast<std::size_t>(thread)]);
+  });
   return restored;
 }
 

@@ -29,13 +29,15 @@ class Batch {
   void set_weights(const Weights& weights) { config_.weights = weights; }
 
   // The match of that number; an error if there is none, or if it has not been reset yet.
-  Result<const Match*> match(int number) const;
+  Result<Match*> match(int number) const;
+  Result<match::Snapshot> snapshot(int number) const;
   Result<void> record(int number, bool last, const std::string& path) const;
   Result<void> restore(int number, std::string_view copy);
 
  private:
   Rows rows_of(int match) const;
-  Result<void> on_all(const std::function<Result<void>(int)>& act);
+  using Act = std::function<Result<void>(int match, simulator::World& world)>;
+  Result<void> on_all(const Act& act);
   std::string make_spec() const;
 
   Config config_;
@@ -46,6 +48,7 @@ class Batch {
   mirocup_training_buffers buffers_{};
   std::vector<std::unique_ptr<Match>> matches_;
   Workers workers_;
+  std::vector<std::unique_ptr<simulator::World>> worlds_;  // of each thread
   std::string spec_;
 };
 

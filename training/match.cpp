@@ -68,13 +68,25 @@ std::uint64_t Match::next_seed() {
   return episode == 0 ? first_seed_ : mix_seed(mix_seed(first_seed_) + episode);
 }
 
-Result<void> Match::reset(std::optional<std::uint64_t> seed, const Rows& rows) {
+std::unique_ptr<simulator::World> make_world(const Config& config, const field::Field& field) {
+  return std::make_unique<simulator::World>(
+      &field, config.setup.parameters, config.setup.tolerances, 2 * field.robots_per_team, true);
+}
+
+Result<void> Match::reset(std::optional<std::uint64_t> seed, const Rows& rows,
+                          simulator::World& world) {
   if (seed) {
     first_seed_ = *seed;
     episodes_ = 0;
   }
+  auto started = start_episode(rows, world);
+  leg_->lay_aside();
+  return started;
+}
+
+Result<void> Match::start_episode(const Rows& rows, simulator::World& world) {
   if (leg_) last_ = std::move(episode_);
-  if (auto begun = begin(next_seed()); !begun) return begun;
+  if (auto begun = begin(next_seed(), world); !begun) return begun;
   if (config_.skips_stops) skip_stop();
   for (std::size_t i = 0; i < measures_.size(); ++i) {
     measures_[i] = {};
@@ -91,13 +103,11 @@ Result<void> Match::reset(std::optional<std::uint64_t> seed, const Rows& rows) {
 }
 
 // Starts a leg and its teams.
-Result<void> Match::begin(std::uint64_t seed) {
+Result<void> Match::begin(std::uint64_t seed, simulator::World& world) {
   counts_ = {};
+  episode_ = {};
   episode_.seed = seed;
-  episode_.wheels.clear();
-  episode_.requests.clear();
-  episode_.faults.clear();
-  leg_.emplace(setup_of(config_, seed), match::TickLogs::dropped);
+  leg_.emplace(setup_of(config_, seed), match::TickLogs::dropped, world);
   for (const Team team : both_teams) noise_[index_of(team)] = Noise(seed, team);
   return start_teams();
 }
@@ -121,9 +131,23 @@ void Match::skip_stop() {
   while (!leg_->is_over() && leg_->state() == match::State::READY) play_tick({});
 }
 
-Result<void> Match::step(const Rows& rows, const Weights& weights) {
+Result<void> Match::step(const Rows& rows, const Weights& weights, simulator::World& world) {
+  leg_->take_up(world);
+  auto played = play_step(rows, weights, world);
+  leg_->lay_aside();
+  return played;
+}
+
+match::Snapshot Match::snapshot(simulator::World& world) {
+  leg_->take_up(world);
+  const match::Snapshot now = leg_->snapshot();
+  leg_->lay_aside();
+  return now;
+}
+
+Result<void> Match::play_step(const Rows& rows, const Weights& weights, simulator::World& world) {
   if (is_done()) {
-    if (config_.autoreset != Autoreset::disabled) return reset(std::nullopt, rows);
+    if (config_.autoreset != Autoreset::disabled) return start_episode(rows, world);
     if (rows.rewards != nullptr) std::fill_n(rows.rewards, measures_.size(), 0.0F);
     if (rows.terms != nullptr) std::fill_n(rows.terms, measures_.size() * terms, 0.0F);
     return {};
@@ -147,7 +171,7 @@ Result<void> Match::step(const Rows& rows, const Weights& weights) {
   observe(rows.final_observations);
   write_statistics(rows.statistics);
   // The rewards and ends of the old episode stay in their buffers.
-  return reset(std::nullopt, {.observations = rows.observations});
+  return start_episode({.observations = rows.observations}, world);
 }
 
 void Match::play_tick(const Commands& commands) {
@@ -337,7 +361,7 @@ std::string Match::save() const {
   return to.take();
 }
 
-Result<void> Match::restore(std::string_view copy) {
+Result<void> Match::restore(std::string_view copy, simulator::World& world) {
   Reader from(copy);
   std::uint64_t belongs_to = 0;
   std::uint64_t first_seed = 0;
@@ -361,7 +385,11 @@ Result<void> Match::restore(std::string_view copy) {
   if (!from.is_at_end() || measures.size() != measures_.size()) {
     return fail(Errc::damaged, "the copy of a match is not whole");
   }
-  if (auto begun = begin(episode.seed); !begun) return begun;
+  const auto begun = begin(episode.seed, world);
+  if (!begun) {
+    leg_->lay_aside();
+    return begun;
+  }
   first_seed_ = first_seed;
   episodes_ = episodes;
   const int robots = leg_->field().robots_per_team;
@@ -378,6 +406,7 @@ Result<void> Match::restore(std::string_view copy) {
   counts_ = counts;
   episode_ = std::move(episode);
   measures_ = std::move(measures);
+  leg_->lay_aside();
   return {};
 }
 

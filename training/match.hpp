@@ -43,27 +43,35 @@ struct Rows {
   float* statistics = nullptr;
 };
 
+// Returns a world for matches of a configuration, whose field outlives it.
+std::unique_ptr<simulator::World> make_world(const Config& config, const field::Field& field);
+
 class Match {
  public:
   // What is passed outlives the match. `seed` is that of its first episode.
   Match(const Config& config, const Slots& slots, const Observer& observer, std::uint64_t seed);
 
+  // The functions below that take a world use it while they run and leave nothing in it: matches
+  // that are played by one thread share one, so what a match needs between steps is small. It is
+  // made by make_world().
+
   // Starts an episode: the first one of a seed, or the next one. The error is that of a team that
   // does not start.
-  Result<void> reset(std::optional<std::uint64_t> seed, const Rows& rows);
+  Result<void> reset(std::optional<std::uint64_t> seed, const Rows& rows, simulator::World& world);
 
   // Plays one step, or starts the episode that is due. Not before the first reset().
-  Result<void> step(const Rows& rows, const Weights& weights);
+  Result<void> step(const Rows& rows, const Weights& weights, simulator::World& world);
 
   bool has_started() const { return leg_.has_value(); }
-  const match::Leg& leg() const { return *leg_; }
+  // The state of all bodies. Not before the first reset().
+  match::Snapshot snapshot(simulator::World& world);
 
   const Episode& episode() const { return episode_; }
   const std::optional<Episode>& last_episode() const { return last_; }
 
   // A copy of its state as bytes, and the match in the state of a copy.
   std::string save() const;
-  Result<void> restore(std::string_view copy);
+  Result<void> restore(std::string_view copy, simulator::World& world);
 
  private:
   using Commands = match::ByTeam<match::Command>;
@@ -82,7 +90,9 @@ class Match {
     double total = 0.0;  // of the rewards
   };
 
-  Result<void> begin(std::uint64_t seed);
+  Result<void> start_episode(const Rows& rows, simulator::World& world);
+  Result<void> play_step(const Rows& rows, const Weights& weights, simulator::World& world);
+  Result<void> begin(std::uint64_t seed, simulator::World& world);
   Result<void> start_teams();
   void skip_stop();
   void play_tick(const Commands& commands);

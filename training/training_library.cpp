@@ -103,9 +103,8 @@ int mirocup_training_set_weights(mirocup_training* training, const double* weigh
 
 int mirocup_training_bodies(const mirocup_training* training, int match, double* bodies) {
   return guarded(training, [&]() -> Result<void> {
-    const auto found = training->batch.match(match);
-    if (!found) return tl::unexpected(found.error());
-    const mirocup::match::Snapshot now = (*found)->leg().snapshot();
+    const auto now = training->batch.snapshot(match);
+    if (!now) return tl::unexpected(now.error());
     double* to = bodies;
     const auto put = [&](const mirocup::match::ObservedRobot& r) {
       for (const double value :
@@ -113,10 +112,10 @@ int mirocup_training_bodies(const mirocup_training* training, int match, double*
         *to++ = value;
       }
     };
-    for (const auto& team : now.robots) {
+    for (const auto& team : now->robots) {
       std::for_each_n(team.begin(), training->batch.sizes().robots, put);
     }
-    put({.position = now.ball.position, .velocity = now.ball.velocity});
+    put({.position = now->ball.position, .velocity = now->ball.velocity});
     return {};
   });
 }

@@ -8,7 +8,7 @@
 namespace mirocup::training {
 
 Workers::Workers(int threads) {
-  for (int i = 1; i < threads; ++i) others_.emplace_back([this] { wait_for_work(); });
+  for (int i = 1; i < threads; ++i) others_.emplace_back([this, i] { wait_for_work(i); });
 }
 
 Workers::~Workers() {
@@ -20,7 +20,7 @@ Workers::~Workers() {
   for (std::thread& other : others_) other.join();
 }
 
-void Workers::run(int pieces, const std::function<void(int)>& do_piece) {
+void Workers::run(int pieces, const DoPiece& do_piece) {
   const bool alone = others_.empty() || pieces <= 1;
   next_ = 0;
   if (!alone) {
@@ -33,13 +33,13 @@ void Workers::run(int pieces, const std::function<void(int)>& do_piece) {
     }
     begin_.notify_all();
   }
-  work(do_piece, pieces);
+  work(do_piece, pieces, 0);
   if (alone) return;
   std::unique_lock lock(mutex_);
   end_.wait(lock, [this] { return busy_ == 0; });
 }
 
-void Workers::wait_for_work() {
+void Workers::wait_for_work(int thread) {
   std::uint64_t done = 0;
   while (true) {
     std::unique_lock lock(mutex_);
@@ -49,17 +49,17 @@ void Workers::wait_for_work() {
     const auto* do_piece = do_piece_;
     const int pieces = pieces_;
     lock.unlock();
-    work(*do_piece, pieces);
+    work(*do_piece, pieces, thread);
     lock.lock();
     if (--busy_ == 0) end_.notify_one();
   }
 }
 
-void Workers::work(const std::function<void(int)>& do_piece, int pieces) {
+void Workers::work(const DoPiece& do_piece, int pieces, int thread) {
   // A library that was built with -Ofast may have changed the mode of the thread that loaded it.
   const plugins::FloatingPointGuard guard;
   std::fesetenv(FE_DFL_ENV);
-  for (int i = next_++; i < pieces; i = next_++) do_piece(i);
+  for (int i = next_++; i < pieces; i = next_++) do_piece(i, thread);
 }
 
 }  // namespace mirocup::training

@@ -23,19 +23,22 @@ class Workers {
 
   int threads() const { return static_cast<int>(others_.size()) + 1; }
 
-  // Calls do_piece(i) for each i in 0 .. pieces-1 and returns when all are done. Each thread works
-  // with the default floating-point mode, whatever the caller's is. do_piece() throws nothing.
-  void run(int pieces, const std::function<void(int)>& do_piece);
+  // What is done: a piece, by one of the threads, numbered from 0 (the calling one).
+  using DoPiece = std::function<void(int piece, int thread)>;
+
+  // Does the pieces 0 .. pieces-1 and returns when all are done. Each thread works with the default
+  // floating-point mode, whatever the caller's is. do_piece() throws nothing.
+  void run(int pieces, const DoPiece& do_piece);
 
  private:
-  void wait_for_work();
-  void work(const std::function<void(int)>& do_piece, int pieces);
+  void wait_for_work(int thread);
+  void work(const DoPiece& do_piece, int pieces, int thread);
 
   std::vector<std::thread> others_;
   std::mutex mutex_;
   std::condition_variable begin_, end_;
   // Guarded by mutex_.
-  const std::function<void(int)>* do_piece_ = nullptr;
+  const DoPiece* do_piece_ = nullptr;
   int pieces_ = 0;
   int busy_ = 0;            // other threads that have not finished this run
   std::uint64_t runs_ = 0;  // begun so far

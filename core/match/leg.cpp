@@ -26,7 +26,12 @@ void add(StateHash& hash, const Vec2& v) {
 
 }  // namespace
 
-Leg::Leg(const Setup& setup, TickLogs tick_logs)
+Leg::Leg(const Setup& setup, TickLogs tick_logs) : Leg(setup, tick_logs, nullptr) {}
+
+Leg::Leg(const Setup& setup, TickLogs tick_logs, simulator::World& shared)
+    : Leg(setup, tick_logs, &shared) {}
+
+Leg::Leg(const Setup& setup, TickLogs tick_logs, simulator::World* shared)
     : setup_(setup),
       field_(field::make_field(setup.league)),
       pitch_{.field = field_,
@@ -50,8 +55,14 @@ Leg::Leg(const Setup& setup, TickLogs tick_logs)
   if (conditions.has_camera()) {
     camera_.emplace(conditions, setup_.seed, field_.robots_per_team, setup_.control_period);
   }
-  world_ = std::make_unique<simulator::World>(&field_, parameters, setup_.tolerances,
-                                              2 * field_.robots_per_team, true);
+  if (shared == nullptr) {
+    own_world_ = std::make_unique<simulator::World>(&field_, parameters, setup_.tolerances,
+                                                    2 * field_.robots_per_team, true);
+    shared = own_world_.get();
+  } else {
+    shared->clear(parameters.rolling_resistance);
+  }
+  world_ = shared;
   // No more than for half an hour: a record may claim days.
   constexpr double max_reserved = 65536.0;
   if (tick_logs_ == TickLogs::kept) {
@@ -61,6 +72,17 @@ Leg::Leg(const Setup& setup, TickLogs tick_logs)
   apply(referee_->opening());
   place();
   look();
+}
+
+void Leg::lay_aside() {
+  world_->save(laid_aside_);
+  world_ = nullptr;
+  events_ = nullptr;
+}
+
+void Leg::take_up(simulator::World& shared) {
+  world_ = &shared;
+  world_->load(laid_aside_);
 }
 
 Briefing Leg::briefing(Team team) const {

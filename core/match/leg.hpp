@@ -103,8 +103,17 @@ class Leg {
  public:
   // Tosses for the ends and the kick-off, and places the bodies for the kick-off.
   explicit Leg(const Setup& setup, TickLogs tick_logs = TickLogs::kept);
+  // The same in a world that the leg shares with others, which outlives it: one that was made for
+  // the same field, parameters and tolerances, and for this leg's number of robots. The play is the
+  // same. The leg has the world until lay_aside(), and again after each take_up(); without it, only
+  // functions of the referee, the setup and the logs may be called.
+  Leg(const Setup& setup, TickLogs tick_logs, simulator::World& shared);
   Leg(const Leg&) = delete;
   Leg& operator=(const Leg&) = delete;
+
+  // Takes the bodies out of the shared world, and puts them into it again.
+  void lay_aside();
+  void take_up(simulator::World& shared);
 
   const Setup& setup() const { return setup_; }
   const field::Field& field() const { return field_; }
@@ -168,6 +177,7 @@ class Leg {
   const ByTeam<int>& late_ticks() const { return late_ticks_; }
 
  private:
+  Leg(const Setup& setup, TickLogs tick_logs, simulator::World* shared);
   bool accept_answers(const ByTeam<Answer>& given);
   void drive(Team team, const Command& command);
   void simulate();
@@ -204,10 +214,12 @@ class Leg {
   referee::Pitch pitch_;
   Random rng_;  // decides every toss and lot
   Team left_ = Team::blue;
-  std::optional<Disturbances> disturbances_;  // nothing under exact conditions
-  std::optional<Camera> camera_;              // nothing unless the conditions have one
-  bool were_placed_ = false;                  // since the camera looked last
-  std::unique_ptr<simulator::World> world_;
+  std::optional<Disturbances> disturbances_;     // nothing under exact conditions
+  std::optional<Camera> camera_;                 // nothing unless the conditions have one
+  bool were_placed_ = false;                     // since the camera looked last
+  std::unique_ptr<simulator::World> own_world_;  // null if it shares one
+  simulator::World* world_ = nullptr;
+  simulator::World::Memory laid_aside_;  // of the shared world
   std::unique_ptr<referee::Referee> referee_;
 
   std::uint32_t tick_ = 0;

@@ -49,6 +49,37 @@ void World::set_ball(const BallState& state) {
   bodies_were_set_ = true;
 }
 
+void World::save(Memory& to) const {
+  to.rolling_resistance = static_world_.parameters.rolling_resistance;
+  std::copy_n(bodies_.begin(), static_world_.bodies(), to.bodies.begin());
+  to.bodies_were_set = bodies_were_set_;
+  to.contacts.assign(contacts_.list.begin(), contacts_.list.begin() + contacts_.count);
+  to.thresholds = thresholds_.memory();
+  steps_->save(to.steps);
+}
+
+void World::load(const Memory& from) {
+  static_world_.parameters.rolling_resistance = from.rolling_resistance;
+  std::copy_n(from.bodies.begin(), static_world_.bodies(), bodies_.begin());
+  bodies_were_set_ = from.bodies_were_set;
+  contacts_.count = static_cast<int>(from.contacts.size());
+  std::copy(from.contacts.begin(), from.contacts.end(), contacts_.list.begin());
+  islands_.sort(contacts_);
+  thresholds_.set_memory(from.thresholds);
+  steps_->load(from.steps);
+}
+
+void World::clear(double rolling_resistance) {
+  static_world_.parameters.rolling_resistance = rolling_resistance;
+  bodies_.fill({});
+  bodies_were_set_ = true;
+  contacts_.count = 0;
+  islands_.sort(contacts_);
+  thresholds_.set_memory({});
+  steps_->load({.forces = {}, .wheel_force = {}, .proposed_length_of = {}, .stepped = {}});
+  steps_->forget_forces();
+}
+
 // One tick, in order. Each event repeats steps 2 to 4 for the bodies that it involves (play_event).
 //
 //   1. Start: commands, memory of the last tick, islands that are over budget from the start.

@@ -33,6 +33,7 @@
 #include <array>
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace mirocup::simulator {
 
@@ -60,6 +61,23 @@ class World {
   // contacts and forces is lost, so a restart is the same as in a new world.
   void set_robot(int i, const BodyState& state);
   void set_ball(const BallState& state);
+
+  // What a world remembers from one tick to the next. Worlds that differ in nothing but rolling
+  // resistance can take each other's place: so a batch of legs needs one world for each thread, and
+  // a leg that waits is small.
+  struct Memory {
+    double rolling_resistance = 0.0;
+    std::array<BodyState, max_bodies> bodies{};
+    bool bodies_were_set = true;
+    std::vector<collision::Contact> contacts;  // at the end of the last tick
+    impact::RestThresholds::Memory thresholds;
+    stepping::TimeStepper::Memory steps;
+  };
+  // May allocate in `to`.
+  void save(Memory& to) const;
+  void load(const Memory& from);
+  // Becomes as a new world with this rolling resistance.
+  void clear(double rolling_resistance);
 
   // Sets where impacts and counts are recorded from now on; null, the default, records nothing. The
   // statistics must live until others are set here, or the world ends.

@@ -45,6 +45,17 @@ class RestThresholds {
  public:
   explicit RestThresholds(const Tolerances& tolerances);
 
+  // What is remembered from one tick to the next.
+  struct Memory {
+    BodySet touching, hit, over_budget;
+  };
+  Memory memory() const { return {touching_, hit_, over_budget_}; }
+  void set_memory(const Memory& memory) {
+    touching_ = memory.touching;
+    hit_ = memory.hit;
+    over_budget_ = memory.over_budget;
+  }
+
   // Starts a tick: all limits and budgets are those of its start. `touching` are the bodies that
   // have a contact now.
   void begin_tick(const BodySet& touching);

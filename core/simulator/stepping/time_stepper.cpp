@@ -165,6 +165,21 @@ void TimeStepper::forget_forces() {
   proposed_length_of_.fill(infinity);
 }
 
+void TimeStepper::save(Memory& to) const {
+  to.forces.assign(remembered_.begin(), remembered_.begin() + remembered_count_);
+  to.wheel_force = wheel_force_;
+  to.proposed_length_of = proposed_length_of_;
+  to.stepped = stepped_;
+}
+
+void TimeStepper::load(const Memory& from) {
+  remembered_count_ = static_cast<int>(from.forces.size());
+  std::copy(from.forces.begin(), from.forces.end(), remembered_.begin());
+  wheel_force_ = from.wheel_force;
+  proposed_length_of_ = from.proposed_length_of;
+  stepped_ = from.stepped;
+}
+
 void TimeStepper::begin_tick() {
   for (int i = 0; i < world_.bodies(); ++i) {
     if (!stepped_[i]) proposed_length_of_[i] = infinity;

@@ -28,6 +28,7 @@
 
 #include <array>
 #include <span>
+#include <vector>
 
 namespace mirocup::simulator::stepping {
 
@@ -70,6 +71,25 @@ class TimeStepper {
   // Returns the pressing contacts of the latest step. Valid until the next call of take_step().
   std::span<const collision::Contact> pressing() const { return contacts_.contacts(); }
 
+  // A pressing contact of an earlier step, from which the next step starts warm. The warm start is
+  // limited to `impulse`. Otherwise the large force with which a short step stopped a body would be
+  // taken over into a longer step.
+  struct RememberedForce {
+    Pair pair;
+    collision::ContactPoint point;
+    double force;    // N
+    double impulse;  // N s
+  };
+  // What is remembered from one tick to the next.
+  struct Memory {
+    std::vector<RememberedForce> forces;
+    std::array<double, max_robots> wheel_force{};
+    std::array<double, max_bodies> proposed_length_of{};
+    BodySet stepped;
+  };
+  void save(Memory& to) const;
+  void load(const Memory& from);
+
   // Starts a tick: bodies that took no step in the last tick may take a long one again.
   void begin_tick();
   // Makes the next steps start from zero forces: bodies were set, so the old forces mean nothing.
@@ -91,16 +111,6 @@ class TimeStepper {
 
     BodySet members{};
     double next_length = 0.0;  // s: what the attempt proposes for the members' next step
-  };
-
-  // A pressing contact of an earlier step, from which the next step starts warm. The warm start is
-  // limited to `impulse`. Otherwise the large force with which a short step stopped a body would be
-  // taken over into a longer step.
-  struct RememberedForce {
-    Pair pair;
-    collision::ContactPoint point;
-    double force;    // N
-    double impulse;  // N s
   };
 
   // Unknowns of the QP from `begin` to before `end`.
