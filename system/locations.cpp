@@ -40,11 +40,16 @@ TeamKit team_kit() {
 }
 
 std::string house_team(const std::string& name) {
+  return house_team(name, program_folder());
+}
+
+std::string house_team(const std::string& name, const std::string& folder) {
   if (name.empty() || name.find('/') != std::string::npos) return "";
-  const fs::path here = program_folder();
-  for (const fs::path& folder :
-       {here / "house", here.parent_path() / "lib" / "mirocup" / "house"}) {
-    const fs::path library = folder / (name + ".so");
+  // A library is in lib/, or in a folder of lib/ that is named after the architecture.
+  const fs::path here = folder;
+  for (const fs::path& teams : {here / "house", here.parent_path() / "lib" / "mirocup" / "house",
+                                here.parent_path() / "mirocup" / "house"}) {
+    const fs::path library = teams / (name + ".so");
     if (is_there(library)) return library.string();
   }
   return "";

@@ -25,5 +25,7 @@ TeamKit team_kit();
 
 // Returns the path of the library of a house team; "" if there is no such team.
 std::string house_team(const std::string& name);
+// The same for a library that another program has loaded: `folder` is the library's.
+std::string house_team(const std::string& name, const std::string& folder);
 
 }  // namespace mirocup::system

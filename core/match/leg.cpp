@@ -26,14 +26,20 @@ void add(StateHash& hash, const Vec2& v) {
 
 }  // namespace
 
-Leg::Leg(const Setup& setup)
+Leg::Leg(const Setup& setup, TickLogs tick_logs) : Leg(setup, tick_logs, nullptr) {}
+
+Leg::Leg(const Setup& setup, TickLogs tick_logs, simulator::World& shared)
+    : Leg(setup, tick_logs, &shared) {}
+
+Leg::Leg(const Setup& setup, TickLogs tick_logs, simulator::World* shared)
     : setup_(setup),
       field_(field::make_field(setup.league)),
       pitch_{.field = field_,
              .rules = setup_.rules,
              .ball_radius = setup.parameters.ball_radius,
              .robot_side = setup.parameters.robot_side},
-      rng_(mix_seed(setup.seed)) {
+      rng_(mix_seed(setup.seed)),
+      tick_logs_(tick_logs) {
   // The toss decides which team defends the left end and which kicks off (MiroSot law 6.1).
   left_ = rng_.coin() ? Team::blue : Team::yellow;
   if (setup.left) left_ = *setup.left;
@@ -49,15 +55,34 @@ Leg::Leg(const Setup& setup)
   if (conditions.has_camera()) {
     camera_.emplace(conditions, setup_.seed, field_.robots_per_team, setup_.control_period);
   }
-  world_ = std::make_unique<simulator::World>(&field_, parameters, setup_.tolerances,
-                                              2 * field_.robots_per_team, true);
+  if (shared == nullptr) {
+    own_world_ = std::make_unique<simulator::World>(&field_, parameters, setup_.tolerances,
+                                                    2 * field_.robots_per_team, true);
+    shared = own_world_.get();
+  } else {
+    shared->clear(parameters.rolling_resistance);
+  }
+  world_ = shared;
   // No more than for half an hour: a record may claim days.
   constexpr double max_reserved = 65536.0;
-  log_.reserve(static_cast<std::size_t>(
-      std::min(2.2 * setup_.rules.half_s / setup_.control_period, max_reserved)));
+  if (tick_logs_ == TickLogs::kept) {
+    log_.reserve(static_cast<std::size_t>(
+        std::min(2.2 * setup_.rules.half_s / setup_.control_period, max_reserved)));
+  }
   apply(referee_->opening());
   place();
   look();
+}
+
+void Leg::lay_aside() {
+  world_->save(laid_aside_);
+  world_ = nullptr;
+  events_ = nullptr;
+}
+
+void Leg::take_up(simulator::World& shared) {
+  world_ = &shared;
+  world_->load(laid_aside_);
 }
 
 Briefing Leg::briefing(Team team) const {
@@ -82,7 +107,8 @@ void Leg::advance(const ByTeam<Answer>& answers) {
   simulate();
   judge();
   place();
-  record();
+  if (tick_logs_ == TickLogs::kept) record();
+  end_tick();
   look();
 }
 
@@ -327,6 +353,9 @@ void Leg::record() {
     hash_.add(robot.twist.omega);
   }
   log_.push_back({answers_, hash_.value()});
+}
+
+void Leg::end_tick() {
   pending_ = answers_;
   ++tick_;
 }

@@ -93,12 +93,27 @@ struct LoggedPlacementRequest {
   PlacementRequest request;
 };
 
+// What a leg keeps of each tick that it has played.
+enum class TickLogs {
+  kept,     // a hash and an entry of the log: what a record needs
+  dropped,  // neither; the play is the same and costs less
+};
+
 class Leg {
  public:
   // Tosses for the ends and the kick-off, and places the bodies for the kick-off.
-  explicit Leg(const Setup& setup);
+  explicit Leg(const Setup& setup, TickLogs tick_logs = TickLogs::kept);
+  // The same in a world that the leg shares with others, which outlives it: one that was made for
+  // the same field, parameters and tolerances, and for this leg's number of robots. The play is the
+  // same. The leg has the world until lay_aside(), and again after each take_up(); without it, only
+  // functions of the referee, the setup and the logs may be called.
+  Leg(const Setup& setup, TickLogs tick_logs, simulator::World& shared);
   Leg(const Leg&) = delete;
   Leg& operator=(const Leg&) = delete;
+
+  // Takes the bodies out of the shared world, and puts them into it again.
+  void lay_aside();
+  void take_up(simulator::World& shared);
 
   const Setup& setup() const { return setup_; }
   const field::Field& field() const { return field_; }
@@ -108,6 +123,8 @@ class Leg {
   Briefing briefing(Team team) const;
 
   std::uint32_t tick() const { return tick_; }
+  State state() const { return state_; }
+  End end_of(Team team) const { return team == left_ ? End::left : End::right; }
   bool is_over() const { return outcome_.has_value(); }
   const Outcome& outcome() const {
     MIROCUP_ASSERT(is_over());
@@ -136,8 +153,12 @@ class Leg {
   simulator::BallState ball() const { return world_->ball(); }
   const referee::Referee& referee() const { return *referee_; }
   const referee::Decision& restart() const { return restart_; }  // the last restart
+  Team taker() const { return team_at(restart_.taker); }         // who takes it
   // The situation that the referee judged in the last tick; nothing if play was stopped in it.
   const std::optional<referee::Situation>& judged() const { return judged_; }
+
+  // The answers to the observation of the last tick, which are driven in the next one.
+  const ByTeam<DrivenCommand>& answers() const { return answers_; }
 
   // The log up to now: decisions in their order, one entry for each tick, requests in their order.
   const std::vector<LoggedDecision>& decisions() const { return decisions_; }
@@ -146,7 +167,7 @@ class Leg {
     return placement_requests_;
   }
 
-  // The hash of the states of all ticks played until now.
+  // The hash of the states of all ticks played until now; without meaning if they are dropped.
   std::uint64_t state_hash() const { return hash_.value(); }
   // The last robot to touch the ball in the most recent tick; nothing if none touched it.
   std::optional<Touch> last_touch() const;
@@ -156,6 +177,7 @@ class Leg {
   const ByTeam<int>& late_ticks() const { return late_ticks_; }
 
  private:
+  Leg(const Setup& setup, TickLogs tick_logs, simulator::World* shared);
   bool accept_answers(const ByTeam<Answer>& given);
   void drive(Team team, const Command& command);
   void simulate();
@@ -173,13 +195,13 @@ class Leg {
   simulator::WheelSpeeds driven_speeds(Team team, int robot);
   void look();
   void record();
+  void end_tick();
   void end(OutcomeKind kind);
   void end(const referee::Decision& decision);
   void log_decision(const referee::Decision& decision);
   void note_ball_contacts(const simulator::BallState& before);
   void give_credit(LoggedDecision& goal) const;
 
-  End end_of(Team team) const { return team == left_ ? End::left : End::right; }
   Team team_at(End end) const { return end == End::left ? left_ : opponent_of(left_); }
   int body_of(Team team, int robot) const {
     return index_of(team) * field_.robots_per_team + robot;
@@ -192,10 +214,12 @@ class Leg {
   referee::Pitch pitch_;
   Random rng_;  // decides every toss and lot
   Team left_ = Team::blue;
-  std::optional<Disturbances> disturbances_;  // nothing under exact conditions
-  std::optional<Camera> camera_;              // nothing unless the conditions have one
-  bool were_placed_ = false;                  // since the camera looked last
-  std::unique_ptr<simulator::World> world_;
+  std::optional<Disturbances> disturbances_;     // nothing under exact conditions
+  std::optional<Camera> camera_;                 // nothing unless the conditions have one
+  bool were_placed_ = false;                     // since the camera looked last
+  std::unique_ptr<simulator::World> own_world_;  // null if it shares one
+  simulator::World* world_ = nullptr;
+  simulator::World::State laid_aside_;  // of the shared world
   std::unique_ptr<referee::Referee> referee_;
 
   std::uint32_t tick_ = 0;
@@ -221,6 +245,7 @@ class Leg {
   ByTeam<int> late_ticks_{};
   ByTeam<int> bad_values_{};
 
+  TickLogs tick_logs_;
   StateHash hash_;
   std::vector<TickLog> log_;
   std::vector<LoggedDecision> decisions_;

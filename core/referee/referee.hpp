@@ -67,6 +67,7 @@ class Referee {
   const std::optional<RobotId>& last_touch() const { return last_touch_; }
   const LegProgress& progress() const { return now_; }
   PendingCounts pending_counts() const;
+  double stalemate_s() const { return book_.stalemate.still_s; }  // one of them
 
   // Returns the decision with the restart that opens the current phase.
   Decision opening() const;

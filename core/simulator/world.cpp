@@ -82,6 +82,29 @@ void World::recall(const Memory& memory) {
   steps_->recall(memory.steps);
 }
 
+void World::save(State& to) const {
+  to.rolling_resistance = static_world_.parameters.rolling_resistance;
+  std::copy_n(bodies_.begin(), static_world_.bodies(), to.bodies.begin());
+  save(to.memory);
+}
+
+void World::load(const State& from) {
+  static_world_.parameters.rolling_resistance = from.rolling_resistance;
+  std::copy_n(from.bodies.begin(), static_world_.bodies(), bodies_.begin());
+  recall(from.memory);
+}
+
+void World::clear(double rolling_resistance) {
+  static_world_.parameters.rolling_resistance = rolling_resistance;
+  bodies_.fill({});
+  bodies_were_set_ = true;
+  contacts_.count = 0;
+  islands_.sort(contacts_);
+  thresholds_.recall({});
+  steps_->recall({});
+  steps_->forget_forces();
+}
+
 // One tick, in order. Each event repeats steps 2 to 4 for the bodies that it involves (play_event).
 //
 //   1. Start: commands, memory of the last tick, islands that are over budget from the start.

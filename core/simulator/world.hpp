@@ -84,6 +84,19 @@ class World {
   void save(Memory& memory) const;
   void recall(const Memory& memory);
 
+  // Everything that changes in a world. Worlds that differ in nothing but rolling resistance can take
+  // each other's place: so a batch of legs needs one world for each thread, and a leg that waits is
+  // small.
+  struct State {
+    double rolling_resistance = 0.0;
+    std::array<BodyState, max_bodies> bodies{};
+    Memory memory;
+  };
+  void save(State& to) const;
+  void load(const State& from);
+  // Becomes as a new world with this rolling resistance.
+  void clear(double rolling_resistance);
+
   // Sets where impacts and counts are recorded from now on; null, the default, records nothing. The
   // statistics must live until others are set here, or the world ends.
   void set_statistics(RunStatistics* statistics) { statistics_ = statistics; }

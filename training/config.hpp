@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+//
+// The configuration of a batch: what is played, who learns, what a learner sees, does and gets.
+// docs/training.md describes the keys of its JSON.
+#pragma once
+
+#include "core/base/error.hpp"
+#include "core/match/leg.hpp"
+#include "core/match/team_parameters.hpp"
+#include "training/rewards.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mirocup::training {
+
+// A learner steers its whole team, or one robot of it.
+enum class Agents { team, robot };
+
+enum class ObservationKind {
+  standard,  // ball, robots, restart: observations.hpp
+  vss,       // the 40 numbers of rSoccer's VSS environment
+};
+
+enum class ActionKind {
+  wheels,  // left and right wheel, shares of the speed limit
+  drive,   // forward and turn; left = forward - turn, right = forward + turn
+  vss,     // wheels with the dead zone of rSoccer's VSS environment
+};
+
+enum class Autoreset { next_step, same_step, disabled };
+
+// One team of every match.
+struct Side {
+  std::vector<int> learners;         // indices of the robots that learn, ascending
+  std::string mates = "idle";        // steers the others: "noise", a house team, or a library
+  std::string library;               // path of its library; "" for "noise", and if all robots learn
+  match::TeamParameters parameters;  // of the library
+
+  bool learns() const { return !learners.empty(); }
+  bool has_noise() const { return library.empty(); }
+};
+
+struct Config {
+  int matches = 1;
+  int threads = 0;     // 0: one for each processor
+  match::Setup setup;  // its seed is that of no match
+  match::ByTeam<Side> sides;
+  Agents agents = Agents::team;
+  ObservationKind observation = ObservationKind::standard;
+  ActionKind action = ActionKind::wheels;
+  Autoreset autoreset = Autoreset::next_step;
+  double episode_s = 30.0;   // of play, after which an episode is truncated; infinite: never
+  bool ends_at_goal = true;  // a goal terminates the episode
+  bool skips_stops = true;   // steps go on until play is on: at restarts robots stand
+  int ticks_per_step = 1;    // control periods for which an action holds
+  Weights weights = default_weights();
+  std::string text;  // of the JSON, without the number of matches and threads
+};
+
+// `folder` is where house teams are looked for, besides the places where programs find them.
+// Errors: Errc::input, with the JSON pointer of the key.
+Result<Config> parse_config(std::string_view json, const std::string& folder);
+
+}  // namespace mirocup::training
+
+namespace mirocup {
+
+template <>
+inline constexpr std::array<std::string_view, 2> enum_names<training::Agents>{"team", "robot"};
+template <>
+inline constexpr std::array<std::string_view, 2> enum_names<training::ObservationKind>{"standard",
+                                                                                       "vss"};
+template <>
+inline constexpr std::array<std::string_view, 3> enum_names<training::ActionKind>{"wheels", "drive",
+                                                                                  "vss"};
+template <>
+inline constexpr std::array<std::string_view, 3> enum_names<training::Autoreset>{
+    "next_step", "same_step", "disabled"};
+
+}  // namespace mirocup

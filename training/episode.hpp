@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+//
+// What has to be kept of an episode so that it can be played again: its seed, the commands of each
+// tick, and what was asked for at restarts. Everything else follows from them.
+#pragma once
+
+#include "core/match/leg.hpp"
+#include "server/record/match_record.hpp"
+#include "system/files.hpp"
+#include "training/config.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace mirocup::training {
+
+struct Episode {
+  std::uint64_t seed = 1;
+  // Left and right wheel of each robot of blue, then of yellow, tick after tick, as
+  // match::DrivenCommand has them.
+  std::vector<std::int16_t> wheels;
+  std::vector<match::LoggedPlacementRequest> requests;  // in the order of the ticks
+  std::vector<match::TeamFault> faults;                 // that ended it
+
+  std::uint32_t ticks(int robots) const {
+    return static_cast<std::uint32_t>(wheels.size() / (4 * static_cast<std::size_t>(robots)));
+  }
+
+  // Adds the tick that the leg has played last.
+  void add_tick(const match::Leg& leg);
+
+  // Returns the answers to the observation of a tick.
+  match::ByTeam<match::Answer> answers(std::uint32_t tick, int robots) const;
+};
+
+// Returns the setup of the leg of an episode.
+match::Setup setup_of(const Config& config, std::uint64_t seed);
+
+// Plays the episode again and writes it as a record, with its replay beside it. An episode that was
+// cut, or has not ended yet, is a void leg.
+Result<void> save_record(const Config& config, const Episode& episode, const std::string& path);
+
+}  // namespace mirocup::training

@@ -1,0 +1,127 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * libmirocup_training: many matches in one process, for programs that learn.
+ *
+ *   mirocup_training_create    makes a batch of matches from a JSON configuration
+ *   mirocup_training_spec      tells sizes, names, units and bounds, as JSON
+ *   mirocup_training_bind      names the caller's buffers, which every call reads or writes in place
+ *   mirocup_training_reset     starts episodes
+ *   mirocup_training_step      plays one step of every match, on all threads of the batch
+ *
+ * docs/training.md has the keys of the configuration and all names. {"matches": 64} is enough: 3 a
+ * side, blue learns, yellow is the house team `idle`.
+ *
+ * Rows
+ *   A match has one slot for each learner: a team, or with "agents": "robot" a robot. The slots of
+ *   blue come before those of yellow. Buffers have a row for each slot of each match:
+ *   row = match * slots + slot. All values of a row are in the frame of its own team, which always
+ *   attacks +x.
+ *
+ * Same result
+ *   What happens in a match depends on the configuration, its seeds and its actions only: not on
+ *   the number of threads or of other matches. It is a leg that `mirocup verify` can prove.
+ *
+ * Ends of episodes
+ *   An episode is terminated by what happens in it, such as a goal, and truncated by its length.
+ *   "autoreset" says what happens then, as in Gymnasium:
+ *     next_step  the next step of this match ignores its actions, starts an episode and returns its
+ *                first observation, with reward 0
+ *     same_step  the observation is the first one of the next episode; the last one of the old
+ *                episode goes to final_observations
+ *     disabled   the caller resets; until then, steps leave the match as it is
+ *
+ * Errors
+ *   Functions that can fail return 0 for success, else the exit code that the command line has for
+ *   the same fault (2 wrong input, 3 not available, 4 damaged data). mirocup_training_error() then
+ *   has a sentence. Nothing throws. A batch may be used by one thread at a time; different batches
+ *   are independent.
+ */
+#ifndef MIROCUP_TRAINING_H
+#define MIROCUP_TRAINING_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum { MIROCUP_TRAINING_VERSION = 1 }; /* of this interface */
+
+typedef struct mirocup_training mirocup_training;
+
+/* Lengths of the arrays below. Constant while a batch lives. */
+typedef struct mirocup_training_sizes {
+  int32_t matches;
+  int32_t slots;       /* learners of a match */
+  int32_t rows;        /* matches * slots */
+  int32_t robots;      /* of each team */
+  int32_t observation; /* numbers in a row of observations */
+  int32_t action;      /* numbers in a row of actions, each in [-1, 1] */
+  int32_t terms;       /* of the reward */
+  int32_t statistics;  /* of an episode */
+  int32_t threads;
+} mirocup_training_sizes;
+
+/* The caller's arrays, row after row, which live as long as they are bound. Null where nothing is
+ * wanted; only `actions` is read. */
+typedef struct mirocup_training_buffers {
+  const float* actions;      /* rows * action */
+  float* observations;       /* rows * observation */
+  float* rewards;            /* rows: the sum of weight * term */
+  uint8_t* terminations;     /* rows: 1 or 0 */
+  uint8_t* truncations;      /* rows: 1 or 0 */
+  float* final_observations; /* rows * observation: written with same_step, when an episode ends */
+  float* terms;              /* rows * terms: each term of the step, without its weight */
+  float* statistics;         /* rows * statistics: written when an episode ends */
+} mirocup_training_buffers;
+
+/* An episode of a match. */
+enum mirocup_training_episode {
+  MIROCUP_CURRENT_EPISODE = 0, /* as far as it has been played */
+  MIROCUP_LAST_EPISODE = 1     /* that ended last */
+};
+
+/* Returns null after an error, with a sentence in `error` (`size` bytes, ended with 0). Loads and
+ * starts the teams that do not learn, in this process and without a sandbox. No episode runs yet:
+ * reset all matches first. */
+mirocup_training* mirocup_training_create(const char* configuration, char* error, size_t size);
+void mirocup_training_destroy(mirocup_training* training);
+
+const mirocup_training_sizes* mirocup_training_get_sizes(const mirocup_training* training);
+const char* mirocup_training_spec(const mirocup_training* training);
+const char* mirocup_training_error(const mirocup_training* training);
+
+int mirocup_training_bind(mirocup_training* training, const mirocup_training_buffers* buffers);
+
+/* Starts an episode in each match whose `mask` is not 0 (null: in all), writes its observations and
+ * sets its rewards and ends to 0. `seeds` (null: none) has a seed for each match, from which all
+ * later episodes of the match follow, too; without, the match goes on with its next episode. */
+int mirocup_training_reset(mirocup_training* training, const uint8_t* mask, const uint64_t* seeds);
+
+int mirocup_training_step(mirocup_training* training);
+
+/* Sets the weights of all terms of the reward, in the order of the spec. */
+int mirocup_training_set_weights(mirocup_training* training, const double* weights);
+
+/* Writes the true state of a match in the field's frame: for each robot of blue, each of yellow,
+ * and the ball: x, y (m), heading (rad), velocity along x and y (m/s), turn (rad/s). `bodies` has
+ * (2 * robots + 1) * 6 numbers. */
+int mirocup_training_bodies(const mirocup_training* training, int match, double* bodies);
+
+/* Writes an episode as a record, with its replay beside it, as `mirocup match --record` does. */
+int mirocup_training_record(mirocup_training* training, int match,
+                            enum mirocup_training_episode episode, const char* path);
+
+/* Copies a match, so that it can be taken up again from here, in this or another match or process
+ * with the same configuration. save() returns the size of the copy in bytes, and writes it if
+ * `size` is large enough. The copy holds the commands of the episode, so to restore it costs as
+ * much as to play it. A team that does not learn is asked again: it must be deterministic. */
+size_t mirocup_training_save(const mirocup_training* training, int match, void* copy, size_t size);
+int mirocup_training_restore(mirocup_training* training, int match, const void* copy, size_t size);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* MIROCUP_TRAINING_H */

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+//
+// One match of a batch: an episode after the other, steered by learners and by teams.
+#pragma once
+
+#include "plugins/host/trusted_controller.hpp"
+#include "training/config.hpp"
+#include "training/episode.hpp"
+#include "training/noise.hpp"
+#include "training/observations.hpp"
+#include "training/rewards.hpp"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace mirocup::training {
+
+// The learners of a match, in the order of its rows.
+struct Slots {
+  std::vector<Learner> learners;
+  int action = 0;  // numbers in a row of actions: two for each robot of a learner
+
+  explicit Slots(const Config& config);
+};
+
+// The statistics of an episode: these, then the sum of each term.
+inline constexpr std::array<std::string_view, 5> first_statistics{"return", "steps", "seconds",
+                                                                  "score", "opponent_score"};
+inline constexpr int statistics = static_cast<int>(first_statistics.size()) + terms;
+
+// The rows of one match in the caller's buffers; null where nothing is wanted.
+struct Rows {
+  const float* actions = nullptr;
+  float* observations = nullptr;
+  float* rewards = nullptr;
+  std::uint8_t* terminations = nullptr;
+  std::uint8_t* truncations = nullptr;
+  float* final_observations = nullptr;
+  float* terms = nullptr;
+  float* statistics = nullptr;
+};
+
+// Returns a world for matches of a configuration, whose field outlives it.
+std::unique_ptr<simulator::World> make_world(const Config& config, const field::Field& field);
+
+class Match {
+ public:
+  // What is passed outlives the match. `seed` is that of its first episode.
+  Match(const Config& config, const Slots& slots, const Observer& observer, std::uint64_t seed);
+
+  // The functions below that take a world use it while they run and leave nothing in it: matches
+  // that are played by one thread share one, so what a match needs between steps is small. It is
+  // made by make_world().
+
+  // Starts an episode: the first one of a seed, or the next one. The error is that of a team that
+  // does not start.
+  Result<void> reset(std::optional<std::uint64_t> seed, const Rows& rows, simulator::World& world);
+
+  // Plays one step, or starts the episode that is due. Not before the first reset().
+  Result<void> step(const Rows& rows, const Weights& weights, simulator::World& world);
+
+  bool has_started() const { return leg_.has_value(); }
+  // The state of all bodies. Not before the first reset().
+  match::Snapshot snapshot(simulator::World& world);
+
+  const Episode& episode() const { return episode_; }
+  const std::optional<Episode>& last_episode() const { return last_; }
+
+  // A copy of its state as bytes, and the match in the state of a copy.
+  std::string save() const;
+  Result<void> restore(std::string_view copy, simulator::World& world);
+
+ private:
+  using Commands = match::ByTeam<match::Command>;
+
+  // What is counted of an episode.
+  struct Counts {
+    std::uint64_t steps = 0;
+    std::uint64_t play_ticks = 0;
+    bool is_terminated = false;
+    bool is_truncated = false;
+  };
+  // What is measured for a learner.
+  struct Measures {
+    RewardMeter meter;
+    Terms sums{};
+    double total = 0.0;  // of the rewards
+  };
+
+  Result<void> start_episode(const Rows& rows, simulator::World& world);
+  Result<void> play_step(const Rows& rows, const Weights& weights, simulator::World& world);
+  Result<void> begin(std::uint64_t seed, simulator::World& world);
+  Result<void> start_teams();
+  void skip_stop();
+  void play_tick(const Commands& commands);
+  match::Answer answer_of(Team team, const match::Command& learned,
+                          const std::optional<match::Snapshot>& view);
+  Commands commands_of(const float* actions) const;
+  void observe(float* to) const;
+  void write_rewards(const Rows& rows, const Weights& weights, std::uint32_t ticks);
+  void write_statistics(float* to) const;
+  bool is_done() const { return counts_.is_terminated || counts_.is_truncated; }
+  std::uint64_t next_seed();
+
+  const Config& config_;
+  const Slots& slots_;
+  const Observer& observer_;
+  std::uint64_t first_seed_;      // of the series of episodes
+  std::uint64_t episodes_ = 0;    // of the series, begun so far
+  std::uint64_t max_play_ticks_;  // of an episode
+  std::optional<match::Leg> leg_;
+  match::ByTeam<std::unique_ptr<plugins::TrustedController>> teams_;  // null where none plays
+  match::ByTeam<Noise> noise_;
+  Counts counts_;
+  std::vector<Measures> measures_;  // of each learner
+  Episode episode_;
+  std::optional<Episode> last_;
+};
+
+}  // namespace mirocup::training

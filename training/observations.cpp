@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "training/observations.hpp"
+
+#include <algorithm>
+
+namespace mirocup::training {
+
+namespace {
+
+constexpr double max_stalemate = 10.0;  // s, of an observed 1
+
+// A body as it is seen, in the team's frame.
+struct Seen {
+  Vec2 position;
+  Vec2 velocity;
+  Heading heading;
+  double turn = 0.0;
+};
+
+Seen seen(const match::Leg& leg, End end, Team team, int robot) {
+  const simulator::BodyState r = leg.robot(team, robot);
+  return {.position = team_frame(end, r.position),
+          .velocity = team_frame(end, r.heading.to_world({r.twist.forward, r.twist.left})),
+          .heading = team_frame(end, r.heading),
+          .turn = r.twist.omega};
+}
+
+Seen seen(const match::Snapshot& view, End end, Team team, int robot) {
+  const match::ObservedRobot& r = view.robots[index_of(team)][static_cast<std::size_t>(robot)];
+  return {.position = team_frame(end, r.position),
+          .velocity = team_frame(end, r.velocity),
+          .heading = team_frame(end, Heading::from_angle(r.heading)),
+          .turn = r.turn};
+}
+
+}  // namespace
+
+Observer::Observer(const Config& config, const field::Field& field) : kind_(config.observation) {
+  const simulator::Parameters& p = config.setup.parameters;
+  speed_ = p.wheel_speed_limit * p.wheel_radius;
+  metre_ = field.half_length + field.goal_depth;
+  if (kind_ == ObservationKind::standard) {
+    turn_ = 2.0 * speed_ / p.wheel_distance;
+    bound_ = 1.2;
+    fast_ = 5.0;
+    add_standard(field.robots_per_team);
+  } else {
+    // rSoccer: half of the length and the depth of its penalty area, 0.15 m; a robot turns about
+    // its centre by the speed of a wheel, 0.04 m away; everything within 1.2.
+    metre_ = std::max(field.half_width, field.half_length + field.goal_area.depth);
+    turn_ = speed_ / 0.04;
+    bound_ = fast_ = 1.2;
+    add_vss(field.robots_per_team);
+  }
+}
+
+void Observer::add(const std::string& name, const char* unit, double scale, double bound) {
+  quantities_.push_back({.name = name, .unit = unit, .scale = scale, .low = -bound, .high = bound});
+}
+
+void Observer::add_standard(int robots) {
+  add("ball_x", "m", metre_, bound_);
+  add("ball_y", "m", metre_, bound_);
+  add("ball_vx", "m/s", speed_, fast_);
+  add("ball_vy", "m/s", speed_, fast_);
+  for (const char* team : {"own_", "opponent_"}) {
+    for (int i = 0; i < robots; ++i) {
+      const std::string robot = team + std::to_string(i) + "_";
+      add(robot + "x", "m", metre_, bound_);
+      add(robot + "y", "m", metre_, bound_);
+      add(robot + "cos", "1", 1.0, 1.0);
+      add(robot + "sin", "1", 1.0, 1.0);
+      add(robot + "vx", "m/s", speed_, fast_);
+      add(robot + "vy", "m/s", speed_, fast_);
+      add(robot + "turn", "rad/s", turn_, fast_);
+    }
+  }
+  add("own_restart", "1", 1.0, 1.0);  // 1: the last restart was the own team's, -1: the opponents'
+  add("stalemate", "s", max_stalemate, 1.0);
+}
+
+void Observer::add_vss(int robots) {
+  add("ball_x", "m", metre_, bound_);
+  add("ball_y", "m", metre_, bound_);
+  add("ball_vx", "m/s", speed_, bound_);
+  add("ball_vy", "m/s", speed_, bound_);
+  for (const char* team : {"own_", "opponent_"}) {
+    for (int i = 0; i < robots; ++i) {
+      const std::string robot = team + std::to_string(i) + "_";
+      add(robot + "x", "m", metre_, bound_);
+      add(robot + "y", "m", metre_, bound_);
+      if (team[1] == 'w') {
+        add(robot + "sin", "1", 1.0, bound_);
+        add(robot + "cos", "1", 1.0, bound_);
+      }
+      add(robot + "vx", "m/s", speed_, bound_);
+      add(robot + "vy", "m/s", speed_, bound_);
+      add(robot + "turn", "rad/s", turn_, bound_);
+    }
+  }
+}
+
+void Observer::write(const match::Leg& leg, Team team, int first, std::span<float> to) const {
+  const End end = leg.end_of(team);
+  const int robots = leg.field().robots_per_team;
+  const bool has_camera = leg.setup().conditions.has_camera();
+  float* out = to.data();
+  const auto put = [&](double value, double bound) {
+    *out++ = static_cast<float>(std::clamp(value, -bound, bound));
+  };
+  std::optional<match::Snapshot> view;
+  if (has_camera) view.emplace(leg.view());
+  const simulator::BallState ball = view ? view->ball : leg.ball();
+  const Vec2 at = team_frame(end, ball.position);
+  const Vec2 velocity = team_frame(end, ball.velocity);
+  const double per_metre = 1.0 / metre_;
+  const double per_speed = 1.0 / speed_;
+  const double per_turn = 1.0 / turn_;
+  put(at.x() * per_metre, bound_);
+  put(at.y() * per_metre, bound_);
+  put(velocity.x() * per_speed, fast_);
+  put(velocity.y() * per_speed, fast_);
+  for (const Team whose : {team, opponent_of(team)}) {
+    for (int k = 0; k < robots; ++k) {
+      // The robot `first`, then the others in their order.
+      const int i = whose != team ? k : k == 0 ? first : k <= first ? k - 1 : k;
+      const Seen r = view ? seen(*view, end, whose, i) : seen(leg, end, whose, i);
+      put(r.position.x() * per_metre, bound_);
+      put(r.position.y() * per_metre, bound_);
+      if (kind_ == ObservationKind::standard) {
+        put(r.heading.cos, 1.0);
+        put(r.heading.sin, 1.0);
+      } else if (whose == team) {
+        put(r.heading.sin, bound_);
+        put(r.heading.cos, bound_);
+      }
+      put(r.velocity.x() * per_speed, fast_);
+      put(r.velocity.y() * per_speed, fast_);
+      put(r.turn * per_turn, fast_);
+    }
+  }
+  if (kind_ != ObservationKind::standard) return;
+  put(leg.taker() == team ? 1.0 : -1.0, 1.0);
+  put(leg.referee().stalemate_s() / max_stalemate, 1.0);
+}
+
+}  // namespace mirocup::training

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+//
+// What a learner sees: numbers near [-1, 1], in the frame of its team.
+//
+// `standard`: the ball (x, y, velocity along x and y), then for each robot x, y, cosine and sine of
+// its heading, velocity along x and y, turn: those of the own team, then the opponents; then who
+// took the last restart and how long play has been getting nowhere. A learner that is one robot
+// comes first of its team.
+//
+// `vss`: that of rSoccer's VSS environment: the ball, the own robots with sine before cosine, the
+// opponents without heading.
+//
+// Under conditions with a camera both show what the camera sees.
+#pragma once
+
+#include "training/config.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace mirocup::training {
+
+// One number of an observation.
+struct Quantity {
+  std::string name;    // "own_0_x"
+  std::string unit;    // of value * scale: "m", "m/s", "rad/s", "1", "s"
+  double scale = 1.0;  // value * scale is in that unit
+  double low = -1.0;   // the values are clamped to these bounds
+  double high = 1.0;
+};
+
+class Observer {
+ public:
+  Observer(const Config& config, const field::Field& field);
+
+  const std::vector<Quantity>& quantities() const { return quantities_; }
+
+  // Writes what a learner of a team sees. `first` is the robot that comes first in the list of its
+  // own team; 0 keeps the order.
+  void write(const match::Leg& leg, Team team, int first, std::span<float> to) const;
+
+ private:
+  void add(const std::string& name, const char* unit, double scale, double bound);
+  void add_standard(int robots);
+  void add_vss(int robots);
+
+  ObservationKind kind_;
+  double metre_ = 1.0;  // m, of an observed 1
+  double speed_ = 1.0;  // m/s
+  double turn_ = 1.0;   // rad/s
+  double bound_ = 1.0;  // of positions
+  double fast_ = 1.0;   // bound of velocities
+  std::vector<Quantity> quantities_;
+};
+
+}  // namespace mirocup::training

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "training/rewards.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mirocup::training {
+
+namespace {
+
+double& of(Terms& terms, Term term) {
+  return terms[static_cast<std::size_t>(term)];
+}
+
+// The potential of the ball in rSoccer's VSS environment: 0 at the opponents' end, -1 at the own.
+double vss_potential(const field::Field& field, const Vec2& ball) {
+  const double half = field.half_length + field.goal_depth;
+  const double attack = half - ball.x();
+  const double defence = half + ball.x();
+  const double square = 2.0 * ball.y() * ball.y();
+  const double difference =
+      std::sqrt(defence * defence + square) - std::sqrt(attack * attack + square);
+  return (difference / (2.0 * field.half_length) - 1.0) / 2.0;
+}
+
+int first_robot(const Learner& learner) {
+  int first = 0;
+  while (!learner.robots[static_cast<std::size_t>(first)]) ++first;
+  return first;
+}
+
+}  // namespace
+
+TermText text_of(Term term) {
+  switch (term) {
+    case Term::goal:
+      return {"1", "goals of the own team minus goals of the opponents"};
+    case Term::ball_to_goal:
+      return {"m", "way of the ball towards the middle of the opponents' goal"};
+    case Term::robot_to_ball:
+      return {"m", "way of the learner's nearest robot towards the ball"};
+    case Term::touch:
+      return {"1", "ticks in which a robot of the learner touched the ball last"};
+    case Term::foul:
+      return {"1", "calls against the opponents minus calls against the own team"};
+    case Term::energy:
+      return {"s", "minus time times the mean share of the wheel speed limit that is asked for"};
+    case Term::time:
+      return {"s", "minus time"};
+    case Term::vss_goal:
+      return {"1", "rSoccer: goal for or against, 1 or -1"};
+    case Term::vss_ball_grad:
+      return {"1", "rSoccer: gradient of the ball's potential, in [-5, 5]"};
+    case Term::vss_move:
+      return {"1",
+              "rSoccer: speed of the learner's first robot towards the ball / 0.4 m/s, in [-5, 5]"};
+    case Term::vss_energy:
+      return {"rad/s", "rSoccer: minus the wheel speeds that are asked for"};
+  }
+  return {};
+}
+
+double RewardMeter::distance_to_ball(const match::Leg& leg, const Learner& learner) const {
+  const Vec2 ball = leg.ball().position;
+  double nearest = infinity;
+  for (int i = 0; i < leg.field().robots_per_team; ++i) {
+    if (!learner.robots[static_cast<std::size_t>(i)]) continue;
+    nearest = std::min(nearest, (leg.robot(learner.team, i).position - ball).squaredNorm());
+  }
+  return std::sqrt(nearest);
+}
+
+void RewardMeter::start(const match::Leg& leg, const Learner& learner) {
+  *this = {};
+  const Vec2 ball = team_frame(leg.end_of(learner.team), leg.ball().position);
+  ball_distance_ = (Vec2{leg.field().half_length, 0.0} - ball).norm();
+  robot_distance_ = distance_to_ball(leg, learner);
+}
+
+void RewardMeter::add_tick(const match::Leg& leg, const Learner& learner,
+                           const std::array<simulator::WheelSpeeds, max_robots_per_team>& command,
+                           std::size_t decisions) {
+  const double period = leg.setup().control_period;
+  const Vec2 ball = team_frame(leg.end_of(learner.team), leg.ball().position);
+  const double ball_distance = (Vec2{leg.field().half_length, 0.0} - ball).norm();
+  const double robot_distance = distance_to_ball(leg, learner);
+  if (leg.state() == match::State::READY) {
+    has_potential_ = false;  // the bodies have just been placed
+  } else {
+    of(now_, Term::ball_to_goal) += ball_distance_ - ball_distance;
+    of(now_, Term::robot_to_ball) += robot_distance_ - robot_distance;
+  }
+  ball_distance_ = ball_distance;
+  robot_distance_ = robot_distance;
+
+  for (std::size_t i = decisions; i < leg.decisions().size(); ++i) {
+    const match::LoggedDecision& d = leg.decisions()[i];
+    if (d.decision.verdict == referee::Verdict::GOAL && d.team) {
+      of(now_, Term::goal) += *d.team == learner.team ? 1.0 : -1.0;
+    } else if (d.parties.offender && d.decision.restart != referee::Restart::none) {
+      of(now_, Term::foul) += *d.parties.offender == learner.team ? -1.0 : 1.0;
+    }
+  }
+  if (const auto touch = leg.last_touch()) {
+    const bool is_own =
+        touch->team == learner.team && learner.robots[static_cast<std::size_t>(touch->robot)];
+    of(now_, Term::touch) += is_own ? 1.0 : 0.0;
+  }
+
+  double wheels = 0.0;
+  int robots = 0;
+  wheel_sum_ = 0.0;
+  for (int i = 0; i < leg.field().robots_per_team; ++i) {
+    if (!learner.robots[static_cast<std::size_t>(i)]) continue;
+    const simulator::WheelSpeeds& w = command[static_cast<std::size_t>(i)];
+    const double sum = std::abs(w.left) + std::abs(w.right);
+    if (robots == 0) wheel_sum_ = sum;
+    wheels += sum;
+    ++robots;
+  }
+  const double limit = leg.setup().parameters.wheel_speed_limit;
+  of(now_, Term::energy) -= period * wheels / (2.0 * limit * robots);
+  of(now_, Term::time) -= period;
+}
+
+Terms RewardMeter::take_step(const match::Leg& leg, const Learner& learner, double step_s) {
+  constexpr double most = 5.0;
+  constexpr double fast = 0.4;  // m/s
+  const double goal = of(now_, Term::goal);
+  of(now_, Term::vss_goal) = goal;
+  if (goal == 0.0) {
+    const End end = leg.end_of(learner.team);
+    const Vec2 ball = team_frame(end, leg.ball().position);
+    const double potential = vss_potential(leg.field(), ball);
+    if (has_potential_) {
+      of(now_, Term::vss_ball_grad) =
+          std::clamp((potential - potential_) * 3.0 / step_s, -most, most);
+    }
+    potential_ = potential;
+    has_potential_ = true;
+
+    const simulator::BodyState robot = leg.robot(learner.team, first_robot(learner));
+    const Vec2 velocity =
+        team_frame(end, robot.heading.to_world({robot.twist.forward, robot.twist.left}));
+    const Vec2 way = ball - team_frame(end, robot.position);
+    of(now_, Term::vss_move) = std::clamp(way.dot(velocity) / way.norm() / fast, -most, most);
+    of(now_, Term::vss_energy) = -wheel_sum_;
+  }
+  const Terms step = now_;
+  now_ = {};
+  return step;
+}
+
+}  // namespace mirocup::training

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+//
+// The reward of a learner: a sum of named terms, each with a weight.
+//
+// Terms are measured in the frame of the learner's team, tick by tick while play is on, and summed
+// up over the ticks of a step. What bodies gain by being placed at a restart does not count.
+#pragma once
+
+#include "core/base/names.hpp"
+#include "core/match/leg.hpp"
+
+#include <array>
+#include <string_view>
+
+namespace mirocup::training {
+
+enum class Term {
+  goal,           // 1: goals of the own team minus those of the opponents
+  ball_to_goal,   // m: by how much the ball came nearer to the middle of the opponents' goal
+  robot_to_ball,  // m: by how much the nearest robot of the learner came nearer to the ball
+  touch,          // 1: ticks in which a robot of the learner was the last to touch the ball
+  foul,           // 1: decisions against the opponents minus those against the own team
+  energy,         // s: minus the mean share of the wheel speed limit, times the time
+  time,           // s: minus the time
+  // The terms of rSoccer's VSS environment, as it has them, of a step.
+  vss_goal,
+  vss_ball_grad,
+  vss_move,
+  vss_energy,
+};
+inline constexpr int terms = 11;
+
+using Terms = std::array<double, terms>;
+using Weights = Terms;
+
+// Goals alone.
+constexpr Weights default_weights() {
+  Weights weights{};
+  weights[static_cast<int>(Term::goal)] = 1.0;
+  return weights;
+}
+
+// The unit of a term and what it says, for the spec.
+struct TermText {
+  std::string_view unit;
+  std::string_view meaning;
+};
+TermText text_of(Term term);
+
+// The robots of a learner.
+struct Learner {
+  Team team = Team::blue;
+  referee::RobotSet robots;
+};
+
+// Measures the terms of one learner through an episode. A plain value.
+class RewardMeter {
+ public:
+  // To be called when an episode starts.
+  void start(const match::Leg& leg, const Learner& learner);
+
+  // Adds what happened in the tick that the leg has played last. `command` is what the learner's
+  // team was told to drive in the tick, rad/s. `decisions` is how many decisions the leg had before
+  // the tick.
+  void add_tick(const match::Leg& leg, const Learner& learner,
+                const std::array<simulator::WheelSpeeds, max_robots_per_team>& command,
+                std::size_t decisions);
+
+  // Returns the terms of the step that ends here, and begins the next one.
+  Terms take_step(const match::Leg& leg, const Learner& learner, double step_s);
+
+ private:
+  double distance_to_ball(const match::Leg& leg, const Learner& learner) const;
+
+  Terms now_{};
+  double ball_distance_ = 0.0;   // m, from ball to goal
+  double robot_distance_ = 0.0;  // m, from the nearest robot to the ball
+  double potential_ = 0.0;       // of the ball, as rSoccer has it
+  bool has_potential_ = false;
+  double wheel_sum_ = 0.0;  // rad/s, of the learner's first robot
+};
+
+}  // namespace mirocup::training
+
+namespace mirocup {
+
+template <>
+inline constexpr std::array<std::string_view, 11> enum_names<training::Term>{
+    "goal", "ball_to_goal", "robot_to_ball", "touch",    "foul",      "energy",
+    "time", "vss_goal",     "vss_ball_grad", "vss_move", "vss_energy"};
+
+}  // namespace mirocup
