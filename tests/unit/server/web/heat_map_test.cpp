@@ -2,7 +2,6 @@
 //
 // Catches statistics that do not come from the leg that was played.
 #include "server/web/statistics.hpp"
-
 #include "server/web/track_encoder.hpp"
 #include "tests/support/controllers.hpp"
 
