@@ -17,6 +17,7 @@ Json moment_json(const match::Snapshot& scene) {
 
 Json statistics_json(const statistics::LegStatistics& leg, const HeatMap& heat) {
   Json json = statistics::to_json(leg);
+  for (const char* list : {"goals", "fouls"}) json.erase(list);
   json["heat"] = {{"columns", heat.columns()}, {"cells", heat.cells()}};
   return json;
 }
