@@ -90,8 +90,17 @@ struct ReplayOptions {
   std::optional<double> at;  // s since the match began
   bool svg = false;
   bool no_times = false;
+  std::string statistics;  // file for the statistics of the leg; "": none
 };
 Result<int> run_replay(const ReplayOptions& options);
+
+struct StatsOptions {
+  std::vector<std::string> paths;  // records, or the folder of a league
+  bool goals = false;              // how goals fell instead of the numbers
+  bool csv = false;
+  bool json = false;
+};
+Result<int> run_stats(const StatsOptions& options);
 
 struct SceneOptions {
   std::string path;

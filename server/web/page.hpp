@@ -6,6 +6,7 @@
 
 #include "core/replay/playback.hpp"
 #include "server/record/match_record.hpp"
+#include "server/statistics/statistics.hpp"
 
 #include <string>
 
@@ -15,10 +16,15 @@ namespace mirocup::web {
 // page without them has the same bytes on every machine.
 enum class Times { shown, left_out };
 
+struct ReplayPage {
+  std::string html;
+  statistics::LegStatistics statistics;  // that it shows
+};
+
 // Simulates the leg again to get the positions. The error is the first tick in which the record is
 // not reproduced.
-tl::expected<std::string, replay::Divergence> replay_page(const record::MatchRecord& record,
-                                                          Times times = Times::shown);
+tl::expected<ReplayPage, replay::Divergence> replay_page(const record::MatchRecord& record,
+                                                         Times times = Times::shown);
 
 // The data of a live page besides the match.
 struct LiveMatch {

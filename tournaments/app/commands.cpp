@@ -9,6 +9,7 @@
 #include "tournaments/play/runner.hpp"
 #include "tournaments/play/slurm_runner.hpp"
 #include "tournaments/publish/exports.hpp"
+#include "tournaments/publish/league_statistics.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/site.hpp"
 #include "tournaments/publish/snapshot.hpp"
@@ -64,12 +65,13 @@ Result<void> publish_site(system::Files& files, const Folder& folder, const Leag
                           int jobs = 0) {
   if (auto made = files.make_folder(folder.site() + "/teams"); !made) return made;
   if (auto removed = files.remove_unfinished(folder.path); !removed) return removed;
-  for (const SiteFile& file : make_site(state)) {
+  // First what takes long: the pages of league and teams show the statistics of every leg.
+  const auto failed = make_replay_pages(files, folder, state, jobs);
+  if (!failed) return tl::unexpected(failed.error());
+  for (const SiteFile& file : make_site(state, kept_statistics(files, folder, state))) {
     if (auto written = files.write(folder.site() + "/" + file.name, file.bytes); !written)
       return written;
   }
-  const auto failed = make_replay_pages(files, folder, state, jobs);
-  if (!failed) return tl::unexpected(failed.error());
   if (*failed > 0) {
     std::cerr << "mirocup: " << *failed
               << " replay pages could not be made; mirocup replay RECORD says why\n";
@@ -211,6 +213,20 @@ Result<int> run_publish(const LeagueOptions& options) {
   if (!published) return tl::unexpected(published.error());
   std::cout << std::filesystem::absolute(folder.site() + "/index.html").lexically_normal().string()
             << '\n';
+  return exit_yes;
+}
+
+Result<int> run_stats(const StatsOptions& options) {
+  system::Disk disk;
+  const auto store = LeagueStore::open(disk, Folder{options.folder});
+  if (!store) return tl::unexpected(store.error());
+  const auto legs = all_statistics(disk, store->folder(), store->state());
+  if (!legs) return tl::unexpected(legs.error());
+  std::cout << statistics::report(
+      *legs, options.goals ? statistics::Subject::goals : statistics::Subject::numbers,
+      options.json  ? statistics::Form::json
+      : options.csv ? statistics::Form::csv
+                    : statistics::Form::text);
   return exit_yes;
 }
 

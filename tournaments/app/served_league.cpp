@@ -104,7 +104,8 @@ void ServedLeague::make_pages() {
   if (!pages_.empty() && lines_of_pages_ == lines_) return;
   lines_of_pages_ = lines_;
   pages_.clear();
-  for (SiteFile& file : make_site(store_.state())) {
+  for (SiteFile& file :
+       make_site(store_.state(), kept_statistics(files_, store_.folder(), store_.state()))) {
     const std::string type = type_of(file.name);
     const bool is_html = type.starts_with("text/html");
     pages_["/" + file.name] = {type, is_html ? policy : "",
@@ -157,7 +158,7 @@ std::optional<web::Page> ServedLeague::replay(const std::string& stem) {
   if (!loaded) return std::nullopt;
   auto page = web::replay_page(*loaded, web::Times::left_out);
   if (!page) return std::nullopt;
-  return web::Page{type_of(html), "", std::move(*page)};
+  return web::Page{type_of(html), "", std::move(page->html)};
 }
 
 std::string ServedLeague::news(std::uint64_t& seen) {

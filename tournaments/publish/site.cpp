@@ -161,7 +161,7 @@ void decisions_html(Html& html, const LeagueState& state) {
   html.close_table();
 }
 
-std::string index_html(const Overview& o) {
+std::string index_html(const Overview& o, const LegReports& reports) {
   const LeagueState& state = o.state;
   Html html;
   html.begin_page(state.file.title);
@@ -184,6 +184,7 @@ std::string index_html(const Overview& o) {
     html.link(file, file);
   }
   html.close("p");
+  html.raw(statistics_html(o, reports));
   groups_html(html, o);
   decisions_html(html, state);
   crosstable_html(html, o);
@@ -218,12 +219,13 @@ std::string table_text(const LeagueState& state) {
   return out.str();
 }
 
-std::vector<SiteFile> make_site(const LeagueState& state) {
+std::vector<SiteFile> make_site(const LeagueState& state, const LegReports& reports) {
   const Overview o = overview(state);
-  std::vector<SiteFile> files{{"index.html", index_html(o)}};
+  std::vector<SiteFile> files{{"index.html", index_html(o, reports)}};
   for (SiteFile& file : exports(o)) files.push_back(std::move(file));
+  for (SiteFile& file : statistics_exports(reports)) files.push_back(std::move(file));
   for (int team = 0; team < static_cast<int>(state.file.teams.size()); ++team) {
-    files.push_back({team_page_of(state.name(team)), team_html(o, team)});
+    files.push_back({team_page_of(state.name(team)), team_html(o, reports, team)});
   }
   return files;
 }

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "tournaments/league/league_state.hpp"
+#include "tournaments/publish/league_statistics.hpp"
 #include "tournaments/publish/site_file.hpp"
 
 #include <string>
@@ -13,9 +14,10 @@
 
 namespace mirocup::league {
 
-// Returns index.html, a page for each team below teams/, and the files of exports(). Replay pages
-// are made by make_replay_pages().
-std::vector<SiteFile> make_site(const LeagueState& state);
+// Returns index.html, a page for each team below teams/, and the files of exports() and
+// statistics_exports(). Replay pages, and with them the statistics of each leg, are made by
+// make_replay_pages().
+std::vector<SiteFile> make_site(const LeagueState& state, const LegReports& reports = {});
 
 // Returns the table as lines of text for a terminal.
 std::string table_text(const LeagueState& state);

@@ -53,7 +53,7 @@ bool is_blue(const LegView& leg, int team) {
   return (leg.leg % 2 == 1) == (leg.home == team);
 }
 
-void statistics(Html& html, const Overview& o, int team) {
+void results(Html& html, const Overview& o, int team) {
   LegTotals all;
   LegTotals blue;
   LegTotals yellow;
@@ -134,7 +134,7 @@ std::string team_page_of(const std::string& team) {
   return "teams/" + team + ".html";
 }
 
-std::string team_html(const Overview& o, int team) {
+std::string team_html(const Overview& o, const LegReports& reports, int team) {
   const auto row = std::find_if(o.table.begin(), o.table.end(),
                                 [team](const TableRow& r) { return r.team == team; });
   const TeamState& now = o.state.teams[team];
@@ -157,8 +157,9 @@ std::string team_html(const Overview& o, int team) {
   }
   const std::string last = form(o, team);
   if (!last.empty()) html.cell("p", "Form, the latest last: " + last);
-  html.cell("h2", "Statistics");
-  statistics(html, o, team);
+  html.cell("h2", "Results");
+  results(html, o, team);
+  html.raw(team_statistics_html(o, reports, team));
   own_faults(html, o, team);
   html.cell("h2", "Legs");
   legs(html, o, team);

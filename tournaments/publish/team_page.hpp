@@ -3,6 +3,7 @@
 // The page of one team: its rank, form, statistics, faults and legs.
 #pragma once
 
+#include "tournaments/publish/league_statistics.hpp"
 #include "tournaments/publish/leg_view.hpp"
 
 #include <string>
@@ -13,6 +14,6 @@ namespace mirocup::league {
 std::string team_page_of(const std::string& team);
 
 // Returns the page of the team with that index.
-std::string team_html(const Overview& overview, int team);
+std::string team_html(const Overview& overview, const LegReports& reports, int team);
 
 }  // namespace mirocup::league

@@ -69,9 +69,9 @@ function fitTimeline() {
   calls.spread(track.firstTick, track.lastTick);
 }
 
-function showNumbers({ teams, heat }) {
-  showStatistics(by('statistics'), teams);
-  showHeat(by('heat'), heat);
+function showNumbers(numbers) {
+  showStatistics(by('statistics'), numbers);
+  showHeat(by('heat'), numbers.heat);
 }
 
 async function copyLink() {

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+//
+// Statistics for people and for tables: what `mirocup stats` prints.
+#pragma once
+
+#include "server/statistics/totals.hpp"
+
+#include <string>
+#include <vector>
+
+namespace mirocup::statistics {
+
+// The forms in which statistics are printed.
+enum class Form { text, csv, json };
+
+// The numbers, or how goals fell and balls were lost.
+enum class Subject { numbers, goals };
+
+// Returns what `mirocup stats` prints about these legs. JSON holds both subjects.
+std::string report(const std::vector<LegReport>& legs, Subject subject, Form form);
+
+// Each team over all legs; lines for a terminal.
+std::string numbers_text(const std::vector<LegReport>& legs);
+
+// One line for each team of each leg.
+std::string numbers_csv(const std::vector<LegReport>& legs);
+
+// How goals fell against each team, where it lost the ball and which laws it broke, with record and
+// tick; lines for a terminal.
+std::string goals_text(const std::vector<LegReport>& legs);
+
+// One line for each goal and each foul.
+std::string goals_csv(const std::vector<LegReport>& legs);
+
+// The share as "47 %"; "-" if there is none.
+std::string percent(const std::optional<double>& share);
+
+}  // namespace mirocup::statistics
