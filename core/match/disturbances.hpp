@@ -55,6 +55,11 @@ class Disturbances {
   // once a tick for every robot whose commands count.
   simulator::WheelSpeeds drive(Team team, int robot, const simulator::WheelSpeeds& command);
 
+  // Makes `command`, rad/s, the one that the robot received last.
+  void receive(Team team, int robot, const simulator::WheelSpeeds& command) {
+    robots_[index_of(team)][robot].received = command;
+  }
+
   // Forgets the commands that robots received last: they stand, and wait for the next ones.
   void stop_robots();
 

@@ -24,6 +24,20 @@ void add(StateHash& hash, const Vec2& v) {
   hash.add(v.y());
 }
 
+// The progress of a leg at its start. `toss` is what it would be at the kick-off.
+referee::LegProgress progress_at(const Start& start, const referee::LegProgress& toss) {
+  referee::LegProgress progress = toss;
+  progress.phase = start.phase;
+  progress.clock = start.clock;
+  for (const Team team : both_teams) {
+    const End end = team == start.left ? End::left : End::right;
+    progress.score[index_of(end)] = start.score[index_of(team)];
+  }
+  const bool opens_phase = start.restart && start.clock == 0.0;
+  if (opens_phase) progress.first = restart_of(start).taker;
+  return progress;
+}
+
 }  // namespace
 
 Leg::Leg(const Setup& setup, TickLogs tick_logs) : Leg(setup, tick_logs, nullptr) {}
@@ -43,9 +57,11 @@ Leg::Leg(const Setup& setup, TickLogs tick_logs, simulator::World* shared)
   // The toss decides which team defends the left end and which kicks off (MiroSot law 6.1).
   left_ = rng_.coin() ? Team::blue : Team::yellow;
   if (setup.left) left_ = *setup.left;
+  if (setup.start) left_ = setup.start->left;
   const Team kick_off = rng_.coin() ? Team::blue : Team::yellow;
-  referee_ = std::make_unique<referee::Referee>(
-      pitch_, referee::LegProgress{.stage = setup.stage, .first = end_of(kick_off)});
+  referee::LegProgress progress{.stage = setup.stage, .first = end_of(kick_off)};
+  if (setup.start) progress = progress_at(*setup.start, progress);
+  referee_ = std::make_unique<referee::Referee>(pitch_, progress);
   simulator::Parameters parameters = setup_.parameters;
   const Conditions& conditions = setup_.conditions;
   if (conditions != conditions_of(ConditionsPreset::exact)) {
@@ -69,8 +85,12 @@ Leg::Leg(const Setup& setup, TickLogs tick_logs, simulator::World* shared)
     log_.reserve(static_cast<std::size_t>(
         std::min(2.2 * setup_.rules.half_s / setup_.control_period, max_reserved)));
   }
-  apply(referee_->opening());
-  place();
+  if (setup_.start) {
+    begin_at(*setup_.start);
+  } else {
+    apply(referee_->opening());
+    place();
+  }
   look();
 }
 
@@ -206,6 +226,7 @@ simulator::WheelSpeeds Leg::driven_speeds(Team team, int robot) {
 // stand in the kicker's half, where an attempt ends.
 bool Leg::is_active(Team team, int robot) const {
   if (state_ != State::PLAY) return false;
+  if (setup_.start && setup_.start->robots[index_of(team)][robot].is_broken) return false;
   if (referee_->phase() != referee::Phase::SHOOT_OUT) return true;
   return robot == (team_at(restart_.taker) == team ? referee::kicker : referee::keeper);
 }
@@ -263,14 +284,61 @@ void Leg::place() {
         by_hand(referee::default_placement(pitch_, restart_.restart, restart_.taker, restart_.spot),
                 Moved::everything(field_.robots_per_team)));
     if (disturbances_) disturbances_->stop_robots();
-    placing_ = first;
-    state_ = State::READY;
-    ready_ticks_left_ =
-        std::max(min_ready_ticks,
-                 static_cast<int>(std::nearbyint(setup_.rules.ready_s / setup_.control_period)));
+    wait_for_whistle(first);
   } else if (placing_) {
     if (requested_) grant_placement();
     placing_ = placing_ == first ? std::optional(opponent_of(first)) : std::nullopt;
+  }
+}
+
+void Leg::wait_for_whistle(Team first_to_place) {
+  placing_ = first_to_place;
+  state_ = State::READY;
+  ready_ticks_left_ =
+      std::max(min_ready_ticks,
+               static_cast<int>(std::nearbyint(setup_.rules.ready_s / setup_.control_period)));
+}
+
+// What the start gives is put exactly there; by hand is put only what it leaves to a restart.
+void Leg::begin_at(const Start& start) {
+  restart_ = restart_of(start);
+  referee::Placement placement = placement_of(pitch_, start);
+  if (start.restart) {
+    log_decision(restart_);
+    restart_.spot = placement.ball;
+    Moved left_out = Moved::everything(field_.robots_per_team);
+    left_out.ball = !start.ball;
+    for (const Team team : both_teams) {
+      for (int i = 0; i < field_.robots_per_team; ++i) {
+        const bool is_given = start.robots[index_of(team)][i].state.has_value();
+        if (is_given) left_out.robots[index_of(end_of(team))].reset(i);
+      }
+    }
+    placement = by_hand(placement, left_out);
+    wait_for_whistle(team_at(referee::first_placer(restart_.restart, restart_.taker)));
+  } else {
+    state_ = State::PLAY;
+  }
+  place_bodies(placement);
+  if (!start.restart) set_in_motion(start);
+}
+
+void Leg::set_in_motion(const Start& start) {
+  if (start.ball) world_->set_ball(*start.ball);
+  for (const Team team : both_teams) {
+    Command command;
+    for (int i = 0; i < field_.robots_per_team; ++i) {
+      const RobotStart& robot = start.robots[index_of(team)][i];
+      if (robot.state) world_->set_robot(body_of(team, i), *robot.state);
+      command.wheels[i] = robot.wheels;
+    }
+    DrivenCommand& pending = pending_[index_of(team)];
+    pending = check(command, field_.robots_per_team, setup_.parameters.wheel_speed_limit).command;
+    answers_[index_of(team)] = pending;
+    if (!disturbances_) continue;
+    for (int i = 0; i < field_.robots_per_team; ++i) {
+      disturbances_->receive(team, i, pending.speeds(i));
+    }
   }
 }
 

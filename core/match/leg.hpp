@@ -25,6 +25,7 @@
 #include "core/match/observation.hpp"
 #include "core/match/put_down.hpp"
 #include "core/match/snapshot.hpp"
+#include "core/match/start.hpp"
 #include "core/simulator/model/tolerances.hpp"
 #include "core/simulator/world.hpp"
 
@@ -45,6 +46,9 @@ struct Setup {
   simulator::Tolerances tolerances;
   Conditions conditions;
   std::optional<Team> left;  // the team that defends the left end first; nothing: a toss decides
+  // Where the leg starts; nothing: with the kick-off. Nothing overlaps in it by more than a
+  // millimetre, and with a restart everything stands where the law allows it. Its `left` counts.
+  std::optional<Start> start;
 };
 
 // The ways in which a leg can end.
@@ -101,7 +105,8 @@ enum class TickLogs {
 
 class Leg {
  public:
-  // Tosses for the ends and the kick-off, and places the bodies for the kick-off.
+  // Tosses for the ends and the kick-off, and places the bodies for the kick-off, unless the setup
+  // has a start.
   explicit Leg(const Setup& setup, TickLogs tick_logs = TickLogs::kept);
   // The same in a world that the leg shares with others, which outlives it: one that was made for
   // the same field, parameters and tolerances, and for this leg's number of robots. The play is the
@@ -183,6 +188,9 @@ class Leg {
   void simulate();
   void judge();
   void apply(const referee::Decision& decision);
+  void begin_at(const Start& start);
+  void set_in_motion(const Start& start);
+  void wait_for_whistle(Team first_to_place);
   void start_phase(referee::Phase phase);
   bool is_active(Team team, int robot) const;
   void on_placement_request(Team team, const PlacementRequest& poses);

@@ -68,19 +68,40 @@ void add_match(CLI::App& app, Run& run) {
       ->type_name("NAME");
   command->add_option("--yellow-name", o.names[1], "Name of the yellow team in the record")
       ->type_name("NAME");
+  CLI::Option* start =
+      command
+          ->add_option("--start", o.start_path,
+                       "Start in this situation, a file of schema mirocup/situation/1")
+          ->type_name("SITUATION.json");
+  CLI::Option* from =
+      command
+          ->add_option("--from", o.from_path,
+                       "Play on from a tick of this record, with its league, rules, stage, seed "
+                       "and conditions")
+          ->type_name("RECORD")
+          ->excludes(start);
+  CLI::Option* tick =
+      command->add_option("--tick", o.tick, "Tick of the record from which to play on")
+          ->check(CLI::NonNegativeNumber)
+          ->needs(from);
+  from->needs(tick);
   command
       ->add_option("--league", o.league,
-                   "Field and number of robots: small (3 a side), middle (5), large (11)")
+                   "Field and number of robots: small (3 a side), middle (5), large (11); default: "
+                   "small, or that of the situation")
       ->check(one_of<League>())
-      ->capture_default_str();
+      ->excludes(from);
   command->add_option("--rules", o.rules, "Preset of the rules")
       ->check(one_of<referee::Preset>())
-      ->capture_default_str();
+      ->capture_default_str()
+      ->excludes(from);
   command->add_option("--stage", o.stage, "group: a draw stands; knockout: a winner is found")
       ->check(one_of<referee::Stage>())
-      ->capture_default_str();
+      ->capture_default_str()
+      ->excludes(from);
   command->add_option("--seed", o.seed, "Seed of the toss and of the teams' random numbers")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->excludes(from);
   command
       ->add_option("--speed", o.speed,
                    "max, or a factor of real time (default: 1 with --watch, otherwise max)")
@@ -94,21 +115,25 @@ void add_match(CLI::App& app, Run& run) {
       ->expected(0, 1)
       ->type_name("[PORT]");
   command->add_option("--half", o.half_s, "Length of a half in seconds")
-      ->check(CLI::Range(0.1, 36000.0));
+      ->check(CLI::Range(0.1, 36000.0))
+      ->excludes(from);
   command
       ->add_option("--rule", o.rule_changes,
                    "Change a parameter of the rules; may be given several times")
-      ->type_name("KEY=VALUE");
+      ->type_name("KEY=VALUE")
+      ->excludes(from);
   command
       ->add_option("--conditions", o.conditions,
                    "What disturbs the leg: nothing (exact), placing by hand, wheels and floor "
                    "(hall), also a camera and a radio (camera)")
       ->check(one_of<match::ConditionsPreset>())
-      ->capture_default_str();
+      ->capture_default_str()
+      ->excludes(from);
   command
       ->add_option("--condition", o.condition_changes,
                    "Change a value of the conditions; may be given several times")
-      ->type_name("KEY=VALUE");
+      ->type_name("KEY=VALUE")
+      ->excludes(from);
   add_parameters(*command.sub, "--param", o.parameters, "both teams");
   add_parameters(*command.sub, "--blue-param", o.own_parameters[0], "the blue team");
   add_parameters(*command.sub, "--yellow-param", o.own_parameters[1], "the yellow team");

@@ -18,13 +18,16 @@ namespace mirocup::app {
 struct MatchOptions {
   match::ByTeam<std::string> teams;
   match::ByTeam<std::string> names;  // in the record; "": the team's own name
-  std::string league = "small";
+  std::string league;                // "": small, or that of the situation
   std::string rules = "mirosot";
   std::string stage = "group";
   std::uint64_t seed = 1;
   std::string speed;  // "": real time if it is watched, otherwise "max"
   std::optional<std::string>
-      watch;  // address of the live page: PORT, HOST:PORT, or "" for any port
+      watch;               // address of the live page: PORT, HOST:PORT, or "" for any port
+  std::string start_path;  // of a situation; "": the leg starts with its kick-off
+  std::string from_path;   // of the record to play on from; "": none
+  std::optional<std::uint32_t> tick;  // of that record
   std::optional<double> half_s;
   std::vector<std::string> rule_changes;  // KEY=VALUE
   std::string conditions{to_string(match::default_preset)};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // mirocup match: plays one leg and writes its record.
+#include "core/replay/recorded.hpp"
 #include "plugins/host/sandbox/probe.hpp"
 #include "server/app/commands.hpp"
 #include "server/app/interrupt.hpp"
@@ -9,6 +10,7 @@
 #include "server/record/conditions_json.hpp"
 #include "server/record/json_reader.hpp"
 #include "server/record/rules_json.hpp"
+#include "server/record/situation_json.hpp"
 #include "server/record/team_parameters_json.hpp"
 #include "server/web/live_server.hpp"
 #include "system/printable.hpp"
@@ -35,9 +37,27 @@ constexpr double min_notice = 0.1;  // s
 // The clock of a half stands at restarts. They take far less than half as much time again.
 constexpr double share_for_restarts = 1.5;
 
+Result<void> read_start(const MatchOptions& options, match::Setup& setup) {
+  if (options.start_path.empty()) return {};
+  const auto text = system::Disk().read(
+      options.start_path, {.max_size = system::size_limit::note, .links = system::Links::followed});
+  if (!text) return tl::unexpected(text.error());
+  const auto situation = record::parse_situation(*text, options.start_path);
+  if (!situation) return tl::unexpected(situation.error());
+  const std::string league(to_string(situation->league));
+  if (!options.league.empty() && options.league != league) {
+    return fail(Errc::input, options.start_path + ": it is a situation of the " + league +
+                                 " league, not of --league " + options.league);
+  }
+  setup.league = situation->league;
+  setup.start = situation->start;
+  return {};
+}
+
 Result<match::Setup> setup_of(const MatchOptions& options) {
   match::Setup setup;
-  setup.league = *from_string<League>(options.league);
+  if (!options.league.empty()) setup.league = *from_string<League>(options.league);
+  if (auto read = read_start(options, setup); !read) return tl::unexpected(read.error());
   auto rules =
       record::rules_with_changes({{"preset", options.rules}}, options.rule_changes, setup.league);
   if (!rules) return tl::unexpected(rules.error());
@@ -51,6 +71,20 @@ Result<match::Setup> setup_of(const MatchOptions& options) {
   if (!conditions) return tl::unexpected(conditions.error());
   setup.conditions = *conditions;
   return setup;
+}
+
+// Reads the record to play on from, if there is one.
+Result<std::optional<record::MatchRecord>> read_past(const MatchOptions& options) {
+  if (options.from_path.empty()) return std::nullopt;
+  system::Disk disk;
+  auto past = record::load(disk, options.from_path);
+  if (!past) return tl::unexpected(past.error());
+  const std::size_t ticks = past->recording.ticks.size();
+  if (*options.tick >= ticks) {
+    return fail(Errc::input, options.from_path + ": its leg has " + std::to_string(ticks) +
+                                 " ticks, so --tick is at most " + std::to_string(ticks - 1));
+  }
+  return std::move(*past);
 }
 
 Result<std::optional<double>> factor_of(const MatchOptions& options) {
@@ -102,6 +136,7 @@ class Session {
         speed_(factor.value_or(0.0)),
         pacer_(clock_, setup.control_period, factor) {}
 
+  Result<void> play_past(const record::MatchRecord& past, std::uint32_t until);
   Result<void> seat_teams();
   Result<void> open_live_page();
   Result<void> play();
@@ -134,7 +169,29 @@ class Session {
   std::shared_ptr<plugins::MemoryWitness> memory_ = std::make_shared<plugins::MemoryWitness>();
   std::vector<TeamSeat> seats_;  // blue, yellow
   std::string isolation_ = "network";
+  std::optional<record::PlayedOnFrom> from_;
 };
+
+// Plays the ticks before `until` as they are recorded. So nothing is lost of what the leg remembers:
+// counts of the laws, the disturbances, what the camera saw, commands on their way.
+Result<void> Session::play_past(const record::MatchRecord& past, std::uint32_t until) {
+  const replay::Recording& recording = past.recording;
+  while (match_.tick() < until) {
+    const std::uint32_t tick = match_.tick();
+    match_.advance(replay::recorded_answers(recording, tick));
+    trace_.add(match_);
+    if (match_.log().back().hash == recording.ticks[tick].hash && !match_.is_over()) continue;
+    if (record::has_other_behaviour(past)) {
+      return tl::unexpected(record::behaviour_mismatch(options_.from_path, past, tick));
+    }
+    return fail(Errc::damaged, options_.from_path + ": played again, it differs from tick " +
+                                   std::to_string(tick) + " on; see mirocup verify");
+  }
+  from_ = record::PlayedOnFrom{.tick = until,
+                               .state_hash = recording.state_hash,
+                               .teams = {past.teams[0].name, past.teams[1].name}};
+  return {};
+}
 
 Result<void> Session::seat_teams() {
   std::vector<TeamChoice> choices;
@@ -281,6 +338,7 @@ record::MatchRecord Session::record() const {
     record.network[i] = seats_[i].network_report();
   }
   if (pacer_.period() > 0.0) record.pace = {pacer_.period(), pacer_.lateness()};
+  record.from = from_;
   record.recording = replay::record(match_, trace_);
   return record;
 }
@@ -334,12 +392,19 @@ void Session::report() const {
 }  // namespace
 
 Result<int> run_match(const MatchOptions& options) {
-  const auto setup = setup_of(options);
+  const auto past = read_past(options);
+  if (!past) return tl::unexpected(past.error());
+  const auto setup = *past ? Result<match::Setup>((*past)->recording.setup) : setup_of(options);
   if (!setup) return tl::unexpected(setup.error());
   const auto factor = factor_of(options);
   if (!factor) return tl::unexpected(factor.error());
 
   Session session(options, *setup, *factor);
+  if (*past) {
+    if (auto played = session.play_past(**past, *options.tick); !played) {
+      return tl::unexpected(played.error());
+    }
+  }
   if (auto seated = session.seat_teams(); !seated) return tl::unexpected(seated.error());
   if (auto opened = session.open_live_page(); !opened) return tl::unexpected(opened.error());
   if (auto played = session.play(); !played) return tl::unexpected(played.error());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // mirocup rerun RECORD: lets the teams play again and compares their commands with the record.
+#include "core/replay/recorded.hpp"
 #include "plugins/host/sandbox/probe.hpp"
 #include "server/app/commands.hpp"
 #include "server/app/interrupt.hpp"
@@ -132,12 +133,16 @@ std::optional<CommandDifference> compare_ends(const replay::Recording& recording
 }
 
 // Returns the first difference, if there is one. A team that never becomes ready ends the match
-// before its first tick.
+// before its first tick. The ticks before `from` were played by other teams, and are only repeated.
 Result<std::optional<CommandDifference>> play_again(const replay::Recording& recording,
+                                                    std::uint32_t from,
                                                     const std::vector<TeamChoice>& choices) {
   Interrupt interrupt;
   stay_on_this_core();
   match::Leg match(recording.setup);
+  while (match.tick() < from && !match.is_over()) {
+    match.advance(replay::recorded_answers(recording, match.tick()));
+  }
   std::vector<TeamSeat> seats;
   const auto isolation = plugins::strongest_isolation();
   if (!isolation) return tl::unexpected(isolation.error());
@@ -195,7 +200,8 @@ Result<int> run_rerun(const RerunOptions& options) {
     if (!choice) return tl::unexpected(choice.error());
     choices.push_back(std::move(*choice));
   }
-  const auto difference = play_again(record->recording, choices);
+  const auto difference =
+      play_again(record->recording, record->from ? record->from->tick : 0, choices);
   if (!difference) return tl::unexpected(difference.error());
   if (*difference && record::has_other_behaviour(*record)) {
     return tl::unexpected(record::behaviour_mismatch(options.record, *record, (*difference)->tick));

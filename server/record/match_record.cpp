@@ -5,6 +5,7 @@
 #include "server/record/json_reader.hpp"
 #include "server/record/replay_file.hpp"
 #include "server/record/rules_json.hpp"
+#include "server/record/situation_json.hpp"
 #include "server/record/team_parameters_json.hpp"
 #include "system/digest.hpp"
 
@@ -272,6 +273,12 @@ match::Setup read_setup(const JsonReader& json) {
   setup.control_period = json.at("control_period").number(min_period, max_period);
   // Records without this key are of exact legs.
   if (json.has("conditions")) setup.conditions = read_conditions(json.at("conditions"));
+  if (const auto given = json.find("situation")) {
+    const Situation situation = read_situation(*given);
+    if (situation.league != setup.league)
+      given->at("league").complain("it is not the leg's league");
+    setup.start = situation.start;
+  }
   return setup;
 }
 
@@ -284,6 +291,12 @@ std::uint64_t read_hash(const JsonReader& json) {
     json.complain("16 hexadecimal digits are expected, not " + json.quoted());
   }
   return hash;
+}
+
+PlayedOnFrom read_from(const JsonReader& json) {
+  return {.tick = json.at("tick").as<std::uint32_t>(),
+          .state_hash = read_hash(json.at("state_hash")),
+          .teams = {json.at("blue").text(), json.at("yellow").text()}};
 }
 
 // The file of that name in the folder of `path`; a name with a folder of its own loses it.
@@ -315,12 +328,16 @@ RecordFile read_record_file(const JsonReader& json) {
   }
   record.isolation = json.at("isolation").text();
   record.recording.setup = read_setup(json);
+  if (const auto from = json.find("from")) record.from = read_from(*from);
   record.recording.outcome = read_outcome(json.at("result"));
   for (const JsonReader& decision : json.at("decisions").elements()) {
     record.recording.decisions.push_back(read_decision(decision));
   }
   record.recording.state_hash = read_hash(json.at("state_hash"));
   file.ticks = json.at("ticks").as<std::size_t>();
+  if (record.from && record.from->tick > file.ticks) {
+    json.at("from").at("tick").complain("the leg has fewer ticks");
+  }
   file.replay_name = json.at("replay").at("file").text();
   file.replay_sha256 = json.at("replay").at("sha256").text();
   return file;
@@ -390,27 +407,35 @@ Json to_json(const MatchRecord& record) {
   const replay::Recording& r = record.recording;
   Json decisions = Json::array();
   for (const match::LoggedDecision& d : r.decisions) decisions.push_back(to_json(d));
-  return {{"schema", schema},
-          {"software",
-           {{"version", record.software.version},
-            {"build", record.software.build},
-            {"game", record.software.behaviour_hash}}},
-          {"league", to_string(r.setup.league)},
-          {"rules", to_json(r.setup.rules)},
-          {"stage", to_string(r.setup.stage)},
-          {"seed", r.setup.seed},
-          {"control_period", r.setup.control_period},
-          {"conditions", to_json(r.setup.conditions)},
-          {"teams", {{"blue", team_json(record.teams[0])}, {"yellow", team_json(record.teams[1])}}},
-          {"result", to_json(r.outcome)},
-          {"decisions", decisions},
-          {"budget",
-           {{"blue", budget_json(record.budget[0])}, {"yellow", budget_json(record.budget[1])}}},
-          {"network", network_json(record.network)},
-          {"pace", pace_json(record.pace)},
-          {"isolation", record.isolation},
-          {"ticks", r.ticks.size()},
-          {"state_hash", to_hex(r.state_hash)}};
+  Json json{{"schema", schema},
+            {"software",
+             {{"version", record.software.version},
+              {"build", record.software.build},
+              {"game", record.software.behaviour_hash}}},
+            {"league", to_string(r.setup.league)},
+            {"rules", to_json(r.setup.rules)},
+            {"stage", to_string(r.setup.stage)},
+            {"seed", r.setup.seed},
+            {"control_period", r.setup.control_period},
+            {"conditions", to_json(r.setup.conditions)}};
+  if (r.setup.start) json["situation"] = to_json(Situation{r.setup.league, *r.setup.start});
+  if (record.from) {
+    json["from"] = {{"tick", record.from->tick},
+                    {"state_hash", to_hex(record.from->state_hash)},
+                    {"blue", record.from->teams[0]},
+                    {"yellow", record.from->teams[1]}};
+  }
+  json["teams"] = {{"blue", team_json(record.teams[0])}, {"yellow", team_json(record.teams[1])}};
+  json["result"] = to_json(r.outcome);
+  json["decisions"] = decisions;
+  json["budget"] = {{"blue", budget_json(record.budget[0])},
+                    {"yellow", budget_json(record.budget[1])}};
+  json["network"] = network_json(record.network);
+  json["pace"] = pace_json(record.pace);
+  json["isolation"] = record.isolation;
+  json["ticks"] = r.ticks.size();
+  json["state_hash"] = to_hex(r.state_hash);
+  return json;
 }
 
 Result<void> save(system::Files& files, const std::string& path, const MatchRecord& record) {

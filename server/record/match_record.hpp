@@ -72,6 +72,14 @@ struct Software {
   bool operator==(const Software&) const = default;
 };
 
+// The record from which a leg was played on: its commands up to that tick are those of this record,
+// too, and only then its own teams played.
+struct PlayedOnFrom {
+  std::uint32_t tick = 0;            // the first one in which the teams of this leg were asked
+  std::uint64_t state_hash = 0;      // of the whole leg of that record
+  match::ByTeam<std::string> teams;  // the names of those who had played until then
+};
+
 struct MatchRecord {
   Software software;  // the program that played the leg
   match::ByTeam<TeamInfo> teams;
@@ -79,6 +87,7 @@ struct MatchRecord {
   match::ByTeam<std::optional<NetworkReport>> network;  // written, but not read
   std::optional<PaceReport> pace;                       // as above; nothing at full speed
   std::string isolation;                                // "T2", "T1", "none", "network"
+  std::optional<PlayedOnFrom> from;                     // nothing: played from its start
   replay::Recording recording;
 };
 

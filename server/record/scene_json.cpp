@@ -2,10 +2,10 @@
 #include "server/record/scene_json.hpp"
 
 #include "core/base/math.hpp"
+#include "server/record/heading_json.hpp"
 #include "server/record/json_reader.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 namespace mirocup::record {
@@ -26,9 +26,6 @@ constexpr double max_size = 1e6;  // of positions, m, speeds, m/s and rad/s
 constexpr double min_parameter = 1e-9;
 constexpr double max_parameter = 1e9;
 constexpr std::size_t max_sampled_states = 250'000;  // of all bodies in all samples
-
-// How far the length of a heading [cos, sin] may be from 1.
-constexpr double max_heading_length_error = 1e-12;
 
 Vec2 read_vector(const JsonReader& json) {
   if (!json.expect_array(2, 2)) return {0.0, 0.0};
@@ -125,18 +122,6 @@ void read_wheels(const JsonReader& json, SceneRobot& robot) {
   }
 }
 
-// An angle, or the exact cosine and sine as the simulator keeps them. The vector is not normalized,
-// because that would change its last bits.
-Heading read_heading(const JsonReader& json) {
-  if (!json.json().is_array()) return Heading::from_angle(json.number(-max_size, max_size));
-  const Vec2 direction = read_vector(json);
-  if (!(std::abs(std::sqrt(direction.squaredNorm()) - 1.0) <= max_heading_length_error)) {
-    json.complain("a heading [cos, sin] must be of length 1 within 1e-12");
-    return {};
-  }
-  return {direction.x(), direction.y()};
-}
-
 SceneRobot read_robot(const JsonReader& json, const std::string& default_name) {
   SceneRobot robot{.name = default_name, .state = {}, .wheels_on_ground = true, .wheels = {}};
   if (!json.expect_object({"name", "pose", "twist", "wheels"})) return robot;
@@ -144,7 +129,7 @@ SceneRobot read_robot(const JsonReader& json, const std::string& default_name) {
   if (const JsonReader pose = json.at("pose"); pose.expect_array(3, 3)) {
     robot.state.position = {pose.at(0).number(-max_size, max_size),
                             pose.at(1).number(-max_size, max_size)};
-    robot.state.heading = read_heading(pose.at(2));
+    robot.state.heading = read_heading(pose.at(2), max_size);
   }
   if (json.has("twist")) {
     const JsonReader twist = json.at("twist");

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+//
+// The start of a leg as JSON: a situation, "mirocup/situation/1". docs/situations.md specifies it.
+// Files of people and the key "situation" of records have the same form.
+#pragma once
+
+#include "core/base/error.hpp"
+#include "core/field/league.hpp"
+#include "core/match/start.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+#include <string_view>
+
+namespace mirocup::record {
+
+class JsonReader;
+
+struct Situation {
+  League league = League::small;
+  match::Start start;
+};
+
+// Bodies may overlap by this much, m: a page that saves a moment rounds to half a millimetre. The
+// first tick separates them.
+inline constexpr double max_start_overlap = 1e-3;
+
+// Returns the situation with every value, headings as [cos, sin] so that no bit is lost.
+nlohmann::ordered_json to_json(const Situation& situation);
+
+// Complains about an unknown key, a wrong type, a number out of its range, and bodies that overlap
+// by more than max_start_overlap, which it names. After a complaint the situation may not be
+// played.
+Situation read_situation(const JsonReader& json);
+
+// As read_situation(), for the text of a file. An error is Errc::input.
+Result<Situation> parse_situation(std::string_view text, const std::string& path);
+
+}  // namespace mirocup::record
