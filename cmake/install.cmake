@@ -6,7 +6,7 @@ set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/mirocup)
 
 install(TARGETS mirocup mirocup_strategy mirocup_team EXPORT mirocup)
 install(TARGETS mirocup-league)
-install(TARGETS mirocup-plugin-host RUNTIME DESTINATION libexec/mirocup)
+install(TARGETS mirocup-plugin-host mirocup-careful-host RUNTIME DESTINATION libexec/mirocup)
 install(PROGRAMS ${PROJECT_BINARY_DIR}/mirocup-credentials DESTINATION libexec/mirocup)
 install(TARGETS house_idle house_chaser house_keeper house_striker house_navigator LIBRARY DESTINATION lib/mirocup/house)
 install(DIRECTORY plugins/include/ TYPE INCLUDE)
