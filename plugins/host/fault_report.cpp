@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdint>
 #include <iterator>
+#include <ucontext.h>
 #include <unistd.h>
 
 namespace mirocup::plugins {
@@ -15,16 +17,46 @@ namespace {
 // A global variable, because a signal handler gets no pointer of its own.
 CommandPage* faulted_page = nullptr;
 
+// The number of this process, which the team may see with an offset.
+pid_t own_number = 0;
+
 alignas(16) char stack[32 << 10];
 
 // The codes of signals that the kernel sends are greater than 0. What another process sends, such
 // as the SIGTERM for all processes of a job, is the host's affair: the server ends the leg.
 bool is_from_another_process(const siginfo_t& info) {
-  return info.si_code <= 0 && info.si_pid != getpid();
+  return info.si_code <= 0 && info.si_pid != own_number;
 }
 
-void report(int signal, siginfo_t* info, void*) {
+// An access at most this far from the stack pointer is one to the stack, bytes. A function touches
+// its frame at some distance, and a large array may lie between.
+constexpr std::uintptr_t max_frame = 16u << 20;
+// Pointers to members of an object, or elements of an array, at address 0 are somewhat more than 0.
+constexpr std::uintptr_t max_null = 64u << 10;
+
+std::uintptr_t stack_pointer(const void* context) {
+  const auto& registers = static_cast<const ucontext_t*>(context)->uc_mcontext;
+#if defined(__x86_64__)
+  return static_cast<std::uintptr_t>(registers.gregs[REG_RSP]);
+#else
+  return registers.sp;
+#endif
+}
+
+AddressKind kind_of_address(int signal, const siginfo_t& info, const void* context) {
+  if (signal != SIGSEGV && signal != SIGBUS) return AddressKind::unknown;
+  const auto address = reinterpret_cast<std::uintptr_t>(info.si_addr);
+  // The processor tells no address if it is none of the 48 bits that it knows.
+  if (address < max_null) return info.si_code == SI_KERNEL ? AddressKind::other : AddressKind::null;
+  const std::uintptr_t top = stack_pointer(context);
+  const std::uintptr_t distance = address > top ? address - top : top - address;
+  return distance < max_frame ? AddressKind::end_of_stack : AddressKind::other;
+}
+
+void report(int signal, siginfo_t* info, void* context) {
   if (is_from_another_process(*info)) return;
+  faulted_page->fault_address.store(kind_of_address(signal, *info, context),
+                                    std::memory_order_relaxed);
   faulted_page->fault_call.store(signal == SIGSYS ? info->si_syscall : no_call,
                                  std::memory_order_relaxed);
   faulted_page->fault_signal.store(signal, std::memory_order_release);
@@ -35,6 +67,7 @@ void report(int signal, siginfo_t* info, void*) {
 
 bool report_faults_to(CommandPage& page) {
   faulted_page = &page;
+  own_number = getpid();
   stack_t alternative{};
   alternative.ss_sp = stack;
   alternative.ss_size = sizeof stack;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // mirocup-plugin-host T1|T2: runs one team in a process of its own. Only the match server starts
-// it, with the descriptors of launch.hpp.
+// it, with the descriptors of launch.hpp. mirocup-careful-host is the same with another care.hpp.
 //
 // It enters the sandbox, loads the library, restricts itself further, and answers observations
 // until it is killed. No code of the library, its constructors included, runs before the sandbox
 // stands.
+#include "plugins/host/care.hpp"
 #include "plugins/host/fault_report.hpp"
 #include "plugins/host/launch.hpp"
 #include "plugins/host/mailbox.hpp"
@@ -59,6 +60,19 @@ LoadState state_of(match::FaultCode code) {
   _exit(exit_refused);
 }
 
+// Runs a call of the team, which returns what a Plugin's functions return, or ends the process.
+template <class Call>
+auto with_care(CommandPage& page, TeamCall what, Call call) {
+  page.team_call.store(what, std::memory_order_relaxed);
+  before_call();
+  auto answer = call();
+  const char* mistake = after_call();
+  write_requests(page.requests, sizeof page.requests);
+  if (mistake != nullptr) refuse(page, {match::FaultCode::crash, mistake});
+  if (!answer) refuse(page, answer.error());
+  return answer;
+}
+
 // Reports that the sandbox cannot be built, which is a failure of the host, and ends the process.
 [[noreturn]] void give_up(const char* step) {
   const std::string text = std::string(step) + ": " + std::strerror(errno);
@@ -107,15 +121,15 @@ int main(int argc, char** argv) {
   keep_memory();
   const char* library = enter_sandbox(*isolation, *out);
 
-  start_clocks(in->clocks);
+  start_clocks(in->surroundings.clocks);
+  begin_care(in->surroundings);
   mirocup_setup setup = in->setup;
   setup.log = write_line;
   ParameterHost parameters{&in->parameters, &out->asked_parameters};
   setup.host = &parameters;
   setup.parameter = parameter_of;
-  auto plugin = Plugin::load(library, setup);
+  auto plugin = with_care(*out, TeamCall::create, [&] { return Plugin::load(library, setup); });
   close(entry_descriptor);
-  if (!plugin) refuse(*out, plugin.error());
   if (!allow_no_files() || !filter_for_playing())
     refuse(*out, {match::FaultCode::crash, "the library changed the sandbox while it was loaded"});
   out->load_state.store(LoadState::ready, std::memory_order_release);
@@ -129,13 +143,11 @@ int main(int argc, char** argv) {
       request = in->request.load(std::memory_order_acquire);
     }
     if (in->observation.placing != 0) {
-      const auto placement = plugin->place(in->observation);
-      if (!placement) refuse(*out, placement.error());
-      out->placement = *placement;
+      out->placement =
+          *with_care(*out, TeamCall::place, [&] { return plugin->place(in->observation); });
     }
-    const auto command = plugin->decide(in->observation);
-    if (!command) refuse(*out, command.error());
-    out->command = *command;
+    out->command =
+        *with_care(*out, TeamCall::decide, [&] { return plugin->decide(in->observation); });
     answered = request;
     // Sequentially consistent, as the server's side is: the server sets is_awaited and then reads
     // the answer once more, so that no wake-up is lost.

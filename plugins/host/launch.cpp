@@ -68,7 +68,7 @@ void hold_signals() {
   hold_signals();
   umask(077);
   // The same addresses in every leg: one source of randomness less.
-  personality(ADDR_NO_RANDOMIZE);
+  if (what.fixed_addresses) personality(ADDR_NO_RANDOMIZE);
   if (!arrange_descriptors(what, program)) give_up(what.setup, "descriptors");
   const bool has_namespaces = what.isolation == Isolation::T2;
   if (has_namespaces) {

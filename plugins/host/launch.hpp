@@ -30,6 +30,7 @@ inline constexpr char sandbox_stands = '+';
 struct Launch {
   std::string program;  // path of mirocup-plugin-host
   Isolation isolation = Isolation::T2;
+  bool fixed_addresses = true;  // see surroundings.hpp
   // Descriptors of the calling process, which stay its own.
   int observation = -1;
   int command = -1;

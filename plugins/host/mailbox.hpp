@@ -10,7 +10,7 @@
 
 #include "mirocup/strategy.h"
 #include "plugins/host/parameter_table.hpp"
-#include "plugins/host/team_clocks.hpp"
+#include "plugins/host/surroundings.hpp"
 
 #include <atomic>
 #include <chrono>
@@ -24,7 +24,7 @@ static_assert(std::atomic<std::uint32_t>::is_always_lock_free);
 struct ObservationPage {
   std::atomic<std::uint32_t> request;     // number of the observation, counted from 1
   std::atomic<std::uint32_t> is_awaited;  // 1 while the server sleeps until the answer
-  ClockReadings clocks;
+  Surroundings surroundings;
   mirocup_setup setup;  // its pointers are null: the team's process sets its own
   ParameterTable parameters;
   mirocup_observation observation;
@@ -36,17 +36,26 @@ enum class LoadState : std::uint32_t { loading, ready, no_load, bad_abi, crash }
 
 // The exit codes of a team's process that left a report on its page, and the fields that hold it.
 inline constexpr int exit_refused = 1;  // load_state and text
-inline constexpr int exit_faulted = 3;  // fault_signal and fault_call
+inline constexpr int exit_faulted = 3;  // fault_signal, fault_call and fault_address
 
 inline constexpr int no_call = -1;
+
+// The function of the team that runs. None of them while the library is loaded.
+enum class TeamCall : std::uint32_t { none, create, decide, place };
+
+// The kind of address that a process was killed for.
+enum class AddressKind : std::uint32_t { unknown, null, end_of_stack, other };
 
 struct CommandPage {
   std::atomic<std::uint32_t> answer;  // the last request that was answered
   std::atomic<LoadState> load_state;
   std::atomic<int> fault_signal;  // 0: none
   std::atomic<int> fault_call;    // number of a forbidden system call, or no_call
-  AskedRows asked_parameters;     // of ObservationPage::parameters
-  char text[256];                 // why the team does not play, or what it threw
+  std::atomic<AddressKind> fault_address;
+  std::atomic<TeamCall> team_call;  // the function that runs, or ran last
+  AskedRows asked_parameters;       // of ObservationPage::parameters
+  char text[256];                   // why the team does not play, or what it threw
+  char requests[1024];              // only of mirocup-careful-host: write_requests()
   mirocup_command command;
   mirocup_placement placement;  // valid if the observation had placing = 1
 };

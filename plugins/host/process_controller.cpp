@@ -82,7 +82,7 @@ Result<std::unique_ptr<ProcessController>> ProcessController::start(
   }
   in->setup = abi::to_setup(briefing);
   in->parameters = parameter_table(parameters);
-  in->clocks = terms.clocks;
+  in->surroundings = terms.surroundings;
 
   int log_ends[2];
   int setup_ends[2];
@@ -96,6 +96,7 @@ Result<std::unique_ptr<ProcessController>> ProcessController::start(
 
   auto child = launch({.program = host_program,
                        .isolation = terms.isolation,
+                       .fixed_addresses = terms.surroundings.fixed_addresses,
                        .observation = in_fd.get(),
                        .command = out_fd.get(),
                        .setup = child_setup.get(),
@@ -171,7 +172,10 @@ Answer ProcessController::answer_to_exit(const ExitStatus& status) {
   words.call = out_->fault_call.load(std::memory_order_relaxed);
   words.load_state = out_->load_state.load(std::memory_order_acquire);
   words.text.assign(out_->text, strnlen(out_->text, sizeof out_->text));
-  return fault_of(status, words, is_ready_);
+  words.address = out_->fault_address.load(std::memory_order_relaxed);
+  words.team_call = out_->team_call.load(std::memory_order_relaxed);
+  last_words_ = words;
+  return fault_of(status, words, is_ready_, moment_);
 }
 
 // Waits until the process changes `answer`. While it loads, its calls wait for the server.
@@ -258,6 +262,7 @@ void ProcessController::post(const match::Observation& observation) {
   if (is_placing_) ++places_;
   asked_at_ = posted_at_;
   cpu_at_post_ = cpu_;
+  moment_ = {observation.tick, observation.state};
   in_->observation = abi::to_observation(observation);
   in_->request.store(++request_, std::memory_order_release);
   bell_->ask(in_->request);
@@ -300,10 +305,15 @@ std::optional<Fault> ProcessController::find_overrun() {
 bool ProcessController::has_slept_too_long() {
   if (waited_ < budget_.sleep || waited_ < next_sleep_check_) return false;
   next_sleep_check_ = waited_ + 1.0;
+  const auto slept = slept_seconds();
+  return slept && *slept > budget_.sleep;
+}
+
+std::optional<double> ProcessController::slept_seconds() const {
   const auto own_delay = Child::processor_delay(getpid());
   const auto delay = child_.processor_delay();
-  if (!own_delay || !delay) return false;
-  return waited_ - playing_seconds() - *delay - *own_delay > budget_.sleep;
+  if (!own_delay || !delay) return std::nullopt;
+  return waited_ - playing_seconds() - *delay - *own_delay;
 }
 
 Answer ProcessController::collect() {

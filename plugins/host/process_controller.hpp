@@ -13,12 +13,14 @@
 #include "plugins/host/doorbell.hpp"
 #include "plugins/host/mailbox.hpp"
 #include "plugins/host/memory_witness.hpp"
+#include "plugins/host/reported_fault.hpp"
 #include "plugins/host/sandbox/isolation.hpp"
 #include "plugins/host/sealed_entry.hpp"
 #include "plugins/host/team_log.hpp"
 #include "system/descriptor.hpp"
 
 #include <chrono>
+#include <cstring>
 #include <memory>
 #include <optional>
 #include <string>
@@ -58,7 +60,7 @@ struct ProcessTerms {
   Isolation isolation = Isolation::T2;
   Budget budget;
   std::optional<Deadline> deadline;  // nothing: a tick lasts until the answer comes
-  ClockReadings clocks;              // what the teams' clocks show at the start
+  Surroundings surroundings;
   std::shared_ptr<Doorbell> bell = std::make_shared<Doorbell>();
   std::shared_ptr<MemoryWitness> memory = std::make_shared<MemoryWitness>();
 };
@@ -92,6 +94,8 @@ class ProcessController final : public match::Controller {
   std::optional<double> processor_delay() const { return child_.processor_delay(); }
   // Returns the bank of the leg so far, s.
   double bank_seconds() const { return budget_.bank_after(ticks_, places_); }
+  // Returns how many observations asked the team to place.
+  std::uint32_t placements_asked() const { return places_; }
   // Returns the peak of the process's memory, bytes.
   std::size_t peak_memory() const { return child_.peak_memory(); }
 
@@ -100,6 +104,19 @@ class ProcessController final : public match::Controller {
   std::uint32_t asked_parameters() const {
     return out_->asked_parameters.load(std::memory_order_relaxed);
   }
+
+  // Returns what the process left when it ended by itself; nothing before that.
+  const std::optional<LastWords>& last_words() const { return last_words_; }
+
+  // Returns what the team asked the system for, a line each, as its process says: any bytes, and
+  // nothing unless the host program is mirocup-careful-host.
+  std::string requests() const {
+    return {out_->requests, strnlen(out_->requests, sizeof out_->requests)};
+  }
+
+  // Returns for how long the team slept, s: neither computing nor waiting for a processor; nothing
+  // if the kernel does not tell.
+  std::optional<double> slept_seconds() const;
 
   // Returns the output of the team so far: bounded, and harmless to show.
   std::string output();
@@ -148,6 +165,8 @@ class ProcessController final : public match::Controller {
   std::shared_ptr<MemoryWitness> memory_;
   bool is_ready_ = false;
 
+  std::optional<AskedMoment> moment_;  // of the last observation that was handed over
+  std::optional<LastWords> last_words_;
   std::uint32_t ticks_ = 0;    // observations so far
   std::uint32_t places_ = 0;   // those in which the team was asked to place
   std::uint32_t request_ = 0;  // number of the last observation that was handed over

@@ -37,15 +37,50 @@ std::optional<Fault> claimed_fault(const ExitStatus& status, const LastWords& wo
   return std::nullopt;
 }
 
+const char* text_of(TeamCall call) {
+  switch (call) {
+    case TeamCall::none:
+      return "";
+    case TeamCall::create:
+      return "create()";
+    case TeamCall::decide:
+      return "decide()";
+    case TeamCall::place:
+      return "place()";
+  }
+  return "";  // the process may write any number
+}
+
+const char* text_of(AddressKind address) {
+  switch (address) {
+    case AddressKind::unknown:
+      return "";
+    case AddressKind::null:
+      return " at a null pointer";
+    case AddressKind::end_of_stack:
+      return " at the end of its stack";
+    case AddressKind::other:
+      return " at an address that is not valid";
+  }
+  return "";
+}
+
 }  // namespace
 
-Fault fault_of(const ExitStatus& status, const LastWords& words, bool has_played) {
+Fault fault_of(const ExitStatus& status, const LastWords& words, bool has_played,
+               const std::optional<AskedMoment>& moment) {
   Fault fault = claimed_fault(status, words, has_played)
                     .value_or(Fault{FaultCode::crash,
                                     status.signal != 0
                                         ? "the team's process died of " + signal_text(status.signal)
                                         : "the team's process ended itself with exit code " +
                                               std::to_string(status.exit_code)});
+  if (status.exit_code == exit_faulted && status.signal == 0) fault.text += text_of(words.address);
+  if (has_played && moment) {
+    const std::string call = text_of(words.team_call);
+    fault.text += (call.empty() ? ", in tick " : ", in " + call + " of tick ") +
+                  std::to_string(moment->tick) + " (" + std::string(to_string(moment->state)) + ")";
+  }
   if (!has_played && fault.code != FaultCode::no_load && fault.code != FaultCode::bad_abi)
     fault.text += ", while its library was loaded";
   return fault;

@@ -11,6 +11,8 @@
 #include "plugins/host/child.hpp"
 #include "plugins/host/mailbox.hpp"
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 namespace mirocup::plugins {
@@ -18,13 +20,23 @@ namespace mirocup::plugins {
 // What a process left on its command page, copied out of the memory that it can write.
 struct LastWords {
   LoadState load_state = LoadState::loading;
-  int signal = 0;         // fault_signal
-  int call = no_call;     // fault_call
-  std::string text = {};  // raw: any bytes
+  int signal = 0;                              // fault_signal
+  int call = no_call;                          // fault_call
+  std::string text = {};                       // raw: any bytes
+  AddressKind address = AddressKind::unknown;  // fault_address
+  TeamCall team_call = TeamCall::none;
+};
+
+// The observation that the team was answering.
+struct AskedMoment {
+  std::uint32_t tick = 0;
+  match::State state = match::State::READY;
 };
 
 // Returns the fault of a team whose process ended so. `has_played` says whether the server had
 // seen it ready; before that, the library can be at fault.
-match::Fault fault_of(const ExitStatus& status, const LastWords& words, bool has_played);
+// The moment is told if the team was answering one.
+match::Fault fault_of(const ExitStatus& status, const LastWords& words, bool has_played,
+                      const std::optional<AskedMoment>& moment = std::nullopt);
 
 }  // namespace mirocup::plugins

@@ -12,13 +12,13 @@
 
 #include <cstdio>
 #include <iostream>
+#include <sstream>
+#include <string>
+#include <vector>
 
 namespace mirocup::app {
 
 namespace {
-
-// An entry that uses a larger share of a leg's processor time gets a warning.
-constexpr double max_leg_share = 0.6;
 
 record::Json to_json(const CheckOptions& options, const EntryReport& report) {
   record::Json checks = record::Json::array();
@@ -27,6 +27,8 @@ record::Json to_json(const CheckOptions& options, const EntryReport& report) {
                       {"passed", check.passed ? record::Json(*check.passed) : record::Json()},
                       {"text", check.text}});
   }
+  record::Json warnings = record::Json::array();
+  for (const std::string& warning : report.warnings) warnings.push_back(warning);
   const Check* failure = report.failure();
   return {{"file", options.path},
           {"sha256", report.sha256.empty() ? record::Json() : record::Json(report.sha256)},
@@ -44,16 +46,35 @@ record::Json to_json(const CheckOptions& options, const EntryReport& report) {
             {"leg_share", report.leg_share}}},
           {"peak_memory_bytes", report.peak_memory},
           {"unknown_parameters", record::to_json(report.unknown_parameters)},
+          {"bad_values", report.bad_values},
+          {"moved_placements", report.moved_placements},
+          {"warnings", warnings},
           {"log", report.log}};
 }
 
-void print(const CheckOptions& options, const EntryReport& report) {
-  for (const Check& check : report.checks) {
-    const char* mark = !check.passed ? "  - " : *check.passed ? " ok " : "NO  ";
-    std::cout << mark << check.name << ": " << system::printable(check.text) << '\n';
+void print(const Check& check) {
+  std::cout << (*check.passed ? " ok " : "NO  ") << check.name << ": "
+            << system::printable(check.text) << std::endl;  // at once: the next one takes a while
+}
+
+// Prints the log, without its middle if it is long.
+void print_log(const std::string& log) {
+  constexpr std::size_t shown = 20;  // lines at each end
+  std::vector<std::string> lines;
+  std::istringstream in(log);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  std::cout << "--- log\n";
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (lines.size() > 2 * shown && i == shown)
+      std::cout << "--- " << lines.size() - 2 * shown << " lines more\n";
+    if (i < shown || i + shown >= lines.size()) std::cout << lines[i] << '\n';
   }
-  char text[200];
+  std::cout << "--- end of log\n";
+}
+
+void print(const CheckOptions& options, const EntryReport& report) {
   if (report.mean_tick_ms > 0.0) {
+    char text[200];
     std::snprintf(text, sizeof text,
                   "    a tick takes %.3f ms of processor time in the mean, %.3f ms at most; start "
                   "%.1f ms; memory %.1f MiB; sandbox %s\n",
@@ -62,24 +83,15 @@ void print(const CheckOptions& options, const EntryReport& report) {
                   std::string(to_string(report.isolation)).c_str());
     std::cout << text;
   }
-  const Check* failure = report.failure();
-  if (failure == nullptr && report.leg_share > max_leg_share) {
-    std::snprintf(text, sizeof text,
-                  "    warning: that is %.0f %% of the time that a leg has; leave room for slower "
-                  "machines\n",
-                  100.0 * report.leg_share);
-    std::cout << text;
-  }
+  for (const std::string& warning : report.warnings)
+    std::cout << "    warning: " << warning << '\n';
   for (const auto& parameter : report.unknown_parameters) {
     std::cout << "    warning: the team did not ask for the parameter " << parameter.first << '\n';
   }
-  if (!report.log.empty()) std::cout << "--- log\n" << report.log << "\n--- end of log\n";
-  if (failure == nullptr) {
-    std::cout << system::printable(options.path) << ": accepted\n";
-  } else {
-    std::cout << system::printable(options.path) << ": not accepted, " << failure->name << ": "
-              << system::printable(failure->text) << '\n';
-  }
+  if (!report.log.empty()) print_log(report.log);
+  const Check* failure = report.failure();
+  std::cout << system::printable(options.path)
+            << (failure == nullptr ? ": accepted" : ": not accepted, see " + failure->name) << '\n';
 }
 
 }  // namespace
@@ -87,8 +99,13 @@ void print(const CheckOptions& options, const EntryReport& report) {
 Result<int> run_check(const CheckOptions& options) {
   const auto parameters = record::parameters_with_changes({}, options.parameters, "--param");
   if (!parameters) return tl::unexpected(parameters.error());
-  const auto report =
-      check_entry(options.path, *from_string<League>(options.league), options.half_s, *parameters);
+  EntryTerms terms;
+  terms.league = *from_string<League>(options.league);
+  terms.rules = referee::make_rules(*from_string<referee::Preset>(options.rules), terms.league);
+  if (options.half_s) terms.rules.half_s = *options.half_s;
+  terms.parameters = *parameters;
+  const auto report = check_entry(
+      options.path, terms, options.json ? OnCheck() : [](const Check& check) { print(check); });
   if (!report) return tl::unexpected(report.error());
   if (options.json) {
     std::cout << record::json_text(to_json(options, *report)) << '\n';

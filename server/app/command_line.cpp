@@ -179,6 +179,9 @@ void add_check(CLI::App& app, Run& run) {
                    "Field and number of robots: small (3 a side), middle (5), large (11)")
       ->check(CLI::IsMember({"small", "middle", "large"}))
       ->capture_default_str();
+  command->add_option("--rules", o.rules, "Preset of the rules")
+      ->check(one_of<referee::Preset>())
+      ->capture_default_str();
   command
       ->add_option(
           "--half", o.half_s,

@@ -50,6 +50,7 @@ Result<int> run_match(const MatchOptions& options);
 struct CheckOptions {
   std::string path;
   std::string league = "small";
+  std::string rules = "mirosot";
   std::optional<double> half_s;         // of the legs that the entry is for
   std::vector<std::string> parameters;  // KEY=VALUE
   bool json = false;

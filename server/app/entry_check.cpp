@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "server/app/entry_check.hpp"
 
-#include "core/match/leg.hpp"
 #include "plugins/host/elf.hpp"
-#include "plugins/host/process_controller.hpp"
 #include "plugins/host/sandbox/private_root.hpp"
 #include "plugins/host/sandbox/probe.hpp"
 #include "plugins/host/sealed_entry.hpp"
-#include "server/pace/wall_clock.hpp"
+#include "server/app/entry_advice.hpp"
+#include "server/app/trial_leg.hpp"
 #include "system/digest.hpp"
 #include "system/files.hpp"
 #include "system/locations.hpp"
@@ -17,7 +16,8 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
-#include <unistd.h>
+#include <set>
+#include <sstream>
 #include <utility>
 
 namespace mirocup::app {
@@ -25,31 +25,46 @@ namespace mirocup::app {
 namespace {
 
 namespace fs = std::filesystem;
+using plugins::Surroundings;
 
 // The names of all checks, in the order in which they run.
-constexpr std::array<const char*, 10> check_names{
-    "file",  "complete", "entry",      "libraries",  "loads",
-    "ticks", "leg_blue", "leg_yellow", "repeatable", "budget"};
+constexpr std::array<const char*, 12> check_names{"file",   "complete", "entry",    "libraries",
+                                                  "loads",  "ticks",    "leg_blue", "leg_yellow",
+                                                  "budget", "knockout", "memory",   "repeatable"};
 
 constexpr std::uint32_t first_ticks = 100;
-constexpr double half_s = 8.0;                // of the trial legs
-constexpr double max_playing_seconds = 14.0;  // all legs together, without waiting for a processor
+// A team that needs this long for the first ticks waits or computes too long in each, s.
+constexpr double max_first_seconds = 2.0;
 
-// The clocks of the second leg of two that should be alike. The time of day has other remainders
-// than the one that every other leg begins with, whatever it is divided by.
+// A knock-out leg this short is level, so that extra time and shoot-out follow, s.
+constexpr double knockout_half = 0.5;
+constexpr double knockout_golden_goal = 1.0;
+
+// The leg that is repeated in other surroundings is played this far at most.
+constexpr std::uint32_t max_repeated_ticks = 6000;
+
+// Other surroundings. The time of day has other remainders than the one that every other leg begins
+// with, whatever it is divided by.
 constexpr plugins::ClockReadings other_clocks{.time_of_day = 1'234'567'891, .uptime_behind = 17};
+constexpr std::uint8_t other_fill = 0xB5;  // odd, negative, and no small number in any type
+constexpr std::int32_t other_numbers = 4242;
+constexpr Surroundings all_other{.clocks = other_clocks,
+                                 .fixed_addresses = false,
+                                 .memory_fill = other_fill,
+                                 .number_offset = other_numbers};
 
 // An entry is refused if it would use this many times the processor time that its leg gives. The
 // time that a team uses changes by less than that on a busy machine.
 constexpr double refused_leg_share = 1.25;
 
-// Stricter than in a match, so that the author of a slow team learns it soon.
-plugins::Budget budget() {
-  plugins::Budget budget;
-  budget.start_cpu = 4.0;
-  budget.start_wall = 5.0;
-  budget.tick_wall = 5.0;
-  return budget;
+// A larger log, bytes, and a larger share of a leg's time are told.
+constexpr std::size_t told_log = 60u << 10;
+constexpr double told_leg_share = 0.6;
+
+std::string seconds(double s) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.0f", s);
+  return text;
 }
 
 std::string milliseconds(double ms) {
@@ -58,26 +73,16 @@ std::string milliseconds(double ms) {
   return text;
 }
 
-const char* advice(match::FaultCode code) {
-  using match::FaultCode;
-  switch (code) {
-    case FaultCode::no_load:
-      return "link everything that it uses into the library, or use what the system has";
-    case FaultCode::bad_abi:
-      return "build it again against the strategy.h of this version, and export mirocup_entry()";
-    case FaultCode::start_timeout:
-      return "do less in create() and in static constructors";
-    case FaultCode::crash:
-      return "build it with -g -fsanitize=address,undefined and call decide() from a test of your "
-             "own, or run mirocup match --trusted in a debugger";
-    case FaultCode::hang:
-    case FaultCode::budget:
-      return "a tick has 1 ms of processor time in the mean of a leg; do not wait or sleep";
-    case FaultCode::illegal_call:
-      return "a strategy computes; files, network, processes and threads are not for it";
-    default:
-      return "see strategy.h";
-  }
+// Returns the first tick in which the two legs differ; the hashes differ if the team asks for other
+// poses at a restart.
+std::optional<std::ptrdiff_t> first_difference(const TrialLeg& one, const TrialLeg& other) {
+  const auto differs =
+      std::mismatch(one.log.begin(), one.log.end(), other.log.begin(), other.log.end(),
+                    [](const match::TickLog& a, const match::TickLog& b) {
+                      return a.commands == b.commands && a.hash == b.hash;
+                    });
+  if (differs.first == one.log.end() || differs.second == other.log.end()) return std::nullopt;
+  return differs.first - one.log.begin();
 }
 
 // True if the dynamic loader finds a library of that name in the sandbox.
@@ -97,77 +102,73 @@ bool is_on_this_system(const std::string& name) {
                      });
 }
 
+// Returns the sanitizer that the library was built with, or "".
+std::string sanitizer_of(const plugins::SharedLibrary& library, std::string_view bytes) {
+  constexpr std::array<std::pair<const char*, const char*>, 4> sanitizers{
+      {{"asan", "address"}, {"tsan", "thread"}, {"msan", "memory"}, {"ubsan", "undefined"}}};
+  for (const auto& [name, option] : sanitizers) {
+    const std::string file = "lib" + std::string(name) + ".so";
+    for (const std::string& needed : library.needed) {
+      if (needed.rfind(file, 0) == 0) return option;
+    }
+    // clang links its run-time library into the program and not into a library.
+    if (bytes.find("__" + std::string(name) + "_init") != std::string_view::npos) return option;
+  }
+  return "";
+}
+
+// What careful_memory.cpp says begins like this, in the words of the team's process.
+bool is_memory_mistake(const std::string& text) {
+  return text.find("says \"it wrote ") != std::string::npos ||
+         text.find("says \"it freed ") != std::string::npos;
+}
+
 // Runs the checks of one entry, one after the other, and fills its report.
 class Examination {
  public:
-  Examination(std::string path, League league, std::optional<double> half,
-              match::TeamParameters parameters)
-      : path_(std::move(path)), parameters_(std::move(parameters)) {
-    setup_.league = league;
-    real_half_ = half.value_or(setup_.rules.half_s);
-    setup_.rules.half_s = half_s;
+  Examination(std::string path, const EntryTerms& terms, const OnCheck& on_check)
+      : path_(std::move(path)), terms_(terms), on_check_(on_check) {
+    setup_.league = terms.league;
+    setup_.rules = terms.rules;
+    if (setup_.rules.preset == referee::Preset::simurosot) setup_.control_period = 1.0 / 60.0;
+    setup_.rules.mercy_goal_diff = 0;  // so that the second half is played, whatever the score
   }
 
   Result<EntryReport> run();
 
  private:
-  using Seats = std::array<std::unique_ptr<plugins::ProcessController>, 2>;
-
-  // The observations of one trial leg, or of its first ticks.
-  struct TrialLeg {
-    std::optional<match::Fault> fault;
-    bool is_too_slow = false;
-    std::vector<match::TickLog> ticks;
-  };
-
   Result<bool> examine_file();
   Result<bool> examine_play();
-  Result<TrialLeg> play(Team team, std::uint32_t max_ticks,
-                        const plugins::ClockReadings& clocks = {});
-  void measure(plugins::ProcessController& process, std::uint32_t ticks);
+  Result<bool> load_and_answer();
+  Result<bool> play_whole_legs();
+  Result<bool> play_knockout();
+  Result<bool> repeat_elsewhere();
+  TrialTerms trial(Team team, const plugins::SealedEntry& opponent) const;
+  Result<std::string> cause_of_difference(const TrialTerms& terms);
+  Result<std::string> mistake_in_memory(const TrialTerms& terms, FaultEvidence& evidence);
+  void note_use(const TrialLeg& leg, const TrialTerms& terms);
+  void note_time(const TrialLeg& leg);
   bool judge_time();
-  bool is_over_time(const Seats& seats);
-  static double delay_of(const Seats& seats);
+  void warn();
 
   // Each adds the result of the next check and returns true if it passed.
-  bool pass(std::string text);
-  bool fail_with(std::string text);
-  bool judge(const TrialLeg& leg, std::string text);
+  bool add(bool passed, std::string text);
+  bool pass(std::string text) { return add(true, std::move(text)); }
+  bool fail_with(std::string text) { return add(false, std::move(text)); }
+  Result<bool> judge(const TrialLeg& leg, const TrialTerms& terms, std::string text);
 
   std::string path_;
-  match::TeamParameters parameters_;
+  EntryTerms terms_;
+  const OnCheck& on_check_;
   match::Setup setup_;  // of the trial legs
-  double real_half_;    // s, of the legs that the entry is for
-  pace::SteadyWallClock clock_;
-  double delay_ = 0.0;  // s that processes of earlier legs waited for a processor
   std::optional<plugins::SealedEntry> entry_;
   std::optional<plugins::SealedEntry> idle_;
+  std::optional<plugins::SealedEntry> striker_;
+  TrialLeg blue_;         // the leg as blue
+  double slept_ = 0.0;    // s, in a leg of full length
+  std::string requests_;  // of the team, a line each
   EntryReport report_;
 };
-
-bool Examination::pass(std::string text) {
-  report_.checks.push_back({check_names[report_.checks.size()], true, std::move(text)});
-  return true;
-}
-
-bool Examination::fail_with(std::string text) {
-  report_.checks.push_back({check_names[report_.checks.size()], false, std::move(text)});
-  return false;
-}
-
-bool Examination::judge(const TrialLeg& leg, std::string text) {
-  if (leg.fault) {
-    return fail_with(leg.fault->text + " (" + std::string(to_string(leg.fault->code)) +
-                     "): " + advice(leg.fault->code));
-  }
-  if (leg.is_too_slow) {
-    return fail_with("it was stopped because this check may take 20 s only: " +
-                     milliseconds(report_.mean_tick_ms) +
-                     " of processor time for a tick; it has 1 ms, and should neither wait nor "
-                     "sleep");
-  }
-  return pass(std::move(text));
-}
 
 Result<EntryReport> Examination::run() {
   auto looks_well = examine_file();
@@ -180,7 +181,14 @@ Result<EntryReport> Examination::run() {
   }
   while (report_.checks.size() < check_names.size())
     report_.checks.push_back({check_names[report_.checks.size()], std::nullopt, "not tried"});
+  warn();
   return std::move(report_);
+}
+
+bool Examination::add(bool passed, std::string text) {
+  report_.checks.push_back({check_names[report_.checks.size()], passed, std::move(text)});
+  if (on_check_) on_check_(report_.checks.back());
+  return passed;
 }
 
 Result<bool> Examination::examine_file() {
@@ -194,14 +202,18 @@ Result<bool> Examination::examine_file() {
   pass("a regular file of " + std::to_string(entry_->bytes().size()) + " bytes");
 
   const auto library = plugins::read_shared_library(entry_->bytes());
-  if (!library) return fail_with(library.error());
-  pass("a complete shared library for this kind of processor");
-  if (!library->exports_entry) {
-    return fail_with(
-        "it exports no function mirocup_entry(): write MIROCUP_EXPORT_TEAM(YourClass, \"name\"), "
-        "or in C define mirocup_entry()");
+  if (!library) {
+    const std::string known = advice_on_file(entry_->bytes());
+    return fail_with(known.empty() ? library.error() : known);
   }
+  pass("a complete shared library for this kind of processor");
+  if (!library->exports_entry) return fail_with(advice_on_missing_entry(entry_->bytes()));
   pass("exports mirocup_entry()");
+  if (const std::string tool = sanitizer_of(*library, entry_->bytes()); !tool.empty()) {
+    return fail_with("it was built with -fsanitize=" + tool +
+                     ", which a sandbox does not allow: hand it in without, and use that build "
+                     "with mirocup match --trusted");
+  }
   std::string names;
   for (const std::string& name : library->needed) {
     if (!is_on_this_system(name)) {
@@ -217,129 +229,247 @@ Result<bool> Examination::examine_play() {
   auto idle = plugins::SealedEntry::open(system::house_team("idle"));
   if (!idle) return tl::unexpected(idle.error());
   idle_ = std::move(*idle);
+  auto striker = plugins::SealedEntry::open(system::house_team("striker"));
+  if (!striker) return tl::unexpected(striker.error());
+  striker_ = std::move(*striker);
 
-  const auto first = play(Team::blue, 0);
-  if (!first) return tl::unexpected(first.error());
-  if (!judge(*first, "loads and creates its team in " + milliseconds(report_.start_ms)))
-    return false;
-  const auto ticks = play(Team::blue, first_ticks);
-  if (!ticks) return tl::unexpected(ticks.error());
-  if (!judge(*ticks, "answers " + std::to_string(first_ticks) + " observations")) return false;
-
-  const auto blue = play(Team::blue, UINT32_MAX);
-  if (!blue) return tl::unexpected(blue.error());
-  if (!judge(*blue, "plays a leg as blue against idle, in both halves")) return false;
-  const auto yellow = play(Team::yellow, UINT32_MAX);
-  if (!yellow) return tl::unexpected(yellow.error());
-  if (!judge(*yellow, "plays a leg as yellow against idle, in both halves")) return false;
-
-  const auto again = play(Team::blue, UINT32_MAX, other_clocks);
-  if (!again) return tl::unexpected(again.error());
-  // The hashes differ if the team asks for other poses at a restart.
-  const auto differs =
-      std::mismatch(blue->ticks.begin(), blue->ticks.end(), again->ticks.begin(),
-                    again->ticks.end(), [](const match::TickLog& a, const match::TickLog& b) {
-                      return a.commands == b.commands && a.hash == b.hash;
-                    });
-  if (differs.first != blue->ticks.end() && differs.second != again->ticks.end()) {
-    return fail_with("to the same observations it answers differently in tick " +
-                     std::to_string(differs.first - blue->ticks.begin()) +
-                     ": take chance from setup.seed, and no clocks, addresses or memory that was "
-                     "never written");
+  for (const auto step : {&Examination::load_and_answer, &Examination::play_whole_legs,
+                          &Examination::play_knockout, &Examination::repeat_elsewhere}) {
+    const auto passed = (this->*step)();
+    if (!passed || !*passed) return passed;
   }
-  return judge(*again,
-               "answers the same observations in the same way, also at another time of day") &&
-         judge_time();
+  return true;
+}
+
+TrialTerms Examination::trial(Team team, const plugins::SealedEntry& opponent) const {
+  TrialTerms terms;
+  terms.setup = setup_;
+  terms.opponent = &opponent;
+  terms.team = team;
+  terms.parameters = terms_.parameters;
+  terms.isolation = report_.isolation;
+  return terms;
+}
+
+Result<bool> Examination::load_and_answer() {
+  TrialTerms terms = trial(Team::blue, *idle_);
+  terms.max_ticks = 0;
+  const auto loaded = play_trial(*entry_, terms);
+  if (!loaded) return tl::unexpected(loaded.error());
+  const auto is_loaded = judge(
+      *loaded, terms, "loads and creates its team in " + milliseconds(1e3 * loaded->start_seconds));
+  if (!is_loaded || !*is_loaded) return is_loaded;
+
+  terms.max_ticks = first_ticks;
+  terms.max_seconds = max_first_seconds;
+  const auto first = play_trial(*entry_, terms);
+  if (!first) return tl::unexpected(first.error());
+  if (!first->fault && first->ticks() < first_ticks) {
+    note_use(*first, terms);
+    return fail_with("it needs " + milliseconds(1e3 * max_first_seconds / first->ticks()) +
+                     " for a tick, " + milliseconds(report_.mean_tick_ms) +
+                     " of them processor time; it has 1 ms, and should neither wait nor sleep");
+  }
+  return judge(*first, terms, "answers " + std::to_string(first_ticks) + " observations");
+}
+
+Result<bool> Examination::play_whole_legs() {
+  for (const Team team : both_teams) {
+    TrialTerms terms = trial(team, *striker_);
+    terms.setup.seed = team == Team::blue ? 1 : 2;
+    auto leg = play_trial(*entry_, terms);
+    if (!leg) return tl::unexpected(leg.error());
+    const auto passed =
+        judge(*leg, terms,
+              "plays " + seconds(leg->ticks() * setup_.control_period) + " s of a leg as " +
+                  std::string(to_string(team)) + " against striker");
+    if (!passed || !*passed) return passed;
+    note_time(*leg);
+    if (team == Team::blue) blue_ = std::move(*leg);
+  }
+  return judge_time();
+}
+
+Result<bool> Examination::play_knockout() {
+  TrialTerms terms = trial(Team::blue, *idle_);
+  terms.setup.stage = referee::Stage::knockout;
+  terms.setup.rules.half_s = knockout_half;
+  terms.setup.rules.golden_goal_s = knockout_golden_goal;
+  const auto leg = play_trial(*entry_, terms);
+  if (!leg) return tl::unexpected(leg.error());
+  return judge(*leg, terms, "plays extra time and a shoot-out");
+}
+
+// The leg as blue once more, where nothing is as it was but what the team may use.
+Result<bool> Examination::repeat_elsewhere() {
+  TrialTerms terms = trial(Team::blue, *striker_);
+  terms.is_careful = true;
+  terms.surroundings = all_other;
+  terms.max_ticks = max_repeated_ticks;
+  const auto again = play_trial(*entry_, terms);
+  if (!again) return tl::unexpected(again.error());
+  requests_ += again->requests;
+  const auto careful = judge(*again, terms, "writes only to memory of its own");
+  if (!careful || !*careful) return careful;
+  const auto tick = first_difference(blue_, *again);
+  if (!tick) {
+    return pass(
+        "answers the same observations in the same way, also at another time of day, at "
+        "other addresses and with other memory");
+  }
+  terms.max_ticks = static_cast<std::uint32_t>(*tick) + 1;
+  const auto cause = cause_of_difference(terms);
+  if (!cause) return tl::unexpected(cause.error());
+  return fail_with("to the same observations it answers differently in tick " +
+                   std::to_string(*tick) + ": " + *cause);
+}
+
+// A team that differs from itself where nothing has changed draws its own chance. Otherwise one
+// thing is changed at a time; the careful heap is kept, because its addresses are others.
+Result<std::string> Examination::cause_of_difference(const TrialTerms& terms) {
+  const auto leg_in = [&](const Surroundings& surroundings, bool is_careful) {
+    TrialTerms one = terms;
+    one.surroundings = surroundings;
+    one.is_careful = is_careful;
+    return play_trial(*entry_, one);
+  };
+  const auto plain = leg_in({}, false);
+  if (!plain) return tl::unexpected(plain.error());
+  if (first_difference(blue_, *plain))
+    return std::string("chance of its own, such as std::random_device: take it from setup.seed");
+
+  Surroundings clocks, memory, numbers, addresses;
+  clocks.clocks = other_clocks;
+  memory.memory_fill = other_fill;
+  numbers.number_offset = other_numbers;
+  addresses.fixed_addresses = false;
+  const std::pair<Surroundings, const char*> changes[] = {
+      {clocks, "it depends on a clock: take chance from setup.seed"},
+      {memory,
+       "it depends on memory that was never written, or that was freed: give each variable and "
+       "member a value"},
+      {numbers,
+       "it depends on the number of its process, thread or processor: take chance from setup.seed"},
+      {addresses,
+       "it depends on addresses, such as the order of pointers in a set: compare numbers instead"}};
+  const auto careful = leg_in({}, true);
+  if (!careful) return tl::unexpected(careful.error());
+  for (const auto& [surroundings, cause] : changes) {
+    const auto leg = leg_in(surroundings, true);
+    if (!leg) return tl::unexpected(leg.error());
+    if (leg->fault || first_difference(*careful, *leg)) return std::string(cause);
+  }
+  return std::string(
+      "take chance from setup.seed, and no clocks, addresses or memory that was never written");
+}
+
+// Plays a leg that ended in a crash again where the team's memory is watched. Returns what was
+// found there before the crash, or "".
+Result<std::string> Examination::mistake_in_memory(const TrialTerms& terms,
+                                                   FaultEvidence& evidence) {
+  TrialTerms careful = terms;
+  careful.is_careful = true;
+  const auto again = play_trial(*entry_, careful);
+  if (!again) return tl::unexpected(again.error());
+  evidence.requests = again->requests;
+  requests_ += again->requests;
+  if (!again->fault || again->ticks() >= careful.max_ticks) return std::string();
+  const std::string& text = again->fault->fault.text;
+  return is_memory_mistake(text) ? "; with its memory watched, " + text : std::string();
+}
+
+Result<bool> Examination::judge(const TrialLeg& leg, const TrialTerms& terms, std::string text) {
+  note_use(leg, terms);
+  if (!leg.fault) return pass(std::move(text));
+  FaultEvidence evidence = *leg.fault;
+  std::string mistake;
+  if (evidence.fault.code == match::FaultCode::crash && !terms.is_careful) {
+    auto found = mistake_in_memory(terms, evidence);
+    if (!found) return tl::unexpected(found.error());
+    mistake = std::move(*found);
+  }
+  return fail_with(evidence.fault.text + " (" + std::string(to_string(evidence.fault.code)) +
+                   "): " + advice_on(evidence) + mistake);
+}
+
+void Examination::note_use(const TrialLeg& leg, const TrialTerms& terms) {
+  report_.start_ms = 1e3 * leg.start_seconds;
+  report_.peak_memory = std::max(report_.peak_memory, leg.peak_memory);
+  report_.log = leg.output;
+  report_.unknown_parameters = plugins::not_asked_for(terms_.parameters, leg.asked_parameters);
+  report_.bad_values += leg.bad_values;
+  report_.moved_placements += leg.moved_placements;
+  report_.has_moved = report_.has_moved || leg.has_moved;
+  if (leg.ticks() == 0 || terms.is_careful) return;  // a careful process takes longer
+  report_.slowest_tick_ms = std::max(report_.slowest_tick_ms, leg.slowest_tick_ms);
+  report_.mean_tick_ms = 1e3 * leg.playing_seconds / leg.ticks();
+  // In a leg of full length the bank's fixed part hardly counts.
+  report_.bank_share = report_.mean_tick_ms / (1e3 * plugins::Budget().bank_per_tick);
+}
+
+// Reckons what a leg of full length would take. The cheapest of the legs counts: what disturbs a
+// measurement only adds to it.
+void Examination::note_time(const TrialLeg& leg) {
+  const plugins::Budget budget;
+  const double played = leg.ticks() * setup_.control_period;
+  const double legs = std::max(1.0, 2.0 * setup_.rules.half_s / played);
+  const double needed = legs * leg.playing_seconds;
+  const double share = needed / budget.bank_after(static_cast<std::uint32_t>(legs * leg.ticks()),
+                                                  static_cast<std::uint32_t>(legs * leg.places));
+  slept_ = std::max(slept_, legs * leg.slept_seconds);
+  if (report_.leg_seconds > 0.0 && share >= report_.leg_share) return;
+  report_.leg_seconds = needed;
+  report_.leg_share = share;
 }
 
 // A team that would lose each of its legs by its budget is told so now.
 bool Examination::judge_time() {
   char text[200];
+  const double most_sleep = plugins::Budget().sleep;
+  if (slept_ > most_sleep) {
+    std::snprintf(text, sizeof text,
+                  "in a leg with halves of %g s it would sleep for %.0f s, and it may for %.0f s: "
+                  "do not sleep or wait in decide()",
+                  setup_.rules.half_s, slept_, most_sleep);
+    return fail_with(text);
+  }
   std::snprintf(text, sizeof text,
                 "a leg with halves of %g s would take %.1f s of processor time, %.0f %% of the "
                 "%.1f s that it has",
-                real_half_, report_.leg_seconds, 100.0 * report_.leg_share,
+                setup_.rules.half_s, report_.leg_seconds, 100.0 * report_.leg_share,
                 report_.leg_seconds / report_.leg_share);
-  if (report_.leg_share > refused_leg_share)
-    return fail_with(std::string(text) + ": " + advice(match::FaultCode::budget));
+  if (report_.leg_share > refused_leg_share) {
+    return fail_with(std::string(text) + ": " + advice_on_time);
+  }
   return pass(text);
 }
 
-Result<Examination::TrialLeg> Examination::play(Team team, std::uint32_t max_ticks,
-                                                const plugins::ClockReadings& clocks) {
-  match::Leg match(setup_);
-  Seats seats;
-  plugins::ProcessTerms terms;
-  terms.isolation = report_.isolation;
-  terms.budget = budget();
-  terms.clocks = clocks;
-  for (const Team seat : both_teams) {
-    auto process = plugins::ProcessController::start(
-        system::sibling_program("mirocup-plugin-host"), seat == team ? *entry_ : *idle_,
-        match.briefing(seat), seat == team ? parameters_ : match::TeamParameters(), terms);
-    if (!process) return tl::unexpected(process.error());
-    seats[index_of(seat)] = std::move(*process);
+// Tells what is allowed but hardly meant.
+void Examination::warn() {
+  const auto warn_if = [this](bool holds, std::string text) {
+    if (holds) report_.warnings.push_back(std::move(text));
+  };
+  const bool has_played = blue_.ticks() > 0;
+  warn_if(has_played && !report_.has_moved, "it never turned a wheel");
+  warn_if(report_.bad_values > 0,
+          std::to_string(report_.bad_values) +
+              " values of its commands were not finite or too large, and were zeroed or clamped");
+  warn_if(report_.moved_placements > 0,
+          std::to_string(report_.moved_placements) +
+              " of its placements were not legal: robots were moved; the decisions of a record say "
+              "which and why");
+  warn_if(report_.log.size() > told_log,
+          "it logs so much that the middle of the log is left out: 64 KiB of a leg are kept");
+  warn_if(report_.leg_share > told_leg_share,
+          "it takes most of the time that a leg has; leave room for slower machines");
+  std::set<std::string> told;
+  std::istringstream lines(requests_);
+  for (std::string line; std::getline(lines, line);) {
+    // Run-time libraries ask for variables of their own.
+    if (line.rfind("variable OMP_", 0) == 0 || line.rfind("variable GOMP_", 0) == 0) continue;
+    if (told.insert(line).second)
+      warn_if(true, "it asked for a " + system::printable(line) + ", which no team gets");
   }
-  TrialLeg leg;
-  plugins::ProcessController& own = *seats[index_of(team)];
-  for (const auto& seat : seats) {
-    const auto ready = seat->wait_until_ready();
-    if (ready) continue;
-    if (const auto* failure = std::get_if<match::HostFailure>(&ready.error()))
-      return fail(Errc::host, failure->text);
-    leg.fault = std::get<match::Fault>(ready.error());
-  }
-  while (!leg.fault && !match.is_over() && match.tick() < max_ticks && !leg.is_too_slow) {
-    match.advance(*seats[0], *seats[1]);
-    leg.is_too_slow = is_over_time(seats);
-  }
-  delay_ += delay_of(seats);
-  if (match.is_over()) {
-    if (match.outcome().kind == match::OutcomeKind::void_)
-      return fail(Errc::host, match.outcome().why_void);
-    if (!match.outcome().faults.empty()) leg.fault = match.outcome().faults.front().fault;
-  }
-  measure(own, match.tick());
-  leg.ticks = match.log();
-  return leg;
-}
-
-// Time in which the processes waited for a processor is not counted: a busy machine is not the
-// entry's fault.
-bool Examination::is_over_time(const Seats& seats) {
-  const double all = clock_.now();
-  if (all <= max_playing_seconds) return false;
-  const double own_delay = plugins::Child::processor_delay(getpid()).value_or(0.0);
-  return all - own_delay - delay_ - delay_of(seats) > max_playing_seconds;
-}
-
-// Returns the time for which the processes of both teams were runnable without a processor, s.
-double Examination::delay_of(const Seats& seats) {
-  double sum = 0.0;
-  for (const auto& seat : seats) sum += seat->processor_delay().value_or(0.0);
-  return sum;
-}
-
-// Times are those of the longest leg yet, the log is that of the last one.
-void Examination::measure(plugins::ProcessController& process, std::uint32_t ticks) {
-  report_.start_ms = 1e3 * process.start_seconds();
-  report_.peak_memory = std::max(report_.peak_memory, process.peak_memory());
-  report_.slowest_tick_ms = std::max(report_.slowest_tick_ms, process.slowest_tick_ms());
-  report_.log = process.output();
-  report_.unknown_parameters = plugins::not_asked_for(parameters_, process.asked_parameters());
-  if (ticks == 0 || (ticks < first_ticks && report_.mean_tick_ms > 0.0)) return;
-  report_.mean_tick_ms = 1e3 * process.playing_seconds() / ticks;
-  // In a leg of full length the bank's fixed part hardly counts.
-  report_.bank_share = report_.mean_tick_ms / (1e3 * plugins::Budget().bank_per_tick);
-  if (ticks <= first_ticks) return;
-  // The cheapest of the legs counts: what disturbs a measurement only adds to it.
-  const double legs = real_half_ / half_s;
-  const double bank = plugins::Budget().bank;
-  const double needed = legs * process.playing_seconds();
-  const double share = needed / (bank + legs * (process.bank_seconds() - bank));
-  if (report_.leg_seconds > 0.0 && share >= report_.leg_share) return;
-  report_.leg_seconds = needed;
-  report_.leg_share = share;
 }
 
 }  // namespace
@@ -350,9 +480,9 @@ const Check* EntryReport::failure() const {
   return found == checks.end() ? nullptr : &*found;
 }
 
-Result<EntryReport> check_entry(const std::string& path, League league, std::optional<double> half,
-                                const match::TeamParameters& parameters) {
-  return Examination(path, league, half, parameters).run();
+Result<EntryReport> check_entry(const std::string& path, const EntryTerms& terms,
+                                const OnCheck& on_check) {
+  return Examination(path, terms, on_check).run();
 }
 
 }  // namespace mirocup::app

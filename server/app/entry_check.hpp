@@ -7,9 +7,11 @@
 #include "core/base/error.hpp"
 #include "core/field/league.hpp"
 #include "core/match/team_parameters.hpp"
+#include "core/referee/rules.hpp"
 #include "plugins/host/sandbox/isolation.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,16 +37,31 @@ struct EntryReport {
   double leg_share = 0.0;        // leg_seconds, of the time that such a leg gives
   std::size_t peak_memory = 0;   // bytes
   match::TeamParameters unknown_parameters;  // given, but the team never asked for them
+  int bad_values = 0;                        // of its commands, zeroed or clamped
+  int moved_placements = 0;                  // that it asked for and were not legal
+  bool has_moved = false;                    // it turned a wheel
+  std::vector<std::string> warnings;         // sentences about what is allowed but hardly meant
   std::string log;
 
   // The first check that failed; null if none did.
   const Check* failure() const;
 };
 
-// `half` is the length, s, of the halves that the entry is for; nothing: that of the rules. The
-// trial legs are shorter. The team plays them with the parameters. Takes at most 20 s. An error
-// means that there is no answer: the file cannot be read, or the host failed.
-Result<EntryReport> check_entry(const std::string& path, League league, std::optional<double> half,
-                                const match::TeamParameters& parameters);
+// The leg that an entry is for.
+struct EntryTerms {
+  League league = League::small;
+  referee::Rules rules;  // with the length of a half that it will play
+  match::TeamParameters parameters;
+};
+
+// Called with each check as soon as its result is known.
+using OnCheck = std::function<void(const Check&)>;
+
+// Looks at the file, then lets it play in the sandbox: whole legs against the house team striker in
+// both colours, a knock-out leg, and the first leg again where a careful heap watches its memory,
+// at other addresses and another time. Takes three seconds for a usual team, and at most 20 s of
+// playing. An error means that there is no answer: the file cannot be read, or the host failed.
+Result<EntryReport> check_entry(const std::string& path, const EntryTerms& terms,
+                                const OnCheck& on_check = {});
 
 }  // namespace mirocup::app

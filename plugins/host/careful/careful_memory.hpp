@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+//
+// A heap that notices mistakes. It takes the place of malloc() and free() in mirocup-careful-host,
+// also for the libraries that it loads.
+//
+// Each block lies between two zones of known bytes. A block that is freed is filled and kept for a
+// while. So a write beside a block, a write into a freed one, and a block that is freed twice are
+// noticed. A read of memory that was never written is not, but the fill changes what is read: the
+// team answers differently than in a leg with another fill.
+//
+// Not for several threads: a team has one.
+#pragma once
+
+#include <cstdint>
+
+namespace mirocup::plugins {
+
+// From here on new blocks are filled with this byte.
+void fill_new_memory_with(std::uint8_t fill);
+
+// Fills the part of the stack that the next call will use.
+void fill_stack();
+
+// Looks at the zones of blocks: of all, or of the next some thousands if there are more. Returns a
+// sentence about the first mistake since the start of the process, or null.
+const char* find_memory_mistake();
+
+}  // namespace mirocup::plugins

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#include "plugins/host/care.hpp"
+
+namespace mirocup::plugins {
+
+void begin_care(const Surroundings&) {}
+
+void before_call() {}
+
+const char* after_call() {
+  return nullptr;
+}
+
+void write_requests(char*, std::size_t) {}
+
+}  // namespace mirocup::plugins

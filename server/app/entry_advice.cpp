@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "server/app/entry_advice.hpp"
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <utility>
+
+namespace mirocup::app {
+
+namespace {
+
+using match::FaultCode;
+using plugins::AddressKind;
+using plugins::LastWords;
+
+constexpr const char* in_a_debugger =
+    "build it with -g and run gdb --args mirocup match --trusted --blue FILE.so --yellow striker";
+
+bool has(const std::string& text, std::string_view part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::string advice_on_signal(const LastWords& words) {
+  switch (words.signal) {
+    case SIGILL:
+      return "it was built for a newer processor than this one: leave out -march=native, and build "
+             "it with -O2";
+    case SIGFPE:
+      return std::string("an integer was divided by zero: ") + in_a_debugger;
+    case SIGABRT:
+      return "an assert(), abort() or std::terminate() ended it; the log's last line may say which";
+    default:
+      break;
+  }
+  switch (words.address) {
+    case AddressKind::null:
+      return std::string("a pointer was null: ") + in_a_debugger;
+    case AddressKind::end_of_stack:
+      return "the stack of 8 MiB was full: look for a recursion without end, and keep large arrays "
+             "as members of the team";
+    default:
+      return std::string("an index or a pointer was out of bounds: ") + in_a_debugger;
+  }
+}
+
+std::string advice_on_crash(const FaultEvidence& evidence) {
+  const LastWords words = evidence.words.value_or(LastWords());
+  const std::string& text = evidence.fault.text;
+  if (words.team_call == plugins::TeamCall::none && words.signal == 0)
+    return "a constructor of a global object ended it; make the object a member of the team";
+  if (has(evidence.requests, "thread\n") && has(text, "threw"))
+    return "it asked for a thread: a team has one, so compute in decide()";
+  if (has(text, "bad_alloc"))
+    return "it used more than 1 GiB of memory; keep what a team needs, and free the rest";
+  if (has(evidence.requests, "file ") && has(text, "threw"))
+    return "it asked for a file, which no team can open: put its data into the source";
+  if (has(text, "threw"))
+    return std::string("catch it, or mend what throws it; gdb stops there with catch throw: ") +
+           in_a_debugger;
+  if (has(text, "freed") || has(text, " a block of "))
+    return "build a test of yours with -g -fsanitize=address, which names the line";
+  if (words.signal != 0) return advice_on_signal(words);
+  if (has(text, "ended itself")) return "return from decide() instead of calling exit()";
+  return in_a_debugger;
+}
+
+bool starts_with(std::string_view bytes, std::string_view text) {
+  return bytes.substr(0, text.size()) == text;
+}
+
+}  // namespace
+
+std::string advice_on(const FaultEvidence& evidence) {
+  const std::string& text = evidence.fault.text;
+  switch (evidence.fault.code) {
+    case FaultCode::no_load:
+      if (has(text, "undefined symbol"))
+        return "a function of its own is missing: link the source or the library that defines it";
+      if (has(text, "returned null")) return "create() has to return the team";
+      return "link everything that it uses into the library, or use what the system has";
+    case FaultCode::bad_abi:
+      if (has(text, "returned null"))
+        return "mirocup_entry() has to return a pointer to a static mirocup_strategy";
+      if (has(text, "incomplete"))
+        return "set size, create and decide of the mirocup_strategy that mirocup_entry() returns";
+      return "build it again against the strategy.h of this version, and export mirocup_entry()";
+    case FaultCode::start_timeout:
+      return "do less in create() and in static constructors";
+    case FaultCode::crash:
+      return advice_on_crash(evidence);
+    case FaultCode::hang:
+      if (has(text, "slept")) return "do not sleep or wait in decide()";
+      return "look for a loop that does not end";
+    case FaultCode::budget:
+      return advice_on_time;
+    case FaultCode::illegal_call:
+      return "a strategy computes; files, network, processes and threads are not for it";
+    default:
+      return "see strategy.h";
+  }
+}
+
+std::string advice_on_file(std::string_view bytes) {
+  constexpr std::array<std::pair<std::string_view, const char*>, 9> kinds{{
+      {"!<arch>", "it is a static library (.a): link its objects with -shared"},
+      {"MZ", "it is a library or program of Windows (DLL): build it on Linux, as a .so"},
+      {"PK\x03\x04", "it is a zip archive: hand in the library that is in it"},
+      {"\x1f\x8b", "it is a compressed archive: hand in the library that is in it"},
+      {"\xcf\xfa\xed\xfe", "it is a library of macOS: build it on Linux, as a .so"},
+      {"#include", "it is a source: compile it, g++ -std=c++20 -O2 -shared -fPIC"},
+      {"//", "it is a source: compile it, g++ -std=c++20 -O2 -shared -fPIC"},
+      {"import ", "it is a program in Python: a team is a shared library; Python plays over DDS"},
+      {"#!", "it is a script: a team is a shared library"},
+  }};
+  const auto* found = std::find_if(
+      kinds.begin(), kinds.end(), [&](const auto& kind) { return starts_with(bytes, kind.first); });
+  return found == kinds.end() ? "" : found->second;
+}
+
+std::string advice_on_missing_entry(std::string_view bytes) {
+  // The C++ name of a function without parameters ends with v.
+  if (bytes.find("_Z13mirocup_entryv") != std::string_view::npos)
+    return "it exports mirocup_entry() under a C++ name: declare it extern \"C\", or write "
+           "MIROCUP_EXPORT_TEAM(YourClass, \"name\")";
+  return "it exports no function mirocup_entry(): write MIROCUP_EXPORT_TEAM(YourClass, \"name\"), "
+         "or in C define mirocup_entry()";
+}
+
+}  // namespace mirocup::app

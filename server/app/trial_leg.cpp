@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "server/app/trial_leg.hpp"
+
+#include "server/pace/wall_clock.hpp"
+#include "system/locations.hpp"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <unistd.h>
+
+namespace mirocup::app {
+
+namespace {
+
+using Seats = std::array<std::unique_ptr<plugins::ProcessController>, 2>;
+
+// The bank of a trial leg, as a multiple of a match's. How much a whole leg takes is reckoned from
+// the time that was used. So a team that is too slow is told by how much, and a careful process,
+// which looks at memory in each tick, has enough.
+constexpr double larger_bank = 50.0;
+
+// Stricter than in a match where the team hangs, so that its author learns it soon.
+plugins::Budget trial_budget() {
+  plugins::Budget budget;
+  budget.start_cpu = 4.0;
+  budget.start_wall = 5.0;
+  budget.tick_wall = 5.0;
+  budget.bank *= larger_bank;
+  budget.bank_per_tick *= larger_bank;
+  budget.bank_per_place *= larger_bank;
+  return budget;
+}
+
+Result<Seats> start_teams(const plugins::SealedEntry& entry, const match::Leg& leg,
+                          const TrialTerms& terms) {
+  plugins::ProcessTerms process_terms;
+  process_terms.isolation = terms.isolation;
+  Seats seats;
+  for (const Team team : both_teams) {
+    const bool is_own = team == terms.team;
+    process_terms.budget = is_own ? trial_budget() : plugins::Budget();
+    process_terms.surroundings = is_own ? terms.surroundings : plugins::Surroundings();
+    auto process = plugins::ProcessController::start(
+        system::sibling_program(is_own && terms.is_careful ? "mirocup-careful-host"
+                                                           : "mirocup-plugin-host"),
+        is_own ? entry : *terms.opponent, leg.briefing(team),
+        is_own ? terms.parameters : match::TeamParameters(), process_terms);
+    if (!process) return tl::unexpected(process.error());
+    seats[index_of(team)] = std::move(*process);
+  }
+  return seats;
+}
+
+// Returns the time for which this process and those of the teams were runnable without a
+// processor, s.
+double delay_of(const Seats& seats) {
+  double sum = plugins::Child::processor_delay(getpid()).value_or(0.0);
+  for (const auto& seat : seats) sum += seat->processor_delay().value_or(0.0);
+  return sum;
+}
+
+bool turns_a_wheel(const match::DrivenCommand& command) {
+  return std::any_of(command.wheels.begin(), command.wheels.end(),
+                     [](const auto& wheels) { return wheels[0] != 0 || wheels[1] != 0; });
+}
+
+int moved_placements(const match::Leg& leg, Team team) {
+  return static_cast<int>(std::count_if(
+      leg.decisions().begin(), leg.decisions().end(), [team](const match::LoggedDecision& logged) {
+        return logged.decision.verdict == referee::Verdict::PLACEMENT_FIXED && logged.team == team;
+      }));
+}
+
+}  // namespace
+
+Result<TrialLeg> play_trial(const plugins::SealedEntry& entry, const TrialTerms& terms) {
+  match::Leg leg(terms.setup);
+  auto started = start_teams(entry, leg, terms);
+  if (!started) return tl::unexpected(started.error());
+  const Seats& seats = *started;
+  plugins::ProcessController& own = *seats[index_of(terms.team)];
+
+  std::optional<match::Fault> fault;
+  for (const auto& seat : seats) {
+    const auto ready = seat->wait_until_ready();
+    if (ready) continue;
+    if (const auto* failure = std::get_if<match::HostFailure>(&ready.error()))
+      return fail(Errc::host, failure->text);
+    if (seat.get() != &own) return fail(Errc::host, std::get<match::Fault>(ready.error()).text);
+    fault = std::get<match::Fault>(ready.error());
+  }
+  pace::SteadyWallClock clock;
+  const double start = clock.now();
+  const double delay_before = delay_of(seats);
+  const auto is_over_time = [&] {
+    const double all = clock.now() - start;
+    return all > terms.max_seconds && all - (delay_of(seats) - delay_before) > terms.max_seconds;
+  };
+  while (!fault && !leg.is_over() && leg.tick() < terms.max_ticks && !is_over_time())
+    leg.advance(*seats[0], *seats[1]);
+  if (leg.is_over()) {
+    if (leg.outcome().kind == match::OutcomeKind::void_)
+      return fail(Errc::host, leg.outcome().why_void);
+    for (const match::TeamFault& of_a_team : leg.outcome().faults) {
+      if (of_a_team.team != terms.team) return fail(Errc::host, of_a_team.fault.text);
+      fault = of_a_team.fault;
+    }
+  }
+
+  TrialLeg played;
+  played.requests = own.requests();
+  if (fault) played.fault = FaultEvidence{*fault, own.last_words(), played.requests};
+  played.log = leg.log();
+  played.bad_values = leg.bad_values()[index_of(terms.team)];
+  played.moved_placements = moved_placements(leg, terms.team);
+  played.has_moved =
+      std::any_of(played.log.begin(), played.log.end(), [&](const match::TickLog& tick) {
+        return turns_a_wheel(tick.commands[index_of(terms.team)]);
+      });
+  played.start_seconds = own.start_seconds();
+  played.playing_seconds = own.playing_seconds();
+  played.slowest_tick_ms = own.slowest_tick_ms();
+  played.places = own.placements_asked();
+  played.slept_seconds = own.slept_seconds().value_or(0.0);
+  played.peak_memory = own.peak_memory();
+  played.output = own.output();
+  played.asked_parameters = own.asked_parameters();
+  return played;
+}
+
+}  // namespace mirocup::app

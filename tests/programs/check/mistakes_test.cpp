@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+//
+// Catches a check that accepts a mistake which loses a leg later, one that refuses it with the
+// wrong reason, and one that refuses what is allowed. teams/mistakes.cpp makes one mistake at a
+// time.
+#include "tests/programs/check/teams/mistakes.hpp"
+
+#include "tests/support/program.hpp"
+
+#include <gtest/gtest.h>
+
+namespace mirocup {
+namespace {
+
+using check_test::Mistake;
+using test_support::program;
+using Json = nlohmann::ordered_json;
+
+struct Answer {
+  int exit_code;
+  Json report;
+};
+
+Answer check_team_with(Mistake mistake) {
+  const auto outcome = test_support::run(
+      {program("mirocup"), "check", program("teams/mistakes.so"), "--half", "20", "--param",
+       "mistake=" + std::to_string(static_cast<int>(mistake)), "--json"});
+  return {outcome.exit_code, Json::parse(outcome.out, nullptr, false)};
+}
+
+struct Refused {
+  Mistake mistake;
+  const char* name;
+  const char* check;               // the first that fails
+  std::vector<const char*> texts;  // the reason has each of them
+};
+
+class Mistakes : public testing::TestWithParam<Refused> {};
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, Mistakes,
+    testing::Values(
+        Refused{Mistake::null_pointer_late,
+                "null_pointer_late",
+                "leg_blue",
+                {"null pointer", "decide() of tick 901", "gdb"}},
+        Refused{Mistake::throws_in_second_half,
+                "throws_in_second_half",
+                "leg_blue",
+                {"second half", "catch it"}},
+        Refused{Mistake::throws_when_trailing, "throws_when_trailing", "leg_", {"trailing"}},
+        Refused{Mistake::throws_after_a_goal, "throws_after_a_goal", "leg_", {"range_check"}},
+        Refused{Mistake::throws_in_a_shoot_out, "throws_in_a_shoot_out", "knockout", {"shoot-out"}},
+        Refused{
+            Mistake::throws_in_place, "throws_in_place", "leg_", {"place() threw", "place() of"}},
+        Refused{Mistake::slow, "slow", "budget", {"of processor time", "1 ms"}},
+        Refused{Mistake::sleeps, "sleeps", "ticks", {"neither wait nor sleep"}},
+        Refused{Mistake::leaks, "leaks", "leg_", {"bad_alloc", "1 GiB"}},
+        Refused{Mistake::endless_loop, "endless_loop", "leg_blue", {"loop that does not end"}},
+        Refused{Mistake::seed_of_time, "seed_of_time", "repeatable", {"a clock"}},
+        Refused{
+            Mistake::seed_of_process, "seed_of_process", "repeatable", {"number of its process"}},
+        Refused{Mistake::random_device, "random_device", "repeatable", {"std::random_device"}},
+        Refused{Mistake::address, "address", "repeatable", {"addresses"}},
+        Refused{Mistake::processor, "processor", "repeatable", {}},
+        Refused{
+            Mistake::writes_behind, "writes_behind", "", {"behind the end of a block of 24 bytes"}},
+        Refused{Mistake::writes_before,
+                "writes_before",
+                "",
+                {"before the begin of a block of 24 bytes"}},
+        Refused{Mistake::writes_freed, "writes_freed", "", {"that it had freed"}},
+        Refused{Mistake::frees_twice, "frees_twice", "", {"freed twice"}},
+        Refused{Mistake::reads_freed, "reads_freed", "repeatable", {"never written"}},
+        Refused{Mistake::heap_not_set, "heap_not_set", "repeatable", {"never written"}},
+        Refused{Mistake::stack_not_set, "stack_not_set", "repeatable", {"never written"}},
+        Refused{Mistake::recursion, "recursion", "ticks", {"end of its stack", "recursion"}},
+        Refused{Mistake::division_by_zero, "division_by_zero", "ticks", {"divided by zero"}},
+        Refused{Mistake::throws_in_noexcept, "throws_in_noexcept", "ticks", {"std::terminate"}},
+        Refused{Mistake::assertion, "assertion", "ticks", {"assert()"}},
+        Refused{Mistake::exits, "exits", "ticks", {"exit()"}},
+        Refused{Mistake::wild_pointer, "wild_pointer", "ticks", {"not valid", "out of bounds"}},
+        Refused{Mistake::writes_observation, "writes_observation", "ticks", {"not valid"}},
+        Refused{Mistake::thread, "thread", "loads", {"asked for a thread"}},
+        Refused{Mistake::file, "file", "ticks", {"asked for a file"}}),
+    [](const auto& c) { return c.param.name; });
+
+TEST_P(Mistakes, AreRefusedWithTheirReason) {
+  const Refused& expected = GetParam();
+  const Answer examined = check_team_with(expected.mistake);
+  EXPECT_EQ(examined.exit_code, 1) << examined.report.dump(1);
+  const std::string reason = examined.report.value("reason", Json()).dump();
+  EXPECT_EQ(reason.rfind("\"" + std::string(expected.check), 0), 0u) << reason;
+  for (const char* text : expected.texts) EXPECT_NE(reason.find(text), std::string::npos) << reason;
+}
+
+struct Allowed {
+  Mistake mistake;
+  const char* name;
+  const char* warning;  // "": there is none
+};
+
+class HarmlessTeams : public testing::TestWithParam<Allowed> {};
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, HarmlessTeams,
+    testing::Values(Allowed{Mistake::none, "none", ""},
+                    Allowed{Mistake::bad_values, "bad_values", "zeroed or clamped"},
+                    Allowed{Mistake::never_moves, "never_moves", "never turned a wheel"},
+                    Allowed{Mistake::illegal_places, "illegal_places", "not legal"},
+                    Allowed{Mistake::long_log, "long_log", "logs so much"},
+                    Allowed{Mistake::asks_for_a_variable, "asks_for_a_variable",
+                            "variable TEAM_MODE"},
+                    Allowed{Mistake::tries_a_file, "tries_a_file", "file notes.txt"},
+                    Allowed{Mistake::tries_a_thread, "tries_a_thread", "asked for a thread"},
+                    Allowed{Mistake::keeps_much_memory, "keeps_much_memory", ""},
+                    Allowed{Mistake::measures_time, "measures_time", ""}),
+    [](const auto& c) { return c.param.name; });
+
+TEST_P(HarmlessTeams, AreAccepted) {
+  const Answer examined = check_team_with(GetParam().mistake);
+  EXPECT_EQ(examined.exit_code, 0) << examined.report["reason"];
+  const std::string warnings = examined.report["warnings"].dump();
+  if (*GetParam().warning == '\0') {
+    EXPECT_EQ(warnings, "[]");
+  } else {
+    EXPECT_NE(warnings.find(GetParam().warning), std::string::npos) << warnings;
+  }
+}
+
+}  // namespace
+}  // namespace mirocup
