@@ -6,6 +6,7 @@
 #include "server/app/commands.hpp"
 #include "server/dds/domain.hpp"
 #include "server/record/match_record.hpp"
+#include "system/command_line.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -100,6 +101,7 @@ void add_match(CLI::App& app, Run& run) {
       ->capture_default_str()
       ->excludes(from);
   command->add_option("--seed", o.seed, "Seed of the toss and of the teams' random numbers")
+      ->check(CLI::Validator(system::problem_with_seed, "SEED"))
       ->capture_default_str()
       ->excludes(from);
   command
@@ -248,8 +250,11 @@ void add_replay(CLI::App& app, Run& run) {
       "Make a page that shows a record in a browser, or a picture of one moment", run_replay);
   ReplayOptions& o = *command.options;
   command->add_option("RECORD", o.record, "Match record")->required();
-  command->add_option("-o,--output", o.output, "File to write the page or the picture to")
-      ->required();
+  command
+      ->add_option("-o,--output", o.output,
+                   "File to write the page or the picture to (default: beside the record, with "
+                   "the ending .html or .svg)")
+      ->type_name("FILE");
   command->add_option("--at", o.at, "Moment of the picture in seconds since the match began")
       ->check(CLI::Range(0.0, 1e6));
   command->add_flag("--svg", o.svg, "Draw a still picture of the moment --at");
@@ -311,7 +316,7 @@ void add_referee(CLI::App& app, Run& run) {
 std::optional<int> read_command_line(int argc, char** argv, Run& run) {
   CLI::App cli("A tournament platform for MiroSot robot soccer.", "mirocup");
   cli.require_subcommand(1);
-  cli.set_version_flag("--version", record::software_version());
+  cli.set_version_flag("-v,--version", record::software_version());
   cli.footer(
       "mirocup league ... runs tournaments: see mirocup league --help.\n"
       "mirocup bench ... compares speed and error with other engines: see mirocup bench --help.");
@@ -325,14 +330,8 @@ std::optional<int> read_command_line(int argc, char** argv, Run& run) {
   add_stats(cli, run);
   add_scene(cli, run);
   add_referee(cli, run);
-  try {
-    cli.parse(argc, argv);
-  } catch (const CLI::ParseError& e) {
-    const bool is_help = e.get_exit_code() == 0;
-    cli.exit(e);
-    return is_help ? exit_yes : exit_code(Errc::input);
-  }
-  return {};
+  const std::vector<std::string> others{"league", "bench"};
+  return system::parse_command_line(cli, argc, argv, others);
 }
 
 }  // namespace mirocup::app

@@ -10,12 +10,15 @@
 
 using namespace mirocup;
 
-int main(int argc, char** argv) {
-  const auto report = [](const Result<int>& result) {
-    if (result) return *result;
-    std::cerr << "mirocup: " << system::printable(result.error().what) << '\n';
-    return exit_code(result.error().code);
-  };
+namespace {
+
+int report(const Result<int>& result) {
+  if (result) return *result;
+  std::cerr << "mirocup: " << system::printable(result.error().what) << '\n';
+  return exit_code(result.error().code);
+}
+
+int run(int argc, char** argv) {
   const std::string_view command = argc > 1 ? argv[1] : "";
   if (command == "league") return report(app::become_sibling_program("mirocup-league", argc, argv));
   if (command == "bench") return report(app::become_sibling_program("mirocup-bench", argc, argv));
@@ -23,4 +26,16 @@ int main(int argc, char** argv) {
   app::Run run;
   if (const auto done = app::read_command_line(argc, argv, run)) return *done;
   return report(run());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // `mirocup help league` is `mirocup league --help`, also for a command of another program.
+  if (argc == 3 && std::string_view(argv[1]) == "help") {
+    char help[] = "--help";
+    char* asked[] = {argv[0], argv[2], help, nullptr};
+    return run(3, asked);
+  }
+  return run(argc, argv);
 }

@@ -18,9 +18,13 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <unistd.h>
 
 namespace mirocup::app {
 
@@ -389,6 +393,15 @@ void Session::report() const {
   if (!r.why_void.empty()) std::cout << "void: " << system::printable(r.why_void) << '\n';
 }
 
+// A leg that cannot be written should not be played first.
+Result<void> check_output(const MatchOptions& options) {
+  if (options.record_path.empty()) return {};
+  const std::filesystem::path folder = std::filesystem::absolute(options.record_path).parent_path();
+  if (access(folder.c_str(), W_OK) == 0) return {};
+  return fail(Errc::unavailable, options.record_path + ": nothing can be written into " +
+                                     folder.string() + ": " + std::strerror(errno));
+}
+
 }  // namespace
 
 Result<int> run_match(const MatchOptions& options) {
@@ -398,6 +411,7 @@ Result<int> run_match(const MatchOptions& options) {
   if (!setup) return tl::unexpected(setup.error());
   const auto factor = factor_of(options);
   if (!factor) return tl::unexpected(factor.error());
+  if (auto writable = check_output(options); !writable) return tl::unexpected(writable.error());
 
   Session session(options, *setup, *factor);
   if (*past) {
@@ -408,7 +422,10 @@ Result<int> run_match(const MatchOptions& options) {
   if (auto seated = session.seat_teams(); !seated) return tl::unexpected(seated.error());
   if (auto opened = session.open_live_page(); !opened) return tl::unexpected(opened.error());
   if (auto played = session.play(); !played) return tl::unexpected(played.error());
-  if (auto written = session.write_record(); !written) return tl::unexpected(written.error());
+  if (auto written = session.write_record(); !written) {
+    session.report();  // the score is known, if nothing else
+    return tl::unexpected(written.error());
+  }
   session.end_live_page();
   session.warn_of_unknown_parameters();
   session.report();

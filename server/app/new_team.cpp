@@ -4,6 +4,7 @@
 #include "server/app/commands.hpp"
 #include "system/files.hpp"
 #include "system/locations.hpp"
+#include "system/printable.hpp"
 
 #include <filesystem>
 #include <iostream>
@@ -21,6 +22,14 @@ std::string replaced(std::string text, const std::string& word, const std::strin
     text.replace(at, word.size(), by);
   }
   return text;
+}
+
+// A word that a shell reads as it is.
+std::string quoted_for_shell(const std::string& word) {
+  constexpr const char* plain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-+=@%";
+  if (word.find_first_not_of(plain) == std::string::npos) return word;
+  return "'" + replaced(word, "'", "'\\''") + "'";
 }
 
 }  // namespace
@@ -46,8 +55,8 @@ Result<int> run_new(const NewOptions& options) {
     const std::string path = (fs::path(folder) / file.path().filename()).string();
     if (auto written = disk.write(path, filled); !written) return tl::unexpected(written.error());
   }
-  std::cout << folder << ": a team. Build, test and check it: cd " << folder
-            << " && cmake --workflow --preset team\n";
+  std::cout << system::printable(folder) << ": a team. Build, test and check it: cd "
+            << quoted_for_shell(folder) << " && cmake --workflow --preset team\n";
   return exit_yes;
 }
 

@@ -23,6 +23,11 @@ tl::expected<std::string, replay::Divergence> picture_at(const replay::Recording
   const double period = recording.setup.control_period;
   std::vector<Vec2> balls;
   while (playback.leg().tick() * period < time) {
+    if (playback.leg().is_over()) {
+      std::cerr << "mirocup: the leg is over after " << playback.leg().tick() * period
+                << " s; this is its last moment\n";
+      break;
+    }
     balls.push_back(playback.leg().snapshot().ball.position);
     if (!playback.advance()) break;
   }
@@ -33,9 +38,24 @@ tl::expected<std::string, replay::Divergence> picture_at(const replay::Recording
   return web::picture(playback.leg().field(), recording.setup.parameters, moment);
 }
 
+// A page is written as .html and a picture as .svg, so that programs open them as what they are.
+Result<std::string> output_of(const ReplayOptions& options) {
+  const std::string ending = options.svg ? ".svg" : ".html";
+  if (options.output.empty())
+    return std::filesystem::path(options.record).replace_extension(ending).string();
+  const std::string given = std::filesystem::path(options.output).extension();
+  if (given == ending || (!options.svg && given == ".htm")) return options.output;
+  // Something that is no file of its own, such as /dev/stdout, has no ending.
+  if (given.empty()) return options.output;
+  return fail(Errc::input, options.output + ": " + (options.svg ? "a picture" : "a page") +
+                               " is written as " + ending);
+}
+
 }  // namespace
 
 Result<int> run_replay(const ReplayOptions& options) {
+  const auto output = output_of(options);
+  if (!output) return tl::unexpected(output.error());
   if (options.svg != options.at.has_value()) {
     return fail(Errc::input, "--at T and --svg belong together: a still picture of a moment");
   }
@@ -61,7 +81,7 @@ Result<int> run_replay(const ReplayOptions& options) {
               << " on: " << made.error().what << '\n';
     return exit_no;
   }
-  if (auto written = disk.write(options.output, *made); !written) {
+  if (auto written = disk.write(*output, *made); !written) {
     return tl::unexpected(written.error());
   }
   if (!options.statistics.empty()) {
@@ -73,7 +93,7 @@ Result<int> run_replay(const ReplayOptions& options) {
       return tl::unexpected(written.error());
     }
   }
-  std::cout << system::printable(options.output) << '\n';
+  std::cout << system::printable(*output) << '\n';
   return exit_yes;
 }
 

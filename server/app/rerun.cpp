@@ -35,12 +35,12 @@ std::string entries_folder(const RerunOptions& options) {
   return (fs::absolute(options.record).parent_path().parent_path() / "entries").string();
 }
 
-// The path of the library below `folder` that has the digest; "" if there is none.
-std::string library_with(system::Files& files, const std::string& folder,
-                         const std::string& sha256) {
+// The path of the library in `folder` that has the digest; "" if there is none. With a recursive
+// iterator the folders below it are searched, too.
+template <class Iterator>
+std::string library_with(system::Files& files, const fs::path& folder, const std::string& sha256) {
   std::error_code none;
-  for (fs::recursive_directory_iterator at(folder, none), end; !none && at != end;
-       at.increment(none)) {
+  for (Iterator at(folder, none), end; !none && at != end; at.increment(none)) {
     if (at->path().extension() != ".so") continue;
     const auto bytes = files.read(at->path().string(), {.max_size = system::size_limit::entry});
     if (bytes && system::sha256(*bytes) == sha256) return at->path().string();
@@ -49,7 +49,8 @@ std::string library_with(system::Files& files, const std::string& folder,
 }
 
 Result<TeamChoice> choose_again(system::Files& files, const record::TeamInfo& team,
-                                const std::string& entries) {
+                                const RerunOptions& options) {
+  const std::string entries = entries_folder(options);
   if (team.kind == record::TeamKind::dds) {
     return fail(Errc::unavailable,
                 "\"" + team.name + "\" played over the network: only its owner can run it again");
@@ -62,7 +63,13 @@ Result<TeamChoice> choose_again(system::Files& files, const record::TeamInfo& te
       return choice;
     }
   }
-  const std::string library = library_with(files, entries, sha256);
+  std::string library = library_with<fs::recursive_directory_iterator>(files, entries, sha256);
+  // A student's own leg lies beside the library, or in the folder where it was built.
+  for (const fs::path& folder :
+       {fs::path(options.record).parent_path(), fs::path("."), fs::path("build")}) {
+    if (!library.empty()) break;
+    library = library_with<fs::directory_iterator>(files, folder.empty() ? "." : folder, sha256);
+  }
   if (library.empty()) {
     return fail(Errc::unavailable, "the library of \"" + team.name + "\" (sha256 " + sha256 +
                                        ") is not in " + entries + "; name its folder by --entries");
@@ -196,7 +203,7 @@ Result<int> run_rerun(const RerunOptions& options) {
   }
   std::vector<TeamChoice> choices;
   for (const record::TeamInfo& team : record->teams) {
-    auto choice = choose_again(disk, team, entries_folder(options));
+    auto choice = choose_again(disk, team, options);
     if (!choice) return tl::unexpected(choice.error());
     choices.push_back(std::move(*choice));
   }

@@ -74,7 +74,7 @@ only 'dds/|mirocup\.h>' server/dds
 only 'nlohmann/' server/record server/statistics server/traces server/web server/app tournaments
 only 'dlfcn\.h' plugins/host
 only 'httplib' server/web
-only 'CLI/' server/app tournaments/app
+only 'CLI/' server/app system/command_line.cpp tournaments/app
 only 'openssl/' system
 only 'zstd' server/record
 only 'box2d/|chipmunk/|ode/' none  # peers: tests/bench alone

@@ -4,6 +4,7 @@
 #include "tournaments/app/command_line.hpp"
 
 #include "server/record/match_record.hpp"
+#include "system/command_line.hpp"
 #include "tournaments/app/commands.hpp"
 #include "tournaments/format/format.hpp"
 
@@ -53,7 +54,9 @@ void add_init(CLI::App& app, Action& action) {
       ->check(CLI::IsMember(formats))
       ->excludes("--config");
   command->add_option("--half", o.half_s, "seconds of a half")->excludes("--config");
-  command->add_option("--seed", o.seed, "seed of all random draws")->excludes("--config");
+  command->add_option("--seed", o.seed, "seed of all random draws")
+      ->check(CLI::Validator(system::problem_with_seed, "SEED"))
+      ->excludes("--config");
 }
 
 void add_submit(CLI::App& app, Action& action) {
@@ -235,7 +238,9 @@ void add_compare(CLI::App& app, Action& action) {
   command
       ->add_option("--conditions", r.conditions, "exact, hall or camera (default: as in a match)")
       ->check(CLI::IsMember({"exact", "hall", "camera"}));
-  command->add_option("--seed", r.seed, "seed of the fixtures")->capture_default_str();
+  command->add_option("--seed", r.seed, "seed of the fixtures")
+      ->check(CLI::Validator(system::problem_with_seed, "SEED"))
+      ->capture_default_str();
   command->add_option("--jobs", r.jobs, "number of legs at once (default: one for each processor)")
       ->check(CLI::Range(1, 1024));
   command
@@ -289,7 +294,7 @@ void add_credentials(CLI::App& app, Action& action) {
 std::optional<int> read_command_line(int argc, char** argv, Action& action) {
   CLI::App cli("Leagues of MiroSot robot soccer: a league is a folder.", "mirocup league");
   cli.require_subcommand(1);
-  cli.set_version_flag("--version", record::software_version());
+  cli.set_version_flag("-v,--version", record::software_version());
   add_init(cli, action);
   add_submit(cli, action);
   add_owner(cli, action);
@@ -298,14 +303,7 @@ std::optional<int> read_command_line(int argc, char** argv, Action& action) {
   add_compare(cli, action);
   add_shards(cli, action);
   add_credentials(cli, action);
-  try {
-    cli.parse(argc, argv);
-  } catch (const CLI::ParseError& e) {
-    const bool asked_for_help = e.get_exit_code() == 0;
-    cli.exit(e);
-    return asked_for_help ? exit_yes : exit_code(Errc::input);
-  }
-  return {};
+  return system::parse_command_line(cli, argc, argv);
 }
 
 }  // namespace mirocup::league
