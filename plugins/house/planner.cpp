@@ -19,19 +19,28 @@ namespace {
 using namespace mirocup::strategy;
 
 // What the attacker does.
-enum class Move { shoot, push, spin, hold, burst };
+enum class Move { shoot, push, spin_left, spin_right, hold, burst };
 
 struct Plan {
   Move move = Move::shoot;
+  Point aim{};  // of a shot or push, m
   int attacker = 1;
-  Point aim;             // of a shot or push, m
-  double spin = 0.0;     // rad/s
-  Wheels burst;          // for the first ticks; then it shoots
   bool presses = false;  // the next robot attacks, too
+  Wheels burst{};        // what it drives for the first ticks, before it shoots
   int age = 0;           // ticks since it was chosen
 };
 
 constexpr int burst_ticks = 4;
+constexpr std::array<Wheels, 10> bursts{{{80, 80},
+                                         {80, 50},
+                                         {50, 80},
+                                         {80, -80},
+                                         {-80, 80},
+                                         {-80, -80},
+                                         {80, 20},
+                                         {20, 80},
+                                         {-80, -40},
+                                         {-40, -80}}};
 
 class Planner : public Team {
  public:
@@ -57,8 +66,7 @@ class Planner : public Team {
     if (must_kick_off(now)) command.wheels[1] = kick_off(setup(), then.own[1]);
     keep_laws(setup(), then, command);
     spare_keeper(setup(), then, command);
-    if (must_take_kick(now, spot_))
-      command.wheels[1] = shoot(setup(), now.own[1], ball(now), aim_);
+    if (must_take_kick(now, spot_)) command.wheels[1] = shoot(setup(), now.own[1], ball(now), aim_);
     ++plan_.age;
     tracker_.sent(command);
   }
@@ -98,8 +106,7 @@ class Planner : public Team {
     double cost = 0.0;
     for (int t = 0; t < horizon_; t += step_) {
       show_to_opponents(scene, seen);
-      const Command theirs =
-          t == 0 ? tracker_.opponents() : act(seen, usual_plan(seen), 0);
+      const Command theirs = t == 0 ? tracker_.opponents() : act(seen, usual_plan(seen), 0);
       show(scene, seen);
       Command mine = act(seen, plan, t);
       const PredictedTick tick = simulator_.advance(scene, mine, theirs, step_);
@@ -166,7 +173,8 @@ class Planner : public Team {
 
   Point usual_aim(const Observation& now) const {
     const bool is_at_wall = std::abs(now.ball_y) > setup().half_width - 0.05;
-    if (is_at_wall && now.ball_x < setup().half_length - 0.25) return {now.ball_x + 1.0, now.ball_y};
+    if (is_at_wall && now.ball_x < setup().half_length - 0.25)
+      return {now.ball_x + 1.0, now.ball_y};
     if (now.ball_x < -setup().half_length + 0.06)
       return {now.ball_x + 0.2, now.ball_y + (now.ball_y > 0.0 ? 1.0 : -1.0)};
     return open_corner(setup(), now, 0.06);
@@ -175,38 +183,30 @@ class Planner : public Team {
   // Returns one plan after the other.
   Plan next_plan(const Observation& now, const Plan& usual) {
     const int n = count_++;
-    Plan plan = usual;
     const bool is_near = length(position(now.own[usual.attacker]) - ball(now)) < 0.13;
-    const auto pick = [&](auto& list, int k) { return list[static_cast<std::size_t>(k) % list.size()]; };
-    const double width = setup().half_width, half = setup().half_length;
+    const auto pick = [](const auto& list, int k) { return list[k % list.size()]; };
     if (is_near && n % 2 == 0) {
-      static constexpr std::array<Wheels, 10> bursts{{{80, 80}, {80, 50}, {50, 80}, {80, -80}, {-80, 80},
-                                                     {-80, -80}, {80, 20}, {20, 80}, {-80, -40}, {-40, -80}}};
+      Plan plan = usual;
       plan.move = Move::burst;
       plan.burst = pick(bursts, n / 2);
       return plan;
     }
-    const std::array<Plan, 14> list{{
-        {.move = Move::shoot, .aim = {half, 0.0}},
-        {.move = Move::shoot, .aim = {half, 0.13}},
-        {.move = Move::shoot, .aim = {half, -0.13}},
-        {.move = Move::push, .aim = {half, 0.0}},
-        {.move = Move::shoot, .aim = {half, 2.0 * width - 0.1}},   // over the left wall
-        {.move = Move::shoot, .aim = {half, -2.0 * width + 0.1}},  // over the right wall
-        {.move = Move::hold},
-        {.move = Move::shoot, .aim = {now.ball_x + 0.3, now.ball_y + 1.0}},
-        {.move = Move::shoot, .aim = {now.ball_x + 0.3, now.ball_y - 1.0}},
-        {.move = Move::spin, .spin = 40.0},
-        {.move = Move::spin, .spin = -40.0},
-        {.move = Move::push, .aim = {half, 0.13}},
-        {.move = Move::push, .aim = {half, -0.13}},
-        {.move = Move::shoot, .aim = {now.ball_x + 1.0, now.ball_y}},
-    }};
+    const double half = setup().half_length;
+    const double bank = 2.0 * setup().half_width - 0.1;  // the goal, seen in a side wall
+    const Point here = ball(now);
+    const auto shot_at = [](Point aim) { return Plan{Move::shoot, aim}; };
+    const auto push_to = [](Point aim) { return Plan{Move::push, aim}; };
+    const std::array<Plan, 14> list{
+        shot_at({half, 0.0}),   shot_at({half, 0.13}),           shot_at({half, -0.13}),
+        push_to({half, 0.0}),   shot_at({half, bank}),           shot_at({half, -bank}),
+        Plan{Move::hold},       shot_at(here + Point{0.3, 1.0}), shot_at(here - Point{-0.3, 1.0}),
+        Plan{Move::spin_left},  Plan{Move::spin_right},          push_to({half, 0.13}),
+        push_to({half, -0.13}), shot_at(here + Point{1.0, 0.0})};
     const int k = is_near ? n / 2 : n;
-    plan = pick(list, k);
-    plan.attacker = usual.attacker;
-    // Every third plan is one of another robot, or of two.
-    if (k % 3 == 2) plan.attacker = 1 + usual.attacker % (now.robots - 1);
+    Plan plan = pick(list, k);
+    // Now and then the plan is one of another robot, or of two.
+    const bool is_other = k % 3 == 2;
+    plan.attacker = is_other ? 1 + usual.attacker % (now.robots - 1) : usual.attacker;
     plan.presses = k % 4 == 3;
     return plan;
   }
@@ -240,9 +240,10 @@ class Planner : public Team {
         if (length(to) > 0.15) break;
         return drive_to(setup(), robot, ball(now) + 0.2 * unit(plan.aim - ball(now)), 1.8, 1.8);
       }
-      case Move::spin:
+      case Move::spin_left:
+      case Move::spin_right:
         if (length(ball(now) - position(robot)) > 0.075) break;
-        return wheels_for(setup(), 0.0, plan.spin);
+        return wheels_for(setup(), 0.0, plan.move == Move::spin_left ? 40.0 : -40.0);
       case Move::hold: {
         const Point own{-setup().half_length, 0.0};
         return drive(now, i, ball(now) + 0.15 * unit(own - ball(now)));
@@ -326,8 +327,8 @@ class Planner : public Team {
   const int tries_ = static_cast<int>(parameter("tries", 3));
   const int horizon_ = static_cast<int>(parameter("horizon", 24));  // ticks
   const int step_ = static_cast<int>(parameter("step", 2));         // ticks that a command holds
-  const double stay_ = parameter("stay", 0.02);                     // a plan is worth more if it is kept
-  const double push_ = parameter("push", 0.02);                     // a touch of an opponent
+  const double stay_ = parameter("stay", 0.02);  // a plan is worth more if it is kept
+  const double push_ = parameter("push", 0.02);  // a touch of an opponent
 
   // Predicting takes processor time, which is counted in steps and events: without a clock, a leg
   // can be played again.
