@@ -73,9 +73,9 @@ std::string in_words(E e) {
   return text;
 }
 
-const std::vector<std::string> number_heads{"Legs",      "Goals",     "Shots",         "On goal",
-                                            "Saves",     "Passes",    "Interceptions", "Possession",
-                                            "Territory", "Ball lost", "Duels won",     "Fouls"};
+const std::vector<std::string> number_heads{"Legs",      "Shots",         "On goal",    "Saves",
+                                            "Passes",    "Interceptions", "Possession", "Territory",
+                                            "Ball lost", "Duels won",     "Fouls"};
 
 void number_cells(Html& html, const TeamTotals& t) {
   html.cell_of("number", std::to_string(t.legs));
@@ -101,7 +101,7 @@ std::vector<std::string> head_of(const std::vector<std::string>& first) {
 }
 
 void kinds_head(Html& html, const std::string& first) {
-  std::vector<std::string> head{first};
+  std::vector<std::string> head{first, "all"};
   for (std::size_t i = 0; i < enum_names<GoalOrigin>.size(); ++i) {
     head.push_back(in_words(static_cast<GoalOrigin>(i)));
   }
@@ -109,6 +109,7 @@ void kinds_head(Html& html, const std::string& first) {
 }
 
 void kinds_cells(Html& html, const TeamStatistics& own) {
+  html.cell_of("number", std::to_string(own.all_goals()));
   for (const int goals : own.goals) html.cell_of("number", std::to_string(goals));
 }
 
@@ -134,8 +135,10 @@ std::string loss_in_words(const std::optional<statistics::Loss>& loss, const sta
                           double period) {
   if (!loss) return "";
   const double before = (goal.tick - loss->tick) * period;
-  return in_words(loss->kind) + ", " + in_words(loss->third) + " third, " + fixed(before, 1) +
-         " s before";
+  const char* third = loss->third == statistics::Third::own      ? "own third"
+                      : loss->third == statistics::Third::middle ? "middle"
+                                                                 : "opponents' third";
+  return in_words(loss->kind) + ", " + third + ", " + fixed(before, 1) + " s before";
 }
 
 void goals_against(Html& html, const LegReports& reports, const std::string& name) {
@@ -294,7 +297,7 @@ std::string team_statistics_html(const Overview& o, const LegReports& reports, i
   html.cell("p", "It lost the ball " + std::to_string(all.own.all_losses()) + " times: " +
                      std::to_string(all.own.losses[0]) + " in its own third of the field, " +
                      std::to_string(all.own.losses[1]) + " in the middle, " +
-                     std::to_string(all.own.losses[2]) + " in front of the other goal.");
+                     std::to_string(all.own.losses[2]) + " in that of its opponents.");
   goals_against(html, reports, name);
   return html.text();
 }
