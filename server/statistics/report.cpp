@@ -251,9 +251,9 @@ std::string goals_text(const std::vector<LegReport>& legs) {
 
 std::string goals_csv(const std::vector<LegReport>& legs) {
   std::string text =
-      system::csv_line({"record", "leg", "tick", "seconds", "event", "team", "opponent", "kind",
-                        "restart", "restart_law", "since_restart_s", "loss_tick", "loss_kind",
-                        "loss_third", "loss_x", "loss_y"});
+      system::csv_line({"record", "leg", "tick", "seconds", "event", "team", "colour", "opponent",
+                        "kind", "restart", "restart_law", "since_restart_s", "loss_tick",
+                        "loss_kind", "loss_third", "loss_x", "loss_y"});
   for (const LegReport& leg : legs) {
     const auto line = [&](std::uint32_t tick, const char* event, Team team,
                           std::vector<std::string> rest) {
@@ -263,6 +263,7 @@ std::string goals_csv(const std::vector<LegReport>& legs) {
                                      fixed(tick * leg.control_period, 3),
                                      event,
                                      leg.names[index_of(team)],
+                                     std::string(to_string(team)),
                                      leg.names[index_of(opponent_of(team))]};
       rest.resize(9);
       cells.insert(cells.end(), rest.begin(), rest.end());

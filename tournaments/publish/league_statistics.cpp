@@ -7,6 +7,7 @@
 #include "tournaments/publish/team_page.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstdio>
 #include <filesystem>
@@ -73,35 +74,48 @@ std::string in_words(E e) {
   return text;
 }
 
-const std::vector<std::string> number_heads{"Legs",      "Goals",     "Shots",         "On goal",
-                                            "Saves",     "Passes",    "Interceptions", "Possession",
-                                            "Territory", "Ball lost", "Duels won",     "Fouls"};
+// A column of the tables of numbers.
+struct Column {
+  const char* head;
+  std::string (*text)(const TeamTotals&);
+};
 
-void number_cells(Html& html, const TeamTotals& t) {
-  html.cell_of("number", std::to_string(t.legs));
-  html.cell_of("number",
-               std::to_string(t.own.all_goals()) + " : " + std::to_string(t.against.all_goals()));
-  for (const int number :
-       {t.own.shots, t.own.shots_on_goal, t.own.saves, t.own.passes, t.own.interceptions}) {
-    html.cell_of("number", std::to_string(number));
-  }
-  html.cell_of("number",
-               statistics::percent(statistics::share(t.own.possession_s, t.against.possession_s)));
-  html.cell_of("number", statistics::percent(
-                             statistics::share(t.own.opponent_half_s, t.against.opponent_half_s)));
-  html.cell_of("number", std::to_string(t.own.all_losses()));
-  html.cell_of("number", std::to_string(t.own.duels_won) + " of " + std::to_string(t.duels));
-  html.cell_of("number", std::to_string(t.own.all_fouls()));
+constexpr std::array<Column, 11> columns{{
+    {"Legs", [](const TeamTotals& t) { return std::to_string(t.legs); }},
+    {"Shots", [](const TeamTotals& t) { return std::to_string(t.own.shots); }},
+    {"On goal", [](const TeamTotals& t) { return std::to_string(t.own.shots_on_goal); }},
+    {"Saves", [](const TeamTotals& t) { return std::to_string(t.own.saves); }},
+    {"Passes", [](const TeamTotals& t) { return std::to_string(t.own.passes); }},
+    {"Interceptions", [](const TeamTotals& t) { return std::to_string(t.own.interceptions); }},
+    {"Possession",
+     [](const TeamTotals& t) {
+       return statistics::percent(statistics::share(t.own.possession_s, t.against.possession_s));
+     }},
+    {"Territory",
+     [](const TeamTotals& t) {
+       return statistics::percent(
+           statistics::share(t.own.opponent_half_s, t.against.opponent_half_s));
+     }},
+    {"Ball lost", [](const TeamTotals& t) { return std::to_string(t.own.all_losses()); }},
+    {"Duels won",
+     [](const TeamTotals& t) {
+       return std::to_string(t.own.duels_won) + " of " + std::to_string(t.duels);
+     }},
+    {"Fouls", [](const TeamTotals& t) { return std::to_string(t.own.all_fouls()); }},
+}};
+
+void number_cells(Html& html, const TeamTotals& totals) {
+  for (const Column& column : columns) html.cell_of("number", column.text(totals));
 }
 
-std::vector<std::string> head_of(const std::vector<std::string>& first) {
-  std::vector<std::string> head = first;
-  head.insert(head.end(), number_heads.begin(), number_heads.end());
-  return head;
+void number_heads(Html& html, const std::string& first) {
+  std::vector<std::string> head{first};
+  for (const Column& column : columns) head.emplace_back(column.head);
+  html.row("th", head);
 }
 
 void kinds_head(Html& html, const std::string& first) {
-  std::vector<std::string> head{first};
+  std::vector<std::string> head{first, "all"};
   for (std::size_t i = 0; i < enum_names<GoalOrigin>.size(); ++i) {
     head.push_back(in_words(static_cast<GoalOrigin>(i)));
   }
@@ -109,6 +123,7 @@ void kinds_head(Html& html, const std::string& first) {
 }
 
 void kinds_cells(Html& html, const TeamStatistics& own) {
+  html.cell_of("number", std::to_string(own.all_goals()));
   for (const int goals : own.goals) html.cell_of("number", std::to_string(goals));
 }
 
@@ -134,8 +149,10 @@ std::string loss_in_words(const std::optional<statistics::Loss>& loss, const sta
                           double period) {
   if (!loss) return "";
   const double before = (goal.tick - loss->tick) * period;
-  return in_words(loss->kind) + ", " + in_words(loss->third) + " third, " + fixed(before, 1) +
-         " s before";
+  const char* third = loss->third == statistics::Third::own      ? "own third"
+                      : loss->third == statistics::Third::middle ? "middle"
+                                                                 : "opponents' third";
+  return in_words(loss->kind) + ", " + third + ", " + fixed(before, 1) + " s before";
 }
 
 void goals_against(Html& html, const LegReports& reports, const std::string& name) {
@@ -223,7 +240,7 @@ std::string statistics_html(const Overview& o, const LegReports& reports) {
   Html html;
   html.cell("h2", "Statistics");
   html.open_table();
-  html.row("th", head_of({"Team"}));
+  number_heads(html, "Team");
   for (const TableRow& row : o.table) {
     const auto found = of(row.team);
     if (found == totals.end()) continue;
@@ -269,7 +286,7 @@ std::string team_statistics_html(const Overview& o, const LegReports& reports, i
   Html html;
   html.cell("h2", "Play");
   html.open_table();
-  html.row("th", head_of({""}));
+  number_heads(html, "");
   const auto row = [&](const char* what, const TeamTotals& totals) {
     html.open("tr");
     html.cell("td", what);
@@ -294,7 +311,7 @@ std::string team_statistics_html(const Overview& o, const LegReports& reports, i
   html.cell("p", "It lost the ball " + std::to_string(all.own.all_losses()) + " times: " +
                      std::to_string(all.own.losses[0]) + " in its own third of the field, " +
                      std::to_string(all.own.losses[1]) + " in the middle, " +
-                     std::to_string(all.own.losses[2]) + " in front of the other goal.");
+                     std::to_string(all.own.losses[2]) + " in that of its opponents.");
   goals_against(html, reports, name);
   return html.text();
 }

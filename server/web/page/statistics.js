@@ -29,7 +29,11 @@ const whole = (value) => value.toFixed(0);
 function lines(blue, yellow) {
   return [...new Set([...Object.keys(blue), ...Object.keys(yellow)])]
     .filter((name) => (blue[name] ?? 0) + (yellow[name] ?? 0) > 0)
-    .flatMap((name) => line(`– ${words(name)}`, blue[name] ?? 0, yellow[name] ?? 0, whole));
+    .map((name) => {
+      const [row] = line(words(name), blue[name] ?? 0, yellow[name] ?? 0, whole);
+      row.className = 'part';
+      return row;
+    });
 }
 
 export function showStatistics(table, { teams: { blue, yellow }, play_s, dead_ball_s }) {

@@ -18,8 +18,8 @@ using test_support::read_file;
 using test_support::run;
 using test_support::TemporaryFolder;
 
-// Catches legs that are missing or counted twice, numbers that depend on what site/ keeps, and pages
-// that differ when they are made again.
+// Catches legs that are missing or counted twice, numbers that depend on what site/ keeps, and
+// pages that differ when they are made again.
 TEST(LeagueStatistics, AreTheSameFromPagesAndFromRecords) {
   const TemporaryFolder temporary;
   const std::string folder = temporary / "spring";
