@@ -47,6 +47,7 @@ may idl 'idl/'
 may server/pace 'server/pace/'
 may server/record 'core/|system/|server/record/|server/pace/(absence|durations)\.hpp"'
 may server/traces 'core/|system/|server/(record|traces)/'
+may server/drills 'core/|system/|server/(record|drills)/'
 may server/dds 'core/|system/|idl/|server/dds/|server/pace/(absence|durations)\.hpp"|plugins/abi/|mirocup/'
 may server/web 'core/|system/|server/(record|web)/'
 may server/app 'core/|system/|plugins/(abi|host)/|mirocup/|server/'
@@ -69,7 +70,7 @@ only() {
 }
 
 only 'dds/|mirocup\.h>' server/dds
-only 'nlohmann/' server/record server/traces server/web server/app tournaments
+only 'nlohmann/' server/record server/traces server/drills server/web server/app tournaments
 only 'dlfcn\.h' plugins/host
 only 'httplib' server/web
 only 'CLI/' server/app tournaments/app
