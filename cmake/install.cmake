@@ -12,6 +12,7 @@ install(DIRECTORY plugins/include/ TYPE INCLUDE)
 install(FILES server/record/record.schema.json DESTINATION share/mirocup)
 install(DIRECTORY examples DESTINATION share/mirocup USE_SOURCE_PERMISSIONS PATTERN pitch EXCLUDE)  # it needs the source tree
 install(DIRECTORY plugins/template/ DESTINATION share/mirocup/team)
+install(DIRECTORY plugins/drills DESTINATION share/mirocup)
 install(EXPORT mirocup NAMESPACE mirocup:: FILE mirocup-targets.cmake DESTINATION ${package_folder})
 
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup-config-version.cmake
@@ -29,3 +30,5 @@ endforeach()
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/include)
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/plugins/include/mirocup ${PROJECT_BINARY_DIR}/include/mirocup
   COPY_ON_ERROR SYMBOLIC)
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/share/mirocup)
+file(CREATE_LINK ${PROJECT_SOURCE_DIR}/plugins/drills ${PROJECT_BINARY_DIR}/share/mirocup/drills COPY_ON_ERROR SYMBOLIC)

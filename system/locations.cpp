@@ -39,6 +39,10 @@ TeamKit team_kit() {
           .templates = (prefix / "share" / "mirocup" / "team").string()};
 }
 
+std::string drill_folder() {
+  return (fs::path(team_kit().prefix) / "share" / "mirocup" / "drills").string();
+}
+
 std::string house_team(const std::string& name) {
   return house_team(name, program_folder());
 }

@@ -23,6 +23,9 @@ struct TeamKit {
 };
 TeamKit team_kit();
 
+// Returns the folder of the drills that come with mirocup.
+std::string drill_folder();
+
 // Returns the path of the library of a house team; "" if there is no such team.
 std::string house_team(const std::string& name);
 // The same for a library that another program has loaded: `folder` is the library's.

@@ -171,6 +171,33 @@ void add_match(CLI::App& app, Run& run) {
   command->add_flag("--json", o.json, "Print the record as one JSON object");
 }
 
+void add_drill(CLI::App& app, Run& run) {
+  Subcommand<DrillOptions> command(
+      app, run, "drill", "Try situations many times and give marks, or list them", run_drill);
+  DrillOptions& o = *command.options;
+  command
+      ->add_option("DRILL", o.drill,
+                   "list, all, the name of a drill, or the path of an own one or of a folder")
+      ->required();
+  command
+      ->add_option("TEAM", o.teams,
+                   "Teams to be tested: paths of libraries or names of house teams")
+      ->type_name("");
+  command->add_option("--tries", o.tries, "Tries of each drill (default: as the drill says)")
+      ->check(CLI::Range(1, 10000));
+  command->add_option("--seed", o.seed, "Seed of the first try; the next one has the next seed")
+      ->capture_default_str();
+  command->add_option("--jobs", o.jobs, "Tries at once (default: one for each processor)")
+      ->check(CLI::Range(1, 1024));
+  add_parameters(*command.sub, "--param", o.parameters, "the teams");
+  command
+      ->add_option("--replay", o.replay_folder,
+                   "Folder to write a record and a page of each failed try to")
+      ->type_name("DIR");
+  CLI::Option* csv = command->add_flag("--csv", o.csv, "Print a line of CSV for each drill");
+  command->add_flag("--json", o.json, "Print one JSON object")->excludes(csv);
+}
+
 void add_check(CLI::App& app, Run& run) {
   Subcommand<CheckOptions> command(
       app, run, "check", "Check whether a library would be accepted as an entry", run_check);
@@ -321,6 +348,7 @@ std::optional<int> read_command_line(int argc, char** argv, Run& run) {
       "mirocup league ... runs tournaments: see mirocup league --help.\n"
       "mirocup bench ... compares speed and error with other engines: see mirocup bench --help.");
   add_match(cli, run);
+  add_drill(cli, run);
   add_check(cli, run);
   add_join(cli, run);
   add_new(cli, run);

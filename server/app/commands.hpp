@@ -47,6 +47,19 @@ struct MatchOptions {
 };
 Result<int> run_match(const MatchOptions& options);
 
+struct DrillOptions {
+  std::string drill;                    // "list", "all", a name, or the path of a file or a folder
+  std::vector<std::string> teams;       // as --blue
+  std::optional<int> tries;             // nothing: as each drill says
+  std::uint64_t seed = 1;               // of the first try
+  int jobs = 0;                         // tries at once; 0: one for each processor
+  std::vector<std::string> parameters;  // of the teams, KEY=VALUE
+  std::string replay_folder;            // for records and pages of failed tries; "": none
+  bool csv = false;
+  bool json = false;
+};
+Result<int> run_drill(const DrillOptions& options);
+
 struct CheckOptions {
   std::string path;
   std::string league = "small";

@@ -20,9 +20,9 @@ namespace mirocup::web {
 namespace {
 
 // The modules of the page, each behind those that it imports.
-constexpr std::array<std::string_view, 8> modules{"text.js",   "track.js", "field.js",
-                                                  "player.js", "calls.js", "statistics.js",
-                                                  "live.js",   "main.js"};
+constexpr std::array<std::string_view, 9> modules{"text.js",       "track.js", "field.js",
+                                                  "player.js",     "calls.js", "situation.js",
+                                                  "statistics.js", "live.js",  "main.js"};
 
 // All modules as one script, without import and export: a page that is opened from disk cannot
 // import. No two modules use the same global name.
@@ -86,6 +86,12 @@ std::string page(const match::Leg& first_moment, const match::ByTeam<std::string
                                      {first_moment.snapshot(), {}})},
                  {"data", embedded(data)},
                  {"script", code}});
+}
+
+// The score with which a leg starts.
+Json start_score_json(const match::Setup& setup) {
+  const match::ByTeam<int> score = setup.start ? setup.start->score : match::ByTeam<int>{};
+  return {{"blue", score[0]}, {"yellow", score[1]}};
 }
 
 Json teams_json(const match::ByTeam<std::string>& names) {
@@ -161,6 +167,8 @@ tl::expected<ReplayPage, replay::Divergence> replay_page(const record::MatchReco
   }
   const Json data{{"schema", "mirocup/page/1"},
                   {"teams", whole["teams"]},
+                  {"league", whole["league"]},
+                  {"score", start_score_json(record.recording.setup)},
                   {"period", record.recording.setup.control_period},
                   {"robots", begin.field().robots_per_team},
                   {"about", about(record)},
@@ -175,6 +183,7 @@ tl::expected<ReplayPage, replay::Divergence> replay_page(const record::MatchReco
 std::string live_page(const match::Leg& match, const LiveMatch& live) {
   const Json data{{"schema", "mirocup/page/1"},
                   {"teams", teams_json(live.names)},
+                  {"score", start_score_json(match.setup())},
                   {"period", match.setup().control_period},
                   {"robots", match.field().robots_per_team},
                   {"about", live.about},

@@ -49,6 +49,7 @@ may server/pace 'server/pace/'
 may server/record 'core/|system/|server/record/|server/pace/(absence|durations)\.hpp"'
 may server/statistics 'core/|system/|server/(record|statistics)/'
 may server/traces 'core/|system/|server/(record|traces)/'
+may server/drills 'core/|system/|server/(record|drills)/'
 may server/dds 'core/|system/|idl/|server/dds/|server/pace/(absence|durations)\.hpp"|plugins/abi/|mirocup/'
 may server/web 'core/|system/|server/(record|statistics|web)/'
 may server/app 'core/|system/|plugins/(abi|host)/|mirocup/|server/'
@@ -71,10 +72,10 @@ only() {
 }
 
 only 'dds/|mirocup\.h>' server/dds
-only 'nlohmann/' server/record server/statistics server/traces server/web server/app tournaments
+only 'nlohmann/' server/record server/statistics server/traces server/drills server/web server/app tournaments
 only 'dlfcn\.h' plugins/host
 only 'httplib' server/web
-only 'CLI/' server/app system/command_line.cpp tournaments/app
+only 'CLI/' server/app system tournaments/app
 only 'openssl/' system
 only 'zstd' server/record
 only 'box2d/|chipmunk/|ode/' none  # peers: tests/bench alone

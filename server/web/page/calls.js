@@ -6,11 +6,12 @@ import { element, minutes, words } from './text.js';
 const bannerTicks = 60;  // time for which a banner is shown
 
 export class Calls {
-  // `names`: the teams' names by colour. `jump(tick)` moves the player to that tick.
-  constructor(list, marks, banner, names, jump) {
+  // `names`: the teams' names by colour. `jump(tick)` moves the player to that tick. `score`: that
+  // with which the leg started.
+  constructor(list, marks, banner, names, jump, score = { blue: 0, yellow: 0 }) {
     Object.assign(this, { list, marks, banner, names, jump });
     this.calls = [];
-    this.score = { blue: 0, yellow: 0 };  // after the calls so far
+    this.score = { ...score };  // after the calls so far
     this.rows = [];
     this.shown = -1;
   }

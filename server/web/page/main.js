@@ -5,6 +5,7 @@ import { Calls } from './calls.js';
 import { FieldView } from './field.js';
 import { listen } from './live.js';
 import { Player } from './player.js';
+import { commandAt, download, situationAt } from './situation.js';
 import { showHeat, showStatistics } from './statistics.js';
 import { minutes, words } from './text.js';
 import { Track, unpack } from './track.js';
@@ -15,7 +16,8 @@ const names = { blue: leg.teams.blue.name, yellow: leg.teams.yellow.name };
 const track = new Track(leg.period);
 const field = new FieldView(document.querySelector('.field'));
 const player = new Player(track, show);
-const calls = new Calls(by('calls'), by('marks'), by('banner'), names, (tick) => player.seek(tick * leg.period));
+const calls = new Calls(by('calls'), by('marks'), by('banner'), names, (tick) => player.seek(tick * leg.period), leg.score);
+const shownTick = () => Math.floor(player.time / leg.period + 1e-6);
 const moments = [];  // {tick, state, phase, left, score}: from that tick on
 let result = null;
 
@@ -27,7 +29,7 @@ function momentAt(tick) {
 
 function show() {
   if (track.isEmpty) return;
-  const tick = Math.floor(player.time / leg.period + 1e-6);
+  const tick = shownTick();
   const moment = momentAt(tick);
   const scene = field.show(track, player.time, moment.left);
   calls.show(tick);
@@ -85,8 +87,28 @@ async function copyLink() {
   setTimeout(() => { by('link').textContent = 'Link'; }, 1500);
 }
 
+// Shows the command that plays on from the shown moment, and copies it.
+async function playOn() {
+  const command = by('command');
+  command.textContent = commandAt(shownTick(), leg.teams);
+  command.hidden = false;
+  try {
+    await navigator.clipboard.writeText(command.textContent);
+    by('play-on').textContent = 'Copied';
+  } catch {
+    by('play-on').textContent = 'Below';
+  }
+  setTimeout(() => { by('play-on').textContent = 'Play on'; }, 1500);
+}
+
+function saveSituation() {
+  const tick = shownTick();
+  const call = leg.decisions.filter((one) => one.restart && one.tick <= tick).pop();
+  download('situation.json', situationAt({ track, tick, moment: momentAt(tick), call, league: leg.league }));
+}
+
 function toCall(direction) {
-  const tick = calls.neighbour(Math.floor(player.time / leg.period + 1e-6), direction);
+  const tick = calls.neighbour(shownTick(), direction);
   if (tick !== undefined) player.seek(tick * leg.period);
 }
 
@@ -110,12 +132,14 @@ const keys = {
   '+': () => changeSpeed(1),
   '=': () => changeSpeed(1),
   l: copyLink,
+  p: playOn,
+  s: saveSituation,
 };
 
 function onKey(event) {
   const isChoice = event.target.tagName === 'SELECT';
   const isPress = event.key === ' ' && event.target.tagName === 'BUTTON';
-  const action = keys[event.key];
+  const action = leg.live && 'ps'.includes(event.key) ? undefined : keys[event.key];
   if (!action || isChoice || isPress || event.ctrlKey || event.altKey || event.metaKey) return;
   event.preventDefault();
   action(event);
@@ -128,6 +152,8 @@ function connectControls() {
   by('previous').addEventListener('click', () => toCall(-1));
   by('next').addEventListener('click', () => toCall(1));
   by('link').addEventListener('click', copyLink);
+  by('play-on').addEventListener('click', playOn);
+  by('save').addEventListener('click', saveSituation);
   by('live').addEventListener('click', () => player.follow());
   by('speed').addEventListener('change', () => { player.speed = Number(by('speed').value); });
   by('scrub').addEventListener('input', () => player.seek(Number(by('scrub').value) * leg.period));
@@ -147,7 +173,7 @@ function showReplay() {
 
 function followMatch() {
   by('live').hidden = false;
-  by('link').hidden = true;
+  for (const id of ['link', 'play-on', 'save']) by(id).hidden = true;
   document.body.classList.add('live');
   listen(leg.live, {
     onStart({ decisions }) {

@@ -82,6 +82,29 @@ test('keys, buttons and the time line move the time', async () => {
   assert.deepEqual(page.problems, []);
 });
 
+// Catches a saved situation that is refused, is that of another tick, or has the wrong score, and a
+// command for another moment.
+test('a moment is played on from, by a command or by a saved situation', async () => {
+  for (const tick of [0, goal.tick - 20, goal.tick + 3, goal.tick + 60]) {
+    const page = await openPage(`${address}#t=${seconds(tick + 0.01)}`);
+    await page.locator('#play-on').click();
+    assert.match(await text(page, 'command'), new RegExp(`^mirocup match --from leg\\.json --tick ${tick} `));
+    const [saved] = await Promise.all([page.waitForEvent('download'), page.locator('#save').click()]);
+    const file = join(folder, `situation-${tick}.json`);
+    await saved.saveAs(file);
+    const again = join(folder, 'again.json');
+    run('match', '--blue', 'idle', '--yellow', 'idle', '--half', '40', '--start', file, '--record', again);
+    const { situation } = readJson(again);
+    const [blue, yellow] = (await text(page, 'score')).split(' : ').map(Number);
+    assert.deepEqual(situation.score, [blue, yellow]);
+    assert.equal(situation.restart !== null, tick === 0 || tick === goal.tick + 3, `tick ${tick}`);
+    const ball = /translate\((\S+) (\S+)\)/.exec(await page.locator('.ball').first().evaluate((ball) => ball.outerHTML));
+    assert.ok(Math.hypot(situation.ball.position[0] * 1e3 - ball[1], situation.ball.position[1] * 1e3 + Number(ball[2])) < 1);
+    assert.deepEqual(page.problems, []);
+    await page.close();
+  }
+});
+
 test('everything is there at the width of a phone', async () => {
   const page = await openPage(address, { width: 390, height: 844 });
   const wider = await page.evaluate(() => document.documentElement.scrollWidth > innerWidth);

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+//
+// mirocup drill: tries situations many times and gives marks.
+#include "server/app/commands.hpp"
+#include "server/app/drill_report.hpp"
+#include "server/record/json_reader.hpp"
+#include "server/record/team_parameters_json.hpp"
+#include "system/files.hpp"
+#include "system/locations.hpp"
+#include "system/printable.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <list>
+#include <unistd.h>
+
+namespace mirocup::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> drills_in(const std::string& folder) {
+  std::vector<std::string> paths;
+  std::error_code none;
+  for (fs::directory_iterator at(folder, none), end; !none && at != end; at.increment(none)) {
+    if (at->path().extension() == ".json") paths.push_back(at->path().string());
+  }
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+// The files that a word of the command line stands for.
+Result<std::vector<std::string>> paths_of(const std::string& word) {
+  const std::string own = system::drill_folder();
+  const bool is_whole_folder = word == "all" || word == "list";
+  std::error_code none;
+  if (is_whole_folder || fs::is_directory(word, none)) {
+    const std::string folder = is_whole_folder ? own : word;
+    auto paths = drills_in(folder);
+    if (paths.empty()) return fail(Errc::unavailable, folder + ": there is no drill in it");
+    return paths;
+  }
+  if (word.find('/') == std::string::npos) {
+    const std::string path = (fs::path(own) / (word + ".json")).string();
+    if (fs::exists(path, none)) return std::vector<std::string>{path};
+  }
+  if (fs::exists(word, none)) return std::vector<std::string>{word};
+  return fail(Errc::input,
+              "\"" + word + "\" is neither a drill nor a file; mirocup drill list has their names");
+}
+
+Result<std::vector<drills::Drill>> read_drills(const std::string& word) {
+  const auto paths = paths_of(word);
+  if (!paths) return tl::unexpected(paths.error());
+  std::vector<drills::Drill> drills;
+  system::Disk disk;
+  for (const std::string& path : *paths) {
+    const auto text =
+        disk.read(path, {.max_size = system::size_limit::note, .links = system::Links::followed});
+    if (!text) return tl::unexpected(text.error());
+    auto drill = drills::parse_drill(*text, path);
+    if (!drill) return tl::unexpected(drill.error());
+    drills.push_back(std::move(*drill));
+  }
+  return drills;
+}
+
+void print_list(const std::vector<drills::Drill>& drills, bool as_json) {
+  record::JsonReader::Json list = record::JsonReader::Json::array();
+  for (const drills::Drill& drill : drills) {
+    if (as_json) {
+      list.push_back({{"name", drill.name},
+                      {"title", drill.title},
+                      {"teaches", drill.teaches},
+                      {"league", to_string(drill.league)},
+                      {"opponent", drill.opponent},
+                      {"seconds", drill.seconds},
+                      {"tries", drill.tries}});
+      continue;
+    }
+    std::cout << drill.name << std::string(drill.name.size() < 26 ? 26 - drill.name.size() : 1, ' ')
+              << system::printable(drill.title) << '\n';
+  }
+  if (as_json) std::cout << record::json_text({{"drills", list}}) << '\n';
+}
+
+Result<TeamChoice> choose(const std::string& text, const std::string& what) {
+  auto choice = choose_team(text);
+  if (choice && choice->info.kind == record::TeamKind::dds) {
+    return fail(Errc::input, what + " " + text + ": drills are for libraries and house teams");
+  }
+  return choice;
+}
+
+Result<DrillTeams> teams_of(const drills::Drill& drill, const std::string& team,
+                            const match::TeamParameters& parameters) {
+  auto tested = choose(team, "TEAM");
+  if (!tested) return tl::unexpected(tested.error());
+  DrillTeams teams{.tested = std::move(*tested), .opponent = {}, .mates = std::nullopt};
+  teams.tested.info.parameters = drill.parameters;
+  for (const auto& [name, value] : parameters) teams.tested.info.parameters[name] = value;
+  auto opponent = choose(drill.opponent, drill.name + ": /opponent:");
+  if (!opponent) return tl::unexpected(opponent.error());
+  teams.opponent = std::move(*opponent);
+  if (drill.mates.empty()) return teams;
+  auto mates = choose(drill.mates, drill.name + ": /mates:");
+  if (!mates) return tl::unexpected(mates.error());
+  teams.mates = std::move(*mates);
+  return teams;
+}
+
+// On a terminal, a line that counts.
+class Progress {
+ public:
+  explicit Progress(int all) : all_(all), is_shown_(isatty(STDERR_FILENO) != 0) {}
+  ~Progress() { clear(); }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void clear() {
+    if (is_shown_ && shown_ >= 0) std::cerr << "\r\033[K" << std::flush;
+    shown_ = -1;
+  }
+
+  void show(int done) {
+    if (!is_shown_ || done == shown_) return;
+    shown_ = done;
+    std::cerr << "\r" << done << " of " << all_ << " tries" << std::flush;
+  }
+
+ private:
+  int all_;
+  int shown_ = -1;
+  bool is_shown_;
+};
+
+Result<void> make_folder(const std::string& folder) {
+  if (folder.empty()) return {};
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) return fail(Errc::unavailable, folder + ": " + error.message());
+  return {};
+}
+
+// Tries all drills with one team.
+Result<DrillReport> test_team(const std::string& team, const std::vector<drills::Drill>& drills,
+                              const DrillOptions& options, const match::TeamParameters& parameters,
+                              const std::function<void(int)>& progress) {
+  DrillReport report;
+  std::list<DrillTeams> teams;  // tasks point to its elements
+  std::vector<DrillTask> tasks;
+  for (const drills::Drill& drill : drills) {
+    auto of_this = teams_of(drill, team, parameters);
+    if (!of_this) return tl::unexpected(of_this.error());
+    teams.push_back(std::move(*of_this));
+    tasks.push_back({&drill, &teams.back(), options.tries.value_or(drill.tries)});
+    report.drills.push_back(&drill);
+  }
+  report.team = teams.front().tested.info.name;
+  auto played = play_drills(
+      tasks,
+      {.first_seed = options.seed, .jobs = options.jobs, .replay_folder = options.replay_folder},
+      progress);
+  if (!played) return tl::unexpected(played.error());
+  report.tries = std::move(*played);
+  return report;
+}
+
+}  // namespace
+
+Result<int> run_drill(const DrillOptions& options) {
+  const auto drills = read_drills(options.drill);
+  if (!drills) return tl::unexpected(drills.error());
+  if (options.drill == "list") {
+    print_list(*drills, options.json);
+    return exit_yes;
+  }
+  if (options.teams.empty()) return fail(Errc::input, "a team is needed: mirocup drill DRILL TEAM");
+  const auto parameters = record::parameters_with_changes({}, options.parameters, "--param");
+  if (!parameters) return tl::unexpected(parameters.error());
+  if (auto made = make_folder(options.replay_folder); !made) return tl::unexpected(made.error());
+
+  int all_tries = 0;
+  for (const drills::Drill& drill : *drills) all_tries += options.tries.value_or(drill.tries);
+  Progress progress(all_tries * static_cast<int>(options.teams.size()));
+  std::vector<DrillReport> reports;
+  for (const std::string& team : options.teams) {
+    auto report = test_team(team, *drills, options, *parameters, [&](int done) {
+      progress.show(static_cast<int>(reports.size()) * all_tries + done);
+    });
+    if (!report) return tl::unexpected(report.error());
+    reports.push_back(std::move(*report));
+  }
+  progress.clear();
+  if (options.json) {
+    std::cout << record::json_text(json_of(reports)) << '\n';
+  } else if (options.csv) {
+    std::cout << csv_of(reports);
+  } else {
+    for (const DrillReport& report : reports) std::cout << text_of(report);
+  }
+  return exit_yes;
+}
+
+}  // namespace mirocup::app

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+//
+// A drill: a situation that is tried many times, what counts in it, and the marks. As JSON it is
+// "mirocup/drill/1"; docs/drills.md specifies it.
+//
+// The tested team is blue. Places and areas are in its frame, in which it attacks +x. Metres,
+// seconds, radians.
+#pragma once
+
+#include "core/base/error.hpp"
+#include "core/match/leg.hpp"
+#include "core/match/team_parameters.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mirocup::drills {
+
+inline constexpr Team tested = Team::blue;
+
+enum class EventKind { goal, no_goal, save, touch, pass, pose, in_area, no_foul };
+
+// What a pose is relative to. `ball`: the origin is the ball, and +x the way from there to the
+// middle of the opponents' goal.
+enum class Frame { field, ball };
+
+// Something that shall happen in a try, or shall not. Which members count depends on the kind. If
+// something has to happen, then what shall not happen has no marks: it costs all marks of the try.
+struct Event {
+  EventKind kind = EventKind::goal;
+  double marks = 1.0;
+  double by = std::numeric_limits<double>::infinity();  // s since the start: the latest time
+  int count = 1;                                        // goal, save, touch, pass: so many at least
+  int most = 0;                                         // no_goal, no_foul: so many at most
+  std::optional<int> robot;      // touch, pose, in_area: this one; nothing: any
+  bool first = false;            // touch: before any opponent
+  bool is_of_ball = true;        // in_area: the ball, not a robot
+  std::array<double, 4> area{};  // in_area: low x, low y, high x, high y
+  Frame frame = Frame::field;    // pose
+  Pose pose;                     // pose
+  double within = 0.005;         // pose: m from it
+  double within_angle = 0.2;     // pose: rad from its heading
+  double hold = 0.0;             // pose, in_area: s without a break
+
+  // False for what shall not happen: it is decided when the try is over.
+  bool has_to_happen() const { return kind != EventKind::no_goal && kind != EventKind::no_foul; }
+};
+
+// What a try loses of its marks, as shares of full marks.
+struct Deductions {
+  double time = 0.0;  // for a success in the last moment; sooner costs less, in proportion
+  double foul = 0.0;  // for each foul
+};
+
+struct Drill {
+  std::string name;  // of the file, without its suffix
+  std::string title;
+  std::string teaches;
+  League league = League::small;
+  referee::Rules rules;
+  match::Conditions conditions;
+  nlohmann::ordered_json situation;  // numbers may be {"from", "to"}
+  std::string opponent;              // as on the command line
+  std::string mates;                 // "": the tested team steers all robots
+  referee::RobotSet robots;          // those that it steers; the mates steer the others
+  match::TeamParameters parameters;  // of the tested team
+  double seconds = 10.0;             // of play in a try
+  int tries = 60;
+  bool plays_on = false;  // false: a try is over when the referee stops play
+  std::vector<Event> success;
+  Deductions deductions;
+};
+
+// Reads a drill. An error is Errc::input and names file and key.
+Result<Drill> parse_drill(std::string_view text, const std::string& path);
+
+// Returns the setup of one try. The seed draws the numbers of the situation that have a range, and
+// disturbs the leg. The leg ends by itself after the drill's seconds of play. The error says why no
+// draw gave a situation that can be played.
+Result<match::Setup> setup_of(const Drill& drill, std::uint64_t seed);
+
+}  // namespace mirocup::drills
+
+namespace mirocup {
+
+template <>
+inline constexpr std::array<std::string_view, 8> enum_names<drills::EventKind>{
+    "goal", "no_goal", "save", "touch", "pass", "pose", "in_area", "no_foul"};
+template <>
+inline constexpr std::array<std::string_view, 2> enum_names<drills::Frame>{"field", "ball"};
+
+}  // namespace mirocup

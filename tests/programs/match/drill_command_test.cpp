@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+//
+// Runs mirocup drill as its users do.
+#include "tests/support/program.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace mirocup {
+namespace {
+
+using test_support::Outcome;
+using test_support::program;
+using test_support::read_json;
+using test_support::run;
+using test_support::TemporaryFolder;
+using Json = nlohmann::json;
+
+Outcome drill(const std::vector<std::string>& more) {
+  std::vector<std::string> words{program("mirocup"), "drill"};
+  words.insert(words.end(), more.begin(), more.end());
+  return run(words);
+}
+
+constexpr const char* own_drill =
+    R"({"schema": "mirocup/drill/1", "title": "Mine", "opponent": "idle",
+  "situation": {"ball": {"position": [{"from": 0.1, "to": 0.3}, 0]}, "blue": [null, {"pose": [0, 0, 0]}],
+                "yellow": [{"broken": true, "pose": [-0.3, 0.5, 0]}, {"broken": true, "pose": [0.3, 0.5, 0]}]},
+  "seconds": 4, "tries": 3, "success": [{"event": "goal"}]})";
+
+// Catches a drill that cannot be read or tried, such as one with a situation that overlaps.
+TEST(DrillCommand, TriesEveryDrill) {
+  const Outcome list = drill({"list", "--json"});
+  ASSERT_EQ(list.exit_code, 0) << list.err;
+  const Json drills = Json::parse(list.out)["drills"];
+  EXPECT_GE(drills.size(), 20u);
+  const Outcome tried = drill({"all", "striker", "--tries", "1", "--json"});
+  ASSERT_EQ(tried.exit_code, 0) << tried.err;
+  const Json report = Json::parse(tried.out);
+  ASSERT_EQ(report["drills"].size(), drills.size());
+  double sum = 0.0;
+  for (const Json& one : report["drills"]) {
+    EXPECT_EQ(one["tries"], 1);
+    EXPECT_LE(one["low"], one["score"]);
+    EXPECT_GE(one["high"], one["score"]);
+    sum += one["score"].get<double>();
+  }
+  EXPECT_NEAR(report["score"], sum / static_cast<double>(drills.size()), 0.11);
+  EXPECT_GT(report["score"], 20.0);
+}
+
+// Catches marks that depend on how many tries are played at once.
+TEST(DrillCommand, GivesTheSameMarksForTheSameSeeds) {
+  const auto once = drill({"turn-the-ball", "chaser", "--tries", "6", "--json", "--jobs", "1"});
+  EXPECT_EQ(once.out,
+            drill({"turn-the-ball", "chaser", "--tries", "6", "--json", "--jobs", "3"}).out);
+  EXPECT_NE(once.out,
+            drill({"turn-the-ball", "chaser", "--tries", "6", "--json", "--seed", "100"}).out);
+}
+
+// Catches a replay of another leg than the one that failed, and a failed try without one.
+TEST(DrillCommand, WritesAReplayOfEachFailedTry) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "mine.json") << own_drill;
+  const Outcome tried =
+      drill({folder / "mine.json", "idle", "--json", "--replay", folder / "failed"});
+  ASSERT_EQ(tried.exit_code, 0) << tried.err;
+  const Json report = Json::parse(tried.out);
+  EXPECT_EQ(report["drills"][0]["name"], "mine");
+  EXPECT_EQ(report["drills"][0]["failed_seeds"], (Json{1, 2, 3}));
+  EXPECT_EQ(report["score"], 0.0);
+  for (const char* seed : {"1", "2", "3"}) {
+    const std::string path = folder / (std::string("failed/idle-mine-") + seed);
+    EXPECT_TRUE(std::filesystem::exists(path + ".html"));
+    EXPECT_EQ(run({program("mirocup"), "verify", path + ".json"}).exit_code, 0);
+    EXPECT_EQ(run({program("mirocup"), "rerun", path + ".json"}).exit_code, 0);
+    EXPECT_EQ(read_json(path + ".json")["isolation"], "T2");
+  }
+}
+
+// Catches a team that spoils the tries of others, or ends the program.
+TEST(DrillCommand, GradesSeveralTeamsIntoOneCsvEvenIfOneDies) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "mine.json") << own_drill;
+  const Outcome tried =
+      drill({folder / "mine.json", "chaser", program("teams/gives_up.so"), "--csv"});
+  ASSERT_EQ(tried.exit_code, 0) << tried.err;
+  std::istringstream lines(tried.out);
+  std::vector<std::string> rows;
+  for (std::string line; std::getline(lines, line);) rows.push_back(line);
+  ASSERT_EQ(rows.size(), 5u) << tried.out;
+  EXPECT_EQ(rows[0], "team,drill,score,low,high,tries,failed_seeds");
+  EXPECT_EQ(rows[1].rfind("chaser,mine,", 0), 0u);
+  EXPECT_EQ(rows[2].rfind("chaser,all,", 0), 0u);
+  EXPECT_EQ(rows[3].rfind("gives_up,mine,0.0,", 0), 0u) << rows[3];
+}
+
+TEST(DrillCommand, SaysWhatIsWrong) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "bad.json") << R"({"schema": "mirocup/drill/1", "title": 3})";
+  EXPECT_EQ(drill({"no-such-drill", "idle"}).exit_code, 2);
+  EXPECT_EQ(drill({"all"}).exit_code, 2);
+  EXPECT_EQ(drill({"turn-the-ball", "no-such-team"}).exit_code, 2);
+  EXPECT_EQ(drill({"turn-the-ball", "dds:team"}).exit_code, 2);
+  const Outcome bad = drill({folder / "bad.json", "idle"});
+  EXPECT_EQ(bad.exit_code, 2);
+  EXPECT_NE(bad.err.find("bad.json: /title"), std::string::npos) << bad.err;
+}
+
+}  // namespace
+}  // namespace mirocup
