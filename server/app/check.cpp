@@ -3,6 +3,7 @@
 // mirocup check FILE.so: prints whether the library would be accepted as an entry, and why.
 #include "server/app/commands.hpp"
 #include "server/app/entry_check.hpp"
+#include "server/app/seats.hpp"
 #include "server/record/json_reader.hpp"
 #include "server/record/match_record.hpp"
 #include "server/record/team_parameters_json.hpp"
@@ -104,6 +105,7 @@ Result<int> run_check(const CheckOptions& options) {
   terms.rules = referee::make_rules(*from_string<referee::Preset>(options.rules), terms.league);
   if (options.half_s) terms.rules.half_s = *options.half_s;
   terms.parameters = *parameters;
+  stay_on_this_core();  // the teams and this process take turns
   const auto report = check_entry(
       options.path, terms, options.json ? OnCheck() : [](const Check& check) { print(check); });
   if (!report) return tl::unexpected(report.error());

@@ -22,8 +22,10 @@ struct Examined {
   Json report;
 };
 
-Examined check(const std::string& library, const std::vector<std::string>& more = {}) {
-  std::vector<std::string> words{program("mirocup"), "check", library, "--json"};
+Examined check(const std::string& library, const std::vector<std::string>& more = {},
+               const std::string& half = "20") {
+  // Short halves: the legs of a check are as long as those that the entry is for.
+  std::vector<std::string> words{program("mirocup"), "check", library, "--json", "--half", half};
   words.insert(words.end(), more.begin(), more.end());
   const Outcome outcome = run(words);
   return {outcome.exit_code, Json::parse(outcome.out, nullptr, false)};
@@ -113,12 +115,12 @@ TEST(Check, AcceptsATeamThatMeasuresTime) {
 
 // 3 ms of processor time for each tick, in a leg that gives 1 ms and something.
 TEST(Check, RefusesATeamThatWouldLoseEachLegByItsBudget) {
-  const Examined long_halves = check(hostile("slow_every_tick"), {"--half", "120"});
+  const Examined long_halves = check(hostile("slow_every_tick"), {}, "120");
   EXPECT_EQ(long_halves.exit_code, 1);
   const std::string reason = long_halves.report["reason"];
   EXPECT_EQ(reason.rfind("budget: a leg with halves of 120 s would take ", 0), 0u) << reason;
   EXPECT_GT(long_halves.report["timing"]["leg_share"], 1.25);
-  const Examined short_halves = check(hostile("slow_every_tick"), {"--half", "5"});
+  const Examined short_halves = check(hostile("slow_every_tick"), {}, "5");
   EXPECT_EQ(short_halves.exit_code, 0) << short_halves.report["reason"];
 }
 
