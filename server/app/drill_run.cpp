@@ -171,7 +171,8 @@ Result<void> Try::save(const std::string& path) const {
   if (auto saved = record::save(disk, path, record); !saved) return saved;
   const auto page = web::replay_page(record, web::Times::left_out);
   if (!page) return fail(Errc::host, path + ": it cannot be shown: " + page.error().what);
-  return disk.write(std::filesystem::path(path).replace_extension(".html").string(), *page);
+  const std::string shown = std::filesystem::path(path).replace_extension(".html");
+  return disk.write(shown, page->html);
 }
 
 // A number of threads that take one try after the other.
