@@ -303,6 +303,8 @@ void add_stats(CLI::App& app, Run& run) {
   command->add_option("RECORD", o.paths, "Match records, or the folder of one league")->required();
   command->add_flag("--goals", o.goals,
                     "How goals fell, where the ball was lost before, which laws were broken");
+  command->add_option("--team", o.team, "Only the legs of this team, named as in the records")
+      ->type_name("NAME");
   CLI::Option* csv = command->add_flag("--csv", o.csv, "Comma-separated values");
   command->add_flag("--json", o.json, "Everything as one JSON object")->excludes(csv);
 }

@@ -114,6 +114,7 @@ Result<int> run_replay(const ReplayOptions& options);
 struct StatsOptions {
   std::vector<std::string> paths;  // records, or the folder of a league
   bool goals = false;              // how goals fell instead of the numbers
+  std::string team;                // only the legs of this team; "": all legs
   bool csv = false;
   bool json = false;
 };

@@ -22,6 +22,7 @@ bool is_folder(const std::string& path) {
 Result<int> become_league_program(const StatsOptions& options) {
   std::vector<std::string> arguments{system::sibling_program("mirocup-league"), "stats",
                                      options.paths.front()};
+  if (!options.team.empty()) arguments.insert(arguments.end(), {"--team", options.team});
   if (options.goals) arguments.emplace_back("--goals");
   if (options.csv) arguments.emplace_back("--csv");
   if (options.json) arguments.emplace_back("--json");
@@ -43,11 +44,14 @@ Result<int> run_stats(const StatsOptions& options) {
   system::Disk disk;
   const auto legs = statistics::count_records(disk, options.paths);
   if (!legs) return tl::unexpected(legs.error());
-  std::cout << statistics::report(
-      *legs, options.goals ? statistics::Subject::goals : statistics::Subject::numbers,
-      options.json  ? statistics::Form::json
-      : options.csv ? statistics::Form::csv
-                    : statistics::Form::text);
+  const auto text = statistics::report(
+      *legs, {.subject = options.goals ? statistics::Subject::goals : statistics::Subject::numbers,
+              .form = options.json  ? statistics::Form::json
+                      : options.csv ? statistics::Form::csv
+                                    : statistics::Form::text,
+              .team = options.team});
+  if (!text) return tl::unexpected(text.error());
+  std::cout << *text;
   return exit_yes;
 }
 

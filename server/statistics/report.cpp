@@ -61,6 +61,13 @@ std::string name_of(const TeamTotals& team) {
   return system::printable(team.name);
 }
 
+// True for a team of that name, and for both of its colours in legs against itself.
+bool is_named(const TeamTotals& team, const std::string& name) {
+  return team.name == name || std::any_of(both_teams.begin(), both_teams.end(), [&](Team colour) {
+           return team.name == name + " (" + std::string(to_string(colour)) + ")";
+         });
+}
+
 // "leg.json tick 812", to be looked at by `mirocup replay`.
 std::string place_of(const LegReport& leg, std::uint32_t tick) {
   return system::printable(leg.record) + " tick " + std::to_string(tick);
@@ -234,9 +241,10 @@ std::string numbers_csv(const std::vector<LegReport>& legs) {
   return text;
 }
 
-std::string goals_text(const std::vector<LegReport>& legs) {
+std::string goals_text(const std::vector<LegReport>& legs, const std::string& only) {
   std::string text;
   for (const TeamTotals& team : totals_of(legs)) {
+    if (!only.empty() && !is_named(team, only)) continue;
     text += (text.empty() ? "" : "\n") + name_of(team) + ", " + std::to_string(team.legs) +
             (team.legs == 1 ? " leg" : " legs") + ": " + std::to_string(team.against.all_goals()) +
             " goals against it\n";
@@ -289,10 +297,18 @@ std::string goals_csv(const std::vector<LegReport>& legs) {
   return text;
 }
 
-std::string report(const std::vector<LegReport>& legs, Subject subject, Form form) {
-  if (form == Form::json) return record::json_text(report_json(legs)) + "\n";
-  const bool is_csv = form == Form::csv;
-  if (subject == Subject::goals) return is_csv ? goals_csv(legs) : goals_text(legs);
+Result<std::string> report(std::vector<LegReport> legs, const ReportOptions& options) {
+  const std::string& team = options.team;
+  if (!team.empty()) {
+    std::erase_if(
+        legs, [&](const LegReport& leg) { return leg.names[0] != team && leg.names[1] != team; });
+    if (legs.empty()) {
+      return fail(Errc::input, "--team " + system::in_quotes(team) + ": none of the legs is of it");
+    }
+  }
+  if (options.form == Form::json) return record::json_text(report_json(legs)) + "\n";
+  const bool is_csv = options.form == Form::csv;
+  if (options.subject == Subject::goals) return is_csv ? goals_csv(legs) : goals_text(legs, team);
   return is_csv ? numbers_csv(legs) : numbers_text(legs);
 }
 

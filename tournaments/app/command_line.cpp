@@ -120,6 +120,7 @@ void add_running(CLI::App& app, Action& action) {
   add_folder(stats);
   stats->add_flag("--goals", stats.options->goals,
                   "how goals fell, where the ball was lost before, which laws were broken");
+  stats->add_option("--team", stats.options->team, "only the legs of this team");
   CLI::Option* csv = stats->add_flag("--csv", stats.options->csv, "comma-separated values");
   stats->add_flag("--json", stats.options->json, "everything as one JSON object")->excludes(csv);
 

@@ -42,6 +42,7 @@ Result<int> run_export(const LeagueOptions& options);
 struct StatsOptions {
   std::string folder;
   bool goals = false;  // how goals fell instead of the numbers
+  std::string team;    // only the legs of this team; "": all legs
   bool csv = false;
   bool json = false;
 };

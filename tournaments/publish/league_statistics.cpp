@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/league_statistics.hpp"
 
+#include "server/record/json_reader.hpp"
 #include "server/statistics/statistics_json.hpp"
 #include "tournaments/publish/html.hpp"
 #include "tournaments/publish/replay_pages.hpp"
@@ -317,11 +318,9 @@ std::string team_statistics_html(const Overview& o, const LegReports& reports, i
 }
 
 std::vector<SiteFile> statistics_exports(const LegReports& reports) {
-  using statistics::Form;
-  using statistics::Subject;
-  return {{"statistics.json", statistics::report(reports, Subject::numbers, Form::json)},
-          {"statistics.csv", statistics::report(reports, Subject::numbers, Form::csv)},
-          {"goals.csv", statistics::report(reports, Subject::goals, Form::csv)}};
+  return {{"statistics.json", record::json_text(statistics::report_json(reports)) + "\n"},
+          {"statistics.csv", statistics::numbers_csv(reports)},
+          {"goals.csv", statistics::goals_csv(reports)}};
 }
 
 }  // namespace mirocup::league

@@ -90,6 +90,17 @@ TEST_F(StatsCommand, PrintsTablesAndCsv) {
   EXPECT_NE(stats({records_[0], "--goals"}).out.find(" goals against it"), std::string::npos);
 }
 
+// Catches a filter that leaves nothing out, or the legs of the team itself.
+TEST_F(StatsCommand, TellsOfOneTeam) {
+  const Outcome one = stats({records_[0], "--goals", "--team", "chaser"});
+  EXPECT_EQ(one.exit_code, 0) << one.err;
+  EXPECT_EQ(one.out.rfind("chaser, 1 leg: ", 0), 0u);
+  EXPECT_EQ(one.out.find("striker, 1 leg: "), std::string::npos);
+  EXPECT_EQ(stats({records_[0], "--team", "keeper"}).exit_code, 2);
+  EXPECT_EQ(Json::parse(stats({records_[0], "--json", "--team", "striker"}).out)["legs"].size(),
+            1u);
+}
+
 // Catches numbers that are printed although a record is damaged, and a wrong exit code.
 TEST_F(StatsCommand, ReportsDamageMissingFilesAndWrongUsage) {
   std::string text = read_file(records_[1]);

@@ -350,6 +350,29 @@ TEST_P(Views, AGoalTellsWhatCameBeforeIt) {
   EXPECT_EQ(goal.loss->place, (Vec2{-0.6, 0.2})) << "in the frame of the team that lost it";
 }
 
+// Catches a loss that a restart has made good, and is told of the goal after it all the same.
+TEST_P(Views, AGoalForgetsLossesBeforeItsRestart) {
+  Play play(GetParam());
+  play.touched_by(Team::blue, 0).tick({-0.3, 0.0});
+  play.touched_by(Team::yellow, 0).tick({-0.3, 0.0});
+  play.call(play.foul(Team::blue, referee::Law::push)).wait();
+  play.touched_by(Team::yellow, 2).tick({-0.74, 0.0});
+  play.call(play.goal(Team::yellow, match::GoalKind::free_kick));
+  EXPECT_EQ(play.of(Team::blue).all_losses(), 1);
+  ASSERT_EQ(play.leg().goals.size(), 1u);
+  EXPECT_FALSE(play.leg().goals[0].loss);
+}
+
+// Catches a ball that came out of a contested tick and counts as the pass of one of both.
+TEST_P(Views, ABallThatBothTouchedIsNobodysPass) {
+  Play play(GetParam());
+  play.touched_by(Team::blue, 1).tick({0.0, 0.0});
+  play.touched_by(Team::blue, 1).touched_by(Team::yellow, 1).tick({0.0, 0.0}).tick({0.2, 0.0});
+  play.touched_by(Team::blue, 2).tick({0.4, 0.0});
+  EXPECT_EQ(play.of(Team::blue).passes, 0);
+  EXPECT_EQ(play.of(Team::blue).all_losses(), 0) << "blue had the ball all the time";
+}
+
 // Catches attempts of a shoot-out that count as play.
 TEST(Counter, LeavesOutAShootOut) {
   Counter counter(field::make_field(League::small), period);
