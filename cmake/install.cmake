@@ -8,7 +8,7 @@ install(TARGETS mirocup mirocup_strategy mirocup_team EXPORT mirocup)
 install(TARGETS mirocup-league)
 install(TARGETS mirocup-plugin-host RUNTIME DESTINATION libexec/mirocup)
 install(PROGRAMS ${PROJECT_BINARY_DIR}/mirocup-credentials DESTINATION libexec/mirocup)
-install(TARGETS house_idle house_chaser house_keeper house_striker house_navigator LIBRARY DESTINATION lib/mirocup/house)
+install(TARGETS house_idle house_chaser house_keeper house_striker house_navigator house_tactician LIBRARY DESTINATION lib/mirocup/house)
 install(DIRECTORY plugins/include/ TYPE INCLUDE)
 install(FILES server/record/record.schema.json DESTINATION share/mirocup)
 install(DIRECTORY examples DESTINATION share/mirocup USE_SOURCE_PERMISSIONS PATTERN pitch EXCLUDE)  # it needs the source tree
