@@ -8,6 +8,7 @@
 #include "mirocup/skills/laws.hpp"
 #include "mirocup/skills/roles.hpp"
 #include "mirocup/skills/shoot.hpp"
+#include "mirocup/skills/unstuck.hpp"
 #include "mirocup/skills/univector_field.hpp"
 #include "mirocup/strategy.hpp"
 
@@ -60,6 +61,7 @@ class Tactician : public Team {
 
   Wheels attack(const Observation& now, int i) {
     if (must_kick_off(now)) return kick_off(setup(), now.own[i]);
+    if (is_stuck(now)) return free_ball(setup(), now, soon_[i]);
 
     const MovingBall meet = intercept(setup(), now, now.own[i]).ball;
     const Point along = unit(aim_from(now, ball(now)) - meet.at);

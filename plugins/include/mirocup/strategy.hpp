@@ -197,7 +197,8 @@ inline Point keep_out(const Setup& setup, int i, Point p) {
 }
 
 // Returns the same wheel speeds, unless the robot would push an opponent without playing the ball.
-// Then it returns speeds at which the robot slows down before the opponent and backs off.
+// Then it returns speeds at which the robot slows down before the opponent and backs off. A robot at
+// the ball plays the ball: if it backed off, and the opponent too, the ball would lie there.
 inline Wheels without_pushing(const Setup& setup, const Observation& now, const Robot& robot,
                               Wheels wheels) {
   const Point here = position(robot);
@@ -206,6 +207,7 @@ inline Wheels without_pushing(const Setup& setup, const Observation& now, const 
   const double turn = setup.wheel_radius * (wheels.right - wheels.left) / setup.wheel_distance;
   const Point direction = (forward < 0.0 ? -1.0 : 1.0) * nose;
   const Point to_ball = ball(now) - here;
+  if (length(to_ball) < 0.12) return wheels;
   const bool ball_ahead = dot(to_ball, direction) > 0.0 &&
                           std::abs(to_ball.x * direction.y - to_ball.y * direction.x) < 0.055;
   double allowed = std::abs(forward);
@@ -231,7 +233,10 @@ inline Wheels out_of_area(const Setup& setup, int i, const Robot& robot, Wheels 
   const bool is_crowd = i >= 3 && setup.penalty_area_depth > 0.0;
   const double depth = is_crowd ? setup.penalty_area_depth : setup.goal_area_depth;
   const double half_width = is_crowd ? setup.penalty_area_half_width : setup.goal_area_half_width;
-  const double arc = is_crowd && setup.league == MIROCUP_LARGE ? 0.1 : 0.0;  // before the area, m
+  // The arc before the area, m: its height and half its chord.
+  const bool has_arc = is_crowd || setup.league == MIROCUP_SMALL;
+  const double height = !has_arc ? 0.0 : setup.league == MIROCUP_LARGE ? 0.1 : 0.05;
+  const double arc = std::abs(robot.y) < half_width / 2.0 ? height : 0.0;
   const double front = -setup.half_length + depth + arc + margin;
   const double side = half_width + margin;
   const double soon_x = robot.x + braking_s * robot.vx;
