@@ -8,7 +8,6 @@
 #include "mirocup/skills/laws.hpp"
 #include "mirocup/skills/roles.hpp"
 #include "mirocup/skills/shoot.hpp"
-#include "mirocup/skills/unstuck.hpp"
 #include "mirocup/skills/univector_field.hpp"
 #include "mirocup/strategy.hpp"
 
@@ -100,7 +99,7 @@ class Tactician : public Team {
     const double y = std::clamp(part, 0.0, 1.0) * now.ball_y + spread;
     const Point place = keep_out(setup(), i, inside(setup(), {x, y}));
     const Point to = place - position(soon_[i]);
-    if (length(to) < 0.02) return turn_quickly(setup(), soon_[i], 0.0);
+    if (length(to) < 0.02) return turn_quickly(setup(), soon_[i], squared(soon_[i].heading));
     const double course = round_others(now, i, soon_[i], place, std::atan2(to.y, to.x));
     return head_for(setup(), soon_[i], course, 1.8, length(to));
   }

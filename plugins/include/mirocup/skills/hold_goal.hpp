@@ -48,9 +48,7 @@ inline double holding_y(const Setup& setup, const Observation& now, const BallPa
     }
   }
   // The bisector of the angle in which the ball sees the goal.
-  const double left = length(where - Point{-setup.half_length, setup.goal_half_width});
-  const double right = length(where - Point{-setup.half_length, -setup.goal_half_width});
-  const double middle = setup.goal_half_width * (right - left) / (right + left);
+  const double middle = middle_of_goal_view(setup, where);
   const double part = std::clamp(how.line / std::max(depth, 0.001), 0.0, 1.0);
   return std::clamp(middle + part * (where.y - middle), -reach, reach);
 }
