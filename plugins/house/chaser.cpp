@@ -36,6 +36,7 @@ class Chaser : public Team {
   Wheels chase(const Observation& now, int i) {
     const Robot& robot = now.own[i];
     if (must_kick_off(now)) return kick_off(setup(), robot);
+    if (is_stuck(now)) return free_ball(setup(), now, robot);
 
     const Point goal{setup().half_length, 0.0};
     const Point towards = unit(goal - ball(now));

@@ -74,6 +74,7 @@ class Navigator : public Team {
   Wheels attack(const Observation& now, int i) {
     const Robot& robot = now.own[i];
     if (must_kick_off(now)) return kick_off(setup(), robot);
+    if (is_stuck(now)) return free_ball(setup(), now, robot);
 
     const Point aim = aim_from(now, ball(now));
     const MovingBall meet = intercept(setup(), now, robot).ball;

@@ -73,6 +73,7 @@ class Striker : public Team {
   Wheels attack(const Observation& now, int i) {
     const Robot& robot = now.own[i];
     if (must_kick_off(now)) return kick_off(setup(), robot);
+    if (is_stuck(now)) return free_ball(setup(), now, robot);
 
     const Point meet = meeting_point(setup(), now, robot);
     const Point shot = unit(Point{setup().half_length + 0.05, corner_} - meet);

@@ -20,7 +20,7 @@
 //   observation ball, ball_velocity, position, ball_after, meeting_point, must_kick_off
 //   one robot   wheels_for, turn_to, drive_to, drive_to_pose, drive_round, drive_clear
 //   the laws    keep_out (of the goal area), out_of_area, without_pushing, keep_laws
-//   roles       kick_to (behind the ball, then through it), keep_goal, kick_off
+//   roles       kick_to (behind the ball, then through it), keep_goal, kick_off, is_stuck, free_ball
 //   a team      Team: decide(), place(), setup(), random(), parameter("name", default),
 //               log("format", values...)
 //
@@ -197,7 +197,8 @@ inline Point keep_out(const Setup& setup, int i, Point p) {
 }
 
 // Returns the same wheel speeds, unless the robot would push an opponent without playing the ball.
-// Then it returns speeds at which the robot slows down before the opponent and backs off.
+// Then it returns speeds at which the robot slows down before the opponent and backs off. A robot at
+// the ball plays the ball: if it backed off, and the opponent too, the ball would lie there.
 inline Wheels without_pushing(const Setup& setup, const Observation& now, const Robot& robot,
                               Wheels wheels) {
   const Point here = position(robot);
@@ -206,6 +207,7 @@ inline Wheels without_pushing(const Setup& setup, const Observation& now, const 
   const double turn = setup.wheel_radius * (wheels.right - wheels.left) / setup.wheel_distance;
   const Point direction = (forward < 0.0 ? -1.0 : 1.0) * nose;
   const Point to_ball = ball(now) - here;
+  if (length(to_ball) < 0.09) return wheels;
   const bool ball_ahead = dot(to_ball, direction) > 0.0 &&
                           std::abs(to_ball.x * direction.y - to_ball.y * direction.x) < 0.055;
   double allowed = std::abs(forward);
@@ -231,7 +233,10 @@ inline Wheels out_of_area(const Setup& setup, int i, const Robot& robot, Wheels 
   const bool is_crowd = i >= 3 && setup.penalty_area_depth > 0.0;
   const double depth = is_crowd ? setup.penalty_area_depth : setup.goal_area_depth;
   const double half_width = is_crowd ? setup.penalty_area_half_width : setup.goal_area_half_width;
-  const double arc = is_crowd && setup.league == MIROCUP_LARGE ? 0.1 : 0.0;  // before the area, m
+  // The arc before the area, m: its height and half its chord.
+  const bool has_arc = is_crowd || setup.league == MIROCUP_SMALL;
+  const double height = !has_arc ? 0.0 : setup.league == MIROCUP_LARGE ? 0.1 : 0.05;
+  const double arc = std::abs(robot.y) < half_width / 2.0 ? height : 0.0;
   const double front = -setup.half_length + depth + arc + margin;
   const double side = half_width + margin;
   const double soon_x = robot.x + braking_s * robot.vx;
@@ -272,11 +277,20 @@ inline Wheels drive_round(const Setup& setup, const Robot& robot, Point target, 
   return drive_to(setup, robot, beside, 0.3, std::min(fastest, 0.9));
 }
 
+// Returns the multiple of a right angle that is nearest to a heading, rad.
+inline double squared(double heading) {
+  return pi / 2.0 * std::round(heading / (pi / 2.0));
+}
+
 // Drives to a point, around the ball or an opponent that is on the line to it: a robot that returns
-// home must not push the ball there, and no robot may push an opponent.
+// home must not push the ball there, and no robot may push an opponent. A robot that waits there
+// stands square to the field, because a ball that hits a slanting face may go into the own goal.
 inline Wheels drive_clear(const Setup& setup, const Observation& now, const Robot& robot,
                           Point target, double arrival = 0.0, double fastest = 1.5) {
   const Point here = position(robot);
+  if (arrival == 0.0 && length(target - here) < 0.03) {
+    return turn_to(setup, robot, squared(robot.heading));
+  }
   Point obstacle = ball(now);
   for (int j = 0; j < now.robots; ++j) {
     const Point p = position(now.opponent[j]);
@@ -310,16 +324,57 @@ inline bool must_kick_off(const Observation& now) {
          std::hypot(now.ball_x, now.ball_y) < 0.055;
 }
 
-// Takes a kick-off: nudges the ball back and aside, so slowly that it does not roll to the own
-// goal.
+// Takes a kick-off: nudges the ball away and aside, from wherever the robot is, so slowly that it
+// does not roll to the own goal.
 inline Wheels kick_off(const Setup& setup, const Robot& robot) {
-  return drive_to(setup, robot, {-0.2, 0.1}, 0.2, 0.2);
+  const Point through = -0.3 * unit(position(robot));
+  const Point aside = 0.36 * Point{-through.y, through.x};
+  return drive_to(setup, robot, position(robot) + through - aside, 0.2, 0.2);
+}
+
+// Returns the y at which the bisector of the angle in which a ball sees the own goal meets the goal
+// line, m: the middle of what there is to cover.
+inline double middle_of_goal_view(const Setup& setup, Point ball) {
+  const double left = length(ball - Point{-setup.half_length, setup.goal_half_width});
+  const double right = length(ball - Point{-setup.half_length, -setup.goal_half_width});
+  return setup.goal_half_width * (right - left) / (right + left);
+}
+
+// True if the ball has got nowhere for `patience` s and nearly stands: between two robots, at a
+// wall, in a corner.
+inline bool is_stuck(const Observation& now, double patience = 0.6) {
+  return now.stalemate_s > patience && length(ball_velocity(now)) < 0.15;
+}
+
+// Gets a stuck ball free: drives at it, and spins beside it, so that a corner of the robot throws it
+// forward; before the opponents' goal, towards its middle.
+inline Wheels free_ball(const Setup& setup, const Observation& now, const Robot& robot) {
+  const Point to = ball(now) - position(robot);
+  if (length(to) > 0.085) return drive_to(setup, robot, ball(now), 0.6, 1.2);
+  Point way{1.0, 0.0};
+  if (now.ball_x > 0.3 * setup.half_length) {
+    way = Point{setup.half_length - 0.18, 0.0} - ball(now);
+  } else if (now.ball_x < -setup.half_length + 0.06) {
+    way = {0.3, now.ball_y < 0.0 ? -1.0 : 1.0};
+  }
+  const bool is_left = to.x * way.y - to.y * way.x > 0.0;
+  return wheels_for(setup, 0.0, is_left ? 30.0 : -30.0);
+}
+
+// Drives along the goal line to a y, forwards or backwards, and looks along the line all the time: a
+// keeper that turns away from it throws the ball into its goal.
+inline Wheels slide_to(const Setup& setup, const Robot& robot, double y, double fastest = 1.5) {
+  const bool is_up = robot.heading > 0.0;
+  const double error = wrapped((is_up ? pi / 2.0 : -pi / 2.0) - robot.heading);
+  const double speed = std::clamp(8.0 * (y - robot.y), -fastest, fastest);
+  const double forward = (is_up ? speed : -speed) * std::max(0.0, std::cos(2.0 * error));
+  return wheels_for(setup, forward, 9.0 * error);
 }
 
 // Keeps the goal: stays on a line before it, where the ball will cross that line, and kicks away a
 // slow ball in the goal area.
 inline Wheels keep_goal(const Setup& setup, const Observation& now, const Robot& robot) {
-  const double line = -setup.half_length + 0.055;
+  const double line = -setup.half_length + 0.03;
   const Point here = position(robot);
   const Point away = ball(now) - here;
 
@@ -328,16 +383,17 @@ inline Wheels keep_goal(const Setup& setup, const Observation& now, const Robot&
                            now.ball_x < -setup.half_length + setup.goal_area_depth + 0.02;
   if (is_slow && is_in_reach) return drive_to(setup, robot, ball(now) + 0.2 * unit(away), 1.0);
 
-  // The place where the ball will cross the line, if it comes.
-  double y = now.ball_y;
+  // The place where the ball will cross the line, if it comes; else where it sees the goal.
+  double y = middle_of_goal_view(setup, ball(now));
   if (now.ball_vx < -0.1) {
     const double seconds = (line - now.ball_x) / now.ball_vx;
     if (seconds > 0.0 && seconds < 1.5) y = now.ball_y + now.ball_vy * seconds;
   }
-  const double reach = setup.goal_half_width - 0.02;
+  const double reach = setup.goal_half_width - 0.0385;
   const Point post{line, std::clamp(y, -reach, reach)};
-  if (length(post - here) < 0.01)
-    return turn_to(setup, robot, robot.heading > 0.0 ? pi / 2.0 : -pi / 2.0);
+  if (std::abs(post.x - here.x) < 0.04 && std::abs(here.y) < setup.goal_half_width + 0.05) {
+    return slide_to(setup, robot, post.y, 1.8);
+  }
   return drive_round(setup, robot, post, ball(now), 0.0, 1.5);
 }
 

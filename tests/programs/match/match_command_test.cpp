@@ -234,6 +234,7 @@ TEST(HouseTeams, AreAsStrongAsTheirNamesSay) {
     }
     return total;
   };
+  EXPECT_GE(points("tactician", "navigator"), 5);
   EXPECT_GE(points("navigator", "striker"), 7);
   EXPECT_GE(points("striker", "chaser"), 5);
   EXPECT_GE(points("chaser", "idle"), 8);

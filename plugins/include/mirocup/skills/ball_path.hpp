@@ -7,6 +7,7 @@
 // Simulator of predict.hpp, which gives the same path to 1e-6 m where no robot is met.
 //
 //   rolled       the ball after some seconds
+//   BallPath     the same for a team that asks often: walls are looked for once
 //   time_at_x    when and where it reaches a line across the field
 //
 // The goals are open: a ball that passes between the posts goes on to the wall behind them. Posts
@@ -14,6 +15,8 @@
 #pragma once
 
 #include "mirocup/strategy.hpp"
+
+#include <array>
 
 namespace mirocup::strategy {
 
@@ -113,6 +116,66 @@ inline MovingBall rolled(const Setup& setup, MovingBall ball, double seconds,
   }
   return ball;
 }
+
+// The path of a ball, up to its sixth wall.
+class BallPath {
+ public:
+  BallPath(const Setup& setup, MovingBall ball, const Rolling& floor = {}) : floor_(floor) {
+    double begin = 0.0;
+    for (Piece& piece : pieces_) {
+      const double speed = length(ball.velocity);
+      piece = {begin, ball.at, unit(ball.velocity), speed, speed < 1e-6 ? 0.0 : 1e9};
+      ++count_;
+      if (speed < 1e-6) return;
+      const WallAhead wall = wall_ahead(setup, ball.at, piece.along);
+      const double rest = rolling_time(floor, speed);
+      if (count_ == static_cast<int>(pieces_.size()) ||
+          rolled_distance(floor, speed, rest) < wall.distance) {
+        piece.most = rest;
+        return;
+      }
+      double t = wall.distance / speed;
+      for (int i = 0; i < 3; ++i) {
+        const double error = wall.distance - rolled_distance(floor, speed, t);
+        t += error / std::max(speed_after(speed, t), 1e-3);
+      }
+      piece.most = std::min(t, rest);
+      const double there = speed_after(speed, piece.most);
+      const double towards = there * dot(piece.along, wall.normal);
+      ball.at = ball.at + wall.distance * piece.along;
+      ball.velocity = there * piece.along - ((1.0 + floor.bounce) * towards) * wall.normal;
+      begin += piece.most;
+    }
+  }
+
+  // Returns the ball after `seconds`.
+  MovingBall after(double seconds) const {
+    int i = 0;
+    while (i + 1 < count_ && pieces_[i + 1].begin <= seconds) ++i;
+    const Piece& piece = pieces_[i];
+    const double t = std::min(seconds - piece.begin, piece.most);
+    return {piece.at + rolled_distance(floor_, piece.speed, t) * piece.along,
+            speed_after(piece.speed, t) * piece.along};
+  }
+
+ private:
+  struct Piece {         // from one wall to the next
+    double begin = 0.0;  // s
+    Point at;
+    Point along;
+    double speed = 0.0;
+    double most = 0.0;  // s
+  };
+
+  double speed_after(double speed, double t) const {
+    const double top = speed + floor_.constant / floor_.linear;
+    return std::max(0.0, top * std::exp(-floor_.linear * t) - floor_.constant / floor_.linear);
+  }
+
+  Rolling floor_;
+  std::array<Piece, 6> pieces_;
+  int count_ = 0;
+};
 
 // Where the ball crosses a line across the field.
 struct Crossing {

@@ -57,9 +57,7 @@ inline Point cover_point(const Setup& setup, const Observation& now,
     }
   }
   // Otherwise the bisector of the angle in which the ball sees the goal.
-  const double left = length(where - Point{-setup.half_length, setup.goal_half_width});
-  const double right = length(where - Point{-setup.half_length, -setup.goal_half_width});
-  const double middle = setup.goal_half_width * (right - left) / (right + left);
+  const double middle = middle_of_goal_view(setup, where);
   const double part = std::clamp(habits.line / (where.x + setup.half_length), 0.0, 1.0);
   return at(middle + part * (where.y - middle));
 }

@@ -17,10 +17,17 @@ struct Distance {
   double rate = 3.5;   // 1/s: how much faster it may be for each metre more
 };
 
+// Returns the distance to keep under the rules of a leg: SimuroSot calls each touch of a keeper, and
+// its control period tells that they are played.
+inline Distance keeper_distance(const Setup& setup) {
+  if (setup.control_period > 0.02) return {};
+  return {.gap = 0.115, .speed = 0.0, .rate = 4.0};
+}
+
 // Slows down all robots but the keeper before the opponents' keeper, unless the ball is between.
 // Touching a keeper without playing the ball costs a goal kick.
 inline void spare_keeper(const Setup& setup, const Observation& now, Command& command,
-                         const Distance& keep = {}) {
+                         const Distance& keep) {
   for (int j = 0; j < now.robots; ++j) {
     const Point keeper = position(now.opponent[j]);
     const bool is_home = keeper.x > setup.half_length - setup.goal_area_depth - 0.05 &&
@@ -46,6 +53,10 @@ inline void spare_keeper(const Setup& setup, const Observation& now, Command& co
       wheels = wheels_for(setup, forward < 0.0 ? -allowed : allowed, turn);
     }
   }
+}
+
+inline void spare_keeper(const Setup& setup, const Observation& now, Command& command) {
+  spare_keeper(setup, now, command, keeper_distance(setup));
 }
 
 }  // namespace mirocup::strategy

@@ -6,6 +6,7 @@
 //
 //   field_heading    the direction at a place
 //   around           the same direction, turned aside by an obstacle that moves
+//   round_others     the same direction, turned aside by all other robots
 //   follow_heading   drives in a direction
 //   follow_field     drives along the field, slower where it bends
 //
@@ -83,6 +84,23 @@ inline double around(double heading, Point here, Point velocity, const Obstacle&
   const double far = std::max(0.0, gap - how.nearest) / how.width;
   const double weight = std::exp(-0.5 * far * far);
   return wrapped(heading + weight * wrapped(past - heading));
+}
+
+// Returns `heading`, turned aside by the other robots within `sight` m, except those at `target`
+// itself. `robot` is number `me`, where it will be at its next command.
+inline double round_others(const Observation& now, int me, const Robot& robot, Point target,
+                           double heading, double sight = 0.35, const Avoidance& how = {}) {
+  const auto pass = [&](const Robot& other) {
+    const bool is_near = length(position(other) - position(robot)) < sight;
+    if (!is_near || length(position(other) - target) < 0.1) return;
+    heading = around(heading, position(robot), {robot.vx, robot.vy},
+                     {position(other), {other.vx, other.vy}}, how);
+  };
+  for (int j = 0; j < now.robots; ++j) {
+    pass(now.opponent[j]);
+    if (j != me) pass(now.own[j]);
+  }
+  return heading;
 }
 
 // Drives in the direction `heading` at `speed` m/s, forwards or backwards; a robot that already

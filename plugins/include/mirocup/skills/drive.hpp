@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+//
+// Turning and driving in the shortest time that motors and wheels allow.
+//
+// A motor follows a wanted speed with the time constant T, so a robot that turns at w and is told
+// to stop still turns by w T. Over all, it turns by w T + c P if it is told c for one tick of
+// length P and 0 after that. Solved for c, that is the command which ends at the heading wanted: no
+// gain, no swing. Driving is the same with metres.
+//
+//   when_commanded   where a robot will be when its next command begins
+//   turn_quickly     turns on the spot
+//   drive_quickly    drives to a point, forwards or backwards
+//   take_pose        drives to a point and turns to a heading there
+//   travel_time      how long that takes
+//
+// A command is driven one tick after it was asked for. A team that remembers its last command gives
+// the state of when_commanded() to these functions. Frames and units are those of strategy.h.
+#pragma once
+
+#include "mirocup/strategy.hpp"
+
+namespace mirocup::strategy {
+
+inline Point nose_of(const Robot& robot) {
+  return {std::cos(robot.heading), std::sin(robot.heading)};
+}
+
+// Returns the forward speed of a robot, m/s; negative if it drives backwards.
+inline double forward_speed(const Robot& robot) {
+  return dot({robot.vx, robot.vy}, nose_of(robot));
+}
+
+inline double greatest_speed(const Setup& setup) {
+  return setup.wheel_radius * setup.wheel_speed_limit;
+}
+
+// Returns the robot one tick later, if it drives `command` until then. Wheels do not slide.
+inline Robot when_commanded(const Setup& setup, const Robot& robot, Wheels command) {
+  const double lag = setup.motor_time_constant;
+  const double period = setup.control_period;
+  const double left = lag > 0.0 ? std::exp(-period / lag) : 0.0;  // of a difference in speed
+  const double forward = setup.wheel_radius * (command.right + command.left) / 2.0;
+  const double turn = setup.wheel_radius * (command.right - command.left) / setup.wheel_distance;
+  const double before = forward_speed(robot);
+  const double way = forward * period + (before - forward) * lag * (1.0 - left);
+  const double angle = turn * period + (robot.turn - turn) * lag * (1.0 - left);
+  const double after = forward + (before - forward) * left;
+
+  Robot then = robot;
+  const double between = robot.heading + angle / 2.0;
+  then.x += way * std::cos(between);
+  then.y += way * std::sin(between);
+  then.heading = wrapped(robot.heading + angle);
+  then.vx = after * std::cos(then.heading);
+  then.vy = after * std::sin(then.heading);
+  then.turn = turn + (robot.turn - turn) * left;
+  return then;
+}
+
+// Returns the wheel speeds for a turn (rad/s) and what the motors have left for a forward speed
+// (m/s): a robot that must turn does so first.
+inline Wheels wheels_turning_first(const Setup& setup, double forward, double turn) {
+  const double most = greatest_speed(setup);
+  const double side = std::clamp(turn * setup.wheel_distance / 2.0, -most, most);
+  const double rest = most - std::abs(side);
+  const double mean = std::clamp(forward, -rest, rest);
+  return {(mean - side) / setup.wheel_radius, (mean + side) / setup.wheel_radius};
+}
+
+// Returns the turn (rad/s) to ask for, so that a robot that turns at `turn` ends `error` rad
+// farther. Robots are not quite what they are told, so a part of the error is left to later ticks.
+inline double turn_for(const Setup& setup, double turn, double error, double part = 0.9) {
+  return (part * error - setup.motor_time_constant * turn) / setup.control_period;
+}
+
+inline Wheels turn_quickly(const Setup& setup, const Robot& robot, double heading) {
+  const double error = wrapped(heading - robot.heading);
+  const double brake = -forward_speed(robot) * setup.motor_time_constant / setup.control_period;
+  return wheels_turning_first(setup, brake, turn_for(setup, robot.turn, error));
+}
+
+// Drives at up to `speed` m/s in a direction, forwards or backwards, whichever needs the smaller
+// turn. `distance`: where to stop, m. A wheel that slides does not steer, so the robot is not
+// faster than its turn allows.
+inline Wheels head_for(const Setup& setup, const Robot& robot, double direction, double speed,
+                       double distance = 1e9) {
+  double error = wrapped(direction - robot.heading);
+  double way = 1.0;
+  const double moving = forward_speed(robot);
+  if (std::cos(error) + 0.15 * std::clamp(moving, -1.0, 1.0) < 0.0) {
+    error = wrapped(error + pi);
+    way = -1.0;
+  }
+  const double turn = turn_for(setup, robot.turn, error);
+  const double lag = setup.motor_time_constant;
+  const double stop = (distance - way * moving * lag) / setup.control_period;
+  const double sharp = std::clamp(2.5 * std::cos(error) - 1.5, 0.0, 1.0);
+  double forward = std::min(speed * sharp, stop);
+  const double steady = 0.85 * setup.grip * 9.81;  // m/s^2
+  const double limit = steady / std::max(std::abs(error) / (2.0 * lag), 1e-6);
+  if (forward > limit) forward = limit;
+  return wheels_turning_first(setup, way * forward, turn);
+}
+
+// Drives to a point and stops there, or passes it at `arrival` m/s.
+inline Wheels drive_quickly(const Setup& setup, const Robot& robot, Point target,
+                            double arrival = 0.0, double speed = 1.8) {
+  const Point to = target - position(robot);
+  const double distance = length(to);
+  if (distance < 0.004 && arrival == 0.0) return turn_quickly(setup, robot, robot.heading);
+  const double beyond = arrival * 0.15;  // m, so that it does not brake
+  return head_for(setup, robot, std::atan2(to.y, to.x), speed, distance + beyond);
+}
+
+// Drives to a point and turns to a heading there; a square robot may have it backwards as well.
+inline Wheels take_pose(const Setup& setup, const Robot& robot, Point target, double heading,
+                        double near = 0.012, double speed = 1.8) {
+  if (length(target - position(robot)) > near)
+    return drive_quickly(setup, robot, target, 0.0, speed);
+  const double error = wrapped(heading - robot.heading);
+  return turn_quickly(setup, robot, std::abs(error) > pi / 2.0 ? heading + pi : heading);
+}
+
+}  // namespace mirocup::strategy

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+//
+// Who does what. A role goes to the robot for which it costs least, and the robot that had it in
+// the last tick keeps it unless another one is clearly better: robots that change places all the
+// time do nothing at all.
+//
+//   cheapest_robot   who takes one role
+//   time_behind      what it costs to attack: how soon a robot is behind the ball
+//   assign_places    who goes to which of several places
+//
+// Frames and units are those of strategy.h.
+#pragma once
+
+#include "mirocup/skills/intercept.hpp"
+
+#include <array>
+#include <span>
+
+namespace mirocup::strategy {
+
+// Returns the robot from `first` on with the least cost, where `last` costs `bonus` less.
+// `cost(i)`: of robot i.
+template <class Cost>
+int cheapest_robot(const Observation& now, int first, int last, double bonus, const Cost& cost) {
+  int best = first;
+  double least = 1e9;
+  for (int i = first; i < now.robots; ++i) {
+    const double c = cost(i) - (i == last ? bonus : 0.0);
+    if (c >= least) continue;
+    best = i;
+    least = c;
+  }
+  return best;
+}
+
+// Returns how soon robot `i` meets the ball, s, and `round_s` more if it has to drive round it.
+inline double time_behind(const Setup& setup, const Observation& now, int i,
+                          double round_s = 0.35) {
+  const Interception meet = intercept(setup, now, now.own[i]);
+  return meet.seconds + (now.own[i].x > meet.ball.at.x - 0.03 ? round_s : 0.0);
+}
+
+// The robots of some places.
+using Assignment = std::array<int, MIROCUP_MAX_ROBOTS>;
+
+// Gives each place to a robot: the most important place first, to the nearest robot that is still
+// free. `free`: the robots to choose from, as many as places. `last`: the assignment of the last
+// tick, by place; its robot counts as `bonus` m nearer.
+inline Assignment assign_places(const Observation& now, std::span<const Point> places,
+                                std::span<const int> free, const Assignment& last,
+                                double bonus = 0.1) {
+  Assignment chosen{};
+  std::array<bool, MIROCUP_MAX_ROBOTS> is_taken{};
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    double least = 1e9;
+    for (const int i : free) {
+      if (is_taken[i]) continue;
+      const double distance = length(places[k] - position(now.own[i]));
+      const double cost = distance - (last[k] == i ? bonus : 0.0);
+      if (cost >= least) continue;
+      least = cost;
+      chosen[k] = i;
+    }
+    is_taken[chosen[k]] = true;
+  }
+  return chosen;
+}
+
+}  // namespace mirocup::strategy
