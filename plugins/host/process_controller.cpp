@@ -174,7 +174,7 @@ Answer ProcessController::answer_to_exit(const ExitStatus& status) {
   words.text.assign(out_->text, strnlen(out_->text, sizeof out_->text));
   words.address = out_->fault_address.load(std::memory_order_relaxed);
   words.team_call = out_->team_call.load(std::memory_order_relaxed);
-  last_words_ = words;
+  exit_report_ = words;
   return fault_of(status, words, is_ready_, moment_);
 }
 

@@ -106,7 +106,7 @@ class ProcessController final : public match::Controller {
   }
 
   // Returns what the process left when it ended by itself; nothing before that.
-  const std::optional<LastWords>& last_words() const { return last_words_; }
+  const std::optional<LastWords>& exit_report() const { return exit_report_; }
 
   // Returns what the team asked the system for, a line each, as its process says: any bytes, and
   // nothing unless the host program is mirocup-careful-host.
@@ -166,7 +166,7 @@ class ProcessController final : public match::Controller {
   bool is_ready_ = false;
 
   std::optional<AskedMoment> moment_;  // of the last observation that was handed over
-  std::optional<LastWords> last_words_;
+  std::optional<LastWords> exit_report_;
   std::uint32_t ticks_ = 0;    // observations so far
   std::uint32_t places_ = 0;   // those in which the team was asked to place
   std::uint32_t request_ = 0;  // number of the last observation that was handed over

@@ -22,7 +22,7 @@ class Tactician : public Team {
   using Team::Team;
 
   void decide(const Observation& now, Command& command) override {
-    look_ahead(now);
+    predict_bodies(now);
     const BallPath path(setup(), moving_ball(now));
     command.wheels[0] = hold_goal(setup(), now, path, soon_[0]);
     attacker_ = must_kick_off(now) ? 1 : cheapest_robot(now, 1, attacker_, 0.2, [&](int i) {
@@ -51,7 +51,7 @@ class Tactician : public Team {
 
  private:
   // Where the robots will be when the commands of this tick begin.
-  void look_ahead(const Observation& now) {
+  void predict_bodies(const Observation& now) {
     for (int i = 0; i < now.robots; ++i) {
       const Wheels asked = now.state == MIROCUP_PLAY ? asked_.wheels[i] : Wheels{};
       soon_[i] = when_commanded(setup(), now.own[i], asked);

@@ -110,7 +110,7 @@ Result<TrialLeg> play_trial(const plugins::SealedEntry& entry, const TrialTerms&
 
   TrialLeg played;
   played.requests = own.requests();
-  if (fault) played.fault = FaultEvidence{*fault, own.last_words(), played.requests};
+  if (fault) played.fault = FaultEvidence{*fault, own.exit_report(), played.requests};
   played.log = leg.log();
   played.bad_values = leg.bad_values()[index_of(terms.team)];
   played.moved_placements = moved_placements(leg, terms.team);

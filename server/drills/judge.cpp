@@ -41,7 +41,7 @@ double Judge::now() const {
 
 bool Judge::follow() {
   note_decisions();
-  note_touch();
+  count_touch();
   note_save();
   note_places();
   ball_before_ = leg_.ball();
@@ -77,7 +77,7 @@ void Judge::note_decisions() {
   }
 }
 
-void Judge::note_touch() {
+void Judge::count_touch() {
   const auto touch = leg_.last_touch();
   const bool is_in_play = leg_.judged().has_value();
   if (!touch || !is_in_play) return;

@@ -47,7 +47,7 @@ class Judge {
   };
 
   void note_decisions();
-  void note_touch();
+  void count_touch();
   void note_save();
   void note_places();
   void count(EventKind kind);

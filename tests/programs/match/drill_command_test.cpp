@@ -16,7 +16,7 @@ using test_support::program;
 using test_support::read_json;
 using test_support::run;
 using test_support::TemporaryFolder;
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 Outcome drill(const std::vector<std::string>& more) {
   std::vector<std::string> words{program("mirocup"), "drill"};

@@ -26,7 +26,7 @@ inline Point nose_of(const Robot& robot) {
 }
 
 // Returns the forward speed of a robot, m/s; negative if it drives backwards.
-inline double forward_speed(const Robot& robot) {
+inline double speed_ahead(const Robot& robot) {
   return dot({robot.vx, robot.vy}, nose_of(robot));
 }
 
@@ -41,7 +41,7 @@ inline Robot when_commanded(const Setup& setup, const Robot& robot, Wheels comma
   const double left = lag > 0.0 ? std::exp(-period / lag) : 0.0;  // of a difference in speed
   const double forward = setup.wheel_radius * (command.right + command.left) / 2.0;
   const double turn = setup.wheel_radius * (command.right - command.left) / setup.wheel_distance;
-  const double before = forward_speed(robot);
+  const double before = speed_ahead(robot);
   const double way = forward * period + (before - forward) * lag * (1.0 - left);
   const double angle = turn * period + (robot.turn - turn) * lag * (1.0 - left);
   const double after = forward + (before - forward) * left;
@@ -75,7 +75,7 @@ inline double turn_for(const Setup& setup, double turn, double error, double par
 
 inline Wheels turn_quickly(const Setup& setup, const Robot& robot, double heading) {
   const double error = wrapped(heading - robot.heading);
-  const double brake = -forward_speed(robot) * setup.motor_time_constant / setup.control_period;
+  const double brake = -speed_ahead(robot) * setup.motor_time_constant / setup.control_period;
   return wheels_turning_first(setup, brake, turn_for(setup, robot.turn, error));
 }
 
@@ -86,7 +86,7 @@ inline Wheels head_for(const Setup& setup, const Robot& robot, double direction,
                        double distance = 1e9) {
   double error = wrapped(direction - robot.heading);
   double way = 1.0;
-  const double moving = forward_speed(robot);
+  const double moving = speed_ahead(robot);
   if (std::cos(error) + 0.15 * std::clamp(moving, -1.0, 1.0) < 0.0) {
     error = wrapped(error + pi);
     way = -1.0;

@@ -112,7 +112,7 @@ inline Wheels hold_goal(const Setup& setup, const Observation& now, const BallPa
   // Along the line; a little steering keeps it there.
   const double upright = robot.heading > 0.0 ? pi / 2.0 : -pi / 2.0;
   const double way = robot.heading > 0.0 ? 1.0 : -1.0;
-  const double moving = forward_speed(robot);
+  const double moving = speed_ahead(robot);
   const double distance = way * to.y;
   const double forward =
       (0.9 * distance - setup.motor_time_constant * moving) / setup.control_period;
