@@ -455,8 +455,7 @@ Result<MatchRecord> load(system::Files& files, const std::string& path, Checksum
   const auto text =
       files.read(path, {.max_size = system::size_limit::record, .links = system::Links::followed});
   if (!text) return tl::unexpected(text.error());
-  constexpr std::string_view schema_key = "\"schema\": \"mirocup/match/";
-  if (text->find(schema_key) == std::string::npos)
+  if (text->find("\"mirocup/match/") == std::string::npos)
     return fail(Errc::damaged, path + ": it is no match record");
   if (policy == ChecksumPolicy::checked && !has_valid_checksum(*text)) {
     return fail(Errc::damaged, path + ": its text is not what was written (sha256)");

@@ -95,7 +95,7 @@ TEST(Check, NamesTheFirstCheckThatFails) {
   expect_rejected(hostile("other_version"), "loads", "strategy.h of this version");
   expect_rejected(hostile("init_refuses"), "loads", "null");
   expect_rejected(hostile("ctor_exit"), "loads", "ended itself");
-  expect_rejected(hostile("crash_segv"), "ticks", "--trusted in a debugger");
+  expect_rejected(hostile("crash_segv"), "ticks", "gdb --args mirocup match --trusted");
   expect_rejected(hostile("slow_bank"), "ticks", "ms of processor time");
   expect_rejected(hostile("call_bpf"), "ticks", "bpf");
   expect_rejected(hostile("clock_random"), "repeatable", "tick 25");

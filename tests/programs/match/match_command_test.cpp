@@ -151,7 +151,44 @@ TEST(MatchCommand, NamesTheArgumentThatIsWrong) {
   fails(match("idle", "idle", {"--blue-param", "wait"}), "--blue-param wait: KEY=VALUE");
   fails(match("idle", "dds:far", {"--yellow-param", "wait=1"}), "give it to mirocup join");
   fails({program("mirocup"), "match", "--blue", "idle"}, "--yellow");
-  fails({program("mirocup")}, "subcommand");
+  fails({program("mirocup")}, "Subcommands:");
+}
+
+// Catches an answer that does not say what to type.
+TEST(CommandLine, SaysWhatWasMeant) {
+  const auto err_of = [](const std::vector<std::string>& words) {
+    std::vector<std::string> all{program("mirocup")};
+    all.insert(all.end(), words.begin(), words.end());
+    const Outcome outcome = run(all);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+    return outcome.err;
+  };
+  const auto expect_in = [](const std::string& text, const std::string& part) {
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+  };
+  expect_in(err_of({"mach"}), "there is no command \"mach\"; did you mean match?");
+  expect_in(err_of({"leauge"}), "did you mean league?");
+  expect_in(err_of({"league", "stauts", "x"}), "did you mean status?");
+  expect_in(err_of({"zzzzzz"}), "there is no command \"zzzzzz\"\nSee mirocup --help");
+  expect_in(err_of({"match", "--blue", "idle", "--yellow", "idle", "--sede", "3"}),
+            "there is no option --sede; did you mean --seed?");
+  for (const char* seed : {"-1", "99999999999999999999999", "1.5", "x"}) {
+    expect_in(err_of({"match", "--blue", "idle", "--yellow", "idle", "--seed", seed}),
+              "is not a seed");
+  }
+  expect_in(err_of({"replay", "leg.json", "-o", "leg.pdf"}), "is written as .html");
+  EXPECT_EQ(run({program("mirocup"), "help", "match"}).out,
+            run({program("mirocup"), "match", "--help"}).out);
+  EXPECT_EQ(run({program("mirocup"), "help", "league"}).exit_code, 0);
+  EXPECT_EQ(run({program("mirocup"), "-v"}).exit_code, 0);
+}
+
+// Catches a leg that is played for nothing, because its record has no place.
+TEST(CommandLine, TestsTheOutputBeforeItPlays) {
+  const Outcome outcome = run(match("idle", "idle", {"--record", "/no/such/folder/leg.json"}));
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_EQ(outcome.out, "") << "nothing was played";
+  EXPECT_NE(outcome.err.find("/no/such/folder"), std::string::npos) << outcome.err;
 }
 
 // True once the match is played: it prints the address of its page when both teams are ready.
