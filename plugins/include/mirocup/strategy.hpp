@@ -310,10 +310,11 @@ inline bool must_kick_off(const Observation& now) {
          std::hypot(now.ball_x, now.ball_y) < 0.055;
 }
 
-// Takes a kick-off: nudges the ball back and aside, so slowly that it does not roll to the own
-// goal.
+// Takes a kick-off: rolls the ball straight back to the team-mates. Left alone, it stops before the
+// own goal line. A ball that stays near the centre would belong to the opponents, whose kicker waits
+// on the side of the ball from which it can shoot; the taker of a kick-off has to go round it first.
 inline Wheels kick_off(const Setup& setup, const Robot& robot) {
-  return drive_to(setup, robot, {-0.2, 0.1}, 0.2, 0.2);
+  return drive_to(setup, robot, {-0.1, 0.0}, 0.28, 0.28);
 }
 
 // Keeps the goal: stays on a line before it, where the ball will cross that line, and kicks away a
