@@ -311,8 +311,8 @@ inline bool must_kick_off(const Observation& now) {
 }
 
 // Takes a kick-off: rolls the ball straight back to the team-mates. Left alone, it stops before the
-// own goal line. A ball that stays near the centre would belong to the opponents, whose kicker waits
-// on the side of the ball from which it can shoot; the taker of a kick-off has to go round it first.
+// own goal line. A ball that stays near the centre would belong to the opponents: their kicker
+// waits on the side of the ball from which it can shoot, and the taker has to go round it first.
 inline Wheels kick_off(const Setup& setup, const Robot& robot) {
   return drive_to(setup, robot, {-0.1, 0.0}, 0.28, 0.28);
 }
