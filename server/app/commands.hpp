@@ -24,7 +24,8 @@ struct MatchOptions {
   std::uint64_t seed = 1;
   std::string speed;  // "": real time if it is watched, otherwise "max"
   std::optional<std::string>
-      watch;  // address of the live page: PORT, HOST:PORT, or "" for any port
+      watch;           // address of the live page: PORT, HOST:PORT, or "" for any port
+  bool calls = false;  // print them
   std::optional<double> half_s;
   std::vector<std::string> rule_changes;  // KEY=VALUE
   std::string conditions{to_string(match::default_preset)};
