@@ -2,6 +2,7 @@
 #include "core/match/leg.hpp"
 
 #include "core/base/assert.hpp"
+#include "core/match/call_text.hpp"
 #include "core/referee/placement_check.hpp"
 #include "core/referee/touches.hpp"
 
@@ -492,6 +493,7 @@ void Leg::log_decision(const referee::Decision& decision) {
   LoggedDecision logged;
   logged.tick = tick_;
   logged.decision = decision;
+  logged.decision.reason = in_colours(decision.reason, left_);
   if (decision.team) logged.team = team_at(*decision.team);
   logged.taker = team_at(decision.taker);
   for (const Team team : both_teams) {
@@ -519,6 +521,11 @@ void Leg::give_credit(LoggedDecision& goal) const {
                             std::to_string(credit.scorer->robot);
   }
   goal.credit = credit;
+  goal.score = ByTeam<int>{};
+  for (const LoggedDecision& before : decisions_) {
+    if (before.score) goal.score = before.score;
+  }
+  ++(*goal.score)[index_of(scoring)];
 }
 
 referee::Situation Leg::situation() const {

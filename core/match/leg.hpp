@@ -80,6 +80,7 @@ struct LoggedDecision {
   ByTeam<referee::RobotSet> robots;  // the robots involved
   Parties parties;
   std::optional<GoalCredit> credit;  // of a goal
+  std::optional<ByTeam<int>> score;  // after a goal
 };
 
 // The log of one tick.

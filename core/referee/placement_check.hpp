@@ -3,30 +3,18 @@
 // The check of the placement that a team asks for at a restart.
 //
 // Both teams may ask for places: one after the other in a match, both at once in a recorded
-// situation. A robot keeps the pose that was asked for if it is inside the walls, if the law of the
-// restart allows it, and if it is clear of the ball and of every robot accepted before it; the team
-// that places first is checked first. Only the other robots are moved: to the default pose of their
-// role if that is free, else to the first free default pose of their team, else to the first free
-// place that the law allows.
+// situation. A robot may have the pose that was asked for if it is inside the walls, if the law of
+// the restart allows it, and if it is clear of the ball and of all other robots; the team that
+// places first has precedence. As few robots of a team as possible are moved, to the nearest places
+// that are free (placer.hpp).
 #pragma once
 
-#include "core/referee/placement_rules.hpp"
+#include "core/referee/placer.hpp"
 
 namespace mirocup::referee {
 
 // Returns the end whose team places first.
 End first_placer(Restart restart, End taker);
-
-// The reasons why a robot may not have the pose that was asked for.
-enum class Misplaced {
-  no,
-  outside_walls,        // or not finite
-  not_allowed,          // by the law of the restart
-  special_place_empty,  // this robot has to stand in the special place and does not
-  second_in_goal_area,  // of the other end, at a goal kick
-  too_near_ball,
-  too_near_robot,
-};
 
 // The placement that is granted.
 struct CheckedPlacement {
@@ -44,14 +32,14 @@ CheckedPlacement check_placement(const Pitch& pitch, const Decision& restart, Ro
 
 // Checks what one team asks for in its turn. `asked` is a whole placement: the team's robots where
 // it wants them, all others where they stand, and the ball on its spot or where the team wants it.
-// In the first team's turn robots of the second team are moved if they stand on a requested place;
-// in the second team's turn the first team's robots stay. The ball may be moved only in the turn of
+// In the first team's turn robots of the second team are moved if they stand on a granted place; in
+// the second team's turn the first team's robots stay. The ball may be moved only in the turn of
 // a taker that places first.
 CheckedPlacement check_turn(const Pitch& pitch, const Decision& restart, End team, Roles roles,
                             const Placement& asked);
 
-// Returns the robots that may not stand where they do, with the ball where it lies. Of two robots
-// that are too near to each other only one is named.
+// Returns the robots that may not stand where they do, with the ball where it lies: as few as would
+// have to be moved. So of two robots that are too near to each other only one is named.
 ByEnd<RobotSet> misplaced_robots(const Pitch& pitch, const Decision& restart, Roles roles,
                                  const Placement& standing);
 

@@ -12,7 +12,7 @@ namespace mirocup::referee {
 namespace {
 
 std::string score_text(const ByEnd<int>& score) {
-  return std::to_string(score[0]) + ":" + std::to_string(score[1]);
+  return "left " + std::to_string(score[0]) + " : " + std::to_string(score[1]) + " right";
 }
 
 std::optional<End> leader(const ByEnd<int>& score) {

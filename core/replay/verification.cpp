@@ -2,6 +2,7 @@
 #include "core/replay/verification.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 namespace mirocup::replay {
 
@@ -11,6 +12,24 @@ std::string score_text(const match::ByTeam<int>& score) {
   return std::to_string(score[0]) + ":" + std::to_string(score[1]);
 }
 
+// Returns a reason without the words that name a team, and without spaces.
+std::string without_teams(std::string text) {
+  for (const char* word : {"left", "right", "blue", "yellow", " "}) {
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word)) {
+      text.erase(at, std::strlen(word));
+    }
+  }
+  return text;
+}
+
+// Records from before 25 November 2026 name the ends where reasons now name the colours.
+bool is_same_reason(const std::string& recorded, const std::string& again) {
+  if (recorded == again) return true;
+  const bool is_old =
+      recorded.find("blue") == std::string::npos && recorded.find("yellow") == std::string::npos;
+  return is_old && without_teams(recorded) == without_teams(again);
+}
+
 // `a` is recorded, `b` played again.
 bool agree(const match::LoggedDecision& a, const match::LoggedDecision& b) {
   const referee::Decision& x = a.decision;
@@ -18,7 +37,8 @@ bool agree(const match::LoggedDecision& a, const match::LoggedDecision& b) {
   // A goal that was recorded without a scorer was told from an own goal by the last touch alone.
   const bool is_old_goal = x.verdict == referee::Verdict::GOAL && !a.credit;
   return a.tick == b.tick && a.team == b.team && a.robots == b.robots && x.verdict == y.verdict &&
-         (is_old_goal || (x.law == y.law && x.reason == y.reason && a.credit == b.credit)) &&
+         (is_old_goal ||
+          (x.law == y.law && is_same_reason(x.reason, y.reason) && a.credit == b.credit)) &&
          x.clock == y.clock && x.ball == y.ball && x.restart == y.restart &&
          (x.restart == referee::Restart::none || a.taker == b.taker);
 }

@@ -116,6 +116,7 @@ void add_match(CLI::App& app, Run& run) {
           "at any free one")
       ->expected(0, 1)
       ->type_name("[PORT]");
+  command->add_flag("--calls", o.calls, "Print each goal and call of the referee, too");
   command->add_option("--half", o.half_s, "Length of a half in seconds")
       ->check(CLI::Range(0.1, 36000.0))
       ->excludes(from);

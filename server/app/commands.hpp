@@ -28,6 +28,7 @@ struct MatchOptions {
   std::string start_path;  // of a situation; "": the leg starts with its kick-off
   std::string from_path;   // of the record to play on from; "": none
   std::optional<std::uint32_t> tick;  // of that record
+  bool calls = false;                 // print them
   std::optional<double> half_s;
   std::vector<std::string> rule_changes;  // KEY=VALUE
   std::string conditions{to_string(match::default_preset)};

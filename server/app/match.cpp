@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // mirocup match: plays one leg and writes its record.
+#include "core/match/call_text.hpp"
 #include "core/replay/recorded.hpp"
 #include "plugins/host/sandbox/probe.hpp"
 #include "server/app/commands.hpp"
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <iostream>
@@ -149,6 +151,7 @@ class Session {
     if (live_) live_->close(match_);
   }
   void warn_of_unknown_parameters() const;
+  void print_calls() const;
   void report() const;
   bool is_void() const { return match_.outcome().kind == match::OutcomeKind::void_; }
 
@@ -377,11 +380,26 @@ void Session::warn_of_unknown_parameters() const {
   }
 }
 
+void Session::print_calls() const {
+  const match::ByTeam<std::string> names{seats_[0].info().name, seats_[1].info().name};
+  match::ByTeam<int> score{};
+  for (const match::LoggedDecision& call : match_.decisions()) {
+    if (call.decision.verdict == referee::Verdict::GOAL && call.team) {
+      ++score[index_of(*call.team)];
+    }
+    char clock[32];
+    const int seconds = static_cast<int>(call.decision.clock);
+    std::snprintf(clock, sizeof clock, "%2d:%02d  ", seconds / 60, seconds % 60);
+    std::cout << clock << system::printable(match::call_text(call, names, score)) << '\n';
+  }
+}
+
 void Session::report() const {
   if (options_.json) {
     std::cout << record::json_text(record::to_json(record())) << '\n';
     return;
   }
+  if (options_.calls) print_calls();
   const match::Outcome& r = match_.outcome();
   std::cout << seats_[0].info().name << " (blue) " << r.score[0] << " : " << r.score[1] << " "
             << seats_[1].info().name << " (yellow), " << to_string(r.kind) << " after "

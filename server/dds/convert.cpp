@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/dds/convert.hpp"
 
+#include "core/match/call_text.hpp"
 #include "core/match/copy_fields.hpp"
 
 #include <algorithm>
@@ -186,7 +187,7 @@ mirocup_v3_MatchEvent to_sample(const match::LoggedDecision& d, std::uint64_t le
   e.clock = d.decision.clock;
   copy_text(e.decision, to_string(d.decision.verdict));
   copy_text(e.law, to_string(d.decision.law));
-  copy_text(e.reason, d.decision.reason);
+  copy_text(e.reason, match::call_text(d, {"blue", "yellow"}, score));
   for (int team = 0; team < 2; ++team) e.score[team] = static_cast<std::uint16_t>(score[team]);
   return e;
 }

@@ -109,6 +109,7 @@ Json to_json(const match::LoggedDecision& d) {
     json["own_goal"] = d.credit->own_goal;
     json["kind"] = to_string(d.credit->kind);
   }
+  if (d.score) json["score"] = score_json(*d.score);
   return json;
 }
 
@@ -234,6 +235,7 @@ match::LoggedDecision read_decision(const JsonReader& json) {
     d.taker = json.at("taker").name<Team>();
   }
   d.credit = read_credit(json);
+  if (json.has("score")) d.score = read_score(json.at("score"));
   d.parties = match::parties_of(d.decision, d.team, d.taker);
   return d;
 }

@@ -83,13 +83,19 @@ TraceSampler::Instant TraceSampler::instant(double t) const {
   return now;
 }
 
+// A ball that is first seen wholly behind a goal line was not seen crossing it: it crosses now.
+Vec2 TraceSampler::first_seen(const Vec2& ball) const {
+  const double line = pitch_.field.half_length + pitch_.ball_radius;
+  return {std::clamp(ball.x(), -line, line), ball.y()};
+}
+
 Situation TraceSampler::sample(int k) const {
   const double t = k * sample_period;
   const Instant now = instant(t);
   Situation s;
   s.duration = k == 0 ? 0.0 : sample_period;
   s.ball = now.ball;
-  s.ball_before = k == 0 ? now.ball : instant(t - sample_period).ball;
+  s.ball_before = k == 0 ? first_seen(now.ball) : instant(t - sample_period).ball;
   s.robots = now.robots;
   const KeyFrame& frame = frame_at(t);
   s.fallen = frame.fallen;

@@ -30,6 +30,7 @@ class TraceSampler {
 
   const KeyFrame& frame_at(double t) const;
   Instant instant(double t) const;
+  Vec2 first_seen(const Vec2& ball) const;
   Vec2 ball_at(double t) const;
   void place_unlisted_robots();
   void add_motion(double t, referee::Situation& s) const;

@@ -14,8 +14,12 @@ std::optional<Decision> judge_goal(const Pitch& pitch, const Situation& s) {
     const double now = out * s.ball.x();
     if (before > line || now <= line) continue;
     const double share = (line - before) / (now - before);
-    const double y = s.ball_before.y() + share * (s.ball.y() - s.ball_before.y());
-    if (std::abs(y) >= pitch.field.goal_half_width) continue;
+    double y = s.ball_before.y() + share * (s.ball.y() - s.ball_before.y());
+    if (std::abs(y) >= pitch.field.goal_half_width) {
+      // A ball that lies in the goal came in between the posts, by a path that was not straight.
+      if (std::abs(s.ball.y()) >= pitch.field.goal_half_width) continue;
+      y = s.ball.y();
+    }
 
     const bool own = s.last_touch && s.last_touch->end == goal;
     Decision d = decide(Verdict::GOAL, own ? Law::own_goal : Law::goal, s, "");

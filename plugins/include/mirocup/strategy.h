@@ -48,8 +48,8 @@
  *     free ball    one robot of each team on its default place, all others outside that quarter;
  *                  robot 0 may also stand in its goal area
  *   In a shoot-out robot 1 takes the kick and robot 0, the keeper, may start anywhere in its goal
- *   area. A robot that may not stand where you want it is moved to its default place or to the
- *   nearest free one, and the record says why. There is no other penalty.
+ *   area. If a robot may not stand where you want it, as few robots as possible are moved, each to
+ *   the nearest place that is free, and the record says why. There is no other penalty.
  *
  * Time
  *   A match is played as fast as both teams answer, and counts the processor time of your process,

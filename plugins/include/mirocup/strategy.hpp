@@ -324,12 +324,12 @@ inline bool must_kick_off(const Observation& now) {
          std::hypot(now.ball_x, now.ball_y) < 0.055;
 }
 
-// Takes a kick-off: nudges the ball away and aside, from wherever the robot is, so slowly that it
-// does not roll to the own goal.
+// Takes a kick-off: rolls the ball straight back to the team-mates. Left alone, it stops before the
+// own goal line. A ball that stays near the centre would belong to the opponents: their kicker
+// waits on the side of the ball from which it can shoot, and the taker has to go round it first.
 inline Wheels kick_off(const Setup& setup, const Robot& robot) {
-  const Point through = -0.3 * unit(position(robot));
-  const Point aside = 0.36 * Point{-through.y, through.x};
-  return drive_to(setup, robot, position(robot) + through - aside, 0.2, 0.2);
+  // Through the ball, from wherever the robot was put down.
+  return drive_to(setup, robot, -0.1 * unit(position(robot)), 0.28, 0.28);
 }
 
 // Returns the y at which the bisector of the angle in which a ball sees the own goal meets the goal

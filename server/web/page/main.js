@@ -166,6 +166,7 @@ function showReplay() {
   moments.push(...leg.moments);
   result = leg.result;
   leg.decisions.forEach((call) => calls.add(call));
+  calls.addFaults(result, track.lastTick, track.lastClock);
   showNumbers(leg.statistics);
   fitTimeline();
   if (!goToAddress()) player.show(0);
@@ -190,6 +191,7 @@ function followMatch() {
     onStatistics: showNumbers,
     onEnd(end) {
       result = end;
+      calls.addFaults(result, track.lastTick, track.lastClock);
       document.body.classList.add('ended');
       by('live').textContent = 'Ended';
     },

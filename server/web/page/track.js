@@ -49,6 +49,7 @@ export class Track {
   get isEmpty() { return this.ticks.length === 0; }
   get firstTick() { return this.ticks[0] ?? 0; }
   get lastTick() { return this.ticks[this.ticks.length - 1] ?? 0; }
+  get lastClock() { return (this.frames[this.frames.length - 1]?.[0] ?? 0) * clockUnit; }
 
   // Returns the last frame at or before the tick.
   indexAt(tick) {

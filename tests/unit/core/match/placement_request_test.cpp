@@ -106,8 +106,8 @@ TEST(PlacementRequests, OnlyIllegalPosesAreMovedAndTheReasonIsGiven) {
   EXPECT_EQ(fix.team, Team::blue);
   EXPECT_EQ(fix.robots[0].to_ulong(), 0b011u);
   EXPECT_EQ(fix.decision.reason,
-            "left robot 0 from nowhere to (-0.700, 0.000) m: not inside the walls; "
-            "left robot 1 from (0.300, 0.000) m to (0.080, 0.000) m: not allowed at this restart");
+            "blue robot 0 from nowhere to (-0.700, 0.000) m: not inside the walls; "
+            "blue robot 1 from (0.300, 0.000) m to (0.157, 0.000) m: not allowed at this restart");
   EXPECT_EQ(leg.snapshot().robots[0][2].position, (Vec2{-0.3, 0.2}));
 }
 
