@@ -84,9 +84,9 @@ class World {
   void save(Memory& memory) const;
   void recall(const Memory& memory);
 
-  // Everything that changes in a world. Worlds that differ in nothing but rolling resistance can take
-  // each other's place: so a batch of legs needs one world for each thread, and a leg that waits is
-  // small.
+  // Everything that changes in a world. Worlds that differ in nothing but rolling resistance can
+  // take each other's place: so a batch of legs needs one world for each thread, and a leg that
+  // waits is small.
   struct State {
     double rolling_resistance = 0.0;
     std::array<BodyState, max_bodies> bodies{};

@@ -4,10 +4,10 @@
 // marks.
 //
 // What counts as what: a goal is one that counts for the team. A foul is a call with which the
-// tested team gives the opponents something. A contact is a touch of one robot in consecutive ticks.
-// A pass is a contact of another robot of the team after one of its own, with no opponent's between
-// them, when the ball has rolled for at least 0.15 m. A save is a contact of the tested team with a ball that would have gone into its goal, after
-// which no goal falls for half a second.
+// tested team gives the opponents something. A contact is a touch of one robot in consecutive
+// ticks. A pass is a contact of another robot of the team after one of its own, with no opponent's
+// between them, when the ball has rolled for at least 0.15 m. A save is a contact of the tested
+// team with a ball that would have gone into its goal, after which no goal falls for half a second.
 #pragma once
 
 #include "server/drills/drill.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The engine of rSim, which rSoccer's VSS environment steps, set up with ODE as rSim sets it up: the
-// same bodies, joints, surfaces, solver and steps. It is written from the description in its
+// The engine of rSim, which rSoccer's VSS environment steps, set up with ODE as rSim sets it up:
+// the same bodies, joints, surfaces, solver and steps. It is written from the description in its
 // sources (robocin/rSim); what it plays is not compared, only its cost.
 #pragma once
 

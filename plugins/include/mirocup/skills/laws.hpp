@@ -17,8 +17,8 @@ struct Distance {
   double rate = 3.5;   // 1/s: how much faster it may be for each metre more
 };
 
-// Returns the distance to keep under the rules of a leg: SimuroSot calls each touch of a keeper, and
-// its control period tells that they are played.
+// Returns the distance to keep under the rules of a leg: SimuroSot calls each touch of a keeper,
+// and its control period tells that they are played.
 inline Distance keeper_distance(const Setup& setup) {
   if (setup.control_period > 0.02) return {};
   return {.gap = 0.115, .speed = 0.0, .rate = 4.0};
