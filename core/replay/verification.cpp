@@ -25,8 +25,10 @@ std::string without_teams(std::string text) {
 // Records from before 25 November 2026 name the ends where reasons now name the colours.
 bool is_same_reason(const std::string& recorded, const std::string& again) {
   if (recorded == again) return true;
-  const bool is_old =
-      recorded.find("blue") == std::string::npos && recorded.find("yellow") == std::string::npos;
+  const auto says = [&recorded](const char* word) {
+    return recorded.find(word) != std::string::npos;
+  };
+  const bool is_old = says("left") || says("right") || (!says("blue") && !says("yellow"));
   return is_old && without_teams(recorded) == without_teams(again);
 }
 
