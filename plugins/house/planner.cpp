@@ -4,7 +4,7 @@
 // In each tick the planner rolls the scene forward under the plan that it follows and under a few
 // others, with the simulator of the match. The opponents are taken to play like `act` below. What
 // the scene is worth after a third of a second decides. Six plans a tick, in turn, find as much as
-// all plans at once at a fraction of the cost, since a plan is kept until another is clearly better.
+// all plans at once and cost less, since a plan is kept until another one is clearly better.
 #include "mirocup/predict.hpp"
 #include "mirocup/skills/keeper.hpp"
 #include "mirocup/skills/laws.hpp"

@@ -43,7 +43,7 @@ TEST(Check, GivesTheTeamItsParameters) {
 }
 
 TEST(Check, AcceptsTheHouseTeams) {
-  for (const char* name : {"idle", "chaser", "keeper", "striker", "navigator"}) {
+  for (const char* name : {"idle", "chaser", "keeper", "striker", "navigator", "planner"}) {
     for (const char* league : {"small", "large"}) {
       const Examined examined =
           check(program("house/" + std::string(name) + ".so"), {"--league", league});
