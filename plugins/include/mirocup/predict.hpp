@@ -127,8 +127,9 @@ class Tracker {
   bool has_before_ = false;
 };
 
-// How closely contacts are followed. `match` is bit for bit; `coarse` is cheaper in a heap, off by
-// a tenth of a millimetre or so after a collision.
+// How closely contacts are followed. `match` is bit for bit. `coarse` costs half of it in play
+// at 3 a side and a quarter at 11; after ten ticks with a kick it has the ball 2 mm off in the
+// median, and 3 cm in one case of ten.
 enum class Precision { match, coarse };
 
 // What happened in a predicted tick. Bit i of a set is robot i.
@@ -151,8 +152,8 @@ class Simulator {
 
   // Plays one tick of control_period from the scene, in place. Commands are rounded and clamped as
   // those of a match; `opponent` is in the order of the scene's opponents. With `ticks` above 1 the
-  // same commands hold for so many ticks, which are played as one: at little more than the cost of
-  // one tick, and no longer bit for bit.
+  // same commands hold for so many ticks, which are played as one: that costs less than
+  // single ticks, and is equal to them to rounding, not to the bit.
   PredictedTick advance(Scene& scene, const Command& own, const Command& opponent, int ticks = 1);
 
  private:

@@ -45,7 +45,8 @@ TEST(Check, GivesTheTeamItsParameters) {
 }
 
 TEST(Check, AcceptsTheHouseTeams) {
-  for (const char* name : {"idle", "chaser", "keeper", "striker", "navigator", "tactician"}) {
+  for (const char* name :
+       {"idle", "chaser", "keeper", "striker", "navigator", "tactician", "planner"}) {
     for (const char* league : {"small", "large"}) {
       const Examined examined =
           check(program("house/" + std::string(name) + ".so"), {"--league", league});
