@@ -20,7 +20,8 @@
 //   observation ball, ball_velocity, position, ball_after, meeting_point, must_kick_off
 //   one robot   wheels_for, turn_to, drive_to, drive_to_pose, drive_round, drive_clear
 //   the laws    keep_out (of the goal area), out_of_area, without_pushing, keep_laws
-//   roles       kick_to (behind the ball, then through it), keep_goal, kick_off, is_stuck, free_ball
+//   roles       kick_to (behind the ball, then through it), keep_goal, kick_off
+//   stuck balls is_stuck, free_ball
 //   a team      Team: decide(), place(), setup(), random(), parameter("name", default),
 //               log("format", values...)
 //
@@ -197,8 +198,8 @@ inline Point keep_out(const Setup& setup, int i, Point p) {
 }
 
 // Returns the same wheel speeds, unless the robot would push an opponent without playing the ball.
-// Then it returns speeds at which the robot slows down before the opponent and backs off. A robot at
-// the ball plays the ball: if it backed off, and the opponent too, the ball would lie there.
+// Then it returns speeds at which the robot slows down before the opponent and backs off. A robot
+// at the ball plays the ball: if it backed off, and the opponent too, the ball would lie there.
 inline Wheels without_pushing(const Setup& setup, const Observation& now, const Robot& robot,
                               Wheels wheels) {
   const Point here = position(robot);
@@ -346,8 +347,8 @@ inline bool is_stuck(const Observation& now, double patience = 0.6) {
   return now.stalemate_s > patience && length(ball_velocity(now)) < 0.15;
 }
 
-// Gets a stuck ball free: drives at it, and spins beside it, so that a corner of the robot throws it
-// forward; before the opponents' goal, towards its middle.
+// Gets a stuck ball free: drives at it, and spins beside it, so that a corner of the robot throws
+// it forward; before the opponents' goal, towards its middle.
 inline Wheels free_ball(const Setup& setup, const Observation& now, const Robot& robot) {
   const Point to = ball(now) - position(robot);
   if (length(to) > 0.085) return drive_to(setup, robot, ball(now), 0.6, 1.2);
@@ -361,8 +362,8 @@ inline Wheels free_ball(const Setup& setup, const Observation& now, const Robot&
   return wheels_for(setup, 0.0, is_left ? 30.0 : -30.0);
 }
 
-// Drives along the goal line to a y, forwards or backwards, and looks along the line all the time: a
-// keeper that turns away from it throws the ball into its goal.
+// Drives along the goal line to a y, forwards or backwards, and looks along the line all the time:
+// a keeper that turns away from it throws the ball into its goal.
 inline Wheels slide_to(const Setup& setup, const Robot& robot, double y, double fastest = 1.5) {
   const bool is_up = robot.heading > 0.0;
   const double error = wrapped((is_up ? pi / 2.0 : -pi / 2.0) - robot.heading);
@@ -371,8 +372,9 @@ inline Wheels slide_to(const Setup& setup, const Robot& robot, double y, double 
   return wheels_for(setup, forward, 9.0 * error);
 }
 
-// Keeps the goal: stays on a line before it, where the ball will cross that line, and kicks away a
-// slow ball in the goal area.
+// Keeps the goal: stays in its mouth, where the ball will cross the line, and kicks away a slow
+// ball in the goal area. A ball that comes along the end wall then meets the middle of the keeper's
+// face; farther out it would meet a corner, and turn the keeper aside.
 inline Wheels keep_goal(const Setup& setup, const Observation& now, const Robot& robot) {
   const double line = -setup.half_length + 0.03;
   const Point here = position(robot);

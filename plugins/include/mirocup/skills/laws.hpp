@@ -20,8 +20,8 @@ struct Distance {
   double retreat = 0.0;     // m: a nearer keeper is fled from, also one that comes by itself
 };
 
-// Returns the distance to keep under the rules of a leg: SimuroSot calls each touch of a keeper, and
-// its control period tells that they are played.
+// Returns the distance to keep under the rules of a leg: SimuroSot rules call each touch of a
+// keeper, and the control period tells that they are played.
 inline Distance keeper_distance(const Setup& setup) {
   if (setup.control_period > 0.02) return {};
   return {.gap = 0.12, .speed = 0.0, .rate = 4.0, .slant = 0.0, .with_ball = 0.2, .retreat = 0.135};
