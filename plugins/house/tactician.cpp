@@ -97,7 +97,9 @@ class Tactician : public Team {
     const double part = (x + setup().half_length) / (now.ball_x + setup().half_length + 0.01);
     const double spread = rank % 2 == 0 ? 0.0 : side * (0.3 + 0.1 * row);
     const double y = std::clamp(part, 0.0, 1.0) * now.ball_y + spread;
-    const Point place = keep_out(setup(), i, inside(setup(), {x, y}));
+    // In the opponents' goal area there is room for one.
+    const double front = setup().half_length - setup().goal_area_depth - 0.13;
+    const Point place = keep_out(setup(), i, inside(setup(), {std::min(x, front), y}));
     const Point to = place - position(soon_[i]);
     if (length(to) < 0.02) return turn_quickly(setup(), soon_[i], squared(soon_[i].heading));
     const double course = round_others(now, i, soon_[i], place, std::atan2(to.y, to.x));

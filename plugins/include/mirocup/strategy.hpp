@@ -20,8 +20,8 @@
 //   observation ball, ball_velocity, position, ball_after, meeting_point, must_kick_off
 //   one robot   wheels_for, turn_to, drive_to, drive_to_pose, drive_round, drive_clear
 //   the laws    keep_out (of the goal area), out_of_area, without_pushing, keep_laws
-//   roles       kick_to (behind the ball, then through it), keep_goal, kick_off, is_stuck,
-//               free_ball
+//   roles       kick_to (behind the ball, then through it), keep_goal, kick_off
+//   stuck balls is_stuck, free_ball
 //   a team      Team: decide(), place(), setup(), random(), parameter("name", default),
 //               log("format", values...)
 //
@@ -372,8 +372,9 @@ inline Wheels slide_to(const Setup& setup, const Robot& robot, double y, double 
   return wheels_for(setup, forward, 9.0 * error);
 }
 
-// Keeps the goal: stays on a line before it, where the ball will cross that line, and kicks away a
-// slow ball in the goal area.
+// Keeps the goal: stays in its mouth, where the ball will cross the line, and kicks away a slow
+// ball in the goal area. A ball that comes along the end wall then meets the middle of the keeper's
+// face; farther out it would meet a corner, and turn the keeper aside.
 inline Wheels keep_goal(const Setup& setup, const Observation& now, const Robot& robot) {
   const double line = -setup.half_length + 0.03;
   const Point here = position(robot);

@@ -12,16 +12,25 @@
 namespace mirocup::strategy {
 
 struct Distance {
-  double gap = 0.11;   // m between the middles at which an attacker stands
-  double speed = 0.3;  // m/s, at that gap
-  double rate = 3.5;   // 1/s: how much faster it may be for each metre more
+  double gap = 0.11;        // m between the middles at which an attacker stands
+  double speed = 0.3;       // m/s, at that gap
+  double rate = 3.5;        // 1/s: how much faster it may be for each metre more
+  double slant = 0.3;       // 1: cosine of the angle to the keeper from which on it counts
+  double with_ball = 0.45;  // m/s, that it may have with the ball between the two
+  double retreat = 0.0;     // m: a nearer keeper is fled from, also one that comes by itself
 };
 
-// Returns the distance to keep under the rules of a leg: SimuroSot calls each touch of a keeper,
-// and its control period tells that they are played.
+// Returns the distance to keep under the rules of a leg: SimuroSot rules call each touch of a
+// keeper, and the control period tells that they are played.
 inline Distance keeper_distance(const Setup& setup) {
   if (setup.control_period > 0.02) return {};
-  return {.gap = 0.115, .speed = 0.0, .rate = 4.0};
+  return {.gap = 0.12, .speed = 0.0, .rate = 4.0, .slant = 0.0, .with_ball = 0.2, .retreat = 0.135};
+}
+
+// True if the ball is at the robot, on the side of `to`.
+inline bool has_ball(const Observation& now, const Robot& robot, Point to) {
+  const Point to_ball = ball(now) - position(robot);
+  return length(to_ball) < 0.085 && dot(unit(to_ball), unit(to)) > 0.7;
 }
 
 // Slows down all robots but the keeper before the opponents' keeper, unless the ball is between.
@@ -29,7 +38,9 @@ inline Distance keeper_distance(const Setup& setup) {
 inline void spare_keeper(const Setup& setup, const Observation& now, Command& command,
                          const Distance& keep) {
   for (int j = 0; j < now.robots; ++j) {
-    const Point keeper = position(now.opponent[j]);
+    // Where it will be when the command is driven.
+    const Robot& other = now.opponent[j];
+    const Point keeper = position(other) + 0.05 * Point{other.vx, other.vy};
     const bool is_home = keeper.x > setup.half_length - setup.goal_area_depth - 0.05 &&
                          std::abs(keeper.y) < setup.goal_area_half_width;
     if (!is_home) continue;
@@ -43,12 +54,15 @@ inline void spare_keeper(const Setup& setup, const Observation& now, Command& co
       const double turn = setup.wheel_radius * (wheels.right - wheels.left) / setup.wheel_distance;
       const Point nose{std::cos(robot.heading), std::sin(robot.heading)};
       const double closing = dot((forward < 0.0 ? -1.0 : 1.0) * nose, unit(to));
-      if (closing < 0.3) continue;
-      const Point to_ball = ball(now) - position(robot);
-      const bool has_ball = length(to_ball) < 0.085 && dot(unit(to_ball), unit(to)) > 0.7;
+      if (distance < keep.retreat && !has_ball(now, robot, to)) {
+        const double away = dot(nose, to) > 0.0 ? -0.6 : 0.6;
+        wheels = wheels_for(setup, away, 0.0);
+        continue;
+      }
+      if (closing < keep.slant) continue;
       const double gap = distance - keep.gap;
       double allowed = gap > 0.0 ? keep.speed + keep.rate * gap : -0.3;
-      if (has_ball) allowed = std::max(allowed, 0.45);
+      if (has_ball(now, robot, to)) allowed = std::max(allowed, keep.with_ball);
       if (std::abs(forward) <= allowed) continue;
       wheels = wheels_for(setup, forward < 0.0 ? -allowed : allowed, turn);
     }

@@ -36,6 +36,22 @@ TEST(BallPath, IsThatOfTheSimulator) {
   }
 }
 
+// Catches a path that loses a piece between two walls, or goes on behind a ball that has stopped.
+TEST(BallPath, IsThatOfRolledForOneWhoAsksOften) {
+  const SkillField field;
+  for (const MovingBall& start :
+       {MovingBall{{0.1, 0.2}, {0.5, 1.5}}, MovingBall{{-0.2, 0.1}, {2.0, 1.1}},
+        MovingBall{{0.3, 0.0}, {0.05, 0.02}}, MovingBall{{0.3, 0.0}, {0.0, 0.0}}}) {
+    const BallPath path(field.setup(), start);
+    for (double t = 0.0; t < 1.5; t += 0.1) {
+      const MovingBall one = rolled(field.setup(), start, t);
+      const MovingBall other = path.after(t);
+      EXPECT_LT(length(one.at - other.at), 1e-3) << t;
+      EXPECT_LT(length(one.velocity - other.velocity), 2e-3) << t;
+    }
+  }
+}
+
 // Catches a keeper's line that is crossed a tick late, or by a ball that rolls away.
 TEST(BallPath, CrossesALine) {
   const SkillField field;
