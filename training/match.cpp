@@ -21,8 +21,8 @@ std::uint64_t ticks_in(double seconds, double period) {
 }
 
 // The wheel speeds of one robot, rad/s, for two numbers of an action.
-simulator::WheelSpeeds wheels_of(ActionKind kind, const float* action,
-                                 const simulator::Parameters& p) {
+simulator::WheelSpeeds asked_wheels(ActionKind kind, const float* action,
+                                    const simulator::Parameters& p) {
   constexpr double dead_zone = 0.05;  // m/s: rSoccer's
   const double a = action[0];
   const double b = action[1];
@@ -222,7 +222,7 @@ Match::Commands Match::commands_of(const float* actions) const {
     for (int i = 0; i < leg_->field().robots_per_team; ++i) {
       const auto robot = static_cast<std::size_t>(i);
       if (!learner.robots[robot]) continue;
-      command.wheels[robot] = wheels_of(config_.action, action, config_.setup.parameters);
+      command.wheels[robot] = asked_wheels(config_.action, action, config_.setup.parameters);
       action += 2;
     }
   }

@@ -42,7 +42,7 @@ const std::map<std::string, json>& kinds() {
         {"control_period", 0.025}}},
       {"whole_legs",
        {{"yellow", "striker"},
-        {"rules", {{"preset", "mirosot"}, {"half_s", 2.0}}},
+        {"rules", {{"preset", "mirosot"}, {"half_s", 0.6}}},
         {"episode", {{"seconds", nullptr}, {"ends_at_goal", false}}},
         {"skip_stops", false},
         {"autoreset", "same_step"}}},
