@@ -4,7 +4,9 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/mirocup)
 
-install(TARGETS mirocup mirocup_strategy mirocup_predict mirocup_team EXPORT mirocup)
+install(TARGETS mirocup mirocup_strategy mirocup_predict mirocup_team mirocup_training EXPORT mirocup)
+install(DIRECTORY training/include/ TYPE INCLUDE)
+install(DIRECTORY training/python/ DESTINATION share/mirocup/python PATTERN __pycache__ EXCLUDE)
 install(TARGETS mirocup-league)
 install(TARGETS mirocup-plugin-host mirocup-careful-host RUNTIME DESTINATION libexec/mirocup)
 install(PROGRAMS ${PROJECT_BINARY_DIR}/mirocup-credentials DESTINATION libexec/mirocup)
@@ -21,7 +23,7 @@ install(FILES cmake/mirocup-config.cmake ${PROJECT_BINARY_DIR}/lib/cmake/mirocup
   DESTINATION ${package_folder})
 
 # The build tree looks like a prefix to find_package and to `mirocup new`.
-export(TARGETS mirocup mirocup_strategy mirocup_predict mirocup_team NAMESPACE mirocup::
+export(TARGETS mirocup mirocup_strategy mirocup_predict mirocup_team mirocup_training NAMESPACE mirocup::
   FILE ${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup-targets.cmake)
 configure_file(cmake/mirocup-config.cmake ${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup-config.cmake COPYONLY)
 foreach(file CMakeLists.txt CMakePresets.json README.md team.cpp team_test.cpp)

@@ -12,13 +12,10 @@ namespace mirocup::training {
 
 namespace {
 
-// Matches that a thread takes at once: enough that taking them costs nothing.
-constexpr int matches_of_a_piece = 4;
-
 int threads_of(const Config& config) {
   const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   const int wanted = config.threads > 0 ? config.threads : processors;
-  return std::min(wanted, (config.matches + matches_of_a_piece - 1) / matches_of_a_piece);
+  return std::min(wanted, config.matches);
 }
 
 template <class T>
@@ -69,11 +66,14 @@ Rows Batch::rows_of(int match) const {
 Result<void> Batch::on_all(const Act& act) {
   std::mutex mutex;
   std::optional<std::pair<int, Error>> first;
-  const int pieces = (sizes_.matches + matches_of_a_piece - 1) / matches_of_a_piece;
+  // What a thread takes at once: several pieces for each thread, so that none waits long for the
+  // others, and matches enough that their rows fill whole cache lines.
+  const int of_a_piece = std::clamp(sizes_.matches / (8 * sizes_.threads), 1, 32);
+  const int pieces = (sizes_.matches + of_a_piece - 1) / of_a_piece;
   workers_.run(pieces, [&](int piece, int thread) {
     simulator::World& world = *worlds_[static_cast<std::size_t>(thread)];
-    const int end = std::min(sizes_.matches, (piece + 1) * matches_of_a_piece);
-    for (int i = piece * matches_of_a_piece; i < end; ++i) {
+    const int end = std::min(sizes_.matches, (piece + 1) * of_a_piece);
+    for (int i = piece * of_a_piece; i < end; ++i) {
       const auto acted = act(i, world);
       if (acted) continue;
       const std::lock_guard lock(mutex);

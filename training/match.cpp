@@ -21,8 +21,8 @@ std::uint64_t ticks_in(double seconds, double period) {
 }
 
 // The wheel speeds of one robot, rad/s, for two numbers of an action.
-simulator::WheelSpeeds wheels_of(ActionKind kind, const float* action,
-                                 const simulator::Parameters& p) {
+simulator::WheelSpeeds asked_wheels(ActionKind kind, const float* action,
+                                    const simulator::Parameters& p) {
   constexpr double dead_zone = 0.05;  // m/s: rSoccer's
   const double a = action[0];
   const double b = action[1];
@@ -222,7 +222,7 @@ Match::Commands Match::commands_of(const float* actions) const {
     for (int i = 0; i < leg_->field().robots_per_team; ++i) {
       const auto robot = static_cast<std::size_t>(i);
       if (!learner.robots[robot]) continue;
-      command.wheels[robot] = wheels_of(config_.action, action, config_.setup.parameters);
+      command.wheels[robot] = asked_wheels(config_.action, action, config_.setup.parameters);
       action += 2;
     }
   }
@@ -263,14 +263,17 @@ void Match::write_rewards(const Rows& rows, const Weights& weights, std::uint32_
 void Match::write_statistics(float* to) const {
   if (to == nullptr) return;
   const auto put = [&](double value) { *to++ = static_cast<float>(value); };
+  // By team first: g++ 12 at -O3 makes wrong indices of the ends inside the loop.
+  const referee::ByEnd<int>& by_end = leg_->referee().score();
+  const match::ByTeam<int> score{by_end[index_of(leg_->end_of(Team::blue))],
+                                 by_end[index_of(leg_->end_of(Team::yellow))]};
   for (std::size_t i = 0; i < measures_.size(); ++i) {
     const Team team = slots_.learners[i].team;
-    const referee::ByEnd<int>& score = leg_->referee().score();
     put(measures_[i].total);
     put(static_cast<double>(counts_.steps));
     put(leg_->tick() * config_.setup.control_period);
-    put(score[index_of(leg_->end_of(team))]);
-    put(score[index_of(leg_->end_of(opponent_of(team)))]);
+    put(score[index_of(team)]);
+    put(score[index_of(opponent_of(team))]);
     for (const double sum : measures_[i].sums) put(sum);
   }
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The engine of rSim, which rSoccer's VSS environment steps, set up with ODE as rSim sets it up:
-// the same bodies, joints, surfaces, solver and steps. It is written from the description in its
-// sources (robocin/rSim); what it plays is not compared, only its cost.
+// The engine of rSim, which rSoccer's VSS environment steps: ODE, set up as rSim sets it up, with
+// the same bodies, joints, surfaces, solver and steps. The numbers are those of its sources
+// (robocin/rSim). What it plays is not compared, only its cost.
 #pragma once
 
 #include <memory>

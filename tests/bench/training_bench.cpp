@@ -177,6 +177,20 @@ double wall_seconds_of_processes(int matches, int steps) {
   return seconds / steps / matches;
 }
 
+// What training_python.py prints: microseconds a step, and the share of the C library in it. Zeros
+// if Python or numpy is not there.
+std::pair<double, double> through_python(const std::string& build) {
+  const std::string script = MIROCUP_SOURCE_FOLDER "/tests/bench/training_python.py";
+  const std::string command =
+      "PYTHONPATH=" + build + "/python /usr/bin/python3 -B " + script + " 2>/dev/null";
+  std::pair<double, double> figures{};
+  std::FILE* const pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) return figures;
+  if (std::fscanf(pipe, "%lf %lf", &figures.first, &figures.second) != 2) figures = {};
+  pclose(pipe);
+  return figures;
+}
+
 std::string processor() {
   std::ifstream info("/proc/cpuinfo");
   for (std::string line; std::getline(info, line);) {
@@ -269,6 +283,7 @@ int main(int argc, char** argv) {
       if (round > 0) c.seconds.push_back(seconds);  // the first one warms up
     }
   }
+  const auto [python_us, share] = through_python(MIROCUP_BUILD_FOLDER);
   const double to_game = ratio(all[1], all[0]);
   const double of_processes = ratio(all[7], all[6]);
   const double of_rsim = ratio(all[8], all[1]);
@@ -277,7 +292,8 @@ int main(int argc, char** argv) {
     for (const Timed& c : all) report["us"][c.name] = 1e6 * median(c.seconds);
     report["ratios"] = {{"step to game tick", to_game},
                         {"two threads to two processes", of_processes},
-                        {"steps to those of rSim's engine", of_rsim}};
+                        {"steps to those of rSim's engine", of_rsim},
+                        {"C in a step through Python", share}};
     std::printf("%s\n", report.dump(1).c_str());
     return 0;
   }
@@ -288,8 +304,15 @@ int main(int argc, char** argv) {
     const double s = median(c.seconds);
     std::printf("%-34s %10.2f %12.0f\n", c.name.c_str(), 1e6 * s, 1.0 / s);
   }
+  std::printf("%-34s %10.2f %12.0f\n", "step through Python, 512 matches", python_us,
+              1e6 / python_us);
   std::printf("\n%-52s %6.2f   (at most 2.5)\n", "step, both teams learn / game tick", to_game);
   std::printf("%-52s %6.2f   (at least 0.95)\n", "two threads / two processes", of_processes);
-  std::printf("%-52s %6.1f   (at least 60)\n", "steps / steps of rSim's engine", of_rsim);
+  if (RsimEngine::is_built_in()) {
+    std::printf("%-52s %6.1f   (at least 60)\n", "steps / steps of rSim's engine", of_rsim);
+  } else {
+    std::printf("steps / steps of rSim's engine: built without ODE (libode-dev)\n");
+  }
+  std::printf("%-52s %6.2f   (at least 0.9)\n", "C / Python, 1024 environments", share);
   return 0;
 }

@@ -53,6 +53,7 @@ may server/drills 'core/|system/|server/(record|drills)/'
 may server/dds 'core/|system/|idl/|server/dds/|server/pace/(absence|durations)\.hpp"|plugins/abi/|mirocup/'
 may server/web 'core/|system/|server/(record|statistics|web)/'
 may server/app 'core/|system/|plugins/(abi|host)/|mirocup/|server/'
+may training 'core/|system/|server/record/|plugins/host/|mirocup/training\.h"|training/'
 may tournaments/table 'core/base/|tournaments/table/'
 may tournaments/format 'core/|system/|server/record/|tournaments/(format|table)/'
 may tournaments/journal 'core/base/|system/|server/record/|tournaments/journal/'
@@ -67,30 +68,30 @@ only() {
   shift
   while IFS= read -r line; do
     complain "$line: not in this room"
-  done < <(grep -rnE "^#include <($pattern)" core system plugins idl server tournaments |
+  done < <(grep -rnE "^#include <($pattern)" core system plugins idl server training tournaments |
     grep -vE "^($(IFS='|'; echo "$*"))/" || true)
 }
 
 only 'dds/|mirocup\.h>' server/dds
-only 'nlohmann/' server/record server/statistics server/traces server/drills server/web server/app tournaments
+only 'nlohmann/' server/record server/statistics server/traces server/drills server/web server/app training tournaments
 only 'dlfcn\.h' plugins/host
 only 'httplib' server/web
 only 'CLI/' server/app system tournaments/app
 only 'openssl/' system
 only 'zstd' server/record
 only 'box2d/|chipmunk/|ode/' none  # peers: tests/bench alone
-only 'thread>|chrono>|mutex>|fstream>|iostream>|filesystem>|random>|sys/|unistd\.h' system plugins server tournaments
+only 'thread>|chrono>|mutex>|fstream>|iostream>|filesystem>|random>|sys/|unistd\.h' system plugins server training tournaments
 
 while IFS= read -r line; do
   complain "$line: a source is compiled, not included"
-done < <(grep -rnE '^#include ["<].*\.(c|cpp)[">]' core system plugins idl server tournaments || true)
+done < <(grep -rnE '^#include ["<].*\.(c|cpp)[">]' core system plugins idl server training tournaments || true)
 
 # No two folders include each other, directly or through others. A folder in this list counts as one room with its parent:
 # the referee calls the laws, which share its tools; the host builds the sandbox, which shares its descriptors.
 with_parent='core/referee/laws|plugins/host/sandbox'
 while IFS= read -r line; do
   complain "$line: these folders include each other"
-done < <(grep -rE '^#include "[^"]*/' core system plugins idl server tournaments \
+done < <(grep -rE '^#include "[^"]*/' core system plugins idl server training tournaments \
   --include='*.hpp' --include='*.cpp' --include='*.h' --include='*.c' 2>/dev/null |
   sed -nE 's|^(.*)/[^/]+:#include "(.*)/[^/]+".*$|\1 \2|p' |
   sed -E "s#\\b($with_parent)\\b#\\1/..#g; s#/[^/ ]+/\\.\\.##g" |
@@ -107,13 +108,13 @@ done < <(find core/simulator -type d 2>/dev/null)
 # The interface of a law is for the laws and for the referee, who calls them.
 while IFS= read -r line; do
   complain "$line: only laws and sources of core/referee include the interface of a law"
-done < <(grep -rn '^#include "core/referee/laws/law\.hpp"' core system plugins idl server tournaments 2>/dev/null |
+done < <(grep -rn '^#include "core/referee/laws/law\.hpp"' core system plugins idl server training tournaments 2>/dev/null |
   grep -vE '^core/referee/(laws/[^:]*|[^/:]*\.cpp):' || true)
 
 # The product is built without the tests: it may name them in comments only.
 while IFS= read -r line; do
   complain "$line: the product reads nothing from tests/"
-done < <(grep -rnE '\btests/' core system plugins idl server tournaments --include=CMakeLists.txt --include='*.cmake' \
+done < <(grep -rnE '\btests/' core system plugins idl server training tournaments --include=CMakeLists.txt --include='*.cmake' \
   --include='*.hpp' --include='*.cpp' --include='*.h' --include='*.c' --include='*.idl' --include='*.js' \
   --include='*.sh' 2>/dev/null | grep -vE '^[^:]*:[0-9]+:([^#/]|/[^/])*(//|#).*tests/' || true)
 
@@ -131,9 +132,10 @@ links_not() {
 }
 links_not core 'system|plugins|strategy|idl|record|dds|league'
 links_not system 'plugins|strategy|idl|record|dds|league'
-links_not plugins 'idl|record|dds|league'
+links_not plugins 'idl|record|dds|training|league'
 links_not idl 'core|plugins|record|dds|league'
-links_not server 'league'
+links_not server 'training|league'
+links_not training 'dds|idl|web|league'
 links_not tournaments 'plugins|dds|idl'
 
 exit $bad

@@ -109,7 +109,10 @@ void ContactMotion::extend(int k, std::span<trajectory::Segment> segments) {
 void ContactMotion::set_terms_of_all(int terms, std::span<trajectory::Segment> segments) {
   for (int m = 0; m < member_count_; ++m) set_terms(segments[members_[m]], terms);
   for (int i = 0; i < held_count_; ++i) resting_contact::set_terms(rows_[i], terms);
-  for (int w = 0; w < wheel_count_; ++w) lateral_force_[w].terms = terms;
+  for (int w = 0; w < wheel_count_; ++w) {
+    lateral_force_[w].terms = terms;
+    lateral_force_[w][terms - 1] = 0.0;
+  }
 }
 
 // Returns the length over which all series have converged, s.

@@ -242,6 +242,7 @@ double time_on_edge(const collision::Contact& c, const ContactSeries& rows, doub
 }
 
 void set_terms(ContactSeries& rows, int terms) {
+  rows.force[terms - 1] = 0.0;
   rows.force.terms = rows.lever_b.terms = terms;
   for (trajectory::Series& inside : rows.inside) inside.terms = terms;
 }

@@ -78,7 +78,8 @@ solver::ConstraintRow later_force_term(const collision::Contact& contact, const 
 double time_on_edge(const collision::Contact& contact, const ContactSeries& rows, double margin,
                     double length);
 
-// Sets the number of terms of those series that are searched for roots.
+// Sets the number of terms of those series that are searched for roots. The force is known to the
+// last term but one: its last term becomes zero.
 void set_terms(ContactSeries& rows, int terms);
 
 }  // namespace mirocup::simulator::resting_contact

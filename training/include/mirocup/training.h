@@ -4,7 +4,7 @@
  *
  *   mirocup_training_create    makes a batch of matches from a JSON configuration
  *   mirocup_training_spec      tells sizes, names, units and bounds, as JSON
- *   mirocup_training_bind      names the caller's buffers, which every call reads or writes in place
+ *   mirocup_training_bind      names the caller's buffers, which are read and written in place
  *   mirocup_training_reset     starts episodes
  *   mirocup_training_step      plays one step of every match, on all threads of the batch
  *

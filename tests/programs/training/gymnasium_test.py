@@ -1,0 +1,318 @@
+# SPDX-License-Identifier: MIT
+"""The written rules of gymnasium.vector.VectorEnv, gymnasium.Env and pettingzoo.ParallelEnv, which Debian does not
+have: so they are tested on the stand-ins. Run with PYTHONPATH=BUILD/python."""
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+import mirocup
+from mirocup import AutoresetMode, Env, ParallelEnv, VectorEnv
+
+BUILD = Path(sys.argv.pop(1)) if len(sys.argv) > 1 and not sys.argv[1].startswith("-") else Path("build")
+
+
+def short(**arguments):
+    """Ten environments whose episodes have 15 steps."""
+    return VectorEnv(num_envs=10, **{"episode_seconds": 0.5, "threads": 2, **arguments})
+
+
+class Vector(unittest.TestCase):
+    def test_spaces_contain_what_is_returned(self):
+        """Catches an observation that its space does not contain, a wrong shape or type, and two arrays that share
+        memory."""
+        for arguments in ({}, {"preset": "vss"}, {"opponent": "self"}, {"conditions": "camera", "opponent": "chaser"}):
+            envs = short(**arguments)
+            observations, infos = envs.reset(seed=1)
+            self.assertIsInstance(infos, dict)
+            self.assertEqual(envs.observation_space.shape, (10, *envs.single_observation_space.shape))
+            self.assertEqual(envs.action_space.shape, (10, *envs.single_action_space.shape))
+            for _ in range(40):
+                self.assertIn(observations, envs.observation_space)
+                self.assertIn(observations[3], envs.single_observation_space)
+                before = observations.copy()
+                result = envs.step(envs.action_space.sample())
+                self.assertTrue(np.array_equal(before, observations), "the last observations were overwritten")
+                observations, rewards, terminations, truncations, infos = result
+                self.assertEqual((rewards.shape, rewards.dtype), ((10,), np.float64))
+                for ends in (terminations, truncations):
+                    self.assertEqual((ends.shape, ends.dtype), ((10,), np.bool_))
+                for key in infos:
+                    if not key.startswith("_"):
+                        self.assertEqual(infos["_" + key].dtype, np.bool_, key)
+            envs.close()
+
+    def test_seeds(self):
+        """Catches a start or an episode that the seed does not fix, and environments that are copies."""
+        def play(seed):
+            envs = short()
+            first, _ = envs.reset(seed=seed)
+            random = np.random.default_rng(4)
+            rest = [envs.step(random.uniform(-1, 1, envs.action_space.shape))[0] for _ in range(40)]
+            return np.stack([first, *rest])
+
+        self.assertTrue(np.array_equal(play(7), play(7)))
+        self.assertTrue(np.array_equal(play(7)[:, 3], play(list(range(7, 17)))[:, 3]), "environment i gets seed + i")
+        self.assertFalse(np.array_equal(play(7), play(8)))
+        self.assertTrue(np.array_equal(play(7)[0, 1], play(8)[0, 0]))
+        first = play(7)[0]
+        self.assertEqual(len(np.unique(first, axis=0)), 10)
+        envs = short(seed=5)
+        one, _ = envs.reset()
+        two, _ = envs.reset()
+        self.assertFalse(np.array_equal(one, two), "the next episodes are others")
+        three, _ = short().reset(seed=5)
+        self.assertTrue(np.array_equal(one, three), "seed of the constructor")
+
+    def test_next_step(self):
+        """Catches an autoreset in the same step, and an action that acts in the step of the reset."""
+        envs = short(autoreset_mode=AutoresetMode.NEXT_STEP)
+        self.assertEqual(envs.metadata["autoreset_mode"], AutoresetMode.NEXT_STEP)
+        envs.reset(seed=1)
+        zero = np.zeros(envs.action_space.shape)
+        for step in range(15):
+            _, _, terminations, truncations, infos = envs.step(zero)
+            self.assertEqual(truncations.all(), step == 14)
+            self.assertFalse(terminations.any())
+        self.assertTrue(infos["_episode"].all())
+        self.assertTrue((infos["episode"]["l"] == 15).all())
+        observations, rewards, terminations, truncations, infos = envs.step(zero + 1.0)
+        self.assertFalse(truncations.any() or terminations.any() or rewards.any())
+        self.assertNotIn("episode", infos)
+        reference = short(autoreset_mode=AutoresetMode.SAME_STEP)
+        reference.reset(seed=1)
+        for _ in range(15):
+            same, _, _, truncations, infos = reference.step(zero)
+        self.assertTrue(truncations.all() and infos["_final_obs"].all())
+        self.assertTrue(np.array_equal(observations, same), "the first observation of the second episode")
+        self.assertIn(infos["final_obs"][0], reference.single_observation_space)
+        self.assertFalse(np.array_equal(infos["final_obs"], same))
+
+    def test_disabled(self):
+        """Catches an autoreset where none is wanted, and a mask that resets others."""
+        envs = short(autoreset_mode=AutoresetMode.DISABLED)
+        envs.reset(seed=1)
+        zero = np.zeros(envs.action_space.shape)
+        for _ in range(16):
+            observations, _, _, truncations, _ = envs.step(zero)
+        self.assertTrue(truncations.all())
+        mask = np.arange(10) % 2 == 0
+        again, _ = envs.reset(options={"reset_mask": mask})
+        self.assertTrue(np.array_equal(again[~mask], observations[~mask]))
+        self.assertFalse((again[mask] == observations[mask]).all())
+        _, _, _, truncations, _ = envs.step(zero)
+        self.assertTrue(np.array_equal(truncations, ~mask))
+
+    def test_termination_is_no_truncation(self):
+        """Catches a goal that truncates, and a cut that terminates."""
+        envs = VectorEnv(num_envs=30, opponent="chaser", episode_seconds=15.0, threads=2,
+                         autoreset_mode=AutoresetMode.SAME_STEP)
+        envs.reset(seed=3)
+        ends = {"goal": 0, "cut": 0}
+        for _ in range(700):
+            _, rewards, terminations, truncations, infos = envs.step(envs.action_space.sample())
+            self.assertFalse((terminations & truncations).any())
+            self.assertTrue((rewards[truncations] == 0.0).all())
+            self.assertTrue((np.abs(rewards[terminations]) == 1.0).all())
+            ends["goal"] += int(terminations.sum())
+            ends["cut"] += int(truncations.sum())
+            if terminations.any():
+                goals = infos["episode"]["score"] - infos["episode"]["opponent_score"]
+                self.assertTrue(np.array_equal(goals[terminations], rewards[terminations]))
+        self.assertGreater(ends["goal"], 3)
+        self.assertGreater(ends["cut"], 3)
+
+    def test_rewards(self):
+        """Catches weights that do not reach the library, and terms that do not add up."""
+        envs = short(rewards={"ball_to_goal": 2.0, "energy": 0.5})
+        envs.reset(seed=1)
+        for weights in ({"ball_to_goal": 2.0, "energy": 0.5}, {"touch": 3.0, "time": 1.0}):
+            envs.set_rewards(weights)
+            for _ in range(10):
+                _, rewards, _, _, infos = envs.step(envs.action_space.sample())
+                total = sum(weight * infos["reward_terms"][name] for name, weight in weights.items())
+                self.assertTrue(np.allclose(rewards, total, atol=1e-6))
+        with self.assertRaisesRegex(ValueError, "ball_to_goal"):
+            envs.set_rewards({"goals": 1.0})
+
+    def test_self_play(self):
+        """Catches two teams of a match that see it from the same end, or end at different times."""
+        envs = short(opponent="self", conditions="exact")
+        observations, _ = envs.reset(seed=1)
+        x = [envs.column(name) for name in ("own_0_x", "own_1_y", "ball_x")]
+        other = [envs.column(name) for name in ("opponent_0_x", "opponent_1_y", "ball_x")]
+        for _ in range(20):
+            observations, _, terminations, truncations, _ = envs.step(envs.action_space.sample())
+            self.assertTrue(np.allclose(observations[0::2][:, x], -observations[1::2][:, other]))
+            self.assertTrue(np.array_equal(truncations[0::2], truncations[1::2]))
+        with self.assertRaisesRegex(ValueError, "multiple of 2"):
+            VectorEnv(num_envs=3, opponent="self")
+
+    def test_complaints(self):
+        """Catches a slip that is taken silently."""
+        for arguments in ({"opponent": "nobody"}, {"league": "huge"}, {"rewards": {"gaol": 1.0}}):
+            with self.assertRaises(mirocup.TrainingError):
+                VectorEnv(**arguments)
+        with self.assertRaises(TypeError):
+            VectorEnv(opponents="idle")
+        with self.assertRaisesRegex(ValueError, "vss"):
+            VectorEnv(preset="ssl")
+        envs = short()
+        with self.assertRaisesRegex(mirocup.TrainingError, "reset"):
+            envs.step(np.zeros(envs.action_space.shape))
+        envs.reset()
+        with self.assertRaisesRegex(ValueError, "shape"):
+            envs.step(np.zeros(6))
+        envs.close()
+        with self.assertRaisesRegex(mirocup.TrainingError, "closed"):
+            envs.reset()
+
+    def test_records_and_pictures(self):
+        """Catches an episode that does not verify, a page that is none, and a picture without bodies."""
+        envs = short(opponent="chaser", render_mode="rgb_array", autoreset_mode=AutoresetMode.SAME_STEP)
+        envs.reset(seed=1)
+        for _ in range(20):
+            envs.step(envs.action_space.sample())
+        with tempfile.TemporaryDirectory() as folder:
+            record, page = f"{folder}/episode.json", f"{folder}/episode.html"
+            envs.record(record, match=4)
+            envs.replay_page(page, match=4, episode="current")
+            subprocess.run([BUILD / "mirocup", "verify", record], check=True, capture_output=True)
+            self.assertIn("<html", Path(page).read_text(encoding="utf-8")[:300])
+        frames = envs.render()
+        self.assertEqual(len(frames), 10)
+        self.assertEqual((frames[0].dtype, frames[0].shape[2]), (np.uint8, 3))
+        self.assertGreater(len(np.unique(frames[0].reshape(-1, 3), axis=0)), 5)
+        self.assertFalse(np.array_equal(frames[0], frames[1]))
+
+    def test_save_and_restore(self):
+        """Catches a copy that is not the state."""
+        envs = short(opponent="chaser", episode_seconds=30.0)
+        envs.reset(seed=1)
+        random = np.random.default_rng(1)
+        actions = random.uniform(-1, 1, (60, *envs.action_space.shape))
+        for action in actions[:20]:
+            envs.step(action)
+        copy = envs.save(2)
+        one = [envs.step(action)[0][2] for action in actions]
+        envs.restore(copy, 2)
+        envs.restore(copy, 5)
+        two = [envs.step(action)[0] for action in actions[:, [0, 1, 2, 3, 4, 2, 6, 7, 8, 9]]]
+        self.assertTrue(np.array_equal(one, [o[2] for o in two]))
+        self.assertTrue(np.array_equal(one, [o[5] for o in two]))
+
+
+class Single(unittest.TestCase):
+    def test_env(self):
+        """Catches what is not as gymnasium.Env has it: scalars, shapes, five results."""
+        env = Env(preset="vss")
+        observation, info = env.reset(seed=1)
+        self.assertEqual((observation.shape, info), ((40,), {}))
+        self.assertEqual(env.action_space.shape, (2,))
+        for _ in range(1200):
+            result = env.step(env.action_space.sample())
+            self.assertEqual([type(x) for x in result], [np.ndarray, float, bool, bool, dict])
+            observation, _, terminated, truncated, info = result
+            self.assertIn(observation, env.observation_space)
+            if terminated or truncated:
+                break
+        self.assertTrue(terminated or truncated)
+        self.assertIn("r", info["episode"])
+
+
+class Parallel(unittest.TestCase):
+    def test_rules(self):
+        """Catches keys that are not the live agents, spaces that change, and agents that stay after the end."""
+        env = ParallelEnv(episode_seconds=0.5)
+        self.assertEqual(env.possible_agents, [f"{team}_{i}" for team in ("blue", "yellow") for i in range(3)])
+        for seed in (1, 2):
+            observations, infos = env.reset(seed=seed)
+            self.assertEqual(set(observations), set(env.agents))
+            self.assertEqual(set(infos), set(env.agents))
+            self.assertEqual(env.num_agents, env.max_num_agents)
+            steps = 0
+            while env.agents:
+                live = list(env.agents)
+                result = env.step({agent: env.action_space(agent).sample() for agent in live})
+                steps += 1
+                for by_agent in result:
+                    self.assertEqual(list(by_agent), live)
+                for agent in live:
+                    self.assertIn(result[0][agent], env.observation_space(agent))
+                    self.assertIs(env.observation_space(agent), env.observation_space(agent))
+                    self.assertIsInstance(result[1][agent], float)
+                    self.assertIsInstance(result[2][agent], bool)
+            self.assertEqual(steps, 15)
+            self.assertTrue(all(result[3].values()))
+            self.assertEqual(env.step({}), ({}, {}, {}, {}, {}))
+            self.assertEqual(env.state().shape, (42,))
+
+    def test_an_agent_comes_first_in_its_own_observation(self):
+        """Catches an agent that sees another robot as itself."""
+        env = ParallelEnv(conditions="exact")
+        observations, _ = env.reset(seed=1)
+        for _ in range(10):
+            observations, *_ = env.step({agent: env.action_space(agent).sample() for agent in env.agents})
+        bodies = env.envs.state[0]
+        metre = env.envs.batch.spec["observation"][0]["scale"]
+        x = env.envs.column("own_0_x")
+        for i, agent in enumerate(env.possible_agents):
+            own = np.abs(bodies[i, :2])  # the frame of a team may be turned
+            self.assertTrue(np.allclose(np.abs(observations[agent][x:x + 2]) * metre, own, atol=1e-5), agent)
+
+
+class Vss(unittest.TestCase):
+    def test_observation_and_reward_are_those_of_rsoccer(self):
+        """Catches a preset that is not rSoccer's: its observation and reward, computed here from the true state."""
+        env = Env(preset="vss")
+        spec = env.envs.batch.spec
+        field, robot = spec["field"], spec["bodies"]
+        half_length, goal_depth = field["half_length"], field["goal_depth"]
+        max_pos = max(field["half_width"], half_length + 0.15)
+        max_v = robot["wheel_speed_limit"] * robot["wheel_radius"]
+        max_w = np.rad2deg(max_v / 0.04)
+        random = np.random.default_rng(2)
+        compared = 0
+        for seed in range(1, 5):
+            observation, _ = env.reset(seed=seed)
+            previous = None
+            for _ in range(150):
+                action = random.uniform(-1, 1, 2).astype(np.float32)
+                observation, reward, terminated, truncated, info = env.step(action)
+                bodies = env.envs.state[0]
+                if np.abs(bodies[0, 0] + observation[4] * max_pos) < 1e-5:  # blue defends the right end
+                    bodies = bodies * [-1, -1, 1, -1, -1, 1] + [0, 0, np.pi, 0, 0, 0]
+                ball = bodies[6]
+                expected = [ball[0] / max_pos, ball[1] / max_pos, ball[3] / max_v, ball[4] / max_v]
+                for x, y, angle, vx, vy, turn in bodies[:3]:
+                    expected += [x / max_pos, y / max_pos, np.sin(angle), np.cos(angle), vx / max_v, vy / max_v,
+                                 np.rad2deg(turn) / max_w]
+                for x, y, _, vx, vy, turn in bodies[3:6]:
+                    expected += [x / max_pos, y / max_pos, vx / max_v, vy / max_v, np.rad2deg(turn) / max_w]
+                expected = np.clip(expected, -1.2, 1.2)
+                self.assertTrue(np.allclose(observation, expected, atol=1e-5))
+                if terminated:
+                    self.assertEqual(abs(reward), 10.0)
+                    break
+                to_attack = np.hypot((half_length + goal_depth - ball[0]) * 100, np.sqrt(2.0) * ball[1] * 100)
+                to_defence = np.hypot((half_length + goal_depth + ball[0]) * 100, np.sqrt(2.0) * ball[1] * 100)
+                potential = ((-to_attack + to_defence) / (2.0 * half_length * 100) - 1.0) / 2.0
+                gradient = 0.0 if previous is None else np.clip((potential - previous) * 3.0 / 0.025, -5.0, 5.0)
+                previous = potential
+                way = ball[:2] - bodies[0, :2]
+                move = np.clip(np.dot(way / np.linalg.norm(way), bodies[0, 3:5]) / 0.4, -5.0, 5.0)
+                speeds = np.clip(action.astype(float) * max_v, -max_v, max_v)
+                speeds[np.abs(speeds) < 0.05] = 0.0
+                energy = -np.abs(speeds / robot["wheel_radius"]).sum()
+                self.assertAlmostEqual(reward, 0.8 * gradient + 0.2 * move + 2e-4 * energy, places=4)
+                compared += 1
+                if truncated:
+                    break
+        self.assertGreater(compared, 200)
+
+
+if __name__ == "__main__":
+    unittest.main()
