@@ -192,6 +192,10 @@ void add_drill(CLI::App& app, Run& run) {
       ->add_option("--replay", o.replay_folder,
                    "Folder to write a record and a page of each failed try to")
       ->type_name("DIR");
+  command
+      ->add_option("--at-least", o.at_least,
+                   "Score that each team shall reach: exit code 1 if one does not")
+      ->check(CLI::Range(0.0, 100.0));
   CLI::Option* csv = command->add_flag("--csv", o.csv, "Print a line of CSV for each drill");
   command->add_flag("--json", o.json, "Print one JSON object")->excludes(csv);
 }

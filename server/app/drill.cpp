@@ -204,7 +204,11 @@ Result<int> run_drill(const DrillOptions& options) {
   } else {
     for (const DrillReport& report : reports) std::cout << text_of(report);
   }
-  return exit_yes;
+  const double wanted = options.at_least.value_or(0.0);
+  const bool is_enough = std::all_of(reports.begin(), reports.end(), [wanted](const auto& report) {
+    return report.score() >= wanted;
+  });
+  return is_enough ? exit_yes : exit_no;
 }
 
 }  // namespace mirocup::app

@@ -63,7 +63,7 @@ TEST(Drill, DrawsASituationFromTheSeed) {
   std::sort(balls.begin(), balls.end());
   EXPECT_EQ(std::unique(balls.begin(), balls.end()), balls.end());
   EXPECT_LT(balls.front(), 0.13);
-  EXPECT_GT(balls.back(), 0.27);
+  EXPECT_GT(balls.back(), 0.22) << "a robot in its default place takes the rest";
 }
 
 TEST(Drill, NamesFileAndKeyOfAMistake) {
