@@ -172,8 +172,8 @@ class Session {
   std::optional<record::PlayedOnFrom> from_;
 };
 
-// Plays the ticks before `until` as they are recorded. So nothing is lost of what the leg remembers:
-// counts of the laws, the disturbances, what the camera saw, commands on their way.
+// Plays the ticks before `until` as they are recorded. So nothing is lost of what the leg
+// remembers: counts of the laws, the disturbances, what the camera saw, commands on their way.
 Result<void> Session::play_past(const record::MatchRecord& past, std::uint32_t until) {
   const replay::Recording& recording = past.recording;
   while (match_.tick() < until) {

@@ -40,10 +40,10 @@ double Judge::now() const {
 }
 
 bool Judge::follow() {
-  note_decisions();
-  note_touch();
-  note_save();
-  note_places();
+  see_decisions();
+  see_touch();
+  see_save();
+  see_places();
   ball_before_ = leg_.ball();
   last_clock_ = leg_.referee().clock();
   return !leg_.is_over() && !is_decided();
@@ -59,7 +59,7 @@ void Judge::count(EventKind kind) {
   }
 }
 
-void Judge::note_decisions() {
+void Judge::see_decisions() {
   const auto& all = leg_.decisions();
   for (; decisions_ < all.size(); ++decisions_) {
     const match::LoggedDecision& d = all[decisions_];
@@ -77,7 +77,7 @@ void Judge::note_decisions() {
   }
 }
 
-void Judge::note_touch() {
+void Judge::see_touch() {
   const auto touch = leg_.last_touch();
   const bool is_in_play = leg_.judged().has_value();
   if (!touch || !is_in_play) return;
@@ -110,13 +110,13 @@ void Judge::note_touch() {
   contact_ = Contact{*touch, tick, leg_.ball().position};
 }
 
-void Judge::note_save() {
+void Judge::see_save() {
   if (!saved_at_ || now() < *saved_at_ + save_holds_s) return;
   saved_at_.reset();
   count(EventKind::save);
 }
 
-void Judge::note_places() {
+void Judge::see_places() {
   for (std::size_t i = 0; i < states_.size(); ++i) {
     const Event& event = drill_.success[i];
     if (event.kind == EventKind::pose) hold(event, states_[i], is_in_pose(event));

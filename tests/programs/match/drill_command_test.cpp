@@ -26,8 +26,10 @@ Outcome drill(const std::vector<std::string>& more) {
 
 constexpr const char* own_drill =
     R"({"schema": "mirocup/drill/1", "title": "Mine", "opponent": "idle",
-  "situation": {"ball": {"position": [{"from": 0.1, "to": 0.3}, 0]}, "blue": [null, {"pose": [0, 0, 0]}],
-                "yellow": [{"broken": true, "pose": [-0.3, 0.5, 0]}, {"broken": true, "pose": [0.3, 0.5, 0]}]},
+  "situation": {"ball": {"position": [{"from": 0.1, "to": 0.3}, 0]},
+                "blue": [null, {"pose": [0, 0, 0]}],
+                "yellow": [{"broken": true, "pose": [-0.3, 0.5, 0]},
+                           {"broken": true, "pose": [0.3, 0.5, 0]}]},
   "seconds": 4, "tries": 3, "success": [{"event": "goal"}]})";
 
 // Catches a drill that cannot be read or tried, such as one with a situation that overlaps.

@@ -27,8 +27,8 @@ int exit_code(const char* command, const std::string& record) {
   return run({program("mirocup"), command, record}).exit_code;
 }
 
-// Catches a state that is lost when a leg is played on: of the laws' counts, of the disturbances, of
-// the camera, or of a command on its way.
+// Catches a state that is lost when a leg is played on: of the laws' counts, of the disturbances,
+// of the camera, or of a command on its way.
 TEST(PlayOn, WithTheSameTeamsGivesTheSameLeg) {
   const TemporaryFolder folder;
   const std::string leg = folder / "leg.json";

@@ -96,9 +96,8 @@ TEST(Records, HaveTheKeysThatTheirDocumentationDescribes) {
                                                  .assist = match::Touch{Team::blue, 2}};
     match::Start& start = record.recording.setup.start.emplace();
     start.ball = simulator::BallState{.position = {0.3, 0.2}, .velocity = {0.0, 0.0}};
-    start.robots[0][1] = {.state = simulator::BodyState({0.1, 0.2}, {}, {}),
-                          .wheels = {},
-                          .is_broken = true};
+    start.robots[0][1] = {
+        .state = simulator::BodyState({0.1, 0.2}, {}, {}), .wheels = {}, .is_broken = true};
     start.restart.emplace();
     record.from = record::PlayedOnFrom{.tick = 1, .state_hash = 2, .teams = {"a", "b"}};
     ASSERT_TRUE(record::save(disk, words.back(), record));

@@ -41,8 +41,8 @@ TEST(Drill, ReadsEverything) {
   EXPECT_EQ(drill->deductions.foul, 0.25);
 }
 
-// Catches ranges that the seed does not draw from, draws that overlap, and a try that is longer than
-// the drill.
+// Catches ranges that the seed does not draw from, draws that overlap, and a try that is longer
+// than the drill.
 TEST(Drill, DrawsASituationFromTheSeed) {
   const auto drill = parse_drill(good_drill().dump(), "my.json");
   ASSERT_TRUE(drill);
