@@ -179,7 +179,8 @@ void add_drill(CLI::App& app, Run& run) {
       ->required();
   command
       ->add_option("TEAM", o.teams,
-                   "Teams to be tested: paths of libraries or names of house teams")
+                   "Teams to be tested: paths of libraries or names of house teams; NAME=TEAM: the "
+                   "name in the report")
       ->type_name("");
   command->add_option("--tries", o.tries, "Tries of each drill (default: as the drill says)")
       ->check(CLI::Range(1, 10000));
