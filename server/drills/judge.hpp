@@ -9,7 +9,7 @@
 //   pass      a contact of another robot of the team after one of its own, with no opponent's
 //             between them, when the ball has rolled for at least 0.15 m
 //   save      a contact of the tested team with a ball that would have gone into its goal, after
-//             which no goal falls for half a second
+//             which no goal falls for half a second, or until play is stopped
 #pragma once
 
 #include "server/drills/drill.hpp"
@@ -51,6 +51,7 @@ class Judge {
   void see_decisions();
   void see_touch();
   void see_save();
+  void end_save();
   void see_places();
   void count(EventKind kind);
   void hold(const Event& event, State& state, bool is_there);
