@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace mirocup::system {
@@ -11,5 +12,8 @@ namespace mirocup::system {
 // Returns one line of comma-separated values, with its line end. The cells are escaped by
 // printable().
 std::string csv_line(const std::vector<std::string>& cells);
+
+// Returns the cells of a line without its end.
+std::vector<std::string> csv_cells(std::string_view line);
 
 }  // namespace mirocup::system

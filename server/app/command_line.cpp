@@ -182,7 +182,8 @@ void add_drill(CLI::App& app, Run& run) {
       ->required();
   command
       ->add_option("TEAM", o.teams,
-                   "Teams to be tested: paths of libraries or names of house teams")
+                   "Teams to be tested: paths of libraries or names of house teams; NAME=TEAM: the "
+                   "name in the report")
       ->type_name("");
   command->add_option("--tries", o.tries, "Tries of each drill (default: as the drill says)")
       ->check(CLI::Range(1, 10000));
@@ -195,6 +196,10 @@ void add_drill(CLI::App& app, Run& run) {
       ->add_option("--replay", o.replay_folder,
                    "Folder to write a record and a page of each failed try to")
       ->type_name("DIR");
+  command
+      ->add_option("--at-least", o.at_least,
+                   "Score that each team shall reach: exit code 1 if one does not")
+      ->check(CLI::Range(0.0, 100.0));
   CLI::Option* csv = command->add_flag("--csv", o.csv, "Print a line of CSV for each drill");
   command->add_flag("--json", o.json, "Print one JSON object")->excludes(csv);
 }

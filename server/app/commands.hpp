@@ -56,6 +56,7 @@ struct DrillOptions {
   int jobs = 0;                         // tries at once; 0: one for each processor
   std::vector<std::string> parameters;  // of the teams, KEY=VALUE
   std::string replay_folder;            // for records and pages of failed tries; "": none
+  std::optional<double> at_least;       // the score that is asked for; less: the answer is no
   bool csv = false;
   bool json = false;
 };

@@ -89,8 +89,12 @@ void print_list(const std::vector<drills::Drill>& drills, bool as_json) {
   if (as_json) std::cout << record::json_text({{"drills", list}}) << '\n';
 }
 
+// `text` is a team, or NAME=TEAM: the entries of a league all have the same file name.
 Result<TeamChoice> choose(const std::string& text, const std::string& what) {
-  auto choice = choose_team(text);
+  const std::size_t equals = text.find('=');
+  const bool is_named = equals != std::string::npos && equals < text.find('/');
+  auto choice = choose_team(is_named ? text.substr(equals + 1) : text);
+  if (choice && is_named) choice->info.name = text.substr(0, equals);
   if (choice && choice->info.kind == record::TeamKind::dds) {
     return fail(Errc::input, what + " " + text + ": drills are for libraries and house teams");
   }
@@ -204,7 +208,11 @@ Result<int> run_drill(const DrillOptions& options) {
   } else {
     for (const DrillReport& report : reports) std::cout << text_of(report);
   }
-  return exit_yes;
+  const double wanted = options.at_least.value_or(0.0);
+  const bool is_enough = std::all_of(reports.begin(), reports.end(), [wanted](const auto& report) {
+    return report.score() >= wanted;
+  });
+  return is_enough ? exit_yes : exit_no;
 }
 
 }  // namespace mirocup::app

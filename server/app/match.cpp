@@ -272,6 +272,7 @@ Result<plugins::ProcessTerms> Session::process_terms() const {
 dds::JoinTerms Session::patience() {
   dds::JoinTerms patience;
   patience.to_join = options_.join_within;
+  patience.first_tick = match_.tick();
   patience.away = options_.away_limit;
   patience.longest = options_.join_within + 2.0 * options_.away_limit + longest_play();
   patience.interrupted = [this] { return interrupt_.is_asked_for(); };

@@ -51,7 +51,10 @@ Seat::Seat(SeatLink link, const match::Briefing& briefing, std::string name, con
       name_(std::move(name)),
       terms_(terms),
       last_end_(latest_end(terms)),
-      liveliness_(terms.notice, terms.away) {}
+      liveliness_(terms.notice, terms.away),
+      tick_(terms.first_tick) {
+  inbox_.expect(tick_);  // the first answer comes before the first post()
+}
 
 Result<void> Seat::open(const Entity& participant, const std::string& match_id,
                         const Entity& waitset) {

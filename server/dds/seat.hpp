@@ -28,7 +28,8 @@ namespace mirocup::dds {
 
 // The terms on which a team joins and stays in a match; seconds of wall time.
 struct JoinTerms {
-  double to_join = 60.0;  // from the making of the seat to the team's first answer
+  double to_join = 60.0;         // from the making of the seat to the team's first answer
+  std::uint32_t first_tick = 0;  // that the team answers; above 0 where a record is played on
   // The time in which a tick must be answered (real time). Nothing: the match waits (lockstep).
   std::optional<double> tick;
   double notice = 1.0;   // a team that is silent for this long is away

@@ -150,10 +150,9 @@ Drill read_drill(const JsonReader& json) {
   drill.situation = Json::object();
   if (json.has("situation") && json.at("situation").expect_object()) {
     drill.situation = json.at("situation").json();
-    for (const char* key : {"schema", "league"}) {
-      if (drill.situation.contains(key)) {
-        json.at("situation").at(key).complain("the drill says it for its situation");
-      }
+    const JsonReader situation = json.at("situation");
+    if (situation.has("league") && situation.at("league").name<League>() != drill.league) {
+      situation.at("league").complain("it is not the drill's league");
     }
   }
   drill.opponent = json.at("opponent").text();

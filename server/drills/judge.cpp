@@ -40,10 +40,10 @@ double Judge::now() const {
 }
 
 bool Judge::follow() {
-  note_decisions();
-  count_touch();
-  note_save();
-  note_places();
+  see_touch();
+  see_decisions();
+  see_save();
+  see_places();
   ball_before_ = leg_.ball();
   last_clock_ = leg_.referee().clock();
   return !leg_.is_over() && !is_decided();
@@ -59,7 +59,7 @@ void Judge::count(EventKind kind) {
   }
 }
 
-void Judge::note_decisions() {
+void Judge::see_decisions() {
   const auto& all = leg_.decisions();
   for (; decisions_ < all.size(); ++decisions_) {
     const match::LoggedDecision& d = all[decisions_];
@@ -73,11 +73,14 @@ void Judge::note_decisions() {
     }
     const bool is_call = d.decision.restart != referee::Restart::none;
     if (is_call && d.parties.offender == tested) ++fouls_;
-    if (is_call) was_stopped_ = true;
+    if (!is_call) continue;
+    was_stopped_ = true;
+    contact_.reset();  // bodies are placed anew
+    if (saved_at_) end_save();
   }
 }
 
-void Judge::count_touch() {
+void Judge::see_touch() {
   const auto touch = leg_.last_touch();
   const bool is_in_play = leg_.judged().has_value();
   if (!touch || !is_in_play) return;
@@ -110,13 +113,17 @@ void Judge::count_touch() {
   contact_ = Contact{*touch, tick, leg_.ball().position};
 }
 
-void Judge::note_save() {
-  if (!saved_at_ || now() < *saved_at_ + save_holds_s) return;
+void Judge::see_save() {
+  if (!saved_at_) return;
+  if (leg_.is_over() || now() >= *saved_at_ + save_holds_s) end_save();
+}
+
+void Judge::end_save() {
   saved_at_.reset();
   count(EventKind::save);
 }
 
-void Judge::note_places() {
+void Judge::see_places() {
   for (std::size_t i = 0; i < states_.size(); ++i) {
     const Event& event = drill_.success[i];
     if (event.kind == EventKind::pose) hold(event, states_[i], is_in_pose(event));
@@ -176,24 +183,25 @@ bool Judge::is_true(const Event& event, const State& state) const {
   return state.at.has_value();
 }
 
-// Decided is a try when all has come true that has to happen, when nothing more can, or when play
-// was stopped.
+// A try is decided when all has come true that has to happen, when nothing more can, when it is
+// spoiled, or when play was stopped.
 bool Judge::is_decided() const {
   if (was_stopped_ && !drill_.plays_on) return true;
   bool any_has_to_happen = false;
   bool any_is_open = false;
+  bool any_is_spoiled = false;
+  bool any_holds = false;
   for (std::size_t i = 0; i < states_.size(); ++i) {
     const Event& event = drill_.success[i];
     if (!event.has_to_happen()) {
-      if (is_true(event, states_[i])) continue;
-      // What was lost cannot be won back.
-      if (states_.size() == 1) return true;
+      (is_true(event, states_[i]) ? any_holds : any_is_spoiled) = true;
       continue;
     }
     any_has_to_happen = true;
     if (!states_[i].at && now() <= event.by) any_is_open = true;
   }
-  return any_has_to_happen && !any_is_open && !saved_at_;
+  if (!any_has_to_happen) return any_is_spoiled && !any_holds;
+  return any_is_spoiled || (!any_is_open && !saved_at_);
 }
 
 TryResult Judge::result() const {

@@ -3,11 +3,13 @@
 // Judges one try of a drill: follows the leg tick by tick, says when the try is over, and gives its
 // marks.
 //
-// What counts as what: a goal is one that counts for the team. A foul is a call with which the
-// tested team gives the opponents something. A contact is a touch of one robot in consecutive
-// ticks. A pass is a contact of another robot of the team after one of its own, with no opponent's
-// between them, when the ball has rolled for at least 0.15 m. A save is a contact of the tested
-// team with a ball that would have gone into its goal, after which no goal falls for half a second.
+// What counts as what:
+//   foul      a call with which the tested team gives the opponents something
+//   contact   a touch of one robot in consecutive ticks
+//   pass      a contact of another robot of the team after one of its own, with no opponent's
+//             between them, when the ball has rolled for at least 0.15 m
+//   save      a contact of the tested team with a ball that would have gone into its goal, after
+//             which no goal falls for half a second, or until play is stopped
 #pragma once
 
 #include "server/drills/drill.hpp"
@@ -46,10 +48,11 @@ class Judge {
     Vec2 ball{0.0, 0.0};     // where the ball was then
   };
 
-  void note_decisions();
-  void count_touch();
-  void note_save();
-  void note_places();
+  void see_decisions();
+  void see_touch();
+  void see_save();
+  void end_save();
+  void see_places();
   void count(EventKind kind);
   void hold(const Event& event, State& state, bool is_there);
   bool is_in_pose(const Event& event) const;

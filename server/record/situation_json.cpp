@@ -46,7 +46,7 @@ simulator::BallState read_ball(const JsonReader& json) {
 }
 
 // The wheel speeds that keep a twist, within what a record can hold.
-simulator::WheelSpeeds rolling_wheels(const simulator::Twist& twist) {
+simulator::WheelSpeeds wheels_that_keep(const simulator::Twist& twist) {
   const simulator::Parameters p;
   const double turn = twist.omega * p.wheel_distance / 2.0;
   const auto clamped = [&p](double speed) {
@@ -83,7 +83,7 @@ RobotStart read_robot(const JsonReader& json) {
     const Vec2 wheels = read_vector(json.at("wheels"), max_wheels);
     robot.wheels = {wheels.x(), wheels.y()};
   } else if (!robot.is_broken) {
-    robot.wheels = rolling_wheels(state.twist);
+    robot.wheels = wheels_that_keep(state.twist);
   }
   return robot;
 }

@@ -145,6 +145,10 @@ void add_running(CLI::App& app, Action& action) {
   files->add_option("-o,--output", files.options->output, "the folder for them")
       ->default_str("export")
       ->default_val("export");
+  files
+      ->add_option("--drills", files.options->drills,
+                   "marks of the teams, from mirocup drill --csv: adds grades.csv")
+      ->type_name("FILE");
 }
 
 // The subcommand of a person's decision, with the argument DIR and a reason.

@@ -10,6 +10,7 @@
 #include "tournaments/play/slurm_runner.hpp"
 #include "tournaments/publish/exports.hpp"
 #include "tournaments/publish/league_statistics.hpp"
+#include "tournaments/publish/grades.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/site.hpp"
 #include "tournaments/publish/snapshot.hpp"
@@ -233,12 +234,31 @@ Result<int> run_stats(const StatsOptions& options) {
   return exit_yes;
 }
 
+namespace {
+
+Result<std::vector<SiteFile>> files_to_export(system::Files& disk, const LeagueOptions& options,
+                                              const Overview& overview) {
+  std::vector<SiteFile> files = exports(overview);
+  if (options.drills.empty()) return files;
+  const auto drills = disk.read(
+      options.drills, {.max_size = system::size_limit::note, .links = system::Links::followed});
+  if (!drills) return tl::unexpected(drills.error());
+  auto joined = grades(overview, *drills, options.drills);
+  if (!joined) return tl::unexpected(joined.error());
+  files.push_back(std::move(*joined));
+  return files;
+}
+
+}  // namespace
+
 Result<int> run_export(const LeagueOptions& options) {
   system::Disk disk;
   const auto store = LeagueStore::open(disk, Folder{options.folder});
   if (!store) return tl::unexpected(store.error());
+  const auto files = files_to_export(disk, options, overview(store->state()));
+  if (!files) return tl::unexpected(files.error());
   if (auto made = disk.make_folder(options.output); !made) return tl::unexpected(made.error());
-  for (const SiteFile& file : exports(overview(store->state()))) {
+  for (const SiteFile& file : *files) {
     const std::string path = options.output + "/" + file.name;
     if (auto written = disk.write(path, file.bytes); !written)
       return tl::unexpected(written.error());

@@ -28,6 +28,7 @@ struct LeagueOptions {
   int dds_domain = 0;              // start; of the legs in which a team plays over DDS
   bool now = false;                // stop
   std::string output;              // export, publish
+  std::string drills;              // export: the output of mirocup drill --csv; "": none
   std::string through;             // publish: the last round shown; "": all rounds
   bool json = false;
 };

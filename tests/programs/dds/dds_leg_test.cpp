@@ -71,6 +71,25 @@ TEST(DdsTeam, StandsWhereItsLibraryWants) {
   EXPECT_EQ(run({program("mirocup"), "verify", folder / "dds.json"}).exit_code, 0);
 }
 
+// Catches a server that takes the answer to the first tick of a leg that is played on for one to a
+// tick that has not begun: both would wait for each other.
+TEST(DdsTeam, PlaysOnFromATickOfARecord) {
+  const TemporaryFolder folder;
+  const std::string id = match_id("on");
+  ASSERT_EQ(run({program("mirocup"), "match", "--blue", "idle", "--yellow", "chaser", "--half", "3",
+                 "--record", folder / "leg.json"})
+                .exit_code,
+            0);
+  Running remote(join(id, "blue", "remote", "keeper"));
+  const Outcome over_dds =
+      run({program("mirocup"), "match", "--blue", "dds:remote", "--yellow", "keeper", "--from",
+           folder / "leg.json", "--tick", "50", "--match", id, "--record", folder / "on.json"});
+  ASSERT_EQ(over_dds.exit_code, 0) << over_dds.err;
+  EXPECT_EQ(remote.wait().exit_code, 0);
+  EXPECT_EQ(read_json(folder / "on.json")["result"]["end"], "full_time");
+  EXPECT_EQ(run({program("mirocup"), "verify", folder / "on.json"}).exit_code, 0);
+}
+
 TEST(DdsTeam, MayMeetAnother) {
   const TemporaryFolder folder;
   const std::string id = match_id("both");

@@ -87,15 +87,15 @@ TEST(DrillCommand, GradesSeveralTeamsIntoOneCsvEvenIfOneDies) {
   const TemporaryFolder folder;
   std::ofstream(folder / "mine.json") << own_drill;
   const Outcome tried =
-      drill({folder / "mine.json", "chaser", program("teams/gives_up.so"), "--csv"});
+      drill({folder / "mine.json", "class=chaser", program("teams/gives_up.so"), "--csv"});
   ASSERT_EQ(tried.exit_code, 0) << tried.err;
   std::istringstream lines(tried.out);
   std::vector<std::string> rows;
   for (std::string line; std::getline(lines, line);) rows.push_back(line);
   ASSERT_EQ(rows.size(), 5u) << tried.out;
   EXPECT_EQ(rows[0], "team,drill,score,low,high,tries,failed_seeds");
-  EXPECT_EQ(rows[1].rfind("chaser,mine,", 0), 0u);
-  EXPECT_EQ(rows[2].rfind("chaser,all,", 0), 0u);
+  EXPECT_EQ(rows[1].rfind("class,mine,", 0), 0u);
+  EXPECT_EQ(rows[2].rfind("class,all,", 0), 0u);
   EXPECT_EQ(rows[3].rfind("gives_up,mine,0.0,", 0), 0u) << rows[3];
 }
 

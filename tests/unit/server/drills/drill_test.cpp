@@ -63,7 +63,7 @@ TEST(Drill, DrawsASituationFromTheSeed) {
   std::sort(balls.begin(), balls.end());
   EXPECT_EQ(std::unique(balls.begin(), balls.end()), balls.end());
   EXPECT_LT(balls.front(), 0.13);
-  EXPECT_GT(balls.back(), 0.27);
+  EXPECT_GT(balls.back(), 0.22) << "a robot in its default place takes the rest";
 }
 
 TEST(Drill, NamesFileAndKeyOfAMistake) {
@@ -73,7 +73,8 @@ TEST(Drill, NamesFileAndKeyOfAMistake) {
   EXPECT_NE(error_with("/success/0/area", {0, 0, 1, 1}).find("/success/0/area"), std::string::npos)
       << "a goal has no area";
   EXPECT_NE(error_with("/success", Json::array()).find("/success"), std::string::npos);
-  EXPECT_NE(error_with("/situation/league", "small").find("the drill says it"), std::string::npos);
+  EXPECT_NE(error_with("/situation/league", "middle").find("not the drill's league"),
+            std::string::npos);
   EXPECT_NE(error_with("/robots", {0}).find("/robots"), std::string::npos);
   const std::string key = error_with("/situation/blue/0/speed", 1);
   EXPECT_NE(key.find("d/my.json: /situation: /blue/0/speed"), std::string::npos) << key;

@@ -15,16 +15,16 @@ using test_support::both_wheels;
 using test_support::idle_team;
 using test_support::Scripted;
 
-// The tested team has robot 1 on the line y = 0, facing the ball at (0.2, 0), and the goal is
-// empty.
+// Robot 1 of the tested team is on the line y = 0 and faces the ball at (0.2, 0). No keeper stands
+// in the goal.
 std::string drill_text(const std::string& success, const std::string& more = "") {
   return R"({"schema": "mirocup/drill/1", "title": "T", "opponent": "idle", "seconds": 3,
              "conditions": "exact",
              "situation": {"ball": {"position": [0.2, 0]},
                            "blue": [{"pose": [-0.7, 0, 1.57]}, {"pose": [0, 0, 0]},
-                               {"pose": [0.1, 0.2, 0]}],
+                                    {"pose": [0.1, 0.2, 0]}],
                            "yellow": [{"pose": [0.1, -0.5, 0]}, {"pose": [-0.1, -0.5, 0]},
-                               {"pose": [0.3, -0.5, 0]}]},
+                                      {"pose": [0.3, -0.5, 0]}]},
              "success": )" +
          success + more + "}";
 }
@@ -118,8 +118,8 @@ TEST(Judge, SeesAPassAndASave) {
       R"({"schema": "mirocup/drill/1", "title": "T", "opponent": "idle", "seconds": 3,
     "conditions": "exact", "success": [{"event": "pass"}],
     "situation": {"ball": {"position": [-0.2, 0.1]},
-                  "blue": [{}, {"pose": [-0.3, 0.1, 0], "twist": [0.9, 0, 0]}, {"pose": [0.25,
-                      0.1, 0]}],
+                  "blue": [{}, {"pose": [-0.3, 0.1, 0], "twist": [0.9, 0, 0]},
+                           {"pose": [0.25, 0.1, 0]}],
                   "yellow": [{}, {"pose": [0.3, -0.4, 0]}, {"pose": [0.4, -0.4, 0]}]}})";
   Scripted passer([](const match::Observation& o) -> match::Answer {
     match::Command command;

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/publish/grades.hpp"
+
+#include "tournaments/league/apply.hpp"
+
+#include <gtest/gtest.h>
+
+namespace mirocup::league {
+namespace {
+
+Overview league_of_two() {
+  LeagueFile file;
+  file.title = "spring";
+  for (const char* name : {"alpha", "be,ta"}) file.teams.push_back({name, "house:idle", false});
+  LeagueState state = new_league(file);
+  league::apply(state, Started{.config_sha256 = "x", .version = ""});
+  return overview(state);
+}
+
+// Catches marks that are given to another team, and a name with a comma that is cut.
+TEST(Grades, JoinTheTableWithTheMarksByName) {
+  const auto file = grades(league_of_two(),
+                           "team,drill,score,low,high,tries,failed_seeds\n"
+                           "\"be,ta\",corner,12.5,1,2,60,\n\"be,ta\",all,20.0,,,60,\n"
+                           "alpha,all,70.0,,,60,1 2\n",
+                           "d.csv");
+  ASSERT_TRUE(file) << file.error().what;
+  EXPECT_EQ(file->name, "grades.csv");
+  EXPECT_EQ(file->bytes.rfind("rank,team,points,strength,corner,all\r\n", 0), 0u) << file->bytes;
+  EXPECT_NE(file->bytes.find(",12.5,20.0\r\n"), std::string::npos) << file->bytes;
+  EXPECT_NE(file->bytes.find("\"be,ta\","), std::string::npos);
+  EXPECT_NE(file->bytes.find(",,70.0\r\n"), std::string::npos) << "no mark, no number";
+}
+
+TEST(Grades, RefuseAFileOfAnotherKind) {
+  EXPECT_FALSE(grades(league_of_two(), "name;mark\nalpha;1\n", "d.csv"));
+  EXPECT_FALSE(grades(league_of_two(), "team,drill,score,low\nalpha\n", "d.csv"));
+  const auto strangers =
+      grades(league_of_two(), "team,drill,score,low\ngamma,all,50.0,1\n", "d.csv");
+  ASSERT_FALSE(strangers);
+  EXPECT_NE(strangers.error().what.find("d.csv: it has no team of this league"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace mirocup::league

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+//
+// The table of a league joined with the marks of drills: what a lecturer grades by.
+#pragma once
+
+#include "core/base/error.hpp"
+#include "tournaments/publish/leg_view.hpp"
+#include "tournaments/publish/site_file.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace mirocup::league {
+
+// Returns grades.csv: a line for each team of the table, with its score in each drill and in all of
+// them. `drills_csv` is the output of `mirocup drill … --csv`, read from `path`; a team is found by
+// its name, and has empty cells where there is no mark. An error is Errc::input: a text that is not
+// such an output, or one in which no team of the league is named.
+Result<SiteFile> grades(const Overview& overview, std::string_view drills_csv,
+                        const std::string& path);
+
+}  // namespace mirocup::league
