@@ -74,7 +74,7 @@ only() {
 
 only 'dds/|mirocup\.h>' server/dds
 only 'nlohmann/' server/record server/statistics server/traces server/drills server/web server/app training tournaments
-only 'dlfcn\.h' plugins/host
+only 'dlfcn\.h' plugins/host training
 only 'httplib' server/web
 only 'CLI/' server/app system tournaments/app
 only 'openssl/' system

@@ -77,7 +77,7 @@ TEST(Start, IsHeldByTheRecord) {
                 .exit_code,
             0);
   const auto record = read_json(leg);
-  EXPECT_EQ(record["situation"]["score"], (nlohmann::json{1, 0}));
+  EXPECT_EQ(record["situation"]["score"], (nlohmann::ordered_json{1, 0}));
   EXPECT_GE(record["result"]["score"]["blue"], 1);
   EXPECT_LT(record["ticks"], 400);
   EXPECT_EQ(exit_code("verify", leg), 0);
