@@ -3,6 +3,7 @@
 
 #include "server/record/json_reader.hpp"
 #include "server/web/assets.hpp"
+#include "server/web/design/template.hpp"
 #include "server/web/page_json.hpp"
 #include "server/web/picture.hpp"
 #include "system/digest.hpp"
@@ -80,7 +81,7 @@ std::string page(const match::Leg& first_moment, const match::ByTeam<std::string
                  {"blue", system::html_escaped(names[0])},
                  {"yellow", system::html_escaped(names[1])},
                  {"policy", policy},
-                 {"style", std::string(asset("page.css"))},
+                 {"style", std::string(design_file("design.css")) + std::string(asset("page.css"))},
                  {"picture", picture(first_moment.field(), first_moment.setup().parameters,
                                      {first_moment.snapshot(), {}})},
                  {"data", embedded(data)},

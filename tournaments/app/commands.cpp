@@ -62,9 +62,12 @@ Result<LeagueFile> file_from(system::Files& files, const LeagueOptions& options)
 
 Result<void> publish_site(system::Files& files, const Folder& folder, const LeagueState& state,
                           int jobs = 0) {
-  if (auto made = files.make_folder(folder.site() + "/teams"); !made) return made;
+  for (const char* part : {"/teams", "/rounds"}) {
+    if (auto made = files.make_folder(folder.site() + part); !made) return made;
+  }
   if (auto removed = files.remove_unfinished(folder.path); !removed) return removed;
-  for (const SiteFile& file : make_site(state)) {
+  const FactsOfLegs facts = read_facts(files, folder, state);
+  for (const SiteFile& file : make_site(state, facts)) {
     if (auto written = files.write(folder.site() + "/" + file.name, file.bytes); !written)
       return written;
   }

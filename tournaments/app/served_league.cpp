@@ -25,7 +25,7 @@ constexpr std::string_view watched = "mirocup: watch at http://127.0.0.1:";
 
 // Content from this server only, and no code but its script.
 constexpr const char* policy =
-    "default-src 'none'; style-src 'unsafe-inline'; script-src 'self'; connect-src 'self'";
+    "default-src 'none'; style-src 'self'; script-src 'self'; connect-src 'self'";
 constexpr std::string_view script = "<script type=\"module\" src=\"/league.js\"></script>\n";
 
 std::string type_of(const std::string& path) {
@@ -33,6 +33,7 @@ std::string type_of(const std::string& path) {
   if (end == ".html") return "text/html; charset=utf-8";
   if (end == ".json") return "application/json";
   if (end == ".csv") return "text/csv; charset=utf-8";
+  if (end == ".css") return "text/css; charset=utf-8";
   if (end == ".js") return "text/javascript; charset=utf-8";
   return "application/octet-stream";
 }
@@ -104,7 +105,8 @@ void ServedLeague::make_pages() {
   if (!pages_.empty() && lines_of_pages_ == lines_) return;
   lines_of_pages_ = lines_;
   pages_.clear();
-  for (SiteFile& file : make_site(store_.state())) {
+  facts_ = read_facts(files_, store_.folder(), store_.state(), std::move(facts_));
+  for (SiteFile& file : make_site(store_.state(), facts_)) {
     const std::string type = type_of(file.name);
     const bool is_html = type.starts_with("text/html");
     pages_["/" + file.name] = {type, is_html ? policy : "",

@@ -5,7 +5,7 @@
 // whatever order and on whatever machine the legs were played.
 #pragma once
 
-#include "tournaments/league/league_state.hpp"
+#include "tournaments/publish/leg_view.hpp"
 #include "tournaments/publish/site_file.hpp"
 
 #include <string>
@@ -13,9 +13,11 @@
 
 namespace mirocup::league {
 
-// Returns index.html, a page for each team below teams/, and the files of exports(). Replay pages
-// are made by make_replay_pages().
-std::vector<SiteFile> make_site(const LeagueState& state);
+// Returns index.html, crosstable.html, a page for each round below rounds/ and for each team below
+// teams/, the style sheet and the script of these pages, and the files of exports(). `facts` are of
+// the legs that were played; pages say less without them. Replay pages are made by
+// make_replay_pages().
+std::vector<SiteFile> make_site(const LeagueState& state, const FactsOfLegs& facts = no_facts);
 
 // Returns the table as lines of text for a terminal.
 std::string table_text(const LeagueState& state);

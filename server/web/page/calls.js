@@ -9,6 +9,7 @@ export class Calls {
   // `names`: the teams' names by colour. `jump(tick)` moves the player to that tick.
   constructor(list, marks, banner, names, jump) {
     Object.assign(this, { list, marks, banner, names, jump });
+    list.replaceChildren();  // the page has the calls as text, for readers without scripts
     this.calls = [];
     this.score = { blue: 0, yellow: 0 };  // after the calls so far
     this.rows = [];
@@ -23,7 +24,10 @@ export class Calls {
     const row = element('li', call.decision === 'GOAL' ? 'goal' : '');
     const button = element('button', colour);
     button.append(element('span', 'when', minutes(call.clock, 0)),
-      element('span', 'what', this.title(call)), element('span', 'why', call.reason));
+      element('span', 'what', this.title(call)));
+    const who = this.scorers(call);
+    if (who) button.append(element('span', 'who', who));
+    button.append(element('span', 'why', call.reason));
     button.addEventListener('click', () => this.jump(call.tick));
     row.append(button);
     this.list.append(row);
@@ -50,6 +54,14 @@ export class Calls {
     }
     return words(call.decision) + (gainer ? ` for ${this.names[gainer]}` : '');
   }
+
+  // "robot 2, pass by robot 1"; "" for an own goal, and where the record does not say.
+  scorers(call) {
+    if (call.decision !== 'GOAL' || !call.scorer || call.own_goal) return '';
+    return `robot ${call.scorer.robot}` + (call.assist ? `, pass by robot ${call.assist.robot}` : '');
+  }
+
+  get goals() { return this.calls.filter((call) => call.decision === 'GOAL'); }
 
   // Places the marks between the ends of the time line.
   spread(firstTick, lastTick) {
