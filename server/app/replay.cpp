@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup replay RECORD: writes a page that shows the leg, or a picture of one moment.
+// mirocup replay RECORD: writes a page that shows the leg, a picture of one moment, or a
+// video of a part.
+#include "server/app/clip.hpp"
 #include "server/app/commands.hpp"
 #include "server/web/page.hpp"
 #include "server/web/picture.hpp"
@@ -31,9 +33,24 @@ tl::expected<std::string, replay::Divergence> picture_at(const replay::Recording
   return web::picture(playback.leg().field(), recording.setup.parameters, moment);
 }
 
+Result<int> run_clip(const ReplayOptions& options) {
+  const auto span = parse_clip(options.clip);
+  if (!span) return tl::unexpected(span.error());
+  if (!is_video_name(options.output))
+    return fail(Errc::input, options.output + ": a video ends in .webm, .mp4 or .gif");
+  system::Disk disk;
+  const auto record = record::load(disk, options.record);
+  if (!record) return tl::unexpected(record.error());
+  if (auto written = write_clip(disk, *record, *span, options.output); !written)
+    return tl::unexpected(written.error());
+  std::cout << system::printable(options.output) << '\n';
+  return exit_yes;
+}
+
 }  // namespace
 
 Result<int> run_replay(const ReplayOptions& options) {
+  if (!options.clip.empty()) return run_clip(options);
   if (options.svg != options.at.has_value()) {
     return fail(Errc::input, "--at T and --svg belong together: a still picture of a moment");
   }

@@ -71,7 +71,7 @@ Result<void> publish_site(system::Files& files, const Folder& folder, const Leag
     if (auto written = files.write(folder.site() + "/" + file.name, file.bytes); !written)
       return written;
   }
-  const auto failed = make_replay_pages(files, folder, state, jobs);
+  const auto failed = make_replay_pages(files, folder, overview(state), jobs);
   if (!failed) return tl::unexpected(failed.error());
   if (*failed > 0) {
     std::cerr << "mirocup: " << *failed

@@ -6,6 +6,7 @@
 #include "server/web/page.hpp"
 #include "server/web/page_json.hpp"
 #include "tournaments/play/leg_command.hpp"
+#include "tournaments/publish/replay_nav.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/site.hpp"
 
@@ -153,13 +154,18 @@ std::optional<web::Page> ServedLeague::replay(const std::string& stem) {
   const std::string html = replay_page_of(record);
   if (auto made =
           files_.read(store_.folder().site() + "/" + html, {.max_size = system::size_limit::page}))
-    return web::Page{type_of(html), "", std::move(*made)};
+    return web::Page{type_of(html), "", linked(std::move(*made), record)};
   const std::lock_guard one_at_a_time(replaying_);
   const auto loaded = record::load(files_, store_.folder().path + "/" + record);
   if (!loaded) return std::nullopt;
   auto page = web::replay_page(*loaded, web::Times::left_out);
   if (!page) return std::nullopt;
-  return web::Page{type_of(html), "", std::move(*page)};
+  return web::Page{type_of(html), "", linked(std::move(*page), record)};
+}
+
+std::string ServedLeague::linked(std::string page, const std::string& record) {
+  const std::lock_guard lock(mutex_);
+  return with_league_links(std::move(page), overview(store_.state()), record);
 }
 
 std::string ServedLeague::news(std::uint64_t& seen) {

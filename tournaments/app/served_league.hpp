@@ -43,6 +43,7 @@ class ServedLeague {
   std::vector<LiveLeg> find_live_legs() const;
   void make_pages();
   std::optional<web::Page> replay(const std::string& stem);
+  std::string linked(std::string page, const std::string& record);
 
   system::Files& files_;
   std::mutex mutex_;  // guards all members up to replaying_

@@ -141,7 +141,8 @@ class BestFinder {
   }
 
   void longest_runs() {
-    longest_run("Longest winning run", "legs won in a row", [](char letter) { return letter == 'W'; });
+    longest_run("Longest winning run", "legs won in a row",
+                [](char letter) { return letter == 'W'; });
     longest_run("Longest run without defeat", "legs without defeat",
                 [](char letter) { return letter != 'L'; });
   }

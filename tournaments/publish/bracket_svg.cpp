@@ -110,14 +110,18 @@ class BracketPicture {
     for (std::size_t i = legs.size(); i-- > 0;) {
       const LegView& leg = *legs[i];
       if (leg.played == nullptr) continue;
+      const auto& shoot_out = leg.facts == nullptr ? no_shoot_out_ : leg.facts->shoot_out;
+      const int leg_room = shoot_out ? shoot_out_width : leg_width;
       const bool has_page = leg.has_replay();
       if (has_page) {
         boxes_ += "<a class=\"leg\" href=\"" + replay_page_of(leg.played->record) +
                   "\" aria-label=\"Leg " + std::to_string(leg.leg) + ": " +
                   std::to_string(leg.goals(leg.home)) + " to " +
-                  std::to_string(leg.goals(leg.away)) + "\">";
+                  std::to_string(leg.goals(leg.away)) + "\"><rect class=\"hit\" x=\"" +
+                  std::to_string(x + 4 - leg_room) + "\" y=\"" + std::to_string(at.y + 2) +
+                  "\" width=\"" + std::to_string(leg_room) + "\" height=\"" +
+                  std::to_string(box_height - 4) + "\"/>";
       }
-      const auto& shoot_out = leg.facts == nullptr ? no_shoot_out_ : leg.facts->shoot_out;
       for (const bool is_home : {true, false}) {
         const int team = is_home ? leg.home : leg.away;
         std::string number = std::to_string(leg.goals(team));
@@ -127,7 +131,7 @@ class BracketPicture {
              number);
       }
       if (has_page) boxes_ += "</a>\n";
-      x -= shoot_out ? shoot_out_width : leg_width;
+      x -= leg_room;
     }
   }
 

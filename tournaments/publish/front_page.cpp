@@ -22,7 +22,7 @@ constexpr std::size_t max_crosstable_teams = 64;
 constexpr std::size_t max_front_crosstable_teams = 16;
 constexpr int max_front_legs = 240;
 
-constexpr std::size_t form_length = 5;  // legs
+constexpr std::size_t front_form_length = 5;  // legs
 constexpr std::size_t worth_length = 5;
 
 std::string_view status_of(const TeamState& team) {
@@ -52,7 +52,7 @@ Json table_values(const Overview& o) {
   for (std::size_t i = 0; i < o.table.size(); ++i) {
     const TableRow& row = o.table[i];
     Json values = row_values(o, o.table, i);
-    values["form"] = form_values(o, row.team, form_length, "");
+    values["form"] = form_values(o, row.team, front_form_length, "");
     values["strength"] = strength_values(o, row.team);
     values["legs_to_tell"] =
         legs_to_tell_in_words(o, row, i + 1 < o.table.size() ? &o.table[i + 1] : nullptr);

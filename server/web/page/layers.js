@@ -2,15 +2,10 @@
 //
 // What can be shown in the picture besides the bodies: trails of the robots, velocities, the zones
 // that the laws know. Each is off until it is switched on.
+import { shape } from './text.js';
 
-const trailSeconds = 2;
+const robotTrailSeconds = 2;
 const velocitySeconds = 0.25;  // an arrow ends where the body would be after that time
-
-const inSvg = (tag, cssClass) => {
-  const made = document.createElementNS('http://www.w3.org/2000/svg', tag);
-  made.setAttribute('class', cssClass);
-  return made;
-};
 
 const pathOf = (runs) => runs.map((run) => `M${run.map((p) => p.join(' ')).join('L')}`).join('');
 
@@ -20,16 +15,15 @@ export class Layers {
     this.isOn = { trails: false, velocities: false, zones: false };
     const below = svg.querySelector('.trail');
     this.zones = ['left', 'right'].map((end) => {
-      const zone = inSvg('path', 'zone');
-      zone.setAttribute('d', zones[end]);
+      const zone = shape('path', { class: 'zone', d: zones[end] });
       below.before(zone);
       return zone;
     });
     const team = (i) => (i < robots ? 'blue' : 'yellow');
-    this.trails = Array.from({ length: 2 * robots }, (_, i) => inSvg('path', `robot_trail ${team(i)}`));
+    this.trails = Array.from({ length: 2 * robots }, (_, i) => shape('path', { class: `robot_trail ${team(i)}` }));
     below.before(...this.trails);
     this.velocities = Array.from({ length: 2 * robots + 1 }, (_, i) =>
-      inSvg('path', i === 0 ? 'velocity of_ball' : 'velocity'));
+      shape('path', { class: i === 0 ? 'velocity of_ball' : 'velocity' }));
     svg.append(...this.velocities);
   }
 
@@ -39,11 +33,10 @@ export class Layers {
     const rightTeam = leftTeam === 'blue' ? 'yellow' : 'blue';
     this.zones.forEach((zone, i) => {
       zone.setAttribute('class', `zone ${i === 0 ? leftTeam : rightTeam}`);
-      zone.toggleAttribute('hidden', !this.isOn.zones);
       zone.style.display = this.isOn.zones ? '' : 'none';
     });
     this.trails.forEach((trail, i) => {
-      trail.setAttribute('d', this.isOn.trails ? pathOf(track.trail(time, trailSeconds, 3 + 3 * i)) : '');
+      trail.setAttribute('d', this.isOn.trails ? pathOf(track.trail(time, robotTrailSeconds, 3 + 3 * i)) : '');
     });
     const arrows = this.isOn.velocities ? track.velocities(time) : [];
     this.velocities.forEach((arrow, i) => {

@@ -94,6 +94,29 @@ TEST(Snapshot, ShowsALeagueAsItWasAfterARound) {
   }
 }
 
+// Catches a show whose table after a leg knows of a later one.
+TEST(Snapshot, ShowsARoundLegByLeg) {
+  for (const auto kind : {FormatKind::double_round_robin, FormatKind::knockout}) {
+    const Season season(nine_teams(kind));
+    const std::string first = kind == FormatKind::knockout ? "k1" : "r1";
+    const auto whole = state_through(season.state, season.journal, first);
+    ASSERT_TRUE(whole);
+    std::set<LegName> shown;
+    for (const FixtureState& f : season.state.fixtures) {
+      if (round_of(f.fixture) != first || !f.fixture.has_both()) continue;
+      for (int leg = 1; leg <= f.needed(); ++leg) {
+        const auto before = state_with_legs(season.state, season.journal, first, shown);
+        ASSERT_TRUE(before) << before.error().what;
+        EXPECT_EQ(before->results().size(), shown.size());
+        shown.insert({f.fixture.id(), leg});
+      }
+    }
+    const auto after = state_with_legs(season.state, season.journal, first, shown);
+    ASSERT_TRUE(after);
+    EXPECT_EQ(after->played(), whole->played());
+  }
+}
+
 TEST(Snapshot, KnowsWhichRoundsThereAre) {
   const Season season(nine_teams(FormatKind::knockout));
   for (const char* round : {"", "k", "k0", "k9", "r1", "k1x", "k-1", "x1"}) {
