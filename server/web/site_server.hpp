@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // A site over HTTP whose pages change while they are shown: pages at the paths that the site knows,
-// the changes at /events, and below /live/NAME/ the live pages of matches on this host; once a match
-// is over, its address leads to /replays/NAME.html. No request
-// changes anything. Paths of requests are looked up in the site, never joined to the path of a
+// the changes at /events, and below /live/NAME/ the live pages of matches on this host; once a
+// match is over, its address leads to /replays/NAME.html. No request changes anything, unless the
+// site takes commands. Paths of requests are looked up in the site, never joined to the path of a
 // folder.
 #pragma once
 
@@ -37,8 +37,8 @@ struct Site {
   // has none.
   std::function<std::optional<int>(const std::string& name)> match;
 
-  // Takes the body of a request to /control; false if it is not allowed. Nothing: no request changes
-  // anything.
+  // Takes the body of a request to /control; false if it is not allowed. Without this function no
+  // request changes anything.
   std::function<bool(const std::string& body)> control = {};
 };
 

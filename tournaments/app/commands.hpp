@@ -2,7 +2,8 @@
 //
 // The subcommands of `mirocup league` and their options with defaults. command_line.cpp reads the
 // options. Each function returns the exit code of an answer: exit_yes or exit_no. commands.cpp,
-// entries.cpp, compare.cpp, rulings.cpp, serve.cpp, show.cpp, shards.cpp and credentials.cpp define them.
+// entries.cpp, compare.cpp, rulings.cpp, serve.cpp, show.cpp, shards.cpp and credentials.cpp define
+// them.
 #pragma once
 
 #include "core/base/error.hpp"

@@ -67,7 +67,7 @@ export async function closeBrowser() {
 // Returns what axe-core finds wrong with the page as it is shown: "rule: element, element".
 export async function violations(page) {
   await page.evaluate(readFileSync(modules.resolve('axe-core/axe.min.js'), 'utf8'));
-  const found = await page.evaluate(async () => (await globalThis.axe.run(document)).violations);
+  const found = await page.evaluate(async () => (await globalThis.axe.run(document, { preload: false })).violations);
   return found.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.target.join(' ')).slice(0, 5).join(', ')}`);
 }
 

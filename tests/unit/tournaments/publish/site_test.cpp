@@ -223,9 +223,11 @@ TEST(LegFacts, AreThoseOfTheRecordAsTheHomeTeamSeesThem) {
   const std::string text = R"({"control_period": 0.5, "ticks": 40,
     "result": {"shoot_out": {"blue": 3, "yellow": 2}},
     "decisions": [
-      {"tick": 4, "decision": "GOAL", "gainer": "yellow", "scorer": {"team": "yellow", "robot": 2}, "own_goal": false},
+      {"tick": 4, "decision": "GOAL", "gainer": "yellow",
+       "scorer": {"team": "yellow", "robot": 2}, "own_goal": false},
       {"tick": 8, "decision": "PENALTY_KICK", "gainer": "blue", "offender": "yellow"},
-      {"tick": 9, "decision": "GOAL", "gainer": "blue", "scorer": {"team": "yellow", "robot": 0}, "own_goal": true},
+      {"tick": 9, "decision": "GOAL", "gainer": "blue",
+       "scorer": {"team": "yellow", "robot": 0}, "own_goal": true},
       {"tick": 12, "decision": "GOAL", "team": "blue"}]})";
   const auto facts = facts_of(text, false);  // the home team is yellow
   ASSERT_TRUE(facts);
