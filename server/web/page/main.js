@@ -125,6 +125,7 @@ function offerRobots() {
     showHeat(by('robot_heat'), heat, by('heat_of').selectedOptions[0].textContent);
   };
   by('heat_of').addEventListener('change', draw);
+  by('robot_part').hidden = false;
   draw();
 }
 
@@ -297,6 +298,7 @@ function followMatch() {
       document.body.classList.add('ended');
       by('live').textContent = 'Ended';
       drawMomentum();
+      offerRobots();
       linkReplay();
     },
     onLost() { document.body.classList.add('lost'); },
