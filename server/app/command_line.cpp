@@ -235,6 +235,25 @@ void add_replay(CLI::App& app, Run& run) {
   command->add_flag("--no-times", o.no_times,
                     "Leave out times that a clock measured, so that the page is the same on "
                     "every machine");
+  command
+      ->add_option("--statistics", o.statistics,
+                   "File to write the statistics of the leg to, as JSON")
+      ->type_name("FILE");
+}
+
+void add_stats(CLI::App& app, Run& run) {
+  Subcommand<StatsOptions> command(
+      app, run, "stats",
+      "Print the football statistics of legs: shots, passes, possession, fouls, goals by kind",
+      run_stats);
+  StatsOptions& o = *command.options;
+  command->add_option("RECORD", o.paths, "Match records, or the folder of one league")->required();
+  command->add_flag("--goals", o.goals,
+                    "How goals fell, where the ball was lost before, which laws were broken");
+  command->add_option("--team", o.team, "Only the legs of this team, named as in the records")
+      ->type_name("NAME");
+  CLI::Option* csv = command->add_flag("--csv", o.csv, "Comma-separated values");
+  command->add_flag("--json", o.json, "Everything as one JSON object")->excludes(csv);
 }
 
 void add_scene(CLI::App& app, Run& run) {
@@ -284,6 +303,7 @@ std::optional<int> read_command_line(int argc, char** argv, Run& run) {
   add_verify(cli, run);
   add_rerun(cli, run);
   add_replay(cli, run);
+  add_stats(cli, run);
   add_scene(cli, run);
   add_referee(cli, run);
   try {

@@ -91,8 +91,18 @@ struct ReplayOptions {
   bool svg = false;
   std::string clip;  // "12:18", seconds since the match began; "": none
   bool no_times = false;
+  std::string statistics;  // file for the statistics of the leg; "": none
 };
 Result<int> run_replay(const ReplayOptions& options);
+
+struct StatsOptions {
+  std::vector<std::string> paths;  // records, or the folder of a league
+  bool goals = false;              // how goals fell instead of the numbers
+  std::string team;                // only the legs of this team; "": all legs
+  bool csv = false;
+  bool json = false;
+};
+Result<int> run_stats(const StatsOptions& options);
 
 struct SceneOptions {
   std::string path;

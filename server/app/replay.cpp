@@ -4,10 +4,12 @@
 // video of a part.
 #include "server/app/clip.hpp"
 #include "server/app/commands.hpp"
+#include "server/statistics/statistics_json.hpp"
 #include "server/web/page.hpp"
 #include "server/web/picture.hpp"
 #include "system/printable.hpp"
 
+#include <filesystem>
 #include <iostream>
 #include <optional>
 
@@ -54,12 +56,19 @@ Result<int> run_replay(const ReplayOptions& options) {
   if (options.svg != options.at.has_value()) {
     return fail(Errc::input, "--at T and --svg belong together: a still picture of a moment");
   }
+  if (options.svg && !options.statistics.empty()) {
+    return fail(Errc::input, "--statistics belongs to a page, not to a picture of a moment");
+  }
   system::Disk disk;
   const auto record = record::load(disk, options.record);
   if (!record) return tl::unexpected(record.error());
   const web::Times times = options.no_times ? web::Times::left_out : web::Times::shown;
-  const auto made =
-      options.svg ? picture_at(record->recording, *options.at) : web::replay_page(*record, times);
+  std::optional<statistics::LegStatistics> counted;
+  const auto made = options.svg ? picture_at(record->recording, *options.at)
+                                : web::replay_page(*record, times).map([&](web::ReplayPage page) {
+                                    counted = std::move(page.statistics);
+                                    return std::move(page.html);
+                                  });
   if (!made && record::has_other_behaviour(*record)) {
     return tl::unexpected(record::behaviour_mismatch(options.record, *record, made.error().tick));
   }
@@ -71,6 +80,15 @@ Result<int> run_replay(const ReplayOptions& options) {
   }
   if (auto written = disk.write(options.output, *made); !written) {
     return tl::unexpected(written.error());
+  }
+  if (!options.statistics.empty()) {
+    // The name alone, so that the file has the same bytes wherever the record is.
+    const std::string name = std::filesystem::path(options.record).filename();
+    const std::string text =
+        statistics::leg_report_text(statistics::report_of(name, *record, *std::move(counted)));
+    if (auto written = disk.write(options.statistics, text); !written) {
+      return tl::unexpected(written.error());
+    }
   }
   std::cout << system::printable(options.output) << '\n';
   return exit_yes;

@@ -6,7 +6,8 @@
 // Threads: the thread of the match calls publish() and close(); any other thread may call news().
 #pragma once
 
-#include "server/web/statistics.hpp"
+#include "server/statistics/counter.hpp"
+#include "server/web/heat_map.hpp"
 #include "server/web/track_encoder.hpp"
 
 #include <mutex>
@@ -43,13 +44,16 @@ class LiveFeed {
   void copy(const match::Leg& match);
 
   int robots_;
-  Statistics counted_;  // of the thread of the match, up to date
+  // Of the thread of the match, up to date.
+  statistics::LegCounter counted_;
+  HeatMap heat_counted_;
 
   mutable std::mutex mutex_;
   std::uint64_t version_ = 1;
   match::Snapshot scene_;
   std::vector<match::LoggedDecision> decisions_;
-  Statistics statistics_;  // as of version_
+  statistics::LegCounter statistics_;  // as of version_
+  HeatMap heat_;
   std::optional<match::Outcome> result_;
 };
 

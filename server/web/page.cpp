@@ -2,6 +2,7 @@
 #include "server/web/page.hpp"
 
 #include "server/record/json_reader.hpp"
+#include "server/statistics/counter.hpp"
 #include "server/web/assets.hpp"
 #include "server/web/design/template.hpp"
 #include "server/web/markings.hpp"
@@ -147,14 +148,26 @@ Json teams_json(const match::ByTeam<std::string>& names) {
 class LegTimeline {
  public:
   explicit LegTimeline(const match::Leg& match)
-      : track_(match.field().robots_per_team), statistics_(match.field()) {
-    add(match);
+      : track_(match.field().robots_per_team), counter_(match), heat_(match.field()) {
+    show(match);
   }
 
+  // To be called after every tick.
   void add(const match::Leg& match) {
+    counter_.add(match);
+    show(match);
+  }
+
+  Json track_json() const { return {{"frames", track_.frames()}, {"packed", track_.packed()}}; }
+  const Json& moments() const { return moments_; }
+  statistics::LegStatistics counted() const { return counter_.statistics(); }
+  const HeatMap& heat() const { return heat_; }
+
+ private:
+  void show(const match::Leg& match) {
     const match::Snapshot scene = match.snapshot();
     track_.add(scene);
-    statistics_.add(match);
+    heat_.add(scene);
     Json moment = moment_json(scene);
     if (moment == last_moment_) return;
     last_moment_ = moment;
@@ -162,13 +175,9 @@ class LegTimeline {
     moments_.push_back(std::move(moment));
   }
 
-  Json track_json() const { return {{"frames", track_.frames()}, {"packed", track_.packed()}}; }
-  const Json& moments() const { return moments_; }
-  const Statistics& statistics() const { return statistics_; }
-
- private:
   TrackEncoder track_;
-  Statistics statistics_;
+  statistics::LegCounter counter_;
+  HeatMap heat_;
   Json moments_ = Json::array();
   Json last_moment_;
 };
@@ -183,7 +192,15 @@ std::string about(const record::MatchRecord& record) {
 
 }  // namespace
 
-tl::expected<Json, replay::Divergence> replay_data(const record::MatchRecord& record, Times times) {
+namespace {
+
+struct ReplayData {
+  Json json;
+  statistics::LegStatistics statistics;
+};
+
+tl::expected<ReplayData, replay::Divergence> play_again(const record::MatchRecord& record,
+                                                        Times times) {
   replay::Playback playback(record.recording);
   const match::Leg begin(record.recording.setup);
   LegTimeline timeline(playback.leg());
@@ -191,7 +208,8 @@ tl::expected<Json, replay::Divergence> replay_data(const record::MatchRecord& re
   if (playback.divergence()) return tl::unexpected(*playback.divergence());
 
   const Json whole = record::to_json(record);
-  Json statistics = statistics_json(timeline.statistics(), record.recording.decisions);
+  const statistics::LegStatistics counted = timeline.counted();
+  Json statistics = statistics_json(counted, timeline.heat());
   for (const char* team : {"blue", "yellow"}) {
     Json budget = whole["budget"][team];
     if (times == Times::left_out) {
@@ -199,30 +217,40 @@ tl::expected<Json, replay::Divergence> replay_data(const record::MatchRecord& re
     }
     statistics["teams"][team]["budget"] = budget;
   }
-  return Json{{"schema", "mirocup/page/1"},
-              {"teams", whole["teams"]},
-              {"period", record.recording.setup.control_period},
-              {"robots", begin.field().robots_per_team},
-              {"half_length", begin.field().half_length},
-              {"zones", zones_json(begin.field())},
-              {"about", about(record)},
-              {"result", whole["result"]},
-              {"decisions", whole["decisions"]},
-              {"moments", timeline.moments()},
-              {"statistics", statistics},
-              {"track", timeline.track_json()}};
+  Json json{{"schema", "mirocup/page/1"},
+            {"teams", whole["teams"]},
+            {"period", record.recording.setup.control_period},
+            {"robots", begin.field().robots_per_team},
+            {"half_length", begin.field().half_length},
+            {"zones", zones_json(begin.field())},
+            {"about", about(record)},
+            {"result", whole["result"]},
+            {"decisions", whole["decisions"]},
+            {"moments", timeline.moments()},
+            {"statistics", statistics},
+            {"track", timeline.track_json()}};
+  return ReplayData{std::move(json), counted};
+}
+
+}  // namespace
+
+tl::expected<Json, replay::Divergence> replay_data(const record::MatchRecord& record, Times times) {
+  auto data = play_again(record, times);
+  if (!data) return tl::unexpected(data.error());
+  return std::move(data->json);
 }
 
 std::string first_picture(const record::MatchRecord& record) {
   return field_picture(match::Leg(record.recording.setup));
 }
 
-tl::expected<std::string, replay::Divergence> replay_page(const record::MatchRecord& record,
-                                                          Times times) {
-  const auto data = replay_data(record, times);
+tl::expected<ReplayPage, replay::Divergence> replay_page(const record::MatchRecord& record,
+                                                         Times times) {
+  const auto data = play_again(record, times);
   if (!data) return tl::unexpected(data.error());
-  return page(match::Leg(record.recording.setup), {record.teams[0].name, record.teams[1].name},
-              *data);
+  return ReplayPage{page(match::Leg(record.recording.setup),
+                         {record.teams[0].name, record.teams[1].name}, data->json),
+                    data->statistics};
 }
 
 std::string live_page(const match::Leg& match, const LiveMatch& live) {

@@ -6,6 +6,7 @@
 
 #include "core/replay/playback.hpp"
 #include "server/record/match_record.hpp"
+#include "server/statistics/statistics.hpp"
 
 #include <string>
 
@@ -23,10 +24,15 @@ tl::expected<record::Json, replay::Divergence> replay_data(const record::MatchRe
 // Returns the first moment of the leg as an SVG element, whose bodies page/field.js moves.
 std::string first_picture(const record::MatchRecord& record);
 
+struct ReplayPage {
+  std::string html;
+  statistics::LegStatistics statistics;  // that it shows
+};
+
 // Returns the page of the leg, with its data. Between the comments <!--league--> and
 // <!--/league--> a league may put links to its other pages.
-tl::expected<std::string, replay::Divergence> replay_page(const record::MatchRecord& record,
-                                                          Times times = Times::shown);
+tl::expected<ReplayPage, replay::Divergence> replay_page(const record::MatchRecord& record,
+                                                         Times times = Times::shown);
 
 // The data of a live page besides the match.
 struct LiveMatch {

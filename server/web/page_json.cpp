@@ -2,11 +2,9 @@
 #include "server/web/page_json.hpp"
 
 #include "server/record/json_reader.hpp"
+#include "server/statistics/statistics_json.hpp"
 
 #include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <numeric>
 
 namespace mirocup::web {
 
@@ -17,24 +15,11 @@ Json moment_json(const match::Snapshot& scene) {
           {"score", {{"blue", scene.score[0]}, {"yellow", scene.score[1]}}}};
 }
 
-Json statistics_json(const Statistics& statistics,
-                     const std::vector<match::LoggedDecision>& decisions) {
-  Json teams;
-  for (const Team team : both_teams) {
-    const TeamStatistics& numbers = statistics.of(team);
-    // The offender does not take the restart. A team that concedes a goal takes it, without a foul.
-    const auto is_foul = [team](const match::LoggedDecision& d) {
-      return d.team == team && d.decision.restart != referee::Restart::none && d.taker != team &&
-             d.decision.verdict != referee::Verdict::GOAL;
-    };
-    teams[std::string(to_string(team))] = {
-        {"possession", numbers.possession},
-        {"shots", numbers.shots},
-        {"distance", std::accumulate(numbers.distance.begin(), numbers.distance.end(), 0.0)},
-        {"fouls", std::count_if(decisions.begin(), decisions.end(), is_foul)}};
-  }
-  return {{"teams", teams},
-          {"heat", {{"columns", statistics.columns()}, {"cells", statistics.heat()}}}};
+Json statistics_json(const statistics::LegStatistics& leg, const HeatMap& heat) {
+  Json json = statistics::to_json(leg);
+  for (const char* list : {"goals", "fouls"}) json.erase(list);
+  json["heat"] = {{"columns", heat.columns()}, {"cells", heat.cells()}};
+  return json;
 }
 
 std::string event_text(const char* name, const Json& data) {

@@ -4,7 +4,8 @@
 #pragma once
 
 #include "server/record/match_record.hpp"
-#include "server/web/statistics.hpp"
+#include "server/statistics/statistics.hpp"
+#include "server/web/heat_map.hpp"
 #include "server/web/track_encoder.hpp"
 
 namespace mirocup::web {
@@ -14,9 +15,10 @@ using record::Json;
 // The values that hold from a tick on: {state, phase, left, score}.
 Json moment_json(const match::Snapshot& scene);
 
-// {teams: {blue, yellow}, heat}. `fouls` counts the decisions that gave the other team a restart.
-Json statistics_json(const Statistics& statistics,
-                     const std::vector<match::LoggedDecision>& decisions);
+// The statistics of the leg as `mirocup stats` has them (docs/statistics.md) without the lists of
+// goals and fouls, which are among the decisions, and with the heat map: {play_s, …, teams: {blue,
+// yellow}, heat}.
+Json statistics_json(const statistics::LegStatistics& leg, const HeatMap& heat);
 
 // Returns the text of a server-sent event.
 std::string event_text(const char* name, const Json& data);

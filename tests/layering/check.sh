@@ -46,18 +46,19 @@ may plugins/host 'core/|system/|plugins/(abi|host)/|mirocup/'
 may idl 'idl/'
 may server/pace 'server/pace/'
 may server/record 'core/|system/|server/record/|server/pace/(absence|durations)\.hpp"'
+may server/statistics 'core/|system/|server/(record|statistics)/'
 may server/traces 'core/|system/|server/(record|traces)/'
 may server/dds 'core/|system/|idl/|server/dds/|server/pace/(absence|durations)\.hpp"|plugins/abi/|mirocup/'
 may server/web/design 'system/|server/web/design/'
-may server/web 'core/|system/|server/(record|web)/'
+may server/web 'core/|system/|server/(record|statistics|web)/'
 may server/app 'core/|system/|plugins/(abi|host)/|mirocup/|server/'
 may tournaments/table 'core/base/|tournaments/table/'
 may tournaments/format 'core/|system/|server/record/|tournaments/(format|table)/'
 may tournaments/journal 'core/base/|system/|server/record/|tournaments/journal/'
 may tournaments/league 'core/|system/|server/record/|tournaments/(format|table|journal|league)/'
 may tournaments/play 'core/|system/|server/record/|tournaments/(format|table|journal|league|play)/'
-may tournaments/publish 'core/|system/|server/(record|web/design)/|tournaments/(format|table|journal|league|publish)/'
-may tournaments/app 'core/|system/|server/(record|web)/|tournaments/'
+may tournaments/publish 'core/|system/|server/(record|statistics|web/design)/|tournaments/(format|table|journal|league|publish)/'
+may tournaments/app 'core/|system/|server/(record|statistics|web)/|tournaments/'
 
 # only PATTERN ROOM...: only these rooms include headers of the system or of a library that match PATTERN.
 only() {
@@ -70,7 +71,7 @@ only() {
 }
 
 only 'dds/|mirocup\.h>' server/dds
-only 'nlohmann/' server/record server/traces server/web server/app tournaments
+only 'nlohmann/' server/record server/statistics server/traces server/web server/app tournaments
 only 'dlfcn\.h' plugins/host
 only 'httplib' server/web
 only 'kainjow/' server/web/design

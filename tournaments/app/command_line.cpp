@@ -112,6 +112,15 @@ void add_running(CLI::App& app, Action& action) {
   add_folder(status);
   status->add_flag("--json", status.options->json, "one JSON object on standard output");
 
+  Subcommand<StatsOptions> stats(app, action, "stats",
+                                 "Print the football statistics of all legs that count", run_stats);
+  add_folder(stats);
+  stats->add_flag("--goals", stats.options->goals,
+                  "how goals fell, where the ball was lost before, which laws were broken");
+  stats->add_option("--team", stats.options->team, "only the legs of this team");
+  CLI::Option* csv = stats->add_flag("--csv", stats.options->csv, "comma-separated values");
+  stats->add_flag("--json", stats.options->json, "everything as one JSON object")->excludes(csv);
+
   LeagueSubcommand pages(app, action, "publish", "Make the pages", run_publish);
   add_folder(pages);
   CLI::Option* output = pages->add_option("-o,--output", pages.options->output,

@@ -9,6 +9,7 @@
 #include "tournaments/play/runner.hpp"
 #include "tournaments/play/slurm_runner.hpp"
 #include "tournaments/publish/exports.hpp"
+#include "tournaments/publish/league_statistics.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/site.hpp"
 #include "tournaments/publish/snapshot.hpp"
@@ -66,13 +67,14 @@ Result<void> publish_site(system::Files& files, const Folder& folder, const Leag
     if (auto made = files.make_folder(folder.site() + part); !made) return made;
   }
   if (auto removed = files.remove_unfinished(folder.path); !removed) return removed;
+  // First what takes long: the pages of league and teams show the statistics of every leg.
+  const auto failed = make_replay_pages(files, folder, overview(state), jobs);
+  if (!failed) return tl::unexpected(failed.error());
   const FactsOfLegs facts = read_facts(files, folder, state);
-  for (const SiteFile& file : make_site(state, facts)) {
+  for (const SiteFile& file : make_site(state, kept_statistics(files, folder, state), facts)) {
     if (auto written = files.write(folder.site() + "/" + file.name, file.bytes); !written)
       return written;
   }
-  const auto failed = make_replay_pages(files, folder, overview(state), jobs);
-  if (!failed) return tl::unexpected(failed.error());
   if (*failed > 0) {
     std::cerr << "mirocup: " << *failed
               << " replay pages could not be made; mirocup replay RECORD says why\n";
@@ -214,6 +216,23 @@ Result<int> run_publish(const LeagueOptions& options) {
   if (!published) return tl::unexpected(published.error());
   std::cout << std::filesystem::absolute(folder.site() + "/index.html").lexically_normal().string()
             << '\n';
+  return exit_yes;
+}
+
+Result<int> run_stats(const StatsOptions& options) {
+  system::Disk disk;
+  const auto store = LeagueStore::open(disk, Folder{options.folder});
+  if (!store) return tl::unexpected(store.error());
+  const auto legs = all_statistics(disk, store->folder(), store->state());
+  if (!legs) return tl::unexpected(legs.error());
+  const auto text = statistics::report(
+      *legs, {.subject = options.goals ? statistics::Subject::goals : statistics::Subject::numbers,
+              .form = options.json  ? statistics::Form::json
+                      : options.csv ? statistics::Form::csv
+                                    : statistics::Form::text,
+              .team = options.team});
+  if (!text) return tl::unexpected(text.error());
+  std::cout << *text;
   return exit_yes;
 }
 

@@ -39,6 +39,16 @@ Result<int> run_status(const LeagueOptions& options);
 Result<int> run_publish(const LeagueOptions& options);
 Result<int> run_export(const LeagueOptions& options);
 
+// Options of `stats`, which `mirocup stats` starts for a league.
+struct StatsOptions {
+  std::string folder;
+  bool goals = false;  // how goals fell instead of the numbers
+  std::string team;    // only the legs of this team; "": all legs
+  bool csv = false;
+  bool json = false;
+};
+Result<int> run_stats(const StatsOptions& options);
+
 // Options of `serve`, which shows a league in browsers while it is played.
 struct ServeOptions {
   std::string folder;

@@ -107,7 +107,8 @@ void ServedLeague::make_pages() {
   lines_of_pages_ = lines_;
   pages_.clear();
   facts_ = read_facts(files_, store_.folder(), store_.state(), std::move(facts_));
-  for (SiteFile& file : make_site(store_.state(), facts_)) {
+  const LegReports reports = kept_statistics(files_, store_.folder(), store_.state());
+  for (SiteFile& file : make_site(store_.state(), reports, facts_)) {
     const std::string type = type_of(file.name);
     const bool is_html = type.starts_with("text/html");
     pages_["/" + file.name] = {type, is_html ? policy : "",
@@ -160,7 +161,7 @@ std::optional<web::Page> ServedLeague::replay(const std::string& stem) {
   if (!loaded) return std::nullopt;
   auto page = web::replay_page(*loaded, web::Times::left_out);
   if (!page) return std::nullopt;
-  return web::Page{type_of(html), "", linked(std::move(*page), record)};
+  return web::Page{type_of(html), "", linked(std::move(page->html), record)};
 }
 
 std::string ServedLeague::linked(std::string page, const std::string& record) {

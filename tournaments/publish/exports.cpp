@@ -2,7 +2,7 @@
 #include "tournaments/publish/exports.hpp"
 
 #include "server/record/json_reader.hpp"
-#include "system/printable.hpp"
+#include "system/csv.hpp"
 #include "tournaments/publish/bracket_json.hpp"
 #include "tournaments/publish/decision_view.hpp"
 #include "tournaments/publish/replay_pages.hpp"
@@ -16,22 +16,7 @@ namespace mirocup::league {
 
 namespace {
 
-// One line of comma-separated values (RFC 4180).
-std::string csv_line(const std::vector<std::string>& cells) {
-  std::string line;
-  for (const std::string& text : cells) {
-    const std::string cell = system::printable(text);
-    if (!line.empty()) line += ',';
-    if (cell.find_first_of(",\"\r\n") == std::string::npos) {
-      line += cell;
-      continue;
-    }
-    line += '"';
-    for (const char c : cell) line += c == '"' ? std::string("\"\"") : std::string(1, c);
-    line += '"';
-  }
-  return line + "\r\n";
-}
+using system::csv_line;
 
 // Returns how many legs would tell the team of a row from the next one: nothing for the last row,
 // and if it takes too many.

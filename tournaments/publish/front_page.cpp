@@ -222,6 +222,7 @@ std::string front_html(const SiteContent& c) {
   values["groups"] = groups_values(o);
   values["chart"] = strength_picture(o, c.history, no_team);
   values["worth"] = worth_values(o);
+  values["statistics"] = statistics_html(o, c.reports);
   values["bests"] = bests_values(o);
   values["filter"] = filter_values(o);
   const bool has_all = o.state.legs() <= max_front_legs;

@@ -3,6 +3,7 @@
 // The front page of a league, and the pages of its rounds and of its crosstable.
 #pragma once
 
+#include "tournaments/publish/league_statistics.hpp"
 #include "tournaments/publish/rounds.hpp"
 #include "tournaments/publish/strength_history.hpp"
 
@@ -14,6 +15,7 @@ namespace mirocup::league {
 // All that the pages of a site show.
 struct SiteContent {
   const Overview& overview;
+  const LegReports& reports;
   std::vector<RoundView> rounds;
   StrengthHistory history;
 };

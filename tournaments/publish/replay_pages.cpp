@@ -3,6 +3,7 @@
 
 #include "system/locations.hpp"
 #include "system/process_set.hpp"
+#include "tournaments/publish/league_statistics.hpp"
 #include "tournaments/publish/replay_nav.hpp"
 
 #include <filesystem>
@@ -35,9 +36,10 @@ std::vector<Arguments> missing_pages(system::Files& files, const Folder& folder,
   for (const FixtureState& f : state.fixtures) {
     for (const std::string& record : records_of(files, folder, f)) {
       const std::string page = folder.site() + "/" + replay_page_of(record);
-      if (files.exists(page)) continue;
+      if (files.exists(page) && has_statistics(files, folder, record)) continue;
       commands.push_back({system::sibling_program("mirocup"), "replay", folder.path + "/" + record,
-                          "--no-times", "-o", page});
+                          "--no-times", "-o", page, "--statistics",
+                          folder.site() + "/" + statistics_file_of(record)});
     }
   }
   return commands;
@@ -48,8 +50,10 @@ Result<int> make_missing_pages(system::Files& files, const Folder& folder, const
                                int jobs) {
   const std::vector<Arguments> commands = missing_pages(files, folder, state);
   if (commands.empty()) return 0;
-  if (auto made = files.make_folder(folder.site() + "/replays"); !made) {
-    return tl::unexpected(made.error());
+  for (const char* name : {"/replays", "/statistics"}) {
+    if (auto made = files.make_folder(folder.site() + name); !made) {
+      return tl::unexpected(made.error());
+    }
   }
   const std::size_t at_once =
       jobs > 0 ? static_cast<std::size_t>(jobs) : system::processors().size();

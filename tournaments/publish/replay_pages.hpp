@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // A replay page for every leg that was played. `mirocup replay` makes the pages, several at once,
-// and without measured times, so that a page depends on its record only. An existing page is kept,
-// since records do not change; only its links to the league are written anew (replay_nav.hpp).
+// and without measured times, so that a page depends on its record only. Beside each page it keeps
+// the statistics of the leg (league_statistics.hpp), so a leg is played again once. What exists is
+// kept, since records do not change; only the links to the league are written anew
+// (replay_nav.hpp).
 #pragma once
 
 #include "tournaments/league/folder.hpp"

@@ -36,15 +36,17 @@ std::string table_text(const LeagueState& state) {
   return out.str();
 }
 
-std::vector<SiteFile> make_site(const LeagueState& state, const FactsOfLegs& facts) {
+std::vector<SiteFile> make_site(const LeagueState& state, const LegReports& reports,
+                                const FactsOfLegs& facts) {
   const Overview o = overview(state, facts);
-  SiteContent content{o, rounds_of(o), {}};
+  SiteContent content{o, reports, rounds_of(o), {}};
   content.history = strength_history(o, content.rounds);
   std::vector<SiteFile> files{{"index.html", front_html(content)}};
   files.push_back({"style.css", std::string(web::design_file("design.css")) +
                                     std::string(page_file("site.css"))});
   files.push_back({"site.js", std::string(page_file("site.js"))});
   for (SiteFile& file : exports(o)) files.push_back(std::move(file));
+  for (SiteFile& file : statistics_exports(reports)) files.push_back(std::move(file));
   for (std::size_t i = 0; i < content.rounds.size(); ++i)
     files.push_back({content.rounds[i].page(), round_html(content, i)});
   if (std::string crosstable = crosstable_html(content); !crosstable.empty())

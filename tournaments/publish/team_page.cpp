@@ -169,6 +169,7 @@ std::string team_html(const SiteContent& c, int team) {
   values["best"] = extremes(o, team, true);
   values["worst"] = extremes(o, team, false);
   values["opponents"] = opponents_values(o, team);
+  values["statistics"] = team_statistics_html(o, c.reports, team);
   values["faults"] = faults_values(o, team);
   add_fixtures(values, c, team);
   return filled_page("team.html", values);

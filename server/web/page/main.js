@@ -129,9 +129,9 @@ function offerRobots() {
   draw();
 }
 
-function showNumbers({ teams, heat }) {
-  showStatistics(by('statistics'), teams);
-  showHeat(by('heat'), heat);
+function showNumbers(numbers) {
+  showStatistics(by('statistics'), numbers);
+  showHeat(by('heat'), numbers.heat);
 }
 
 async function copyLink() {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The statistics of the leg: one line for each number, blue against yellow, and the ball's heat map.
-import { element } from './text.js';
+// docs/statistics.md defines the numbers.
+import { element, words } from './text.js';
 
 function line(label, blue, yellow, text) {
   const row = element('tr');
@@ -22,16 +23,41 @@ function line(label, blue, yellow, text) {
   return [row, bars];
 }
 
-export function showStatistics(table, { blue, yellow }) {
-  const held = blue.possession + yellow.possession;
-  const share = (value) => (held > 0 ? `${Math.round((100 * value) / held)} %` : '–');
-  const whole = (value) => value.toFixed(0);
+const whole = (value) => value.toFixed(0);
+
+// One line for each name that has a number above 0 for one of the teams.
+function lines(blue, yellow) {
+  return [...new Set([...Object.keys(blue), ...Object.keys(yellow)])]
+    .filter((name) => (blue[name] ?? 0) + (yellow[name] ?? 0) > 0)
+    .map((name) => {
+      const [row] = line(words(name), blue[name] ?? 0, yellow[name] ?? 0, whole);
+      row.className = 'part';
+      return row;
+    });
+}
+
+export function showStatistics(table, { teams: { blue, yellow }, play_s, dead_ball_s }) {
+  const percent = (of) => (value) => (of > 0 ? `${Math.round((100 * value) / of)} %` : '–');
+  const held = percent(blue.possession_s + yellow.possession_s);
+  const forward = percent(blue.opponent_half_s + yellow.opponent_half_s);
   table.replaceChildren(
-    ...line('Possession', blue.possession, yellow.possession, share),
+    ...line('Possession', blue.possession_s, yellow.possession_s, held),
+    ...line('Territory', blue.opponent_half_s, yellow.opponent_half_s, forward),
     ...line('Shots', blue.shots, yellow.shots, whole),
-    ...line('Distance', blue.distance, yellow.distance, (m) => `${m.toFixed(0)} m`),
+    ...line('Shots on goal', blue.shots_on_goal, yellow.shots_on_goal, whole),
+    ...line('Saves', blue.saves, yellow.saves, whole),
+    ...line('Goals', blue.goals, yellow.goals, whole),
+    ...lines(blue.goals_by_kind, yellow.goals_by_kind),
+    ...line('Passes', blue.passes, yellow.passes, whole),
+    ...line('Interceptions', blue.interceptions, yellow.interceptions, whole),
+    ...line('Ball lost', blue.losses, yellow.losses, whole),
+    ...line('Duels won', blue.duels_won, yellow.duels_won, whole),
+    ...line('Distance', blue.distance_m, yellow.distance_m, (m) => `${m.toFixed(0)} m`),
     ...line('Fouls', blue.fouls, yellow.fouls, whole),
+    ...lines(blue.fouls_by_law, yellow.fouls_by_law),
   );
+  const caption = element('caption', '', `${play_s.toFixed(0)} s of play, ${dead_ball_s.toFixed(0)} s dead ball`);
+  table.prepend(caption);
   if (!blue.budget) return;
   if ('cpu_seconds' in blue.budget) {
     const seconds = (s) => `${s.toFixed(2)} s`;

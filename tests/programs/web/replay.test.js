@@ -92,6 +92,27 @@ test('everything is there at the width of a phone', async () => {
   }
 });
 
+// Catches a page whose numbers differ from what the command prints.
+test('the statistics are those of mirocup stats', async () => {
+  const { teams, play_s } = JSON.parse(run('stats', record, '--json')).legs[0];
+  const page = await openPage(address);
+  const rows = await page.locator('#statistics tr').evaluateAll((all) => all
+    .map((row) => [...row.cells].map((cell) => cell.textContent))
+    .filter((cells) => cells.length === 3));
+  const shown = Object.fromEntries(rows.map(([blue, label, yellow]) => [label, [blue, yellow]]));
+  const expected = { Shots: 'shots', 'Shots on goal': 'shots_on_goal', Saves: 'saves', Goals: 'goals', Passes: 'passes',
+    Interceptions: 'interceptions', 'Ball lost': 'losses', 'Duels won': 'duels_won', Fouls: 'fouls' };
+  for (const [label, key] of Object.entries(expected)) {
+    assert.deepEqual(shown[label], [String(teams.blue[key]), String(teams.yellow[key])], label);
+  }
+  assert.equal(shown.Possession[0], `${Math.round(100 * teams.blue.possession)} %`);
+  assert.equal(shown.Territory[1], `${Math.round(100 * teams.yellow.territory)} %`);
+  assert.match(await page.locator('#statistics caption').textContent(), new RegExp(`^${play_s.toFixed(0)} s of play`));
+  const kinds = Object.values(teams.blue.goals_by_kind).reduce((sum, goals) => sum + goals);
+  assert.equal(kinds, leg.result.played.blue);
+  assert.deepEqual(page.problems, []);
+});
+
 test('the name of a team stays text', async () => {
   const page = await openPage(address);
   assert.equal(await page.locator('.side.blue .name').textContent(), evil);

@@ -34,9 +34,9 @@ std::size_t count(const std::string& text, const std::string& part) {
 TEST(ReplayPage, EscapesNamesOfTeams) {
   const auto page = replay_page(played(4.0));
   ASSERT_TRUE(page);
-  EXPECT_EQ(page->find("<img"), std::string::npos);
-  EXPECT_EQ(count(*page, "</script>"), 2u) << "the leg's data and the page's script";
-  EXPECT_NE(page->find("&quot;{{script}}&quot; &amp; &#39;co&#39;"), std::string::npos)
+  EXPECT_EQ(page->html.find("<img"), std::string::npos);
+  EXPECT_EQ(count(page->html, "</script>"), 2u) << "the leg's data and the page's script";
+  EXPECT_NE(page->html.find("&quot;{{script}}&quot; &amp; &#39;co&#39;"), std::string::npos)
       << "a name that looks like a part of the template stays text";
 }
 
@@ -46,7 +46,7 @@ TEST(ReplayPage, LoadsNothingFromElsewhere) {
   const auto page = replay_page(record);
   ASSERT_TRUE(page);
   for (const char* elsewhere : {"src=", "href=", "@import", "url(", "\nimport "}) {
-    EXPECT_EQ(page->find(elsewhere), std::string::npos) << elsewhere;
+    EXPECT_EQ(page->html.find(elsewhere), std::string::npos) << elsewhere;
   }
 }
 
@@ -64,8 +64,8 @@ TEST(ReplayPage, IsTheSameOnEveryMachineWithoutTimes) {
   const auto without = replay_page(record, Times::left_out);
   record.budget[0].cpu_seconds = 1.5;
   record.budget[1].slowest_tick_ms = 7.0;
-  EXPECT_NE(*replay_page(record), *with);
-  EXPECT_EQ(*replay_page(record, Times::left_out), *without);
+  EXPECT_NE(replay_page(record)->html, with->html);
+  EXPECT_EQ(replay_page(record, Times::left_out)->html, without->html);
 }
 
 // Forty seconds of the largest league, with random commands: a fifteenth of the 3 MB that the page
@@ -73,7 +73,7 @@ TEST(ReplayPage, IsTheSameOnEveryMachineWithoutTimes) {
 TEST(ReplayPage, StaysSmall) {
   const auto page = replay_page(played(20.0, League::large));
   ASSERT_TRUE(page);
-  EXPECT_LT(page->size(), 250'000u);
+  EXPECT_LT(page->html.size(), 250'000u);
 }
 
 TEST(Assets, AreAllThere) {

@@ -64,6 +64,70 @@ TEST(Site, IsTheSameInWhateverOrderTheLegsWerePlayed) {
   }
 }
 
+// Returns the row of a table in the section of that heading, cell by cell; 0 is the heads.
+std::vector<std::string> row_of(const std::string& html, const std::string& heading, int row) {
+  std::size_t at = html.find("<h2>" + heading + "</h2>");
+  for (int i = 0; i <= row && at != std::string::npos; ++i) at = html.find("<tr>", at + 1);
+  if (at == std::string::npos) return {};
+  const std::string text = html.substr(at, html.find("</tr>", at) - at);
+  std::vector<std::string> cells;
+  for (std::size_t end = text.find("</t"); end != std::string::npos;
+       end = text.find("</t", end + 1)) {
+    const std::size_t begin = text.rfind('>', end - 1) + 1;
+    cells.push_back(text.substr(begin, end - begin));
+  }
+  return cells;
+}
+
+// Catches numbers below another head, of the other team, and pages that show a team no goal that
+// fell against it.
+TEST(Site, ShowsTheStatisticsOfItsLegs) {
+  statistics::LegReport leg;
+  leg.record = "records/x.json";
+  leg.leg = "r1-f1 leg 1";
+  leg.names = {"a", "b"};
+  statistics::TeamStatistics& blue = leg.statistics.teams[0];
+  blue.shots = 7;
+  blue.passes = 5;
+  blue.goals[statistics::at(statistics::GoalOrigin::rebound)] = 1;
+  blue.possession_s = 30.0;
+  leg.statistics.teams[1].possession_s = 10.0;
+  leg.statistics.teams[1].fouls[statistics::at(referee::Law::push)] = 3;
+  statistics::Goal goal;
+  goal.tick = 1000;
+  goal.origin = statistics::GoalOrigin::rebound;
+  goal.restart = referee::Restart::KICK_OFF;
+  goal.loss = statistics::Loss{.tick = 900, .kind = statistics::LossKind::save};
+  leg.statistics.goals.push_back(goal);
+
+  const auto site = make_site(state_after({{0, 1}}), {leg});
+  const auto text_of = [&](const std::string& name) {
+    const auto found = std::find_if(site.begin(), site.end(),
+                                    [&](const SiteFile& file) { return file.name == name; });
+    return found == site.end() ? std::string() : found->bytes;
+  };
+  const auto cell = [](const std::string& html, const std::string& heading, int row,
+                       const std::string& head) {
+    const auto heads = row_of(html, heading, 0);
+    const auto cells = row_of(html, heading, row);
+    EXPECT_EQ(heads.size(), cells.size()) << heading;
+    const auto at = std::find(heads.begin(), heads.end(), head) - heads.begin();
+    return at < static_cast<std::ptrdiff_t>(cells.size()) ? cells[at] : std::string("no such cell");
+  };
+  const std::string index = text_of("index.html");
+  EXPECT_EQ(cell(index, "Statistics", 1, "Shots"), "7");
+  EXPECT_EQ(cell(index, "Statistics", 1, "Possession"), "75 %");
+  EXPECT_EQ(cell(index, "Statistics", 2, "Fouls"), "3");
+  EXPECT_EQ(cell(index, "Goals by kind", 1, "rebound"), "1");
+  const std::string page = text_of("teams/b.html");
+  EXPECT_EQ(cell(page, "Play", 3, "Fouls"), "3") << "as yellow";
+  EXPECT_EQ(cell(page, "Goals by kind", 2, "rebound"), "1") << "against it";
+  EXPECT_EQ(cell(page, "How goals fell against it", 1, "Last restart"), "kick off: toss");
+  EXPECT_NE(page.find("../replays/x.html#t=30.00"), std::string::npos) << "3 s before the goal";
+  EXPECT_EQ(text_of("teams/a.html").find("How goals fell"), std::string::npos);
+  EXPECT_EQ(text_of("teams/c.html").find("<h2>Play</h2>"), std::string::npos) << "has not played";
+}
+
 TEST(Site, LetsNoTextBecomeMarkup) {
   const auto site = make_site(state_after({{0, 1}}));
   EXPECT_EQ(site[0].name, "index.html");
@@ -208,7 +272,7 @@ TEST(Site, KeepsTheFrontPageOfThirtyTeamsSmall) {
     }
   }
   ASSERT_EQ(state.played(), 870);
-  const auto site = make_site(state, facts);
+  const auto site = make_site(state, {}, facts);
   EXPECT_LT(page(site, "index.html").size(), 60'000u) << "before it is compressed";
   for (int round = 1; round <= 29; ++round) {
     const std::string name = "rounds/r" + std::to_string(round) + ".html";

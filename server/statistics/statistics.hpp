@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+//
+// The statistics of football: plain numbers of one leg. docs/statistics.md defines each of them,
+// counter.hpp counts them.
+//
+// Times are in seconds, lengths in metres. A place is in the frame of the team that it is told of:
+// that team attacks +x. A shoot-out counts for nothing here.
+#pragma once
+
+#include "core/base/vec2.hpp"
+#include "core/match/leg.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace mirocup::statistics {
+
+using match::ByTeam;
+
+// How a goal came about, from the view of the team for which it counts: match::GoalKind, and the
+// own goals of the opponents. Attempts of a shoot-out are no goals.
+enum class GoalOrigin {
+  open_play,
+  kick_off,
+  goal_kick,
+  penalty,
+  free_kick,
+  free_ball,
+  rebound,
+  own_goal,
+};
+
+// A third of the field along its length, as a team sees it.
+enum class Third { own, middle, opponent };
+
+// How a team lost the ball to the other one while play was on.
+enum class LossKind {
+  interception,  // the ball was on its way, and an opponent touched it first
+  save,          // likewise, and it was on its way into the goal
+  tackle,        // an opponent took it from the team's robots
+};
+
+}  // namespace mirocup::statistics
+
+namespace mirocup {
+
+template <>
+inline constexpr std::array<std::string_view, 8> enum_names<statistics::GoalOrigin>{
+    "open_play", "kick_off",  "goal_kick", "penalty",
+    "free_kick", "free_ball", "rebound",   "own_goal"};
+template <>
+inline constexpr std::array<std::string_view, 3> enum_names<statistics::Third>{"own", "middle",
+                                                                               "opponent"};
+template <>
+inline constexpr std::array<std::string_view, 3> enum_names<statistics::LossKind>{"interception",
+                                                                                  "save", "tackle"};
+
+}  // namespace mirocup
+
+namespace mirocup::statistics {
+
+// One number for each enumerator of E: [static_cast<std::size_t>(e)].
+template <class E>
+using PerName = std::array<int, enum_names<E>.size()>;
+
+template <class E>
+constexpr std::size_t at(E e) {
+  return static_cast<std::size_t>(e);
+}
+
+struct TeamStatistics {
+  PerName<GoalOrigin> goals{};
+  int shots = 0;
+  int shots_on_goal = 0;
+  int saves = 0;
+  int passes = 0;
+  int interceptions = 0;
+  PerName<Third> losses{};  // of the ball, by the third in which the team touched it last
+  int duels_won = 0;
+  PerName<referee::Law> fouls{};
+  double possession_s = 0.0;
+  double opponent_half_s = 0.0;  // play with the ball in the half of the opponents
+  double distance_m = 0.0;       // that all robots of the team drove in play
+
+  int all_goals() const;
+  int all_losses() const;
+  int all_fouls() const;
+
+  TeamStatistics& operator+=(const TeamStatistics& other);
+  bool operator==(const TeamStatistics&) const = default;
+};
+
+// The loss of the ball that came before a goal.
+struct Loss {
+  std::uint32_t tick = 0;  // in which an opponent had it
+  LossKind kind = LossKind::tackle;
+  Vec2 place{0.0, 0.0};  // where the losing team touched it last
+  Third third = Third::own;
+};
+
+// A goal, and what came before it.
+struct Goal {
+  std::uint32_t tick = 0;
+  Team team = Team::blue;  // for which it counts
+  GoalOrigin origin = GoalOrigin::open_play;
+  std::optional<match::Touch> scorer;
+  referee::Restart restart = referee::Restart::none;  // the last one, the law that gave it, …
+  referee::Law restart_law = referee::Law::toss;
+  Team taker = Team::blue;     // … and the team that took it
+  double since_restart = 0.0;  // s of play
+  // The last loss of the team that conceded, since the restart; nothing if it did not have the
+  // ball or did not lose it.
+  std::optional<Loss> loss;
+};
+
+struct Foul {
+  std::uint32_t tick = 0;
+  Team team = Team::blue;  // that offended
+  referee::Law law = referee::Law::push;
+  referee::Restart restart = referee::Restart::none;  // that it cost
+};
+
+struct LegStatistics {
+  ByTeam<TeamStatistics> teams;
+  double play_s = 0.0;
+  double dead_ball_s = 0.0;  // from a decision to the whistle after it
+  int stoppages = 0;         // restarts, without those that open a half
+  int duels = 0;             // those that no team won included
+  std::vector<Goal> goals;   // in their order
+  std::vector<Foul> fouls;   // in their order
+};
+
+// Returns the share of `one` in `one + other`; nothing if both are 0.
+std::optional<double> share(double one, double other);
+
+}  // namespace mirocup::statistics

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+//
+// Statistics of a league, as a host asks for them.
+#include "tests/programs/league/league_command.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace mirocup {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using test_support::league;
+using test_support::Outcome;
+using test_support::program;
+using test_support::read_file;
+using test_support::run;
+using test_support::TemporaryFolder;
+
+// Catches legs that are missing or counted twice, numbers that depend on what site/ keeps, and
+// pages that differ when they are made again.
+TEST(LeagueStatistics, AreTheSameFromPagesAndFromRecords) {
+  const TemporaryFolder temporary;
+  const std::string folder = temporary / "spring";
+  test_support::init_league(folder, {"a=house:striker", "b=house:chaser", "c=house:idle"}, "10");
+  ASSERT_EQ(run(league("start", folder)).exit_code, 0);
+
+  const std::vector<std::string> command{program("mirocup"), "stats", folder, "--json"};
+  const Outcome kept = run(command);
+  ASSERT_EQ(kept.exit_code, 0) << kept.err;
+  const Json json = Json::parse(kept.out);
+  EXPECT_EQ(json["legs"].size(), 6u);
+  EXPECT_EQ(json["teams"].size(), 3u);
+  for (const Json& team : json["teams"]) EXPECT_EQ(team["legs"], 4);
+  EXPECT_EQ(kept.out, read_file(folder + "/site/statistics.json"));
+  const std::string index = read_file(folder + "/site/index.html");
+  EXPECT_NE(index.find("<h2>Statistics</h2>"), std::string::npos);
+  const std::string page = read_file(folder + "/site/teams/c.html");
+  EXPECT_NE(page.find("<h2>Play</h2>"), std::string::npos);
+
+  // One file of another leg and one that is no JSON: both are counted anew.
+  std::vector<std::filesystem::path> files;
+  for (const auto& file : std::filesystem::directory_iterator(folder + "/site/statistics"))
+    files.push_back(file.path());
+  ASSERT_EQ(files.size(), 6u);
+  test_support::write_file(files[0], read_file(files[1]));
+  test_support::write_file(files[2], "{");
+  EXPECT_EQ(run(command).out, kept.out);
+
+  std::filesystem::remove_all(folder + "/site");
+  EXPECT_EQ(run(command).out, kept.out) << "from the records alone";
+  EXPECT_FALSE(std::filesystem::exists(folder + "/site")) << "it only reads";
+  ASSERT_EQ(run(league("publish", folder)).exit_code, 0);
+  EXPECT_EQ(read_file(folder + "/site/index.html"), index);
+  EXPECT_EQ(read_file(folder + "/site/teams/c.html"), page);
+}
+
+// Catches a damaged record that counts as a leg without goals.
+TEST(LeagueStatistics, NeedEveryRecord) {
+  const TemporaryFolder temporary;
+  const std::string folder = temporary / "spring";
+  test_support::init_league(folder, {"a=house:chaser", "b=house:idle"}, "2");
+  ASSERT_EQ(run(league("start", folder)).exit_code, 0);
+  std::filesystem::remove_all(folder + "/site");
+  const std::string record = folder + "/records/r1-f1-1-1.json";
+  std::string text = read_file(record);
+  text[text.size() / 2] ^= 1;
+  test_support::write_file(record, text);
+  const Outcome damaged = run({program("mirocup"), "stats", folder});
+  EXPECT_EQ(damaged.exit_code, 4);
+  EXPECT_EQ(damaged.out, "");
+  EXPECT_NE(damaged.err.find("r1-f1-1-1.json"), std::string::npos) << damaged.err;
+  std::filesystem::remove(record);
+  EXPECT_EQ(run({program("mirocup"), "stats", folder}).exit_code, 3);
+}
+
+}  // namespace
+}  // namespace mirocup

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+//
+// Runs mirocup stats as its users do.
+#include "tests/support/program.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace mirocup {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using test_support::Outcome;
+using test_support::program;
+using test_support::read_file;
+using test_support::read_json;
+using test_support::run;
+using test_support::TemporaryFolder;
+using test_support::write_file;
+
+Outcome stats(const std::vector<std::string>& arguments) {
+  std::vector<std::string> words{program("mirocup"), "stats"};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return run(words);
+}
+
+class StatsCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    for (const char* seed : {"2", "3"}) {
+      records_.push_back(folder_ / (std::string("leg") + seed + ".json"));
+      ASSERT_EQ(run({program("mirocup"), "match", "--blue", "striker", "--yellow", "chaser",
+                     "--half", "40", "--seed", seed, "--record", records_.back(), "--trusted"})
+                    .exit_code,
+                0);
+    }
+  }
+
+  TemporaryFolder folder_;
+  std::vector<std::string> records_;
+};
+
+// Catches a goal that is missing, and statistics that do not follow from the record.
+TEST_F(StatsCommand, TellsTheGoalsOfTheRecord) {
+  const Outcome printed = stats({records_[0], records_[1], "--json"});
+  ASSERT_EQ(printed.exit_code, 0) << printed.err;
+  const Json json = Json::parse(printed.out);
+  EXPECT_EQ(json["schema"], "mirocup/statistics/1");
+  ASSERT_EQ(json["legs"].size(), 2u);
+  ASSERT_EQ(json["teams"].size(), 2u);
+  int goals = 0;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto record = read_json(records_[i]);
+    EXPECT_EQ(json["legs"][i]["score"], record["result"]["played"]);
+    EXPECT_EQ(json["legs"][i]["teams"]["blue"]["goals"], record["result"]["played"]["blue"]);
+    std::vector<int> ticks;
+    for (const Json& goal : json["legs"][i]["goals"]) ticks.push_back(goal["tick"]);
+    std::vector<int> recorded;
+    for (const auto& call : record["decisions"]) {
+      if (call["decision"] == "GOAL") recorded.push_back(call["tick"]);
+    }
+    EXPECT_EQ(ticks, recorded);
+    goals += static_cast<int>(ticks.size());
+  }
+  EXPECT_EQ(
+      json["teams"][0]["own"]["goals"].get<int>() + json["teams"][1]["own"]["goals"].get<int>(),
+      goals);
+}
+
+// Catches a page made with --statistics whose file differs from what the command prints.
+TEST_F(StatsCommand, APageKeepsTheSameStatistics) {
+  const std::string kept = folder_ / "kept.json";
+  ASSERT_EQ(run({program("mirocup"), "replay", records_[0], "-o", folder_ / "leg.html",
+                 "--statistics", kept})
+                .exit_code,
+            0);
+  Json leg = read_json(kept);
+  EXPECT_EQ(leg["record"], "leg2.json") << "without the folder";
+  leg["record"] = records_[0];
+  EXPECT_EQ(leg, Json::parse(stats({records_[0], "--json"}).out)["legs"][0]);
+}
+
+TEST_F(StatsCommand, PrintsTablesAndCsv) {
+  const Outcome text = stats({records_[0]});
+  EXPECT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_EQ(text.out.rfind("1 leg, ", 0), 0u);
+  EXPECT_EQ(stats({records_[0], "--csv"}).out.rfind("record,leg,team,colour,", 0), 0u);
+  EXPECT_EQ(stats({records_[0], "--goals", "--csv"}).out.rfind("record,leg,tick,", 0), 0u);
+  EXPECT_NE(stats({records_[0], "--goals"}).out.find(" goals against it"), std::string::npos);
+}
+
+// Catches a filter that leaves nothing out, or the legs of the team itself.
+TEST_F(StatsCommand, TellsOfOneTeam) {
+  const Outcome one = stats({records_[0], "--goals", "--team", "chaser"});
+  EXPECT_EQ(one.exit_code, 0) << one.err;
+  EXPECT_EQ(one.out.rfind("chaser, 1 leg: ", 0), 0u);
+  EXPECT_EQ(one.out.find("striker, 1 leg: "), std::string::npos);
+  EXPECT_EQ(stats({records_[0], "--team", "keeper"}).exit_code, 2);
+  EXPECT_EQ(Json::parse(stats({records_[0], "--json", "--team", "striker"}).out)["legs"].size(),
+            1u);
+}
+
+// Catches numbers that are printed although a record is damaged, and a wrong exit code.
+TEST_F(StatsCommand, ReportsDamageMissingFilesAndWrongUsage) {
+  std::string text = read_file(records_[1]);
+  text[text.size() / 2] ^= 1;
+  write_file(records_[1], text);
+  const Outcome damaged = stats({records_[0], records_[1], "--csv"});
+  EXPECT_EQ(damaged.exit_code, 4);
+  EXPECT_EQ(damaged.out, "");
+  EXPECT_NE(damaged.err.find("leg3.json"), std::string::npos) << damaged.err;
+  EXPECT_EQ(stats({folder_ / "nothing.json"}).exit_code, 3);
+  EXPECT_EQ(stats({records_[0], "--csv", "--json"}).exit_code, 2);
+  EXPECT_EQ(stats({}).exit_code, 2);
+  const Outcome both = stats({records_[0], folder_ / ""});
+  EXPECT_EQ(both.exit_code, 2) << "a folder and a record";
+  EXPECT_EQ(stats({folder_ / ""}).exit_code, 2) << "a folder without a league";
+}
+
+}  // namespace
+}  // namespace mirocup

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+//
+// Writes a part of a page in which no text can become markup: every text passes through
+// system::html_escaped(). Whole pages are templates (page/).
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mirocup::league {
+
+class Html {
+ public:
+  void open(std::string_view tag);
+  void close(std::string_view tag);
+
+  // <tag>text</tag>
+  void cell(std::string_view tag, std::string_view text);
+
+  // A table cell with a style class.
+  void cell_of(std::string_view style, std::string_view text);
+
+  // A link, and a table cell with a link.
+  void link(std::string_view target, std::string_view text);
+  void link_cell(std::string_view target, std::string_view text);
+
+  // A table row of cells: "th" or "td". A head without text is a cell.
+  void row(std::string_view tag, const std::vector<std::string>& cells);
+
+  // A table that scrolls if it is wider than the page.
+  void open_table();
+  void close_table();
+
+  // Text that another Html wrote; it is not escaped.
+  void raw(std::string_view html) { text_ += html; }
+
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+}  // namespace mirocup::league

@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/publish/league_statistics.hpp"
+
+#include "server/record/json_reader.hpp"
+#include "server/statistics/statistics_json.hpp"
+#include "tournaments/publish/html.hpp"
+#include "tournaments/publish/replay_pages.hpp"
+#include "tournaments/publish/team_page.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+namespace mirocup::league {
+
+namespace {
+
+using statistics::GoalOrigin;
+using statistics::LegReport;
+using statistics::TeamStatistics;
+using statistics::TeamTotals;
+
+constexpr double lead_in_s = 3.0;  // a link to a goal shows what came before it
+
+Result<LegReport> kept_report(system::Files& files, const Folder& folder,
+                              const std::string& record) {
+  const std::string path = folder.site() + "/" + statistics_file_of(record);
+  const auto text = files.read(path, {.max_size = system::size_limit::note});
+  if (!text) return tl::unexpected(text.error());
+  return statistics::parse_leg_report(*text, path);
+}
+
+// A leg that counts and was played.
+struct CountedLeg {
+  std::string name;  // "r3-f1 leg 2"
+  const PlayedLeg* played;
+};
+
+std::vector<CountedLeg> counted_legs(const LeagueState& state) {
+  std::vector<CountedLeg> legs;
+  for (const FixtureState& f : state.fixtures) {
+    if (!f.fixture.has_both() || f.is_annulled) continue;
+    for (int leg = 1; leg <= f.needed(); ++leg) {
+      const PlayedLeg* played = f.legs[leg - 1].played.get();
+      if (played == nullptr || played->record.empty()) continue;
+      legs.push_back({f.fixture.id() + " leg " + std::to_string(leg), played});
+    }
+  }
+  return legs;
+}
+
+// The report with the names that the league has for it, or nothing if it is of another leg.
+std::optional<LegReport> named(Result<LegReport> report, const CountedLeg& leg) {
+  if (!report || to_hex(report->state_hash) != leg.played->state_hash) return std::nullopt;
+  report->leg = leg.name;
+  report->record = leg.played->record;
+  return *std::move(report);
+}
+
+std::string fixed(double value, int digits) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", digits, value);
+  return text;
+}
+
+// The name of an enumerator for people: "kick off".
+template <class E>
+std::string in_words(E e) {
+  std::string text(to_string(e));
+  for (char& c : text) c = c == '_' ? ' ' : static_cast<char>(std::tolower(c));
+  return text;
+}
+
+// A column of the tables of numbers.
+struct Column {
+  const char* head;
+  std::string (*text)(const TeamTotals&);
+};
+
+constexpr std::array<Column, 11> columns{{
+    {"Legs", [](const TeamTotals& t) { return std::to_string(t.legs); }},
+    {"Shots", [](const TeamTotals& t) { return std::to_string(t.own.shots); }},
+    {"On goal", [](const TeamTotals& t) { return std::to_string(t.own.shots_on_goal); }},
+    {"Saves", [](const TeamTotals& t) { return std::to_string(t.own.saves); }},
+    {"Passes", [](const TeamTotals& t) { return std::to_string(t.own.passes); }},
+    {"Interceptions", [](const TeamTotals& t) { return std::to_string(t.own.interceptions); }},
+    {"Possession",
+     [](const TeamTotals& t) {
+       return statistics::percent(statistics::share(t.own.possession_s, t.against.possession_s));
+     }},
+    {"Territory",
+     [](const TeamTotals& t) {
+       return statistics::percent(
+           statistics::share(t.own.opponent_half_s, t.against.opponent_half_s));
+     }},
+    {"Ball lost", [](const TeamTotals& t) { return std::to_string(t.own.all_losses()); }},
+    {"Duels won",
+     [](const TeamTotals& t) {
+       return std::to_string(t.own.duels_won) + " of " + std::to_string(t.duels);
+     }},
+    {"Fouls", [](const TeamTotals& t) { return std::to_string(t.own.all_fouls()); }},
+}};
+
+void number_cells(Html& html, const TeamTotals& totals) {
+  for (const Column& column : columns) html.cell_of("number", column.text(totals));
+}
+
+void number_heads(Html& html, const std::string& first) {
+  std::vector<std::string> head{first};
+  for (const Column& column : columns) head.emplace_back(column.head);
+  html.row("th", head);
+}
+
+void kinds_head(Html& html, const std::string& first) {
+  std::vector<std::string> head{first, "all"};
+  for (std::size_t i = 0; i < enum_names<GoalOrigin>.size(); ++i) {
+    head.push_back(in_words(static_cast<GoalOrigin>(i)));
+  }
+  html.row("th", head);
+}
+
+void kinds_cells(Html& html, const TeamStatistics& own) {
+  html.cell_of("number", std::to_string(own.all_goals()));
+  for (const int goals : own.goals) html.cell_of("number", std::to_string(goals));
+}
+
+std::string fouls_in_words(const TeamStatistics& own) {
+  std::string text;
+  for (std::size_t i = 0; i < own.fouls.size(); ++i) {
+    if (own.fouls[i] == 0) continue;
+    text += (text.empty() ? "" : ", ") + in_words(static_cast<referee::Law>(i)) + " " +
+            std::to_string(own.fouls[i]);
+  }
+  return text.empty() ? "none" : text;
+}
+
+// The team's colour in a leg; nothing if it did not play in it.
+std::optional<Team> colour_of(const LegReport& leg, const std::string& name) {
+  for (const Team team : both_teams) {
+    if (leg.names[index_of(team)] == name) return team;
+  }
+  return std::nullopt;
+}
+
+std::string loss_in_words(const std::optional<statistics::Loss>& loss, const statistics::Goal& goal,
+                          double period) {
+  if (!loss) return "";
+  const double before = (goal.tick - loss->tick) * period;
+  const char* third = loss->third == statistics::Third::own      ? "own third"
+                      : loss->third == statistics::Third::middle ? "middle"
+                                                                 : "opponents' third";
+  return in_words(loss->kind) + ", " + third + ", " + fixed(before, 1) + " s before";
+}
+
+void goals_against(Html& html, const LegReports& reports, const std::string& name) {
+  bool any = false;
+  for (const LegReport& leg : reports) {
+    const auto colour = colour_of(leg, name);
+    for (const statistics::Goal& goal : leg.statistics.goals) {
+      if (!colour || goal.team == *colour) continue;
+      if (!any) {
+        html.cell("h2", "How goals fell against it");
+        html.open_table();
+        html.row("th", {"Leg", "By", "Kind", "Last restart", "After it", "Ball lost by", "Replay"});
+      }
+      any = true;
+      html.open("tr");
+      html.cell("td", leg.leg);
+      html.cell("td", leg.names[index_of(goal.team)]);
+      html.cell("td", in_words(goal.origin));
+      html.cell("td", in_words(goal.restart) + ": " + in_words(goal.restart_law));
+      html.cell_of("number", fixed(goal.since_restart, 1) + " s");
+      html.cell_of("small", loss_in_words(goal.loss, goal, leg.control_period));
+      const double at = std::max(0.0, goal.tick * leg.control_period - lead_in_s);
+      html.link_cell("../" + replay_page_of(leg.record) + "#t=" + fixed(at, 2),
+                     "tick " + std::to_string(goal.tick));
+      html.close("tr");
+    }
+  }
+  if (any) html.close_table();
+}
+
+}  // namespace
+
+std::string statistics_file_of(const std::string& record) {
+  return "statistics/" + std::filesystem::path(record).stem().string() + ".json";
+}
+
+bool has_statistics(system::Files& files, const Folder& folder, const std::string& record) {
+  return kept_report(files, folder, record).has_value();
+}
+
+LegReports kept_statistics(system::Files& files, const Folder& folder, const LeagueState& state) {
+  LegReports reports;
+  for (const CountedLeg& leg : counted_legs(state)) {
+    auto report = named(kept_report(files, folder, leg.played->record), leg);
+    if (report) reports.push_back(*std::move(report));
+  }
+  return reports;
+}
+
+Result<LegReports> all_statistics(system::Files& files, const Folder& folder,
+                                  const LeagueState& state) {
+  const std::vector<CountedLeg> legs = counted_legs(state);
+  LegReports reports(legs.size());
+  std::vector<std::string> missing;
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    if (auto report = named(kept_report(files, folder, legs[i].played->record), legs[i])) {
+      reports[i] = *std::move(report);
+    } else {
+      missing.push_back(folder.path + "/" + legs[i].played->record);
+      places.push_back(i);
+    }
+  }
+  auto counted = statistics::count_records(files, missing);
+  if (!counted) return tl::unexpected(counted.error());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const CountedLeg& leg = legs[places[i]];
+    auto report = named(std::move((*counted)[i]), leg);
+    if (!report) {
+      return fail(Errc::damaged, missing[i] + ": it is not the leg that the journal has as " +
+                                     leg.name + " (state hash)");
+    }
+    reports[places[i]] = *std::move(report);
+  }
+  return reports;
+}
+
+std::string statistics_html(const Overview& o, const LegReports& reports) {
+  if (reports.empty()) return "";
+  const std::vector<TeamTotals> totals = statistics::totals_of(reports);
+  const auto of = [&](int team) {
+    return std::find_if(totals.begin(), totals.end(),
+                        [&](const TeamTotals& t) { return t.name == o.state.name(team); });
+  };
+  Html html;
+  html.cell("h2", "Statistics");
+  html.open_table();
+  number_heads(html, "Team");
+  for (const TableRow& row : o.table) {
+    const auto found = of(row.team);
+    if (found == totals.end()) continue;
+    html.open("tr");
+    html.link_cell(team_page_of(found->name), found->name);
+    number_cells(html, *found);
+    html.close("tr");
+  }
+  html.close_table();
+  html.cell("h2", "Goals by kind");
+  html.open_table();
+  kinds_head(html, "Team");
+  for (const TableRow& row : o.table) {
+    const auto found = of(row.team);
+    if (found == totals.end()) continue;
+    html.open("tr");
+    html.cell("td", found->name);
+    kinds_cells(html, found->own);
+    html.close("tr");
+  }
+  html.close_table();
+  html.raw("<p class=\"small\">Counted on the field, in " + std::to_string(reports.size()) +
+           " legs: rulings and forfeits change no number here. docs/statistics.md of mirocup "
+           "defines each of them. As files: \n");
+  for (const char* file : {"statistics.csv", "goals.csv", "statistics.json"}) {
+    html.link(file, file);
+  }
+  html.close("p");
+  return html.text();
+}
+
+std::string team_statistics_html(const Overview& o, const LegReports& reports, int team) {
+  const std::string& name = o.state.name(team);
+  TeamTotals all;
+  match::ByTeam<TeamTotals> by_colour;
+  for (const LegReport& leg : reports) {
+    const auto colour = colour_of(leg, name);
+    if (!colour) continue;
+    all.add(leg.statistics, *colour);
+    by_colour[index_of(*colour)].add(leg.statistics, *colour);
+  }
+  if (all.legs == 0) return "";
+  Html html;
+  html.cell("h2", "Play");
+  html.open_table();
+  number_heads(html, "");
+  const auto row = [&](const char* what, const TeamTotals& totals) {
+    html.open("tr");
+    html.cell("td", what);
+    number_cells(html, totals);
+    html.close("tr");
+  };
+  row("All", all);
+  row("As blue", by_colour[0]);
+  row("As yellow", by_colour[1]);
+  html.close_table();
+  html.cell("h2", "Goals by kind");
+  html.open_table();
+  kinds_head(html, "");
+  for (const auto& [what, own] : {std::pair{"For it", &all.own}, {"Against it", &all.against}}) {
+    html.open("tr");
+    html.cell("td", what);
+    kinds_cells(html, *own);
+    html.close("tr");
+  }
+  html.close_table();
+  html.cell("p", "Fouls by law: " + fouls_in_words(all.own) + ".");
+  html.cell("p", "It lost the ball " + std::to_string(all.own.all_losses()) + " times: " +
+                     std::to_string(all.own.losses[0]) + " in its own third of the field, " +
+                     std::to_string(all.own.losses[1]) + " in the middle, " +
+                     std::to_string(all.own.losses[2]) + " in that of its opponents.");
+  goals_against(html, reports, name);
+  return html.text();
+}
+
+std::vector<SiteFile> statistics_exports(const LegReports& reports) {
+  return {{"statistics.json", record::json_text(statistics::report_json(reports)) + "\n"},
+          {"statistics.csv", statistics::numbers_csv(reports)},
+          {"goals.csv", statistics::goals_csv(reports)}};
+}
+
+}  // namespace mirocup::league

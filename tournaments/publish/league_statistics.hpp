@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+//
+// The football statistics of a league: of each leg that counts and has a record, as the journal
+// says. They are counted once, when the replay page of the leg is made, and kept beside it as
+// site/statistics/LEG.json.
+#pragma once
+
+#include "server/statistics/report.hpp"
+#include "tournaments/league/folder.hpp"
+#include "tournaments/publish/leg_view.hpp"
+#include "tournaments/publish/site_file.hpp"
+
+#include <string>
+#include <vector>
+
+namespace mirocup::league {
+
+using LegReports = std::vector<statistics::LegReport>;
+
+// Returns the path inside site/ of the statistics of a record ("records/x.json").
+std::string statistics_file_of(const std::string& record);
+
+// True if the statistics of that record are kept in a form that this program reads.
+bool has_statistics(system::Files& files, const Folder& folder, const std::string& record);
+
+// Returns what is kept of the legs that count, in the order of the schedule. A leg whose file is
+// missing, damaged or of another leg is left out.
+LegReports kept_statistics(system::Files& files, const Folder& folder, const LeagueState& state);
+
+// As above, but legs of which nothing is kept are played again. Nothing is written. Errors: those
+// of statistics::count_record().
+Result<LegReports> all_statistics(system::Files& files, const Folder& folder,
+                                  const LeagueState& state);
+
+// The part of the league's page: each team over all its legs; "" if nothing has been counted.
+std::string statistics_html(const Overview& overview, const LegReports& reports);
+
+// The part of a team's page: its numbers, as blue and as yellow, and how goals fell against it.
+std::string team_statistics_html(const Overview& overview, const LegReports& reports, int team);
+
+// statistics.json, statistics.csv and goals.csv.
+std::vector<SiteFile> statistics_exports(const LegReports& reports);
+
+}  // namespace mirocup::league
