@@ -280,17 +280,24 @@ void add_rerun(CLI::App& app, Run& run) {
 void add_replay(CLI::App& app, Run& run) {
   Subcommand<ReplayOptions> command(
       app, run, "replay",
-      "Make a page that shows a record in a browser, or a picture of one moment", run_replay);
+      "Make a page that shows a record in a browser, a picture of one moment, or a video",
+      run_replay);
   ReplayOptions& o = *command.options;
   command->add_option("RECORD", o.record, "Match record")->required();
   command
       ->add_option("-o,--output", o.output,
-                   "File to write the page or the picture to (default: beside the record, with "
-                   "the ending .html or .svg)")
+                   "File to write to (default: beside the record, with the ending .html, .svg or "
+                   ".webm)")
       ->type_name("FILE");
-  command->add_option("--at", o.at, "Moment of the picture in seconds since the match began")
-      ->check(CLI::Range(0.0, 1e6));
-  command->add_flag("--svg", o.svg, "Draw a still picture of the moment --at");
+  CLI::Option* at =
+      command->add_option("--at", o.at, "Moment of the picture in seconds since the match began");
+  at->check(CLI::Range(0.0, 1e6));
+  CLI::Option* svg = command->add_flag("--svg", o.svg, "Draw a still picture of the moment --at");
+  command
+      ->add_option("--clip", o.clip,
+                   "FROM:TO in seconds since the match began: a video (.webm, .mp4 or .gif)")
+      ->excludes(at)
+      ->excludes(svg);
   command->add_flag("--no-times", o.no_times,
                     "Leave out times that a clock measured, so that the page is the same on "
                     "every machine");

@@ -108,6 +108,7 @@ struct ReplayOptions {
   std::string output;
   std::optional<double> at;  // s since the match began
   bool svg = false;
+  std::string clip;  // "12:18", seconds since the match began; "": none
   bool no_times = false;
   std::string statistics;  // file for the statistics of the leg; "": none
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup replay RECORD: writes a page that shows the leg, or a picture of one moment.
+// mirocup replay RECORD: writes a page that shows the leg, a picture of one moment, or a
+// video of a part.
+#include "server/app/clip.hpp"
 #include "server/app/commands.hpp"
 #include "server/statistics/statistics_json.hpp"
 #include "server/web/page.hpp"
@@ -51,9 +53,28 @@ Result<std::string> output_of(const ReplayOptions& options) {
                                " is written as " + ending);
 }
 
+Result<int> run_clip(const ReplayOptions& options) {
+  const auto span = parse_clip(options.clip);
+  if (!span) return tl::unexpected(span.error());
+  const std::string output =
+      options.output.empty()
+          ? std::filesystem::path(options.record).replace_extension(".webm").string()
+          : options.output;
+  if (!is_video_name(output))
+    return fail(Errc::input, output + ": a video ends in .webm, .mp4 or .gif");
+  system::Disk disk;
+  const auto record = record::load(disk, options.record);
+  if (!record) return tl::unexpected(record.error());
+  if (auto written = write_clip(disk, *record, *span, output); !written)
+    return tl::unexpected(written.error());
+  std::cout << system::printable(output) << '\n';
+  return exit_yes;
+}
+
 }  // namespace
 
 Result<int> run_replay(const ReplayOptions& options) {
+  if (!options.clip.empty()) return run_clip(options);
   const auto output = output_of(options);
   if (!output) return tl::unexpected(output.error());
   if (options.svg != options.at.has_value()) {

@@ -64,6 +64,19 @@ std::string lines(const field::Field& f) {
   return path.text();
 }
 
+std::string zone(const field::Field& f, End end) {
+  SvgPath path;
+  const auto add = [&](const field::Area& area) {
+    const double front = f.half_length - area.depth;
+    path.polygon({at_end(end, f.half_length, -area.half_width),
+                  at_end(end, front, -area.half_width), at_end(end, front, area.half_width),
+                  at_end(end, f.half_length, area.half_width)});
+  };
+  add(f.goal_area);
+  if (f.penalty_area) add(*f.penalty_area);
+  return path.text();
+}
+
 std::string spots(const field::Field& f) {
   SvgPath path;
   path.circle({0.0, 0.0}, spot_radius);
@@ -85,6 +98,7 @@ Markings markings(const field::Field& field) {
   return {.ground = ground(field),
           .goals = {goal(field, End::left), goal(field, End::right)},
           .lines = lines(field),
+          .zones = {zone(field, End::left), zone(field, End::right)},
           .spots = spots(field)};
 }
 

@@ -15,6 +15,7 @@ struct Markings {
   std::string ground;                // the outline of the floor with cut corners and goals
   std::array<std::string, 2> goals;  // [index_of(End)]: the floor of the goal
   std::string lines;                 // lines and circles
+  std::array<std::string, 2> zones;  // [index_of(End)]: goal area and penalty area, without arcs
   std::string spots;                 // centre, penalty and free-ball marks, as filled discs
 };
 

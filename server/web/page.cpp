@@ -4,25 +4,26 @@
 #include "server/record/json_reader.hpp"
 #include "server/statistics/counter.hpp"
 #include "server/web/assets.hpp"
+#include "server/web/design/template.hpp"
+#include "server/web/markings.hpp"
 #include "server/web/page_json.hpp"
 #include "server/web/picture.hpp"
 #include "system/digest.hpp"
-#include "system/markup.hpp"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
-#include <utility>
-#include <vector>
+#include <cctype>
 
 namespace mirocup::web {
 
 namespace {
 
 // The modules of the page, each behind those that it imports.
-constexpr std::array<std::string_view, 9> modules{"text.js",       "track.js", "field.js",
-                                                  "player.js",     "calls.js", "situation.js",
-                                                  "statistics.js", "live.js",  "main.js"};
+constexpr std::array<std::string_view, 13> modules{
+    "text.js",      "track.js",      "field.js",    "layers.js", "player.js", "reel.js", "calls.js",
+    "situation.js", "statistics.js", "momentum.js", "clip.js",   "live.js",   "main.js"};
 
 // All modules as one script, without import and export: a page that is opened from disk cannot
 // import. No two modules use the same global name.
@@ -51,22 +52,66 @@ std::string embedded(const Json& json) {
   return text;
 }
 
-using Values = std::vector<std::pair<std::string_view, std::string>>;
-
-// The template with every {{key}} replaced by its value. Braces in values are not replaced.
-std::string filled(std::string_view page, const Values& values) {
-  std::string out;
-  while (true) {
-    const std::size_t open = page.find("{{");
-    if (open == std::string_view::npos) return out.append(page);
-    const std::size_t close = page.find("}}", open);
-    const std::string_view key = page.substr(open + 2, close - open - 2);
-    out += page.substr(0, open);
-    for (const auto& [name, value] : values) {
-      if (name == key) out += value;
-    }
-    page.remove_prefix(close + 2);
+// "KICK_OFF" -> "Kick off", as page/text.js has it.
+std::string words(const std::string& name) {
+  std::string text;
+  for (const char c : name) {
+    const bool is_first = text.empty();
+    text += c == '_' ? ' ' : static_cast<char>(is_first ? std::toupper(c) : std::tolower(c));
   }
+  return text;
+}
+
+std::string minutes(double seconds) {
+  const auto whole = static_cast<int>(seconds + 1e-6);
+  const int rest = whole % 60;
+  return std::to_string(whole / 60) + (rest < 10 ? ":0" : ":") + std::to_string(rest);
+}
+
+std::string text_of(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+std::string score_text(const Json& score) {
+  return std::to_string(score.at("blue").get<int>()) + " : " +
+         std::to_string(score.at("yellow").get<int>());
+}
+
+// The calls as text, for readers without scripts.
+Json calls_as_text(const Json& decisions, const match::ByTeam<std::string>& names) {
+  Json calls = Json::array();
+  Json score{{"blue", 0}, {"yellow", 0}};
+  for (const Json& call : decisions) {
+    const bool is_goal = call["decision"] == "GOAL";
+    std::string gainer = text_of(call, call.contains("gainer") ? "gainer" : "team");
+    if (is_goal && !gainer.empty()) score[gainer] = score[gainer].get<int>() + 1;
+    const std::string name = gainer.empty() ? "" : names[gainer == "blue" ? 0 : 1];
+    std::string what = words(call["decision"]);
+    if (is_goal && call.value("own_goal", false)) what += " (own goal)";
+    if (is_goal) what += " · " + name + " " + score_text(score);
+    if (!is_goal && !name.empty()) what += " for " + name;
+    const bool has_scorer = is_goal && call.contains("scorer") && !call["scorer"].is_null() &&
+                            call.contains("own_goal");
+    const bool shows_scorer = has_scorer && !call["own_goal"].get<bool>();
+    calls.push_back(
+        {{"is_goal", is_goal},
+         {"colour", gainer.empty() ? "nobody" : gainer},
+         {"when", minutes(call["clock"].get<double>())},
+         {"what", what},
+         {"who", shows_scorer ? "robot " + call["scorer"]["robot"].dump() : std::string()},
+         {"why", text_of(call, "reason")}});
+  }
+  return calls;
+}
+
+Json zones_json(const field::Field& field) {
+  const Markings marks = markings(field);
+  return {{"left", marks.zones[index_of(End::left)]}, {"right", marks.zones[index_of(End::right)]}};
+}
+
+std::string field_picture(const match::Leg& leg) {
+  return picture(leg.field(), leg.setup().parameters, {leg.snapshot(), {}});
 }
 
 std::string page(const match::Leg& first_moment, const match::ByTeam<std::string>& names,
@@ -76,16 +121,22 @@ std::string page(const match::Leg& first_moment, const match::ByTeam<std::string
   const std::string policy =
       "default-src 'none'; style-src 'unsafe-inline'; connect-src 'self'; script-src 'sha256-" +
       system::sha256_base64(code) + "'";
-  return filled(asset("page.html"),
-                {{"title", system::html_escaped(names[0] + " – " + names[1])},
-                 {"blue", system::html_escaped(names[0])},
-                 {"yellow", system::html_escaped(names[1])},
-                 {"policy", policy},
-                 {"style", std::string(asset("page.css"))},
-                 {"picture", picture(first_moment.field(), first_moment.setup().parameters,
-                                     {first_moment.snapshot(), {}})},
-                 {"data", embedded(data)},
-                 {"script", code}});
+  Json values{{"title", names[0] + " – " + names[1]},
+              {"blue", names[0]},
+              {"yellow", names[1]},
+              {"policy", policy},
+              {"style", std::string(design_file("design.css")) + std::string(asset("page.css"))},
+              {"picture", field_picture(first_moment)},
+              {"data", embedded(data)},
+              {"script", code},
+              {"score", "0 : 0"},
+              {"phase", "First half"}};
+  if (data.contains("result")) {
+    values["score"] = score_text(data["result"]["score"]);
+    values["phase"] = words(data["result"]["end"]);
+    values["calls"] = calls_as_text(data["decisions"], names);
+  }
+  return filled(asset, "page.html", values);
 }
 
 // The score with which a leg starts.
@@ -147,8 +198,15 @@ std::string about(const record::MatchRecord& record) {
 
 }  // namespace
 
-tl::expected<ReplayPage, replay::Divergence> replay_page(const record::MatchRecord& record,
-                                                         Times times) {
+namespace {
+
+struct ReplayData {
+  Json json;
+  statistics::LegStatistics statistics;
+};
+
+tl::expected<ReplayData, replay::Divergence> play_again(const record::MatchRecord& record,
+                                                        Times times) {
   replay::Playback playback(record.recording);
   const match::Leg begin(record.recording.setup);
   LegTimeline timeline(playback.leg());
@@ -165,19 +223,42 @@ tl::expected<ReplayPage, replay::Divergence> replay_page(const record::MatchReco
     }
     statistics["teams"][team]["budget"] = budget;
   }
-  const Json data{{"schema", "mirocup/page/1"},
-                  {"teams", whole["teams"]},
-                  {"league", whole["league"]},
-                  {"score", start_score_json(record.recording.setup)},
-                  {"period", record.recording.setup.control_period},
-                  {"robots", begin.field().robots_per_team},
-                  {"about", about(record)},
-                  {"result", whole["result"]},
-                  {"decisions", whole["decisions"]},
-                  {"moments", timeline.moments()},
-                  {"statistics", statistics},
-                  {"track", timeline.track_json()}};
-  return ReplayPage{page(begin, {record.teams[0].name, record.teams[1].name}, data), counted};
+  Json json{{"schema", "mirocup/page/1"},
+            {"teams", whole["teams"]},
+            {"league", whole["league"]},
+            {"score", start_score_json(record.recording.setup)},
+            {"period", record.recording.setup.control_period},
+            {"robots", begin.field().robots_per_team},
+            {"half_length", begin.field().half_length},
+            {"zones", zones_json(begin.field())},
+            {"about", about(record)},
+            {"result", whole["result"]},
+            {"decisions", whole["decisions"]},
+            {"moments", timeline.moments()},
+            {"statistics", statistics},
+            {"track", timeline.track_json()}};
+  return ReplayData{std::move(json), counted};
+}
+
+}  // namespace
+
+tl::expected<Json, replay::Divergence> replay_data(const record::MatchRecord& record, Times times) {
+  auto data = play_again(record, times);
+  if (!data) return tl::unexpected(data.error());
+  return std::move(data->json);
+}
+
+std::string first_picture(const record::MatchRecord& record) {
+  return field_picture(match::Leg(record.recording.setup));
+}
+
+tl::expected<ReplayPage, replay::Divergence> replay_page(const record::MatchRecord& record,
+                                                         Times times) {
+  const auto data = play_again(record, times);
+  if (!data) return tl::unexpected(data.error());
+  return ReplayPage{page(match::Leg(record.recording.setup),
+                         {record.teams[0].name, record.teams[1].name}, data->json),
+                    data->statistics};
 }
 
 std::string live_page(const match::Leg& match, const LiveMatch& live) {
@@ -186,6 +267,8 @@ std::string live_page(const match::Leg& match, const LiveMatch& live) {
                   {"score", start_score_json(match.setup())},
                   {"period", match.setup().control_period},
                   {"robots", match.field().robots_per_team},
+                  {"half_length", match.field().half_length},
+                  {"zones", zones_json(match.field())},
                   {"about", live.about},
                   {"live", live.events}};
   return page(match, live.names, data);

@@ -16,13 +16,21 @@ namespace mirocup::web {
 // page without them has the same bytes on every machine.
 enum class Times { shown, left_out };
 
+// Simulates the leg again to get the positions, and returns the data that page/main.js reads: the
+// schema "mirocup/page/1". The error is the first tick in which the record is not reproduced.
+tl::expected<record::Json, replay::Divergence> replay_data(const record::MatchRecord& record,
+                                                           Times times = Times::shown);
+
+// Returns the first moment of the leg as an SVG element, whose bodies page/field.js moves.
+std::string first_picture(const record::MatchRecord& record);
+
 struct ReplayPage {
   std::string html;
   statistics::LegStatistics statistics;  // that it shows
 };
 
-// Simulates the leg again to get the positions. The error is the first tick in which the record is
-// not reproduced.
+// Returns the page of the leg, with its data. Between the comments <!--league--> and
+// <!--/league--> a league may put links to its other pages.
 tl::expected<ReplayPage, replay::Divergence> replay_page(const record::MatchRecord& record,
                                                          Times times = Times::shown);
 

@@ -59,8 +59,22 @@ struct SiteServer::Impl {
         response.status = 404;
       };
     };
-    http.server().Get("/live/([^/]+)/", pass(pass_page));
+    http.server().Get("/live/([^/]+)/",
+                      [this](const httplib::Request& request, httplib::Response& response) {
+                        const std::string name = request.matches[1];
+                        if (const auto port = site.match(name)) return pass_page(*port, response);
+                        // A leg that is over has its replay.
+                        const std::string replay = "/replays/" + name + ".html";
+                        if (site.page(replay)) return response.set_redirect(replay);
+                        response.status = 404;
+                      });
     http.server().Get("/live/([^/]+)/events", pass(pass_events));
+    if (site.control) {
+      http.server().Post("/control",
+                         [this](const httplib::Request& request, httplib::Response& response) {
+                           response.status = site.control(request.body) ? 204 : 403;
+                         });
+    }
     http.server().Get(".*", [this](const httplib::Request& request, httplib::Response& response) {
       const auto page = site.page(request.path);
       if (!page) {

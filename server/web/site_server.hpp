@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // A site over HTTP whose pages change while they are shown: pages at the paths that the site knows,
-// the changes at /events, and below /live/NAME/ the live pages of matches on this host. No request
-// changes anything. Paths of requests are looked up in the site, never joined to the path of a
+// the changes at /events, and below /live/NAME/ the live pages of matches on this host; once a
+// match is over, its address leads to /replays/NAME.html. No request changes anything, unless the
+// site takes commands. Paths of requests are looked up in the site, never joined to the path of a
 // folder.
 #pragma once
 
@@ -23,7 +24,7 @@ struct Page {
   std::string bytes;
 };
 
-// The content of a site. Several threads call all three functions at the same time.
+// The content of a site. Several threads call its functions at the same time.
 struct Site {
   // Returns the page at a path, which starts with "/"; nothing if there is none.
   std::function<std::optional<Page>(const std::string& path)> page;
@@ -35,6 +36,10 @@ struct Site {
   // Returns the port of this host at which the match of that name has its live page; nothing if it
   // has none.
   std::function<std::optional<int>(const std::string& name)> match;
+
+  // Takes the body of a request to /control; false if it is not allowed. Without this function no
+  // request changes anything.
+  std::function<bool(const std::string& body)> control = {};
 };
 
 class SiteServer {

@@ -51,6 +51,7 @@ may server/statistics 'core/|system/|server/(record|statistics)/'
 may server/traces 'core/|system/|server/(record|traces)/'
 may server/drills 'core/|system/|server/(record|drills)/'
 may server/dds 'core/|system/|idl/|server/dds/|server/pace/(absence|durations)\.hpp"|plugins/abi/|mirocup/'
+may server/web/design 'system/|server/web/design/'
 may server/web 'core/|system/|server/(record|statistics|web)/'
 may server/app 'core/|system/|plugins/(abi|host)/|mirocup/|server/'
 may training 'core/|system/|server/record/|plugins/host/|mirocup/training\.h"|training/'
@@ -59,7 +60,7 @@ may tournaments/format 'core/|system/|server/record/|tournaments/(format|table)/
 may tournaments/journal 'core/base/|system/|server/record/|tournaments/journal/'
 may tournaments/league 'core/|system/|server/record/|tournaments/(format|table|journal|league)/'
 may tournaments/play 'core/|system/|server/record/|tournaments/(format|table|journal|league|play)/'
-may tournaments/publish 'core/|system/|server/(record|statistics)/|tournaments/(format|table|journal|league|publish)/'
+may tournaments/publish 'core/|system/|server/(record|statistics|web/design)/|tournaments/(format|table|journal|league|publish)/'
 may tournaments/app 'core/|system/|server/(record|statistics|web)/|tournaments/'
 
 # only PATTERN ROOM...: only these rooms include headers of the system or of a library that match PATTERN.
@@ -76,6 +77,7 @@ only 'dds/|mirocup\.h>' server/dds
 only 'nlohmann/' server/record server/statistics server/traces server/drills server/web server/app training tournaments
 only 'dlfcn\.h' plugins/host training
 only 'httplib' server/web
+only 'kainjow/' server/web/design
 only 'CLI/' server/app system tournaments/app
 only 'openssl/' system
 only 'zstd' server/record

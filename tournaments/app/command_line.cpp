@@ -139,6 +139,15 @@ void add_running(CLI::App& app, Action& action) {
   serve->add_option("--at", serve.options->at,
                     "[HOST:]PORT to listen on (default: this host only, any free port)");
 
+  Subcommand<ShowOptions> show(
+      app, action, "show", "Play the recorded legs of a round on a projector, one after the other",
+      run_show);
+  add_folder(show);
+  show->add_option("--round", show.options->round,
+                   "r3, or k1 of a knockout (default: the last round that was played)");
+  show->add_option("--at", show.options->at,
+                   "[HOST:]PORT to listen on (default: this host only, any free port)");
+
   LeagueSubcommand files(app, action, "export", "Write table, legs and bracket as files",
                          run_export);
   add_folder(files);

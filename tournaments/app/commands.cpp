@@ -64,12 +64,15 @@ Result<LeagueFile> file_from(system::Files& files, const LeagueOptions& options)
 
 Result<void> publish_site(system::Files& files, const Folder& folder, const LeagueState& state,
                           int jobs = 0) {
-  if (auto made = files.make_folder(folder.site() + "/teams"); !made) return made;
+  for (const char* part : {"/teams", "/rounds"}) {
+    if (auto made = files.make_folder(folder.site() + part); !made) return made;
+  }
   if (auto removed = files.remove_unfinished(folder.path); !removed) return removed;
   // First what takes long: the pages of league and teams show the statistics of every leg.
-  const auto failed = make_replay_pages(files, folder, state, jobs);
+  const auto failed = make_replay_pages(files, folder, overview(state), jobs);
   if (!failed) return tl::unexpected(failed.error());
-  for (const SiteFile& file : make_site(state, kept_statistics(files, folder, state))) {
+  const FactsOfLegs facts = read_facts(files, folder, state);
+  for (const SiteFile& file : make_site(state, kept_statistics(files, folder, state), facts)) {
     if (auto written = files.write(folder.site() + "/" + file.name, file.bytes); !written)
       return written;
   }

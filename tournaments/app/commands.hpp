@@ -2,7 +2,8 @@
 //
 // The subcommands of `mirocup league` and their options with defaults. command_line.cpp reads the
 // options. Each function returns the exit code of an answer: exit_yes or exit_no. commands.cpp,
-// entries.cpp, compare.cpp, rulings.cpp, serve.cpp, shards.cpp and credentials.cpp define them.
+// entries.cpp, compare.cpp, rulings.cpp, serve.cpp, show.cpp, shards.cpp and credentials.cpp define
+// them.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -55,6 +56,14 @@ struct ServeOptions {
   std::string at = "0";  // [HOST:]PORT
 };
 Result<int> run_serve(const ServeOptions& options);
+
+// Options of `show`, which plays the recorded legs of a round on a projector.
+struct ShowOptions {
+  std::string folder;
+  std::string round;     // its key, as in "r3"; "": the last one of which a leg was played
+  std::string at = "0";  // [HOST:]PORT
+};
+Result<int> run_show(const ShowOptions& options);
 
 // Certificates for DDS Security.
 struct CredentialsOptions {

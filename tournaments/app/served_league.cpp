@@ -6,6 +6,7 @@
 #include "server/web/page.hpp"
 #include "server/web/page_json.hpp"
 #include "tournaments/play/leg_command.hpp"
+#include "tournaments/publish/replay_nav.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/site.hpp"
 
@@ -25,7 +26,7 @@ constexpr std::string_view watched = "mirocup: watch at http://127.0.0.1:";
 
 // Content from this server only, and no code but its script.
 constexpr const char* policy =
-    "default-src 'none'; style-src 'unsafe-inline'; script-src 'self'; connect-src 'self'";
+    "default-src 'none'; style-src 'self'; script-src 'self'; connect-src 'self'";
 constexpr std::string_view script = "<script type=\"module\" src=\"/league.js\"></script>\n";
 
 std::string type_of(const std::string& path) {
@@ -33,6 +34,7 @@ std::string type_of(const std::string& path) {
   if (end == ".html") return "text/html; charset=utf-8";
   if (end == ".json") return "application/json";
   if (end == ".csv") return "text/csv; charset=utf-8";
+  if (end == ".css") return "text/css; charset=utf-8";
   if (end == ".js") return "text/javascript; charset=utf-8";
   return "application/octet-stream";
 }
@@ -104,8 +106,9 @@ void ServedLeague::make_pages() {
   if (!pages_.empty() && lines_of_pages_ == lines_) return;
   lines_of_pages_ = lines_;
   pages_.clear();
-  for (SiteFile& file :
-       make_site(store_.state(), kept_statistics(files_, store_.folder(), store_.state()))) {
+  facts_ = read_facts(files_, store_.folder(), store_.state(), std::move(facts_));
+  const LegReports reports = kept_statistics(files_, store_.folder(), store_.state());
+  for (SiteFile& file : make_site(store_.state(), reports, facts_)) {
     const std::string type = type_of(file.name);
     const bool is_html = type.starts_with("text/html");
     pages_["/" + file.name] = {type, is_html ? policy : "",
@@ -152,13 +155,18 @@ std::optional<web::Page> ServedLeague::replay(const std::string& stem) {
   const std::string html = replay_page_of(record);
   if (auto made =
           files_.read(store_.folder().site() + "/" + html, {.max_size = system::size_limit::page}))
-    return web::Page{type_of(html), "", std::move(*made)};
+    return web::Page{type_of(html), "", linked(std::move(*made), record)};
   const std::lock_guard one_at_a_time(replaying_);
   const auto loaded = record::load(files_, store_.folder().path + "/" + record);
   if (!loaded) return std::nullopt;
   auto page = web::replay_page(*loaded, web::Times::left_out);
   if (!page) return std::nullopt;
-  return web::Page{type_of(html), "", std::move(page->html)};
+  return web::Page{type_of(html), "", linked(std::move(page->html), record)};
+}
+
+std::string ServedLeague::linked(std::string page, const std::string& record) {
+  const std::lock_guard lock(mutex_);
+  return with_league_links(std::move(page), overview(store_.state()), record);
 }
 
 std::string ServedLeague::news(std::uint64_t& seen) {

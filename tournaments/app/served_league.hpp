@@ -9,6 +9,7 @@
 
 #include "server/web/site_server.hpp"
 #include "tournaments/league/league_store.hpp"
+#include "tournaments/publish/leg_facts.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -42,6 +43,7 @@ class ServedLeague {
   std::vector<LiveLeg> find_live_legs() const;
   void make_pages();
   std::optional<web::Page> replay(const std::string& stem);
+  std::string linked(std::string page, const std::string& record);
 
   system::Files& files_;
   std::mutex mutex_;  // guards all members up to replaying_
@@ -51,6 +53,7 @@ class ServedLeague {
   std::size_t lines_ = 0;      // of the journal
   std::vector<LiveLeg> live_legs_;
   std::size_t lines_of_pages_ = 0;
+  FactsOfLegs facts_;
   std::map<std::string, web::Page> pages_;  // by path
   std::set<std::string> records_;           // names without .json
 

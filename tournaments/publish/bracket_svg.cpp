@@ -2,19 +2,24 @@
 #include "tournaments/publish/bracket_svg.hpp"
 
 #include "system/markup.hpp"
+#include "tournaments/publish/replay_pages.hpp"
+#include "tournaments/publish/rounds.hpp"
 
 #include <algorithm>
+#include <map>
 
 namespace mirocup::league {
 
 namespace {
 
 // In pixels.
-constexpr int box_width = 210;
+constexpr int box_width = 230;
 constexpr int box_height = 52;
-constexpr int column = 262;  // from one round to the next
+constexpr int column = 282;  // from one round to the next
 constexpr int row = 68;      // of the first round
 constexpr int margin = 8;
+constexpr int leg_width = 26;        // of the goals of a leg
+constexpr int shoot_out_width = 56;  // with the score of a shoot-out
 constexpr int head = 28;
 
 struct Point {
@@ -24,8 +29,9 @@ struct Point {
 
 class BracketPicture {
  public:
-  explicit BracketPicture(const LeagueState& state) : state_(state) {
-    for (const FixtureState& f : state.fixtures) {
+  explicit BracketPicture(const Overview& overview) : o_(overview), state_(overview.state) {
+    for (const LegView& leg : o_.legs) legs_[leg.fixture].push_back(&leg);
+    for (const FixtureState& f : state_.fixtures) {
       if (f.fixture.part != Part::knockout) continue;
       rounds_ = std::max(rounds_, f.fixture.round);
       has_third_ = has_third_ || f.fixture.is_for_third_place();
@@ -42,9 +48,8 @@ class BracketPicture {
     }
     const std::string size = " width=\"" + std::to_string(width) + "\" height=\"" +
                              std::to_string(height + margin) + "\"";
-    return "<svg class=\"bracket\" xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" "
-           "aria-label=\"Bracket\"" +
-           size + ">\n" + lines_ + boxes_ + "</svg>\n";
+    return "<svg class=\"bracket\" xmlns=\"http://www.w3.org/2000/svg\"" + size + ">\n" + lines_ +
+           boxes_ + "</svg>\n";
   }
 
  private:
@@ -64,13 +69,14 @@ class BracketPicture {
     const Point at =
         f.fixture.is_for_third_place() ? third() : place_of(f.fixture.round, f.fixture.number);
     const TieOutcome o = outcome(state_, f);
-    boxes_ += "<a href=\"#" + f.fixture.id() + "\"><g>\n";
-    boxes_ += "<rect x=\"" + std::to_string(at.x) + "\" y=\"" + std::to_string(at.y) +
+    boxes_ += "<a href=\"" + fixture_link(f.fixture) + "\" aria-label=\"" +
+              system::html_escaped(name_of(f.fixture.home) + " – " + name_of(f.fixture.away)) +
+              "\"><rect x=\"" + std::to_string(at.x) + "\" y=\"" + std::to_string(at.y) +
               "\" width=\"" + std::to_string(box_width) + "\" height=\"" +
-              std::to_string(box_height) + "\" rx=\"4\"/>\n";
-    team(f, f.fixture.home, o, {at.x, at.y + 21});
-    team(f, f.fixture.away, o, {at.x, at.y + 43});
-    boxes_ += "</g></a>\n";
+              std::to_string(box_height) + "\" rx=\"8\"/></a>\n";
+    team(f.fixture.home, o, {at.x, at.y + 21});
+    team(f.fixture.away, o, {at.x, at.y + 43});
+    if (f.fixture.has_both()) goals(f, o, at);
     if (f.fixture.is_for_third_place()) text("round", {at.x, at.y - 6}, "Third place");
     for (const TeamSource& source : {f.fixture.home_source, f.fixture.away_source}) {
       if (source.kind != TeamSource::Kind::winner) continue;
@@ -83,22 +89,50 @@ class BracketPicture {
     }
   }
 
-  void team(const FixtureState& f, int team, const TieOutcome& o, Point at) {
-    const std::string name = team >= 0 ? state_.name(team) : team == unknown_team ? "" : "–";
-    const char* style = team >= 0 && team == o.winner  ? "won"
-                        : team >= 0 && team == o.loser ? "lost"
-                                                       : "open";
-    text(style, {at.x + 8, at.y}, name);
-    if (team < 0 || f.decided() == 0) return;
-    std::string goals;
-    for (int i = 0; i < f.needed(); ++i) {
-      const auto& leg = f.legs[i].played;
-      if (!leg) continue;
-      goals +=
-          (goals.empty() ? "" : " ") +
-          std::to_string(team == f.fixture.home ? leg->result.home_goals : leg->result.away_goals);
+  std::string name_of(int team) const {
+    return team >= 0 ? state_.name(team) : team == unknown_team ? "" : "–";
+  }
+
+  static const char* style_of(int team, const TieOutcome& o) {
+    return team >= 0 && team == o.winner ? "won" : team >= 0 && team == o.loser ? "lost" : "open";
+  }
+
+  void team(int team, const TieOutcome& o, Point at) {
+    std::string name = name_of(team);
+    if (name.size() > 20) name = name.substr(0, 19) + "…";
+    text(style_of(team, o), {at.x + 10, at.y}, name);
+  }
+
+  // A column for each leg, the last at the right edge; both numbers are one link to the replay.
+  void goals(const FixtureState& f, const TieOutcome& o, Point at) {
+    int x = at.x + box_width - 10;
+    const auto& legs = legs_[f.fixture.id()];
+    for (std::size_t i = legs.size(); i-- > 0;) {
+      const LegView& leg = *legs[i];
+      if (leg.played == nullptr) continue;
+      const auto& shoot_out = leg.facts == nullptr ? no_shoot_out_ : leg.facts->shoot_out;
+      const int leg_room = shoot_out ? shoot_out_width : leg_width;
+      const bool has_page = leg.has_replay();
+      if (has_page) {
+        boxes_ += "<a class=\"leg\" href=\"" + replay_page_of(leg.played->record) +
+                  "\" aria-label=\"Leg " + std::to_string(leg.leg) + ": " +
+                  std::to_string(leg.goals(leg.home)) + " to " +
+                  std::to_string(leg.goals(leg.away)) + "\"><rect class=\"hit\" x=\"" +
+                  std::to_string(x + 4 - leg_room) + "\" y=\"" + std::to_string(at.y + 2) +
+                  "\" width=\"" + std::to_string(leg_room) + "\" height=\"" +
+                  std::to_string(box_height - 4) + "\"/>";
+      }
+      for (const bool is_home : {true, false}) {
+        const int team = is_home ? leg.home : leg.away;
+        std::string number = std::to_string(leg.goals(team));
+        if (shoot_out)
+          number += " (" + std::to_string(is_home ? shoot_out->home : shoot_out->away) + ")";
+        text((std::string(style_of(team, o)) + " goals").c_str(), {x, at.y + (is_home ? 21 : 43)},
+             number);
+      }
+      if (has_page) boxes_ += "</a>\n";
+      x -= leg_room;
     }
-    text((std::string(style) + " goals").c_str(), {at.x + box_width - 8, at.y}, goals);
   }
 
   void text(const char* style, Point at, const std::string& words) {
@@ -106,7 +140,10 @@ class BracketPicture {
               std::to_string(at.y) + "\">" + system::html_escaped(words) + "</text>\n";
   }
 
+  const Overview& o_;
   const LeagueState& state_;
+  const std::optional<HomeAway> no_shoot_out_;
+  std::map<std::string, std::vector<const LegView*>> legs_;
   int rounds_ = 0;
   bool has_third_ = false;
   std::string lines_;
@@ -115,8 +152,8 @@ class BracketPicture {
 
 }  // namespace
 
-std::string bracket_svg(const LeagueState& state) {
-  return BracketPicture(state).draw();
+std::string bracket_svg(const Overview& overview) {
+  return BracketPicture(overview).draw();
 }
 
 }  // namespace mirocup::league

@@ -3,14 +3,15 @@
 // The knockout of a league as a picture.
 #pragma once
 
-#include "tournaments/league/league_state.hpp"
+#include "tournaments/publish/leg_view.hpp"
 
 #include <string>
 
 namespace mirocup::league {
 
-// Returns an SVG element for a page, in which each tie links to "#ID" of its fixture; "" if the
-// league has no knockout.
-std::string bracket_svg(const LeagueState& state);
+// Returns an SVG element for the front page, in which each tie links to its place on the page of
+// its round, and each score of a leg to its replay; "" if the league has no knockout. A shoot-out
+// has its score in brackets.
+std::string bracket_svg(const Overview& overview);
 
 }  // namespace mirocup::league

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Writes HTML in which no text can become markup: every text passes through system::html_escaped().
+// Writes a part of a page in which no text can become markup: every text passes through
+// system::html_escaped(). Whole pages are templates (page/).
 #pragma once
 
 #include <string>
@@ -11,9 +12,6 @@ namespace mirocup::league {
 
 class Html {
  public:
-  void begin_page(std::string_view title);
-  void end_page();
-
   void open(std::string_view tag);
   void close(std::string_view tag);
 
@@ -27,10 +25,7 @@ class Html {
   void link(std::string_view target, std::string_view text);
   void link_cell(std::string_view target, std::string_view text);
 
-  // <tag id="...">, for links to "#id".
-  void open_with_id(std::string_view tag, std::string_view id);
-
-  // A table row of cells: "th" or "td".
+  // A table row of cells: "th" or "td". A head without text is a cell.
   void row(std::string_view tag, const std::vector<std::string>& cells);
 
   // A table that scrolls if it is wider than the page.

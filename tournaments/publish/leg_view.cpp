@@ -71,7 +71,7 @@ char LegView::letter(int team) const {
   return goals(team) == goals_against(team) ? 'D' : 'W';
 }
 
-Overview overview(const LeagueState& state) {
+Overview overview(const LeagueState& state, const FactsOfLegs& facts) {
   Overview o{state, state.table(), {}, {}};
   std::vector<FixtureResults> results;
   for (const FixtureState& f : state.fixtures) {
@@ -80,12 +80,15 @@ Overview overview(const LeagueState& state) {
     const std::string round = round_in_words(state, f.fixture);
     for (int i = 0; i < f.needed(); ++i) {
       const PlayedLeg* played = f.legs[i].played.get();
+      const auto known = played == nullptr ? facts.end() : facts.find(played->record);
       o.legs.push_back({.fixture = f.fixture.id(),
                         .round = round,
                         .leg = i + 1,
                         .home = f.fixture.home,
                         .away = f.fixture.away,
-                        .played = played});
+                        .played = played,
+                        .facts = known == facts.end() ? nullptr : &known->second,
+                        .is_annulled = f.is_annulled});
       // A leg that was not played says nothing about strength.
       if (played != nullptr && !played->record.empty()) fixture.push_back(played->result);
     }

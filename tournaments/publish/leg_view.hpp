@@ -5,6 +5,7 @@
 #pragma once
 
 #include "tournaments/league/league_state.hpp"
+#include "tournaments/publish/leg_facts.hpp"
 #include "tournaments/table/rating.hpp"
 
 #include <string>
@@ -19,7 +20,10 @@ struct LegView {
   int home = 0;
   int away = 0;
   const PlayedLeg* played = nullptr;  // null: not decided
+  const LegFacts* facts = nullptr;    // null: not known
+  bool is_annulled = false;           // counts for nothing, because a team has left
 
+  bool has_replay() const { return played != nullptr && !played->record.empty(); }
   bool is_of(int team) const { return home == team || away == team; }
   int goals(int team) const;
   int goals_against(int team) const { return goals(team == home ? away : home); }
@@ -27,14 +31,17 @@ struct LegView {
   char letter(int team) const;
 };
 
-// All that a site is made of, computed once. Refers to the state, which must outlive it.
+// All that a site is made of, computed once. Refers to the state and the facts, which must outlive
+// it.
+inline const FactsOfLegs no_facts;
+
 struct Overview {
   const LeagueState& state;
   std::vector<TableRow> table;
   Ratings ratings;
   std::vector<LegView> legs;  // of the fixtures whose teams are known
 };
-Overview overview(const LeagueState& state);
+Overview overview(const LeagueState& state, const FactsOfLegs& facts = no_facts);
 
 // "Final", "Semi-final", "Group 2, round 1", "Round 3".
 std::string round_in_words(const LeagueState& state, const Fixture& fixture);

@@ -4,6 +4,7 @@
 #include "system/locations.hpp"
 #include "system/process_set.hpp"
 #include "tournaments/publish/league_statistics.hpp"
+#include "tournaments/publish/replay_nav.hpp"
 
 #include <filesystem>
 
@@ -44,14 +45,9 @@ std::vector<Arguments> missing_pages(system::Files& files, const Folder& folder,
   return commands;
 }
 
-}  // namespace
-
-std::string replay_page_of(const std::string& record) {
-  return "replays/" + std::filesystem::path(record).stem().string() + ".html";
-}
-
-Result<int> make_replay_pages(system::Files& files, const Folder& folder, const LeagueState& state,
-                              int jobs) {
+// Returns the number of pages that could not be made.
+Result<int> make_missing_pages(system::Files& files, const Folder& folder, const LeagueState& state,
+                               int jobs) {
   const std::vector<Arguments> commands = missing_pages(files, folder, state);
   if (commands.empty()) return 0;
   for (const char* name : {"/replays", "/statistics"}) {
@@ -75,6 +71,37 @@ Result<int> make_replay_pages(system::Files& files, const Folder& folder, const 
     if (!exit) return fail(Errc::interrupted, "interrupted while making replay pages");
     if (exit->code != exit_yes || exit->signal != 0) ++failed;
   }
+  return failed;
+}
+
+// Writes the links of each page that has others by now. A page that cannot be read is left as it
+// is.
+Result<void> link_pages(system::Files& files, const Folder& folder, const Overview& overview) {
+  for (const FixtureState& f : overview.state.fixtures) {
+    for (const std::string& record : records_of(files, folder, f)) {
+      const std::string path = folder.site() + "/" + replay_page_of(record);
+      const auto page = files.read(path, {.max_size = system::size_limit::page});
+      if (!page) continue;
+      const std::string linked = with_league_links(*page, overview, record);
+      if (linked == *page) continue;
+      if (auto written = files.write(path, linked); !written) return written;
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string replay_page_of(const std::string& record) {
+  return "replays/" + std::filesystem::path(record).stem().string() + ".html";
+}
+
+Result<int> make_replay_pages(system::Files& files, const Folder& folder, const Overview& overview,
+                              int jobs) {
+  const auto failed = make_missing_pages(files, folder, overview.state, jobs);
+  if (!failed) return failed;
+  if (const auto linked = link_pages(files, folder, overview); !linked)
+    return tl::unexpected(linked.error());
   return failed;
 }
 

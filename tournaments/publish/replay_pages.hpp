@@ -3,10 +3,12 @@
 // A replay page for every leg that was played. `mirocup replay` makes the pages, several at once,
 // and without measured times, so that a page depends on its record only. Beside each page it keeps
 // the statistics of the leg (league_statistics.hpp), so a leg is played again once. What exists is
-// kept, since records do not change.
+// kept, since records do not change; only the links to the league are written anew
+// (replay_nav.hpp).
 #pragma once
 
 #include "tournaments/league/folder.hpp"
+#include "tournaments/publish/leg_view.hpp"
 
 #include <string>
 
@@ -17,7 +19,7 @@ std::string replay_page_of(const std::string& record);
 
 // Makes the missing pages, `jobs` at once (0: one for each processor). Returns the number of pages
 // that could not be made, which does not keep a league from being published.
-Result<int> make_replay_pages(system::Files& files, const Folder& folder, const LeagueState& state,
+Result<int> make_replay_pages(system::Files& files, const Folder& folder, const Overview& overview,
                               int jobs);
 
 }  // namespace mirocup::league

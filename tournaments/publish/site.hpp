@@ -5,8 +5,8 @@
 // whatever order and on whatever machine the legs were played.
 #pragma once
 
-#include "tournaments/league/league_state.hpp"
 #include "tournaments/publish/league_statistics.hpp"
+#include "tournaments/publish/leg_view.hpp"
 #include "tournaments/publish/site_file.hpp"
 
 #include <string>
@@ -14,10 +14,13 @@
 
 namespace mirocup::league {
 
-// Returns index.html, a page for each team below teams/, and the files of exports() and
-// statistics_exports(). Replay pages, and with them the statistics of each leg, are made by
+// Returns index.html, crosstable.html, a page for each round below rounds/ and for each team below
+// teams/, the style sheet and the script of these pages, and the files of exports() and
+// statistics_exports(). `reports` and `facts` are of the legs that were played; pages say less
+// without them. Replay pages, and with them the statistics of each leg, are made by
 // make_replay_pages().
-std::vector<SiteFile> make_site(const LeagueState& state, const LegReports& reports = {});
+std::vector<SiteFile> make_site(const LeagueState& state, const LegReports& reports = {},
+                                const FactsOfLegs& facts = no_facts);
 
 // Returns the table as lines of text for a terminal.
 std::string table_text(const LeagueState& state);

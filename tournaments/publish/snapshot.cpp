@@ -36,10 +36,24 @@ std::optional<Round> round_named(const std::string& name) {
   return round;
 }
 
-}  // namespace
+// The leg that an event is about; 0 if it is about none.
+int leg_of(const Event& event) {
+  return std::visit(
+      [](const auto& e) {
+        if constexpr (requires { e.leg; }) {
+          return e.leg;
+        } else {
+          return 0;
+        }
+      },
+      event);
+}
 
-Result<LeagueState> state_through(const LeagueState& whole, const Journal& journal,
-                                  const std::string& round) {
+// Returns the state after the rounds before `last` and those legs of it for which shows(fixture,
+// leg) is true.
+template <class Shows>
+Result<LeagueState> state_up_to(const LeagueState& whole, const Journal& journal,
+                                const std::string& round, Shows shows) {
   const auto last = round_named(round);
   const bool exists =
       last && std::any_of(whole.fixtures.begin(), whole.fixtures.end(),
@@ -53,7 +67,9 @@ Result<LeagueState> state_through(const LeagueState& whole, const Journal& journ
     if (const std::string* id = fixture_of(*event); id != nullptr) {
       // An unknown fixture follows from one that is left out.
       const auto index = state.find_fixture(*id);
-      if (!index || Round::of(state.fixtures[*index].fixture).is_after(*last)) continue;
+      if (!index) continue;
+      const Round of = Round::of(state.fixtures[*index].fixture);
+      if (of.is_after(*last) || (of == *last && !shows(*id, leg_of(*event)))) continue;
     }
     if (const auto valid = validate(state, *event); !valid) {
       return fail(Errc::input, round + " cannot be shown alone: " + valid.error().what);
@@ -61,6 +77,20 @@ Result<LeagueState> state_through(const LeagueState& whole, const Journal& journ
     apply(state, *event);
   }
   return state;
+}
+
+}  // namespace
+
+Result<LeagueState> state_through(const LeagueState& whole, const Journal& journal,
+                                  const std::string& round) {
+  return state_up_to(whole, journal, round, [](const std::string&, int) { return true; });
+}
+
+Result<LeagueState> state_with_legs(const LeagueState& whole, const Journal& journal,
+                                    const std::string& round, const std::set<LegName>& legs) {
+  return state_up_to(whole, journal, round, [&legs](const std::string& fixture, int leg) {
+    return legs.contains({fixture, leg});
+  });
 }
 
 Result<void> copy_records(system::Files& files, const Folder& from, const LeagueState& state,

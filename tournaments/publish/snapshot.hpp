@@ -6,7 +6,9 @@
 #include "tournaments/journal/journal.hpp"
 #include "tournaments/league/folder.hpp"
 
+#include <set>
 #include <string>
+#include <utility>
 
 namespace mirocup::league {
 
@@ -16,6 +18,13 @@ namespace mirocup::league {
 // such round, or if an event of the rounds shown depends on a later one.
 Result<LeagueState> state_through(const LeagueState& whole, const Journal& journal,
                                   const std::string& round);
+
+// A leg of the league: the id of its fixture and its number, from 1.
+using LegName = std::pair<std::string, int>;
+
+// The same, but of the legs of the round itself only those in `legs` have been played.
+Result<LeagueState> state_with_legs(const LeagueState& whole, const Journal& journal,
+                                    const std::string& round, const std::set<LegName>& legs);
 
 // Copies the records of the legs that `state` holds, with their replays, to another folder.
 Result<void> copy_records(system::Files& files, const Folder& from, const LeagueState& state,

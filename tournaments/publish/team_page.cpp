@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/team_page.hpp"
 
-#include "tournaments/publish/html.hpp"
-#include "tournaments/publish/replay_pages.hpp"
+#include "tournaments/publish/bests.hpp"
+#include "tournaments/publish/page_values.hpp"
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +15,7 @@ namespace mirocup::league {
 namespace {
 
 constexpr std::size_t form_length = 10;  // legs
+constexpr std::size_t best_length = 3;   // legs
 
 // Wins, draws, losses, goals and own faults over some legs of a team.
 struct LegTotals {
@@ -33,18 +36,14 @@ struct LegTotals {
     if (leg.played->fault && leg.played->fault->team == name) ++faults;
   }
 
-  std::vector<std::string> cells(const std::string& what) const {
+  Json values(const std::string& what) const {
     char mean[48];
     std::snprintf(mean, sizeof mean, "%.2f : %.2f", double(goals) / std::max(1, legs),
                   double(against) / std::max(1, legs));
-    return {what,
-            std::to_string(legs),
-            std::to_string(won),
-            std::to_string(drawn),
-            std::to_string(lost),
-            std::to_string(goals) + " : " + std::to_string(against),
-            mean,
-            std::to_string(faults)};
+    return {{"what", what}, {"legs", legs},
+            {"won", won},   {"drawn", drawn},
+            {"lost", lost}, {"goals", std::to_string(goals) + ":" + std::to_string(against)},
+            {"mean", mean}, {"faults", faults}};
   }
 };
 
@@ -53,79 +52,92 @@ bool is_blue(const LegView& leg, int team) {
   return (leg.leg % 2 == 1) == (leg.home == team);
 }
 
-void results(Html& html, const Overview& o, int team) {
+std::vector<const LegView*> played_legs(const Overview& o, int team) {
+  std::vector<const LegView*> legs;
+  for (const LegView& leg : o.legs) {
+    if (leg.is_of(team) && leg.played != nullptr) legs.push_back(&leg);
+  }
+  return legs;
+}
+
+Json totals_values(const Overview& o, int team) {
   LegTotals all;
   LegTotals blue;
   LegTotals yellow;
-  for (const LegView& leg : o.legs) {
-    if (!leg.is_of(team) || leg.played == nullptr) continue;
-    all.add(leg, team, o.state.name(team));
-    (is_blue(leg, team) ? blue : yellow).add(leg, team, o.state.name(team));
+  for (const LegView* leg : played_legs(o, team)) {
+    all.add(*leg, team, o.state.name(team));
+    (is_blue(*leg, team) ? blue : yellow).add(*leg, team, o.state.name(team));
   }
-  html.open_table();
-  html.row("th", {"", "Legs", "Won", "Drawn", "Lost", "Goals", "Goals a leg", "Own faults"});
-  html.row("td", all.cells("All"));
-  html.row("td", blue.cells("As blue"));
-  html.row("td", yellow.cells("As yellow"));
-  html.close_table();
+  return Json::array({all.values("All"), blue.values("As blue"), yellow.values("As yellow")});
 }
 
-std::string form(const Overview& o, int team) {
-  std::string letters;
-  for (const LegView& leg : o.legs) {
-    if (leg.is_of(team) && leg.played != nullptr) letters += leg.letter(team);
-  }
-  if (letters.size() > form_length) letters = letters.substr(letters.size() - form_length);
-  std::string spaced;
-  for (const char letter : letters) spaced += (spaced.empty() ? "" : " ") + std::string(1, letter);
-  return spaced;
+int other_of(const LegView& leg, int team) {
+  return leg.home == team ? leg.away : leg.home;
 }
 
-void legs(Html& html, const Overview& o, int team) {
-  html.open_table();
-  html.row("th", {"Fixture", "Round", "Leg", "Opponent", "", "", "How it ended", "", ""});
-  for (const LegView& leg : o.legs) {
-    if (!leg.is_of(team)) continue;
-    const std::string& other = o.state.name(leg.home == team ? leg.away : leg.home);
-    html.open("tr");
-    html.cell("td", leg.fixture);
-    html.cell("td", leg.round);
-    html.cell("td", std::to_string(leg.leg));
-    html.link_cell("../" + team_page_of(other), other);
-    if (leg.played == nullptr) {
-      for (int i = 0; i < 5; ++i) html.cell("td", "");
-    } else {
-      html.cell("td",
-                std::to_string(leg.goals(team)) + " : " + std::to_string(leg.goals_against(team)));
-      html.cell_of(std::string(1, leg.letter(team)), std::string(1, leg.letter(team)));
-      html.cell_of("small", end_in_words(o.state, *leg.played));
-      if (leg.played->record.empty()) {
-        html.cell("td", "");
-        html.cell("td", "");
-      } else {
-        html.link_cell("../" + replay_page_of(leg.played->record), "replay");
-        html.link_cell("../../" + leg.played->record, "record");
-      }
+// How much better than expected a leg went: the goals that the team was ahead, and 1 for each 100
+// that the other team is stronger.
+double achievement(const Overview& o, const LegView& leg, int team) {
+  const double stronger =
+      o.ratings.strengths[other_of(leg, team)].value - o.ratings.strengths[team].value;
+  return leg.goals(team) - leg.goals_against(team) + stronger / 100.0;
+}
+
+// The best legs of a team, or its worst ones, as it sees them.
+Json extremes(const Overview& o, int team, bool best) {
+  std::vector<const LegView*> legs = played_legs(o, team);
+  std::erase_if(legs, [&](const LegView* leg) {
+    return !leg->has_replay() || leg->letter(team) == (best ? 'L' : 'W');
+  });
+  std::stable_sort(legs.begin(), legs.end(), [&](const LegView* a, const LegView* b) {
+    const double x = achievement(o, *a, team);
+    const double y = achievement(o, *b, team);
+    return best ? x > y : x < y;
+  });
+  Json values = Json::array();
+  for (std::size_t i = 0; i < std::min(best_length, legs.size()); ++i)
+    values.push_back(leg_values(o, *legs[i], "../", ""));
+  return values;
+}
+
+Json opponents_values(const Overview& o, int team) {
+  Json values = Json::array();
+  for (const TableRow& row : o.table) {
+    LegTotals totals;
+    for (const LegView* leg : played_legs(o, team)) {
+      if (leg->is_of(row.team) && row.team != team) totals.add(*leg, team, o.state.name(team));
     }
-    html.close("tr");
+    if (totals.legs == 0) continue;
+    Json opponent = totals.values("");
+    opponent["team"] = team_values(o, row.team, "../");
+    opponent["result"] = totals.won > totals.lost ? "W" : totals.won < totals.lost ? "L" : "D";
+    values.push_back(opponent);
   }
-  html.close_table();
+  return values;
 }
 
-void own_faults(Html& html, const Overview& o, int team) {
-  bool any = false;
-  for (const LegView& leg : o.legs) {
-    if (!leg.is_of(team) || leg.played == nullptr || !leg.played->fault) continue;
-    if (leg.played->fault->team != o.state.name(team)) continue;
-    if (!any) {
-      html.cell("h2", "Faults");
-      html.open("ul");
-    }
-    any = true;
-    html.cell("li", leg.fixture + " leg " + std::to_string(leg.leg) + ": " +
-                        fault_in_words(*leg.played->fault));
+Json faults_values(const Overview& o, int team) {
+  Json faults = Json::array();
+  for (const LegView* leg : played_legs(o, team)) {
+    if (!leg->played->fault || leg->played->fault->team != o.state.name(team)) continue;
+    faults.push_back(leg->fixture + " leg " + std::to_string(leg->leg) + ": " +
+                     fault_in_words(*leg->played->fault));
   }
-  if (any) html.close("ul");
+  return faults;
+}
+
+// All fixtures of the team by round, and the first that has legs to play.
+void add_fixtures(Json& values, const SiteContent& c, int team) {
+  Json all = Json::array();
+  values["next"] = false;
+  for (const RoundView& round : c.rounds) {
+    for (const FixtureView& f : round.fixtures) {
+      if (f.state->fixture.home != team && f.state->fixture.away != team) continue;
+      all.push_back(fixture_values(c.overview, f, "../"));
+      if (!f.state->is_decided() && values["next"] == false) values["next"] = all.back();
+    }
+  }
+  values["fixtures"] = all;
 }
 
 }  // namespace
@@ -134,37 +146,33 @@ std::string team_page_of(const std::string& team) {
   return "teams/" + team + ".html";
 }
 
-std::string team_html(const Overview& o, const LegReports& reports, int team) {
+std::string team_html(const SiteContent& c, int team) {
+  const Overview& o = c.overview;
   const auto row = std::find_if(o.table.begin(), o.table.end(),
                                 [team](const TableRow& r) { return r.team == team; });
   const TeamState& now = o.state.teams[team];
-  const Strength& strength = o.ratings.strengths[team];
-  Html html;
-  html.begin_page(o.state.name(team));
-  html.open("p");
-  html.link("../index.html", o.state.file.title);
-  html.close("p");
-  html.cell("p", "Rank " + std::to_string(row - o.table.begin() + 1) + " of " +
-                     std::to_string(o.table.size()) + ", " + std::to_string(row->points) +
-                     " points, strength " + std::to_string(std::lround(strength.value)) + " (" +
-                     std::to_string(std::lround(strength.low)) + " to " +
-                     std::to_string(std::lround(strength.high)) + ").");
-  if (now.status == TeamStatus::paused) html.cell("p", "Paused: " + now.why + ".");
-  if (now.status == TeamStatus::withdrawn) html.cell("p", "Withdrawn: " + now.why + ".");
+  Json values = page_values(o, "../", o.state.name(team));
+  values["rank"] = row - o.table.begin() + 1;
+  values["teams"] = o.table.size();
+  values["points"] = row->points;
+  values["strength"] = strength_values(o, team);
+  values["is_paused"] = now.status == TeamStatus::paused;
+  values["is_withdrawn"] = now.status == TeamStatus::withdrawn;
+  values["why"] = now.why;
   if (now.entry > 0) {
-    html.cell("p", "Plays with entry " + std::to_string(now.entry) + ", SHA-256 " +
-                       now.sha256.substr(0, 16) + "…");
+    values["entry"] = now.entry;
+    values["sha256"] = now.sha256.substr(0, 16);
   }
-  const std::string last = form(o, team);
-  if (!last.empty()) html.cell("p", "Form, the latest last: " + last);
-  html.cell("h2", "Results");
-  results(html, o, team);
-  html.raw(team_statistics_html(o, reports, team));
-  own_faults(html, o, team);
-  html.cell("h2", "Legs");
-  legs(html, o, team);
-  html.end_page();
-  return html.text();
+  values["form"] = form_values(o, team, form_length, "../");
+  values["chart"] = strength_picture(o, c.history, team);
+  values["totals"] = totals_values(o, team);
+  values["best"] = extremes(o, team, true);
+  values["worst"] = extremes(o, team, false);
+  values["opponents"] = opponents_values(o, team);
+  values["statistics"] = team_statistics_html(o, c.reports, team);
+  values["faults"] = faults_values(o, team);
+  add_fixtures(values, c, team);
+  return filled_page("team.html", values);
 }
 
 }  // namespace mirocup::league

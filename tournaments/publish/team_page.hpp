@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The page of one team: its rank, form, statistics, faults and legs.
+// The page of one team: its rank, form, strength, best and worst legs, faults and all legs.
 #pragma once
 
-#include "tournaments/publish/league_statistics.hpp"
-#include "tournaments/publish/leg_view.hpp"
+#include "tournaments/publish/front_page.hpp"
 
 #include <string>
 
@@ -14,6 +13,6 @@ namespace mirocup::league {
 std::string team_page_of(const std::string& team);
 
 // Returns the page of the team with that index.
-std::string team_html(const Overview& overview, const LegReports& reports, int team);
+std::string team_html(const SiteContent& content, int team);
 
 }  // namespace mirocup::league

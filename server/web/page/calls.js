@@ -13,6 +13,7 @@ export class Calls {
     // A team that plays against itself is told apart by its colours.
     this.names = names.blue === names.yellow
       ? { blue: `${names.blue} (blue)`, yellow: `${names.yellow} (yellow)` } : names;
+    list.replaceChildren();  // the page has the calls as text, for readers without scripts
     this.calls = [];
     this.score = { ...score };  // after the calls so far
     this.rows = [];
@@ -81,6 +82,8 @@ export class Calls {
     const offender = this.names[call.offender];
     return offender && !reason.includes(offender) ? `${offender}: ${reason}` : reason;
   }
+
+  get goals() { return this.calls.filter((call) => call.decision === 'GOAL'); }
 
   // Places the marks between the ends of the time line.
   spread(firstTick, lastTick) {

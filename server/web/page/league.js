@@ -23,7 +23,8 @@ function showPlaying(playing) {
   const section = element('section');
   section.id = 'playing';
   section.append(element('h2', 'Being played'), list);
-  document.querySelector('h1').after(section);
+  section.className = 'card';
+  document.querySelector('main').prepend(section);
 }
 
 let shown;  // version of the page
@@ -33,6 +34,7 @@ new EventSource('/events').addEventListener('league', async ({ data }) => {
     const answer = await fetch(location.pathname);
     const page = new DOMParser().parseFromString(await answer.text(), 'text/html');
     document.body.replaceWith(page.body);  // its scripts do not run
+    document.dispatchEvent(new Event('mirocup:page'));
   }
   shown = version;
   showPlaying(playing);

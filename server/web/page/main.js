@@ -2,24 +2,36 @@
 //
 // Builds the page from its data (embedded in it or sent by a server), the player and the controls.
 import { Calls } from './calls.js';
+import { canRecord, Painter, record, save } from './clip.js';
 import { FieldView } from './field.js';
+import { Layers } from './layers.js';
 import { listen } from './live.js';
+import { momentum, MomentumView } from './momentum.js';
 import { Player } from './player.js';
+import { Reel } from './reel.js';
 import { commandAt, download, situationAt } from './situation.js';
-import { showHeat, showStatistics } from './statistics.js';
-import { minutes, words } from './text.js';
+import { heatOf, showHeat, showStatistics } from './statistics.js';
+import { element, minutes, words } from './text.js';
 import { Track, unpack } from './track.js';
 
 const by = (id) => document.getElementById(id);
 const leg = JSON.parse(by('leg').textContent);
 const names = { blue: leg.teams.blue.name, yellow: leg.teams.yellow.name };
 const track = new Track(leg.period);
-const field = new FieldView(document.querySelector('.field'));
-const player = new Player(track, show);
+const picture = document.querySelector('.field');
+const field = new FieldView(picture);
+const layers = new Layers(picture, leg.robots, leg.zones);
+const reel = new Reel(() => calls.goals.map((call) => call.tick * leg.period));
+const player = new Player(track, reel, show);
 const calls = new Calls(by('calls'), by('marks'), by('banner'), names, (tick) => player.seek(tick * leg.period), leg.score);
 const shownTick = () => Math.floor(player.time / leg.period + 1e-6);
 const moments = [];  // {tick, state, phase, left, score}: from that tick on
+const curve = new MomentumView(by('momentum'), (share) =>
+  player.seek((track.firstTick + share * (track.lastTick - track.firstTick)) * leg.period));
 let result = null;
+
+// Where a tick is between the ends of the leg, 0 to 1.
+const shareOf = (tick) => (tick - track.firstTick) / Math.max(track.lastTick - track.firstTick, 1);
 
 function momentAt(tick) {
   let i = moments.length - 1;
@@ -32,7 +44,11 @@ function show() {
   const tick = shownTick();
   const moment = momentAt(tick);
   const scene = field.show(track, player.time, moment.left);
+  layers.show(track, player.time, moment.left);
   calls.show(tick);
+  showEnds(moment.left);
+  curve.show(shareOf(player.time / leg.period));
+  by('slow').hidden = !(player.isPlaying && reel.isSlow(player.time));
   const isOver = result !== null && tick >= track.lastTick;
   const score = isOver ? result.score : moment.score;
   by('score').textContent = `${score.blue} : ${score.yellow}`;
@@ -42,11 +58,24 @@ function show() {
   const scrub = by('scrub');
   scrub.value = tick;
   scrub.setAttribute('aria-valuetext', minutes(player.time, 1));
-  scrub.style.setProperty('--done', `${(100 * (tick - track.firstTick)) / Math.max(track.lastTick - track.firstTick, 1)}%`);
+  scrub.style.setProperty('--done', `${100 * shareOf(tick)}%`);
   by('play').classList.toggle('playing', player.isPlaying);
   by('play').setAttribute('aria-label', player.isPlaying ? 'Pause' : 'Play');
   by('live').classList.toggle('on', player.isFollowing);
   rememberMoment();
+}
+
+// Each team's name stands at the end that it defends.
+let leftShown = null;
+function showEnds(left) {
+  if (left === leftShown) return;
+  leftShown = left;
+  const right = left === 'blue' ? 'yellow' : 'blue';
+  for (const [end, team] of [['left', left], ['right', right]]) {
+    const place = document.querySelector(`.end.${end}`);
+    place.className = `end ${end} ${team}`;
+    place.textContent = names[team];
+  }
 }
 
 // Writes the shown moment into the page's address, at most twice a second: browsers refuse more.
@@ -69,6 +98,37 @@ function fitTimeline() {
   by('scrub').min = track.firstTick;
   by('scrub').max = track.lastTick;
   calls.spread(track.firstTick, track.lastTick);
+}
+
+function drawMomentum() {
+  const half = leg.half_length / 0.0005;
+  const ballX = (tick) => {
+    const x = track.frames[track.indexAt(tick)][1] / half;
+    return momentAt(tick).left === 'blue' ? x : -x;
+  };
+  const goals = calls.goals.map((call) => ({ share: shareOf(call.tick), team: calls.colour(call) }));
+  curve.draw(momentum(track.firstTick, track.lastTick, leg.period, ballX), goals);
+}
+
+// Fills the choice of robots, and draws the heat map of the chosen one.
+function offerRobots() {
+  for (const [t, team] of ['blue', 'yellow'].entries()) {
+    for (let i = 0; i < leg.robots; ++i) {
+      const option = element('option', '', `${names[team]}, robot ${i}`);
+      option.value = t * leg.robots + i;
+      by('heat_of').append(option);
+    }
+  }
+  const [, , width, height] = picture.getAttribute('viewBox').split(' ').map((mm) => mm / 1000);
+  const draw = () => {
+    const body = Number(by('heat_of').value);
+    const heat = heatOf(track, 3 + 3 * body, [width, height],
+      (tick) => momentAt(tick).state === 'PLAY', (tick) => momentAt(tick).left);
+    showHeat(by('robot_heat'), heat, by('heat_of').selectedOptions[0].textContent);
+  };
+  by('heat_of').addEventListener('change', draw);
+  by('robot_part').hidden = false;
+  draw();
 }
 
 function showNumbers(numbers) {
@@ -118,6 +178,59 @@ function changeSpeed(direction) {
   player.speed = Number(select.value);
 }
 
+function pressed(id, isOn) { by(id).setAttribute('aria-pressed', String(isOn)); }
+
+function toggleReel() {
+  if (!reel.isOn && calls.goals.length === 0) return;
+  reel.isOn = !reel.isOn;
+  pressed('reel', reel.isOn);
+  if (!reel.isOn) return player.changed();
+  player.seek(player.start);
+  if (!player.isPlaying) player.toggle();
+}
+
+function toggleLoop() {
+  player.isLooping = !player.isLooping;
+  pressed('loop', player.isLooping);
+}
+
+function toggleFull() {
+  if (document.fullscreenElement) document.exitFullscreen();
+  else document.querySelector('.stage').requestFullscreen?.();
+}
+
+function toggleLayer(name) {
+  layers.set(name, !layers.isOn[name]);
+  by(name).checked = layers.isOn[name];
+  show();
+}
+
+const clipSeconds = 6;
+
+// Saves the seconds before the shown moment as a video.
+let isRecording = false;
+async function saveClip() {
+  if (isRecording || !canRecord() || track.isEmpty) return;
+  isRecording = true;
+  by('clip').disabled = true;
+  by('clip').textContent = 'Recording';
+  const to = player.time > player.begin + 1 ? player.time : Math.min(player.begin + clipSeconds, player.end);
+  const painter = new Painter(picture);
+  const paint = (time) => {
+    const { score, left } = momentAt(Math.floor(time / leg.period + 1e-6));
+    painter.paint(track.at(time), { leftTeam: left, names, text: `${score.blue} : ${score.yellow}` });
+  };
+  try {
+    const from = Math.max(to - clipSeconds, player.begin);
+    save(await record(painter.canvas, from, to, paint), `clip-${from.toFixed(0)}-${to.toFixed(0)}.webm`);
+    by('clip').textContent = 'Clip';
+  } catch {
+    by('clip').textContent = 'No video here';
+  }
+  by('clip').disabled = false;
+  isRecording = false;
+}
+
 const keys = {
   ' ': () => player.toggle(),
   ArrowLeft: (event) => player.seek(player.time - (event.shiftKey ? 10 : 1)),
@@ -134,11 +247,18 @@ const keys = {
   l: copyLink,
   p: playOn,
   s: saveSituation,
+  g: toggleReel,
+  o: toggleLoop,
+  f: toggleFull,
+  c: saveClip,
+  t: () => toggleLayer('trails'),
+  v: () => toggleLayer('velocities'),
+  z: () => toggleLayer('zones'),
 };
 
 function onKey(event) {
   const isChoice = event.target.tagName === 'SELECT';
-  const isPress = event.key === ' ' && event.target.tagName === 'BUTTON';
+  const isPress = event.key === ' ' && ['BUTTON', 'INPUT', 'A'].includes(event.target.tagName) && event.target.id !== 'scrub';
   const action = leg.live && 'ps'.includes(event.key) ? undefined : keys[event.key];
   if (!action || isChoice || isPress || event.ctrlKey || event.altKey || event.metaKey) return;
   event.preventDefault();
@@ -155,6 +275,12 @@ function connectControls() {
   by('play-on').addEventListener('click', playOn);
   by('save').addEventListener('click', saveSituation);
   by('live').addEventListener('click', () => player.follow());
+  by('reel').addEventListener('click', toggleReel);
+  by('loop').addEventListener('click', toggleLoop);
+  by('full').addEventListener('click', toggleFull);
+  by('clip').hidden = !canRecord();
+  by('clip').addEventListener('click', saveClip);
+  for (const name of Object.keys(layers.isOn)) by(name).addEventListener('change', () => toggleLayer(name));
   by('speed').addEventListener('change', () => { player.speed = Number(by('speed').value); });
   by('scrub').addEventListener('input', () => player.seek(Number(by('scrub').value) * leg.period));
   document.addEventListener('keydown', onKey);
@@ -169,6 +295,8 @@ function showReplay() {
   calls.addFaults(result, track.lastTick, track.lastClock);
   showNumbers(leg.statistics);
   fitTimeline();
+  drawMomentum();
+  offerRobots();
   if (!goToAddress()) player.show(0);
 }
 
@@ -188,15 +316,30 @@ function followMatch() {
       fitTimeline();
     },
     onCall(call) { calls.add(call); },
-    onStatistics: showNumbers,
+    onStatistics(numbers) {
+      showNumbers(numbers);
+      drawMomentum();
+    },
     onEnd(end) {
       result = end;
       calls.addFaults(result, track.lastTick, track.lastClock);
       document.body.classList.add('ended');
       by('live').textContent = 'Ended';
+      drawMomentum();
+      offerRobots();
+      linkReplay();
     },
     onLost() { document.body.classList.add('lost'); },
   });
+}
+
+// `league serve` shows a running leg below /live/ and its replay, once it is over, below /replays/.
+function linkReplay() {
+  const leg = /^\/live\/([^/]+)\/$/.exec(location.pathname);
+  if (!leg) return;
+  const link = element('a', '', 'Replay of this leg');
+  link.href = `/replays/${leg[1]}.html`;
+  by('about').before(link);
 }
 
 by('about').textContent = leg.about;

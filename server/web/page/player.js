@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The player: the shown time stands, runs at some speed, or follows a running match.
+// The player: the shown time stands, runs at some speed, or follows a running match. A reel may leave
+// out what is between the goals.
 
 const catchUp = 8;  // 1/s: rate at which a follower closes the gap to the last tick received
 const farBehind = 2;  // s: beyond this gap it jumps
@@ -8,9 +9,11 @@ const asGoodAs = 0.002;  // s: below this gap the follower is up to date
 
 export class Player {
   // `changed` is called whenever the page must be redrawn.
-  constructor(track, changed) {
+  constructor(track, reel, changed) {
     this.track = track;
+    this.reel = reel;
     this.changed = changed;
+    this.isLooping = false;
     this.time = 0;
     this.speed = 1;
     this.isPlaying = false;
@@ -20,6 +23,9 @@ export class Player {
 
   get begin() { return this.track.firstTick * this.track.period; }
   get end() { return this.track.lastTick * this.track.period; }
+
+  // Where it begins again.
+  get start() { return (this.reel.isOn && this.reel.first) || this.begin; }
 
   seek(time) {
     this.isFollowing = false;
@@ -35,7 +41,8 @@ export class Player {
   toggle() {
     this.isPlaying = !this.isPlaying;
     this.isFollowing = false;
-    if (this.isPlaying && this.time >= this.end) this.time = this.begin;
+    const next = this.reel.isOn ? this.reel.next(this.time) : this.time;
+    if (this.isPlaying && (next === undefined || next >= this.end)) this.time = this.start;
     this.wake();
     this.changed();
   }
@@ -50,6 +57,13 @@ export class Player {
   show(time) {
     this.time = Math.min(Math.max(time, this.begin), this.end);
     this.changed();
+  }
+
+  advance(time) {
+    const next = this.reel.isOn ? this.reel.next(time) : time;
+    if (next !== undefined && next < this.end) return this.show(next);
+    if (!this.isLooping) this.isPlaying = false;
+    return this.show(this.isLooping ? this.start : next ?? time);
   }
 
   wake() {
@@ -67,8 +81,7 @@ export class Player {
       const jumps = Math.abs(gap) > farBehind || Math.abs(gap) < asGoodAs;
       this.show(jumps ? this.end : this.time + gap * Math.min(1, passed * catchUp));
     } else if (this.isPlaying) {
-      if (this.time + passed * this.speed >= this.end) this.isPlaying = false;
-      this.show(this.time + passed * this.speed);
+      this.advance(this.time + passed * this.speed * this.reel.speedAt(this.time));
     }
     this.isAwake = this.isPlaying || this.isFollowing;
     if (this.isAwake) requestAnimationFrame((later) => this.frame(later));

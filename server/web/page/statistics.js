@@ -74,13 +74,32 @@ export function showStatistics(table, { teams: { blue, yellow }, play_s, dead_ba
   }
 }
 
+// Counts where a body was while it was in play, in squares of a tenth of a metre, in the frame in
+// which blue attacks to the right. `column` is that of its x in a frame (track.js).
+export function heatOf(track, column, size, isInPlay, leftTeamAt) {
+  const [width, height] = size;
+  const columns = Math.max(Math.round(width / 0.1), 1);
+  const rows = Math.max(Math.round(height / 0.1), 1);
+  const cells = new Array(columns * rows).fill(0);
+  const unit = 0.0005;  // m
+  const cell = (at, length, count) => Math.min(Math.max(Math.floor((at / length + 0.5) * count), 0), count - 1);
+  track.ticks.forEach((tick, i) => {
+    if (!isInPlay(tick)) return;
+    const sign = leftTeamAt(tick) === 'blue' ? 1 : -1;
+    const x = sign * track.frames[i][column] * unit;
+    const y = -sign * track.frames[i][column + 1] * unit;
+    ++cells[cell(y, height, rows) * columns + cell(x, width, columns)];
+  });
+  return { columns, cells };
+}
+
 // Blue attacks to the right in both halves.
-export function showHeat(place, { columns, cells }) {
+export function showHeat(place, { columns, cells }, what = 'the ball') {
   const canvas = element('canvas');
   canvas.width = columns;
   canvas.height = cells.length / columns;
   canvas.setAttribute('role', 'img');
-  canvas.setAttribute('aria-label', 'Heat map of the ball, blue attacks to the right');
+  canvas.setAttribute('aria-label', `Heat map of ${what}, blue attacks to the right`);
   const context = canvas.getContext('2d');
   const most = Math.max(...cells, 1);
   cells.forEach((count, i) => {

@@ -10,6 +10,13 @@ export function element(tag, cssClass, text) {
   return made;
 }
 
+// An element of a picture with its attributes.
+export function shape(tag, attributes) {
+  const made = document.createElementNS('http://www.w3.org/2000/svg', tag);
+  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
+  return made;
+}
+
 // "KICK_OFF_VIOLATION" -> "Kick off violation"
 export function words(name) {
   const text = name.replaceAll('_', ' ').toLowerCase();

@@ -86,17 +86,34 @@ export class Track {
     return { tick: this.ticks[index], clock: now[0] * clockUnit, ball: point(1), robots };
   }
 
-  // Returns the ball's trail in the seconds before: runs of points, split where the ball was lifted.
-  trail(time, seconds) {
+  // Returns the trail in the seconds before of the ball, or of the body whose x is that column: runs
+  // of points, split where the body was lifted.
+  trail(time, seconds, column = 1) {
     const runs = [[]];
     const last = this.indexAt(time / this.period + 1e-6);
     const first = this.indexAt(Math.max((time - seconds) / this.period, this.firstTick));
     for (let i = first; i <= last; ++i) {
-      const [, x, y] = this.frames[i];
+      const [x, y] = [this.frames[i][column], this.frames[i][column + 1]];
       const before = this.frames[Math.max(i - 1, first)];
-      if (Math.abs(x - before[1]) + Math.abs(y - before[2]) > jump) runs.push([]);
+      if (Math.abs(x - before[column]) + Math.abs(y - before[column + 1]) > jump) runs.push([]);
       runs[runs.length - 1].push([x * lengthUnit, -y * lengthUnit]);
     }
     return runs;
+  }
+
+  // Returns place and velocity (mm and mm/s, y downwards) of the ball and of each robot, from the
+  // frames before and after; nothing for a body that was lifted.
+  velocities(time) {
+    const i = this.indexAt(time / this.period + 1e-6);
+    const j = Math.min(i + 1, this.frames.length - 1);
+    const [now, next] = [this.frames[i], this.frames[j]];
+    const seconds = Math.max(this.ticks[j] - this.ticks[i], 1) * this.period;
+    const scene = this.at(time);
+    return [scene.ball, ...scene.robots].map(({ x, y, stays }, body) => {
+      const column = body === 0 ? 1 : 3 * body;
+      const moved = [next[column] - now[column], next[column + 1] - now[column + 1]];
+      if (stays || Math.abs(moved[0]) + Math.abs(moved[1]) > jump) return null;
+      return { x, y, dx: (moved[0] * lengthUnit) / seconds, dy: (-moved[1] * lengthUnit) / seconds };
+    });
   }
 }

@@ -86,16 +86,19 @@ test('what is served is what is published, and nothing else', async () => {
   rmSync(join(league, 'site', 'replays'), { recursive: true });  // the server makes pages that were not published
   assert.equal((await get(place, `/${leg.replay}`)).text, replay);
   const script = '<script type="module" src="/league.js"></script>\n';
-  for (const path of ['index.html', 'teams/alpha.html', 'table.json', 'legs.csv']) {
+  for (const path of ['index.html', 'teams/alpha.html', 'rounds/r1.html', 'style.css', 'site.js', 'table.json', 'legs.csv']) {
     const { status, text } = await get(place, `/${path}`);
     assert.equal(status, 200, path);
     assert.equal(text.replace(script, ''), readFileSync(join(league, 'site', path), 'utf8'), path);
   }
+  const over = await get(place, '/live/r1-f1-1-1/');
+  assert.equal(over.status, 302, 'the address of a leg that is over leads to its replay');
+  assert.equal(over.headers.location, '/replays/r1-f1-1-1.html');
   assert.equal(JSON.parse((await get(place, `/${leg.record}`)).text).state_hash, leg.state_hash);
   assert.match((await get(place, '/')).headers['content-security-policy'], /default-src 'none'/);
   for (const path of ['/league.json', '/journal.jsonl', '/../short.json', '/%2e%2e/short.json', '/records/../league.json',
     '/records/%2e%2e/journal.jsonl', '/records/', `/records/../${leg.record}`, `/${leg.record}.out`, '//etc/passwd', '/etc/passwd',
-    '/entries/alpha/1/strategy.so', '/live/../', '/live/%2e%2e/', '/live/r1-f1-1-1/', '/live/x/events', '/records/x%00.json']) {
+    '/entries/alpha/1/strategy.so', '/live/../', '/live/%2e%2e/', '/live/r9-f1-1-1/', '/live/x/events', '/records/x%00.json']) {
     assert.equal((await get(place, path)).status, 404, path);
   }
   for (const method of ['POST', 'PUT', 'DELETE', 'PATCH']) assert.notEqual((await get(place, '/', method)).status, 200, method);

@@ -3,9 +3,9 @@
 // Uses the replay page as its readers do, from disk.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { readFileSync } from 'node:fs';
+import { readFileSync, statSync } from 'node:fs';
 import { join } from 'node:path';
-import { closeBrowser, evil, folder, match, openPage, readJson, run } from './support.js';
+import { closeBrowser, evil, folder, inAllViews, match, openPage, readJson, run, violations } from './support.js';
 
 const record = join(folder, 'leg.json');
 const address = `file://${join(folder, 'leg.html')}`;
@@ -143,4 +143,104 @@ test('the name of a team stays text', async () => {
   assert.equal(await page.title(), `${evil} – chaser`);
   await page.keyboard.press('End');
   assert.deepEqual(page.problems, []);
+});
+
+const shownTick = async (page) => Number(/tick (\d+)/.exec(await text(page, 'time'))[1]);
+
+test('the reel plays goals only, slowly at the goal, and ends or begins again', async () => {
+  const page = await openPage(address);
+  await page.locator('#reel').click();
+  assert.equal(await page.locator('#reel').getAttribute('aria-pressed'), 'true');
+  const first = leg.decisions.find((call) => call.decision === 'GOAL');
+  const from = Math.max(first.tick * leg.control_period - 4, 0) / leg.control_period;
+  assert.ok(await shownTick(page) >= Math.floor(from) - 1, 'it jumps to the seconds before the first goal');
+  await page.locator('#slow').waitFor();  // becomes visible at the goal
+  assert.ok(Math.abs(await shownTick(page) - first.tick) < 60);
+  await page.keyboard.press('g');
+  assert.equal(await page.locator('#reel').getAttribute('aria-pressed'), 'false');
+  await page.locator('#loop').click();
+  await page.locator('#speed').selectOption('16');
+  await page.evaluate((near) => { location.hash = `#t=${near}`; }, (leg.ticks - 30) * leg.control_period);
+  await page.waitForFunction((near) => Number(/tick (\d+)/.exec(document.getElementById('time').textContent)[1]) >= near, leg.ticks - 30);
+  if (await page.locator('#play').getAttribute('aria-label') === 'Play') await page.locator('#play').click();
+  await page.waitForFunction((near) => Number(/tick (\d+)/.exec(document.getElementById('time').textContent)[1]) < near, leg.ticks - 30);
+  assert.equal(await page.locator('#play').getAttribute('aria-label'), 'Pause', 'it goes on from the beginning');
+  assert.deepEqual(page.problems, []);
+});
+
+test('layers are off until they are switched on, by click and by key', async () => {
+  const page = await openPage(`${address}#t=10`);
+  const drawn = (selector) => page.locator(selector).evaluateAll((all) => all.filter((one) => one.getAttribute('d') && one.style.display !== 'none').length);
+  for (const [key, box, shapes, most] of [['t', '#trails', '.robot_trail', 6], ['v', '#velocities', '.velocity', 7], ['z', '#zones', '.zone', 2]]) {
+    assert.equal(await drawn(shapes), 0);
+    await page.keyboard.press(key);
+    assert.ok(await page.locator(box).isChecked());
+    const count = await drawn(shapes);
+    assert.ok(count > 0 && count <= most, `${shapes}: ${count}`);
+    await page.locator(box).click();
+    assert.equal(await drawn(shapes), 0);
+  }
+  assert.deepEqual(page.problems, []);
+});
+
+test('each name stands at the end that its team defends', async () => {
+  const page = await openPage(address);
+  for (const where of ['Home', 'End']) {
+    await page.keyboard.press(where);
+    const left = await page.locator('.end.left').evaluate((end) => [end.classList.contains('blue'), end.textContent]);
+    const goal = await page.locator('.goal.left').getAttribute('class');
+    assert.equal(left[0], goal.includes('blue'));
+    assert.equal(left[1], left[0] ? evil : 'chaser');
+  }
+});
+
+test('a click on the curve of momentum goes to that moment', async () => {
+  const page = await openPage(address);
+  await page.locator('#momentum svg').click();  // in its middle
+  assert.ok(Math.abs(await shownTick(page) - leg.ticks / 2) < leg.ticks / 50);
+});
+
+test('the page saves the last seconds as a video', async () => {
+  const page = await openPage(`${address}#t=8`);
+  const [download] = await Promise.all([page.waitForEvent('download'), page.locator('#clip').click()]);
+  assert.equal(download.suggestedFilename(), 'clip-2-8.webm');
+  const bytes = readFileSync(await download.path());
+  assert.equal(bytes.readUInt32BE(0), 0x1a45dfa3, 'a WebM file');
+  assert.ok(bytes.length > 1_000);  // a busy machine records few pictures
+  assert.deepEqual(page.problems, []);
+});
+
+test('mirocup replay --clip writes a video, and says what is wrong with a span', () => {
+  const gif = join(folder, 'goal.gif');
+  run('replay', record, '--clip', '3:4', '-o', gif);
+  assert.equal(readFileSync(gif).subarray(0, 4).toString(), 'GIF8');
+  assert.ok(statSync(gif).size > 5_000);
+  for (const span of ['4:3', '4', 'a:b', '0:61', '-1:3']) {
+    assert.throws(() => run('replay', record, `--clip=${span}`, '-o', gif), ({ status, stderr }) => status === 2 && /--clip/.test(stderr), span);
+  }
+});
+
+test('without scripts the page tells the result and the calls', async () => {
+  const page = await openPage(address, undefined, { javaScriptEnabled: false });
+  assert.equal(await text(page, 'score'), `${leg.result.score.blue} : ${leg.result.score.yellow}`);
+  assert.equal(await page.locator('#calls li').count(), leg.decisions.length);
+  assert.equal(await page.locator('#calls .goal').count(), leg.decisions.filter((call) => call.decision === 'GOAL').length);
+  assert.equal(await page.locator('.controls').isVisible(), false, 'no dead buttons');
+  assert.equal(await page.locator('img').count(), 0);
+});
+
+test('axe finds nothing, and the keyboard reaches every control', async () => {
+  await inAllViews(address, async (page, how) => {
+    assert.deepEqual(await violations(page), [], how);
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth > innerWidth), false, how);
+  });
+  const page = await openPage(address);
+  const wanted = await page.locator('button:visible:not([tabindex="-1"]), select:visible, input:visible').evaluateAll((all) => all.length);
+  const seen = new Set();
+  for (let i = 0; i < wanted + 20; i += 1) {
+    await page.keyboard.press('Tab');
+    seen.add(await page.evaluate(() => [...document.querySelectorAll('button, select, input')].indexOf(document.activeElement)));
+  }
+  seen.delete(-1);
+  assert.ok(seen.size >= wanted, `${seen.size} of ${wanted}`);
 });

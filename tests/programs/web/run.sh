@@ -10,5 +10,5 @@ build=$(cd "$1" && pwd)
 modules=$build/web
 mkdir -p "$modules"
 cp "$here/package.json" "$here/package-lock.json" "$modules/"
-[[ -d $modules/node_modules/playwright-core ]] || npm ci --prefix "$modules" --no-audit --no-fund >&2
+[[ -d $modules/node_modules/axe-core && -d $modules/node_modules/playwright-core ]] || npm ci --prefix "$modules" --no-audit --no-fund >&2
 MIROCUP_BUILD=$build MIROCUP_WEB_MODULES=$modules node --test "$here"/*.test.js

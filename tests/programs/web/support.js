@@ -7,7 +7,8 @@ import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
-const { chromium } = createRequire(join(process.env.MIROCUP_WEB_MODULES, 'x'))('playwright-core');
+const modules = createRequire(join(process.env.MIROCUP_WEB_MODULES, 'x'));
+const { chromium } = modules('playwright-core');
 export const mirocup = join(process.env.MIROCUP_BUILD, 'mirocup');
 
 export const folder = mkdtempSync(join(tmpdir(), 'mirocup-web-'));
@@ -46,9 +47,9 @@ export function watched(...more) {
 const patience = 300_000;
 
 let browser;
-export async function openPage(url, viewport = { width: 1280, height: 800 }) {
+export async function openPage(url, viewport = { width: 1280, height: 800 }, more = {}) {
   browser ??= await chromium.launch({ executablePath: '/usr/bin/chromium', args: ['--no-sandbox'] });
-  const page = await browser.newPage({ viewport });
+  const page = await browser.newPage({ viewport, ...more });
   page.setDefaultTimeout(patience);
   page.problems = [];
   page.on('pageerror', (error) => page.problems.push(String(error)));
@@ -61,4 +62,22 @@ export async function openPage(url, viewport = { width: 1280, height: 800 }) {
 
 export async function closeBrowser() {
   await browser?.close();
+}
+
+// Returns what axe-core finds wrong with the page as it is shown: "rule: element, element".
+export async function violations(page) {
+  await page.evaluate(readFileSync(modules.resolve('axe-core/axe.min.js'), 'utf8'));
+  const found = await page.evaluate(async () => (await globalThis.axe.run(document, { preload: false })).violations);
+  return found.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.target.join(' ')).slice(0, 5).join(', ')}`);
+}
+
+// Calls `check(page, how)` with the page in each width and scheme that people use.
+export async function inAllViews(url, check) {
+  for (const [width, height] of [[1280, 800], [390, 844]]) {
+    for (const colorScheme of ['light', 'dark']) {
+      const page = await openPage(url, { width, height }, { colorScheme });
+      await check(page, `${url} at ${width} px, ${colorScheme}`);
+      await page.close();
+    }
+  }
 }

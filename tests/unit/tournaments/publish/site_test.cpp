@@ -7,7 +7,6 @@
 #include "tests/support/memory_files.hpp"
 #include "tournaments/league/apply.hpp"
 #include "tournaments/play/leg_record.hpp"
-#include "tournaments/publish/html.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -154,7 +153,8 @@ void decide(LeagueState& state, const Event& event) {
 
 TEST(Decisions, AreListedWithWhatBecameOfThem) {
   LeagueState state = state_after({{0, 1}, {0, 2}, {1, 1}});
-  EXPECT_EQ(page(make_site(state), "index.html").find("Decisions"), std::string::npos);
+  const std::string none = "No person has decided anything";
+  EXPECT_NE(page(make_site(state), "index.html").find(none), std::string::npos);
   const std::string at = "2026-11-30T18:00:00Z";
   const auto ids = [&](int fixture) { return state.fixtures[fixture].fixture.id(); };
   const auto voids = [&](int fixture, const std::string& why) {
@@ -207,8 +207,8 @@ TEST(Decisions, AreListedWithWhatBecameOfThem) {
   EXPECT_EQ(page(make_site(state), "decisions.csv"), csv);
   const std::string index = page(make_site(state), "index.html");
   for (const std::string text :
-       {"<h2>Decisions</h2>", "&lt;b&gt;too much&lt;/b&gt;", "&lt;i&gt;H&lt;/i&gt;",
-        ">overruled by 2</td>", "cable fault", "covered by 8, "}) {
+       {">Decisions</h2>", "&lt;b&gt;too much&lt;/b&gt;", "&lt;i&gt;H&lt;/i&gt;",
+        ">overruled by 2</span>", "cable fault", "covered by 8, "}) {
     EXPECT_NE(index.find(text), std::string::npos) << text;
   }
   EXPECT_EQ(index.find("<b>"), std::string::npos);
@@ -249,8 +249,64 @@ TEST(Decisions, OfLegsOfATeamThatLeavesNoResultsCountForNothing) {
       Withdrawn{
           .team = state.name(f.away), .results = WithdrawnResults::annul, .why = "left", .by = {}});
   const std::string index = page(make_site(state), "index.html");
-  EXPECT_NE(index.find(">covered by 2, " + state.name(f.away) + " has withdrawn</td>"),
+  EXPECT_NE(index.find(">covered by 2, " + state.name(f.away) + " has withdrawn</span>"),
             std::string::npos);
+}
+
+// Catches a front page that grows with the number of legs, and a round without a page of its own.
+TEST(Site, KeepsTheFrontPageOfThirtyTeamsSmall) {
+  LeagueFile file;
+  for (int i = 0; i < 30; ++i)
+    file.teams.push_back({"team-" + std::to_string(i), "house:idle", false});
+  LeagueState state = new_league(file);
+  league::apply(state, Started{.config_sha256 = "x", .version = ""});
+  FactsOfLegs facts;
+  for (const Fixture& fixture : round_robin(30)) {
+    for (const int leg : {1, 2}) {
+      LegPlayed event = played(file, fixture, leg, record(fixture.home % 4, fixture.away % 3));
+      event.record = Folder::record_name(fixture, leg, 1);
+      event.fault.reset();
+      facts[event.record].length = 20.0;
+      facts[event.record].goals.push_back({.at = 1.0 + fixture.number, .is_home = leg == 1});
+      league::apply(state, event);
+    }
+  }
+  ASSERT_EQ(state.played(), 870);
+  const auto site = make_site(state, {}, facts);
+  EXPECT_LT(page(site, "index.html").size(), 60'000u) << "before it is compressed";
+  for (int round = 1; round <= 29; ++round) {
+    const std::string name = "rounds/r" + std::to_string(round) + ".html";
+    EXPECT_NE(page(site, "index.html").find(name), std::string::npos);
+    EXPECT_NE(page(site, name).find("replays/r" + std::to_string(round) + "-f15-2-1.html"),
+              std::string::npos);
+  }
+  EXPECT_NE(page(site, "crosstable.html").find("replays/r29-f1-1-1.html"), std::string::npos);
+}
+
+TEST(LegFacts, AreThoseOfTheRecordAsTheHomeTeamSeesThem) {
+  const std::string text = R"({"control_period": 0.5, "ticks": 40,
+    "result": {"shoot_out": {"blue": 3, "yellow": 2}},
+    "decisions": [
+      {"tick": 4, "decision": "GOAL", "gainer": "yellow",
+       "scorer": {"team": "yellow", "robot": 2}, "own_goal": false},
+      {"tick": 8, "decision": "PENALTY_KICK", "gainer": "blue", "offender": "yellow"},
+      {"tick": 9, "decision": "GOAL", "gainer": "blue",
+       "scorer": {"team": "yellow", "robot": 0}, "own_goal": true},
+      {"tick": 12, "decision": "GOAL", "team": "blue"}]})";
+  const auto facts = facts_of(text, false);  // the home team is yellow
+  ASSERT_TRUE(facts);
+  EXPECT_EQ(facts->length, 20.0);
+  ASSERT_EQ(facts->goals.size(), 3u);
+  EXPECT_EQ(facts->goals[0].at, 2.0);
+  EXPECT_TRUE(facts->goals[0].is_home);
+  EXPECT_EQ(facts->goals[0].scorer, 2);
+  EXPECT_FALSE(facts->goals[1].is_home);
+  EXPECT_EQ(facts->goals[1].scorer, -1) << "an own goal has no scorer";
+  EXPECT_FALSE(facts->goals[2].is_home) << "a record from before the gainer was written down";
+  EXPECT_EQ(facts->fouls, (HomeAway{.home = 1, .away = 0}));
+  EXPECT_EQ(facts->shoot_out, (HomeAway{.home = 2, .away = 3}));
+  for (const char* other : {"", "[]", "{}", R"({"control_period": 1, "ticks": 1})"})
+    EXPECT_FALSE(facts_of(other, true)) << other;
 }
 
 TEST(LeagueState, BooksColoursForTheirTeams) {

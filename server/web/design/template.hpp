@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+//
+// The design that all pages share, and templates of pages: HTML files that the build compiles into
+// the program, in the language of Mustache (mustache.github.io).
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <string_view>
+
+namespace mirocup::web {
+
+// Returns the text of design/NAME; empty if there is no such file. "design.css" is the style sheet
+// of all pages; a page may add its own.
+std::string_view design_file(std::string_view name);
+
+// Finds the text of an included template by its name.
+using TemplateFiles = std::string_view (*)(std::string_view name);
+
+// Returns the template filled with values. In a template,
+//   {{key}}                 is the value as text, in which nothing is markup (system::html_escaped)
+//   {{{key}}}               is the value as markup, for pictures that the program draws
+//   {{#key}}…{{/key}}       stands for each element of a list, or once if there is a value
+//   {{^key}}…{{/key}}       stands where there is none: null, false, "", an empty list
+//   {{>name}}               is the text of another template, taken from `files`
+// Templates are part of the program: one with a mistake ends the program with its name and the
+// mistake. `name` is that of the template in `files`.
+std::string filled(TemplateFiles files, std::string_view name,
+                   const nlohmann::ordered_json& values);
+
+}  // namespace mirocup::web

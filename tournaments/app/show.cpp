@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+//
+// The subcommand show.
+#include "system/process_set.hpp"
+#include "tournaments/app/commands.hpp"
+#include "tournaments/app/shown_round.hpp"
+
+#include <iostream>
+#include <random>
+
+namespace mirocup::league {
+
+namespace {
+
+constexpr double poll_s = 3600.0;  // s
+
+// 128 bits of the system, as text for an address.
+std::string secret() {
+  std::random_device random;
+  std::string text;
+  constexpr std::string_view digits = "0123456789abcdef";
+  for (int i = 0; i < 4; ++i) {
+    unsigned bits = random();
+    for (int digit = 0; digit < 8; ++digit, bits >>= 4) text += digits[bits & 15u];
+  }
+  return text;
+}
+
+}  // namespace
+
+Result<int> run_show(const ShowOptions& options) {
+  const auto address = web::parse_address(options.at, "--at");
+  if (!address) return tl::unexpected(address.error());
+  system::Disk disk;
+  const auto store = LeagueStore::open(disk, Folder{options.folder});
+  if (!store) return tl::unexpected(store.error());
+  system::ProcessSet interrupts;  // must exist before the first thread starts
+  const std::string key = secret();
+  auto round = ShownRound::of(disk, *store, options.round, key);
+  if (!round) return tl::unexpected(round.error());
+  const auto server = web::SiteServer::open(
+      *address, "--at",
+      {.page = [&](const std::string& path) { return round->page(path); },
+       .news = [&](std::uint64_t& seen) { return round->news(seen); },
+       .match = [](const std::string&) { return std::nullopt; },
+       .control = [&](const std::string& body) { return round->control(body); }});
+  if (!server) return tl::unexpected(server.error());
+  const std::string url = (*server)->url();
+  std::cout << url << '\n' << url << "remote#" << key << std::endl;
+  while (!interrupts.is_asked_to_stop_within(poll_s)) {
+  }
+  return exit_yes;
+}
+
+}  // namespace mirocup::league

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+//
+// A round as `mirocup league show` shows it on a projector: the page, the legs as they were
+// recorded, the table after each of them, and the commands of a remote. The league is read once;
+// what is played meanwhile is not shown.
+//
+// Threads: all public functions may be called by any thread at any time.
+#pragma once
+
+#include "server/web/site_server.hpp"
+#include "tournaments/league/league_store.hpp"
+#include "tournaments/publish/rounds.hpp"
+
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace mirocup::league {
+
+class ShownRound {
+ public:
+  // `round` is its key ("r3", "k1"); "": the last round of which a leg was played. `key` is the
+  // secret of the remote. Errors: Errc::input if there is no such round, or no leg of it has a
+  // record.
+  static Result<ShownRound> of(system::Files& files, const LeagueStore& store,
+                               const std::string& round, std::string key);
+
+  // The functions of web::Site.
+  std::optional<web::Page> page(const std::string& path);
+  std::string news(std::uint64_t& seen);
+  bool control(const std::string& body);
+
+  const std::string& title() const { return title_; }
+  std::size_t legs() const { return legs_.size(); }
+
+ private:
+  struct Leg {
+    Json about;          // for the programme
+    std::string record;  // path
+  };
+
+  ShownRound(system::Files& files, std::string key) : files_(&files), key_(std::move(key)) {}
+  Result<void> read(const LeagueStore& store, const std::string& round);
+  std::optional<web::Page> leg(std::size_t index);
+
+  system::Files* files_;
+  std::string key_;
+  std::string league_;
+  std::string title_;
+  std::vector<Leg> legs_;
+  std::vector<std::string> standings_;  // HTML after 0, 1, … legs
+  std::vector<std::string> next_;       // fixtures of the next round, in words
+
+  // Both on the heap, so that the round can be moved before it is served.
+  struct Commands {
+    std::mutex mutex;  // guards `given`
+    std::vector<std::string> given;
+  };
+  std::unique_ptr<Commands> commands_ = std::make_unique<Commands>();
+};
+
+}  // namespace mirocup::league

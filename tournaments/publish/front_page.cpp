@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/publish/front_page.hpp"
+
+#include "tournaments/publish/bests.hpp"
+#include "tournaments/publish/bracket_svg.hpp"
+#include "tournaments/publish/decision_view.hpp"
+#include "tournaments/publish/page_values.hpp"
+#include "tournaments/publish/replay_pages.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace mirocup::league {
+
+namespace {
+
+// A larger crosstable is of no use on a page; crosstable.json has all teams.
+constexpr std::size_t max_crosstable_teams = 64;
+
+// Up to this size the front page has everything; a larger league has pages for the parts.
+constexpr std::size_t max_front_crosstable_teams = 16;
+constexpr int max_front_legs = 240;
+
+constexpr std::size_t front_form_length = 5;  // legs
+constexpr std::size_t worth_length = 5;
+
+std::string_view status_of(const TeamState& team) {
+  if (team.status == TeamStatus::paused) return "paused";
+  return team.status == TeamStatus::withdrawn ? "withdrawn" : "";
+}
+
+Json row_values(const Overview& o, const std::vector<TableRow>& table, std::size_t i) {
+  const TableRow& row = table[i];
+  const TableRow* next = i + 1 < table.size() ? &table[i + 1] : nullptr;
+  const std::int64_t difference = row.difference();
+  return {{"rank", i + 1},
+          {"team", team_values(o, row.team, "")},
+          {"status", status_of(o.state.teams[row.team])},
+          {"points", row.points},
+          {"played", row.played},
+          {"won", row.won},
+          {"drawn", row.drawn},
+          {"lost", row.lost},
+          {"goals", std::to_string(row.goals_for) + ":" + std::to_string(row.goals_against)},
+          {"difference", (difference > 0 ? "+" : "") + std::to_string(difference)},
+          {"reason", reason_in_words(row, next)}};
+}
+
+Json table_values(const Overview& o) {
+  Json rows = Json::array();
+  for (std::size_t i = 0; i < o.table.size(); ++i) {
+    const TableRow& row = o.table[i];
+    Json values = row_values(o, o.table, i);
+    values["form"] = form_values(o, row.team, front_form_length, "");
+    values["strength"] = strength_values(o, row.team);
+    values["legs_to_tell"] =
+        legs_to_tell_in_words(o, row, i + 1 < o.table.size() ? &o.table[i + 1] : nullptr);
+    rows.push_back(values);
+  }
+  return rows;
+}
+
+Json groups_values(const Overview& o) {
+  Json values = Json::array();
+  if (o.state.file.format.kind != FormatKind::groups) return values;
+  const auto groups =
+      deal_groups(static_cast<int>(o.state.teams.size()), o.state.file.format.groups);
+  for (std::size_t group = 0; group < groups.size(); ++group) {
+    std::vector<LegResult> results;
+    for (const FixtureState& f : o.state.fixtures) {
+      if (f.fixture.part != Part::group || f.fixture.group != static_cast<int>(group) + 1) continue;
+      for (const LegState& leg : f.legs) {
+        if (leg.played && !f.is_annulled) results.push_back(leg.played->result);
+      }
+    }
+    const auto table = make_table(groups[group], results, o.state.file.table_rules());
+    Json rows = Json::array();
+    for (std::size_t i = 0; i < table.size(); ++i) rows.push_back(row_values(o, table, i));
+    values.push_back({{"number", group + 1}, {"rows", rows}});
+  }
+  return values;
+}
+
+// Who has won, and how sure that is; false before the league is over.
+Json champion_values(const Overview& o) {
+  if (!o.state.is_over() || o.table.size() < 2 || o.state.played() == 0) return false;
+  const TableRow& first = o.table[0];
+  const TableRow& second = o.table[1];
+  Json values = team_values(o, first.team, "");
+  values["why"] = reason_in_words(first, &second);
+  values["second"] = team_values(o, second.team, "");
+  values["legs_to_tell"] = legs_to_tell_in_words(o, first, &second);
+  return values;
+}
+
+// "4 fixtures, 12 goals", "1 of 8 legs played".
+std::string about(const RoundView& round) {
+  if (round.fixtures.empty()) return "teams not known yet";
+  if (round.decided == 0) return "to be played";
+  if (round.decided < round.legs)
+    return std::to_string(round.decided) + " of " + std::to_string(round.legs) + " legs played";
+  return std::to_string(round.fixtures.size()) +
+         (round.fixtures.size() == 1 ? " fixture, " : " fixtures, ") + std::to_string(round.goals) +
+         (round.goals == 1 ? " goal" : " goals");
+}
+
+Json round_values(const Overview& o, const RoundView& round, const std::string& root,
+                  bool has_fixtures) {
+  return {{"title", round.title},
+          {"about", about(round)},
+          {"page", root + round.page()},
+          {"fixtures", has_fixtures ? fixtures_values(o, round, root) : Json::array()}};
+}
+
+Json last_round(const SiteContent& c) {
+  for (std::size_t i = c.rounds.size(); i-- > 0;) {
+    if (c.rounds[i].decided > 0) return round_values(c.overview, c.rounds[i], "", true);
+  }
+  return false;
+}
+
+// The first round that has legs to play; the fixtures that are over are left out.
+Json next_round(const SiteContent& c) {
+  for (const RoundView& round : c.rounds) {
+    if (round.decided == round.legs) continue;
+    RoundView open = round;
+    std::erase_if(open.fixtures, [](const FixtureView& f) { return f.state->is_decided(); });
+    return round_values(c.overview, open, "", true);
+  }
+  return false;
+}
+
+Json worth_values(const Overview& o) {
+  Json legs = Json::array();
+  for (const WorthWatching& worth : worth_watching(o, no_team, worth_length))
+    legs.push_back(leg_values(o, *worth.leg, "", worth.why));
+  return legs;
+}
+
+Json bests_values(const Overview& o) {
+  Json bests = Json::array();
+  for (const Best& best : bests_of(o)) {
+    bests.push_back({{"title", best.title},
+                     {"value", best.value},
+                     {"who", best.who},
+                     {"where", best.where},
+                     {"page", best.page}});
+  }
+  return bests;
+}
+
+// A league without decisions has no list of them.
+Json decisions_values(const LeagueState& state) {
+  Json decisions = Json::array();
+  for (const DecisionView& d : decision_views(state)) {
+    decisions.push_back({{"number", d.number},
+                         {"at", d.at},
+                         {"by", d.by},
+                         {"what", d.what},
+                         {"why", d.why},
+                         {"undoing", d.undoing}});
+  }
+  return decisions;
+}
+
+Json cell_values(const std::vector<const LegView*>& legs, int team, const std::string& root) {
+  Json scores = Json::array();
+  int ahead = 0;
+  for (const LegView* leg : legs) {
+    if (leg->played == nullptr) continue;
+    ahead += leg->goals(team) - leg->goals_against(team);
+    scores.push_back(
+        {{"score", score_text(*leg, team)},
+         {"page", leg->has_replay() ? root + replay_page_of(leg->played->record) : ""}});
+  }
+  return {{"scores", scores},
+          {"result", scores.empty() ? ""
+                     : ahead > 0    ? "W"
+                     : ahead < 0    ? "L"
+                                    : "D"}};
+}
+
+Json crosstable_values(const Overview& o, const std::string& root) {
+  const std::size_t n = o.table.size();
+  std::vector<std::vector<const LegView*>> met(n * n);
+  for (const LegView& leg : o.legs) {
+    met[static_cast<std::size_t>(leg.home) * n + leg.away].push_back(&leg);
+    met[static_cast<std::size_t>(leg.away) * n + leg.home].push_back(&leg);
+  }
+  Json heads = Json::array();
+  Json rows = Json::array();
+  for (const TableRow& row : o.table) {
+    Json team = team_values(o, row.team, root);
+    team["rank"] = heads.size() + 1;
+    heads.push_back(team);
+    Json cells = Json::array();
+    for (const TableRow& column : o.table) {
+      if (column.team == row.team) {
+        cells.push_back({{"scores", Json::array()}, {"result", "self"}});
+        continue;
+      }
+      cells.push_back(
+          cell_values(met[static_cast<std::size_t>(row.team) * n + column.team], row.team, root));
+    }
+    rows.push_back({{"team", team}, {"cells", cells}});
+  }
+  return {{"heads", heads}, {"rows", rows}};
+}
+
+}  // namespace
+
+std::string front_html(const SiteContent& c) {
+  const Overview& o = c.overview;
+  Json values = page_values(o, "", "");
+  values["is_front"] = true;
+  values["champion"] = champion_values(o);
+  values["last"] = last_round(c);
+  values["next"] = next_round(c);
+  values["table"] = table_values(o);
+  values["bracket"] = bracket_svg(o);
+  values["groups"] = groups_values(o);
+  values["chart"] = strength_picture(o, c.history, no_team);
+  values["worth"] = worth_values(o);
+  values["statistics"] = statistics_html(o, c.reports);
+  values["bests"] = bests_values(o);
+  values["filter"] = filter_values(o);
+  const bool has_all = o.state.legs() <= max_front_legs;
+  Json rounds = Json::array();
+  for (const RoundView& round : c.rounds) rounds.push_back(round_values(o, round, "", has_all));
+  values[has_all ? "folded_rounds" : "linked_rounds"] = rounds;
+  const std::size_t teams = o.table.size();
+  if (teams <= max_front_crosstable_teams) values["crosstable"] = crosstable_values(o, "");
+  values["has_crosstable_page"] =
+      teams > max_front_crosstable_teams && teams <= max_crosstable_teams;
+  values["decisions"] = decisions_values(o.state);
+  return filled_page("index.html", values);
+}
+
+std::string round_html(const SiteContent& c, std::size_t index) {
+  const RoundView& round = c.rounds[index];
+  Json values = page_values(c.overview, "../", round.title);
+  values["has_ids"] = true;
+  values["round"] = round_values(c.overview, round, "../", true);
+  const auto neighbour = [&](std::size_t i) {
+    return i < c.rounds.size()
+               ? Json{{"title", c.rounds[i].title}, {"page", "../" + c.rounds[i].page()}}
+               : Json(false);
+  };
+  values["before"] = neighbour(index - 1);
+  values["after"] = neighbour(index + 1);
+  values["filter"] = filter_values(c.overview);
+  return filled_page("round.html", values);
+}
+
+std::string crosstable_html(const SiteContent& c) {
+  if (c.overview.table.size() > max_crosstable_teams) return "";
+  Json values = page_values(c.overview, "", "Crosstable");
+  values["crosstable"] = crosstable_values(c.overview, "");
+  values["filter"] = filter_values(c.overview);
+  return filled_page("crosstable.html", values);
+}
+
+}  // namespace mirocup::league

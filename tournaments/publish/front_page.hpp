@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+//
+// The front page of a league, and the pages of its rounds and of its crosstable.
+#pragma once
+
+#include "tournaments/publish/league_statistics.hpp"
+#include "tournaments/publish/rounds.hpp"
+#include "tournaments/publish/strength_history.hpp"
+
+#include <string>
+#include <vector>
+
+namespace mirocup::league {
+
+// All that the pages of a site show.
+struct SiteContent {
+  const Overview& overview;
+  const LegReports& reports;
+  std::vector<RoundView> rounds;
+  StrengthHistory history;
+};
+
+std::string front_html(const SiteContent& content);
+
+// Returns the page of the round with that index.
+std::string round_html(const SiteContent& content, std::size_t round);
+
+// Returns the page of the crosstable; "" if there are too many teams for one.
+std::string crosstable_html(const SiteContent& content);
+
+}  // namespace mirocup::league

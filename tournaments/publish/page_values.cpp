@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/publish/page_values.hpp"
+
+#include "server/web/design/template.hpp"
+#include "tournaments/publish/replay_pages.hpp"
+#include "tournaments/publish/team_page.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mirocup::league {
+
+namespace {
+
+constexpr double interval_width = 120.0;  // px
+constexpr double interval_margin = 5.0;   // px
+
+std::string_view word_of(char letter) {
+  return letter == 'W' ? "won" : letter == 'D' ? "drawn" : "lost";
+}
+
+// What is worth saying of a leg besides its score.
+std::string note_of(const Overview& o, const LegView& leg, bool has_several) {
+  const PlayedLeg& played = *leg.played;
+  if (played.end == LegEnd::full_time && !played.fault && played.ruling.empty()) return "";
+  return (has_several ? "Leg " + std::to_string(leg.leg) + ": " : "") +
+         end_in_words(o.state, played);
+}
+
+std::string tenths(double value) {
+  return std::to_string(std::lround(value * 10.0) / 10) + "." +
+         std::to_string(std::abs(std::lround(value * 10.0)) % 10);
+}
+
+// An interval and its middle on a scale from the lowest to the highest strength of all teams.
+std::string interval_picture(const Overview& o, const Strength& s) {
+  double low = 0.0;
+  double high = 0.0;
+  for (const Strength& other : o.ratings.strengths) {
+    low = std::min(low, other.low);
+    high = std::max(high, other.high);
+  }
+  const auto x = [&](double value) {
+    const double share = high > low ? (value - low) / (high - low) : 0.5;
+    return tenths(interval_margin + share * (interval_width - 2.0 * interval_margin));
+  };
+  return "<svg class=\"interval\" width=\"120\" height=\"14\" aria-hidden=\"true\"><path d=\"M" +
+         x(0.0) + " 1V13\" class=\"mean\"/><path d=\"M" + x(s.low) + " 7H" + x(s.high) +
+         "\"/><circle cx=\"" + x(s.value) + "\" cy=\"7\" r=\"3.5\"/></svg>";
+}
+
+}  // namespace
+
+std::string filled_page(std::string_view name, const Json& values) {
+  return web::filled(page_file, name, values);
+}
+
+Json page_values(const Overview& o, const std::string& root, const std::string& title) {
+  const std::string& league = o.state.file.title;
+  return {{"root", root},
+          {"league", league},
+          {"heading", title.empty() ? league : title},
+          {"page_title", title.empty() ? league : title + " · " + league},
+          {"has_knockout", o.state.file.format.has_knockout()},
+          {"played", o.state.played()},
+          {"legs", o.state.legs()}};
+}
+
+Json team_values(const Overview& o, int team, const std::string& root) {
+  return {{"name", o.state.name(team)},
+          {"page", root + team_page_of(o.state.name(team))},
+          {"index", team}};
+}
+
+std::string score_text(const LegView& leg, int team) {
+  std::string text =
+      std::to_string(leg.goals(team)) + ":" + std::to_string(leg.goals_against(team));
+  if (leg.facts != nullptr && leg.facts->shoot_out) {
+    const HomeAway& p = *leg.facts->shoot_out;
+    const bool is_home = team == leg.home;
+    text += " (" + std::to_string(is_home ? p.home : p.away) + ":" +
+            std::to_string(is_home ? p.away : p.home) + " p)";
+  }
+  return text;
+}
+
+Json fixture_values(const Overview& o, const FixtureView& fixture, const std::string& root) {
+  const Fixture& f = fixture.state->fixture;
+  Json home = team_values(o, f.home, root);
+  Json away = team_values(o, f.away, root);
+  Json legs = Json::array();
+  Json open = Json::array();
+  Json notes = Json::array();
+  int ahead = 0;  // goals of the home team
+  for (const LegView* leg : fixture.legs) {
+    if (leg->played == nullptr) {
+      open.push_back("–");
+      continue;
+    }
+    ahead += leg->goals(f.home) - leg->goals_against(f.home);
+    const bool has = leg->has_replay();
+    legs.push_back({{"score", score_text(*leg, f.home)},
+                    {"number", leg->leg},
+                    {"page", has ? root + replay_page_of(leg->played->record) : ""},
+                    {"record", has ? root + "../" + leg->played->record : ""}});
+    if (const std::string note = note_of(o, *leg, fixture.legs.size() > 1); !note.empty())
+      notes.push_back(note);
+  }
+  if (f.is_for_third_place()) notes.push_back("for the third place");
+  if (fixture.state->is_annulled) notes.push_back("counts for nothing");
+  const bool is_over = open.empty() && !legs.empty();
+  home["won"] = is_over && ahead > 0;
+  away["won"] = is_over && ahead < 0;
+  return {{"id", f.id()},   {"round", round_in_words(o.state, f)},
+          {"home", home},   {"away", away},
+          {"legs", legs},   {"open", open},
+          {"notes", notes}, {"link", root + fixture_link(f)}};
+}
+
+Json fixtures_values(const Overview& o, const RoundView& round, const std::string& root) {
+  Json fixtures = Json::array();
+  for (const FixtureView& f : round.fixtures) fixtures.push_back(fixture_values(o, f, root));
+  return fixtures;
+}
+
+Json leg_values(const Overview& o, const LegView& leg, const std::string& root,
+                const std::string& why) {
+  return {{"score", score_text(leg, leg.home)},
+          {"page", leg.has_replay() ? root + replay_page_of(leg.played->record) : ""},
+          {"home", o.state.name(leg.home)},
+          {"away", o.state.name(leg.away)},
+          {"where", leg.round + ", leg " + std::to_string(leg.leg)},
+          {"why", why}};
+}
+
+Json form_values(const Overview& o, int team, std::size_t most, const std::string& root) {
+  Json form = Json::array();
+  for (const LegView& leg : o.legs) {
+    if (!leg.is_of(team) || leg.played == nullptr) continue;
+    const char letter = leg.letter(team);
+    form.push_back({{"letter", std::string(1, letter)},
+                    {"word", word_of(letter)},
+                    {"page", leg.has_replay() ? root + replay_page_of(leg.played->record) : ""}});
+  }
+  if (form.size() > most) form.erase(form.begin(), form.end() - static_cast<std::ptrdiff_t>(most));
+  return form;
+}
+
+Json strength_values(const Overview& o, int team) {
+  const Strength& s = o.ratings.strengths[team];
+  return {{"value", std::lround(s.value)},
+          {"low", std::lround(s.low)},
+          {"high", std::lround(s.high)},
+          {"picture", interval_picture(o, s)}};
+}
+
+Json filter_values(const Overview& o) {
+  std::vector<int> teams = all_teams(static_cast<int>(o.state.file.teams.size()));
+  std::sort(teams.begin(), teams.end(),
+            [&o](int a, int b) { return o.state.name(a) < o.state.name(b); });
+  Json names = Json::array();
+  for (const int team : teams) names.push_back({{"name", o.state.name(team)}, {"index", team}});
+  return names;
+}
+
+}  // namespace mirocup::league

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+//
+// The values that several pages of a league give to their templates (page/*.html).
+#pragma once
+
+#include "tournaments/publish/rounds.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace mirocup::league {
+
+// Returns the text of page/NAME; empty if there is no such file.
+std::string_view page_file(std::string_view name);
+
+// Returns the template page/NAME filled with values.
+std::string filled_page(std::string_view name, const Json& values);
+
+// What head.html and top.html need. `root` leads from the page to the top of the site: "" or "../".
+// `title` is the page's own; "" for the front page, which has the league's.
+Json page_values(const Overview& overview, const std::string& root, const std::string& title);
+
+// {name, page, index} of a team.
+Json team_values(const Overview& overview, int team, const std::string& root);
+
+// What fixture.html needs: {id, home, away, legs [{score, page, record}], open [], notes}. The
+// scores are as the home team sees them.
+Json fixture_values(const Overview& overview, const FixtureView& fixture, const std::string& root);
+Json fixtures_values(const Overview& overview, const RoundView& round, const std::string& root);
+
+// The score of a leg as a team sees it, with that of a shoot-out: "1:1 (3:2 p)".
+std::string score_text(const LegView& leg, int team);
+
+// One line of leg.html, a leg that is worth a link: {score, page, home, away, where, why}.
+Json leg_values(const Overview& overview, const LegView& leg, const std::string& root,
+                const std::string& why);
+
+// The last results of a team: [{letter, word, page}], the latest last.
+Json form_values(const Overview& overview, int team, std::size_t most, const std::string& root);
+
+// A strength on a scale that all teams share: {value, low, high, picture}.
+Json strength_values(const Overview& overview, int team);
+
+// The names of all teams in the order of the alphabet, for the filter: [{name, index}].
+Json filter_values(const Overview& overview);
+
+}  // namespace mirocup::league

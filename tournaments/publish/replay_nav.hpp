@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+//
+// The links of a replay page to the league that it belongs to. A page is made once, and its links
+// change as the league goes on: they stand between two comments, where this puts them.
+#pragma once
+
+#include "tournaments/publish/leg_view.hpp"
+
+#include <string>
+
+namespace mirocup::league {
+
+// Returns the replay page of a record with links to the front page, the round, both teams and the
+// legs before and after, and a note where the leg does not count. `record` is the path inside the
+// league folder. A page without the comments is returned as it is.
+std::string with_league_links(std::string page, const Overview& overview,
+                              const std::string& record);
+
+}  // namespace mirocup::league

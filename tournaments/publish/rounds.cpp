@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/publish/rounds.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace mirocup::league {
+
+namespace {
+
+bool is_before(const Fixture& a, const Fixture& b) {
+  const bool a_last = a.part == Part::knockout;
+  const bool b_last = b.part == Part::knockout;
+  return a_last != b_last ? b_last : a.round < b.round;
+}
+
+std::string title_of(const LeagueState& state, const Fixture& f) {
+  if (f.part == Part::group) return "Round " + std::to_string(f.round) + " of the groups";
+  return round_in_words(state, f);
+}
+
+}  // namespace
+
+std::string round_key(const Fixture& fixture) {
+  return (fixture.part == Part::knockout ? "k" : "r") + std::to_string(fixture.round);
+}
+
+std::string fixture_link(const Fixture& fixture) {
+  return "rounds/" + round_key(fixture) + ".html#" + fixture.id();
+}
+
+std::vector<RoundView> rounds_of(const Overview& o) {
+  std::map<std::string, std::vector<const LegView*>> legs;
+  for (const LegView& leg : o.legs) legs[leg.fixture].push_back(&leg);
+  std::vector<const FixtureState*> fixtures;
+  for (const FixtureState& f : o.state.fixtures) fixtures.push_back(&f);
+  std::stable_sort(fixtures.begin(), fixtures.end(),
+                   [](const FixtureState* a, const FixtureState* b) {
+                     return is_before(a->fixture, b->fixture);
+                   });
+  std::vector<RoundView> rounds;
+  for (const FixtureState* f : fixtures) {
+    const std::string key = round_key(f->fixture);
+    if (rounds.empty() || rounds.back().key != key) {
+      rounds.emplace_back();
+      rounds.back().key = key;
+      rounds.back().title = title_of(o.state, f->fixture);
+    }
+    RoundView& round = rounds.back();
+    if (!f->fixture.has_both()) continue;
+    round.fixtures.push_back({f, legs[f->fixture.id()]});
+    for (const LegView* leg : round.fixtures.back().legs) {
+      ++round.legs;
+      if (leg->played == nullptr) continue;
+      ++round.decided;
+      round.goals += leg->played->result.home_goals + leg->played->result.away_goals;
+    }
+  }
+  return rounds;
+}
+
+}  // namespace mirocup::league

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+//
+// The rounds of a league as pages show them. A round of all groups is one round; those of a
+// knockout come after all others.
+#pragma once
+
+#include "tournaments/publish/leg_view.hpp"
+
+#include <string>
+#include <vector>
+
+namespace mirocup::league {
+
+// A fixture whose teams are known, with its legs.
+struct FixtureView {
+  const FixtureState* state = nullptr;
+  std::vector<const LegView*> legs;
+};
+
+struct RoundView {
+  std::string key;    // "r3", "k1", as publish --through has it
+  std::string title;  // "Round 3", "Semi-final"
+  std::vector<FixtureView> fixtures;
+  int legs = 0;
+  int decided = 0;  // legs
+  int goals = 0;
+
+  std::string page() const { return "rounds/" + key + ".html"; }
+};
+
+// Returns the rounds in the order in which they are played. They refer to the overview.
+std::vector<RoundView> rounds_of(const Overview& overview);
+
+// Returns the key of a fixture's round.
+std::string round_key(const Fixture& fixture);
+
+// Returns the link from the top of a site to a fixture on the page of its round.
+std::string fixture_link(const Fixture& fixture);
+
+}  // namespace mirocup::league

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+//
+// How the strengths of the teams developed: what was known after each round.
+#pragma once
+
+#include "tournaments/publish/rounds.hpp"
+
+#include <string>
+#include <vector>
+
+namespace mirocup::league {
+
+struct StrengthHistory {
+  std::vector<std::string> rounds;  // titles of the rounds after which strengths are known
+  std::vector<Ratings> after;       // one for each of these
+  bool empty() const { return rounds.size() < 2; }
+};
+
+// Fits the strengths to the results up to each round, for at most 24 rounds. Empty for more than 64
+// teams, where it would take too long.
+StrengthHistory strength_history(const Overview& overview, const std::vector<RoundView>& rounds);
+
+// Returns a curve for each team as an SVG element; the curves of `highlighted`, with its interval,
+// in front. `highlighted` may be no_team: then every curve has a colour and its name.
+std::string strength_picture(const Overview& overview, const StrengthHistory& history,
+                             int highlighted);
+
+}  // namespace mirocup::league
