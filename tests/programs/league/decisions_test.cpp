@@ -110,7 +110,7 @@ TEST(Rulings, ArePublishedAndCount) {
   const std::string page = read_file(folder + "/site/index.html");
   EXPECT_NE(page.find("ruling: &lt;b&gt;glue&lt;/b&gt; (Host)"), std::string::npos);
   EXPECT_NE(page.find("what was played before is void: cable fault"), std::string::npos);
-  EXPECT_NE(page.find("7 : 6"), std::string::npos);
+  EXPECT_NE(page.find(">7:6<"), std::string::npos);
   const auto decisions = read_json(folder + "/site/decisions.json")["decisions"];
   ASSERT_EQ(decisions.size(), 3u);
   EXPECT_EQ(decisions[0]["by"], "Host");
