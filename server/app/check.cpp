@@ -87,8 +87,11 @@ void print(const CheckOptions& options, const EntryReport& report) {
 Result<int> run_check(const CheckOptions& options) {
   const auto parameters = record::parameters_with_changes({}, options.parameters, "--param");
   if (!parameters) return tl::unexpected(parameters.error());
-  const auto report =
-      check_entry(options.path, *from_string<League>(options.league), options.half_s, *parameters);
+  const auto tell = [&options](int number, int of, const char* name) {
+    if (options.steps) std::cerr << "step " << number << " of " << of << ": " << name << std::endl;
+  };
+  const auto report = check_entry(options.path, *from_string<League>(options.league),
+                                  options.half_s, *parameters, tell);
   if (!report) return tl::unexpected(report.error());
   if (options.json) {
     std::cout << record::json_text(to_json(options, *report)) << '\n';

@@ -50,8 +50,18 @@ struct CheckOptions {
   std::optional<double> half_s;         // of the legs that the entry is for
   std::vector<std::string> parameters;  // KEY=VALUE
   bool json = false;
+  bool steps = false;  // print each check on standard error before it runs
 };
 Result<int> run_check(const CheckOptions& options);
+
+struct HandInOptions {
+  std::string url;  // of the league
+  std::string path;
+  std::string token_file;
+  std::string authority;  // file of the certificate that signs for the server; "": the system's
+  bool json = false;
+};
+Result<int> run_hand_in(const HandInOptions& options);
 
 struct JoinOptions {
   std::string match_id;

@@ -101,8 +101,8 @@ bool is_on_this_system(const std::string& name) {
 class Examination {
  public:
   Examination(std::string path, League league, std::optional<double> half,
-              match::TeamParameters parameters)
-      : path_(std::move(path)), parameters_(std::move(parameters)) {
+              match::TeamParameters parameters, const StepListener& tell)
+      : path_(std::move(path)), parameters_(std::move(parameters)), tell_(tell) {
     setup_.league = league;
     real_half_ = half.value_or(setup_.rules.half_s);
     setup_.rules.half_s = half_s;
@@ -129,6 +129,12 @@ class Examination {
   bool is_over_time(const Seats& seats);
   static double delay_of(const Seats& seats);
 
+  void tell_next() const {
+    const std::size_t next = report_.checks.size();
+    if (next < check_names.size())
+      tell_(static_cast<int>(next) + 1, static_cast<int>(check_names.size()), check_names[next]);
+  }
+
   // Each adds the result of the next check and returns true if it passed.
   bool pass(std::string text);
   bool fail_with(std::string text);
@@ -136,6 +142,7 @@ class Examination {
 
   std::string path_;
   match::TeamParameters parameters_;
+  const StepListener& tell_;
   match::Setup setup_;  // of the trial legs
   double real_half_;    // s, of the legs that the entry is for
   pace::SteadyWallClock clock_;
@@ -147,6 +154,7 @@ class Examination {
 
 bool Examination::pass(std::string text) {
   report_.checks.push_back({check_names[report_.checks.size()], true, std::move(text)});
+  tell_next();
   return true;
 }
 
@@ -170,6 +178,7 @@ bool Examination::judge(const TrialLeg& leg, std::string text) {
 }
 
 Result<EntryReport> Examination::run() {
+  tell_next();
   auto looks_well = examine_file();
   if (!looks_well) return tl::unexpected(looks_well.error());
   if (*looks_well) {
@@ -351,8 +360,8 @@ const Check* EntryReport::failure() const {
 }
 
 Result<EntryReport> check_entry(const std::string& path, League league, std::optional<double> half,
-                                const match::TeamParameters& parameters) {
-  return Examination(path, league, half, parameters).run();
+                                const match::TeamParameters& parameters, const StepListener& tell) {
+  return Examination(path, league, half, parameters, tell).run();
 }
 
 }  // namespace mirocup::app

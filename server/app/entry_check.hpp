@@ -10,6 +10,7 @@
 #include "plugins/host/sandbox/isolation.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,7 +45,10 @@ struct EntryReport {
 // `half` is the length, s, of the halves that the entry is for; nothing: that of the rules. The
 // trial legs are shorter. The team plays them with the parameters. Takes at most 20 s. An error
 // means that there is no answer: the file cannot be read, or the host failed.
+// `tell` is told about each check before it runs: its number from 1, the number of checks, its
+// name.
+using StepListener = std::function<void(int number, int of, const char* name)>;
 Result<EntryReport> check_entry(const std::string& path, League league, std::optional<double> half,
-                                const match::TeamParameters& parameters);
+                                const match::TeamParameters& parameters, const StepListener& tell);
 
 }  // namespace mirocup::app

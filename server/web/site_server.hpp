@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
 // A site over HTTP whose pages change while they are shown: pages at the paths that the site knows,
-// the changes at /events, and below /live/NAME/ the live pages of matches on this host. No request
-// changes anything. Paths of requests are looked up in the site, never joined to the path of a
-// folder.
+// the changes at /events, and below /live/NAME/ the live pages of matches on this host. Only a desk
+// changes anything; without one, no request does. Paths of requests are looked up in the site and
+// never joined to the path of a folder.
 #pragma once
 
 #include "core/base/error.hpp"
 #include "server/web/address.hpp"
+#include "server/web/request.hpp"
+#include "system/tls.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -23,7 +26,7 @@ struct Page {
   std::string bytes;
 };
 
-// The content of a site. Several threads call all three functions at the same time.
+// The content of a site. Several threads call all functions at the same time.
 struct Site {
   // Returns the page at a path, which starts with "/"; nothing if there is none.
   std::function<std::optional<Page>(const std::string& path)> page;
@@ -35,6 +38,16 @@ struct Site {
   // Returns the port of this host at which the match of that name has its live page; nothing if it
   // has none.
   std::function<std::optional<int>(const std::string& name)> match;
+
+  // If set, it is asked first, whatever the method. It returns nothing if it has no such path: then
+  // the path is looked up in the pages.
+  std::function<std::optional<Reply>(const Request& request, const Body& body)> desk = {};
+};
+
+// What a site server takes and how.
+struct SiteLimits {
+  std::size_t max_upload = 0;                 // bytes of the body of a PUT; 0: none is taken
+  std::optional<system::TlsServer> tls = {};  // nothing: connections are not encrypted
 };
 
 class SiteServer {
@@ -42,7 +55,7 @@ class SiteServer {
   // `option` is the one that named the address, for the error: Errc::unavailable if the address is
   // in use or not of this host.
   static Result<std::unique_ptr<SiteServer>> open(const Address& address, const std::string& option,
-                                                  Site site);
+                                                  Site site, SiteLimits limits = {});
   ~SiteServer();
   SiteServer(const SiteServer&) = delete;
   SiteServer& operator=(const SiteServer&) = delete;
