@@ -166,6 +166,19 @@ void add_check(CLI::App& app, Run& run) {
                     "Print \"step 3 of 10: entry\" on standard error before each check");
 }
 
+void add_compile(CLI::App& app, Run& run) {
+  Subcommand<CompileOptions> command(
+      app, run, "compile", "Compile a team's source as a league does: in a sandbox, fixed options",
+      run_compile);
+  CompileOptions& o = *command.options;
+  command->add_option("SOURCE", o.path, "One file of C++20, or of C17 if its name ends in .c")
+      ->required();
+  command->add_option("-o", o.output, "Library to write")->type_name("FILE.so")->required();
+  command->add_option("--language", o.language, "Of the source, whatever its name")
+      ->check(CLI::IsMember({"c", "c++"}));
+  command->add_flag("--json", o.json, "Print the answer as one JSON object");
+}
+
 void add_hand_in(CLI::App& app, Run& run) {
   Subcommand<HandInOptions> command(
       app, run, "hand-in", "Hand a library in to a league in the network, and wait for the answer",
@@ -293,6 +306,7 @@ std::optional<int> read_command_line(int argc, char** argv, Run& run) {
       "mirocup bench ... compares speed and error with other engines: see mirocup bench --help.");
   add_match(cli, run);
   add_check(cli, run);
+  add_compile(cli, run);
   add_hand_in(cli, run);
   add_join(cli, run);
   add_new(cli, run);

@@ -54,6 +54,14 @@ struct CheckOptions {
 };
 Result<int> run_check(const CheckOptions& options);
 
+struct CompileOptions {
+  std::string path;
+  std::string output;
+  std::string language;  // "c", "c++"; "": by the name of the file
+  bool json = false;
+};
+Result<int> run_compile(const CompileOptions& options);
+
 struct HandInOptions {
   std::string url;  // of the league
   std::string path;

@@ -35,6 +35,7 @@ Result<std::unique_ptr<Portal>> open_portal(system::Files& files, const ServeOpt
   portal.why_not = [&league](const std::string& team, const std::string& now) {
     return league.why_not(team, now);
   };
+  portal.legs = [&league](const std::string& team) { return league.legs_of(team); };
   portal.now = [] { return static_cast<std::int64_t>(std::time(nullptr)); };
   std::string notice;
   auto opened = Portal::open(files, Folder{options.folder}, std::move(portal), &notice);

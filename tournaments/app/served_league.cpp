@@ -193,6 +193,12 @@ std::string ServedLeague::why_not(const std::string& team, const std::string& no
   return why_not_now(store_.state(), team, now);
 }
 
+std::vector<OwnLeg> ServedLeague::legs_of(const std::string& team) {
+  const std::lock_guard lock(mutex_);
+  poll();
+  return own_legs(store_.state(), team);
+}
+
 std::string ServedLeague::news(std::uint64_t& seen) {
   const std::lock_guard lock(mutex_);
   poll();

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "server/web/site_server.hpp"
+#include "tournaments/handin/own_legs.hpp"
 #include "tournaments/league/league_store.hpp"
 
 #include <nlohmann/json.hpp>
@@ -33,6 +34,9 @@ class ServedLeague {
 
   // Returns why no entry of this team is taken at a time (UTC); "" if entries are taken.
   std::string why_not(const std::string& team, const std::string& now);
+
+  // Returns the decided legs of a team.
+  std::vector<OwnLeg> legs_of(const std::string& team);
 
  private:
   // A leg that is being played and can be watched.

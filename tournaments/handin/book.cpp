@@ -96,9 +96,10 @@ Result<int> HandInBook::take(WaitingHandIn handed,
   const Json line{{"team", team},          {"entry", handed.entry},
                   {"file", handed.file},   {"sha256", handed.sha256},
                   {"bytes", handed.bytes}, {"at", handed.at}};
-  auto done = store(folder_.library(team, handed.entry)).and_then([&] {
-    return journal_.append(std::string(taken), line);
-  });
+  const bool is_source = source_kind_of(handed.file) != SourceKind::none;
+  const std::string path =
+      is_source ? folder_.source(team, handed.entry) : folder_.library(team, handed.entry);
+  auto done = store(path).and_then([&] { return journal_.append(std::string(taken), line); });
   if (!done) {
     (void)files_->remove(folder_.entry(team, handed.entry));
     return tl::unexpected(done.error());

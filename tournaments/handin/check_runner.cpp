@@ -134,10 +134,16 @@ Result<int> check_hand_in(system::Files& files, const Folder& folder, const std:
   handed.at = at;
   handed.entry = entry;
   handed.name = file;
+  const SourceKind kind = source_kind_of(file);
+  if (kind != SourceKind::none) handed.source = folder.source(team, entry);
+  handed.is_c = kind == SourceKind::c;
   const auto done = submit(files, folder, handed);
   if (!done) return tl::unexpected(done.error());
   // An entry that was not even looked at needs no bytes.
-  if (done->entry == 0) (void)files.remove(handed.path);
+  if (done->entry == 0) {
+    (void)files.remove(handed.path);
+    (void)files.remove(folder.source(team, entry));
+  }
   std::cout << '\n'
             << record::json_text({{"accepted", done->is_accepted}, {"message", done->message}})
             << std::endl;

@@ -15,6 +15,7 @@ namespace mirocup::league {
 namespace {
 
 constexpr std::string_view entries_path = "/api/v1/entries";
+constexpr std::string_view legs_path = "/api/v1/legs";
 constexpr std::size_t max_file_name = 100;  // bytes
 constexpr std::size_t max_form = 4096;      // bytes
 constexpr int max_failures = 10;            // of the host, until a hand-in is void
@@ -108,6 +109,7 @@ Portal::Portal(system::Files& files, Folder folder, PortalOptions options, HandI
     : files_(files),
       folder_(folder),
       options_(std::move(options)),
+      costs_(files, folder),
       book_(std::move(book)),
       doorkeeper_(files, std::move(folder), options_.proxy) {}
 
@@ -151,7 +153,8 @@ std::optional<web::Reply> Portal::answer(const web::Request& request, const web:
   }
   const Visitor& known = std::get<Visitor>(who);
   if (known.is_staff) return page_reply(200, staff_page());
-  return page_reply(200, team_desk_page(known.team, reports(known.team)));
+  return page_reply(200, team_desk_page(known.team, reports(known.team),
+                                        own_legs_json(options_.legs(known.team), costs_)));
 }
 
 web::Reply Portal::api(const web::Request& request, const web::Body& body) {
@@ -168,9 +171,11 @@ web::Reply Portal::api(const web::Request& request, const web::Body& body) {
   if (!known.is_staff && team != known.team)
     return problem(403, "this token is for the entries of " + known.team + " only");
   if (path == "/api/v1/team" && is_reading) return json_reply(200, about(known));
-  if (!is_reading || !path.starts_with(entries_path))
+  const bool is_leg = path.starts_with(legs_path);
+  if (!is_reading || (!is_leg && !path.starts_with(entries_path)))
     return problem(is_reading ? 404 : 405, "there is nothing of this name here");
   if (!is_good_name(team)) return problem(400, "?team=NAME is expected");
+  if (is_leg) return leg_reply(team, path.substr(legs_path.size()));
   std::string_view rest = path.substr(entries_path.size());
   if (rest.empty()) return json_reply(200, {{"team", team}, {"entries", reports(team)}});
   if (!rest.starts_with("/")) return problem(404, "there is nothing of this name here");
@@ -182,6 +187,24 @@ web::Reply Portal::api(const web::Request& request, const web::Body& body) {
   if (known_entry.is_null() || (what != "" && what != "/events"))
     return problem(404, team + " has no entry of this number");
   return what.empty() ? json_reply(200, known_entry) : events(team, *entry);
+}
+
+// `rest` is what follows the path of all legs.
+web::Reply Portal::leg_reply(const std::string& team, std::string_view rest) {
+  constexpr std::string_view log_end = "/log";
+  const auto legs = options_.legs(team);
+  if (rest.empty()) return json_reply(200, {{"team", team}, {"legs", own_legs_json(legs, costs_)}});
+  if (rest.starts_with("/") && rest.ends_with(log_end)) {
+    rest.remove_prefix(1);
+    // Only a leg of the team has a name that is looked for; no path comes from the request.
+    for (const OwnLeg& leg : legs) {
+      if (leg.record.empty() || rest != name_of_leg(leg) + std::string(log_end)) continue;
+      const std::string path = log_path(folder_, leg);
+      const std::string log = files_.read(path, {.max_size = system::size_limit::log}).value_or("");
+      return {.status = 200, .bytes = system::printable(log, system::LineEnds::kept)};
+    }
+  }
+  return problem(404, team + " has played no leg of this name");
 }
 
 web::Reply Portal::log_in(const web::Request& request, const web::Body& body) {
@@ -386,7 +409,9 @@ std::optional<WaitingHandIn> Portal::begin_next() {
   const WaitingHandIn* next = book_.queue().next();
   if (next == nullptr) return std::nullopt;
   WaitingHandIn begun = *next;
-  book_.begin(begun.team, begun.entry);
+  book_.begin(begun.team, begun.entry,
+              source_kind_of(begun.file) == SourceKind::none ? HandInState::checking
+                                                             : HandInState::compiling);
   ++version_;
   return begun;
 }
@@ -396,6 +421,7 @@ void Portal::set_step(const std::string& team, int entry, const CheckStep& step)
   CheckStep& known = steps_[{team, entry}];
   if (known == step) return;
   known = step;
+  if (step.number > 0) book_.begin(team, entry, HandInState::checking);
   ++version_;
 }
 

@@ -10,6 +10,7 @@
 #include "tournaments/handin/book.hpp"
 #include "tournaments/handin/doorkeeper.hpp"
 #include "tournaments/handin/entry_report.hpp"
+#include "tournaments/handin/own_legs.hpp"
 #include "tournaments/league/hand_ins.hpp"
 
 #include <atomic>
@@ -26,6 +27,8 @@ struct PortalOptions {
 
   // Returns why no entry of a team is taken at a time, a sentence; "" if entries are taken.
   std::function<std::string(const std::string& team, const std::string& now)> why_not;
+  // Returns the decided legs of a team.
+  std::function<std::vector<OwnLeg>(const std::string& team)> legs;
   std::function<std::int64_t()> now;  // s since 1970
 };
 
@@ -61,6 +64,7 @@ class Portal {
   web::Reply take(const web::Request& request, const web::Body& body, const Visitor& visitor);
   web::Reply keep(const Visitor& visitor, const std::string& name, system::IncomingFile& file,
                   const std::string& sha256);
+  web::Reply leg_reply(const std::string& team, std::string_view rest);
   web::Reply events(const std::string& team, int entry);
   std::optional<web::Reply> refused_now(const std::string& team);
   Json report(const std::string& team, int entry, bool is_whole);
@@ -70,6 +74,7 @@ class Portal {
   system::Files& files_;
   const Folder folder_;
   const PortalOptions options_;
+  LegCosts costs_;
   std::atomic<std::uint64_t> version_{1};  // grows with each change that a team may see
 
   std::mutex mutex_;  // guards what follows

@@ -5,6 +5,13 @@
 
 namespace mirocup::league {
 
+SourceKind source_kind_of(std::string_view file) {
+  for (const std::string_view end : {".cpp", ".cc", ".cxx"}) {
+    if (file.ends_with(end)) return SourceKind::cpp;
+  }
+  return file.ends_with(".c") ? SourceKind::c : SourceKind::none;
+}
+
 void HandInQueue::add(WaitingHandIn handed) {
   const Key key{handed.team, handed.entry};
   const auto last = last_round_.find(handed.team);

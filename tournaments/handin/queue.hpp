@@ -34,6 +34,10 @@ constexpr bool is_final(HandInState state) {
          state != HandInState::checking;
 }
 
+// The languages of sources, told by the end of a file's name.
+enum class SourceKind { none, c, cpp };
+SourceKind source_kind_of(std::string_view file);
+
 // One file that a team has handed in over the network.
 struct WaitingHandIn {
   std::string team;

@@ -16,8 +16,9 @@ using Json = nlohmann::ordered_json;
 // `why` is a sentence that says what was wrong with the last token; "": nothing was.
 std::string log_in_page(const std::string& why);
 
-// `entries` are the summaries of entry_summary(), the latest first.
-std::string team_desk_page(const std::string& team, const Json& entries);
+// `entries` are the summaries of entry_summary(), the latest first; `legs` those of
+// own_legs_json().
+std::string team_desk_page(const std::string& team, const Json& entries, const Json& legs);
 
 // Whoever logs in with the token of the staff.
 std::string staff_page();

@@ -44,6 +44,12 @@ struct Folder {
   std::string library(const std::string& team, int number) const {
     return entry(team, number) + "/strategy.so";
   }
+  std::string source(const std::string& team, int number) const {  // of a library made from it
+    return entry(team, number) + "/source";
+  }
+  std::string compile_log(const std::string& team, int number) const {  // while it is compiled
+    return entry(team, number) + "/compile.log";
+  }
   std::string check_log(const std::string& team, int number) const {  // while it is checked
     return entry(team, number) + "/check.log";
   }

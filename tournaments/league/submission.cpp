@@ -149,6 +149,69 @@ Result<Json> store_and_check(system::Files& files, const Folder& folder, const L
   return verdict;
 }
 
+// Returns the line of the first error in what a compiler has said; "" if there is none.
+std::string first_error_in(const std::string& said) {
+  constexpr std::size_t enough = 240;  // bytes
+  const std::size_t error = said.find("error: ");
+  if (error == std::string::npos) return "";
+  const std::size_t before = said.rfind('\n', error);
+  const std::size_t begin = before == std::string::npos ? 0 : before + 1;
+  return said.substr(begin, std::min(enough, said.find('\n', error) - begin));
+}
+
+// Makes the library of an entry from its source. Returns nothing if that is done, and the verdict,
+// which is then written, if it is refused.
+Result<std::optional<Json>> compile(system::Files& files, const Folder& folder,
+                                    const HandIn& handed, int number) {
+  const std::string log = folder.compile_log(handed.team, number);
+  const std::string name = handed.name.empty() ? handed.source : handed.name;
+  system::ProcessSet processes;
+  const auto started = processes.start(
+      {system::sibling_program("mirocup"), "compile", handed.source, "-o",
+       folder.library(handed.team, number), "--json", "--language", handed.is_c ? "c" : "c++"},
+      0, -1, log);
+  if (!started) return tl::unexpected(started.error());
+  const auto exit = processes.wait();
+  if (!exit) return fail(Errc::interrupted, "interrupted while a source was compiled");
+  const auto text = files.read(log, {.max_size = system::size_limit::log});
+  if (!text) return tl::unexpected(text.error());
+  if (auto removed = files.remove(log); !removed) return tl::unexpected(removed.error());
+  if (exit->signal == 0 && exit->code == exit_yes) return std::nullopt;
+  std::string reason;
+  std::string said;
+  if (exit->signal == 0 && exit->code == exit_code(Errc::unavailable)) {
+    // This computer compiles nothing: a sentence for the team.
+    constexpr std::string_view before = "mirocup: ";
+    reason = text->substr(text->starts_with(before) ? before.size() : 0);
+    reason = reason.substr(0, reason.find('\n'));
+  } else if (exit->signal == 0 && exit->code == exit_no) {
+    record::ParsedJson parsed = record::parse_json(*text);
+    std::optional<record::JsonProblem> problem = std::move(parsed.problem);
+    if (!problem) {
+      const record::JsonReader json(parsed.value, "", problem);
+      reason = json.at("reason").text();
+      said = json.at("log").text();
+      if (const std::string error = first_error_in(said); !error.empty()) reason = error;
+    }
+    if (problem) return tl::unexpected(record::error_of(*problem, log, Errc::host));
+  } else {
+    constexpr std::size_t enough = 500;  // bytes
+    return fail(Errc::host, "compiling a source failed: " + text->substr(0, enough));
+  }
+  Json verdict{
+      {"file", name},
+      {"sha256", Json()},
+      {"accepted", false},
+      {"reason", "compiles: " + reason},
+      {"checks", Json::array({{{"name", "compiles"}, {"passed", false}, {"text", reason}}})},
+      {"log", said}};
+  name_file(verdict, "/work/source", name);  // as the compiler has named it
+  auto added =
+      add_entry(files, folder, handed.team, number, "", record::json_text(verdict, 1) + "\n");
+  if (!added) return tl::unexpected(added.error());
+  return std::optional(std::move(verdict));
+}
+
 // Returns the verdict of an entry whose check has ended.
 Result<Json> read_verdict(system::Files& files, const Folder& folder, const std::string& team,
                           int number) {
@@ -244,6 +307,7 @@ class Desk {
   Result<Submission> conclude(const Found& found, Json verdict);
 
  private:
+  Result<Json> check_library();
   Result<Submission> refuse(const Found& found);
   void note_try(const Found& found);
 
@@ -267,7 +331,8 @@ class Desk {
   LeagueStore& store_;
   const HandIn& handed_;
   const Quota& quota_;
-  int number_;  // of the entry; 0: none yet
+  int number_;           // of the entry; 0: none yet
+  std::string library_;  // once it is there
   HandIns known_;
 };
 
@@ -331,9 +396,26 @@ Result<Submission> Desk::refuse(const Found& found) {
 }
 
 Result<Json> Desk::check(const Found& found) {
-  if (has_verdict()) return read_verdict(files_, folder(), team(), number_);
-  auto verdict =
-      store_and_check(files_, folder(), store_.state().file, handed_, number_, found.library);
+  const std::string stored = folder().library(team(), number_);
+  if (has_verdict()) {
+    library_ = files_.read(stored, {.max_size = system::size_limit::entry}).value_or("");
+    return read_verdict(files_, folder(), team(), number_);
+  }
+  if (handed_.source.empty()) {
+    library_ = found.library;
+    return check_library();
+  }
+  auto refused = compile(files_, folder(), handed_, number_);
+  if (!refused) return tl::unexpected(refused.error());
+  if (*refused) return std::move(**refused);
+  auto library = files_.read(stored, {.max_size = system::size_limit::entry});
+  if (!library) return tl::unexpected(library.error());
+  library_ = std::move(*library);
+  return check_library();
+}
+
+Result<Json> Desk::check_library() {
+  auto verdict = store_and_check(files_, folder(), store_.state().file, handed_, number_, library_);
   // The folder of a hand-in that waits keeps its library for the next try.
   if (!verdict && handed_.entry == 0) (void)files_.remove(folder().entry(team(), number_));
   return verdict;
@@ -368,7 +450,7 @@ Result<Submission> Desk::conclude(const Found& found, Json verdict) {
       write_hand_ins(files_, folder(), team(), known_)
           .and_then([&]() -> Result<void> {
             if (!result.is_accepted) return {};
-            return let_play(files_, store_, team(), result.entry, found.library);
+            return let_play(files_, store_, team(), result.entry, library_);
           })
           .and_then([&] {
             return prune_versions(files_, folder(), team(), played_entries(store_, team()), quota_);
@@ -392,7 +474,9 @@ Result<Submission> submit(system::Files& files, const Folder& folder, const Hand
     return fail(Errc::input, "\"" + handed.team +
                                  "\" is no name: letters, digits, '-', '_' and '.', at most 40");
   }
-  const auto found = examine(handed);
+  HandIn looked_at = handed;
+  if (!handed.source.empty()) looked_at.path = handed.source;
+  const auto found = examine(looked_at);
   if (!found) return tl::unexpected(found.error());
   // Hand-ins that waited have a queue of their own, which says how many checks run at once.
   std::optional<system::FileLock> alone;

@@ -26,6 +26,9 @@ struct HandIn {
   // The number under which the file is stored already, as the library of that entry, since it
   // waited for its check; 0: it gets the next number when it is looked at.
   int entry = 0;
+  // A source that waited: the library is made from it first. "": `path` is the library.
+  std::string source = {};
+  bool is_c = false;      // the language of the source; false: C++
   std::string name = {};  // what its team calls the file, for its verdict; "": the path
 
   // In an inbox that several users can write to, the users whose files are the host's own word.

@@ -7,6 +7,7 @@ const form = document.getElementById('hand-in');
 const file = document.getElementById('file');
 const sent = document.getElementById('sent');
 const answer = document.getElementById('answer');
+const log = document.getElementById('log');
 const button = form.querySelector('button');
 
 const pause = 2000;  // ms between two questions, where there are no events
@@ -51,6 +52,8 @@ function follow({ url, events }) {
     isOver = isFinal(report);
     if (isOver) {
       source.close();
+      log.textContent = report.log ?? '';
+      log.hidden = log.textContent === '';
       end();
     }
   };
@@ -75,6 +78,7 @@ form.addEventListener('submit', (event) => {
   const chosen = file.files[0];
   if (!chosen) return;
   button.disabled = true;
+  log.hidden = true;
   sent.hidden = false;
   sent.value = 0;
   say('Sending …');

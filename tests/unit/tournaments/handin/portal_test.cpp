@@ -50,6 +50,9 @@ class Desk : public testing::Test {
     PortalOptions options;
     options.proxy = std::move(trust);
     options.now = [this] { return now_; };
+    options.legs = [this](const std::string& team) {
+      return team == "alpha" ? legs_ : std::vector<OwnLeg>();
+    };
     options.why_not = [this](const std::string&, const std::string&) { return why_not_; };
     auto portal = Portal::open(disk_, folder_, std::move(options), nullptr);
     ASSERT_TRUE(portal) << portal.error().what;
@@ -99,13 +102,16 @@ class Desk : public testing::Test {
   Folder folder_{temporary_ / "."};
   std::int64_t now_ = opening;
   std::string why_not_;
+  std::vector<OwnLeg> legs_;  // of alpha
   std::string alpha_, beta_, expired_, revoked_, staff_;
   std::unique_ptr<Portal> portal_;
   bool is_body_read_ = false;
 };
 
-const std::vector<std::string> private_paths{"/api/v1/team", "/api/v1/entries", "/api/v1/entries/1",
-                                             "/api/v1/entries/1/events", "/api/v1/anything"};
+const std::vector<std::string> private_paths{"/api/v1/team",      "/api/v1/entries",
+                                             "/api/v1/entries/1", "/api/v1/entries/1/events",
+                                             "/api/v1/legs",      "/api/v1/legs/r1-f1-1-1/log",
+                                             "/api/v1/anything"};
 
 TEST_F(Desk, TakesAFileAndSaysWhatBecomesOfIt) {
   const web::Reply taken = ask(put(alpha_), "ELF");
@@ -155,9 +161,10 @@ TEST_F(Desk, GivesNothingWithoutTheRightToken) {
   ASSERT_EQ(ask(put(alpha_), "ELF").status, 202);
   const std::string wrong(26, 'A');
   for (const std::string& token : {std::string(), wrong, expired_, revoked_}) {
-    for (const std::string& path : private_paths)
+    for (const std::string& path : private_paths) {
       EXPECT_EQ(ask(api(path, token)).status, 401) << path;
-    now_ += 1000;  // wrong tokens are forgotten
+      now_ += 1000;  // wrong tokens are forgotten
+    }
     const web::Reply put_reply = ask(put(token), "ELF");
     EXPECT_EQ(put_reply.status, 401);
     EXPECT_FALSE(is_body_read_) << "nobody sends megabytes without a token";
@@ -196,6 +203,36 @@ TEST_F(Desk, GivesNothingOfAnotherTeam) {
                               "/api/v1/entriesx", "/api/v1/entries/"}) {
     EXPECT_EQ(ask(api(strange, alpha_)).status, 404) << strange;
   }
+}
+
+TEST_F(Desk, ShowsTheLogsOfOwnLegsOnly) {
+  OwnLeg leg;
+  leg.fixture = "r1-f1";
+  leg.opponent = "<b>beta</b>";
+  leg.record = "records/r1-f1-1-1.json";
+  leg.colour = "yellow";
+  legs_ = {leg};
+  std::filesystem::create_directories(temporary_ / "records");
+  ASSERT_TRUE(disk_.write(log_path(folder_, leg), "hello\x1b[31m"));
+  ASSERT_TRUE(disk_.write(temporary_ / "records/r1-f1-1-1.json.blue.log", "the other's"));
+  ASSERT_TRUE(disk_.write(temporary_ / "records/r1-f1-1-1.json",
+                          R"({"budget":{"yellow":{"cpu_seconds":0.5,"bank_seconds":9.0,)"
+                          R"("slowest_tick_ms":2.5,"late_ticks":0}}})"));
+  const Json legs = json_of(ask(api("/api/v1/legs", alpha_)))["legs"];
+  ASSERT_EQ(legs.size(), 1u);
+  EXPECT_EQ(legs[0]["slowest_tick_ms"], 2.5);
+  EXPECT_EQ(legs[0]["replay"], "/replays/r1-f1-1-1.html");
+  EXPECT_EQ(ask(api(legs[0]["log"], alpha_)).bytes, "hello\\x1b[31m");
+  EXPECT_EQ(ask(api(legs[0]["log"], beta_)).status, 404);
+  for (const char* strange :
+       {"/api/v1/legs/log", "/api/v1/legs//log", "/api/v1/legs/../r1-f1-1-1/log",
+        "/api/v1/legs/r1-f1-1-1", "/api/v1/legs/r1-f1-1-1.json.blue.log",
+        "/api/v1/legsr1-f1-1-1/log"}) {
+    EXPECT_EQ(ask(api(strange, alpha_)).status, 404) << strange;
+  }
+  const std::string page = ask(with(get("/hand-in"), "cookie", log_in(alpha_))).bytes;
+  EXPECT_NE(page.find("&lt;b&gt;beta"), std::string::npos);
+  EXPECT_NE(page.find("2.50"), std::string::npos);
 }
 
 TEST_F(Desk, EndsATokenAtOnce) {
