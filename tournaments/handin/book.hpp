@@ -42,7 +42,7 @@ class HandInBook {
   void begin(const std::string& team, int entry, HandInState state = HandInState::checking) {
     queue_.begin(team, entry, state);
   }
-  void put_back(const std::string& team, int entry) { queue_.put_back(team, entry); }
+  void wait_again(const std::string& team, int entry) { queue_.wait_again(team, entry); }
 
  private:
   HandInBook(system::Files& files, Folder folder, Journal journal)

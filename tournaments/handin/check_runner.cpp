@@ -72,7 +72,7 @@ void CheckRunner::start_next() {
   if (!pid) {
     tell_(next->team + ": entry " + std::to_string(next->entry) + ": " + pid.error().what);
     rests_until_ = steady_clock::now() + rest_time;
-    (void)portal_.put_back(next->team, next->entry);
+    (void)portal_.wait_again(next->team, next->entry);
     return;
   }
   running_[next_tag_++] = {*next, *pid, steady_clock::now()};
@@ -102,7 +102,7 @@ void CheckRunner::book(const Running& check, const system::Exit& exit) {
                             : "code " + std::to_string(exit.code)) +
           " " + output.substr(0, enough));
     rests_until_ = steady_clock::now() + (exit.signal != 0 ? 0s : rest_time);
-    booked = portal_.put_back(team, entry);
+    booked = portal_.wait_again(team, entry);
   }
   if (!booked) {
     tell_(booked.error().what);
@@ -113,8 +113,8 @@ void CheckRunner::book(const Running& check, const system::Exit& exit) {
 
 void CheckRunner::look_at_steps() {
   const auto now = steady_clock::now();
-  if (now - looked_at_ < look_interval) return;
-  looked_at_ = now;
+  if (now - steps_read_at_ < look_interval) return;
+  steps_read_at_ = now;
   for (const auto& [tag, check] : running_) {
     const auto output =
         files_.read(folder_.check_log(check.handed.team, check.handed.entry),

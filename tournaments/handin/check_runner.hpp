@@ -45,7 +45,7 @@ class CheckRunner {
   std::function<void(const std::string& line)> tell_;
   std::map<int, Running> running_;  // by tag
   int next_tag_ = 0;
-  std::chrono::steady_clock::time_point looked_at_{};
+  std::chrono::steady_clock::time_point steps_read_at_{};
   std::chrono::steady_clock::time_point rests_until_{};  // after a fault of the host
 };
 

@@ -430,16 +430,16 @@ Result<void> Portal::close(const std::string& team, int entry, HandInState state
   const std::lock_guard lock(mutex_);
   auto answered = book_.answer(team, entry, state, message, options_.now());
   steps_.erase({team, entry});
-  if (!answered) book_.put_back(team, entry);
+  if (!answered) book_.wait_again(team, entry);
   ++version_;
   return answered;
 }
 
-Result<void> Portal::put_back(const std::string& team, int entry) {
+Result<void> Portal::wait_again(const std::string& team, int entry) {
   bool is_void = false;
   {
     const std::lock_guard lock(mutex_);
-    book_.put_back(team, entry);
+    book_.wait_again(team, entry);
     steps_.erase({team, entry});
     const WaitingHandIn* handed = book_.queue().find(team, entry);
     is_void = handed != nullptr && handed->failures >= max_failures;

@@ -50,7 +50,7 @@ class Portal {
                      const std::string& message);
 
   // The host has spoiled a check: it is tried again, and after some failures the hand-in is void.
-  Result<void> put_back(const std::string& team, int entry);
+  Result<void> wait_again(const std::string& team, int entry);
 
  private:
   struct Upload;

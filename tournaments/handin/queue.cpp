@@ -39,7 +39,7 @@ void HandInQueue::begin(const std::string& team, int entry, HandInState state) {
   round_ = std::max(round_, found->second.round);
 }
 
-void HandInQueue::put_back(const std::string& team, int entry) {
+void HandInQueue::wait_again(const std::string& team, int entry) {
   const auto found = all_.find({team, entry});
   if (found == all_.end() || is_final(found->second.state)) return;
   found->second.state = HandInState::queued;

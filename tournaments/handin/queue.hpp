@@ -63,7 +63,7 @@ class HandInQueue {
 
   // Its check begins, or has ended without an answer: then it waits again in its old place.
   void begin(const std::string& team, int entry, HandInState state = HandInState::checking);
-  void put_back(const std::string& team, int entry);
+  void wait_again(const std::string& team, int entry);
 
   // Returns the hand-in that is to be checked next; null if none may be.
   const WaitingHandIn* next() const;

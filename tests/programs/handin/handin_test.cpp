@@ -269,7 +269,8 @@ TEST_F(HandIn, LosesAndDoublesNothingByKills) {
   }
   ASSERT_FALSE(taken.empty());
   for (const auto& [key, bytes] : taken) {
-    const auto& [team, entry] = key;
+    const std::string team = key.first;
+    const int entry = key.second;
     ordered_json state;
     ASSERT_TRUE(test_support::wait_until([&] {
       state = state_of(tokens[team], entry);

@@ -44,7 +44,7 @@ TEST(HandInQueue, LetsTeamsTakeTurns) {
   EXPECT_EQ(order_of(queue), "a1 b1 c1 a2 b2 a3");
   queue.begin("a", 1);
   EXPECT_EQ(queue.next()->team, "b") << "a team has one check at a time";
-  queue.put_back("a", 1);
+  queue.wait_again("a", 1);
   EXPECT_EQ(queue.next()->team, "a") << "it has kept its place";
   EXPECT_EQ(queue.find("a", 1)->failures, 1);
 }
@@ -67,7 +67,7 @@ TEST(HandInQueue, KeepsTheFirstAnswer) {
   queue.add(hand_in("a", 1));
   queue.answer("a", 1, HandInState::refused, "no");
   queue.answer("a", 1, HandInState::accepted, "yes");
-  queue.put_back("a", 1);
+  queue.wait_again("a", 1);
   EXPECT_EQ(queue.find("a", 1)->state, HandInState::refused);
   EXPECT_EQ(queue.find("a", 1)->message, "no");
   EXPECT_EQ(queue.next(), nullptr);
