@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// SHA-256 digests, and base64 (RFC 4648, with padding).
+// SHA-256 digests, base64 (RFC 4648, with padding), and numbers that nobody can guess.
 #pragma once
 
+#include <cstddef>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -15,5 +17,30 @@ std::string sha256(std::string_view bytes);
 std::string sha256_base64(std::string_view bytes);
 
 std::string base64(std::string_view bytes);
+
+// The SHA-256 of bytes that come in parts.
+class Sha256 {
+ public:
+  Sha256();
+  ~Sha256();
+  Sha256(Sha256&&) noexcept;
+  Sha256& operator=(Sha256&&) noexcept;
+
+  void add(std::string_view bytes);
+
+  // Returns the digest of all parts as 64 lower-case hexadecimal digits. The object is used up.
+  std::string digits();
+
+ private:
+  struct Context;
+  std::unique_ptr<Context> context_;
+};
+
+// Returns bytes from the random numbers of the kernel, for keys and names that nobody can guess.
+std::string random_bytes(std::size_t count);
+
+// Returns the bytes in base32 (RFC 4648, without padding): letters A to Z and digits 2 to 7. 16
+// bytes make 26 characters.
+std::string base32(std::string_view bytes);
 
 }  // namespace mirocup::system

@@ -195,6 +195,38 @@ Result<std::string> read_file(const OpenFile& file, std::uint64_t offset) {
   return bytes;
 }
 
+Result<IncomingFile> IncomingFile::begin(const std::string& path) {
+  IncomingFile file;
+  Unfinished made = make_unfinished(path, 0600);
+  if (!made.descriptor.is_open()) return problem(path, "written");
+  file.path_ = std::move(made.path);
+  file.descriptor_ = std::move(made.descriptor);
+  return file;
+}
+
+IncomingFile::~IncomingFile() {
+  if (descriptor_.is_open() && !path_.empty()) unlink(path_.c_str());
+}
+
+Result<void> IncomingFile::add(std::string_view bytes) {
+  if (!write_all(descriptor_.get(), bytes)) return problem(path_, "written");
+  size_ += bytes.size();
+  digest_.add(bytes);
+  return {};
+}
+
+Result<std::string> IncomingFile::finish() {
+  if (fsync(descriptor_.get()) != 0) return problem(path_, "written");
+  return digest_.digits();
+}
+
+Result<void> IncomingFile::keep(const std::string& path) {
+  if (rename(path_.c_str(), path.c_str()) != 0 || !sync_folder_of(path))
+    return problem(path, "written");
+  path_.clear();
+  return {};
+}
+
 Result<std::string> Files::read_from(const std::string& path, std::size_t offset,
                                      const ReadOptions& options) {
   auto bytes = read(path, options);

@@ -12,6 +12,7 @@
 
 #include "core/base/error.hpp"
 #include "system/descriptor.hpp"
+#include "system/digest.hpp"
 
 #include <cstdint>
 #include <string>
@@ -121,6 +122,36 @@ class Files {
   // Removes a file, or a folder with everything in it. Links are removed and not followed. What is
   // not there is no error.
   virtual Result<void> remove(const std::string& path) = 0;
+};
+
+// A file that arrives in parts, for example over a network, and is hashed on its way. It has a
+// temporary name in the folder of its later path, until keep() gives it that path. What is not kept
+// is removed by the destructor; after a crash, by Files::remove_unfinished().
+class IncomingFile {
+ public:
+  // Begins a file that only its owner can read. The folder must be there.
+  static Result<IncomingFile> begin(const std::string& path);
+  IncomingFile(IncomingFile&& other) noexcept = default;
+  IncomingFile& operator=(IncomingFile&& other) noexcept = default;
+  ~IncomingFile();
+
+  // Errc::unavailable if the disk is full.
+  Result<void> add(std::string_view bytes);
+  std::uint64_t size() const { return size_; }
+
+  // Flushes the file to disk and returns its SHA-256. Nothing can be added after that.
+  Result<std::string> finish();
+
+  // Renames the finished file, which is then on disk under that name. The path is on the same disk.
+  Result<void> keep(const std::string& path);
+
+ private:
+  IncomingFile() = default;
+
+  std::string path_;  // the temporary name
+  Descriptor descriptor_{};
+  std::uint64_t size_ = 0;
+  Sha256 digest_;
 };
 
 // The real disk. It has no state: any number of objects may be used from any thread.

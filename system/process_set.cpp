@@ -38,25 +38,39 @@ Result<pid_t> ProcessSet::start(const std::vector<std::string>& arguments, int t
   return pid;
 }
 
+std::optional<Exit> ProcessSet::ended() {
+  for (auto child = children_.begin(); child != children_.end(); ++child) {
+    int status = 0;
+    if (waitpid(child->pid, &status, WNOHANG) != child->pid) continue;
+    Exit exit{.tag = child->tag};
+    if (WIFSIGNALED(status)) {
+      exit.signal = WTERMSIG(status);
+    } else {
+      exit.code = WEXITSTATUS(status);
+    }
+    children_.erase(child);
+    return exit;
+  }
+  return std::nullopt;
+}
+
 std::optional<Exit> ProcessSet::wait() {
   assert(!children_.empty());
   const sigset_t set = awaited_signals();
   while (true) {
-    for (auto child = children_.begin(); child != children_.end(); ++child) {
-      int status = 0;
-      if (waitpid(child->pid, &status, WNOHANG) != child->pid) continue;
-      Exit exit{.tag = child->tag};
-      if (WIFSIGNALED(status)) {
-        exit.signal = WTERMSIG(status);
-      } else {
-        exit.code = WEXITSTATUS(status);
-      }
-      children_.erase(child);
-      return exit;
-    }
+    if (const auto exit = ended()) return exit;
     const int signal = sigwaitinfo(&set, nullptr);
     if (signal == SIGINT || signal == SIGTERM) return std::nullopt;
   }
+}
+
+ProcessSet::News ProcessSet::wait_within(double seconds) {
+  const sigset_t set = awaited_signals();
+  if (const auto exit = ended()) return {exit, false};
+  const auto ns = static_cast<std::int64_t>(1e9 * seconds);
+  const timespec timeout{ns / 1'000'000'000, ns % 1'000'000'000};
+  const int signal = sigtimedwait(&set, nullptr, &timeout);
+  return {ended(), signal == SIGINT || signal == SIGTERM};
 }
 
 bool ProcessSet::is_asked_to_stop_within(double seconds) {

@@ -44,6 +44,13 @@ class ProcessSet {
   // one child must run.
   std::optional<Exit> wait();
 
+  // Waits at most that time for the next child to end, or for SIGINT or SIGTERM.
+  struct News {
+    std::optional<Exit> exit;
+    bool is_asked_to_stop = false;
+  };
+  News wait_within(double seconds);
+
   // Waits for that time, whatever the children do. Returns true as soon as SIGINT or SIGTERM
   // arrives; with 0 s, whether one has arrived already.
   bool is_asked_to_stop_within(double seconds);
@@ -56,6 +63,9 @@ class ProcessSet {
     pid_t pid;
     int tag;
   };
+  // Returns the end of a child that has ended already.
+  std::optional<Exit> ended();
+
   std::vector<Running> children_;
 };
 

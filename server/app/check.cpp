@@ -100,6 +100,9 @@ void print(const CheckOptions& options, const EntryReport& report) {
 Result<int> run_check(const CheckOptions& options) {
   const auto parameters = record::parameters_with_changes({}, options.parameters, "--param");
   if (!parameters) return tl::unexpected(parameters.error());
+  const auto tell = [&options](int number, int of, const char* name) {
+    if (options.steps) std::cerr << "step " << number << " of " << of << ": " << name << std::endl;
+  };
   EntryTerms terms;
   terms.league = *from_string<League>(options.league);
   terms.rules = referee::make_rules(*from_string<referee::Preset>(options.rules), terms.league);
@@ -107,7 +110,7 @@ Result<int> run_check(const CheckOptions& options) {
   terms.parameters = *parameters;
   stay_on_this_core();  // the teams and this process take turns
   const auto report = check_entry(
-      options.path, terms, options.json ? OnCheck() : [](const Check& check) { print(check); });
+      options.path, terms, options.json ? OnCheck() : [](const Check& check) { print(check); }, tell);
   if (!report) return tl::unexpected(report.error());
   if (options.json) {
     std::cout << record::json_text(to_json(options, *report)) << '\n';

@@ -225,6 +225,40 @@ void add_check(CLI::App& app, Run& run) {
       ->check(CLI::Range(0.1, 36000.0));
   add_parameters(*command.sub, "--param", o.parameters, "the team");
   command->add_flag("--json", o.json, "Print the report as one JSON object");
+  command->add_flag("--steps", o.steps,
+                    "Print \"step 3 of 10: entry\" on standard error before each check");
+}
+
+void add_compile(CLI::App& app, Run& run) {
+  Subcommand<CompileOptions> command(
+      app, run, "compile", "Compile a team's source as a league does: in a sandbox, fixed options",
+      run_compile);
+  CompileOptions& o = *command.options;
+  command->add_option("SOURCE", o.path, "One file of C++20, or of C17 if its name ends in .c")
+      ->required();
+  command->add_option("-o", o.output, "Library to write")->type_name("FILE.so")->required();
+  command->add_option("--language", o.language, "Of the source, whatever its name")
+      ->check(CLI::IsMember({"c", "c++"}));
+  command->add_flag("--json", o.json, "Print the answer as one JSON object");
+}
+
+void add_hand_in(CLI::App& app, Run& run) {
+  Subcommand<HandInOptions> command(
+      app, run, "hand-in", "Hand a library in to a league in the network, and wait for the answer",
+      run_hand_in);
+  HandInOptions& o = *command.options;
+  command->add_option("URL", o.url, "Address of the league, as https://league.example:8443")
+      ->required();
+  command->add_option("FILE", o.path, "Library of the team")->required();
+  command->add_option("--token-file", o.token_file, "File with the token of the team")
+      ->type_name("FILE")
+      ->required();
+  command
+      ->add_option("--ca", o.authority,
+                   "File with the certificate that signs for the server (default: those of the "
+                   "system)")
+      ->type_name("FILE");
+  command->add_flag("--json", o.json, "Print the answer as one JSON object");
 }
 
 void add_join(CLI::App& app, Run& run) {
@@ -365,6 +399,8 @@ std::optional<int> read_command_line(int argc, char** argv, Run& run) {
   add_match(cli, run);
   add_drill(cli, run);
   add_check(cli, run);
+  add_compile(cli, run);
+  add_hand_in(cli, run);
   add_join(cli, run);
   add_new(cli, run);
   add_verify(cli, run);

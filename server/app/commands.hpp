@@ -69,8 +69,26 @@ struct CheckOptions {
   std::optional<double> half_s;         // of the legs that the entry is for
   std::vector<std::string> parameters;  // KEY=VALUE
   bool json = false;
+  bool steps = false;  // print each check on standard error before it runs
 };
 Result<int> run_check(const CheckOptions& options);
+
+struct CompileOptions {
+  std::string path;
+  std::string output;
+  std::string language;  // "c", "c++"; "": by the name of the file
+  bool json = false;
+};
+Result<int> run_compile(const CompileOptions& options);
+
+struct HandInOptions {
+  std::string url;  // of the league
+  std::string path;
+  std::string token_file;
+  std::string authority;  // file of the certificate that signs for the server; "": the system's
+  bool json = false;
+};
+Result<int> run_hand_in(const HandInOptions& options);
 
 struct JoinOptions {
   std::string match_id;

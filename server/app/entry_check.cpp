@@ -127,8 +127,9 @@ bool is_memory_mistake(const std::string& text) {
 // Runs the checks of one entry, one after the other, and fills its report.
 class Examination {
  public:
-  Examination(std::string path, const EntryTerms& terms, const OnCheck& on_check)
-      : path_(std::move(path)), terms_(terms), on_check_(on_check) {
+  Examination(std::string path, const EntryTerms& terms, const OnCheck& on_check,
+              const OnStep& on_step)
+      : path_(std::move(path)), terms_(terms), on_check_(on_check), on_step_(on_step) {
     setup_.league = terms.league;
     setup_.rules = terms.rules;
     if (setup_.rules.preset == referee::Preset::simurosot) setup_.control_period = 1.0 / 60.0;
@@ -152,6 +153,12 @@ class Examination {
   bool judge_time();
   void warn();
 
+  void tell_next() const {
+    const std::size_t next = report_.checks.size();
+    if (on_step_ && next < check_names.size())
+      on_step_(static_cast<int>(next) + 1, static_cast<int>(check_names.size()), check_names[next]);
+  }
+
   // Each adds the result of the next check and returns true if it passed.
   bool add(bool passed, std::string text);
   bool pass(std::string text) { return add(true, std::move(text)); }
@@ -161,6 +168,7 @@ class Examination {
   std::string path_;
   EntryTerms terms_;
   const OnCheck& on_check_;
+  const OnStep& on_step_;
   match::Setup setup_;  // of the trial legs
   std::optional<plugins::SealedEntry> entry_;
   std::optional<plugins::SealedEntry> idle_;
@@ -172,6 +180,7 @@ class Examination {
 };
 
 Result<EntryReport> Examination::run() {
+  tell_next();
   auto looks_well = examine_file();
   if (!looks_well) return tl::unexpected(looks_well.error());
   if (*looks_well) {
@@ -189,6 +198,7 @@ Result<EntryReport> Examination::run() {
 bool Examination::add(bool passed, std::string text) {
   report_.checks.push_back({check_names[report_.checks.size()], passed, std::move(text)});
   if (on_check_) on_check_(report_.checks.back());
+  if (passed) tell_next();
   return passed;
 }
 
@@ -484,8 +494,8 @@ const Check* EntryReport::failure() const {
 }
 
 Result<EntryReport> check_entry(const std::string& path, const EntryTerms& terms,
-                                const OnCheck& on_check) {
-  return Examination(path, terms, on_check).run();
+                                const OnCheck& on_check, const OnStep& on_step) {
+  return Examination(path, terms, on_check, on_step).run();
 }
 
 }  // namespace mirocup::app

@@ -56,12 +56,14 @@ struct EntryTerms {
 
 // Called with each check as soon as its result is known.
 using OnCheck = std::function<void(const Check&)>;
+// Called before each check with its number from 1, the number of checks, and its name.
+using OnStep = std::function<void(int number, int of, const char* name)>;
 
 // Looks at the file, then lets it play in the sandbox: whole legs against the house team striker in
 // both colours, a knock-out leg, and the first leg again where a careful heap watches its memory,
 // at other addresses and another time. Takes three seconds for a usual team, and at most 20 s of
 // playing. An error means that there is no answer: the file cannot be read, or the host failed.
 Result<EntryReport> check_entry(const std::string& path, const EntryTerms& terms,
-                                const OnCheck& on_check = {});
+                                const OnCheck& on_check = {}, const OnStep& on_step = {});
 
 }  // namespace mirocup::app

@@ -2,6 +2,7 @@
 #include "server/web/http_server.hpp"
 
 #include <algorithm>
+#include <arpa/inet.h>
 #include <array>
 #include <cerrno>
 #include <charconv>
@@ -24,30 +25,67 @@ constexpr auto poll_interval = 33ms;
 constexpr int polls_without_news = 150;  // 5 s
 // A comment of server-sent events. Only by sending something is it noticed that a viewer is gone.
 constexpr std::string_view sign_of_life = ":\n\n";
-constexpr int timeout_s = 5;  // for a viewer that sends or reads nothing
+constexpr int timeout_s = 5;          // for a viewer that sends or reads nothing
+constexpr int upload_timeout_s = 20;  // for a student's wireless network
 constexpr auto request_time = 10s;
 constexpr std::size_t max_request = 64u << 10;  // bytes of line, headers and body
 constexpr std::size_t max_body = 4u << 10;      // bytes; no request to these servers needs one
+constexpr std::size_t max_drained = 1u << 20;   // bytes that nobody reads
+constexpr auto drain_time = 1s;
 constexpr int lower_priority = 10;
+
+// Returns the address of the other end, without the zone of IPv6; "" if it is no network address.
+std::string address_of(socket_t socket) {
+  sockaddr_storage address{};
+  socklen_t size = sizeof address;
+  char text[INET6_ADDRSTRLEN] = "";
+  if (getpeername(socket, reinterpret_cast<sockaddr*>(&address), &size) != 0) return "";
+  if (address.ss_family == AF_INET) {
+    inet_ntop(AF_INET, &reinterpret_cast<const sockaddr_in&>(address).sin_addr, text, sizeof text);
+  } else if (address.ss_family == AF_INET6) {
+    const in6_addr& v6 = reinterpret_cast<const sockaddr_in6&>(address).sin6_addr;
+    if (IN6_IS_ADDR_V4MAPPED(&v6)) {
+      inet_ntop(AF_INET, &v6.s6_addr[12], text, sizeof text);
+    } else {
+      inet_ntop(AF_INET6, &v6, text, sizeof text);
+    }
+  }
+  return text;
+}
 
 // A connection whose request is bounded. The library reads byte by byte, so this has a buffer.
 class Connection final : public httplib::Stream {
  public:
-  explicit Connection(socket_t socket) : socket_(socket) {}
+  // `tls` may be null: not encrypted.
+  Connection(socket_t socket, system::TlsConnection* tls) : socket_(socket), tls_(tls) {}
+
+  // More is allowed from now on. The client is told to send its body when that is read.
+  void allow(std::size_t bytes, int seconds, bool awaits_continue) {
+    most_ = received_ + bytes;
+    deadline_ = std::chrono::steady_clock::now() + std::chrono::seconds(seconds);
+    awaits_continue_ = awaits_continue;
+    has_body_ = true;
+    patience_s_ = upload_timeout_s;
+  }
 
   bool is_readable() const override {
-    if (used_ < filled_) return true;
+    if (used_ < filled_ || (tls_ != nullptr && tls_->has_bytes())) return true;
     const auto left = deadline_ - std::chrono::steady_clock::now();
     const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(left).count();
-    return ms > 0 && waits_for(POLLIN, static_cast<int>(std::min<long>(ms, 1000L * timeout_s)));
+    return ms > 0 && waits_for(POLLIN, static_cast<int>(std::min<long>(ms, 1000L * patience_s_)));
   }
 
   bool is_writable() const override { return waits_for(POLLOUT, 1000 * timeout_s); }
 
   ssize_t read(char* bytes, std::size_t size) override {
     if (used_ == filled_) {
-      if (received_ >= max_request || !is_readable()) return -1;
-      const ssize_t count = recv(socket_, buffer_.data(), buffer_.size(), 0);
+      if (awaits_continue_) {
+        awaits_continue_ = false;
+        constexpr std::string_view go_on = "HTTP/1.1 100 Continue\r\n\r\n";
+        if (write(go_on.data(), go_on.size()) < 0) return -1;
+      }
+      if (received_ >= most_ || !is_readable()) return -1;
+      const ssize_t count = receive();
       if (count <= 0) return count;
       received_ += static_cast<std::size_t>(count);
       used_ = 0;
@@ -60,12 +98,30 @@ class Connection final : public httplib::Stream {
   }
 
   ssize_t write(const char* bytes, std::size_t size) override {
+    if (tls_ != nullptr) return tls_->write({bytes, size}, 1000 * timeout_s);
     return is_writable() ? send(socket_, bytes, size, MSG_NOSIGNAL) : -1;
   }
 
-  // Nobody asks for them.
-  void get_remote_ip_and_port(std::string&, int&) const override {}
-  void get_local_ip_and_port(std::string&, int&) const override {}
+  // After the answer: takes what a client of an upload still sends, for a short time. A connection
+  // that is closed before that is reset, and the client would not see why it was refused.
+  void drain() {
+    if (!has_body_) return;
+    most_ = received_ + max_drained;
+    deadline_ = std::chrono::steady_clock::now() + drain_time;
+    awaits_continue_ = false;
+    if (tls_ != nullptr) {
+      tls_->say_end();
+    } else {
+      shutdown(socket_, SHUT_WR);
+    }
+    for (ssize_t count = 1; count > 0; used_ = filled_) {
+      char byte = 0;
+      count = read(&byte, 1);
+    }
+  }
+
+  void get_remote_ip_and_port(std::string& ip, int&) const override { ip = address_of(socket_); }
+  void get_local_ip_and_port(std::string&, int&) const override {}  // nobody asks for them
   socket_t socket() const override { return socket_; }
 
  private:
@@ -78,21 +134,50 @@ class Connection final : public httplib::Stream {
     return ready > 0 && (waiting.revents & event) != 0 && (waiting.revents & POLLERR) == 0;
   }
 
+  ssize_t receive() {
+    if (tls_ != nullptr) return tls_->read(buffer_.data(), buffer_.size(), 1000 * patience_s_);
+    return recv(socket_, buffer_.data(), buffer_.size(), 0);
+  }
+
   socket_t socket_;
+  system::TlsConnection* tls_;
   std::chrono::steady_clock::time_point deadline_ = std::chrono::steady_clock::now() + request_time;
-  std::array<char, 4096> buffer_{};
+  std::array<char, 16384> buffer_{};
   std::size_t used_ = 0;    // of the buffer
   std::size_t filled_ = 0;  // of the buffer
   std::size_t received_ = 0;
+  std::size_t most_ = max_request;
+  int patience_s_ = timeout_s;
+  bool awaits_continue_ = false;
+  bool has_body_ = false;
 };
 
 }  // namespace
 
 bool BoundedServer::answer(socket_t connection) {
-  Connection stream(connection);
+  std::optional<system::TlsConnection> tls;
+  if (tls_) {
+    tls = tls_->accept(connection, 1000 * timeout_s);
+    if (!tls) return false;
+  }
+  Connection stream(connection, tls ? &*tls : nullptr);
   bool is_closed = false;
-  return process_request(stream, true, is_closed,
-                         [](httplib::Request& request) { request.ranges.clear(); });
+  const bool answered =
+      process_request(stream, true, is_closed, [this, &stream](httplib::Request& request) {
+        request.ranges.clear();
+        if (max_upload_ == 0 || request.method != "PUT") return;
+        const bool awaits = request.get_header_value("Expect") == "100-continue";
+        request.headers.erase("Expect");
+        stream.allow(max_upload_ + max_request, upload_seconds_, awaits);
+      });
+  stream.drain();
+  return answered;
+}
+
+void BoundedServer::allow_uploads(std::size_t size, int seconds) {
+  max_upload_ = size;
+  upload_seconds_ = seconds;
+  set_payload_max_length(size);
 }
 
 bool BoundedServer::process_and_close_socket(socket_t connection) {
@@ -157,8 +242,9 @@ Result<void> HttpServer::listen(const Address& address, const std::string& optio
 
 std::string HttpServer::url() const {
   const bool is_v6 = address_.host.find(':') != std::string::npos;
-  return "http://" + (is_v6 ? "[" + address_.host + "]" : address_.host) + ":" +
-         std::to_string(address_.port) + "/";
+  return (server_.is_encrypted() ? "https://" : "http://") +
+         (is_v6 ? "[" + address_.host + "]" : address_.host) + ":" + std::to_string(address_.port) +
+         "/";
 }
 
 void HttpServer::send_events(httplib::Response& response, std::function<EventBatch()> next) {

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: MIT
 //
-// The common part of LiveServer and SiteServer: listening, time limits for viewers, server-sent
-// events. Only their sources include this header, because it includes the HTTP library.
+// The common part of LiveServer and SiteServer: listening, limits for viewers and uploads,
+// encryption, server-sent events. Only their sources include this header, because it includes the
+// HTTP library.
 #pragma once
 
 #include "core/base/error.hpp"
 #include "server/web/address.hpp"
+#include "server/web/request.hpp"
+#include "system/tls.hpp"
 
 #include <httplib.h>
 
 #include <atomic>
+#include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -18,14 +23,26 @@ namespace mirocup::web {
 
 // The library's server, but a request has at most 64 KiB in all and arrives within ten seconds, and
 // asks for a whole page: the library itself takes headers, lines and bodies without end, and a
-// thousand ranges of one page at once.
+// thousand ranges of one page at once. A PUT may have a larger body where the server takes uploads.
 class BoundedServer : public httplib::Server {
  public:
   // Answers the one request of a connection; the connection stays open.
   bool answer(socket_t connection);
 
+  // Takes bodies of PUT up to that size, bytes, within that time, s. The body is asked for
+  // ("100 Continue") when it is read: a client that waits for that does not send in vain.
+  void allow_uploads(std::size_t size, int seconds);
+
+  // Encrypts all connections from now on.
+  void encrypt(system::TlsServer tls) { tls_ = std::move(tls); }
+  bool is_encrypted() const { return tls_.has_value(); }
+
  private:
   bool process_and_close_socket(socket_t connection) override;
+
+  std::size_t max_upload_ = 0;  // bytes; 0: none is taken
+  int upload_seconds_ = 0;
+  std::optional<system::TlsServer> tls_;
 };
 
 class HttpServer {
@@ -46,11 +63,7 @@ class HttpServer {
   std::string url() const;
 
   // Sends events to one viewer until the last has been sent. Calls `next` in a thread of this
-  // server about 30 times a second; it returns whole events, or "" if there are none.
-  struct EventBatch {
-    std::string text;
-    bool is_last = false;
-  };
+  // server about 30 times a second.
   void send_events(httplib::Response& response, std::function<EventBatch()> next);
 
   // Returns the number of viewers to which the server is sending events.

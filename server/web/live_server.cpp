@@ -39,7 +39,7 @@ Result<std::unique_ptr<LiveServer>> LiveServer::open(const Address& address,
   impl.http.server().Get("/events", [&impl](const httplib::Request&, httplib::Response& response) {
     impl.http.send_events(response, [&impl, viewer = LiveFeed::Viewer()]() mutable {
       std::string news = impl.feed.news(viewer);
-      return HttpServer::EventBatch{std::move(news), viewer.has_ended};
+      return EventBatch{std::move(news), viewer.has_ended};
     });
   });
   if (auto listens = impl.http.listen(address, "--watch"); !listens)

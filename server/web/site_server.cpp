@@ -8,7 +8,8 @@ namespace mirocup::web {
 namespace {
 
 constexpr const char* this_host = "127.0.0.1";
-constexpr int timeout_s = 5;  // for a match that sends nothing
+constexpr int timeout_s = 5;             // for a match that sends nothing
+constexpr int upload_seconds = 10 * 60;  // 32 MiB take that long at 0.5 Mbit/s
 
 httplib::Client client_of(int port) {
   httplib::Client client(this_host, port);
@@ -41,6 +42,23 @@ void pass_events(int port, httplib::Response& response) {
       });
 }
 
+std::string lower_case(std::string text) {
+  for (char& c : text) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return text;
+}
+
+Request request_of(const httplib::Request& from, bool is_encrypted) {
+  Request request{.method = from.method,
+                  .path = from.path,
+                  .address = from.remote_addr,
+                  .is_encrypted = is_encrypted};
+  for (const auto& [name, value] : from.params) request.query.emplace(name, value);
+  for (const auto& [name, value] : from.headers) request.headers.emplace(lower_case(name), value);
+  return request;
+}
+
 }  // namespace
 
 struct SiteServer::Impl {
@@ -49,7 +67,7 @@ struct SiteServer::Impl {
   void set_routes() {
     http.server().Get("/events", [this](const httplib::Request&, httplib::Response& response) {
       http.send_events(response, [this, seen = std::uint64_t{0}]() mutable {
-        return HttpServer::EventBatch{site.news(seen), false};
+        return EventBatch{site.news(seen), false};
       });
     });
     const auto pass = [this](void (*how)(int, httplib::Response&)) {
@@ -75,7 +93,20 @@ struct SiteServer::Impl {
                            response.status = site.control(request.body) ? 204 : 403;
                          });
     }
+    const auto with_body = [this](const httplib::Request& request, httplib::Response& response,
+                                  const httplib::ContentReader& reader) {
+      const Body body = [&reader](const std::function<bool(std::string_view)>& take) {
+        return reader([&take](const char* bytes, std::size_t count) {
+          return take(std::string_view(bytes, count));
+        });
+      };
+      if (!ask_desk(request, response, body)) response.status = 404;
+    };
+    http.server().Put(".*", with_body);
+    http.server().Post(".*", with_body);
+    http.server().Delete(".*", with_body);
     http.server().Get(".*", [this](const httplib::Request& request, httplib::Response& response) {
+      if (ask_desk(request, response, [](const auto&) { return true; })) return;
       const auto page = site.page(request.path);
       if (!page) {
         response.status = 404;
@@ -86,6 +117,21 @@ struct SiteServer::Impl {
     });
   }
 
+  // Returns false if the desk has no such path.
+  bool ask_desk(const httplib::Request& from, httplib::Response& response, const Body& body) {
+    if (!site.desk) return false;
+    auto reply = site.desk(request_of(from, http.server().is_encrypted()), body);
+    if (!reply) return false;
+    response.status = reply->status;
+    for (const auto& [name, value] : reply->headers) response.set_header(name, value);
+    if (reply->events) {
+      http.send_events(response, std::move(reply->events));
+    } else {
+      response.set_content(std::move(reply->bytes), reply->type);
+    }
+    return true;
+  }
+
   Site site;
   HttpServer http;  // the first to go: its threads use the other
 };
@@ -94,8 +140,11 @@ SiteServer::SiteServer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 SiteServer::~SiteServer() = default;
 
 Result<std::unique_ptr<SiteServer>> SiteServer::open(const Address& address,
-                                                     const std::string& option, Site site) {
+                                                     const std::string& option, Site site,
+                                                     SiteLimits limits) {
   auto impl = std::make_unique<Impl>(std::move(site));
+  if (limits.max_upload > 0) impl->http.server().allow_uploads(limits.max_upload, upload_seconds);
+  if (limits.tls) impl->http.server().encrypt(std::move(*limits.tls));
   impl->set_routes();
   if (auto listens = impl->http.listen(address, option); !listens)
     return tl::unexpected(listens.error());

@@ -3,13 +3,16 @@
 // A site over HTTP whose pages change while they are shown: pages at the paths that the site knows,
 // the changes at /events, and below /live/NAME/ the live pages of matches on this host; once a
 // match is over, its address leads to /replays/NAME.html. No request changes anything, unless the
-// site takes commands. Paths of requests are looked up in the site, never joined to the path of a
-// folder.
+// site takes commands or has a desk. Paths of requests are looked up in the site, never joined to
+// the path of a folder.
 #pragma once
 
 #include "core/base/error.hpp"
 #include "server/web/address.hpp"
+#include "server/web/request.hpp"
+#include "system/tls.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -40,6 +43,16 @@ struct Site {
   // Takes the body of a request to /control; false if it is not allowed. Without this function no
   // request changes anything.
   std::function<bool(const std::string& body)> control = {};
+
+  // If set, it is asked first, whatever the method. It returns nothing if it has no such path: then
+  // the path is looked up in the pages.
+  std::function<std::optional<Reply>(const Request& request, const Body& body)> desk = {};
+};
+
+// What a site server takes and how.
+struct SiteLimits {
+  std::size_t max_upload = 0;                 // bytes of the body of a PUT; 0: none is taken
+  std::optional<system::TlsServer> tls = {};  // nothing: connections are not encrypted
 };
 
 class SiteServer {
@@ -47,7 +60,7 @@ class SiteServer {
   // `option` is the one that named the address, for the error: Errc::unavailable if the address is
   // in use or not of this host.
   static Result<std::unique_ptr<SiteServer>> open(const Address& address, const std::string& option,
-                                                  Site site);
+                                                  Site site, SiteLimits limits = {});
   ~SiteServer();
   SiteServer(const SiteServer&) = delete;
   SiteServer& operator=(const SiteServer&) = delete;

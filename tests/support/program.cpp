@@ -62,6 +62,10 @@ Outcome Running::wait() {
           read_file(err_)};
 }
 
+std::string Running::out() const {
+  return read_file(out_);
+}
+
 std::string Running::err() const {
   return read_file(err_);
 }

@@ -32,7 +32,8 @@ class Running {
   void signal(int number) const;
   // Waits until the program ends, without a limit.
   Outcome wait();
-  // Returns the standard error up to now.
+  // Returns the standard output and error up to now.
+  std::string out() const;
   std::string err() const;
 
  private:

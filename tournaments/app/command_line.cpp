@@ -136,8 +136,29 @@ void add_running(CLI::App& app, Action& action) {
   Subcommand<ServeOptions> serve(app, action, "serve", "Show the league in browsers, as it is now",
                                  run_serve);
   add_folder(serve);
-  serve->add_option("--at", serve.options->at,
+  ServeOptions& o = *serve.options;
+  serve->add_option("--at", o.at,
                     "[HOST:]PORT to listen on (default: this host only, any free port)");
+  CLI::Option* hand_in = serve->add_flag(
+      "--hand-in", o.hand_in, "also take entries from teams that have a token (league token)");
+  serve->add_option("--jobs", o.jobs, "number of checks at once (default: one for each processor)")
+      ->check(CLI::Range(1, 1024))
+      ->needs(hand_in);
+  serve->add_option("--tls", o.tls, "encrypt connections: files of the certificate and of its key")
+      ->type_name("CERT KEY")
+      ->expected(2);
+  serve
+      ->add_option("--trust-proxy", o.proxies,
+                   "address of a proxy that is believed for whom it asks (X-Forwarded-For, "
+                   "X-Forwarded-Proto); may be given several times")
+      ->type_name("ADDR")
+      ->expected(1)
+      ->needs(hand_in);
+  serve
+      ->add_option("--team-header", o.team_header,
+                   "header in which that proxy names the team of a person that it has signed on")
+      ->type_name("NAME")
+      ->needs(hand_in);
 
   Subcommand<ShowOptions> show(
       app, action, "show", "Play the recorded legs of a round on a projector, one after the other",
@@ -158,6 +179,31 @@ void add_running(CLI::App& app, Action& action) {
       ->add_option("--drills", files.options->drills,
                    "marks of the teams, from mirocup drill --csv: adds grades.csv")
       ->type_name("FILE");
+}
+
+void add_hand_in(CLI::App& app, Action& action) {
+  Subcommand<TokenOptions> token(
+      app, action, "token", "Make a token by which a team hands in, and print it once", run_token);
+  TokenOptions& o = *token.options;
+  add_folder(token);
+  token->add_option("TEAM", o.team, "its name; it may be new to the league");
+  token->add_flag("--all", o.all, "a token for each team of the league that has none");
+  token->add_flag("--staff", o.staff, "a token that reads the entries of all teams");
+  token->add_flag("--csv", o.csv, "lines of team and token, for a class list");
+  CLI::Option* expires =
+      token->add_option("--expires", o.expires, "UTC: 2026-12-18T18:00:00Z, or the last day");
+  token->add_flag("--revoke", o.revoke, "make no token; all tokens of the team become worthless")
+      ->excludes(expires);
+
+  Subcommand<CheckHandInOptions> check(app, action, "check-hand-in",
+                                       "What serve --hand-in starts for each check",
+                                       run_check_hand_in);
+  check->group("");  // not in the help: not for people
+  add_folder(check);
+  check->add_option("TEAM", check.options->team)->required();
+  check->add_option("ENTRY", check.options->entry)->required();
+  check->add_option("--file", check.options->file)->required();
+  check->add_option("--at", check.options->at)->required();
 }
 
 // The subcommand of a person's decision, with the argument DIR and a reason.
@@ -313,6 +359,7 @@ std::optional<int> read_command_line(int argc, char** argv, Action& action) {
   add_submit(cli, action);
   add_owner(cli, action);
   add_running(cli, action);
+  add_hand_in(cli, action);
   add_rulings(cli, action);
   add_compare(cli, action);
   add_shards(cli, action);

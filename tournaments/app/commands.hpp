@@ -2,8 +2,8 @@
 //
 // The subcommands of `mirocup league` and their options with defaults. command_line.cpp reads the
 // options. Each function returns the exit code of an answer: exit_yes or exit_no. commands.cpp,
-// entries.cpp, compare.cpp, rulings.cpp, serve.cpp, show.cpp, shards.cpp and credentials.cpp define
-// them.
+// entries.cpp, compare.cpp, rulings.cpp, serve.cpp, show.cpp, tokens.cpp, shards.cpp and
+// credentials.cpp define them.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -54,6 +54,13 @@ Result<int> run_stats(const StatsOptions& options);
 struct ServeOptions {
   std::string folder;
   std::string at = "0";  // [HOST:]PORT
+  bool hand_in = false;  // take entries from teams with a token
+
+  // With hand_in.
+  int jobs = 0;                      // checks at once; 0: one for each processor
+  std::vector<std::string> tls;      // files of certificate and key; empty: no encryption
+  std::vector<std::string> proxies;  // addresses that are believed whom they speak for
+  std::string team_header;           // in which they name a team; "": none is believed
 };
 Result<int> run_serve(const ServeOptions& options);
 
@@ -64,6 +71,28 @@ struct ShowOptions {
   std::string at = "0";  // [HOST:]PORT
 };
 Result<int> run_show(const ShowOptions& options);
+
+// Options of `check-hand-in`, which `serve` starts for each check.
+struct CheckHandInOptions {
+  std::string folder;
+  std::string team;
+  int entry = 0;
+  std::string file;
+  std::int64_t at = 0;  // s since 1970
+};
+Result<int> run_check_hand_in(const CheckHandInOptions& options);
+
+// Options of `token`, which makes and revokes the tokens by which teams hand in.
+struct TokenOptions {
+  std::string folder;
+  std::string team;
+  bool all = false;    // for each team of the league that has none
+  bool staff = false;  // for those who run the league
+  bool csv = false;
+  bool revoke = false;
+  std::string expires;  // UTC; "": never
+};
+Result<int> run_token(const TokenOptions& options);
 
 // Certificates for DDS Security.
 struct CredentialsOptions {

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// The subcommand serve.
+// The subcommands serve and check-hand-in.
+#include "system/printable.hpp"
 #include "system/process_set.hpp"
+#include "system/tls.hpp"
 #include "tournaments/app/commands.hpp"
 #include "tournaments/app/served_league.hpp"
+#include "tournaments/handin/check_runner.hpp"
 
+#include <ctime>
 #include <iostream>
 
 namespace mirocup::league {
@@ -13,26 +17,87 @@ namespace {
 
 constexpr double wait_s = 3600.0;  // s
 
+void tell_host(const std::string& line) {
+  std::cerr << "mirocup: " << system::printable(line) << std::endl;
+}
+
+web::Site site_of(ServedLeague& league) {
+  return {.page = [&league](const std::string& path) { return league.page(path); },
+          .news = [&league](std::uint64_t& seen) { return league.news(seen); },
+          .match = [&league](const std::string& name) { return league.match(name); }};
+}
+
+Result<std::unique_ptr<Portal>> open_portal(system::Files& files, const ServeOptions& options,
+                                            ServedLeague& league) {
+  PortalOptions portal;
+  portal.proxy.addresses = {options.proxies.begin(), options.proxies.end()};
+  portal.proxy.team_header = options.team_header;
+  portal.why_not = [&league](const std::string& team, const std::string& now) {
+    return league.why_not(team, now);
+  };
+  portal.legs = [&league](const std::string& team) { return league.legs_of(team); };
+  portal.now = [] { return static_cast<std::int64_t>(std::time(nullptr)); };
+  std::string notice;
+  auto opened = Portal::open(files, Folder{options.folder}, std::move(portal), &notice);
+  if (!notice.empty()) tell_host(notice);
+  return opened;
+}
+
+Result<web::SiteLimits> limits_of(const ServeOptions& options) {
+  web::SiteLimits limits;
+  if (options.hand_in) limits.max_upload = system::size_limit::entry;
+  if (options.tls.empty()) return limits;
+  auto tls = system::TlsServer::load(options.tls.front(), options.tls.back());
+  if (!tls) return tl::unexpected(tls.error());
+  limits.tls = std::move(*tls);
+  return limits;
+}
+
 }  // namespace
 
 Result<int> run_serve(const ServeOptions& options) {
   const auto address = web::parse_address(options.at, "--at");
   if (!address) return tl::unexpected(address.error());
+  if (!options.team_header.empty() && options.proxies.empty())
+    return fail(Errc::input, "--team-header needs --trust-proxy: anybody can send a header");
+  auto limits = limits_of(options);
+  if (!limits) return tl::unexpected(limits.error());
   system::Disk disk;
   auto store = LeagueStore::open(disk, Folder{options.folder});
   if (!store) return tl::unexpected(store.error());
-  system::ProcessSet interrupts;  // must exist before the first thread starts
+  system::ProcessSet processes;  // must exist before the first thread starts
   ServedLeague league(disk, std::move(*store));
-  const auto server = web::SiteServer::open(
-      *address, "--at",
-      {.page = [&league](const std::string& path) { return league.page(path); },
-       .news = [&league](std::uint64_t& seen) { return league.news(seen); },
-       .match = [&league](const std::string& name) { return league.match(name); }});
+  web::Site site = site_of(league);
+  std::unique_ptr<Portal> portal;
+  if (options.hand_in) {
+    league.offer_hand_in();
+    auto opened = open_portal(disk, options, league);
+    if (!opened) return tl::unexpected(opened.error());
+    portal = std::move(*opened);
+    site.desk = [&portal = *portal](const web::Request& request, const web::Body& body) {
+      return portal.answer(request, body);
+    };
+  }
+  const auto server = web::SiteServer::open(*address, "--at", std::move(site), std::move(*limits));
   if (!server) return tl::unexpected(server.error());
   std::cout << (*server)->url() << std::endl;
-  while (!interrupts.is_asked_to_stop_within(wait_s)) {
+  if (portal) {
+    const int jobs =
+        options.jobs > 0 ? options.jobs : static_cast<int>(system::processors().size());
+    CheckRunner checks(disk, Folder{options.folder}, *portal, processes, jobs, tell_host);
+    while (checks.step()) {
+    }
+  } else {
+    while (!processes.is_asked_to_stop_within(wait_s)) {
+    }
   }
   return exit_yes;
+}
+
+Result<int> run_check_hand_in(const CheckHandInOptions& options) {
+  system::Disk disk;
+  return check_hand_in(disk, Folder{options.folder}, options.team, options.entry, options.file,
+                       options.at);
 }
 
 }  // namespace mirocup::league

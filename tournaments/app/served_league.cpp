@@ -5,6 +5,7 @@
 #include "server/web/assets.hpp"
 #include "server/web/page.hpp"
 #include "server/web/page_json.hpp"
+#include "tournaments/league/submission.hpp"
 #include "tournaments/play/leg_command.hpp"
 #include "tournaments/publish/replay_nav.hpp"
 #include "tournaments/publish/replay_pages.hpp"
@@ -53,18 +54,40 @@ int port_in(const std::string& text) {
   return error == std::errc() && end != text.data() + text.size() && *end == '/' ? port : 0;
 }
 
-std::string with_script(std::string html) {
+constexpr std::string_view hand_in_link = "<p><a href=\"/hand-in\">Hand in</a></p>\n";
+
+std::string with_script(std::string html, bool takes_hand_ins) {
+  constexpr std::string_view title_end = "</h1>\n";
+  const std::size_t title = html.find(title_end);
+  if (takes_hand_ins && title != std::string::npos)
+    html.insert(title + title_end.size(), hand_in_link);
   const std::size_t end = html.rfind("</body>");
   return end == std::string::npos ? html : html.insert(end, script);
 }
 
 }  // namespace
 
+// Requires mutex_. Until the league starts, teams join and league.json may be edited.
+void ServedLeague::reopen() {
+  if (store_.state().is_started) return;
+  const auto config =
+      files_.read(store_.folder().config(),
+                  {.max_size = system::size_limit::league_file, .links = system::Links::followed});
+  if (!config || *config == config_) return;
+  auto fresh = LeagueStore::open(files_, store_.folder());
+  if (!fresh) return;
+  store_ = std::move(*fresh);
+  config_ = *config;
+  pages_.clear();
+  version_ = version_ > 0 ? version_ + 1 : 0;
+}
+
 // Requires mutex_. A file that cannot be read leaves the state as it was.
 void ServedLeague::poll() {
   const auto now = std::chrono::steady_clock::now();
   if (version_ > 0 && now - polled_at_ < poll_interval) return;
   polled_at_ = now;
+  reopen();
   (void)store_.refresh();
   std::vector<LiveLeg> playing = find_live_legs();
   if (version_ > 0 && store_.lines() == lines_ && playing == live_legs_) return;
@@ -111,11 +134,15 @@ void ServedLeague::make_pages() {
   for (SiteFile& file : make_site(store_.state(), reports, facts_)) {
     const std::string type = type_of(file.name);
     const bool is_html = type.starts_with("text/html");
-    pages_["/" + file.name] = {type, is_html ? policy : "",
-                               is_html ? with_script(std::move(file.bytes)) : file.bytes};
+    pages_["/" + file.name] = {
+        type, is_html ? policy : "",
+        is_html ? with_script(std::move(file.bytes), takes_hand_ins_) : file.bytes};
   }
   pages_["/"] = pages_["/index.html"];
   pages_["/league.js"] = {type_of("league.js"), "", std::string(web::asset("league.js"))};
+  if (takes_hand_ins_) {
+    pages_["/hand_in.js"] = {type_of("hand_in.js"), "", std::string(web::asset("hand_in.js"))};
+  }
   records_.clear();
   for (const FixtureState& f : store_.state().fixtures) {
     for (int leg = 1; leg <= max_legs; ++leg) {
@@ -167,6 +194,18 @@ std::optional<web::Page> ServedLeague::replay(const std::string& stem) {
 std::string ServedLeague::linked(std::string page, const std::string& record) {
   const std::lock_guard lock(mutex_);
   return with_league_links(std::move(page), overview(store_.state()), record);
+}
+
+std::string ServedLeague::why_not(const std::string& team, const std::string& now) {
+  const std::lock_guard lock(mutex_);
+  poll();
+  return why_not_now(store_.state(), team, now);
+}
+
+std::vector<OwnLeg> ServedLeague::legs_of(const std::string& team) {
+  const std::lock_guard lock(mutex_);
+  poll();
+  return own_legs(store_.state(), team);
 }
 
 std::string ServedLeague::news(std::uint64_t& seen) {

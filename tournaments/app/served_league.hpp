@@ -8,6 +8,7 @@
 #pragma once
 
 #include "server/web/site_server.hpp"
+#include "tournaments/handin/own_legs.hpp"
 #include "tournaments/league/league_store.hpp"
 #include "tournaments/publish/leg_facts.hpp"
 
@@ -29,6 +30,15 @@ class ServedLeague {
   std::string news(std::uint64_t& seen);
   std::optional<int> match(const std::string& name);
 
+  // Lets the pages show where teams hand in.
+  void offer_hand_in() { takes_hand_ins_ = true; }
+
+  // Returns why no entry of this team is taken at a time (UTC); "" if entries are taken.
+  std::string why_not(const std::string& team, const std::string& now);
+
+  // Returns the decided legs of a team.
+  std::vector<OwnLeg> legs_of(const std::string& team);
+
  private:
   // A leg that is being played and can be watched.
   struct LiveLeg {
@@ -40,6 +50,7 @@ class ServedLeague {
   };
 
   void poll();
+  void reopen();
   std::vector<LiveLeg> find_live_legs() const;
   void make_pages();
   std::optional<web::Page> replay(const std::string& stem);
@@ -48,6 +59,8 @@ class ServedLeague {
   system::Files& files_;
   std::mutex mutex_;  // guards all members up to replaying_
   LeagueStore store_;
+  std::string config_;  // league.json, as long as the league has not started
+  bool takes_hand_ins_ = false;
   std::chrono::steady_clock::time_point polled_at_{};
   std::uint64_t version_ = 0;  // grows with each change of the journal or of the live legs
   std::size_t lines_ = 0;      // of the journal

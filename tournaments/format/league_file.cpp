@@ -93,14 +93,6 @@ Json format_json(const Format& format) {
   return json.size() == 1 ? json["kind"] : json;
 }
 
-bool is_time(const std::string& text) {
-  const std::string pattern = "dddd-dd-ddTdd:dd:ddZ";
-  return text.size() == pattern.size() &&
-         std::equal(text.begin(), text.end(), pattern.begin(), [](char c, char expected) {
-           return expected == 'd' ? c >= '0' && c <= '9' : c == expected;
-         });
-}
-
 std::string read_time(const JsonReader& json) {
   std::string time = json.text();
   if (!time.empty() && !is_time(time)) {
@@ -149,6 +141,14 @@ LeagueFile read_league(const JsonReader& json) {
 
 match::Conditions default_conditions() {
   return match::conditions_of(match::default_preset);
+}
+
+bool is_time(const std::string& text) {
+  const std::string pattern = "dddd-dd-ddTdd:dd:ddZ";
+  return text.size() == pattern.size() &&
+         std::equal(text.begin(), text.end(), pattern.begin(), [](char c, char expected) {
+           return expected == 'd' ? c >= '0' && c <= '9' : c == expected;
+         });
 }
 
 std::string utc_text(std::int64_t at) {

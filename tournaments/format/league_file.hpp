@@ -57,6 +57,9 @@ bool is_good_name(const std::string& name);
 // Returns a time, in seconds since 1970, as `freeze` and the journal have it.
 std::string utc_text(std::int64_t at);
 
+// True for a time as utc_text() writes it.
+bool is_time(const std::string& text);
+
 // Reads a league file. The error (Errc::input) names `path`, the JSON pointer and the reason.
 Result<LeagueFile> parse_league_file(const std::string& text, const std::string& path);
 

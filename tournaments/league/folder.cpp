@@ -16,6 +16,21 @@ namespace {
 
 constexpr std::string_view house_prefix = "house:";
 
+// Returns the numbers of all folders of the team's entries, in their order.
+std::vector<int> numbers_in(system::Files& files, const Folder& folder, const std::string& team) {
+  std::vector<int> numbers;
+  const auto names = files.names_in(folder.entries() + "/" + team);
+  if (!names) return numbers;
+  for (const std::string& name : *names) {
+    int number = 0;
+    const char* const end = name.data() + name.size();
+    const auto read = std::from_chars(name.data(), end, number);
+    if (read.ec == std::errc() && read.ptr == end && number >= 1) numbers.push_back(number);
+  }
+  std::sort(numbers.begin(), numbers.end());
+  return numbers;
+}
+
 }  // namespace
 
 Result<std::string> library_of(system::Files& files, const TeamConfig& team) {
@@ -58,18 +73,15 @@ Result<void> add_entry(system::Files& files, const Folder& folder, const std::st
 }
 
 std::vector<int> entries_of(system::Files& files, const Folder& folder, const std::string& team) {
-  std::vector<int> numbers;
-  const auto names = files.names_in(folder.entries() + "/" + team);
-  if (!names) return numbers;
-  for (const std::string& name : *names) {
-    int number = 0;
-    const char* const end = name.data() + name.size();
-    const auto read = std::from_chars(name.data(), end, number);
-    if (read.ec != std::errc() || read.ptr != end || number < 1) continue;
-    if (files.exists(folder.entry_file(team, number))) numbers.push_back(number);
-  }
-  std::sort(numbers.begin(), numbers.end());
+  std::vector<int> numbers = numbers_in(files, folder, team);
+  std::erase_if(numbers,
+                [&](int number) { return !files.exists(folder.entry_file(team, number)); });
   return numbers;
+}
+
+int next_entry(system::Files& files, const Folder& folder, const std::string& team) {
+  const std::vector<int> numbers = numbers_in(files, folder, team);
+  return numbers.empty() ? 1 : numbers.back() + 1;
 }
 
 int last_entry(system::Files& files, const Folder& folder, const std::string& team) {

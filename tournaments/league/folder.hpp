@@ -19,11 +19,19 @@ struct Folder {
   std::string journal() const { return path + "/journal.jsonl"; }
   std::string lock() const { return path + "/.lock"; }  // held while an event is written
 
+  // What came in over the network, and the answers (handin/book.hpp).
+  std::string hand_in_book() const { return path + "/hand-ins.jsonl"; }
+
+  std::string uploads() const { return entries() + "/.uploads"; }  // files that are arriving
+
   // Locked while the league is played; its text is the id of the process that plays it.
   std::string running() const { return path + "/.running"; }
 
-  // Locked while an entry is checked.
+  // Locked while a hand-in is numbered, and while the answer to one is booked.
   std::string submitting() const { return path + "/.submitting"; }
+
+  // Locked while `league submit` checks an entry, so that its checks do not slow each other down.
+  std::string checking() const { return path + "/.checking"; }
 
   // Only the host reads what is below.
   std::string entries() const { return path + "/entries"; }
@@ -35,6 +43,15 @@ struct Folder {
   }
   std::string library(const std::string& team, int number) const {
     return entry(team, number) + "/strategy.so";
+  }
+  std::string source(const std::string& team, int number) const {  // of a library made from it
+    return entry(team, number) + "/source";
+  }
+  std::string compile_log(const std::string& team, int number) const {  // while it is compiled
+    return entry(team, number) + "/compile.log";
+  }
+  std::string check_log(const std::string& team, int number) const {  // while it is checked
+    return entry(team, number) + "/check.log";
   }
   std::string entry_file(const std::string& team, int number) const {
     return entry(team, number) + "/entry.json";
@@ -73,6 +90,10 @@ Result<void> make_entries_folder(system::Files& files, const Folder& folder,
 
 // Returns the numbers of the entries that are kept, in the order in which they were handed in.
 std::vector<int> entries_of(system::Files& files, const Folder& folder, const std::string& team);
+
+// Returns the number of the next entry: one more than the highest for which there is a folder, even
+// of an entry that does not exist because its check has not ended.
+int next_entry(system::Files& files, const Folder& folder, const std::string& team);
 
 // True if the entry passed its check, or was stored by the host without one.
 bool is_accepted_entry(system::Files& files, const Folder& folder, const std::string& team,

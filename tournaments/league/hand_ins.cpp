@@ -83,6 +83,12 @@ void add_try(HandIns& known, Try next) {
   if (known.tries.size() > max_tries) known.tries.erase(known.tries.begin());
 }
 
+Try* find_try(HandIns& known, int entry) {
+  const auto found = std::find_if(known.tries.rbegin(), known.tries.rend(),
+                                  [entry](const Try& one) { return one.entry == entry; });
+  return found == known.tries.rend() ? nullptr : &*found;
+}
+
 int tries_in_last_hour(const HandIns& known, std::int64_t now, const std::optional<uid_t>& user) {
   return static_cast<int>(std::count_if(
       known.tries.begin(), known.tries.end(),

@@ -51,6 +51,9 @@ Result<void> write_hand_ins(system::Files& files, const Folder& folder, const st
 // Adds a try, and forgets those that no quota needs.
 void add_try(HandIns& known, Try next);
 
+// Returns the last try of that entry; null if it is forgotten.
+Try* find_try(HandIns& known, int entry);
+
 // The number of tries of this user in the hour before `now`: nobody uses up the tries of another. A
 // clock that was set back or forth by more than an
 // hour neither locks a team out nor in.

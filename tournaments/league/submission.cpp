@@ -25,6 +25,7 @@ Result<Json> check(system::Files& files, const std::string& library, const Leagu
                                    "check",
                                    library,
                                    "--json",
+                                   "--steps",
                                    "--league",
                                    std::string(to_string(rules.league)),
                                    "--half",
@@ -54,7 +55,6 @@ Result<Json> check(system::Files& files, const std::string& library, const Leagu
   return std::move(parsed.value);
 }
 
-// Returns why no entry of this team is taken now; "" if entries are taken.
 std::string objection_to(const LeagueState& state, const std::string& team,
                          const std::string& now) {
   const bool is_ladder = state.file.format.kind == FormatKind::ladder;
@@ -107,29 +107,122 @@ std::vector<int> played_entries(const LeagueStore& store, const std::string& tea
   return numbers;
 }
 
+// Replaces the path of the host by the team's name of the file, in what the team will read.
+void name_file(Json& value, const std::string& path, const std::string& name) {
+  if (value.is_structured()) {
+    for (Json& part : value) name_file(part, path, name);
+  } else if (value.is_string()) {
+    std::string text = value.get<std::string>();
+    for (std::size_t at = text.find(path); at != std::string::npos; at = text.find(path, at)) {
+      text.replace(at, path.size(), name);
+      at += name.size();
+    }
+    value = text;
+  }
+}
+
 // Stores the library as that entry, checks it there, and writes the verdict beside it.
 Result<Json> store_and_check(system::Files& files, const Folder& folder, const LeagueFile& rules,
                              const HandIn& handed, int number, const std::string& library) {
   const std::string entry = folder.entry(handed.team, number);
   const std::string stored = folder.library(handed.team, number);
-  const std::string log = entry + "/check.log";
+  const std::string log = folder.check_log(handed.team, number);
   using system::Readers;
   auto written = make_entries_folder(files, folder, handed.team)
                      .and_then([&] { return files.make_folder(entry, Readers::owner); })
-                     .and_then([&] { return files.write(stored, library, Readers::owner); });
+                     .and_then([&]() -> Result<void> {
+                       if (handed.path == stored) return {};
+                       return files.write(stored, library, Readers::owner);
+                     });
   if (!written) return tl::unexpected(written.error());
   auto verdict = check(files, stored, rules, handed.team, log);
   if (!verdict) return verdict;
   const std::string sha256 = system::sha256(library);
   if (verdict->value("sha256", Json()).is_string() && (*verdict)["sha256"] != sha256)
     return fail(Errc::host, stored + " was changed while it was checked");
-  (*verdict)["file"] = handed.path;
+  name_file(*verdict, stored, handed.name.empty() ? handed.path : handed.name);
   auto added = files.remove(log).and_then([&] {
     return add_entry(files, folder, handed.team, number, library,
                      record::json_text(*verdict, 1) + "\n");
   });
   if (!added) return tl::unexpected(added.error());
   return verdict;
+}
+
+// Returns the line of the first error in what a compiler has said; "" if there is none.
+std::string first_error_in(const std::string& said) {
+  constexpr std::size_t enough = 240;  // bytes
+  const std::size_t error = said.find("error: ");
+  if (error == std::string::npos) return "";
+  const std::size_t before = said.rfind('\n', error);
+  const std::size_t begin = before == std::string::npos ? 0 : before + 1;
+  return said.substr(begin, std::min(enough, said.find('\n', error) - begin));
+}
+
+// Makes the library of an entry from its source. Returns nothing if that is done, and the verdict,
+// which is then written, if it is refused.
+Result<std::optional<Json>> compile(system::Files& files, const Folder& folder,
+                                    const HandIn& handed, int number) {
+  const std::string log = folder.compile_log(handed.team, number);
+  const std::string name = handed.name.empty() ? handed.source : handed.name;
+  system::ProcessSet processes;
+  const auto started = processes.start(
+      {system::sibling_program("mirocup"), "compile", handed.source, "-o",
+       folder.library(handed.team, number), "--json", "--language", handed.is_c ? "c" : "c++"},
+      0, -1, log);
+  if (!started) return tl::unexpected(started.error());
+  const auto exit = processes.wait();
+  if (!exit) return fail(Errc::interrupted, "interrupted while a source was compiled");
+  const auto text = files.read(log, {.max_size = system::size_limit::log});
+  if (!text) return tl::unexpected(text.error());
+  if (auto removed = files.remove(log); !removed) return tl::unexpected(removed.error());
+  if (exit->signal == 0 && exit->code == exit_yes) return std::nullopt;
+  std::string reason;
+  std::string said;
+  if (exit->signal == 0 && exit->code == exit_code(Errc::unavailable)) {
+    // This computer compiles nothing: a sentence for the team.
+    constexpr std::string_view before = "mirocup: ";
+    reason = text->substr(text->starts_with(before) ? before.size() : 0);
+    reason = reason.substr(0, reason.find('\n'));
+  } else if (exit->signal == 0 && exit->code == exit_no) {
+    record::ParsedJson parsed = record::parse_json(*text);
+    std::optional<record::JsonProblem> problem = std::move(parsed.problem);
+    if (!problem) {
+      const record::JsonReader json(parsed.value, "", problem);
+      reason = json.at("reason").text();
+      said = json.at("log").text();
+      if (const std::string error = first_error_in(said); !error.empty()) reason = error;
+    }
+    if (problem) return tl::unexpected(record::error_of(*problem, log, Errc::host));
+  } else {
+    constexpr std::size_t enough = 500;  // bytes
+    return fail(Errc::host, "compiling a source failed: " + text->substr(0, enough));
+  }
+  Json verdict{
+      {"file", name},
+      {"sha256", Json()},
+      {"accepted", false},
+      {"reason", "compiles: " + reason},
+      {"checks", Json::array({{{"name", "compiles"}, {"passed", false}, {"text", reason}}})},
+      {"log", said}};
+  name_file(verdict, "/work/source", name);  // as the compiler has named it
+  auto added =
+      add_entry(files, folder, handed.team, number, "", record::json_text(verdict, 1) + "\n");
+  if (!added) return tl::unexpected(added.error());
+  return std::optional(std::move(verdict));
+}
+
+// Returns the verdict of an entry whose check has ended.
+Result<Json> read_verdict(system::Files& files, const Folder& folder, const std::string& team,
+                          int number) {
+  const std::string path = folder.verdict(team, number);
+  const auto text = files.read(path, {.max_size = system::size_limit::note});
+  if (!text) return tl::unexpected(text.error());
+  record::ParsedJson parsed = record::parse_json(*text);
+  std::optional<record::JsonProblem> problem = std::move(parsed.problem);
+  if (!problem) (void)record::JsonReader(parsed.value, "", problem).at("accepted").boolean();
+  if (problem) return tl::unexpected(record::error_of(*problem, path, Errc::damaged));
+  return std::move(parsed.value);
 }
 
 // Makes an accepted entry the one that plays: before the start a new team joins the league, after
@@ -141,6 +234,8 @@ Result<void> let_play(system::Files& files, LeagueStore& store, const std::strin
       return added;
   }
   if (!store.state().is_started) return {};
+  // A later one may have been quicker, or this one was booked by a process that died.
+  if (store.state().teams[*store.state().find_team(team)].entry >= number) return {};
   return store.write(EntryBooked{.team = team, .entry = number, .sha256 = system::sha256(library)});
 }
 
@@ -198,17 +293,26 @@ std::string objection_to_user(system::Files& files, const Folder& folder, const 
   return "";
 }
 
-// One hand-in, after its file was read and while no other is looked at.
+// One hand-in, after its file was read. receive() and conclude() run while no other process does
+// the same; between them lies the check, which takes long.
 class Desk {
  public:
   Desk(system::Files& files, LeagueStore& store, const HandIn& handed, const Quota& quota)
-      : files_(files), store_(store), handed_(handed), quota_(quota) {}
+      : files_(files), store_(store), handed_(handed), quota_(quota), number_(handed.entry) {}
 
-  Result<Submission> take(const Found& found);
+  // Numbers the hand-in and notes the try. Returns the answer if there is nothing to check.
+  Result<std::optional<Submission>> receive(const Found& found);
+  Result<Json> check(const Found& found);
+  // Books the verdict. The store has been opened again since receive().
+  Result<Submission> conclude(const Found& found, Json verdict);
 
  private:
-  Result<Submission> check_and_keep(const Found& found);
+  Result<Json> check_library();
   Result<Submission> refuse(const Found& found);
+  void note_try(const Found& found);
+
+  // True if a process that died has noted the try already.
+  bool is_noted() { return handed_.entry > 0 && find_try(known_, handed_.entry) != nullptr; }
 
   // The answer to a file that does not count as a try.
   Submission not_taken(const std::string& why) const {
@@ -219,26 +323,40 @@ class Desk {
   std::string objection(const Found& found) const;
   const std::string& team() const { return handed_.team; }
   const Folder& folder() const { return store_.folder(); }
+  bool has_verdict() const {
+    return number_ > 0 && files_.exists(folder().entry_file(team(), number_));
+  }
 
   system::Files& files_;
   LeagueStore& store_;
   const HandIn& handed_;
   const Quota& quota_;
+  int number_;           // of the entry; 0: none yet
+  std::string library_;  // once it is there
   HandIns known_;
 };
 
 std::string Desk::objection(const Found& found) const {
-  std::string why = objection_to(store_.state(), team(), utc_text(handed_.at));
+  std::string why = why_not_now(store_.state(), team(), utc_text(handed_.at));
   if (why.empty()) why = objection_to_user(files_, folder(), team(), known_, found.user, quota_);
-  if (!why.empty() || store_.state().find_team(team())) return why;
-  const std::string twin = twin_of(store_.state(), team());
-  return twin.empty() ? "" : "the league has a team " + twin + "; choose a name that differs more";
+  return why;
 }
 
-Result<Submission> Desk::take(const Found& found) {
+void Desk::note_try(const Found& found) {
+  if (is_noted()) return;
+  if (found.user) known_.last_user = found.user;
+  add_try(known_, {.at = handed_.at,
+                   .user = found.user,
+                   .entry = number_,
+                   .is_accepted = false,
+                   .message = "not looked at to the end"});
+}
+
+Result<std::optional<Submission>> Desk::receive(const Found& found) {
   auto known = read_hand_ins(files_, folder(), team());
   if (!known) return tl::unexpected(known.error());
   known_ = std::move(*known);
+  if (has_verdict()) return std::nullopt;
   if (found.why_not.empty() && handed_.is_from_inbox &&
       sha256_of(files_, folder(), team(), last_entry(files_, folder(), team())) ==
           system::sha256(found.library)) {
@@ -250,17 +368,19 @@ Result<Submission> Desk::take(const Found& found) {
   // An inbox that is read each minute finds a file that is refused again and again: one try.
   if (handed_.is_from_inbox && !found.why_not.empty() && known_.last_file == found.identity)
     return not_taken(found.why_not);
-  if (tries_in_last_hour(known_, handed_.at, found.user) >= quota_.tries_per_hour) {
+  if (!is_noted() && tries_in_last_hour(known_, handed_.at, found.user) >= quota_.tries_per_hour) {
     return not_taken("it has had " + std::to_string(quota_.tries_per_hour) +
                      " tries in the last hour; hand it in later");
   }
-  if (found.user) known_.last_user = found.user;
-  add_try(known_, {.at = handed_.at,
-                   .user = found.user,
-                   .entry = 0,
-                   .is_accepted = false,
-                   .message = "not looked at to the end"});
-  return found.why_not.empty() ? check_and_keep(found) : refuse(found);
+  if (number_ == 0 && found.why_not.empty()) number_ = next_entry(files_, folder(), team());
+  note_try(found);
+  if (!found.why_not.empty()) return refuse(found);
+  // Written before the check, so that a library that stops the check is a try, too.
+  const auto noted = write_hand_ins(files_, folder(), team(), known_).and_then([&] {
+    return files_.make_folder(folder().entry(team(), number_), system::Readers::owner);
+  });
+  if (!noted) return tl::unexpected(noted.error());
+  return std::nullopt;
 }
 
 Result<Submission> Desk::refuse(const Found& found) {
@@ -275,22 +395,47 @@ Result<Submission> Desk::refuse(const Found& found) {
   return result;
 }
 
-Result<Submission> Desk::check_and_keep(const Found& found) {
-  // Written before the check, so that a library that stops the check is a try, too.
-  if (auto noted = write_hand_ins(files_, folder(), team(), known_); !noted)
-    return tl::unexpected(noted.error());
+Result<Json> Desk::check(const Found& found) {
+  const std::string stored = folder().library(team(), number_);
+  if (has_verdict()) {
+    library_ = files_.read(stored, {.max_size = system::size_limit::entry}).value_or("");
+    return read_verdict(files_, folder(), team(), number_);
+  }
+  if (handed_.source.empty()) {
+    library_ = found.library;
+    return check_library();
+  }
+  auto refused = compile(files_, folder(), handed_, number_);
+  if (!refused) return tl::unexpected(refused.error());
+  if (*refused) return std::move(**refused);
+  auto library = files_.read(stored, {.max_size = system::size_limit::entry});
+  if (!library) return tl::unexpected(library.error());
+  library_ = std::move(*library);
+  return check_library();
+}
+
+Result<Json> Desk::check_library() {
+  auto verdict = store_and_check(files_, folder(), store_.state().file, handed_, number_, library_);
+  // The folder of a hand-in that waits keeps its library for the next try.
+  if (!verdict && handed_.entry == 0) (void)files_.remove(folder().entry(team(), number_));
+  return verdict;
+}
+
+Result<Submission> Desk::conclude(const Found& found, Json verdict) {
+  auto known = read_hand_ins(files_, folder(), team());
+  if (!known) return tl::unexpected(known.error());
+  known_ = std::move(*known);
+  // It may have been forgotten since.
+  if (find_try(known_, number_) == nullptr) note_try(found);
   Submission result;
-  const int before = last_accepted_entry(files_, folder(), team());
-  result.entry = last_entry(files_, folder(), team()) + 1;
-  auto verdict =
-      store_and_check(files_, folder(), store_.state().file, handed_, result.entry, found.library);
-  if (!verdict) return tl::unexpected(verdict.error());
-  result.verdict = std::move(*verdict);
+  result.entry = number_;
+  result.verdict = std::move(verdict);
   result.is_accepted = result.verdict["accepted"] == true;
   result.message = team() + ": entry " + std::to_string(result.entry) +
                    (result.is_accepted ? " was accepted" : " was not accepted");
   if (!result.is_accepted) {
     const Json reason = result.verdict.value("reason", Json());
+    const int before = last_accepted_entry(files_, folder(), team());
     result.message += ": " + (reason.is_string() ? reason.get<std::string>() : "");
     if (before > 0) result.message += "; entry " + std::to_string(before) + " plays on";
   } else if (found.user && !known_.owner) {
@@ -298,14 +443,14 @@ Result<Submission> Desk::check_and_keep(const Found& found) {
     result.message +=
         "; from now on " + system::name_of_user(*found.user) + " hands in for " + team();
   }
-  known_.tries.back().entry = result.entry;
-  known_.tries.back().is_accepted = result.is_accepted;
-  known_.tries.back().message = result.message;
+  Try& noted = *find_try(known_, number_);
+  noted.is_accepted = result.is_accepted;
+  noted.message = result.message;
   auto done =
       write_hand_ins(files_, folder(), team(), known_)
           .and_then([&]() -> Result<void> {
             if (!result.is_accepted) return {};
-            return let_play(files_, store_, team(), result.entry, found.library);
+            return let_play(files_, store_, team(), result.entry, library_);
           })
           .and_then([&] {
             return prune_versions(files_, folder(), team(), played_entries(store_, team()), quota_);
@@ -316,21 +461,50 @@ Result<Submission> Desk::check_and_keep(const Found& found) {
 
 }  // namespace
 
+std::string why_not_now(const LeagueState& state, const std::string& team, const std::string& now) {
+  const std::string why = objection_to(state, team, now);
+  if (!why.empty() || state.find_team(team)) return why;
+  const std::string twin = twin_of(state, team);
+  return twin.empty() ? "" : "the league has a team " + twin + "; choose a name that differs more";
+}
+
 Result<Submission> submit(system::Files& files, const Folder& folder, const HandIn& handed,
                           const Quota& quota) {
   if (!is_good_name(handed.team)) {
     return fail(Errc::input, "\"" + handed.team +
                                  "\" is no name: letters, digits, '-', '_' and '.', at most 40");
   }
-  const auto found = examine(handed);
+  HandIn looked_at = handed;
+  if (!handed.source.empty()) looked_at.path = handed.source;
+  const auto found = examine(looked_at);
   if (!found) return tl::unexpected(found.error());
-  // Submissions are handled one at a time, so that each number is used once and checks do not slow
-  // each other down.
-  const auto lock = system::FileLock::acquire(folder.submitting());
-  if (!lock) return tl::unexpected(lock.error());
+  // Hand-ins that waited have a queue of their own, which says how many checks run at once.
+  std::optional<system::FileLock> alone;
+  if (handed.entry == 0) {
+    auto lock = system::FileLock::acquire(folder.checking());
+    if (!lock) return tl::unexpected(lock.error());
+    alone = std::move(*lock);
+  }
+  auto lock = std::optional(system::FileLock::acquire(folder.submitting()));
+  if (!*lock) return tl::unexpected(lock->error());
   auto store = LeagueStore::open(files, folder);
   if (!store) return tl::unexpected(store.error());
-  return Desk(files, *store, handed, quota).take(*found);
+  Desk desk(files, *store, handed, quota);
+  auto answer = desk.receive(*found);
+  if (!answer) return tl::unexpected(answer.error());
+  if (*answer) return std::move(**answer);
+  lock.reset();
+
+  auto verdict = desk.check(*found);
+  if (!verdict) return tl::unexpected(verdict.error());
+
+  lock = system::FileLock::acquire(folder.submitting());
+  if (!*lock) return tl::unexpected(lock->error());
+  // Another team may have joined in the meantime.
+  auto fresh = LeagueStore::open(files, folder);
+  if (!fresh) return tl::unexpected(fresh.error());
+  *store = std::move(*fresh);
+  return desk.conclude(*found, std::move(*verdict));
 }
 
 }  // namespace mirocup::league

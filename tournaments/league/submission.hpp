@@ -23,6 +23,14 @@ struct HandIn {
   // True: an inbox is read again and again, so a file that equals the team's last entry is no news.
   bool is_from_inbox = false;
 
+  // The number under which the file is stored already, as the library of that entry, since it
+  // waited for its check; 0: it gets the next number when it is looked at.
+  int entry = 0;
+  // A source that waited: the library is made from it first. "": `path` is the library.
+  std::string source = {};
+  bool is_c = false;      // the language of the source; false: C++
+  std::string name = {};  // what its team calls the file, for its verdict; "": the path
+
   // In an inbox that several users can write to, the users whose files are the host's own word.
   // Files of others count for the teams of their owners only, and a file with a second name (hard
   // link) is refused. Empty: every file is the host's own word.
@@ -37,10 +45,18 @@ struct Submission {
   Json verdict;         // of the check, as in verdict.json; null if there was no check
 };
 
+// Returns why no entry of this team is taken at this time (UTC, as league.json has it); "" if
+// entries are taken. A team that the league does not know may join before the start.
+std::string why_not_now(const LeagueState& state, const std::string& team, const std::string& now);
+
 // Hands in a library for a team. A team that is not in league.json joins with its first accepted
 // entry, until the league starts; its name must differ from the others' by more than capitals. What
 // is wrong with the file, and a quota that is used up, is a value; errors are faults of the host or
 // of the call.
+//
+// The result is fixed when entry.json is on disk. A process that dies before that has done nothing;
+// one that dies later has left it to the next call with the same number, which checks nothing again
+// and finishes what is missing.
 Result<Submission> submit(system::Files& files, const Folder& folder, const HandIn& handed,
                           const Quota& quota = {});
 

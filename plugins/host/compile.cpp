@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: MIT
+#include "plugins/host/compile.hpp"
+
+#include "plugins/host/sandbox/fork.hpp"
+#include "plugins/host/sandbox/probe.hpp"
+#include "plugins/host/sandbox/toolchain_root.hpp"
+#include "system/descriptor.hpp"
+#include "system/files.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <poll.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/sendfile.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <vector>
+
+namespace mirocup::plugins {
+
+namespace {
+
+namespace fs = std::filesystem;
+using std::chrono::steady_clock;
+
+constexpr int result_descriptor = 3;
+constexpr int step_descriptor = 4;  // to which a step that failed is written
+
+// The exit codes of the first process of the sandbox.
+constexpr int compiled = 0;
+constexpr int not_compiled = 1;
+constexpr int too_much = 2;  // the compiler was ended by a limit
+constexpr int no_sandbox_stands = 127;
+
+constexpr const char* library_path = "/work/strategy.so";
+const char* const compile_environment[] = {"PATH=/usr/bin", "LANG=C", "TMPDIR=/work", nullptr};
+
+// Plain 64-bit code that each host of the league runs, with the C++ library inside, so that it does
+// not depend on the one of another computer.
+const char* const cpp_command[] = {"/usr/bin/g++",
+                                   "-std=c++20",
+                                   "-O2",
+                                   "-DNDEBUG",
+                                   "-fPIC",
+                                   "-shared",
+                                   "-fvisibility=hidden",
+                                   "-static-libstdc++",
+                                   "-static-libgcc",
+                                   "-I/mirocup/include",
+                                   "-fno-diagnostics-color",
+                                   "-fmax-errors=20",
+                                   "-ftemplate-depth=900",
+                                   "-o",
+                                   "/work/strategy.so",
+                                   "-x",
+                                   "c++",
+                                   "/work/source",
+                                   nullptr};
+const char* const c_command[] = {"/usr/bin/gcc",
+                                 "-std=c17",
+                                 "-O2",
+                                 "-DNDEBUG",
+                                 "-fPIC",
+                                 "-shared",
+                                 "-fvisibility=hidden",
+                                 "-static-libgcc",
+                                 "-I/mirocup/include",
+                                 "-fno-diagnostics-color",
+                                 "-fmax-errors=20",
+                                 "-o",
+                                 "/work/strategy.so",
+                                 "-x",
+                                 "c",
+                                 "/work/source",
+                                 "-lm",
+                                 nullptr};
+
+// Adds the headers with their folders.
+Result<void> add_headers(const fs::path& folder, const std::string& below,
+                         std::vector<TreeFile>& files) {
+  system::Disk disk;
+  files.push_back({.path = below, .bytes = "", .is_folder = true});
+  const auto names = disk.names_in(folder.string());
+  if (!names) return tl::unexpected(names.error());
+  for (const std::string& name : *names) {
+    if (fs::is_directory(folder / name)) {
+      if (auto added = add_headers(folder / name, below + "/" + name, files); !added) return added;
+      continue;
+    }
+    auto bytes = disk.read((folder / name).string(), {.max_size = system::size_limit::note,
+                                                      .links = system::Links::followed});
+    if (!bytes) return tl::unexpected(bytes.error());
+    files.push_back({.path = below + "/" + name, .bytes = std::move(*bytes)});
+  }
+  return {};
+}
+
+// What runs in the sandbox is given before the fork, because the child may allocate nothing.
+struct Work {
+  std::vector<TreeFile> files;
+  const char* const* command = nullptr;
+  CompileLimits limits;
+  int output = -1;
+  int result = -1;
+  int step = -1;
+};
+
+[[noreturn]] void give_up_compiling(const char* step) {
+  const char* why = strerrorname_np(errno);
+  (void)!write(step_descriptor, step, std::strlen(step));
+  (void)!write(step_descriptor, ": ", 2);
+  if (why != nullptr) (void)!write(step_descriptor, why, std::strlen(why));
+  _exit(no_sandbox_stands);
+}
+
+bool arrange_work(const Work& work) {
+  const int nothing = open("/dev/null", O_RDONLY);
+  const int from[] = {nothing, work.output, work.output, work.result, work.step};
+  constexpr int count = sizeof from / sizeof from[0];
+  constexpr int spare_from = 32;
+  int spare[count];
+  for (int i = 0; i < count; ++i) {
+    spare[i] = fcntl(from[i], F_DUPFD, spare_from);
+    if (spare[i] < 0) return false;
+  }
+  for (int i = 0; i < count; ++i) {
+    if (dup2(spare[i], i) < 0) return false;
+  }
+  return close_range(count, ~0U, 0) == 0;
+}
+
+bool limit(int resource, rlim_t most) {
+  const rlimit both{most, most};
+  return setrlimit(static_cast<__rlimit_resource_t>(resource), &both) == 0;
+}
+
+[[noreturn]] void become_compiler(const Work& work) {
+  constexpr rlim_t processes = 64;
+  constexpr rlim_t descriptors = 256;
+  const bool is_limited = limit(RLIMIT_CPU, work.limits.cpu_seconds) &&
+                          limit(RLIMIT_AS, work.limits.memory) && limit(RLIMIT_CORE, 0) &&
+                          limit(RLIMIT_FSIZE, rlim_t{128} << 20) &&
+                          limit(RLIMIT_NPROC, processes) && limit(RLIMIT_NOFILE, descriptors) &&
+                          prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0;
+  if (!is_limited) give_up_compiling("limits");
+  // The compiler speaks to nobody but by its output.
+  close(result_descriptor);
+  fcntl(step_descriptor, F_SETFD, FD_CLOEXEC);
+  execve(work.command[0], const_cast<char* const*>(work.command),
+         const_cast<char* const*>(compile_environment));
+  give_up_compiling("the start of the compiler");
+}
+
+// Waits for that process, and for those that it has left behind.
+int wait_for(pid_t pid) {
+  int result = 0;
+  while (true) {
+    int status = 0;
+    const pid_t ended = waitpid(-1, &status, 0);
+    if (ended < 0 && errno == EINTR) continue;
+    if (ended < 0) return result;
+    if (ended != pid) continue;
+    result = status;
+    kill(-1, SIGKILL);
+  }
+}
+
+bool hand_over_library(std::size_t most) {
+  const system::Descriptor file(open(library_path, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  struct stat about {};
+  if (!file.is_open() || fstat(file.get(), &about) != 0 || !S_ISREG(about.st_mode)) return false;
+  if (static_cast<std::size_t>(about.st_size) > most) return false;
+  off_t done = 0;
+  while (done < about.st_size) {
+    if (sendfile(result_descriptor, file.get(), &done,
+                 static_cast<std::size_t>(about.st_size - done)) <= 0)
+      return false;
+  }
+  return true;
+}
+
+[[noreturn]] void compile_here(const Work& work) {
+  setsid();
+  for (int number = 1; number < NSIG; ++number) signal(number, SIG_DFL);
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+  umask(022);
+  if (!arrange_work(work)) give_up_compiling("descriptors");
+  if (const char* step = enter_toolchain_root(work.files)) give_up_compiling(step);
+  const auto pid = static_cast<pid_t>(syscall(SYS_clone, SIGCHLD, 0, 0, 0, 0));
+  if (pid < 0) give_up_compiling("a process");
+  if (pid == 0) become_compiler(work);
+  const int status = wait_for(pid);
+  if (WIFSIGNALED(status)) _exit(too_much);
+  if (WEXITSTATUS(status) == no_sandbox_stands) _exit(no_sandbox_stands);
+  if (WEXITSTATUS(status) != 0) _exit(not_compiled);
+  _exit(hand_over_library(work.limits.library) ? compiled : too_much);
+}
+
+// Reads what the compiler says until it has ended, or for too long. Returns false after too long.
+bool listen_to(int output, const CompileLimits& limits, std::string& text) {
+  const auto end = steady_clock::now() + std::chrono::duration<double>(limits.seconds);
+  while (true) {
+    const auto left =
+        std::chrono::duration_cast<std::chrono::milliseconds>(end - steady_clock::now()).count();
+    if (left <= 0) return false;
+    pollfd waiting{.fd = output, .events = POLLIN, .revents = 0};
+    if (poll(&waiting, 1, static_cast<int>(std::min<long>(left, 1000))) <= 0) continue;
+    char bytes[65536];
+    const ssize_t count = read(output, bytes, sizeof bytes);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return true;
+    // More is read, so that the compiler goes on, and forgotten.
+    const std::size_t room = limits.output - std::min(limits.output, text.size());
+    text.append(bytes, std::min(room, static_cast<std::size_t>(count)));
+  }
+}
+
+tl::unexpected<Error> cannot(const char* what) {
+  return fail(Errc::host, std::string(what) + ": " + std::strerror(errno));
+}
+
+std::string read_all(int file, std::size_t size) {
+  std::string bytes(size, '\0');
+  std::size_t done = 0;
+  while (done < size) {
+    const ssize_t n = pread(file, bytes.data() + done, size - done, static_cast<off_t>(done));
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) break;
+    done += static_cast<std::size_t>(n);
+  }
+  bytes.resize(done);
+  return bytes;
+}
+
+// Returns what became of it, after the sandbox has ended with that status.
+Result<Compiled> judge(int status, bool is_in_time, const Work& work, int result, int step,
+                       Compiled compiled_so_far) {
+  Compiled done = std::move(compiled_so_far);
+  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  if (is_in_time && code == no_sandbox_stands)
+    return fail(Errc::unavailable, "the compiler's sandbox cannot be made: " + read_all(step, 200));
+  if (!is_in_time) {
+    done.why_not = "compiling it takes more than " +
+                   std::to_string(static_cast<int>(work.limits.seconds)) + " s";
+  } else if (code == not_compiled) {
+    done.why_not = "it does not compile; the log has the compiler's words";
+  } else if (code != compiled) {
+    done.why_not = "compiling it takes more time, memory or disk than there is for a team";
+  } else {
+    struct stat about {};
+    if (fstat(result, &about) != 0) return cannot("the library cannot be read");
+    done.library = read_all(result, static_cast<std::size_t>(about.st_size));
+  }
+  return done;
+}
+
+}  // namespace
+
+Result<Compiled> compile_in_sandbox(const std::string& source, SourceLanguage language,
+                                    const std::string& headers, const CompileLimits& limits) {
+  const auto isolation = strongest_isolation();
+  if (!isolation) return tl::unexpected(isolation.error());
+  if (*isolation != Isolation::T2) {
+    return fail(Errc::unavailable,
+                "sources are not compiled here: this computer allows no namespaces; hand in the "
+                "library");
+  }
+  Work work;
+  work.limits = limits;
+  work.command = language == SourceLanguage::cpp ? cpp_command : c_command;
+  if (access(work.command[0], X_OK) != 0) {
+    return fail(Errc::unavailable,
+                "sources are not compiled here: there is no " + std::string(work.command[0]));
+  }
+  const auto added = add_headers(headers, std::string(headers_folder) + "/mirocup", work.files);
+  if (!added) return tl::unexpected(added.error());
+  work.files.push_back({.path = std::string(work_folder) + "/source", .bytes = source});
+
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) return cannot("a pipe cannot be made");
+  const system::Descriptor output(ends[0]);
+  system::Descriptor speaking(ends[1]);
+  const system::Descriptor result(memfd_create("strategy.so", MFD_CLOEXEC));
+  const system::Descriptor step(memfd_create("step", MFD_CLOEXEC));
+  if (!result.is_open() || !step.is_open()) return cannot("memory cannot be shared");
+  work.output = speaking.get();
+  work.result = result.get();
+  work.step = step.get();
+  const auto pid = fork_isolated(Isolation::T2, [&work] { compile_here(work); });
+  if (!pid) return tl::unexpected(pid.error());
+  speaking.reset();
+  Compiled done;
+  const bool is_in_time = listen_to(output.get(), limits, done.output);
+  // The first process of the namespace takes all others with it.
+  if (!is_in_time) kill(*pid, SIGKILL);
+  int status = 0;
+  while (waitpid(*pid, &status, 0) < 0 && errno == EINTR) {
+  }
+  return judge(status, is_in_time, work, result.get(), step.get(), std::move(done));
+}
+
+}  // namespace mirocup::plugins

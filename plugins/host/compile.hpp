@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+//
+// Compiles a stranger's source into a library, in a sandbox: in namespaces of its own, without a
+// network, with the system's compiler, its headers and those of a strategy, all read-only, and a
+// folder in memory. The command line is fixed. Nothing that was compiled runs.
+#pragma once
+
+#include "core/base/error.hpp"
+
+#include <string>
+
+namespace mirocup::plugins {
+
+enum class SourceLanguage { c, cpp };
+
+struct CompileLimits {
+  double seconds = 60.0;                        // on a clock on the wall
+  unsigned cpu_seconds = 40;                    // of each process of the compiler
+  std::size_t memory = std::size_t{3} << 29;    // bytes of addresses of each process
+  std::size_t library = std::size_t{32} << 20;  // bytes
+  std::size_t output = std::size_t{64} << 10;   // bytes of what the compiler says that are kept
+};
+
+struct Compiled {
+  std::string library;  // its bytes; "": there is none
+  std::string why_not;  // a sentence; "": it was compiled
+  std::string output;   // what the compiler has said, cut
+};
+
+// `headers` is the folder of strategy.h. What is wrong with the source is a value. Errors:
+// Errc::unavailable where there are no namespaces or no compiler; Errc::host.
+Result<Compiled> compile_in_sandbox(const std::string& source, SourceLanguage language,
+                                    const std::string& headers, const CompileLimits& limits = {});
+
+}  // namespace mirocup::plugins

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+//
+// The file tree of the compiler in the tier `compile`: the system's compiler, headers and
+// libraries, read-only, the headers of a strategy, and one folder of its own in memory.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+namespace mirocup::plugins {
+
+// The folder in which the compiler works. It has the source, and later the library.
+inline constexpr const char* work_folder = "/work";
+inline constexpr const char* headers_folder = "/mirocup/include";
+
+// A file that the tree gets.
+struct TreeFile {
+  std::string path;  // absolute, in the tree; its folders must come before it
+  std::string bytes;
+  bool is_folder = false;
+};
+
+// Makes the tree and makes it the root. Files below the work folder come into it, the others are
+// read-only. The process must be in a mount namespace of its own. Allocates nothing, so it may be
+// called after fork. Returns null on success, else the step that failed; errno says why.
+const char* enter_toolchain_root(std::span<const TreeFile> files);
+
+}  // namespace mirocup::plugins

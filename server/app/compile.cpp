@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+//
+// mirocup compile SOURCE -o FILE.so: compiles a team's source as a league does, in a sandbox.
+#include "plugins/host/compile.hpp"
+
+#include "server/app/commands.hpp"
+#include "server/record/json_reader.hpp"
+#include "system/files.hpp"
+#include "system/locations.hpp"
+#include "system/printable.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <iostream>
+
+namespace mirocup::app {
+
+namespace {
+
+constexpr std::uint64_t max_source = 4u << 20;  // bytes
+
+}  // namespace
+
+Result<int> run_compile(const CompileOptions& options) {
+  system::Disk disk;
+  const auto source = disk.read(options.path, {.max_size = max_source});
+  if (!source) return tl::unexpected(source.error());
+  const bool is_c =
+      options.language == "c" || (options.language.empty() && options.path.ends_with(".c"));
+  const auto done = plugins::compile_in_sandbox(
+      *source, is_c ? plugins::SourceLanguage::c : plugins::SourceLanguage::cpp,
+      system::team_kit().headers);
+  if (!done) return tl::unexpected(done.error());
+  const bool is_compiled = done->why_not.empty();
+  if (is_compiled) {
+    if (auto written = disk.write(options.output, done->library); !written)
+      return tl::unexpected(written.error());
+  }
+  const std::string said = system::printable(done->output, system::LineEnds::kept);
+  if (options.json) {
+    using record::JsonReader;
+    std::cout << record::json_text({{"compiled", is_compiled},
+                                    {"reason", is_compiled ? JsonReader::Json()
+                                                           : JsonReader::Json(done->why_not)},
+                                    {"log", said}})
+              << '\n';
+  } else {
+    std::cout << said;
+    if (!is_compiled) std::cout << system::printable(options.path) << ": " << done->why_not << '\n';
+  }
+  return is_compiled ? exit_yes : exit_no;
+}
+
+}  // namespace mirocup::app

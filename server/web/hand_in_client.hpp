@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+//
+// The client of a league's desk: hands a file in over HTTP and asks what became of it.
+#pragma once
+
+#include "core/base/error.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <memory>
+#include <string>
+
+namespace mirocup::web {
+
+using Json = nlohmann::ordered_json;
+
+// What the server answered: a status and an object, or the sentence in {"error"}.
+struct DeskReply {
+  int status = 0;  // 0: no server has answered
+  Json json;       // null if the reply is none
+  std::string error;
+};
+
+class HandInClient {
+ public:
+  // `url` is the address of the league, "https://host:8443"; `authority` a file with the
+  // certificate that signs for the server, "": those of the system. Errc::input if the address is
+  // none.
+  static Result<std::unique_ptr<HandInClient>> open(const std::string& url,
+                                                    const std::string& token,
+                                                    const std::string& authority);
+  ~HandInClient();
+  HandInClient(const HandInClient&) = delete;
+  HandInClient& operator=(const HandInClient&) = delete;
+
+  // The team of the token, and whether it may hand in now.
+  DeskReply about();
+  // Sends a file.
+  DeskReply put(const std::string& name, const std::string& bytes);
+  // Asks for the state of an entry.
+  DeskReply entry(int number);
+
+ private:
+  struct Impl;  // keeps the HTTP library out of this header
+  explicit HandInClient(std::unique_ptr<Impl> impl);
+
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace mirocup::web

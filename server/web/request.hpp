@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+//
+// A request to a server and the reply to it, without the HTTP library, so that what answers can be
+// tested without a connection.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace mirocup::web {
+
+struct Request {
+  std::string method;         // "GET", "PUT", ...
+  std::string path;           // without the query, percent signs decoded
+  std::string address;        // of the other end of the connection: the viewer, or a proxy
+  bool is_encrypted = false;  // by this server
+
+  std::multimap<std::string, std::string> query{};
+  std::multimap<std::string, std::string> headers{};  // names in lower case
+
+  // Returns the value of a header or of a part of the query. "" if there is none, and if there are
+  // several: nobody can choose which of two this server and a proxy before it believe.
+  std::string header(const std::string& name) const { return only(headers, name); }
+  std::string asked(const std::string& name) const { return only(query, name); }
+
+ private:
+  static std::string only(const std::multimap<std::string, std::string>& all,
+                          const std::string& name) {
+    return all.count(name) == 1 ? all.find(name)->second : "";
+  }
+};
+
+// Reads the body of a request in parts and gives them to `take`. Returns false if `take` did, or if
+// the connection broke before the end of the body. May be called once, or not at all: then the body
+// is not asked for.
+using Body = std::function<bool(const std::function<bool(std::string_view part)>& take)>;
+
+// Whole server-sent events.
+struct EventBatch {
+  std::string text;  // "": there is nothing new
+  bool is_last = false;
+};
+
+struct Reply {
+  int status = 200;
+  std::string type = "text/plain; charset=utf-8";
+  std::string bytes = {};
+  std::vector<std::pair<std::string, std::string>> headers = {};
+
+  // If set, the reply is a stream of events in place of the bytes. It is called about 30 times a
+  // second.
+  std::function<EventBatch()> events = {};
+};
+
+}  // namespace mirocup::web

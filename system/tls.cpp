@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "system/tls.hpp"
+
+#include <climits>
+#include <openssl/err.h>
+#include <openssl/ssl.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <fcntl.h>
+#include <poll.h>
+
+namespace mirocup::system {
+
+namespace {
+
+using std::chrono::steady_clock;
+
+std::string reason() {
+  const unsigned long code = ERR_get_error();
+  ERR_clear_error();
+  const char* text = code != 0 ? ERR_reason_error_string(code) : nullptr;
+  return text != nullptr ? text : "it cannot be read";
+}
+
+bool waits_for(int socket, short event, steady_clock::time_point until) {
+  while (true) {
+    const auto left =
+        std::chrono::duration_cast<std::chrono::milliseconds>(until - steady_clock::now()).count();
+    if (left <= 0) return false;
+    pollfd waiting{.fd = socket, .events = event, .revents = 0};
+    const int ready = poll(&waiting, 1, static_cast<int>(std::min<long>(left, INT_MAX)));
+    if (ready > 0) return true;
+    if (ready == 0 || errno != EINTR) return false;
+  }
+}
+
+}  // namespace
+
+struct TlsConnection::Session {
+  SSL* ssl = nullptr;
+  int socket = -1;
+
+  ~Session() { SSL_free(ssl); }
+
+  // Repeats a call of the library, which does not wait, until it is done. Returns its result;
+  // 0 at the end of the connection, negative after an error or at the end of the time.
+  template <class Call>
+  int repeat(int ms, const Call& call) {
+    const auto until = steady_clock::now() + std::chrono::milliseconds(ms);
+    while (true) {
+      ERR_clear_error();
+      const int result = call();
+      if (result > 0) return result;
+      const int error = SSL_get_error(ssl, result);
+      if (error == SSL_ERROR_ZERO_RETURN) return 0;
+      if (error != SSL_ERROR_WANT_READ && error != SSL_ERROR_WANT_WRITE) return -1;
+      if (!waits_for(socket, error == SSL_ERROR_WANT_READ ? POLLIN : POLLOUT, until)) return -1;
+    }
+  }
+};
+
+TlsConnection::TlsConnection() : session_(std::make_unique<Session>()) {}
+TlsConnection::TlsConnection(TlsConnection&&) noexcept = default;
+TlsConnection& TlsConnection::operator=(TlsConnection&&) noexcept = default;
+TlsConnection::~TlsConnection() = default;
+
+bool TlsConnection::has_bytes() const {
+  return SSL_has_pending(session_->ssl) == 1;
+}
+
+ssize_t TlsConnection::read(char* bytes, std::size_t size, int ms) {
+  const int most = static_cast<int>(std::min<std::size_t>(size, INT_MAX));
+  return session_->repeat(ms, [&] { return SSL_read(session_->ssl, bytes, most); });
+}
+
+ssize_t TlsConnection::write(std::string_view bytes, int ms) {
+  if (bytes.empty()) return 0;
+  const int size = static_cast<int>(std::min<std::size_t>(bytes.size(), INT_MAX));
+  const int done =
+      session_->repeat(ms, [&] { return SSL_write(session_->ssl, bytes.data(), size); });
+  return done > 0 ? done : -1;
+}
+
+void TlsConnection::say_end() {
+  ERR_clear_error();
+  SSL_shutdown(session_->ssl);
+}
+
+struct TlsServer::Context {
+  SSL_CTX* handle = SSL_CTX_new(TLS_server_method());
+  ~Context() { SSL_CTX_free(handle); }
+};
+
+TlsServer::TlsServer() : context_(std::make_unique<Context>()) {}
+TlsServer::TlsServer(TlsServer&&) noexcept = default;
+TlsServer& TlsServer::operator=(TlsServer&&) noexcept = default;
+TlsServer::~TlsServer() = default;
+
+Result<TlsServer> TlsServer::load(const std::string& certificate, const std::string& key) {
+  TlsServer server;
+  SSL_CTX* const context = server.context_->handle;
+  ERR_clear_error();
+  SSL_CTX_set_min_proto_version(context, TLS1_2_VERSION);
+  SSL_CTX_set_mode(context, SSL_MODE_ACCEPT_MOVING_WRITE_BUFFER);
+  // Viewers come and go; nobody keeps state for them.
+  SSL_CTX_set_session_cache_mode(context, SSL_SESS_CACHE_OFF);
+  SSL_CTX_set_options(context, SSL_OP_NO_RENEGOTIATION | SSL_OP_IGNORE_UNEXPECTED_EOF);
+  if (SSL_CTX_use_certificate_chain_file(context, certificate.c_str()) != 1)
+    return fail(Errc::input, certificate + " is no certificate in a PEM file: " + reason());
+  if (SSL_CTX_use_PrivateKey_file(context, key.c_str(), SSL_FILETYPE_PEM) != 1)
+    return fail(Errc::input,
+                key + " is not the key of " + certificate + " in a PEM file: " + reason());
+  return server;
+}
+
+std::optional<TlsConnection> TlsServer::accept(int socket, int ms) const {
+  TlsConnection connection;
+  TlsConnection::Session& session = *connection.session_;
+  session.socket = socket;
+  session.ssl = SSL_new(context_->handle);
+  const int flags = fcntl(socket, F_GETFL);
+  if (session.ssl == nullptr || flags < 0 || fcntl(socket, F_SETFL, flags | O_NONBLOCK) != 0 ||
+      SSL_set_fd(session.ssl, socket) != 1)
+    return std::nullopt;
+  if (session.repeat(ms, [&] { return SSL_accept(session.ssl); }) != 1) return std::nullopt;
+  return connection;
+}
+
+}  // namespace mirocup::system

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+//
+// TLS for a server: its certificate, and one encrypted connection. TLS 1.2 or later.
+//
+// Threads: a TlsServer may accept in several threads at once; one thread uses a TlsConnection.
+#pragma once
+
+#include "core/base/error.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <sys/types.h>
+
+namespace mirocup::system {
+
+// An encrypted connection over a socket, which it does not own. After an error it is of no more
+// use.
+class TlsConnection {
+ public:
+  TlsConnection(TlsConnection&&) noexcept;
+  TlsConnection& operator=(TlsConnection&&) noexcept;
+  ~TlsConnection();
+
+  // True if read() has bytes without waiting, although none wait in the socket.
+  bool has_bytes() const;
+
+  // Reads up to `size` bytes. Returns their number; 0 at the end, negative after an error or if
+  // nothing comes within `ms`.
+  ssize_t read(char* bytes, std::size_t size, int ms);
+
+  // Writes all bytes. Returns their number; negative after an error or if the other end takes
+  // nothing for `ms`.
+  ssize_t write(std::string_view bytes, int ms);
+
+  // Tells the other end that nothing more is written.
+  void say_end();
+
+ private:
+  friend class TlsServer;
+  struct Session;
+  TlsConnection();
+
+  std::unique_ptr<Session> session_;
+};
+
+class TlsServer {
+ public:
+  // Reads a certificate, with those that lead to its root behind it, and its key: PEM files. The
+  // error (Errc::input) names the file and the reason.
+  static Result<TlsServer> load(const std::string& certificate, const std::string& key);
+  TlsServer(TlsServer&&) noexcept;
+  TlsServer& operator=(TlsServer&&) noexcept;
+  ~TlsServer();
+
+  // Agrees on the encryption of a connection that was just made. Returns nothing if the other end
+  // does not speak TLS or needs more than `ms`.
+  std::optional<TlsConnection> accept(int socket, int ms) const;
+
+ private:
+  struct Context;
+  TlsServer();
+
+  std::unique_ptr<Context> context_;
+};
+
+}  // namespace mirocup::system

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: MIT
+//
+// A league that takes hand-ins over HTTP, with the real server, command, checks and TLS. Catches a
+// hand-in that is lost or checked twice when something is killed, a wrong exit code of
+// `mirocup hand-in`, and a client that is not told why its file is not taken. A few kills here;
+// MIROCUP_KILLS=200 build/handin_tests --gtest_filter='*Kills*' for many.
+#include "tests/programs/league/league_command.hpp"
+
+#include <gtest/gtest.h>
+#include <httplib.h>
+
+#include <algorithm>
+#include <arpa/inet.h>
+#include <csignal>
+#include <filesystem>
+#include <memory>
+#include <random>
+#include <set>
+#include <sys/socket.h>
+
+namespace mirocup {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+using test_support::house;
+using test_support::init_league;
+using test_support::league;
+using test_support::Outcome;
+using test_support::program;
+using test_support::read_file;
+using test_support::run;
+using test_support::Running;
+using test_support::TemporaryFolder;
+using test_support::write_file;
+
+class HandIn : public testing::Test {
+ protected:
+  HandIn() { init_league(folder_, {"alpha=house:chaser", "beta=house:keeper"}); }
+
+  std::string new_token(const std::string& team) {
+    const Outcome made = run(league("token", folder_, {team}));
+    EXPECT_EQ(made.exit_code, 0) << made.err;
+    write_file(temporary_ / (team + ".token"), made.out);
+    return made.out.substr(0, made.out.find('\n'));
+  }
+
+  // Starts the server, at the same port as before if there was one.
+  void serve(const std::vector<std::string>& more = {}) {
+    std::vector<std::string> words{"--hand-in", "--at", std::to_string(port_)};
+    words.insert(words.end(), more.begin(), more.end());
+    server_ = std::make_unique<Running>(league("serve", folder_, words));
+    ASSERT_TRUE(test_support::wait_until([&] {
+      return server_->out().find("/\n") != std::string::npos;
+    })) << server_->err();
+    url_ = server_->out();
+    url_.pop_back();
+    port_ = std::stoi(url_.substr(url_.rfind(':') + 1));
+  }
+
+  Outcome hand_in(const std::string& team, const std::string& file,
+                  const std::vector<std::string>& more = {}) {
+    std::vector<std::string> words{
+        program("mirocup"), "hand-in", url_, "--token-file", temporary_ / (team + ".token"), file};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(words);
+  }
+
+  ordered_json state_of(const std::string& token, int entry) {
+    httplib::Client client("127.0.0.1", port_);
+    const auto reply = client.Get("/api/v1/entries/" + std::to_string(entry),
+                                  {{"Authorization", "Bearer " + token}});
+    return reply && reply->status == 200 ? ordered_json::parse(reply->body) : ordered_json();
+  }
+
+  std::vector<ordered_json> book() {
+    std::vector<ordered_json> lines;
+    std::istringstream text(read_file(folder_ + "/hand-ins.jsonl"));
+    for (std::string line; std::getline(text, line);) lines.push_back(ordered_json::parse(line));
+    return lines;
+  }
+
+  TemporaryFolder temporary_;
+  std::string folder_ = temporary_ / "l";
+  std::string url_;
+  int port_ = 0;
+  std::unique_ptr<Running> server_;
+};
+
+TEST_F(HandIn, TellsTheVerdictByOneCommand) {
+  new_token("alpha");
+  new_token("gamma");
+  serve();
+  const Outcome accepted = hand_in("alpha", house("striker"));
+  EXPECT_EQ(accepted.exit_code, 0) << accepted.err;
+  EXPECT_NE(accepted.out.find("alpha: entry 2 was accepted"), std::string::npos) << accepted.out;
+  EXPECT_EQ(read_file(folder_ + "/entries/alpha/2/strategy.so"), read_file(house("striker")));
+  // A team with a token joins with its first good entry.
+  const Outcome joined = hand_in("gamma", house("navigator"), {"--json"});
+  EXPECT_EQ(joined.exit_code, 0) << joined.err;
+  EXPECT_EQ(ordered_json::parse(joined.out)["state"], "accepted");
+  EXPECT_NE(read_file(folder_ + "/league.json").find("\"gamma\""), std::string::npos);
+  EXPECT_EQ(joined.out.find(folder_), std::string::npos) << "no path of the host is told";
+
+  write_file(temporary_ / "bad.so", "no library");
+  const Outcome refused = hand_in("alpha", temporary_ / "bad.so");
+  EXPECT_EQ(refused.exit_code, 1) << refused.err;
+  EXPECT_NE(refused.out.find("entry 2 plays on"), std::string::npos) << refused.out;
+  EXPECT_EQ(read_file(folder_ + "/entries/alpha/3/verdict.json").find(folder_), std::string::npos);
+
+  write_file(temporary_ / "wrong.token", std::string(26, 'A'));
+  EXPECT_EQ(hand_in("wrong", house("striker")).exit_code, 2);
+  EXPECT_EQ(hand_in("nobody", house("striker")).exit_code, 3) << "no file of a token";
+  EXPECT_EQ(run(league("token", folder_, {"alpha", "--revoke"})).exit_code, 0);
+  const Outcome revoked = hand_in("alpha", house("idle"));
+  EXPECT_EQ(revoked.exit_code, 2);
+  EXPECT_NE(revoked.err.find("was revoked"), std::string::npos) << revoked.err;
+  server_->signal(SIGTERM);
+  EXPECT_EQ(server_->wait().exit_code, 0);
+  EXPECT_EQ(hand_in("gamma", house("idle")).exit_code, 3) << "no server";
+
+  // The league goes on with what was handed in.
+  EXPECT_EQ(run(league("start", folder_, {"--jobs", "1"})).exit_code, 0);
+  for (const auto& line : test_support::journal_of(folder_)) {
+    if (line["kind"] == "entry" && line["team"] == "alpha") {
+      EXPECT_EQ(line["entry"], 2);
+    }
+  }
+}
+
+TEST_F(HandIn, TakesNothingAfterTheStart) {
+  new_token("alpha");
+  ASSERT_EQ(run(league("start", folder_, {"--jobs", "1"})).exit_code, 0);
+  serve();
+  const Outcome late = hand_in("alpha", house("striker"));
+  EXPECT_EQ(late.exit_code, 2);
+  EXPECT_NE(late.err.find("the league has started"), std::string::npos) << late.err;
+  EXPECT_FALSE(fs::exists(folder_ + "/entries/alpha/2"));
+}
+
+TEST_F(HandIn, IsEncrypted) {
+  const std::string certificate = temporary_ / "cert.pem";
+  const std::string key = temporary_ / "key.pem";
+  ASSERT_EQ(run({"/usr/bin/openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt",
+                 "ec_paramgen_curve:prime256v1", "-nodes", "-days", "2", "-subj", "/CN=127.0.0.1",
+                 "-addext", "subjectAltName=IP:127.0.0.1", "-keyout", key, "-out", certificate})
+                .exit_code,
+            0);
+  new_token("alpha");
+  serve({"--tls", certificate, key});
+  EXPECT_EQ(url_.find("https://127.0.0.1:"), 0u);
+  const Outcome accepted = hand_in("alpha", house("striker"), {"--ca", certificate});
+  EXPECT_EQ(accepted.exit_code, 0) << accepted.err;
+  EXPECT_EQ(hand_in("alpha", house("idle")).exit_code, 3) << "nobody has signed for this server";
+  httplib::Client plain("127.0.0.1", port_);
+  EXPECT_FALSE(plain.Get("/")) << "without TLS there is no page";
+  httplib::SSLClient browser("127.0.0.1", port_);
+  browser.enable_server_certificate_verification(false);
+  const auto page = browser.Get("/hand-in");
+  ASSERT_TRUE(page);
+  EXPECT_NE(page->body.find("Token of your team"), std::string::npos);
+
+  const Outcome swapped = run(league("serve", folder_, {"--tls", key, certificate}));
+  EXPECT_EQ(swapped.exit_code, 2) << swapped.err;
+  EXPECT_NE(swapped.err.find("key.pem"), std::string::npos) << swapped.err;
+}
+
+// Sends bytes to the server and returns what it answers until it closes.
+std::string talk(int port, const std::string& request) {
+  const int socket = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(static_cast<std::uint16_t>(port));
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  std::string answer;
+  if (connect(socket, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0) {
+    std::size_t sent = 0;
+    while (sent < request.size()) {
+      const ssize_t count =
+          send(socket, request.data() + sent, request.size() - sent, MSG_NOSIGNAL);
+      if (count <= 0) break;
+      sent += static_cast<std::size_t>(count);
+    }
+    char bytes[4096];
+    for (ssize_t count = 1; count > 0;) {
+      count = recv(socket, bytes, sizeof bytes, 0);
+      if (count > 0) answer.append(bytes, static_cast<std::size_t>(count));
+    }
+  }
+  close(socket);
+  return answer;
+}
+
+TEST_F(HandIn, SaysWhyBeforeAFileIsSentInVain) {
+  const std::string token = new_token("alpha");
+  serve();
+  const std::string put = "PUT /api/v1/entries HTTP/1.1\r\nHost: x\r\n";
+  const std::string expects = "Content-Length: 20000000\r\nExpect: 100-continue\r\n\r\n";
+  const std::string unknown = talk(port_, put + expects);
+  EXPECT_EQ(unknown.find("HTTP/1.1 401"), 0u) << "no \"100 Continue\" first: " << unknown;
+  const std::string known = put + "Authorization: Bearer " + token + "\r\n";
+  const std::string large =
+      talk(port_, known + "Content-Length: 99000000\r\nExpect: 100-continue\r\n\r\n");
+  EXPECT_EQ(large.find("HTTP/1.1 413"), 0u) << large;
+  const std::string small =
+      talk(port_, known + "Content-Length: 3\r\nExpect: 100-continue\r\n\r\nELF");
+  EXPECT_EQ(small.find("HTTP/1.1 202"), 0u) << "what has come already is not asked for: " << small;
+  // A client that does not wait is answered, too.
+  const std::string body(300'000, 'x');
+  const std::string impatient =
+      talk(port_, put + "Content-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body);
+  EXPECT_EQ(impatient.find("HTTP/1.1 401"), 0u) << impatient.substr(0, 100);
+  // A body in chunks, of no announced length.
+  const std::string chunked =
+      talk(port_, known + "Transfer-Encoding: chunked\r\n\r\n3\r\nELF\r\n4\r\nmore\r\n0\r\n\r\n");
+  EXPECT_EQ(chunked.find("HTTP/1.1 202"), 0u) << chunked;
+  const std::string twice =
+      talk(port_,
+           known + "Content-Length: 3\r\nTransfer-Encoding: chunked\r\n\r\n3\r\nELF\r\n0\r\n\r\n");
+  EXPECT_EQ(twice.find("HTTP/1.1 400"), 0u) << twice;
+}
+
+// The server, the check's own process, `mirocup check`, the processes of its strategies.
+void kill_one_below(int pid, std::mt19937& random) {
+  std::vector<int> living{pid};
+  for (std::size_t i = 0; i < living.size(); ++i) {
+    const std::string id = std::to_string(living[i]);
+    std::istringstream children(read_file("/proc/" + id + "/task/" + id + "/children"));
+    for (int child = 0; children >> child;) living.push_back(child);
+  }
+  // The server itself in one of four.
+  const std::size_t chosen = random() % 4 == 0 ? 0 : random() % living.size();
+  kill(living[chosen], SIGKILL);
+}
+
+TEST_F(HandIn, LosesAndDoublesNothingByKills) {
+  const char* wanted = std::getenv("MIROCUP_KILLS");
+  const int most = wanted != nullptr ? std::atoi(wanted) : 8;
+  std::map<std::string, std::string> tokens;
+  // A team has twenty tries an hour.
+  for (int i = 0; i < std::max(4, most / 10); ++i) {
+    const std::string team = "team" + std::to_string(i);
+    tokens[team] = new_token(team);
+  }
+  std::mt19937 random(1);
+  std::map<std::pair<std::string, int>, std::string> taken;  // bytes of each entry
+  serve({"--jobs", "2"});
+  int number = 0;
+  for (int kills = 0; kills < most; ++kills) {
+    for (const auto& [team, token] : tokens) {
+      // Good and bad files, each with bytes of its own.
+      std::string bytes = number % 2 == 0 ? read_file(house("chaser")) : "no library";
+      bytes += std::to_string(number++);
+      httplib::Client client("127.0.0.1", port_);
+      const auto reply = client.Put("/api/v1/entries", {{"Authorization", "Bearer " + token}},
+                                    bytes, "application/octet-stream");
+      if (!reply || reply->status != 202) continue;  // killed, or the team has had enough
+      const int entry = ordered_json::parse(reply->body)["entry"];
+      EXPECT_TRUE(taken.emplace(std::pair(team, entry), bytes).second) << "numbered twice";
+    }
+    usleep(static_cast<useconds_t>(random() % 200'000));
+    kill_one_below(server_->pid(), random);
+    usleep(20'000);
+    if (kill(server_->pid(), 0) != 0 ||
+        read_file("/proc/" + std::to_string(server_->pid()) + "/cmdline").empty()) {
+      server_->wait();
+      serve({"--jobs", "2"});
+    }
+  }
+  ASSERT_FALSE(taken.empty());
+  for (const auto& [key, bytes] : taken) {
+    const std::string team = key.first;
+    const int entry = key.second;
+    ordered_json state;
+    ASSERT_TRUE(test_support::wait_until([&] {
+      state = state_of(tokens[team], entry);
+      return state.is_object() && (state["state"] == "accepted" || state["state"] == "refused");
+    })) << team
+        << entry << " " << state << server_->err();
+    const bool is_good = bytes.substr(0, 4) ==
+                         "\x7f"
+                         "ELF";
+    EXPECT_EQ(state["state"], is_good ? "accepted" : "refused") << state;
+  }
+  std::map<std::pair<std::string, int>, int> answers;
+  for (const auto& line : book()) {
+    if (line["kind"] == "answer") ++answers[{line["team"], line["entry"]}];
+  }
+  for (const auto& [key, count] : answers) EXPECT_EQ(count, 1) << key.first << key.second;
+  for (const auto& [key, bytes] : taken) {
+    EXPECT_EQ(answers[key], 1) << key.first << key.second;
+    const std::string path =
+        folder_ + "/entries/" + key.first + "/" + std::to_string(key.second) + "/strategy.so";
+    if (fs::exists(path)) {
+      EXPECT_EQ(read_file(path), bytes) << path;
+    }
+  }
+  EXPECT_TRUE(fs::is_empty(folder_ + "/entries/.uploads"));
+}
+
+}  // namespace
+}  // namespace mirocup

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+//
+// Hands in as a student does, in a browser: the token, the form, the answer, the log-out. Catches a form that says nothing, a
+// page that a phone cannot show, text of a team that becomes markup, and a page that a strange site could use.
+import assert from 'node:assert/strict';
+import { spawn } from 'node:child_process';
+import { after, test } from 'node:test';
+import { copyFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { closeBrowser, folder, mirocup, openPage, run } from './support.js';
+
+const league = join(folder, 'handing-in');
+const servers = [];
+after(() => {
+  servers.forEach((server) => server.kill('SIGTERM'));
+  return closeBrowser();
+});
+
+async function serve() {
+  const server = spawn(mirocup, ['league', 'serve', league, '--hand-in']);
+  servers.push(server);
+  const text = await new Promise((resolve) => { server.stdout.once('data', resolve); });
+  return String(text).trim();
+}
+
+async function logIn(page, token) {
+  await page.fill('#token', token);
+  await page.click('form button');
+}
+
+async function handIn(page, path, answer) {
+  await page.setInputFiles('#file', path);
+  await page.click('#hand-in button');
+  await page.waitForFunction((text) => document.getElementById('answer').textContent.includes(text), answer);
+}
+
+// Text that is wider than the window would have to be pushed aside with a finger.
+function overflows(page) {
+  return page.evaluate(() => document.documentElement.scrollWidth > window.innerWidth);
+}
+
+test('a student hands in and reads the answer', async () => {
+  run('league', 'init', league, '--team', 'alpha=house:chaser', '--team', 'beta=house:keeper', '--half', '2');
+  const token = run('league', 'token', league, 'alpha').trim();
+  const place = await serve();
+  const good = join(folder, '<img src=x>.so');
+  copyFileSync(join(process.env.MIROCUP_BUILD, 'house', 'striker.so'), good);
+  const bad = join(folder, 'notes.txt');
+  writeFileSync(bad, 'no library');
+
+  const page = await openPage(place);
+  await page.click('a[href="/hand-in"]');
+  await page.waitForSelector('#token');
+  await logIn(page, 'WRONG');
+  await page.waitForSelector('[role=alert]');
+  assert.match(await page.textContent('[role=alert]'), /no team has this token/);
+  await logIn(page, token);
+  assert.equal(await page.textContent('h1'), 'alpha');
+
+  await handIn(page, good, 'alpha: entry 2 was accepted');
+  await page.waitForFunction(() => document.querySelector('#entry-2')?.textContent.includes('accepted'));
+  assert.ok((await page.textContent('#entry-2')).includes('<img src=x>.so'));
+  assert.equal(await page.locator('#entries img').count(), 0);
+  await handIn(page, bad, 'entry 2 plays on');
+  await page.waitForFunction(() => document.querySelector('#entry-3')?.textContent.includes('refused'));
+
+  assert.equal(await overflows(page), false);
+  await page.setViewportSize({ width: 390, height: 800 });
+  assert.equal(await overflows(page), false);
+
+  // The cookie is of no use to a script, and the page loads nothing from elsewhere.
+  assert.equal(await page.evaluate(() => document.cookie), '');
+  assert.deepEqual(page.problems.filter((text) => !text.includes('401')), []);
+
+  await page.click('form[action$=log-out] button');
+  await page.waitForSelector('#token');
+  await page.goto(`${place}hand-in`);
+  assert.equal(await page.locator('#token').count(), 1);
+  assert.equal(await page.locator('text=entry 2').count(), 0);
+});

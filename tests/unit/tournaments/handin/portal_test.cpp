@@ -1,0 +1,451 @@
+// SPDX-License-Identifier: MIT
+//
+// The desk without a network: each route with no, a wrong, another team's, an expired and a revoked
+// token, from another site, with a cookie after log-out and with a forged header of a proxy.
+// Catches a private answer for the wrong one, a change that another site has made a browser send,
+// and a hand-in without a limit.
+#include "tournaments/handin/portal.hpp"
+
+#include "tests/support/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace mirocup::league {
+namespace {
+
+constexpr std::int64_t opening = 1'795'000'000;  // s since 1970
+const std::string host = "league.example";
+const std::string own_origin = "http://league.example";
+
+web::Request get(const std::string& path) {
+  web::Request request{.method = "GET", .path = path, .address = "10.0.0.1"};
+  request.headers.emplace("host", host);
+  return request;
+}
+
+web::Request with(web::Request request, const std::string& name, const std::string& value) {
+  request.headers.emplace(name, value);
+  return request;
+}
+
+class Desk : public testing::Test {
+ protected:
+  Desk() {
+    TokenList list;
+    const std::string now = utc_text(opening);
+    alpha_ = list.add("alpha", now, "");
+    beta_ = list.add("beta", now, "");
+    expired_ = list.add("alpha", utc_text(opening - 10), utc_text(opening - 1));
+    revoked_ = list.add("gone", now, "");
+    list.revoke("gone", now);
+    staff_ = list.add_for_staff(now, "");
+    EXPECT_TRUE(write_tokens(disk_, folder_, list));
+    open();
+  }
+
+  void open(ProxyTrust trust = {}) {
+    portal_.reset();
+    PortalOptions options;
+    options.proxy = std::move(trust);
+    options.now = [this] { return now_; };
+    options.legs = [this](const std::string& team) {
+      return team == "alpha" ? legs_ : std::vector<OwnLeg>();
+    };
+    options.why_not = [this](const std::string&, const std::string&) { return why_not_; };
+    auto portal = Portal::open(disk_, folder_, std::move(options), nullptr);
+    ASSERT_TRUE(portal) << portal.error().what;
+    portal_ = std::move(*portal);
+  }
+
+  web::Reply ask(const web::Request& request, const std::string& body = "") {
+    is_body_read_ = false;
+    const auto reply = portal_->answer(request, [&](const auto& take) {
+      is_body_read_ = true;
+      return take(std::string_view(body));
+    });
+    return reply.value_or(web::Reply{.status = 404});
+  }
+
+  web::Request put(const std::string& token) {
+    web::Request request = get("/api/v1/entries");
+    request.method = "PUT";
+    request.query.emplace("name", "team.so");
+    return token.empty() ? request : with(request, "authorization", "Bearer " + token);
+  }
+
+  web::Request api(const std::string& path, const std::string& token) {
+    return token.empty() ? get(path) : with(get(path), "authorization", "Bearer " + token);
+  }
+
+  // Logs in and returns the header "Cookie" of the browser.
+  std::string log_in(const std::string& token) {
+    web::Request request = with(get("/hand-in/log-in"), "origin", own_origin);
+    request.method = "POST";
+    const web::Reply reply = ask(request, "token=" + token);
+    EXPECT_EQ(reply.status, 303);
+    for (const auto& [name, value] : reply.headers) {
+      if (name != "Set-Cookie") continue;
+      EXPECT_NE(value.find("; HttpOnly"), std::string::npos);
+      EXPECT_NE(value.find("; SameSite=Strict"), std::string::npos);
+      return value.substr(0, value.find(';'));
+    }
+    ADD_FAILURE() << "no cookie";
+    return "";
+  }
+
+  static Json json_of(const web::Reply& reply) { return Json::parse(reply.bytes, nullptr, false); }
+
+  test_support::TemporaryFolder temporary_;
+  system::Disk disk_;
+  Folder folder_{temporary_ / "."};
+  std::int64_t now_ = opening;
+  std::string why_not_;
+  std::vector<OwnLeg> legs_;  // of alpha
+  std::string alpha_, beta_, expired_, revoked_, staff_;
+  std::unique_ptr<Portal> portal_;
+  bool is_body_read_ = false;
+};
+
+const std::vector<std::string> private_paths{"/api/v1/team",      "/api/v1/entries",
+                                             "/api/v1/entries/1", "/api/v1/entries/1/events",
+                                             "/api/v1/legs",      "/api/v1/legs/r1-f1-1-1/log",
+                                             "/api/v1/anything"};
+
+TEST_F(Desk, TakesAFileAndSaysWhatBecomesOfIt) {
+  const web::Reply taken = ask(put(alpha_), "ELF");
+  ASSERT_EQ(taken.status, 202) << taken.bytes;
+  EXPECT_EQ(json_of(taken)["entry"], 1);
+  EXPECT_EQ(json_of(taken)["events"], "/api/v1/entries/1/events");
+  ASSERT_EQ(ask(put(beta_), "other").status, 202);
+  Json state = json_of(ask(api("/api/v1/entries/1", beta_)));
+  EXPECT_EQ(state["state"], "queued");
+  EXPECT_EQ(state["before"], 1);
+  EXPECT_EQ(state["team"], "beta");
+
+  const auto next = portal_->begin_next();
+  ASSERT_TRUE(next);
+  EXPECT_EQ(next->team, "alpha");
+  EXPECT_EQ(next->file, "team.so");
+  EXPECT_EQ(*disk_.read(folder_.library("alpha", 1), {.max_size = 100}), "ELF");
+  portal_->set_step("alpha", 1, {3, 10, "entry"});
+  state = json_of(ask(api("/api/v1/entries/1", alpha_)));
+  EXPECT_EQ(state["state"], "checking");
+  EXPECT_EQ(state["step"]["number"], 3);
+  ASSERT_TRUE(portal_->close("alpha", 1, HandInState::refused, "alpha: entry 1: no"));
+  state = json_of(ask(api("/api/v1/entries/1", alpha_)));
+  EXPECT_EQ(state["state"], "refused");
+  EXPECT_EQ(state["reason"], "alpha: entry 1: no");
+  EXPECT_EQ(json_of(ask(api("/api/v1/entries", alpha_)))["entries"].size(), 1u);
+}
+
+TEST_F(Desk, TellsEventsUntilTheAnswer) {
+  ASSERT_EQ(ask(put(alpha_), "ELF").status, 202);
+  const web::Reply reply = ask(api("/api/v1/entries/1/events", alpha_));
+  ASSERT_TRUE(reply.events);
+  EXPECT_NE(reply.events().text.find("\"state\":\"queued\",\"reason\":null"), std::string::npos);
+  EXPECT_EQ(reply.events().text, "") << "nothing has changed";
+  ASSERT_TRUE(portal_->begin_next());
+  portal_->set_step("alpha", 1, {2, 10, "complete"});
+  const web::EventBatch step = reply.events();
+  EXPECT_NE(step.text.find("\"number\":2"), std::string::npos) << step.text;
+  EXPECT_FALSE(step.is_last);
+  ASSERT_TRUE(portal_->close("alpha", 1, HandInState::accepted, "alpha: entry 1 was accepted"));
+  const web::EventBatch last = reply.events();
+  EXPECT_TRUE(last.is_last);
+  EXPECT_NE(last.text.find("was accepted"), std::string::npos);
+}
+
+TEST_F(Desk, GivesNothingWithoutTheRightToken) {
+  ASSERT_EQ(ask(put(alpha_), "ELF").status, 202);
+  const std::string wrong(26, 'A');
+  for (const std::string& token : {std::string(), wrong, expired_, revoked_}) {
+    for (const std::string& path : private_paths) {
+      EXPECT_EQ(ask(api(path, token)).status, 401) << path;
+      now_ += 1000;  // wrong tokens are forgotten
+    }
+    const web::Reply put_reply = ask(put(token), "ELF");
+    EXPECT_EQ(put_reply.status, 401);
+    EXPECT_FALSE(is_body_read_) << "nobody sends megabytes without a token";
+    EXPECT_TRUE(json_of(put_reply)["error"].is_string());
+    now_ += 1000;
+  }
+  for (const char* scheme : {"Basic ", "bearer", "", "Bearer"}) {
+    EXPECT_EQ(ask(with(get("/api/v1/entries"), "authorization", scheme + alpha_)).status, 401)
+        << scheme;
+  }
+  web::Request twice = api("/api/v1/entries", alpha_);
+  twice.headers.emplace("authorization", "Bearer " + beta_);
+  EXPECT_EQ(ask(twice).status, 401) << "nobody chooses between two tokens";
+}
+
+TEST_F(Desk, GivesNothingOfAnotherTeam) {
+  ASSERT_EQ(ask(put(alpha_), "ELF").status, 202);
+  EXPECT_EQ(ask(api("/api/v1/entries/1", beta_)).status, 404);
+  EXPECT_EQ(ask(api("/api/v1/entries/1/events", beta_)).status, 404);
+  EXPECT_EQ(json_of(ask(api("/api/v1/entries", beta_)))["entries"].size(), 0u);
+  web::Request asked = api("/api/v1/entries/1", beta_);
+  asked.query.emplace("team", "alpha");
+  EXPECT_EQ(ask(asked).status, 403);
+  asked = api("/api/v1/entries/1", staff_);
+  EXPECT_EQ(ask(asked).status, 400);
+  asked.query.emplace("team", "alpha");
+  EXPECT_EQ(ask(asked).status, 200);
+  EXPECT_EQ(ask(put(staff_), "ELF").status, 403);
+  for (const char* strange : {"../beta", "", ".", "a/b", "\n"}) {
+    asked = api("/api/v1/entries", staff_);
+    asked.query.emplace("team", strange);
+    EXPECT_EQ(ask(asked).status, 400) << strange;
+  }
+  for (const char* strange : {"/api/v1/entries/0", "/api/v1/entries/-1", "/api/v1/entries/1x",
+                              "/api/v1/entries/99999999999", "/api/v1/entries/1/../2",
+                              "/api/v1/entriesx", "/api/v1/entries/"}) {
+    EXPECT_EQ(ask(api(strange, alpha_)).status, 404) << strange;
+  }
+}
+
+TEST_F(Desk, ShowsTheLogsOfOwnLegsOnly) {
+  OwnLeg leg;
+  leg.fixture = "r1-f1";
+  leg.opponent = "<b>beta</b>";
+  leg.record = "records/r1-f1-1-1.json";
+  leg.colour = "yellow";
+  legs_ = {leg};
+  std::filesystem::create_directories(temporary_ / "records");
+  ASSERT_TRUE(disk_.write(log_path(folder_, leg), "hello\x1b[31m"));
+  ASSERT_TRUE(disk_.write(temporary_ / "records/r1-f1-1-1.json.blue.log", "the other's"));
+  ASSERT_TRUE(disk_.write(temporary_ / "records/r1-f1-1-1.json",
+                          R"({"budget":{"yellow":{"cpu_seconds":0.5,"bank_seconds":9.0,)"
+                          R"("slowest_tick_ms":2.5,"late_ticks":0}}})"));
+  const Json legs = json_of(ask(api("/api/v1/legs", alpha_)))["legs"];
+  ASSERT_EQ(legs.size(), 1u);
+  EXPECT_EQ(legs[0]["slowest_tick_ms"], 2.5);
+  EXPECT_EQ(legs[0]["replay"], "/replays/r1-f1-1-1.html");
+  EXPECT_EQ(ask(api(legs[0]["log"], alpha_)).bytes, "hello\\x1b[31m");
+  EXPECT_EQ(ask(api(legs[0]["log"], beta_)).status, 404);
+  for (const char* strange :
+       {"/api/v1/legs/log", "/api/v1/legs//log", "/api/v1/legs/../r1-f1-1-1/log",
+        "/api/v1/legs/r1-f1-1-1", "/api/v1/legs/r1-f1-1-1.json.blue.log",
+        "/api/v1/legsr1-f1-1-1/log"}) {
+    EXPECT_EQ(ask(api(strange, alpha_)).status, 404) << strange;
+  }
+  const std::string page = ask(with(get("/hand-in"), "cookie", log_in(alpha_))).bytes;
+  EXPECT_NE(page.find("&lt;b&gt;beta"), std::string::npos);
+  EXPECT_NE(page.find("2.50"), std::string::npos);
+}
+
+TEST_F(Desk, EndsATokenAtOnce) {
+  ASSERT_EQ(ask(put(alpha_), "ELF").status, 202);
+  const std::string cookie = log_in(alpha_);
+  ASSERT_EQ(ask(with(get("/api/v1/entries/1"), "cookie", cookie)).status, 200);
+  auto list = *read_tokens(disk_, folder_);
+  list.revoke("alpha", utc_text(now_));
+  ASSERT_TRUE(write_tokens(disk_, folder_, list));
+  EXPECT_EQ(ask(api("/api/v1/entries/1", alpha_)).status, 401);
+  EXPECT_EQ(ask(with(get("/api/v1/entries/1"), "cookie", cookie)).status, 401)
+      << "its sessions end with it";
+  EXPECT_EQ(ask(put(alpha_), "more").status, 401);
+}
+
+TEST_F(Desk, EndsASessionByLogOutAndAfterTwelveHours) {
+  const std::string cookie = log_in(alpha_);
+  const web::Request page = with(get("/hand-in"), "cookie", cookie);
+  EXPECT_NE(ask(page).bytes.find("<h1>alpha</h1>"), std::string::npos);
+  open();
+  EXPECT_EQ(ask(page).status, 200) << "a server that starts again knows its sessions";
+  web::Request out = with(with(get("/hand-in/log-out"), "cookie", cookie), "origin", own_origin);
+  EXPECT_EQ(ask(out).status, 404) << "a link logs nobody out";
+  out.method = "POST";
+  EXPECT_EQ(ask(out).status, 303);
+  EXPECT_EQ(ask(page).status, 401);
+  EXPECT_EQ(ask(page).bytes.find("alpha"), std::string::npos);
+  EXPECT_EQ(ask(with(get("/api/v1/entries"), "cookie", cookie)).status, 401);
+
+  const std::string second = log_in(alpha_);
+  now_ += Sessions::duration;
+  EXPECT_EQ(ask(with(get("/api/v1/entries"), "cookie", second)).status, 401);
+}
+
+TEST_F(Desk, ChangesNothingForAnotherSite) {
+  const std::string cookie = log_in(alpha_);
+  for (const char* origin : {"", "null", "http://evil.example", "http://league.example.evil",
+                             "http://league.example:81", "https://league.example/x"}) {
+    web::Request request = with(put(""), "cookie", cookie);
+    if (*origin != '\0') request = with(request, "origin", origin);
+    EXPECT_EQ(ask(request, "ELF").status, 403) << origin;
+    EXPECT_FALSE(is_body_read_);
+    web::Request in = get("/hand-in/log-in");
+    in.method = "POST";
+    if (*origin != '\0') in = with(in, "origin", origin);
+    EXPECT_EQ(ask(in, "token=" + beta_).status, 403) << "nobody is logged in as another";
+    web::Request out = with(in, "cookie", cookie);
+    out.path = "/hand-in/log-out";
+    EXPECT_EQ(ask(out).status, 403);
+  }
+  EXPECT_EQ(ask(with(put(alpha_), "origin", "http://evil.example"), "ELF").status, 403);
+  EXPECT_EQ(ask(with(with(put(""), "cookie", cookie), "origin", own_origin), "ELF").status, 202);
+  for (const char* method : {"POST", "DELETE", "PATCH"}) {
+    web::Request request = api("/api/v1/entries", alpha_);
+    request.method = method;
+    EXPECT_EQ(ask(request).status, 405);
+  }
+}
+
+TEST_F(Desk, BelievesNoHeaderOfAProxyThatIsNotTrusted) {
+  const web::Request forged =
+      with(with(get("/api/v1/entries"), "x-team", "alpha"), "x-forwarded-for", "10.9.9.9");
+  EXPECT_EQ(ask(forged).status, 401);
+  open({.addresses = {"10.0.0.2"}, .team_header = "X-Team"});
+  EXPECT_EQ(ask(forged).status, 401) << "it comes from another address";
+  web::Request real = forged;
+  real.address = "10.0.0.2";
+  EXPECT_EQ(ask(real).status, 200);
+  real.headers.emplace("x-team", "beta");
+  EXPECT_EQ(ask(real).status, 401) << "the viewer's header beside the proxy's";
+  web::Request change = with(put(""), "x-team", "alpha");
+  change.address = "10.0.0.2";
+  EXPECT_EQ(ask(change, "ELF").status, 403) << "a proxy signs on what another site has sent, too";
+  EXPECT_EQ(ask(with(change, "origin", own_origin), "ELF").status, 202);
+  open({.addresses = {"10.0.0.2"}, .team_header = ""});
+  real.headers.erase("x-team");
+  EXPECT_EQ(ask(with(real, "x-team", "alpha")).status, 401) << "no header was named";
+}
+
+TEST_F(Desk, SlowsWrongTokensOfAnAddressAndNobodyElse) {
+  const std::string wrong(26, 'A');
+  int status = 0;
+  for (int i = 0; i < 20; ++i) status = ask(api("/api/v1/entries", wrong)).status;
+  EXPECT_EQ(status, 429);
+  EXPECT_EQ(ask(api("/api/v1/entries", alpha_)).status, 200)
+      << "a class behind one address is not locked out by one of it";
+  web::Request elsewhere = api("/api/v1/entries", wrong);
+  elsewhere.address = "10.0.0.7";
+  EXPECT_EQ(ask(elsewhere).status, 401);
+  // A viewer does not get a new address by inventing one.
+  EXPECT_EQ(ask(with(api("/api/v1/entries", wrong), "x-forwarded-for", "10.8.8.8")).status, 429);
+  open({.addresses = {"10.0.0.1"}, .team_header = ""});
+  for (int i = 0; i < 20; ++i) {
+    status = ask(with(api("/api/v1/entries", wrong), "x-forwarded-for",
+                      "10.8.8." + std::to_string(i) + ", 10.7.7.7"))
+                 .status;
+  }
+  EXPECT_EQ(status, 429) << "only the address that the proxy has added counts";
+}
+
+TEST_F(Desk, SetsSecureCookiesUnderTls) {
+  web::Request request = with(get("/hand-in/log-in"), "origin", "https://league.example");
+  request.method = "POST";
+  request.is_encrypted = true;
+  const web::Reply reply = ask(request, "token=" + alpha_);
+  ASSERT_EQ(reply.status, 303);
+  EXPECT_NE(reply.headers.back().second.find("; Secure"), std::string::npos);
+  EXPECT_EQ(reply.headers.back().second.find("__Host-"), 0u);
+  request.headers.erase("origin");
+  EXPECT_EQ(ask(with(request, "origin", own_origin), "token=" + alpha_).status, 403);
+}
+
+TEST_F(Desk, LimitsWhatATeamHandsIn) {
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(ask(put(alpha_), "ELF" + std::to_string(i)).status, 202);
+  EXPECT_EQ(json_of(ask(put(alpha_), "ELF2"))["entry"], 3) << "the same bytes are no other hand-in";
+  EXPECT_EQ(ask(put(alpha_), "ELF3").status, 202);
+  EXPECT_EQ(ask(put(alpha_), "ELF4").status, 429);
+  EXPECT_EQ(ask(put(beta_), "ELF").status, 202) << "another team's limit";
+  HandIns known;
+  for (int i = 0; i < 20; ++i) {
+    Try one;
+    one.at = now_ - 60;
+    add_try(known, one);
+  }
+  ASSERT_TRUE(write_hand_ins(disk_, folder_, "beta", known));
+  const web::Reply reply = ask(put(beta_), "more");
+  EXPECT_EQ(reply.status, 429);
+  EXPECT_NE(json_of(reply)["error"].get<std::string>().find("20 tries"), std::string::npos);
+  EXPECT_EQ(json_of(ask(api("/api/v1/team", beta_)))["status"], 429);
+  why_not_ = "entries are frozen";
+  EXPECT_EQ(ask(put(beta_), "more").status, 403);
+}
+
+TEST_F(Desk, RefusesFilesThatAreNone) {
+  EXPECT_EQ(ask(put(alpha_), "").status, 400);
+  EXPECT_EQ(ask(with(put(alpha_), "content-length", "0")).status, 400);
+  EXPECT_EQ(ask(with(put(alpha_), "content-length", "33554433"), "ELF").status, 413);
+  EXPECT_FALSE(is_body_read_);
+  EXPECT_EQ(ask(with(put(alpha_), "content-length", "99999999999999999999"), "ELF").status, 413);
+  EXPECT_EQ(ask(with(put(alpha_), "content-length", "4"), "ELF").status, 400) << "cut off";
+  EXPECT_EQ(ask(put(alpha_), std::string((32u << 20) + 1, 'x')).status, 413);
+  EXPECT_EQ(
+      ask(with(with(put(alpha_), "content-length", "3"), "transfer-encoding", "chunked"), "ELF")
+          .status,
+      400)
+      << "a proxy might believe the other length";
+  EXPECT_EQ(ask(with(put(alpha_), "content-encoding", "gzip"), "ELF").status, 415);
+  const auto broken = portal_->answer(put(alpha_), [](const auto& take) {
+    take(std::string_view("ELF"));
+    return false;
+  });
+  EXPECT_EQ(broken->status, 400);
+  EXPECT_TRUE(std::filesystem::is_empty(folder_.uploads())) << "what was not taken is removed";
+  EXPECT_EQ(json_of(ask(api("/api/v1/entries", alpha_)))["entries"].size(), 0u);
+}
+
+TEST_F(Desk, PrintsStrangeNamesOfFilesAsText) {
+  for (const char* name :
+       {"../../x", "", "a\nb", "\xff", "<script>", "\x1b[31m", "--at=1", "C:\\team.so"}) {
+    web::Request request = get("/api/v1/entries");
+    request.method = "PUT";
+    request.query.emplace("name", name);
+    // Each is a hand-in of its own; the answers make room for the next.
+    ASSERT_EQ(
+        ask(with(request, "authorization", "Bearer " + alpha_), std::string("ELF") + name).status,
+        202)
+        << name;
+    const auto next = portal_->begin_next();
+    ASSERT_TRUE(next);
+    EXPECT_EQ(next->file.find_first_of("/\\\n\x1b") == std::string::npos ||
+                  next->file.find("\\x") != std::string::npos,
+              true)
+        << next->file;
+    ASSERT_TRUE(portal_->close("alpha", next->entry, HandInState::refused, "<b>no</b>"));
+  }
+  const std::string page = ask(with(get("/hand-in"), "cookie", log_in(alpha_))).bytes;
+  EXPECT_EQ(page.find("<script>"), std::string::npos);
+  EXPECT_EQ(page.find("<b>no"), std::string::npos);
+  EXPECT_NE(page.find("&lt;script&gt;"), std::string::npos);
+}
+
+TEST_F(Desk, CallsAHandInVoidThatTheHostCannotCheck) {
+  ASSERT_EQ(ask(put(alpha_), "ELF").status, 202);
+  int tries = 0;
+  for (; tries < 100 && portal_->begin_next(); ++tries)
+    ASSERT_TRUE(portal_->wait_again("alpha", 1));
+  EXPECT_EQ(tries, 10);
+  EXPECT_EQ(json_of(ask(api("/api/v1/entries/1", alpha_)))["state"], "void");
+  EXPECT_EQ(json_of(ask(put(alpha_), "ELF"))["entry"], 2) << "the same bytes may come again";
+}
+
+TEST(CheckSteps, AreReadFromWhatACheckPrints) {
+  EXPECT_EQ(last_step("step 1 of 10: file\nstep 2 of 10: complete\n"),
+            (CheckStep{2, 10, "complete"}));
+  EXPECT_EQ(last_step("step 1 of 10: file\nstep 2 of 1"), (CheckStep{1, 10, "file"}));
+  EXPECT_EQ(last_step("step 1 of 10: file\nmirocup: a note\n"), (CheckStep{1, 10, "file"}));
+  EXPECT_EQ(last_step(""), CheckStep{});
+  EXPECT_EQ(last_step("step x of y: z\n"), CheckStep{});
+}
+
+TEST(Logs, AreShortenedToTheirFirstAndLastLines) {
+  EXPECT_EQ(shortened("a\nb\n"), "a\nb\n");
+  std::string log;
+  for (int i = 0; i < 1000; ++i) log += "line " + std::to_string(i) + "\n";
+  const std::string text = shortened(log);
+  EXPECT_EQ(text.find("line 0\n"), 0u);
+  EXPECT_NE(text.find("line 49\n"), std::string::npos);
+  EXPECT_EQ(text.find("line 500\n"), std::string::npos);
+  EXPECT_NE(text.find("line 999\n"), std::string::npos);
+  EXPECT_NE(text.find("bytes are left out"), std::string::npos);
+  EXPECT_LT(shortened(std::string(1'000'000, 'x')).size(), 40'000u);
+  EXPECT_EQ(shortened("\x1b[31m"), "\\x1b[31m");
+}
+
+}  // namespace
+}  // namespace mirocup::league

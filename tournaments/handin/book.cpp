@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/handin/book.hpp"
+
+#include "server/record/json_reader.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace mirocup::league {
+
+namespace {
+
+using record::JsonReader;
+
+constexpr std::string_view taken = "hand_in";
+constexpr std::string_view answered = "answer";
+constexpr std::int64_t latest_time = std::int64_t{1} << 40;  // s
+
+std::string lock_path(const Folder& folder) {
+  return folder.path + "/.handing-in";
+}
+
+}  // namespace
+
+Result<HandInBook> HandInBook::open(system::Files& files, const Folder& folder,
+                                    std::string* notice) {
+  auto lock = system::FileLock::try_acquire(lock_path(folder));
+  if (!lock) return tl::unexpected(lock.error());
+  if (!*lock) {
+    return fail(Errc::unavailable,
+                folder.path + ": another process takes hand-ins for this league already");
+  }
+  const std::string path = folder.hand_in_book();
+  // Appending keeps the mode: only the host reads what teams are told.
+  if (!files.exists(path)) {
+    if (auto begun = files.write(path, "", system::Readers::owner); !begun)
+      return tl::unexpected(begun.error());
+  }
+  auto journal = Journal::open(files, path, notice);
+  if (!journal) return tl::unexpected(journal.error());
+  HandInBook book(files, folder, std::move(*journal));
+  book.lock_ = std::move(**lock);
+  for (const Json& line : book.journal_.lines()) {
+    if (auto applied = book.apply(line); !applied) return tl::unexpected(applied.error());
+  }
+  return book;
+}
+
+Result<void> HandInBook::apply(const Json& line) {
+  std::optional<record::JsonProblem> problem;
+  const JsonReader json(line, "", problem);
+  const std::string kind = json.at("kind").text();
+  const std::string team = json.at("team").text();
+  const int entry = json.at("entry").integer(1, max_count);
+  const std::int64_t at = json.at("at").integer<std::int64_t>(0, latest_time);
+  if (!problem && !is_good_name(team)) json.at("team").complain("the name of a team is expected");
+  const bool is_known = queue_.find(team, entry) != nullptr;
+  if (kind == taken) {
+    if (is_known) json.at("entry").complain("the team has an entry of that number already");
+    WaitingHandIn handed{.team = team,
+                         .entry = entry,
+                         .file = json.at("file").text(),
+                         .sha256 = json.at("sha256").text(),
+                         .bytes = json.at("bytes").integer<std::uint64_t>(),
+                         .at = at};
+    if (!problem) queue_.add(std::move(handed));
+  } else if (kind == answered) {
+    if (!is_known) json.at("entry").complain("no entry of that number was handed in");
+    const auto state = json.at("state").name<HandInState>();
+    if (!is_final(state)) json.at("state").complain("accepted, refused or void is expected");
+    const std::string message = json.at("message").text();
+    if (!problem) queue_.answer(team, entry, state, message);
+  } else {
+    json.at("kind").complain("no kind of line is called " + json.at("kind").quoted());
+  }
+  if (!problem) return {};
+  return tl::unexpected(record::error_of(
+      *problem, journal_.path() + ": line " + record::json_text(line["n"]), Errc::damaged));
+}
+
+Result<int> HandInBook::take(WaitingHandIn handed,
+                             const std::function<Result<void>(const std::string& path)>& store) {
+  using system::Readers;
+  const std::string& team = handed.team;
+  {
+    // `league submit` numbers entries, too.
+    const auto lock = system::FileLock::acquire(folder_.submitting());
+    if (!lock) return tl::unexpected(lock.error());
+    handed.entry = std::max(next_entry(*files_, folder_, team), queue_.last_entry(team) + 1);
+    const auto made = make_entries_folder(*files_, folder_, team).and_then([&] {
+      return files_->make_folder(folder_.entry(team, handed.entry), Readers::owner);
+    });
+    if (!made) return tl::unexpected(made.error());
+  }
+  const Json line{{"team", team},          {"entry", handed.entry},
+                  {"file", handed.file},   {"sha256", handed.sha256},
+                  {"bytes", handed.bytes}, {"at", handed.at}};
+  const bool is_source = source_kind_of(handed.file) != SourceKind::none;
+  const std::string path =
+      is_source ? folder_.source(team, handed.entry) : folder_.library(team, handed.entry);
+  auto done = store(path).and_then([&] { return journal_.append(std::string(taken), line); });
+  if (!done) {
+    (void)files_->remove(folder_.entry(team, handed.entry));
+    return tl::unexpected(done.error());
+  }
+  const int entry = handed.entry;
+  queue_.add(std::move(handed));
+  return entry;
+}
+
+Result<void> HandInBook::answer(const std::string& team, int entry, HandInState state,
+                                const std::string& message, std::int64_t at) {
+  auto written = journal_.append(std::string(answered), {{"team", team},
+                                                         {"entry", entry},
+                                                         {"state", to_string(state)},
+                                                         {"message", message},
+                                                         {"at", at}});
+  if (!written) return written;
+  queue_.answer(team, entry, state, message);
+  return {};
+}
+
+}  // namespace mirocup::league

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+//
+// The book of the hand-ins of a league, hand-ins.jsonl: a journal like that of the league, with a
+// line for each file that came in over the network and one for each answer. A team is told that its
+// file was taken when its line is on disk, and what became of it when that is. So a server that is
+// killed at any moment goes on where it was.
+//
+// It is a file of its own because teams hand in before the league starts, with which its journal
+// begins, and because what a team is told is for that team alone. journal/format.md has the lines.
+//
+// Threads: one at a time. Processes: the one that holds the lock.
+#pragma once
+
+#include "system/file_lock.hpp"
+#include "tournaments/handin/queue.hpp"
+#include "tournaments/journal/journal.hpp"
+#include "tournaments/league/folder.hpp"
+
+#include <functional>
+#include <optional>
+
+namespace mirocup::league {
+
+class HandInBook {
+ public:
+  // Opens the book of a league, or begins it. `notice` may get a sentence that the user should
+  // read. Errors: Errc::unavailable if another process has it open, Errc::damaged.
+  static Result<HandInBook> open(system::Files& files, const Folder& folder, std::string* notice);
+
+  const HandInQueue& queue() const { return queue_; }
+
+  // Keeps a file that has arrived as the team's next entry and writes its line. `stored` puts the
+  // file in its place, a path. After an error nothing was taken.
+  Result<int> take(WaitingHandIn handed,
+                   const std::function<Result<void>(const std::string& path)>& store);
+
+  // Writes an answer and applies it.
+  Result<void> answer(const std::string& team, int entry, HandInState state,
+                      const std::string& message, std::int64_t at);
+
+  // What is not written, because it ends with the server.
+  void begin(const std::string& team, int entry, HandInState state = HandInState::checking) {
+    queue_.begin(team, entry, state);
+  }
+  void wait_again(const std::string& team, int entry) { queue_.wait_again(team, entry); }
+
+ private:
+  HandInBook(system::Files& files, Folder folder, Journal journal)
+      : files_(&files), folder_(std::move(folder)), journal_(std::move(journal)) {}
+
+  Result<void> apply(const Json& line);
+
+  system::Files* files_;
+  Folder folder_;
+  Journal journal_;
+  HandInQueue queue_;
+  std::optional<system::FileLock> lock_;
+};
+
+}  // namespace mirocup::league

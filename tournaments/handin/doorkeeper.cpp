@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/handin/doorkeeper.hpp"
+
+#include "system/digest.hpp"
+
+#include <algorithm>
+
+namespace mirocup::league {
+
+namespace {
+
+constexpr std::string_view bearer = "Bearer ";
+
+// The prefix makes browsers take the cookie over TLS only, and from this host only.
+constexpr const char* plain_cookie = "mirocup_session";
+constexpr const char* secure_cookie = "__Host-mirocup_session";
+
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return text;
+}
+
+// Returns the last address of a list, which the proxy next to this server has added.
+std::string last_of(const std::string& list) {
+  const std::size_t comma = list.rfind(',');
+  std::string last = comma == std::string::npos ? list : list.substr(comma + 1);
+  std::erase_if(last, [](char c) { return c == ' '; });
+  return last;
+}
+
+}  // namespace
+
+Doorkeeper::Doorkeeper(system::Files& files, Folder folder, ProxyTrust trust)
+    : files_(files), folder_(std::move(folder)), trust_(std::move(trust)) {
+  trust_.team_header = lower_case(trust_.team_header);
+  // Browsers stay logged in when the server starts again.
+  if (const auto text = files_.read(sessions_path(), {.max_size = system::size_limit::note}))
+    sessions_ = Sessions::parse(*text);
+}
+
+Result<void> Doorkeeper::read_tokens_again() {
+  const std::string path = tokens_path(folder_);
+  if (!files_.exists(path)) {
+    tokens_text_.clear();
+    tokens_ = {};
+    return {};
+  }
+  auto text = files_.read(path, {.max_size = system::size_limit::note});
+  if (!text) return tl::unexpected(text.error());
+  if (*text == tokens_text_) return {};
+  auto tokens = parse_tokens(*text, path);
+  if (!tokens) return tl::unexpected(tokens.error());
+  tokens_text_ = std::move(*text);
+  tokens_ = std::move(*tokens);
+  return {};
+}
+
+bool Doorkeeper::is_from_proxy(const web::Request& request) const {
+  return trust_.addresses.contains(request.address);
+}
+
+bool Doorkeeper::is_encrypted(const web::Request& request) const {
+  return request.is_encrypted ||
+         (is_from_proxy(request) && request.header("x-forwarded-proto") == "https");
+}
+
+std::string Doorkeeper::viewer(const web::Request& request) const {
+  const std::string named =
+      is_from_proxy(request) ? last_of(request.header("x-forwarded-for")) : "";
+  return named.empty() ? request.address : named;
+}
+
+std::string Doorkeeper::cookie_of(const web::Request& request) const {
+  return cookie_in(request.header("cookie"), is_encrypted(request) ? secure_cookie : plain_cookie);
+}
+
+std::string Doorkeeper::cookie_header(const web::Request& request, const std::string& value,
+                                      std::int64_t seconds) const {
+  const bool is_secure = is_encrypted(request);
+  return std::string(is_secure ? secure_cookie : plain_cookie) + "=" + value +
+         "; Path=/; HttpOnly; SameSite=Strict; Max-Age=" + std::to_string(seconds) +
+         (is_secure ? "; Secure" : "");
+}
+
+std::optional<Refusal> Doorkeeper::foreign(const web::Request& request,
+                                           bool must_have_origin) const {
+  if (!request.headers.contains("origin") && !must_have_origin) return std::nullopt;
+  const std::string origin = lower_case(request.header("origin"));
+  const std::string host = lower_case(request.header("host"));
+  const bool is_own = !host.empty() && (origin == "https://" + host ||
+                                        (!is_encrypted(request) && origin == "http://" + host));
+  if (is_own) return std::nullopt;
+  return Refusal{403, "the request comes from a page of another site"};
+}
+
+Refusal Doorkeeper::wrong_token(const web::Request& request, std::string_view token,
+                                std::int64_t now) {
+  const std::int64_t wait = wrong_.note(viewer(request), now);
+  if (wait > 0) {
+    return {429,
+            "too many wrong tokens came from this address: wait " + std::to_string(wait) +
+                " s before the next",
+            wait};
+  }
+  // One who has the token may know what became of it.
+  const std::string utc = utc_text(now);
+  const Token* known = tokens_.find_ended(token, utc);
+  if (known == nullptr) return {401, "no team has this token"};
+  return {401, known->revoked.empty() ? "this token expired at " + known->expires
+                                      : "this token was revoked at " + known->revoked};
+}
+
+bool Doorkeeper::has_credentials(const web::Request& request) const {
+  return request.headers.contains("authorization") || !cookie_of(request).empty() ||
+         (is_from_proxy(request) && !trust_.team_header.empty() &&
+          request.headers.contains(trust_.team_header));
+}
+
+Result<std::variant<Visitor, Refusal>> Doorkeeper::admit(const web::Request& request,
+                                                         Purpose purpose, std::int64_t now) {
+  using Answer = std::variant<Visitor, Refusal>;
+  if (auto read = read_tokens_again(); !read) return tl::unexpected(read.error());
+  if (!has_credentials(request)) return Answer(Refusal{401, "a token is needed"});
+  const bool by_token = request.headers.contains("authorization");
+  if (purpose == Purpose::changing) {
+    if (auto refusal = foreign(request, !by_token)) return Answer(*refusal);
+  }
+  const auto visitor_of = [](const Token& token) {
+    return Visitor{token.team, token.is_staff, token.sha256};
+  };
+  const std::string utc = utc_text(now);
+  if (by_token) {
+    const std::string header = request.header("authorization");
+    if (header.size() <= bearer.size() ||
+        lower_case(header.substr(0, bearer.size())) != lower_case(std::string(bearer)))
+      return Answer(Refusal{401, "a token is expected: Authorization: Bearer TOKEN"});
+    const std::string_view text = std::string_view(header).substr(bearer.size());
+    const Token* token = tokens_.find(text, utc);
+    return token != nullptr ? Answer(visitor_of(*token)) : Answer(wrong_token(request, text, now));
+  }
+  if (const std::string cookie = cookie_of(request); !cookie.empty()) {
+    const std::string sha256 = sessions_.token_of(cookie, now);
+    const Token* token = sha256.empty() ? nullptr : tokens_.find_sha256(sha256, utc);
+    if (token != nullptr) return Answer(visitor_of(*token));
+    return Answer(Refusal{401, "the session has ended: type the token again"});
+  }
+  if (is_from_proxy(request) && !trust_.team_header.empty()) {
+    const std::string team = request.header(trust_.team_header);
+    if (is_good_name(team)) return Answer(Visitor{.team = team});
+  }
+  return Answer(Refusal{401, "a token is needed"});
+}
+
+Result<void> Doorkeeper::keep_sessions() {
+  return files_.write(sessions_path(), sessions_.text(), system::Readers::owner);
+}
+
+Result<std::variant<std::string, Refusal>> Doorkeeper::log_in(const web::Request& request,
+                                                              std::string_view token,
+                                                              std::int64_t now) {
+  using Answer = std::variant<std::string, Refusal>;
+  if (auto refusal = foreign(request, true)) return Answer(*refusal);
+  if (auto read = read_tokens_again(); !read) return tl::unexpected(read.error());
+  const Token* known = tokens_.find(token, utc_text(now));
+  if (known == nullptr) return Answer(wrong_token(request, token, now));
+  const std::string cookie = sessions_.begin(known->sha256, now);
+  if (auto kept = keep_sessions(); !kept) return tl::unexpected(kept.error());
+  return Answer(cookie_header(request, cookie, Sessions::duration));
+}
+
+Result<std::variant<std::string, Refusal>> Doorkeeper::log_out(const web::Request& request) {
+  using Answer = std::variant<std::string, Refusal>;
+  if (auto refusal = foreign(request, true)) return Answer(*refusal);
+  if (const std::string cookie = cookie_of(request); !cookie.empty()) {
+    sessions_.end(cookie);
+    if (auto kept = keep_sessions(); !kept) return tl::unexpected(kept.error());
+  }
+  return Answer(cookie_header(request, "", 0));
+}
+
+}  // namespace mirocup::league

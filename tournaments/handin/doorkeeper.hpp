@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+//
+// Says whose request it is: by a token ("Authorization: Bearer"), by the session of a browser in
+// which a token was typed, or by the word of a trusted proxy in front of this server.
+//
+// A browser sends its cookie with every request, also with one that another site has made it send.
+// So a request that changes something and comes with a cookie, or through a proxy that signs people
+// on, has to name this server as its origin.
+//
+// Threads: one at a time.
+#pragma once
+
+#include "server/web/request.hpp"
+#include "tournaments/handin/sessions.hpp"
+#include "tournaments/handin/tokens.hpp"
+#include "tournaments/handin/wrong_tokens.hpp"
+
+#include <set>
+#include <variant>
+
+namespace mirocup::league {
+
+// What stands between this server and its viewers. By default nothing.
+struct ProxyTrust {
+  // Addresses of proxies whose X-Forwarded-For and X-Forwarded-Proto are believed.
+  std::set<std::string> addresses;
+
+  // The header in which these proxies name the team of a person that they have signed on; "": none
+  // is believed. They must remove it from what viewers send.
+  std::string team_header;
+};
+
+// The one whose request it is.
+struct Visitor {
+  std::string team;  // "": the staff
+  bool is_staff = false;
+  std::string token_sha256 = {};  // "": named by a proxy
+};
+
+// Why a request is not looked at any further.
+struct Refusal {
+  int status = 401;
+  std::string why;        // a sentence
+  std::int64_t wait = 0;  // s before the next try; 0: none
+};
+
+enum class Purpose { reading, changing };
+
+class Doorkeeper {
+ public:
+  Doorkeeper(system::Files& files, Folder folder, ProxyTrust trust);
+
+  // `now` is in s since 1970. An error means that tokens.json cannot be read.
+  Result<std::variant<Visitor, Refusal>> admit(const web::Request& request, Purpose purpose,
+                                               std::int64_t now);
+
+  // True if the request has a token, a session, or the word of a proxy; admit() looks at them.
+  bool has_credentials(const web::Request& request) const;
+
+  // Begins a session by a token that was typed. Returns the header "Set-Cookie".
+  Result<std::variant<std::string, Refusal>> log_in(const web::Request& request,
+                                                    std::string_view token, std::int64_t now);
+
+  // Ends the session of the request and returns a header that makes the browser forget it.
+  Result<std::variant<std::string, Refusal>> log_out(const web::Request& request);
+
+  // The address of the viewer, as far as it can be trusted.
+  std::string viewer(const web::Request& request) const;
+
+ private:
+  Result<void> read_tokens_again();
+  bool is_from_proxy(const web::Request& request) const;
+  bool is_encrypted(const web::Request& request) const;
+  std::string cookie_of(const web::Request& request) const;
+  std::string cookie_header(const web::Request& request, const std::string& value,
+                            std::int64_t seconds) const;
+  // Returns why a change is refused; nothing if it comes from a page of this server.
+  std::optional<Refusal> foreign(const web::Request& request, bool must_have_origin) const;
+  Refusal wrong_token(const web::Request& request, std::string_view token, std::int64_t now);
+  std::string sessions_path() const { return folder_.path + "/sessions.json"; }
+  Result<void> keep_sessions();
+
+  system::Files& files_;
+  Folder folder_;
+  ProxyTrust trust_;
+  std::string tokens_text_;
+  TokenList tokens_;
+  Sessions sessions_;
+  WrongTokens wrong_;
+};
+
+}  // namespace mirocup::league

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/handin/entry_report.hpp"
+
+#include "server/record/json_reader.hpp"
+#include "system/printable.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <vector>
+
+namespace mirocup::league {
+
+namespace {
+
+constexpr std::string_view step_mark = "step ";
+constexpr std::size_t shown_lines = 50;      // of the beginning of a log, and of its end
+constexpr std::size_t shown_bytes = 16'384;  // of each
+
+// Reads a number at the beginning of the text, and removes it.
+std::optional<int> take_number(std::string_view& text) {
+  int number = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (read.ec != std::errc()) return std::nullopt;
+  text.remove_prefix(static_cast<std::size_t>(read.ptr - text.data()));
+  return number;
+}
+
+CheckStep read_step(std::string_view line) {
+  constexpr std::string_view of_mark = " of ";
+  constexpr std::string_view name_mark = ": ";
+  CheckStep step;
+  const auto number = take_number(line);
+  if (!number || !line.starts_with(of_mark)) return {};
+  line.remove_prefix(of_mark.size());
+  const auto of = take_number(line);
+  if (!of || !line.starts_with(name_mark)) return {};
+  step.number = *number;
+  step.of = *of;
+  step.name = line.substr(name_mark.size());
+  return step;
+}
+
+// The verdict of an entry whose check has ended; null if there is none.
+Json verdict_of(system::Files& files, const Folder& folder, const std::string& team, int entry) {
+  if (!files.exists(folder.entry_file(team, entry))) return Json();
+  const auto text = files.read(folder.verdict(team, entry), {.max_size = system::size_limit::note});
+  if (!text) return Json();
+  record::ParsedJson parsed = record::parse_json(*text);
+  return parsed.problem || !parsed.value.is_object() ? Json() : std::move(parsed.value);
+}
+
+std::string text_in(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+Json text_or_null(const std::string& text) {
+  return text.empty() ? Json() : Json(text);
+}
+
+Json report_of(system::Files& files, const Folder& folder, const std::string& team, int entry,
+               const WaitingHandIn* waiting, int before, const CheckStep& step, bool is_whole) {
+  const bool is_stored = files.exists(folder.entry_file(team, entry));
+  if (waiting == nullptr && !is_stored) return Json();
+  Json report{{"entry", entry}, {"team", team}};
+  if (waiting != nullptr && !is_final(waiting->state)) {
+    report["state"] = to_string(waiting->state);
+    report["reason"] = Json();
+    report["message"] = Json();
+  } else {
+    const Json verdict = verdict_of(files, folder, team, entry);
+    const bool is_accepted = is_stored && is_accepted_entry(files, folder, team, entry);
+    report["state"] = to_string(waiting != nullptr ? waiting->state
+                                : is_accepted      ? HandInState::accepted
+                                                   : HandInState::refused);
+    const std::string message = waiting != nullptr ? waiting->message : "";
+    const std::string reason = text_in(verdict, "reason");
+    const bool has_reason = report["state"] != to_string(HandInState::accepted);
+    report["reason"] = has_reason ? text_or_null(reason.empty() ? message : reason) : Json();
+    report["message"] = text_or_null(message);
+    if (is_whole && verdict.is_object()) {
+      for (const char* key : {"checks", "timing", "peak_memory_bytes", "isolation"}) {
+        if (verdict.contains(key)) report[key] = verdict[key];
+      }
+      report["log"] = shortened(text_in(verdict, "log"));
+    }
+  }
+  if (waiting == nullptr) return report;
+  report["file"] = waiting->file;
+  report["sha256"] = waiting->sha256;
+  report["bytes"] = waiting->bytes;
+  report["handed_in"] = utc_text(waiting->at);
+  if (waiting->state == HandInState::queued) report["before"] = before;
+  if (waiting->state == HandInState::checking) {
+    report["step"] = step.number == 0
+                         ? Json()
+                         : Json{{"number", step.number}, {"of", step.of}, {"name", step.name}};
+  }
+  return report;
+}
+
+}  // namespace
+
+CheckStep last_step(std::string_view output) {
+  // A line without its end is still being written.
+  const std::size_t end = output.rfind('\n');
+  if (end == std::string_view::npos) return {};
+  output = output.substr(0, end);
+  while (true) {
+    const std::size_t begin = output.rfind('\n');
+    const std::string_view line =
+        begin == std::string_view::npos ? output : output.substr(begin + 1);
+    if (line.starts_with(step_mark)) return read_step(line.substr(step_mark.size()));
+    if (begin == std::string_view::npos) return {};
+    output = output.substr(0, begin);
+  }
+}
+
+Json entry_report(system::Files& files, const Folder& folder, const std::string& team, int entry,
+                  const WaitingHandIn* waiting, int before, const CheckStep& step) {
+  return report_of(files, folder, team, entry, waiting, before, step, true);
+}
+
+Json entry_summary(system::Files& files, const Folder& folder, const std::string& team, int entry,
+                   const WaitingHandIn* waiting, int before, const CheckStep& step) {
+  return report_of(files, folder, team, entry, waiting, before, step, false);
+}
+
+std::string shortened(const std::string& log) {
+  std::size_t first = 0;  // end of the beginning
+  for (std::size_t line = 0; line < shown_lines && first != std::string::npos; ++line)
+    first = log.find('\n', first == 0 ? 0 : first + 1);
+  first = std::min({first, log.size(), shown_bytes});
+  std::size_t last = log.size();  // begin of the end
+  for (std::size_t line = 0; line < shown_lines && last != std::string::npos && last > 0; ++line)
+    last = log.rfind('\n', last - 1);
+  if (last == std::string::npos) last = 0;
+  last = std::max(last, log.size() - std::min(log.size(), shown_bytes));
+  if (last <= first) return system::printable(log, system::LineEnds::kept);
+  return system::printable(log.substr(0, first), system::LineEnds::kept) + "\n[" +
+         std::to_string(last - first) + " bytes are left out]\n" +
+         system::printable(log.substr(last), system::LineEnds::kept);
+}
+
+}  // namespace mirocup::league

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+//
+// What a team is told of one of its entries, as the HTTP API has it: state, reason, the result of
+// each check, times, the log. Nothing in it names a path or a user of the host.
+#pragma once
+
+#include "tournaments/handin/queue.hpp"
+#include "tournaments/league/folder.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace mirocup::league {
+
+using Json = nlohmann::ordered_json;
+
+// The check that is running, as `mirocup check --steps` prints it.
+struct CheckStep {
+  int number = 0;  // from 1; 0: none has begun
+  int of = 0;
+  std::string name;
+
+  bool operator==(const CheckStep&) const = default;
+};
+
+// Returns the last step in the output of a check that is running.
+CheckStep last_step(std::string_view output);
+
+// Returns the report of an entry; null if the team has none of that number. `waiting` may be null:
+// then the entry was not handed in over the network.
+Json entry_report(system::Files& files, const Folder& folder, const std::string& team, int entry,
+                  const WaitingHandIn* waiting, int before, const CheckStep& step);
+
+// Returns the report without checks, times and log.
+Json entry_summary(system::Files& files, const Folder& folder, const std::string& team, int entry,
+                   const WaitingHandIn* waiting, int before, const CheckStep& step);
+
+// Returns the first and the last lines of a log, as many as a person reads.
+std::string shortened(const std::string& log);
+
+}  // namespace mirocup::league

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/handin/own_legs.hpp"
+
+#include "server/record/json_reader.hpp"
+#include "tournaments/publish/replay_pages.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+
+namespace mirocup::league {
+
+namespace {
+
+using record::JsonReader;
+
+OwnLeg seen_from(const LeagueState& state, const FixtureState& f, int leg, int team) {
+  const PlayedLeg& played = *f.legs[leg - 1].played;
+  const bool is_home = f.fixture.home == team;
+  OwnLeg own;
+  own.fixture = f.fixture.id();
+  own.leg = leg;
+  own.opponent = state.name(is_home ? f.fixture.away : f.fixture.home);
+  own.goals = is_home ? played.result.home_goals : played.result.away_goals;
+  own.against = is_home ? played.result.away_goals : played.result.home_goals;
+  own.result = played.result.both_lose    ? 'L'
+               : played.winner == team    ? 'W'
+               : played.winner == no_team ? 'D'
+                                          : 'L';
+  if (played.fault && played.fault->team == state.name(team))
+    own.own_fault = played.fault->code + ": " + played.fault->text;
+  own.record = played.record;
+  own.colour = blue_team(f.fixture, leg) == team ? "blue" : "yellow";
+  return own;
+}
+
+}  // namespace
+
+std::vector<OwnLeg> own_legs(const LeagueState& state, const std::string& team) {
+  std::vector<OwnLeg> legs;
+  const auto index = state.find_team(team);
+  if (!index) return legs;
+  for (const FixtureState& f : state.fixtures) {
+    if (f.fixture.home != *index && f.fixture.away != *index) continue;
+    for (int leg = 1; leg <= max_legs; ++leg) {
+      if (f.legs[leg - 1].played) legs.push_back(seen_from(state, f, leg, *index));
+    }
+  }
+  return legs;
+}
+
+std::optional<LegCost> LegCosts::of(const OwnLeg& leg) {
+  if (leg.record.empty()) return std::nullopt;
+  const std::string key = leg.record + " " + leg.colour;
+  {
+    const std::lock_guard lock(mutex_);
+    if (const auto found = known_.find(key); found != known_.end()) return found->second;
+  }
+  const auto text =
+      files_.read(folder_.path + "/" + leg.record, {.max_size = system::size_limit::record});
+  if (!text) return std::nullopt;
+  const auto cost =
+      record::read_json<LegCost>(*text, leg.record, Errc::damaged, [&leg](const JsonReader& json) {
+        const JsonReader budget = json.at("budget").at(leg.colour);
+        LegCost read;
+        read.cpu_seconds = budget.at("cpu_seconds").as<double>();
+        read.bank_seconds = budget.at("bank_seconds").as<double>();
+        read.slowest_tick_ms = budget.at("slowest_tick_ms").as<double>();
+        read.late_ticks = budget.at("late_ticks").integer<int>(0);
+        return read;
+      });
+  if (!cost) return std::nullopt;
+  const std::lock_guard lock(mutex_);
+  return known_[key] = *cost;
+}
+
+std::string log_path(const Folder& folder, const OwnLeg& leg) {
+  return folder.path + "/" + leg.record + "." + leg.colour + ".log";
+}
+
+std::string name_of_leg(const OwnLeg& leg) {
+  return std::filesystem::path(leg.record).stem();
+}
+
+nlohmann::ordered_json own_legs_json(const std::vector<OwnLeg>& legs, LegCosts& costs) {
+  using Json = nlohmann::ordered_json;
+  Json list = Json::array();
+  for (auto leg = legs.rbegin(); leg != legs.rend(); ++leg) {
+    const auto cost = costs.of(*leg);
+    Json one{{"fixture", leg->fixture},
+             {"leg", leg->leg},
+             {"opponent", leg->opponent},
+             {"colour", leg->colour},
+             {"goals", leg->goals},
+             {"against", leg->against},
+             {"result", std::string(1, leg->result)},
+             {"fault", leg->own_fault ? Json(*leg->own_fault) : Json()}};
+    if (!leg->record.empty()) {
+      one["record"] = "/" + leg->record;
+      one["replay"] = "/" + replay_page_of(leg->record);
+      one["log"] = "/api/v1/legs/" + name_of_leg(*leg) + "/log";
+    }
+    if (cost) {
+      one["cpu_seconds"] = cost->cpu_seconds;
+      one["bank_seconds"] = cost->bank_seconds;
+      one["slowest_tick_ms"] = cost->slowest_tick_ms;
+      one["late_ticks"] = cost->late_ticks;
+    }
+    list.push_back(std::move(one));
+  }
+  return list;
+}
+
+}  // namespace mirocup::league

@@ -1,0 +1,454 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/handin/portal.hpp"
+
+#include "server/record/json_reader.hpp"
+#include "system/printable.hpp"
+#include "tournaments/handin/team_desk_page.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <set>
+
+namespace mirocup::league {
+
+namespace {
+
+constexpr std::string_view entries_path = "/api/v1/entries";
+constexpr std::string_view legs_path = "/api/v1/legs";
+constexpr std::size_t max_file_name = 100;  // bytes
+constexpr std::size_t max_form = 4096;      // bytes
+constexpr int max_failures = 10;            // of the host, until a hand-in is void
+
+constexpr const char* page_policy =
+    "default-src 'none'; style-src 'unsafe-inline'; script-src 'self'; connect-src 'self'; "
+    "form-action 'self'; base-uri 'none'; frame-ancestors 'none'";
+
+web::Reply json_reply(int status, const Json& json) {
+  return {.status = status, .type = "application/json", .bytes = record::json_text(json) + "\n"};
+}
+
+web::Reply problem(int status, const std::string& why) {
+  return json_reply(status, {{"error", why}});
+}
+
+web::Reply reply_to(const Refusal& refusal) {
+  web::Reply reply = problem(refusal.status, refusal.why);
+  if (refusal.status == 401) reply.headers.emplace_back("WWW-Authenticate", "Bearer");
+  if (refusal.wait > 0) reply.headers.emplace_back("Retry-After", std::to_string(refusal.wait));
+  return reply;
+}
+
+// The host is told the reason, and a stranger is not.
+web::Reply host_failed(const Error&) {
+  return problem(503, "this server cannot do that now; try again later");
+}
+
+web::Reply page_reply(int status, std::string html) {
+  return {.status = status,
+          .type = "text/html; charset=utf-8",
+          .bytes = std::move(html),
+          .headers = {{"Content-Security-Policy", page_policy}}};
+}
+
+web::Reply go_to(const std::string& path) {
+  return {.status = 303, .bytes = "", .headers = {{"Location", path}}};
+}
+
+std::optional<int> number_of(std::string_view text) {
+  int number = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (read.ec != std::errc() || read.ptr != text.data() + text.size() || number < 1) return {};
+  return number;
+}
+
+// Returns the name of a file without its folder, as it may be printed.
+std::string file_name_of(const std::string& given) {
+  const std::size_t slash = given.find_last_of("/\\");
+  std::string name =
+      system::printable(slash == std::string::npos ? given : given.substr(slash + 1));
+  if (name.size() > max_file_name) {
+    name.resize(max_file_name);
+    name = system::printable(name);  // a character may have been cut
+  }
+  return name.empty() ? "strategy.so" : name;
+}
+
+std::string too_large() {
+  return "the file is larger than " + std::to_string(system::size_limit::entry >> 20) + " MiB";
+}
+
+// Returns the values of a form, percent signs decoded.
+std::string form_value(const std::string& form, std::string_view key) {
+  for (std::size_t begin = 0; begin <= form.size();) {
+    const std::size_t end = std::min(form.find('&', begin), form.size());
+    const std::string_view part = std::string_view(form).substr(begin, end - begin);
+    begin = end + 1;
+    if (!part.starts_with(key) || part.size() <= key.size() || part[key.size()] != '=') continue;
+    std::string value;
+    const std::string_view coded = part.substr(key.size() + 1);
+    for (std::size_t i = 0; i < coded.size(); ++i) {
+      unsigned code = 0;
+      if (coded[i] == '%' && i + 2 < coded.size() &&
+          std::from_chars(coded.data() + i + 1, coded.data() + i + 3, code, 16).ptr ==
+              coded.data() + i + 3) {
+        value += static_cast<char>(code);
+        i += 2;
+      } else {
+        value += coded[i] == '+' ? ' ' : coded[i];
+      }
+    }
+    return value;
+  }
+  return "";
+}
+
+}  // namespace
+
+Portal::Portal(system::Files& files, Folder folder, PortalOptions options, HandInBook book)
+    : files_(files),
+      folder_(folder),
+      options_(std::move(options)),
+      costs_(files, folder),
+      book_(std::move(book)),
+      doorkeeper_(files, std::move(folder), options_.proxy) {}
+
+Result<std::unique_ptr<Portal>> Portal::open(system::Files& files, const Folder& folder,
+                                             PortalOptions options, std::string* notice) {
+  auto book = HandInBook::open(files, folder, notice);
+  if (!book) return tl::unexpected(book.error());
+  const auto made = files.make_folder(folder.entries(), system::Readers::owner).and_then([&] {
+    return files.make_folder(folder.uploads(), system::Readers::owner);
+  });
+  if (!made) return tl::unexpected(made.error());
+  // Uploads that a killed server has left.
+  if (auto removed = files.remove_unfinished(folder.uploads()); !removed)
+    return tl::unexpected(removed.error());
+  return std::unique_ptr<Portal>(new Portal(files, folder, std::move(options), std::move(*book)));
+}
+
+std::variant<Visitor, web::Reply> Portal::visitor(const web::Request& request, Purpose purpose) {
+  const std::lock_guard lock(mutex_);
+  const auto admitted = doorkeeper_.admit(request, purpose, options_.now());
+  if (!admitted) return host_failed(admitted.error());
+  if (const auto* refusal = std::get_if<Refusal>(&*admitted)) return reply_to(*refusal);
+  return std::get<Visitor>(*admitted);
+}
+
+std::optional<web::Reply> Portal::answer(const web::Request& request, const web::Body& body) {
+  const std::string& path = request.path;
+  if (path.starts_with("/api/")) return api(request, body);
+  if (path == "/hand-in/log-in" && request.method == "POST") return log_in(request, body);
+  if (path == "/hand-in/log-out" && request.method == "POST") return log_out(request);
+  if (path != "/hand-in" || (request.method != "GET" && request.method != "HEAD"))
+    return std::nullopt;
+  {
+    const std::lock_guard lock(mutex_);
+    if (!doorkeeper_.has_credentials(request)) return page_reply(200, log_in_page(""));
+  }
+  const auto who = visitor(request, Purpose::reading);
+  if (const auto* refusal = std::get_if<web::Reply>(&who)) {
+    const auto error = Json::parse(refusal->bytes, nullptr, false);
+    return page_reply(refusal->status, log_in_page(error.value("error", "")));
+  }
+  const Visitor& known = std::get<Visitor>(who);
+  if (known.is_staff) return page_reply(200, staff_page());
+  return page_reply(200, team_desk_page(known.team, reports(known.team),
+                                        own_legs_json(options_.legs(known.team), costs_)));
+}
+
+web::Reply Portal::api(const web::Request& request, const web::Body& body) {
+  const bool is_reading = request.method == "GET" || request.method == "HEAD";
+  const auto who = visitor(request, is_reading ? Purpose::reading : Purpose::changing);
+  if (const auto* refusal = std::get_if<web::Reply>(&who)) return *refusal;
+  const Visitor& known = std::get<Visitor>(who);
+  const std::string_view path = request.path;
+  if (path == entries_path && request.method == "PUT") return take(request, body, known);
+
+  // The staff names the team; a team reads its own entries only.
+  std::string team = request.asked("team");
+  if (team.empty()) team = known.team;
+  if (!known.is_staff && team != known.team)
+    return problem(403, "this token is for the entries of " + known.team + " only");
+  if (path == "/api/v1/team" && is_reading) return json_reply(200, about(known));
+  const bool is_leg = path.starts_with(legs_path);
+  if (!is_reading || (!is_leg && !path.starts_with(entries_path)))
+    return problem(is_reading ? 404 : 405, "there is nothing of this name here");
+  if (!is_good_name(team)) return problem(400, "?team=NAME is expected");
+  if (is_leg) return leg_reply(team, path.substr(legs_path.size()));
+  std::string_view rest = path.substr(entries_path.size());
+  if (rest.empty()) return json_reply(200, {{"team", team}, {"entries", reports(team)}});
+  if (!rest.starts_with("/")) return problem(404, "there is nothing of this name here");
+  rest.remove_prefix(1);
+  const std::size_t slash = std::min(rest.find('/'), rest.size());
+  const auto entry = number_of(rest.substr(0, slash));
+  const std::string_view what = rest.substr(slash);
+  const Json known_entry = entry ? report(team, *entry, true) : Json();
+  if (known_entry.is_null() || (what != "" && what != "/events"))
+    return problem(404, team + " has no entry of this number");
+  return what.empty() ? json_reply(200, known_entry) : events(team, *entry);
+}
+
+// `rest` is what follows the path of all legs.
+web::Reply Portal::leg_reply(const std::string& team, std::string_view rest) {
+  constexpr std::string_view log_end = "/log";
+  const auto legs = options_.legs(team);
+  if (rest.empty()) return json_reply(200, {{"team", team}, {"legs", own_legs_json(legs, costs_)}});
+  if (rest.starts_with("/") && rest.ends_with(log_end)) {
+    rest.remove_prefix(1);
+    // Only a leg of the team has a name that is looked for; no path comes from the request.
+    for (const OwnLeg& leg : legs) {
+      if (leg.record.empty() || rest != name_of_leg(leg) + std::string(log_end)) continue;
+      const std::string path = log_path(folder_, leg);
+      const std::string log = files_.read(path, {.max_size = system::size_limit::log}).value_or("");
+      return {.status = 200, .bytes = system::printable(log, system::LineEnds::kept)};
+    }
+  }
+  return problem(404, team + " has played no leg of this name");
+}
+
+web::Reply Portal::log_in(const web::Request& request, const web::Body& body) {
+  std::string form;
+  const bool is_whole = body([&form](std::string_view part) {
+    form += part;
+    return form.size() <= max_form;
+  });
+  if (!is_whole) return page_reply(400, log_in_page("the form was not sent to its end"));
+  const std::lock_guard lock(mutex_);
+  const auto done = doorkeeper_.log_in(request, form_value(form, "token"), options_.now());
+  if (!done) return page_reply(503, log_in_page("this server cannot do that now; try again later"));
+  if (const auto* refusal = std::get_if<Refusal>(&*done)) {
+    web::Reply reply = page_reply(refusal->status, log_in_page(refusal->why));
+    if (refusal->wait > 0) reply.headers.emplace_back("Retry-After", std::to_string(refusal->wait));
+    return reply;
+  }
+  web::Reply reply = go_to("/hand-in");
+  reply.headers.emplace_back("Set-Cookie", std::get<std::string>(*done));
+  return reply;
+}
+
+web::Reply Portal::log_out(const web::Request& request) {
+  const std::lock_guard lock(mutex_);
+  const auto done = doorkeeper_.log_out(request);
+  if (!done) return host_failed(done.error());
+  if (const auto* refusal = std::get_if<Refusal>(&*done)) return reply_to(*refusal);
+  web::Reply reply = go_to("/hand-in");
+  reply.headers.emplace_back("Set-Cookie", std::get<std::string>(*done));
+  return reply;
+}
+
+// Requires mutex_. Returns the reply to a team that hands in more than it may, or too late.
+std::optional<web::Reply> Portal::refused_now(const std::string& team) {
+  const std::int64_t now = options_.now();
+  if (const std::string why = options_.why_not(team, utc_text(now)); !why.empty())
+    return problem(403, why);
+  if (const int waiting = book_.queue().unanswered(team); waiting >= options_.max_waiting) {
+    return problem(429, std::to_string(waiting) + " files of " + team +
+                            " wait for their checks; hand in when they are answered");
+  }
+  auto known = read_hand_ins(files_, folder_, team);
+  if (!known) return host_failed(known.error());
+  int tries = tries_in_last_hour(*known, now, {});
+  for (const WaitingHandIn* handed : book_.queue().of_team(team)) {
+    if (!is_final(handed->state) && find_try(*known, handed->entry) == nullptr) ++tries;
+  }
+  if (tries < options_.quota.tries_per_hour) return std::nullopt;
+  return problem(429, team + " has had " + std::to_string(options_.quota.tries_per_hour) +
+                          " tries in the last hour; hand it in later");
+}
+
+// Counts an upload of a team while it lasts.
+struct Portal::Upload {
+  Portal& portal;
+  const std::string& team;
+  bool is_counted = false;
+
+  // Requires the mutex of the portal.
+  bool begin() {
+    int& running = portal.uploads_[team];
+    if (running >= portal.options_.max_uploads) return false;
+    ++running;
+    return is_counted = true;
+  }
+  ~Upload() {
+    if (!is_counted) return;
+    const std::lock_guard lock(portal.mutex_);
+    if (--portal.uploads_[team] == 0) portal.uploads_.erase(team);
+  }
+};
+
+web::Reply Portal::take(const web::Request& request, const web::Body& body,
+                        const Visitor& visitor) {
+  if (visitor.is_staff) return problem(403, "the staff's token hands in for no team");
+  const std::string& team = visitor.team;
+  const std::string coding = request.header("content-encoding");
+  if (!coding.empty() && coding != "identity")
+    return problem(415, "send the file as it is, without Content-Encoding");
+  if (request.headers.contains("content-length") && request.headers.contains("transfer-encoding"))
+    return problem(400, "two lengths are given");
+  const std::string length = request.header("content-length");
+  if (length == "0") return problem(400, "the file is empty");
+  std::uint64_t announced = 0;
+  const auto read = std::from_chars(length.data(), length.data() + length.size(), announced);
+  if (announced > system::size_limit::entry || read.ec == std::errc::result_out_of_range)
+    return problem(413, too_large());
+  Upload upload{*this, team};
+  {
+    const std::lock_guard lock(mutex_);
+    if (auto refused = refused_now(team)) return std::move(*refused);
+    if (!upload.begin())
+      return problem(429, team + " is sending other files already; wait for their end");
+  }
+  auto file = system::IncomingFile::begin(folder_.uploads() + "/upload");
+  if (!file) return host_failed(file.error());
+  Result<void> added;
+  const bool is_whole = body([&](std::string_view part) {
+    if (file->size() + part.size() > system::size_limit::entry) {
+      added = fail(Errc::input, too_large());
+    } else {
+      added = file->add(part);
+    }
+    return added.has_value();
+  });
+  if (!added && added.error().code == Errc::input) return problem(413, added.error().what);
+  if (!added) return host_failed(added.error());
+  if (!is_whole || (!length.empty() && file->size() != announced))
+    return problem(400, "the file did not arrive to its end; send it again");
+  if (file->size() == 0) return problem(400, "the file is empty");
+  const auto sha256 = file->finish();
+  if (!sha256) return host_failed(sha256.error());
+  return keep(visitor, file_name_of(request.asked("name")), *file, *sha256);
+}
+
+web::Reply Portal::keep(const Visitor& visitor, const std::string& name, system::IncomingFile& file,
+                        const std::string& sha256) {
+  const std::string& team = visitor.team;
+  const auto taken = [](int entry) {
+    const std::string url = std::string(entries_path) + "/" + std::to_string(entry);
+    return json_reply(202, {{"entry", entry}, {"events", url + "/events"}, {"url", url}});
+  };
+  const std::lock_guard lock(mutex_);
+  // The same bytes again are the same hand-in, for example if the reply to the first was lost.
+  const auto own = book_.queue().of_team(team);
+  if (!own.empty() && own.back()->sha256 == sha256 && own.back()->state != HandInState::void_)
+    return taken(own.back()->entry);
+  if (auto refused = refused_now(team)) return std::move(*refused);
+  WaitingHandIn handed{
+      .team = team, .file = name, .sha256 = sha256, .bytes = file.size(), .at = options_.now()};
+  const auto entry =
+      book_.take(std::move(handed), [&file](const std::string& path) { return file.keep(path); });
+  if (!entry) return host_failed(entry.error());
+  ++version_;
+  return taken(*entry);
+}
+
+web::Reply Portal::events(const std::string& team, int entry) {
+  web::Reply reply;
+  reply.events = [this, team, entry, seen = std::uint64_t{0},
+                  told = std::string()]() mutable -> web::EventBatch {
+    const std::uint64_t version = version_;
+    if (version == seen) return {};
+    seen = version;
+    const Json now = report(team, entry, true);
+    std::string text = "event: state\ndata: " + record::json_text(now) + "\n\n";
+    if (text == told) return {};
+    told = text;
+    const auto state =
+        now.is_null() ? std::nullopt : from_string<HandInState>(now["state"].get<std::string>());
+    return {std::move(text), !state || is_final(*state)};
+  };
+  return reply;
+}
+
+Json Portal::report(const std::string& team, int entry, bool is_whole) {
+  std::optional<WaitingHandIn> waiting;
+  int before = 0;
+  CheckStep step;
+  {
+    const std::lock_guard lock(mutex_);
+    if (const WaitingHandIn* found = book_.queue().find(team, entry)) waiting = *found;
+    before = waiting ? book_.queue().before(team, entry) : 0;
+    if (const auto found = steps_.find({team, entry}); found != steps_.end()) step = found->second;
+  }
+  const WaitingHandIn* known = waiting ? &*waiting : nullptr;
+  return is_whole ? entry_report(files_, folder_, team, entry, known, before, step)
+                  : entry_summary(files_, folder_, team, entry, known, before, step);
+}
+
+// Returns the summaries of all entries of a team, the latest first.
+Json Portal::reports(const std::string& team) {
+  std::set<int> numbers;
+  for (const int number : entries_of(files_, folder_, team)) numbers.insert(number);
+  {
+    const std::lock_guard lock(mutex_);
+    for (const WaitingHandIn* handed : book_.queue().of_team(team)) numbers.insert(handed->entry);
+  }
+  Json list = Json::array();
+  for (auto number = numbers.rbegin(); number != numbers.rend(); ++number) {
+    if (Json one = report(team, *number, false); !one.is_null()) list.push_back(std::move(one));
+  }
+  return list;
+}
+
+Json Portal::about(const Visitor& visitor) {
+  const std::lock_guard lock(mutex_);
+  Json json{{"team", visitor.is_staff ? Json() : Json(visitor.team)},
+            {"staff", visitor.is_staff},
+            {"max_bytes", system::size_limit::entry},
+            {"why_not", Json()}};
+  if (visitor.is_staff) return json;
+  const auto refused = refused_now(visitor.team);
+  if (!refused) return json;
+  json["why_not"] = Json::parse(refused->bytes, nullptr, false).value("error", "");
+  json["status"] = refused->status;
+  return json;
+}
+
+std::optional<WaitingHandIn> Portal::begin_next() {
+  const std::lock_guard lock(mutex_);
+  const WaitingHandIn* next = book_.queue().next();
+  if (next == nullptr) return std::nullopt;
+  WaitingHandIn begun = *next;
+  book_.begin(begun.team, begun.entry,
+              source_kind_of(begun.file) == SourceKind::none ? HandInState::checking
+                                                             : HandInState::compiling);
+  ++version_;
+  return begun;
+}
+
+void Portal::set_step(const std::string& team, int entry, const CheckStep& step) {
+  const std::lock_guard lock(mutex_);
+  CheckStep& known = steps_[{team, entry}];
+  if (known == step) return;
+  known = step;
+  if (step.number > 0) book_.begin(team, entry, HandInState::checking);
+  ++version_;
+}
+
+Result<void> Portal::close(const std::string& team, int entry, HandInState state,
+                           const std::string& message) {
+  const std::lock_guard lock(mutex_);
+  auto answered = book_.answer(team, entry, state, message, options_.now());
+  steps_.erase({team, entry});
+  if (!answered) book_.wait_again(team, entry);
+  ++version_;
+  return answered;
+}
+
+Result<void> Portal::wait_again(const std::string& team, int entry) {
+  bool is_void = false;
+  {
+    const std::lock_guard lock(mutex_);
+    book_.wait_again(team, entry);
+    steps_.erase({team, entry});
+    const WaitingHandIn* handed = book_.queue().find(team, entry);
+    is_void = handed != nullptr && handed->failures >= max_failures;
+    ++version_;
+  }
+  if (!is_void) return {};
+  return close(team, entry, HandInState::void_,
+               team + ": entry " + std::to_string(entry) +
+                   " could not be checked, which is this computer's fault; hand it in again");
+}
+
+}  // namespace mirocup::league

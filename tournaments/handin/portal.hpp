@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+//
+// The desk of a league in the network: who hands in, what of, and what became of it. It answers the
+// requests of the HTTP API and of the private pages, and gives the queue's next check to
+// CheckRunner. docs/handing-in.md describes the API.
+//
+// Threads: all public functions may be called by any thread at any time.
+#pragma once
+
+#include "tournaments/handin/book.hpp"
+#include "tournaments/handin/doorkeeper.hpp"
+#include "tournaments/handin/entry_report.hpp"
+#include "tournaments/handin/own_legs.hpp"
+#include "tournaments/league/hand_ins.hpp"
+
+#include <atomic>
+#include <functional>
+#include <mutex>
+
+namespace mirocup::league {
+
+struct PortalOptions {
+  Quota quota = {};
+  ProxyTrust proxy = {};
+  int max_waiting = 4;  // hand-ins of one team without an answer
+  int max_uploads = 2;  // of one team at once
+
+  // Returns why no entry of a team is taken at a time, a sentence; "" if entries are taken.
+  std::function<std::string(const std::string& team, const std::string& now)> why_not;
+  // Returns the decided legs of a team.
+  std::function<std::vector<OwnLeg>(const std::string& team)> legs;
+  std::function<std::int64_t()> now;  // s since 1970
+};
+
+class Portal {
+ public:
+  static Result<std::unique_ptr<Portal>> open(system::Files& files, const Folder& folder,
+                                              PortalOptions options, std::string* notice);
+
+  // The function web::Site::desk.
+  std::optional<web::Reply> answer(const web::Request& request, const web::Body& body);
+
+  // Marks the next hand-in as being checked and returns it; nothing if none is to be checked.
+  std::optional<WaitingHandIn> begin_next();
+
+  void set_step(const std::string& team, int entry, const CheckStep& step);
+
+  // Books what became of a check.
+  Result<void> close(const std::string& team, int entry, HandInState state,
+                     const std::string& message);
+
+  // The host has spoiled a check: it is tried again, and after some failures the hand-in is void.
+  Result<void> wait_again(const std::string& team, int entry);
+
+ private:
+  struct Upload;
+
+  Portal(system::Files& files, Folder folder, PortalOptions options, HandInBook book);
+
+  std::variant<Visitor, web::Reply> visitor(const web::Request& request, Purpose purpose);
+  web::Reply api(const web::Request& request, const web::Body& body);
+  web::Reply log_in(const web::Request& request, const web::Body& body);
+  web::Reply log_out(const web::Request& request);
+  web::Reply take(const web::Request& request, const web::Body& body, const Visitor& visitor);
+  web::Reply keep(const Visitor& visitor, const std::string& name, system::IncomingFile& file,
+                  const std::string& sha256);
+  web::Reply leg_reply(const std::string& team, std::string_view rest);
+  web::Reply events(const std::string& team, int entry);
+  std::optional<web::Reply> refused_now(const std::string& team);
+  Json report(const std::string& team, int entry, bool is_whole);
+  Json reports(const std::string& team);
+  Json about(const Visitor& visitor);
+
+  system::Files& files_;
+  const Folder folder_;
+  const PortalOptions options_;
+  LegCosts costs_;
+  std::atomic<std::uint64_t> version_{1};  // grows with each change that a team may see
+
+  std::mutex mutex_;  // guards what follows
+  HandInBook book_;
+  Doorkeeper doorkeeper_;
+  std::map<std::pair<std::string, int>, CheckStep> steps_;  // of the running checks
+  std::map<std::string, int> uploads_;                      // running, of each team
+};
+
+}  // namespace mirocup::league

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/handin/queue.hpp"
+
+#include <algorithm>
+
+namespace mirocup::league {
+
+SourceKind source_kind_of(std::string_view file) {
+  for (const std::string_view end : {".cpp", ".cc", ".cxx"}) {
+    if (file.ends_with(end)) return SourceKind::cpp;
+  }
+  return file.ends_with(".c") ? SourceKind::c : SourceKind::none;
+}
+
+void HandInQueue::add(WaitingHandIn handed) {
+  const Key key{handed.team, handed.entry};
+  const auto last = last_round_.find(handed.team);
+  handed.round = last == last_round_.end() ? round_ : std::max(round_, last->second + 1);
+  last_round_[handed.team] = handed.round;
+  if (!is_final(handed.state)) waiting_.push_back(key);
+  all_[key] = std::move(handed);
+}
+
+void HandInQueue::answer(const std::string& team, int entry, HandInState state,
+                         const std::string& message) {
+  const Key key{team, entry};
+  const auto found = all_.find(key);
+  if (found == all_.end() || is_final(found->second.state)) return;
+  found->second.state = state;
+  found->second.message = message;
+  round_ = std::max(round_, found->second.round);
+  std::erase(waiting_, key);
+}
+
+void HandInQueue::begin(const std::string& team, int entry, HandInState state) {
+  const auto found = all_.find({team, entry});
+  if (found == all_.end()) return;
+  found->second.state = state;
+  round_ = std::max(round_, found->second.round);
+}
+
+void HandInQueue::wait_again(const std::string& team, int entry) {
+  const auto found = all_.find({team, entry});
+  if (found == all_.end() || is_final(found->second.state)) return;
+  found->second.state = HandInState::queued;
+  ++found->second.failures;
+}
+
+std::vector<const WaitingHandIn*> HandInQueue::order() const {
+  std::vector<const WaitingHandIn*> ordered;
+  for (const Key& key : waiting_) ordered.push_back(&all_.at(key));
+  std::stable_sort(ordered.begin(), ordered.end(),
+                   [](const auto* a, const auto* b) { return a->round < b->round; });
+  return ordered;
+}
+
+const WaitingHandIn* HandInQueue::next() const {
+  const auto ordered = order();
+  const auto is_checked = [&](const std::string& team) {
+    return std::any_of(ordered.begin(), ordered.end(), [&](const WaitingHandIn* handed) {
+      return handed->team == team && handed->state != HandInState::queued;
+    });
+  };
+  const auto found = std::find_if(ordered.begin(), ordered.end(), [&](const WaitingHandIn* handed) {
+    return handed->state == HandInState::queued && !is_checked(handed->team);
+  });
+  return found == ordered.end() ? nullptr : *found;
+}
+
+int HandInQueue::before(const std::string& team, int entry) const {
+  const auto ordered = order();
+  const auto own = std::find_if(ordered.begin(), ordered.end(), [&](const WaitingHandIn* handed) {
+    return handed->team == team && handed->entry == entry;
+  });
+  return own == ordered.end() ? 0 : static_cast<int>(own - ordered.begin());
+}
+
+const WaitingHandIn* HandInQueue::find(const std::string& team, int entry) const {
+  const auto found = all_.find({team, entry});
+  return found == all_.end() ? nullptr : &found->second;
+}
+
+std::vector<const WaitingHandIn*> HandInQueue::of_team(const std::string& team) const {
+  std::vector<const WaitingHandIn*> own;
+  for (auto at = all_.lower_bound({team, 0}); at != all_.end() && at->first.first == team; ++at)
+    own.push_back(&at->second);
+  return own;
+}
+
+int HandInQueue::unanswered(const std::string& team) const {
+  return static_cast<int>(std::count_if(waiting_.begin(), waiting_.end(),
+                                        [&](const Key& key) { return key.first == team; }));
+}
+
+int HandInQueue::last_entry(const std::string& team) const {
+  const auto own = of_team(team);
+  return own.empty() ? 0 : own.back()->entry;
+}
+
+}  // namespace mirocup::league

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/handin/sessions.hpp"
+
+#include "server/record/json_reader.hpp"
+#include "system/digest.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace mirocup::league {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* sessions_schema = "mirocup/sessions/1";
+constexpr std::size_t cookie_bytes = 32;
+
+}  // namespace
+
+std::string Sessions::begin(const std::string& token_sha256, std::int64_t now) {
+  std::erase_if(sessions_, [now](const Session& session) { return session.ends <= now; });
+  const auto is_of_token = [&](const Session& session) {
+    return session.token_sha256 == token_sha256;
+  };
+  if (std::count_if(sessions_.begin(), sessions_.end(), is_of_token) >=
+      static_cast<std::ptrdiff_t>(max_of_token)) {
+    sessions_.erase(std::find_if(sessions_.begin(), sessions_.end(), is_of_token));
+  }
+  std::string cookie = system::base32(system::random_bytes(cookie_bytes));
+  sessions_.push_back({system::sha256(cookie), token_sha256, now + duration});
+  return cookie;
+}
+
+std::string Sessions::token_of(std::string_view cookie, std::int64_t now) const {
+  const std::string sha256 = system::sha256(cookie);
+  for (const Session& session : sessions_) {
+    // A clock that was set back by more than the duration has made no session longer.
+    if (session.sha256 == sha256 && now < session.ends && now >= session.ends - 2 * duration)
+      return session.token_sha256;
+  }
+  return "";
+}
+
+void Sessions::end(std::string_view cookie) {
+  const std::string sha256 = system::sha256(cookie);
+  std::erase_if(sessions_, [&](const Session& session) { return session.sha256 == sha256; });
+}
+
+std::string Sessions::text() const {
+  Json list = Json::array();
+  for (const Session& session : sessions_) {
+    list.push_back({{"sha256", session.sha256},
+                    {"token_sha256", session.token_sha256},
+                    {"ends", session.ends}});
+  }
+  return record::json_text({{"schema", sessions_schema}, {"sessions", list}}, 1) + "\n";
+}
+
+Sessions Sessions::parse(const std::string& text) {
+  return record::read_json<Sessions>(
+             text, "sessions", Errc::damaged,
+             [](const record::JsonReader& json) {
+               json.expect_schema(sessions_schema);
+               Sessions sessions;
+               for (const auto& one : json.at("sessions").elements()) {
+                 sessions.sessions_.push_back({one.at("sha256").text(),
+                                               one.at("token_sha256").text(),
+                                               one.at("ends").integer<std::int64_t>()});
+               }
+               return sessions;
+             })
+      .value_or(Sessions());
+}
+
+std::string cookie_in(std::string_view header, std::string_view name) {
+  std::string found;
+  int count = 0;
+  while (!header.empty()) {
+    const std::size_t end = std::min(header.find(';'), header.size());
+    std::string_view part = header.substr(0, end);
+    header.remove_prefix(std::min(end + 1, header.size()));
+    while (!part.empty() && part.front() == ' ') part.remove_prefix(1);
+    if (part.size() <= name.size() || !part.starts_with(name) || part[name.size()] != '=') continue;
+    found = part.substr(name.size() + 1);
+    ++count;
+  }
+  return count == 1 ? found : "";
+}
+
+}  // namespace mirocup::league

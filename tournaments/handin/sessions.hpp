@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+//
+// Browsers in which a token was typed: each has a random number in a cookie. Only its SHA-256 is
+// kept here, with the token's: when the token is revoked or expires, its sessions end with it.
+//
+// Threads: one at a time.
+#pragma once
+
+#include "core/base/error.hpp"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mirocup::league {
+
+struct Session {
+  std::string sha256;        // of the cookie's value
+  std::string token_sha256;  // of the token that was typed
+  std::int64_t ends = 0;     // s since 1970
+
+  bool operator==(const Session&) const = default;
+};
+
+class Sessions {
+ public:
+  static constexpr std::int64_t duration = 12 * 3600;  // s
+  static constexpr std::size_t max_of_token = 20;      // more end the oldest
+
+  // Begins a session and returns the value of its cookie.
+  std::string begin(const std::string& token_sha256, std::int64_t now);
+
+  // Returns the SHA-256 of the token of a running session; "" if there is no such session.
+  std::string token_of(std::string_view cookie, std::int64_t now) const;
+
+  // Ends the session of the cookie, if there is one.
+  void end(std::string_view cookie);
+
+  // The sessions as JSON, for a server that starts again, and those that it held. What cannot be
+  // read is no session.
+  std::string text() const;
+  static Sessions parse(const std::string& text);
+
+  std::size_t size() const { return sessions_.size(); }
+
+ private:
+  std::vector<Session> sessions_;  // the oldest first
+};
+
+// Returns the value of the cookie of that name in a header "Cookie"; "" if there is none, or if
+// there are two.
+std::string cookie_in(std::string_view header, std::string_view name);
+
+}  // namespace mirocup::league

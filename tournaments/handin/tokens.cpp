@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/handin/tokens.hpp"
+
+#include "server/record/json_reader.hpp"
+#include "system/digest.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace mirocup::league {
+
+namespace {
+
+using record::JsonReader;
+
+constexpr const char* tokens_schema = "mirocup/tokens/1";
+constexpr std::size_t token_bytes = 16;  // 26 characters
+constexpr std::size_t max_typed = 200;   // characters; nobody types more by mistake
+
+std::string new_text() {
+  return system::base32(system::random_bytes(token_bytes));
+}
+
+// Returns the token as it was printed.
+std::string as_printed(std::string_view typed) {
+  std::string text;
+  for (const char c : typed.substr(0, max_typed)) {
+    if (c == ' ' || c == '\t' || c == '\r' || c == '\n') continue;
+    text += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  }
+  return text;
+}
+
+std::string time_of(const JsonReader& json) {
+  if (json.is_null()) return "";
+  std::string time = json.text();
+  if (!is_time(time)) json.complain("a time like \"2026-11-30T18:00:00Z\" is expected");
+  return time;
+}
+
+Json time_json(const std::string& time) {
+  return time.empty() ? Json() : Json(time);
+}
+
+}  // namespace
+
+std::string TokenList::add(const std::string& team, const std::string& now,
+                           const std::string& expires) {
+  std::string text = new_text();
+  tokens.push_back({.team = team,
+                    .is_staff = team.empty(),
+                    .sha256 = system::sha256(text),
+                    .made = now,
+                    .expires = expires,
+                    .revoked = ""});
+  return text;
+}
+
+std::string TokenList::add_for_staff(const std::string& now, const std::string& expires) {
+  return add("", now, expires);
+}
+
+int TokenList::revoke(const std::string& team, const std::string& now) {
+  int count = 0;
+  for (Token& token : tokens) {
+    if (token.team != team || !token.revoked.empty()) continue;
+    count += token.is_valid(now) ? 1 : 0;
+    token.revoked = now;
+  }
+  return count;
+}
+
+bool TokenList::has_valid(const std::string& team, const std::string& now) const {
+  return std::any_of(tokens.begin(), tokens.end(),
+                     [&](const Token& token) { return token.team == team && token.is_valid(now); });
+}
+
+const Token* TokenList::find(std::string_view text, const std::string& now) const {
+  return find_sha256(system::sha256(as_printed(text)), now);
+}
+
+// How long the comparison of two hashes takes tells nothing about a token.
+const Token* TokenList::find_sha256(const std::string& sha256, const std::string& now) const {
+  const auto found = std::find_if(tokens.begin(), tokens.end(), [&](const Token& token) {
+    return token.sha256 == sha256 && token.is_valid(now);
+  });
+  return found == tokens.end() ? nullptr : &*found;
+}
+
+const Token* TokenList::find_ended(std::string_view text, const std::string& now) const {
+  const std::string sha256 = system::sha256(as_printed(text));
+  const auto found = std::find_if(tokens.begin(), tokens.end(), [&](const Token& token) {
+    return token.sha256 == sha256 && !token.is_valid(now);
+  });
+  return found == tokens.end() ? nullptr : &*found;
+}
+
+std::string tokens_path(const Folder& folder) {
+  return folder.path + "/tokens.json";
+}
+
+Result<TokenList> read_tokens(system::Files& files, const Folder& folder) {
+  const std::string path = tokens_path(folder);
+  if (!files.exists(path)) return TokenList{};
+  const auto text = files.read(path, {.max_size = system::size_limit::note});
+  if (!text) return tl::unexpected(text.error());
+  return parse_tokens(*text, path);
+}
+
+Result<TokenList> parse_tokens(const std::string& text, const std::string& path) {
+  return record::read_json<TokenList>(text, path, Errc::damaged, [](const JsonReader& json) {
+    json.expect_schema(tokens_schema);
+    TokenList list;
+    for (const JsonReader& one : json.at("tokens").elements()) {
+      Token token;
+      token.is_staff = one.at("team").is_null();
+      if (!token.is_staff) token.team = one.at("team").text();
+      if (!token.is_staff && !is_good_name(token.team))
+        one.at("team").complain("the name of a team is expected");
+      token.sha256 = one.at("sha256").text();
+      token.made = time_of(one.at("made"));
+      token.expires = time_of(one.at("expires"));
+      token.revoked = time_of(one.at("revoked"));
+      list.tokens.push_back(std::move(token));
+    }
+    return list;
+  });
+}
+
+Result<void> write_tokens(system::Files& files, const Folder& folder, const TokenList& list) {
+  Json tokens = Json::array();
+  for (const Token& token : list.tokens) {
+    tokens.push_back({{"team", token.is_staff ? Json() : Json(token.team)},
+                      {"sha256", token.sha256},
+                      {"made", time_json(token.made)},
+                      {"expires", time_json(token.expires)},
+                      {"revoked", time_json(token.revoked)}});
+  }
+  const Json json{{"schema", tokens_schema}, {"tokens", tokens}};
+  return files.write(tokens_path(folder), record::json_text(json, 1) + "\n",
+                     system::Readers::owner);
+}
+
+}  // namespace mirocup::league

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+//
+// The tokens by which teams hand in: random words of 128 bits. tokens.json in the folder of the
+// league keeps only the SHA-256 of each, so a token is shown once, when it is made. A token of so
+// many bits cannot be guessed, so a hash that is slow to compute would protect nothing more.
+#pragma once
+
+#include "tournaments/league/folder.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mirocup::league {
+
+struct Token {
+  std::string team;       // "" for the staff
+  bool is_staff = false;  // sees the private pages of all teams
+  std::string sha256;
+  std::string made;     // UTC, as league.json has times
+  std::string expires;  // from then on it is worth nothing; "": never
+  std::string revoked;  // when it was revoked; "": it was not
+
+  bool is_valid(const std::string& now) const {
+    return revoked.empty() && (expires.empty() || now < expires);
+  }
+  bool operator==(const Token&) const = default;
+};
+
+// All tokens of a league, also those that are revoked or have expired.
+struct TokenList {
+  std::vector<Token> tokens;
+
+  // Makes a token and returns its text, which is kept nowhere.
+  std::string add(const std::string& team, const std::string& now, const std::string& expires);
+  std::string add_for_staff(const std::string& now, const std::string& expires);
+
+  // Revokes all tokens of a team, or of the staff (""). Returns how many were valid until now.
+  int revoke(const std::string& team, const std::string& now);
+
+  bool has_valid(const std::string& team, const std::string& now) const;
+
+  // Returns the valid token with this text, or of this SHA-256; null if there is none. Small
+  // letters and blanks in the text are taken as a person may type them.
+  const Token* find(std::string_view text, const std::string& now) const;
+  const Token* find_sha256(const std::string& sha256, const std::string& now) const;
+
+  // Returns the token with this text if it is revoked or has expired; null if not.
+  const Token* find_ended(std::string_view text, const std::string& now) const;
+};
+
+std::string tokens_path(const Folder& folder);
+
+// Reads and writes the tokens of a league; a league without the file has none. Only the host can
+// read the file. A damaged one is Errc::damaged.
+Result<TokenList> read_tokens(system::Files& files, const Folder& folder);
+Result<TokenList> parse_tokens(const std::string& text, const std::string& path);
+Result<void> write_tokens(system::Files& files, const Folder& folder, const TokenList& list);
+
+}  // namespace mirocup::league

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+//
+// Counts wrong tokens of each address, and says how long an address has to wait after several. A
+// right token is never made to wait: a class behind one address is not locked out by one of it.
+//
+// Threads: one at a time.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+namespace mirocup::league {
+
+class WrongTokens {
+ public:
+  static constexpr int free_tries = 5;                  // before the first wait
+  static constexpr std::int64_t max_wait = 60;          // s
+  static constexpr std::int64_t forgotten_after = 600;  // s without a wrong token
+  static constexpr std::size_t max_addresses = 10'000;
+
+  // Notes a wrong token at a time, s on any clock that only goes forward. Returns how many seconds
+  // the address has to wait before the next is looked at; 0: it need not. While it waits, wrong
+  // tokens do not make the wait longer.
+  std::int64_t note(const std::string& address, std::int64_t now);
+
+  std::size_t size() const { return addresses_.size(); }
+
+ private:
+  struct Count {
+    int wrong = 0;
+    std::int64_t last = 0;   // when it was counted
+    std::int64_t waits = 0;  // until then
+  };
+  std::map<std::string, Count> addresses_;
+  std::int64_t swept_ = 0;  // when the forgotten ones were removed last
+};
+
+// Returns the network whose addresses one person is likely to have: of IPv6 the first 64 bits.
+std::string network_of(const std::string& address);
+
+}  // namespace mirocup::league
