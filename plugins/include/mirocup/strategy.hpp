@@ -330,7 +330,8 @@ inline bool must_kick_off(const Observation& now) {
 inline Wheels kick_off(const Setup& setup, const Robot& robot) {
   const Point through = -0.3 * unit(position(robot));
   const Point aside = 0.36 * Point{-through.y, through.x};
-  return drive_to(setup, robot, position(robot) + through - aside, 0.2, 0.2);
+  const double pace = length(position(robot)) > 0.1 ? 0.8 : 0.3;  // m/s; opponents come fast
+  return drive_to(setup, robot, position(robot) + through - aside, pace, pace);
 }
 
 // Returns the y at which the bisector of the angle in which a ball sees the own goal meets the goal
