@@ -329,8 +329,9 @@ inline bool must_kick_off(const Observation& now) {
 // own goal line. A ball that stays near the centre would belong to the opponents: their kicker
 // waits on the side of the ball from which it can shoot, and the taker has to go round it first.
 inline Wheels kick_off(const Setup& setup, const Robot& robot) {
-  // Through the ball, from wherever the robot was put down.
-  return drive_to(setup, robot, -0.1 * unit(position(robot)), 0.28, 0.28);
+  // Through the ball, from wherever the robot was put down; opponents come fast.
+  const double pace = length(position(robot)) > 0.1 ? 0.8 : 0.28;  // m/s
+  return drive_to(setup, robot, -0.1 * unit(position(robot)), pace, pace);
 }
 
 // Returns the y at which the bisector of the angle in which a ball sees the own goal meets the goal
