@@ -30,7 +30,6 @@ struct Plan {
   int age = 0;           // ticks since it was chosen
 };
 
-constexpr int burst_ticks = 4;
 constexpr std::array bursts{Wheels{80, 80},   Wheels{80, 50},   Wheels{50, 80}, Wheels{80, -80},
                             Wheels{-80, 80},  Wheels{-80, -80}, Wheels{80, 20}, Wheels{20, 80},
                             Wheels{-80, -40}, Wheels{-40, -80}};
@@ -223,7 +222,9 @@ class Planner : public Team {
         command.wheels[i] = attack(now, i, plan, plan.age + tick);
       } else {
         const bool presses = plan.presses && rank == 0;
-        command.wheels[i] = presses ? shot(now, i, plan.aim) : support(now, i, rank);
+        command.wheels[i] = is_near_their_area(now.own[i]) ? leave_their_area(now.own[i])
+                            : presses                      ? shot(now, i, plan.aim)
+                                                           : support(now, i, rank);
         ++rank;
       }
     }
@@ -234,7 +235,7 @@ class Planner : public Team {
     const Robot& robot = now.own[i];
     switch (plan.move) {
       case Move::burst:
-        if (age < burst_ticks) return plan.burst;
+        if (age < burst_ticks_) return plan.burst;
         break;
       case Move::push: {
         const Point to = ball(now) - position(robot);
@@ -253,6 +254,19 @@ class Planner : public Team {
         break;
     }
     return shot(now, i, plan.aim);
+  }
+
+  // Only one attacker may be in the opponents' goal area. SimuroSot, which is known by its control
+  // period, calls it so often that the others keep away, at the cost of goals.
+  bool is_near_their_area(const Robot& robot) const {
+    if (setup().control_period > 0.02) return false;
+    return robot.x + 0.1 * robot.vx > setup().half_length - setup().goal_area_depth - 0.1 &&
+           std::abs(robot.y + 0.1 * robot.vy) < setup().goal_area_half_width + 0.05;
+  }
+
+  Wheels leave_their_area(const Robot& robot) const {
+    const double front = setup().half_length - setup().goal_area_depth - 0.2;
+    return drive_to(setup(), robot, {front, robot.y});
   }
 
   // Where a robot that drives 1.2 m/s meets the ball, about.
@@ -325,15 +339,21 @@ class Planner : public Team {
                        {.aim_ahead = 0.08});
   }
 
+  // Returns a time in ticks, at least one.
+  int ticks_in(double seconds) const {
+    return std::max(1, static_cast<int>(std::lround(seconds / setup().control_period)));
+  }
+
   const int tries_ = static_cast<int>(parameter("tries", 6));
-  const int horizon_ = static_cast<int>(parameter("horizon", 10));  // ticks
-  const int step_ = static_cast<int>(parameter("step", 2));         // ticks that a command holds
+  const int step_ = ticks_in(parameter("step", 0.066));  // for which a predicted command holds
+  const int horizon_ = step_ * static_cast<int>(parameter("steps", 5));  // ticks
+  const int burst_ticks_ = ticks_in(0.132);
   const double stay_ = parameter("stay", 0.03);  // a plan is worth more if it is kept
   const double push_ = parameter("push", 0.02);  // a touch of an opponent
 
   // Predicting takes processor time, which is counted in steps and events: without a clock, a leg
   // can be played again.
-  const double effort_per_tick_ = parameter("effort", 200.0);
+  const double effort_per_tick_ = parameter("effort", 160.0);
 
   Simulator simulator_;
   Tracker tracker_;

@@ -110,7 +110,8 @@ Result<int> run_check(const CheckOptions& options) {
   terms.parameters = *parameters;
   stay_on_this_core();  // the teams and this process take turns
   const auto report = check_entry(
-      options.path, terms, options.json ? OnCheck() : [](const Check& check) { print(check); }, tell);
+      options.path, terms, options.json ? OnCheck() : [](const Check& check) { print(check); },
+      tell);
   if (!report) return tl::unexpected(report.error());
   if (options.json) {
     std::cout << record::json_text(to_json(options, *report)) << '\n';
