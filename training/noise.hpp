@@ -5,6 +5,7 @@
 // theta = 0.17/s and sigma = 0.5/sqrt(s), in shares of the speed limit.
 #pragma once
 
+#include "core/match/command.hpp"
 #include "core/match/disturbances.hpp"
 
 #include <array>
