@@ -21,7 +21,7 @@ constexpr std::size_t max_form = 4096;      // bytes
 constexpr int max_failures = 10;            // of the host, until a hand-in is void
 
 constexpr const char* page_policy =
-    "default-src 'none'; style-src 'unsafe-inline'; script-src 'self'; connect-src 'self'; "
+    "default-src 'none'; style-src 'self'; script-src 'self'; connect-src 'self'; "
     "form-action 'self'; base-uri 'none'; frame-ancestors 'none'";
 
 web::Reply json_reply(int status, const Json& json) {

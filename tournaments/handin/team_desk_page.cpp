@@ -3,6 +3,7 @@
 
 #include "system/markup.hpp"
 #include "tournaments/publish/html.hpp"
+#include "tournaments/publish/page_values.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -12,9 +13,6 @@
 namespace mirocup::league {
 
 namespace {
-
-constexpr std::string_view back_to_league = R"(<p><a href="/">League</a></p>
-)";
 
 constexpr std::string_view log_in_form =
     R"(<form method="post" action="/hand-in/log-in">
@@ -38,7 +36,7 @@ constexpr std::string_view hand_in_form =
 <p><progress id="sent" max="1" value="0" hidden></progress></p>
 </form>
 <p id="answer" role="status" aria-live="polite"></p>
-<div class="wide"><pre id="log" hidden></pre></div>
+<div class="scroll"><pre id="log" hidden></pre></div>
 <noscript><p>The form needs JavaScript. From a terminal: <code>curl -T team.so -H "Authorization:
 Bearer TOKEN" ADDRESS/api/v1/entries</code></p></noscript>
 )";
@@ -62,7 +60,7 @@ void entries_table(Html& html, const Json& entries) {
   html.open_table();
   html.row("th", {"Entry", "Handed in (UTC)", "File", "State", "Answer"});
   for (const Json& entry : entries) {
-    html.open_with_id("tr", "entry-" + std::to_string(entry.value("entry", 0)));
+    html.raw("<tr id=\"entry-" + std::to_string(entry.value("entry", 0)) + "\">\n");
     html.cell_of("number", std::to_string(entry.value("entry", 0)));
     std::string at = text_in(entry, "handed_in");
     if (const std::size_t t = at.find('T'); t != std::string::npos) at.replace(t, 1, " ");
@@ -140,24 +138,25 @@ void legs_table(Html& html, const Json& legs) {
   html.close_table();
 }
 
+// The page around the content, in the design of all pages.
+std::string desk_page(const std::string& title, const Html& content) {
+  return filled_page("desk.html",
+                     {{"root", "/"}, {"page_title", title}, {"content", content.text()}});
+}
+
 }  // namespace
 
 std::string log_in_page(const std::string& why) {
   Html html;
-  html.begin_page("Hand in");
-  html.raw(back_to_league);
   if (!why.empty()) {
     html.raw("<p role=\"alert\">" + system::html_escaped(why) + "</p>\n");
   }
   html.raw(log_in_form);
-  html.end_page();
-  return html.text();
+  return desk_page("Hand in", html);
 }
 
 std::string team_desk_page(const std::string& team, const Json& entries, const Json& legs) {
   Html html;
-  html.begin_page(team);
-  html.raw(back_to_league);
   html.raw(log_out_form);
   html.cell("h2", "Hand in");
   html.raw(hand_in_form);
@@ -175,18 +174,14 @@ std::string team_desk_page(const std::string& team, const Json& entries, const J
     legs_table(html, legs);
   }
   html.raw(script);
-  html.end_page();
-  return html.text();
+  return desk_page(team, html);
 }
 
 std::string staff_page() {
   Html html;
-  html.begin_page("Staff");
-  html.raw(back_to_league);
   html.raw(log_out_form);
   html.cell("p", "With this token, entries of all teams can be read: /api/v1/entries?team=NAME.");
-  html.end_page();
-  return html.text();
+  return desk_page("Staff", html);
 }
 
 }  // namespace mirocup::league

@@ -17,7 +17,7 @@ void put_home(SkillField& field, double y = 0.0) {
 }
 
 // Plays some ticks with the delay of a match; returns whether the ball stayed out of the goal.
-bool keeps(SkillField& field, int ticks) {
+bool holds(SkillField& field, int ticks) {
   Wheels asked{};
   for (int tick = 0; tick < ticks; ++tick) {
     const Observation now = field.observation();
@@ -43,7 +43,7 @@ TEST(HoldGoal, SavesHardShots) {
       const Point aim{-field.setup().half_length, 0.055 * to};
       field.put_ball(start, 2.0 * unit(aim - start));
       ++shots;
-      if (keeps(field, 60)) ++saves;
+      if (holds(field, 60)) ++saves;
     }
   }
   EXPECT_GE(saves, 0.9 * shots) << saves << " of " << shots;
@@ -58,7 +58,7 @@ TEST(HoldGoal, LetsNothingInAlongTheEndWall) {
       put_home(field);
       const double wall = -field.setup().half_length + field.setup().ball_radius + 0.001;
       field.put_ball({wall, side * 0.45}, {0.0, -side * speed});
-      EXPECT_TRUE(keeps(field, 90)) << side << " " << speed;
+      EXPECT_TRUE(holds(field, 90)) << side << " " << speed;
     }
   }
 }
@@ -70,7 +70,7 @@ TEST(HoldGoal, ClearsABallThatLiesInItsArea) {
     SkillField field;
     put_home(field);
     field.put_ball(lies);
-    ASSERT_TRUE(keeps(field, 120)) << lies.x << ", " << lies.y;
+    ASSERT_TRUE(holds(field, 120)) << lies.x << ", " << lies.y;
     const Point ball = field.ball();
     EXPECT_TRUE(ball.x > -0.6 || std::abs(ball.y) > 0.35) << ball.x << ", " << ball.y;
   }
