@@ -12,7 +12,7 @@ namespace {
 
 using test_support::SkillField;
 
-void put_home(SkillField& field, double y = 0.0) {
+void put_keeper(SkillField& field, double y = 0.0) {
   field.put_robot({-field.setup().half_length + GoalHolding{}.line, y}, pi / 2.0);
 }
 
@@ -38,7 +38,7 @@ TEST(HoldGoal, SavesHardShots) {
   for (int from = -3; from <= 3; ++from) {
     for (int to = -3; to <= 3; ++to) {
       SkillField field;
-      put_home(field);
+      put_keeper(field);
       const Point start{-0.3, 0.12 * from};
       const Point aim{-field.setup().half_length, 0.055 * to};
       field.put_ball(start, 2.0 * unit(aim - start));
@@ -55,7 +55,7 @@ TEST(HoldGoal, LetsNothingInAlongTheEndWall) {
   for (const double side : {-1.0, 1.0}) {
     for (const double speed : {0.3, 0.8, 1.5}) {
       SkillField field;
-      put_home(field);
+      put_keeper(field);
       const double wall = -field.setup().half_length + field.setup().ball_radius + 0.001;
       field.put_ball({wall, side * 0.45}, {0.0, -side * speed});
       EXPECT_TRUE(holds(field, 90)) << side << " " << speed;
@@ -68,7 +68,7 @@ TEST(HoldGoal, LetsNothingInAlongTheEndWall) {
 TEST(HoldGoal, ClearsABallThatLiesInItsArea) {
   for (const Point lies : {Point{-0.63, 0.0}, Point{-0.63, 0.12}, Point{-0.64, -0.2}}) {
     SkillField field;
-    put_home(field);
+    put_keeper(field);
     field.put_ball(lies);
     ASSERT_TRUE(holds(field, 120)) << lies.x << ", " << lies.y;
     const Point ball = field.ball();
