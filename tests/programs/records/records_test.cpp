@@ -94,6 +94,7 @@ TEST(Records, HaveTheKeysThatTheirDocumentationDescribes) {
     // A goal has keys of its own.
     record.recording.decisions.front().credit = {.scorer = match::Touch{Team::blue, 1},
                                                  .assist = match::Touch{Team::blue, 2}};
+    record.recording.decisions.front().score = match::ByTeam<int>{1, 0};
     match::Start& start = record.recording.setup.start.emplace();
     start.ball = simulator::BallState{.position = {0.3, 0.2}, .velocity = {0.0, 0.0}};
     start.robots[0][1] = {
