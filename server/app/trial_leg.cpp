@@ -25,7 +25,6 @@ plugins::Budget trial_budget() {
   plugins::Budget budget;
   budget.start_cpu = 4.0;
   budget.start_wall = 5.0;
-  budget.tick_wall = 5.0;
   budget.bank *= larger_bank;
   budget.bank_per_tick *= larger_bank;
   budget.bank_per_place *= larger_bank;

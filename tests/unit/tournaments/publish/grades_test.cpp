@@ -8,18 +8,20 @@
 namespace mirocup::league {
 namespace {
 
-Overview league_of_two() {
+// An overview points into its state, which a test therefore keeps.
+LeagueState league_of_two() {
   LeagueFile file;
   file.title = "spring";
   for (const char* name : {"alpha", "be,ta"}) file.teams.push_back({name, "house:idle", false});
   LeagueState state = new_league(file);
   league::apply(state, Started{.config_sha256 = "x", .version = ""});
-  return overview(state);
+  return state;
 }
 
 // Catches marks that are given to another team, and a name with a comma that is cut.
 TEST(Grades, JoinTheTableWithTheMarksByName) {
-  const auto file = grades(league_of_two(),
+  const LeagueState state = league_of_two();
+  const auto file = grades(overview(state),
                            "team,drill,score,low,high,tries,failed_seeds\n"
                            "\"be,ta\",corner,12.5,1,2,60,\n\"be,ta\",all,20.0,,,60,\n"
                            "alpha,all,70.0,,,60,1 2\n",
@@ -33,10 +35,11 @@ TEST(Grades, JoinTheTableWithTheMarksByName) {
 }
 
 TEST(Grades, RefuseAFileOfAnotherKind) {
-  EXPECT_FALSE(grades(league_of_two(), "name;mark\nalpha;1\n", "d.csv"));
-  EXPECT_FALSE(grades(league_of_two(), "team,drill,score,low\nalpha\n", "d.csv"));
+  const LeagueState state = league_of_two();
+  EXPECT_FALSE(grades(overview(state), "name;mark\nalpha;1\n", "d.csv"));
+  EXPECT_FALSE(grades(overview(state), "team,drill,score,low\nalpha\n", "d.csv"));
   const auto strangers =
-      grades(league_of_two(), "team,drill,score,low\ngamma,all,50.0,1\n", "d.csv");
+      grades(overview(state), "team,drill,score,low\ngamma,all,50.0,1\n", "d.csv");
   ASSERT_FALSE(strangers);
   EXPECT_NE(strangers.error().what.find("d.csv: it has no team of this league"), std::string::npos);
 }
