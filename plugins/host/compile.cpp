@@ -40,8 +40,8 @@ constexpr int not_compiled = 1;
 constexpr int too_much = 2;  // the compiler was ended by a limit
 constexpr int no_sandbox_stands = 127;
 
-constexpr const char* library_path = "/work/strategy.so";
-const char* const compile_environment[] = {"PATH=/usr/bin", "LANG=C", "TMPDIR=/work", nullptr};
+constexpr const char* library_path = "/compile/strategy.so";
+const char* const compile_environment[] = {"PATH=/usr/bin", "LANG=C", "TMPDIR=/compile", nullptr};
 
 // Plain 64-bit code that each host of the league runs, with the C++ library inside, so that it does
 // not depend on the one of another computer.
@@ -59,10 +59,10 @@ const char* const cpp_command[] = {"/usr/bin/g++",
                                    "-fmax-errors=20",
                                    "-ftemplate-depth=900",
                                    "-o",
-                                   "/work/strategy.so",
+                                   "/compile/strategy.so",
                                    "-x",
                                    "c++",
-                                   "/work/source",
+                                   "/compile/source",
                                    nullptr};
 const char* const c_command[] = {"/usr/bin/gcc",
                                  "-std=c17",
@@ -76,10 +76,10 @@ const char* const c_command[] = {"/usr/bin/gcc",
                                  "-fno-diagnostics-color",
                                  "-fmax-errors=20",
                                  "-o",
-                                 "/work/strategy.so",
+                                 "/compile/strategy.so",
                                  "-x",
                                  "c",
-                                 "/work/source",
+                                 "/compile/source",
                                  "-lm",
                                  nullptr};
 

@@ -205,7 +205,7 @@ Result<std::optional<Json>> compile(system::Files& files, const Folder& folder,
       {"reason", "compiles: " + reason},
       {"checks", Json::array({{{"name", "compiles"}, {"passed", false}, {"text", reason}}})},
       {"log", said}};
-  name_file(verdict, "/work/source", name);  // as the compiler has named it
+  name_file(verdict, "/compile/source", name);  // as the compiler has named it
   auto added =
       add_entry(files, folder, handed.team, number, "", record::json_text(verdict, 1) + "\n");
   if (!added) return tl::unexpected(added.error());

@@ -11,7 +11,7 @@
 namespace mirocup::plugins {
 
 // The folder in which the compiler works. It has the source, and later the library.
-inline constexpr const char* work_folder = "/work";
+inline constexpr const char* work_folder = "/compile";
 inline constexpr const char* headers_folder = "/mirocup/include";
 
 // A file that the tree gets.

@@ -92,7 +92,7 @@ TEST_F(Compile, ReadsNoFileOfTheHost) {
 
 TEST_F(Compile, ChoosesNoOptionAndNoProgram) {
   expect_harmless("optimize",
-                  "#pragma GCC optimize(\"-fplugin=/work/x.so\")\nint f() { return 1; }");
+                  "#pragma GCC optimize(\"-fplugin=/compile/x.so\")\nint f() { return 1; }");
   expect_harmless("target", "#pragma GCC target(\"avx512f\")\nint f() { return 1; }");
   expect_harmless("response file", "@/etc/passwd\n");
   expect_harmless("dependency", "#pragma GCC dependency \"/etc/passwd\"\nint f();");
