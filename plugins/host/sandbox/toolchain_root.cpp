@@ -74,7 +74,8 @@ const char* enter_toolchain_root(std::span<const TreeFile> files) {
   if (mount("mirocup", workshop_folder, "tmpfs", MS_NOSUID | MS_NODEV, tree_options) != 0 ||
       chdir(workshop_folder) != 0)
     return "an empty root";
-  for (const char* folder : {"usr", "usr/local", "etc", "mirocup", "mirocup/include", "work"}) {
+  for (const char* folder :
+       {"usr", "usr/local", "etc", "mirocup", "mirocup/include", work_folder + 1}) {
     if (mkdir(folder, 0755) != 0) return "the folders of the root";
   }
   for (const char* folder : library_folders) {
