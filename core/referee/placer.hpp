@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Who keeps the place that was asked for at a restart, and where the others go.
+// The placer decides which robots keep the places that were asked for at a restart, and where the
+// others go.
 //
 // As few robots as possible are moved. Among the choices that move equally few, the one with the
 // least way in total counts; robots with low numbers stay where that is equal, too. A robot that is

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Who does what. A role goes to the robot for which it costs least, and the robot that had it in
-// the last tick keeps it unless another one is clearly better: robots that change places all the
-// time do nothing at all.
+// Roles: which robot does what. A role goes to the robot for which it costs least, and the robot
+// that had it in the last tick keeps it unless another one is clearly better: robots that change
+// places all the time do nothing at all.
 //
 //   cheapest_robot   who takes one role
 //   time_behind      what it costs to attack: how soon a robot is behind the ball
