@@ -44,6 +44,10 @@ constexpr double knockout_golden_goal = 1.0;
 // The leg that is repeated in other surroundings is played this far at most.
 constexpr std::uint32_t max_repeated_ticks = 6000;
 
+// The search for a cause goes on for this many ticks after the first difference, because two draws
+// of a coarse number are often equal in one tick.
+constexpr std::uint32_t ticks_after_difference = 100;
+
 // Other surroundings. The time of day has other remainders than the one that every other leg begins
 // with, whatever it is divided by.
 constexpr plugins::ClockReadings other_clocks{.time_of_day = 1'234'567'891, .uptime_behind = 17};
@@ -330,7 +334,7 @@ Result<bool> Examination::repeat_elsewhere() {
         "answers the same observations in the same way, also at another time of day, at "
         "other addresses and with other memory");
   }
-  terms.max_ticks = static_cast<std::uint32_t>(*tick) + 1;
+  terms.max_ticks = static_cast<std::uint32_t>(*tick) + ticks_after_difference;
   const auto cause = cause_of_difference(terms);
   if (!cause) return tl::unexpected(cause.error());
   return fail_with("to the same observations it answers differently in tick " +

@@ -8,9 +8,11 @@
 
 #include <cassert>
 #include <chrono>
+#include <cstdint>
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
+#include <optional>
 #include <random>
 #include <sched.h>
 #include <stdexcept>
@@ -36,14 +38,21 @@ void throws_in_noexcept() noexcept {
   throw std::runtime_error("no route");
 }
 
-// Turns a robot by a small amount that follows from a number, so that its answers depend on it.
-double little(std::uintptr_t number) {
-  return 0.1 * static_cast<double>(number % 7);
+// Gives each wheel one of seven speeds that follow from `number`. Two draws of a number give the
+// same speeds once in 117 649 times, although slow and clamped wheels leave few values for each.
+void answer_by(std::uintptr_t number, Command& command) {
+  constexpr int speeds = 7;
+  for (int i = 0; i < 3; ++i) {
+    for (double* wheel : {&command.wheels[i].left, &command.wheels[i].right}) {
+      *wheel = 2.0 * static_cast<double>(number % speeds);  // rad/s
+      number /= speeds;
+    }
+  }
 }
 
-[[gnu::noinline]] double never_set() {
+[[gnu::noinline]] std::uintptr_t never_set() {
   volatile unsigned char unset[64];
-  return little(unset[40]);
+  return unset[40];
 }
 
 class Mistakes : public Team {
@@ -60,9 +69,9 @@ class Mistakes : public Team {
   void decide(const Observation& now, Command& command) override {
     for (int i = 0; i < now.robots; ++i)
       command.wheels[i] = drive_to(setup(), now.own[i], ball(now), 0.5);
-    chance_ = 0.0;
+    chance_.reset();
     make_mistake(now, command);
-    command.wheels[0].left += chance_;
+    if (chance_) answer_by(*chance_, command);
     own_score_ = now.own_score;
     opponent_score_ = now.opponent_score;
   }
@@ -78,7 +87,7 @@ class Mistakes : public Team {
   void use_memory(std::uint32_t tick);
 
   Mistake mistake_;
-  double chance_ = 0.0;
+  std::optional<std::uintptr_t> chance_;
   int own_score_ = 0;
   int opponent_score_ = 0;
   std::vector<char> kept_;
@@ -88,11 +97,11 @@ class Mistakes : public Team {
 void Mistakes::use_memory(std::uint32_t tick) {
   volatile std::size_t size = 24;
   auto* block = static_cast<volatile unsigned char*>(std::malloc(size));
-  if (mistake_ == Mistake::heap_not_set) chance_ = little(block[size - 5]);
+  if (mistake_ == Mistake::heap_not_set) chance_ = block[size - 5];
   if (tick > 50 && mistake_ == Mistake::writes_behind) block[size] = 0;
   if (tick > 50 && mistake_ == Mistake::writes_before) block[-1] = 0;
   std::free(const_cast<unsigned char*>(block));
-  if (mistake_ == Mistake::reads_freed) chance_ = little(block[size - 5]);
+  if (mistake_ == Mistake::reads_freed) chance_ = block[size - 5];
   if (tick > 50 && mistake_ == Mistake::writes_freed) block[size - 5] = 1;
   if (tick > 50 && mistake_ == Mistake::frees_twice) std::free(const_cast<unsigned char*>(block));
 }
@@ -134,16 +143,16 @@ void Mistakes::make_mistake(const Observation& now, Command& command) {
       return;
     case Mistake::seed_of_time:
     case Mistake::seed_of_process:
-      chance_ = little(static_cast<std::uintptr_t>(std::rand()));
+      chance_ = static_cast<std::uintptr_t>(std::rand());
       return;
     case Mistake::random_device:
-      chance_ = little(std::random_device()());
+      chance_ = std::random_device()();
       return;
     case Mistake::address:
-      chance_ = little(reinterpret_cast<std::uintptr_t>(this) >> 12);
+      chance_ = reinterpret_cast<std::uintptr_t>(this) >> 12;
       return;
     case Mistake::processor:
-      chance_ = little(static_cast<std::uintptr_t>(sched_getcpu()));
+      chance_ = static_cast<std::uintptr_t>(sched_getcpu());
       return;
     case Mistake::stack_not_set:
       chance_ = never_set();
