@@ -16,6 +16,11 @@ class Writer {
   template <class T>
   void value(const T& value) {
     static_assert(std::is_trivially_copyable_v<T>);
+    plain(value);
+  }
+  // A value without pointers, such as one with Eigen's vectors of fixed size.
+  template <class T>
+  void plain(const T& value) {
     bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
   }
   void text(const std::string& text) {
@@ -41,12 +46,16 @@ class Reader {
   template <class T>
   void value(T& value) {
     static_assert(std::is_trivially_copyable_v<T>);
+    plain(value);
+  }
+  template <class T>
+  void plain(T& value) {
     if (bytes_.size() - at_ < sizeof value) {
       at_ = bytes_.size();
       is_good_ = false;
       return;
     }
-    std::memcpy(&value, bytes_.data() + at_, sizeof value);
+    std::memcpy(static_cast<void*>(&value), bytes_.data() + at_, sizeof value);
     at_ += sizeof value;
   }
   void text(std::string& text) {
@@ -81,7 +90,13 @@ void visit(File& file, R& r) {
   file.value(r.setup.stage);
   file.value(r.setup.seed);
   file.value(r.setup.control_period);
+  file.value(r.setup.parameters);
+  file.value(r.setup.tolerances);
+  file.value(r.setup.conditions);
+  file.value(r.setup.left);
+  file.plain(r.setup.start);
   file.list(r.ticks, [](File& f, auto& tick) { f.value(tick); });
+  file.list(r.placement_requests, [](File& f, auto& request) { f.value(request); });
   file.list(r.decisions, [](File& f, auto& d) {
     f.value(d.tick);
     f.value(d.decision.clock);
@@ -94,6 +109,7 @@ void visit(File& file, R& r) {
     f.value(d.team);
     f.value(d.taker);
     f.value(d.robots);
+    f.value(d.credit);
   });
   file.value(r.outcome.score);
   file.value(r.outcome.played);

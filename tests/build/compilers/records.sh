@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# Bit for bit, with legs of real teams: ten records of the release build must be reproduced by core as other compilers, other
-# levels and arm64 build it. Takes some minutes, so it is a command of its own. Usage: records.sh BUILD [RECORD...]; without
-# records it plays ten. arm64 is left out where check_arm64.sh cannot run.
+# Bit for bit, with legs of real teams: records of the release build, under each preset of the rules and of the conditions, must be
+# reproduced by core as other compilers, other levels and arm64 build it. Takes some minutes, so it is a command of its own.
+# Usage: records.sh BUILD [RECORD...]; without records it plays thirteen. arm64 is left out where check_arm64.sh cannot run.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 build=$(cd "$1" && pwd)
@@ -29,6 +29,9 @@ if [[ ${#records[@]} -eq 0 ]]; then
   play large-vsss keeper chaser --league large --rules vsss --half 4 --seed 8
   play golden-goal striker idle --stage knockout --half 1 --rule golden_goal_s=60 --seed 9
   play shoot-out striker keeper --stage knockout --half 1 --rule golden_goal_s=0 --rule attempt_s=5 --seed 10
+  play small-exact navigator striker --conditions exact --half 20 --seed 11
+  play small-camera striker navigator --conditions camera --half 20 --seed 12
+  play middle-camera navigator chaser --conditions camera --league middle --half 10 --seed 13
   records=("$folder"/*.json)
 fi
 flat=()
