@@ -17,6 +17,7 @@
 #include "plugins/host/sandbox/limits.hpp"
 #include "plugins/host/sandbox/private_root.hpp"
 #include "plugins/host/team_clocks.hpp"
+#include "plugins/host/team_host.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -125,9 +126,9 @@ int main(int argc, char** argv) {
   begin_care(in->surroundings);
   mirocup_setup setup = in->setup;
   setup.log = write_line;
-  ParameterHost parameters{&in->parameters, &out->asked_parameters};
-  setup.host = &parameters;
-  setup.parameter = parameter_of;
+  TeamHost host{&in->parameters, &out->asked_parameters};
+  if (in->keeps_thoughts != 0) host.thoughts = &out->thoughts;
+  give_host(setup, host);
   auto plugin = with_care(*out, TeamCall::create, [&] { return Plugin::load(library, setup); });
   close(entry_descriptor);
   if (!allow_no_files() || !filter_for_playing())
@@ -142,6 +143,7 @@ int main(int argc, char** argv) {
       wait_while_equal(in->request, answered);
       request = in->request.load(std::memory_order_acquire);
     }
+    if (host.thoughts != nullptr) host.thoughts->clear();
     if (in->observation.placing != 0) {
       out->placement =
           *with_care(*out, TeamCall::place, [&] { return plugin->place(in->observation); });

@@ -11,6 +11,7 @@
 #include "mirocup/strategy.h"
 #include "plugins/host/parameter_table.hpp"
 #include "plugins/host/surroundings.hpp"
+#include "plugins/host/thoughts_page.hpp"
 
 #include <atomic>
 #include <chrono>
@@ -27,6 +28,7 @@ struct ObservationPage {
   Surroundings surroundings;
   mirocup_setup setup;  // its pointers are null: the team's process sets its own
   ParameterTable parameters;
+  std::uint32_t keeps_thoughts;  // 1: what the team draws is kept
   mirocup_observation observation;
 };
 
@@ -58,6 +60,7 @@ struct CommandPage {
   char requests[1024];              // only of mirocup-careful-host: write_requests()
   mirocup_command command;
   mirocup_placement placement;  // valid if the observation had placing = 1
+  ThoughtsPage thoughts;        // of the tick that is answered, if the observation page asks
 };
 
 // Sleeps until the word differs from `seen`, wake() is called, or the timeout is over; may return

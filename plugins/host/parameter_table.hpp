@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The parameters of a team in a fixed form that fits into the mailbox, and the function by which a
-// team's library reads them (`setup.parameter` of strategy.h).
+// The parameters of a team in a fixed form that fits into the mailbox.
 #pragma once
 
 #include "core/match/team_parameters.hpp"
@@ -31,15 +30,5 @@ static_assert(match::max_team_parameters <= 32);
 
 // Returns the given parameters that the team has not asked for.
 match::TeamParameters not_asked_for(const match::TeamParameters& parameters, std::uint32_t asked);
-
-// What `setup.host` points to. Both members stay the caller's.
-struct ParameterHost {
-  const ParameterTable* table = nullptr;
-  AskedRows* asked = nullptr;
-};
-
-// The function `setup.parameter`: returns the value of that name in the table of the ParameterHost
-// at `host` and marks it as asked for; `fallback` if the table or the name is missing.
-double parameter_of(void* host, const char* name, double fallback);
 
 }  // namespace mirocup::plugins

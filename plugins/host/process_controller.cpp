@@ -83,6 +83,7 @@ Result<std::unique_ptr<ProcessController>> ProcessController::start(
   in->setup = abi::to_setup(briefing);
   in->parameters = parameter_table(parameters);
   in->surroundings = terms.surroundings;
+  in->keeps_thoughts = terms.keeps_thoughts ? 1 : 0;
 
   int log_ends[2];
   int setup_ends[2];
@@ -122,6 +123,7 @@ ProcessController::ProcessController(Team team, Child child, ObservationPage* in
       memory_(terms.memory),
       posted_at_(WallClock::now()),
       asked_at_(posted_at_) {
+  if (terms.keeps_thoughts) thoughts_ = std::make_unique<ThoughtsPage>();
   bell_->join();
   memory_->add(team_, child_);
 }
@@ -361,6 +363,11 @@ Answer ProcessController::collect() {
   match::Command command = abi::to_command(copy);
   command.placement = poses;
   return command;
+}
+
+const ThoughtsPage* ProcessController::thoughts() {
+  if (thoughts_) copy_thoughts(out_->thoughts, *thoughts_);
+  return thoughts_.get();
 }
 
 void ProcessController::read_log() {

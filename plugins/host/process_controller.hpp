@@ -61,6 +61,7 @@ struct ProcessTerms {
   Budget budget;
   std::optional<Deadline> deadline;  // nothing: a tick lasts until the answer comes
   Surroundings surroundings;
+  bool keeps_thoughts = false;  // what the team draws
   std::shared_ptr<Doorbell> bell = std::make_shared<Doorbell>();
   std::shared_ptr<MemoryWitness> memory = std::make_shared<MemoryWitness>();
 };
@@ -104,6 +105,10 @@ class ProcessController final : public match::Controller {
   std::uint32_t asked_parameters() const {
     return out_->asked_parameters.load(std::memory_order_relaxed);
   }
+
+  // Returns a copy of what the team drew in the tick that it answered last, or ended in; null if
+  // that is not kept.
+  const ThoughtsPage* thoughts();
 
   // Returns what the process left when it ended by itself; nothing before that.
   const std::optional<LastWords>& exit_report() const { return exit_report_; }
@@ -159,6 +164,7 @@ class ProcessController final : public match::Controller {
   bool has_loaded_ = false;     // as the process shows; it may be lying
   system::Descriptor log_pipe_;
   TeamLog log_;
+  std::unique_ptr<ThoughtsPage> thoughts_;  // null unless they are kept
   Budget budget_;
   std::optional<Deadline> deadline_;
   std::shared_ptr<Doorbell> bell_;

@@ -10,14 +10,15 @@ namespace mirocup::plugins {
 
 tl::expected<std::unique_ptr<TrustedController>, match::Fault> TrustedController::load(
     const std::string& path, const match::Briefing& briefing,
-    const match::TeamParameters& parameters) {
+    const match::TeamParameters& parameters, bool keeps_thoughts) {
   auto facts = std::make_unique<Facts>();
   facts->parameters = parameter_table(parameters);
-  facts->host = {&facts->parameters, &facts->asked};
+  if (keeps_thoughts) facts->thoughts.emplace();
+  facts->host = {&facts->parameters, &facts->asked,
+                 facts->thoughts ? &*facts->thoughts : nullptr};
   facts->setup = abi::to_setup(briefing);
   facts->setup.log = write_line;
-  facts->setup.host = &facts->host;
-  facts->setup.parameter = parameter_of;
+  give_host(facts->setup, facts->host);
   auto plugin = Plugin::load(path, facts->setup);
   if (!plugin) return tl::unexpected(plugin.error());
   return std::unique_ptr<TrustedController>(
@@ -32,6 +33,7 @@ void TrustedController::post(const match::Observation& observation) {
 }
 
 match::Answer TrustedController::collect() {
+  if (facts_->thoughts) facts_->thoughts->clear();
   std::optional<match::PlacementRequest> poses;
   if (observation_.placing != 0) {
     const auto placement = plugin_.place(observation_);

@@ -3,23 +3,29 @@
 // A team in the server's own process (`--trusted`): without protection from it, and without cost.
 #pragma once
 
-#include "plugins/host/parameter_table.hpp"
 #include "plugins/host/plugin.hpp"
+#include "plugins/host/team_host.hpp"
 
 #include <memory>
+#include <optional>
 
 namespace mirocup::plugins {
 
 class TrustedController final : public match::Controller {
  public:
   // Loads the library at `path`, which must contain a slash, and creates its team, which gets the
-  // parameters.
+  // parameters. If thoughts are kept, thoughts() has what the team drew.
   static tl::expected<std::unique_ptr<TrustedController>, match::Fault> load(
       const std::string& path, const match::Briefing& briefing,
-      const match::TeamParameters& parameters);
+      const match::TeamParameters& parameters, bool keeps_thoughts = false);
 
   void post(const match::Observation& observation) override;
   match::Answer collect() override;
+
+  // Returns what the team drew in the tick that it answered last; null if that is not kept.
+  const ThoughtsPage* thoughts() const {
+    return facts_->thoughts ? &*facts_->thoughts : nullptr;
+  }
 
   // Returns the rows of the table of parameters that the team asked for so far.
   std::uint32_t asked_parameters() const { return facts_->asked.load(std::memory_order_relaxed); }
@@ -29,7 +35,8 @@ class TrustedController final : public match::Controller {
   struct Facts {
     ParameterTable parameters;
     AskedRows asked{0};
-    ParameterHost host;
+    TeamHost host;
+    std::optional<ThoughtsPage> thoughts;
     mirocup_setup setup{};
   };
 

@@ -140,8 +140,13 @@ void add_match(CLI::App& app, Run& run) {
   add_parameters(*command.sub, "--param", o.parameters, "both teams");
   add_parameters(*command.sub, "--blue-param", o.own_parameters[0], "the blue team");
   add_parameters(*command.sub, "--yellow-param", o.own_parameters[1], "the yellow team");
-  command->add_option("--record", o.record_path, "File to write the match record to")
-      ->type_name("FILE");
+  CLI::Option* record =
+      command->add_option("--record", o.record_path, "File to write the match record to")
+          ->type_name("FILE");
+  command
+      ->add_flag("--thoughts", o.thoughts,
+                 "Keep what the teams draw, beside the record, for mirocup replay")
+      ->needs(record);
   command->add_flag("--trusted", o.trusted,
                     "Run the teams in this process, without protection from them");
   command

@@ -36,6 +36,7 @@ struct MatchOptions {
   std::vector<std::string> parameters;                     // of both teams, KEY=VALUE
   match::ByTeam<std::vector<std::string>> own_parameters;  // of one team; they win
   std::string record_path;
+  bool thoughts = false;  // keep what the teams draw
   bool trusted = false;
   std::string isolation;  // "": the strongest that this system allows
   std::string match_id = "1";

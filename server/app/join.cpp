@@ -2,8 +2,8 @@
 //
 // mirocup join: lets a library play in a match on the network.
 #include "mirocup/team.hpp"
-#include "plugins/host/parameter_table.hpp"
 #include "plugins/host/plugin.hpp"
+#include "plugins/host/team_host.hpp"
 #include "server/app/commands.hpp"
 #include "server/app/interrupt.hpp"
 #include "server/dds/credentials.hpp"
@@ -68,7 +68,7 @@ class RemoteTeam {
   const match::TeamParameters& given_;
   plugins::ParameterTable parameters_;
   plugins::AskedRows asked_{0};
-  plugins::ParameterHost host_{&parameters_, &asked_};
+  plugins::TeamHost host_{&parameters_, &asked_};
   mirocup_setup setup_{};  // while the plugin lives
   Interrupt& interrupt_;
   team::Connection& match_;
@@ -104,8 +104,7 @@ Result<int> RemoteTeam::play() {
 Result<void> RemoteTeam::take_seat() {
   plugin_.reset();
   setup_ = match_.setup();
-  setup_.host = &host_;
-  setup_.parameter = plugins::parameter_of;
+  plugins::give_host(setup_, host_);
   auto plugin = plugins::Plugin::load(library_path(options_), setup_);
   if (!plugin) return fail(Errc::input, options_.library + ": " + plugin.error().text);
   plugin_.emplace(std::move(*plugin));

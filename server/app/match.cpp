@@ -13,6 +13,7 @@
 #include "server/record/rules_json.hpp"
 #include "server/record/situation_json.hpp"
 #include "server/record/team_parameters_json.hpp"
+#include "server/record/thoughts_file.hpp"
 #include "server/web/live_server.hpp"
 #include "system/printable.hpp"
 
@@ -159,6 +160,8 @@ class Session {
   Result<TeamSeat> take_seat(const TeamChoice& choice, Team team);
   dds::JoinTerms patience();
   Result<plugins::ProcessTerms> process_terms() const;
+  void keep_thoughts(std::uint32_t tick);
+  Result<void> write_thoughts(Team team);
   double longest_play() const;
   record::MatchRecord record() const;
 
@@ -169,6 +172,7 @@ class Session {
   match::Leg match_;
   double speed_;  // factor of real time; 0: lockstep
   replay::StateTrace trace_;
+  match::ByTeam<record::ThoughtsWriter> thoughts_;
   pace::Pacer pacer_;
   std::unique_ptr<dds::MatchServer> network_;  // null unless a team plays over it
   std::unique_ptr<web::LiveServer> live_;      // null unless the leg is watched
@@ -241,7 +245,7 @@ Result<TeamSeat> Session::take_seat(const TeamChoice& choice, Team team) {
   }
   if (options_.trusted) {
     isolation_ = to_string(plugins::Isolation::none);
-    return TeamSeat::take_trusted(choice, briefing);
+    return TeamSeat::take_trusted(choice, briefing, options_.thoughts);
   }
   const auto terms = process_terms();
   if (!terms) return tl::unexpected(terms.error());
@@ -253,6 +257,7 @@ Result<plugins::ProcessTerms> Session::process_terms() const {
   plugins::ProcessTerms terms;
   terms.bell = bell_;
   terms.memory = memory_;
+  terms.keeps_thoughts = options_.thoughts;
   const auto strongest = plugins::strongest_isolation();
   if (!strongest) return tl::unexpected(strongest.error());
   const auto wanted = from_string<plugins::Isolation>(options_.isolation);
@@ -322,7 +327,9 @@ Result<void> Session::play() {
       return fail(Errc::interrupted, "interrupted; nothing was decided");
     pacer_.wait_for(match_.tick());
     if (network_) network_->publish(match_);
+    const std::uint32_t tick = match_.tick();
     match_.advance(seats_[0].controller(), seats_[1].controller());
+    if (options_.thoughts) keep_thoughts(tick);
     trace_.add(match_);
     if (live_) live_->publish(match_);
   }
@@ -331,6 +338,18 @@ Result<void> Session::play() {
     return fail(Errc::interrupted, "interrupted; nothing was decided");
   }
   return {};
+}
+
+// Keeps what the teams drew in their answers to a tick.
+void Session::keep_thoughts(std::uint32_t tick) {
+  for (const Team team : both_teams) {
+    const plugins::ThoughtsPage* page = seats_[index_of(team)].thoughts();
+    if (page == nullptr) continue;
+    record::ThoughtsWriter& writer = thoughts_[index_of(team)];
+    plugins::ThoughtReader reader(*page);
+    while (const auto thought = reader.next()) writer.add(tick, *thought);
+    writer.count_left_out(page->left_out);
+  }
 }
 
 record::MatchRecord Session::record() const {
@@ -355,12 +374,29 @@ Result<void> Session::write_record() {
   if (options_.record_path.empty()) return {};
   if (auto saved = record::save(disk_, options_.record_path, record()); !saved) return saved;
   for (const Team team : both_teams) {
+    if (auto written = write_thoughts(team); !written) return written;
     const std::string text = seats_[index_of(team)].output();
     if (text.empty()) continue;
     const std::string path = options_.record_path + "." + std::string(to_string(team)) + ".log";
     if (auto written = disk_.write(path, text); !written) return written;
   }
   return {};
+}
+
+// Without --thoughts, those of an earlier leg in the same place are removed: they are of no use.
+Result<void> Session::write_thoughts(Team team) {
+  const std::string path = record::thoughts_path(options_.record_path, team);
+  if (!options_.thoughts) {
+    std::error_code none;
+    std::filesystem::remove(path, none);
+    return {};
+  }
+  record::ThoughtsWriter& writer = thoughts_[index_of(team)];
+  if (writer.left_out() > 0) {
+    std::cerr << "mirocup: warning: " << writer.left_out() << " shapes of the " << to_string(team)
+              << " team's thoughts were left out, see \"Thoughts\" in strategy.h\n";
+  }
+  return disk_.write(path, writer.packed());
 }
 
 // A name with a slip in it would otherwise have no effect, silently.

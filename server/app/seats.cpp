@@ -74,12 +74,14 @@ Result<TeamSeat> TeamSeat::take_in_process(const TeamChoice& choice,
   return seat;
 }
 
-Result<TeamSeat> TeamSeat::take_trusted(const TeamChoice& choice, const match::Briefing& briefing) {
+Result<TeamSeat> TeamSeat::take_trusted(const TeamChoice& choice, const match::Briefing& briefing,
+                                        bool keeps_thoughts) {
   TeamSeat seat(choice.info);
   seat.load_fault_ = choice.fault;
   if (choice.fault) return seat;
   auto controller =
-      plugins::TrustedController::load(choice.library, briefing, choice.info.parameters);
+      plugins::TrustedController::load(choice.library, briefing, choice.info.parameters,
+                                       keeps_thoughts);
   if (!controller) {
     seat.load_fault_ = controller.error();
     return seat;
@@ -114,6 +116,11 @@ match::TeamParameters TeamSeat::unknown_parameters() const {
   if (process_ != nullptr) asked = process_->asked_parameters();
   if (trusted_ != nullptr) asked = trusted_->asked_parameters();
   return plugins::not_asked_for(info_.parameters, asked);
+}
+
+const plugins::ThoughtsPage* TeamSeat::thoughts() {
+  if (process_ != nullptr) return process_->thoughts();
+  return trusted_ != nullptr ? trusted_->thoughts() : nullptr;
 }
 
 record::BudgetReport TeamSeat::budget_report() const {

@@ -39,7 +39,8 @@ class TeamSeat {
   // A library gets the parameters of `choice.info`.
   static Result<TeamSeat> take_in_process(const TeamChoice& choice, const match::Briefing& briefing,
                                           const plugins::ProcessTerms& terms);
-  static Result<TeamSeat> take_trusted(const TeamChoice& choice, const match::Briefing& briefing);
+  static Result<TeamSeat> take_trusted(const TeamChoice& choice, const match::Briefing& briefing,
+                                       bool keeps_thoughts = false);
   static Result<TeamSeat> take_on_network(const TeamChoice& choice, const match::Briefing& briefing,
                                           dds::MatchServer& server, const dds::JoinTerms& patience);
 
@@ -59,6 +60,9 @@ class TeamSeat {
 
   // Returns those of its parameters that the team has not asked for so far.
   match::TeamParameters unknown_parameters() const;
+
+  // Returns what the team drew in the tick that it answered last; null if that is not kept.
+  const plugins::ThoughtsPage* thoughts();
 
   // Without late_ticks and bad_commands, which the match counts.
   record::BudgetReport budget_report() const;

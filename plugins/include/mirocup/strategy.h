@@ -69,6 +69,16 @@
  *   setup->log("text") and what you print to standard output or error go to the log of the leg,
  *   which keeps 64 KiB.
  *
+ * Thoughts
+ *   What you draw in a tick is shown in the replay of `mirocup match --thoughts`, step by step with
+ *   the play, and nowhere else: a target, a path, a number.
+ *     setup->draw_line(setup->host, "plan", 0xff8000ff, x1, y1, x2, y2)
+ *   Points are in your own frame; a colour is 0xRRGGBBAA; a layer is a name of at most 31 bytes,
+ *   which the page switches on and off. A text of the form "name = 1.5" is shown as a curve, too. A
+ *   tick has room for 200 shapes, 2000 numbers and 4 KiB of text, a leg for 32 MiB; what is more is
+ *   counted and left out. Drawing has no effect on the leg but the time that it takes you; when
+ *   nobody asked for thoughts, the calls return at once.
+ *
  * Parameters
  *   A number that you would like to try out need not be a constant of your code:
  *     setup->parameter(setup->host, "wait", 0.45)
@@ -178,6 +188,17 @@ typedef struct mirocup_setup {
   /* Returns the parameter of that name which the leg gives this team, or `fallback` if it gives
      none. Never null. See "Parameters". */
   double (*parameter)(void* host, const char* name, double fallback);
+
+  /* Draw a shape into the replay, see "Thoughts". The points of a polygon are x, y of each of its 3
+     to 32 corners. Never null. */
+  void (*draw_line)(void* host, const char* layer, uint32_t colour, double x1, double y1, double x2,
+                    double y2);
+  void (*draw_circle)(void* host, const char* layer, uint32_t colour, double x, double y,
+                      double radius);
+  void (*draw_polygon)(void* host, const char* layer, uint32_t colour, const double* points,
+                       int32_t corners);
+  void (*draw_text)(void* host, const char* layer, uint32_t colour, double x, double y,
+                    const char* text);
 } mirocup_setup;
 
 /* The referee's counts about a team. A robot counts if more than half of its body is inside and it

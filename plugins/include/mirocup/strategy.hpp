@@ -23,7 +23,8 @@
 //   roles       kick_to (behind the ball, then through it), keep_goal, kick_off
 //   stuck balls is_stuck, free_ball
 //   a team      Team: decide(), place(), setup(), random(), parameter("name", default),
-//               log("format", values...)
+//               log("format", values...), draw_line, draw_circle, draw_polygon, draw_text,
+//               draw_value
 //
 // The functions that drive return the wheel speeds of one robot for this tick; call them again in
 // every tick. They are good enough to start from, and meant to be copied and improved.
@@ -38,6 +39,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <initializer_list>
 
 // Lets the compiler check the arguments of a function against its format, as it does for printf().
 #if defined(__GNUC__)
@@ -475,6 +477,35 @@ class Team {
     std::vsnprintf(line, sizeof line, format, values);
     va_end(values);
     setup_.log(line);
+  }
+
+  // Draw into the replay of `mirocup match --thoughts`; nothing on older hosts. See "Thoughts" in
+  // strategy.h: own frame, m; colours are 0xRRGGBBAA; a layer can be switched off in the page.
+  void draw_line(const char* layer, std::uint32_t colour, Point from, Point to) const {
+    if (setup_.draw_line == nullptr) return;
+    setup_.draw_line(setup_.host, layer, colour, from.x, from.y, to.x, to.y);
+  }
+  void draw_circle(const char* layer, std::uint32_t colour, Point centre, double radius) const {
+    if (setup_.draw_circle == nullptr) return;
+    setup_.draw_circle(setup_.host, layer, colour, centre.x, centre.y, radius);
+  }
+  void draw_polygon(const char* layer, std::uint32_t colour,
+                    std::initializer_list<Point> corners) const {
+    static_assert(sizeof(Point) == 2 * sizeof(double));
+    if (setup_.draw_polygon == nullptr || corners.size() == 0) return;
+    setup_.draw_polygon(setup_.host, layer, colour, &corners.begin()->x,
+                        static_cast<std::int32_t>(corners.size()));
+  }
+  void draw_text(const char* layer, std::uint32_t colour, Point at, const char* text) const {
+    if (setup_.draw_text == nullptr) return;
+    setup_.draw_text(setup_.host, layer, colour, at.x, at.y, text);
+  }
+  // The page shows a curve of the value over time. The name has at most 31 bytes.
+  void draw_value(const char* name, double value) const {
+    constexpr std::uint32_t invisible = 0;
+    char text[64];
+    std::snprintf(text, sizeof text, "%.31s = %.6g", name, value);
+    draw_text("values", invisible, {0.0, 0.0}, text);
   }
 
  private:

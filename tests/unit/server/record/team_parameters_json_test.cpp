@@ -4,7 +4,7 @@
 // the mailbox, and one that would not fit there.
 #include "server/record/team_parameters_json.hpp"
 
-#include "plugins/host/parameter_table.hpp"
+#include "plugins/host/team_host.hpp"
 #include "server/record/json_reader.hpp"
 
 #include <gtest/gtest.h>
@@ -78,7 +78,7 @@ TEST(TeamParameters, AreFoundInTheTableByTheirWholeName) {
   parameters[std::string(31, 'z')] = 31.0;
   const plugins::ParameterTable table = plugins::parameter_table(parameters);
   plugins::AskedRows asked{0};
-  plugins::ParameterHost host{&table, &asked};
+  plugins::TeamHost host{&table, &asked};
   EXPECT_EQ(plugins::parameter_of(&host, "p", 0.5), 0.5);
   EXPECT_EQ(plugins::parameter_of(&host, "p100", 0.5), 0.5);
   EXPECT_EQ(plugins::parameter_of(&host, nullptr, 0.5), 0.5);

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+//
+// What a team draws into the replay for its own eyes. Thoughts have no effect on the leg: they are
+// no part of its hash, its record or its verification.
+#pragma once
+
+#include "core/base/names.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace mirocup::match {
+
+enum class ThoughtKind { line, circle, polygon, text };
+
+// One shape of one tick, in the team's own frame. It refers to memory of the one that hands it over.
+struct Thought {
+  ThoughtKind kind = ThoughtKind::line;
+  std::uint32_t colour = 0;  // 0xRRGGBBAA
+  std::string_view layer;    // any bytes, at most max_layer_name
+  // m. Line: x1, y1, x2, y2. Circle: x, y, radius. Polygon: x, y of each corner. Text: x, y.
+  std::span<const double> numbers;
+  std::string_view text;  // any bytes
+};
+
+// The limits of one tick and of one leg; what is more is counted and left out.
+inline constexpr std::size_t max_layer_name = 31;      // bytes
+inline constexpr std::size_t max_thoughts = 200;       // in a tick
+inline constexpr std::size_t max_thought_text = 4096;  // bytes in a tick
+inline constexpr std::size_t max_polygon_corners = 32;
+inline constexpr std::size_t max_thought_bytes = 32u << 20;  // in a leg, as they are written
+
+}  // namespace mirocup::match
+
+namespace mirocup {
+
+template <>
+inline constexpr std::array<std::string_view, 4> enum_names<match::ThoughtKind>{
+    "line", "circle", "polygon", "text"};
+
+}  // namespace mirocup

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+//
+// The host of a team as its library sees it: what `setup.host` of strategy.h points to, and the
+// functions of the setup that take it.
+#pragma once
+
+#include "mirocup/strategy.h"
+#include "plugins/host/parameter_table.hpp"
+#include "plugins/host/thoughts_page.hpp"
+
+#include <cstdint>
+
+namespace mirocup::plugins {
+
+// The members stay the caller's.
+struct TeamHost {
+  const ParameterTable* table = nullptr;
+  AskedRows* asked = nullptr;
+  ThoughtsPage* thoughts = nullptr;  // null: what the team draws is not kept
+};
+
+// Gives the setup the host and its functions.
+void give_host(mirocup_setup& setup, TeamHost& host);
+
+// The function `setup.parameter`: returns the value of that name in the table of the TeamHost at
+// `host` and marks it as asked for; `fallback` if the table or the name is missing.
+double parameter_of(void* host, const char* name, double fallback);
+
+// The functions `setup.draw_line` and its neighbours: they put a shape on the page of the TeamHost
+// at `host`. A shape is left out and counted if there is no room for it, if a number is not finite,
+// or if a polygon has fewer than 3 or more than max_polygon_corners corners.
+void draw_line(void* host, const char* layer, std::uint32_t colour, double x1, double y1, double x2,
+               double y2);
+void draw_circle(void* host, const char* layer, std::uint32_t colour, double x, double y,
+                 double radius);
+void draw_polygon(void* host, const char* layer, std::uint32_t colour, const double* points,
+                  std::int32_t corners);
+void draw_text(void* host, const char* layer, std::uint32_t colour, double x, double y,
+               const char* text);
+
+}  // namespace mirocup::plugins

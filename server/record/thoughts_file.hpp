@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+//
+// The file with what a team drew in a leg (mirocup/thoughts/1 of schema.md): JSON lines, one for
+// each shape, packed with zstd. It lies beside the record, and nothing else depends on it.
+#pragma once
+
+#include "core/base/error.hpp"
+#include "core/field/team.hpp"
+#include "core/match/thought.hpp"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace mirocup::record {
+
+// Returns the path of a team's thoughts: NAME.blue.thoughts.zst beside NAME.json.
+std::string thoughts_path(const std::string& record_path, Team team);
+
+// Collects the thoughts of one team in a leg.
+class ThoughtsWriter {
+ public:
+  // Adds a shape of a tick, unless the leg has max_thought_bytes already. Numbers are written to
+  // 0.1 mm. Bytes that are no text are escaped.
+  void add(std::uint32_t tick, const match::Thought& thought);
+
+  // Counts shapes that were left out before they came here.
+  void count_left_out(std::uint32_t shapes) { left_out_ += shapes; }
+
+  // Returns how many shapes of the leg were left out so far.
+  std::uint64_t left_out() const { return left_out_; }
+
+  // Returns the bytes of the file. If something was left out, the last line is a text that says so.
+  std::string packed();
+
+ private:
+  std::string lines_;
+  std::uint32_t last_tick_ = 0;
+  std::uint64_t left_out_ = 0;
+};
+
+// Returns the JSON lines of a file. The error says why the bytes are none; `path` is named in it.
+Result<std::string> unpacked_thoughts(std::string_view bytes, const std::string& path);
+
+}  // namespace mirocup::record
