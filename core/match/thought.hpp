@@ -38,7 +38,7 @@ inline constexpr std::size_t max_thought_bytes = 32u << 20;  // in a leg, as the
 namespace mirocup {
 
 template <>
-inline constexpr std::array<std::string_view, 4> enum_names<match::ThoughtKind>{
-    "line", "circle", "polygon", "text"};
+inline constexpr std::array<std::string_view, 4> enum_names<match::ThoughtKind>{"line", "circle",
+                                                                                "polygon", "text"};
 
 }  // namespace mirocup

@@ -46,12 +46,11 @@ std::optional<match::Thought> ThoughtReader::next() {
       page_.text - text_ < shape.text) {
     return std::nullopt;
   }
-  const match::Thought thought{
-      .kind = shape.kind,
-      .colour = shape.colour,
-      .layer = {shape.layer, strnlen(shape.layer, match::max_layer_name)},
-      .numbers = {page_.number.data() + number_, shape.numbers},
-      .text = {page_.texts.data() + text_, shape.text}};
+  const match::Thought thought{.kind = shape.kind,
+                               .colour = shape.colour,
+                               .layer = {shape.layer, strnlen(shape.layer, match::max_layer_name)},
+                               .numbers = {page_.number.data() + number_, shape.numbers},
+                               .text = {page_.texts.data() + text_, shape.text}};
   number_ += shape.numbers;
   text_ += shape.text;
   const auto is_finite = [](double number) { return std::isfinite(number); };

@@ -18,8 +18,8 @@ struct ThoughtsPage {
   struct Shape {
     match::ThoughtKind kind;
     std::uint32_t colour;
-    std::uint32_t numbers;  // how many
-    std::uint32_t text;     // bytes
+    std::uint32_t numbers;                  // how many
+    std::uint32_t text;                     // bytes
     char layer[match::max_layer_name + 1];  // ends with a zero
   };
 

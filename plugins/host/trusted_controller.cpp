@@ -14,8 +14,7 @@ tl::expected<std::unique_ptr<TrustedController>, match::Fault> TrustedController
   auto facts = std::make_unique<Facts>();
   facts->parameters = parameter_table(parameters);
   if (keeps_thoughts) facts->thoughts.emplace();
-  facts->host = {&facts->parameters, &facts->asked,
-                 facts->thoughts ? &*facts->thoughts : nullptr};
+  facts->host = {&facts->parameters, &facts->asked, facts->thoughts ? &*facts->thoughts : nullptr};
   facts->setup = abi::to_setup(briefing);
   facts->setup.log = write_line;
   give_host(facts->setup, facts->host);

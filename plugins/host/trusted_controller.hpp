@@ -23,9 +23,7 @@ class TrustedController final : public match::Controller {
   match::Answer collect() override;
 
   // Returns what the team drew in the tick that it answered last; null if that is not kept.
-  const ThoughtsPage* thoughts() const {
-    return facts_->thoughts ? &*facts_->thoughts : nullptr;
-  }
+  const ThoughtsPage* thoughts() const { return facts_->thoughts ? &*facts_->thoughts : nullptr; }
 
   // Returns the rows of the table of parameters that the team asked for so far.
   std::uint32_t asked_parameters() const { return facts_->asked.load(std::memory_order_relaxed); }

@@ -340,6 +340,8 @@ void add_replay(CLI::App& app, Run& run) {
   command->add_flag("--no-times", o.no_times,
                     "Leave out times that a clock measured, so that the page is the same on "
                     "every machine");
+  command->add_flag("--public", o.public_page,
+                    "Leave out what only the teams may see: their thoughts and logs");
   command
       ->add_option("--statistics", o.statistics,
                    "File to write the statistics of the leg to, as JSON")

@@ -129,7 +129,8 @@ struct ReplayOptions {
   bool svg = false;
   std::string clip;  // "12:18", seconds since the match began; "": none
   bool no_times = false;
-  std::string statistics;  // file for the statistics of the leg; "": none
+  bool public_page = false;  // without what only the teams may see
+  std::string statistics;    // file for the statistics of the leg; "": none
 };
 Result<int> run_replay(const ReplayOptions& options);
 

@@ -79,9 +79,8 @@ Result<TeamSeat> TeamSeat::take_trusted(const TeamChoice& choice, const match::B
   TeamSeat seat(choice.info);
   seat.load_fault_ = choice.fault;
   if (choice.fault) return seat;
-  auto controller =
-      plugins::TrustedController::load(choice.library, briefing, choice.info.parameters,
-                                       keeps_thoughts);
+  auto controller = plugins::TrustedController::load(choice.library, briefing,
+                                                     choice.info.parameters, keeps_thoughts);
   if (!controller) {
     seat.load_fault_ = controller.error();
     return seat;

@@ -119,8 +119,8 @@ std::string ThoughtsWriter::packed() {
     left_out_ = 0;
   }
   std::string bytes(ZSTD_compressBound(lines_.size()), '\0');
-  const std::size_t size = ZSTD_compress(bytes.data(), bytes.size(), lines_.data(), lines_.size(),
-                                         thoughts_level);
+  const std::size_t size =
+      ZSTD_compress(bytes.data(), bytes.size(), lines_.data(), lines_.size(), thoughts_level);
   bytes.resize(ZSTD_isError(size) ? 0 : size);
   return bytes;
 }

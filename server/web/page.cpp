@@ -6,6 +6,7 @@
 #include "server/web/assets.hpp"
 #include "server/web/design/template.hpp"
 #include "server/web/markings.hpp"
+#include "server/web/packed_text.hpp"
 #include "server/web/page_json.hpp"
 #include "server/web/picture.hpp"
 #include "system/digest.hpp"
@@ -21,9 +22,10 @@ namespace mirocup::web {
 namespace {
 
 // The modules of the page, each behind those that it imports.
-constexpr std::array<std::string_view, 13> modules{
-    "text.js",      "track.js",      "field.js",    "layers.js", "player.js", "reel.js", "calls.js",
-    "situation.js", "statistics.js", "momentum.js", "clip.js",   "live.js",   "main.js"};
+constexpr std::array<std::string_view, 14> modules{
+    "text.js",     "track.js", "field.js",     "layers.js",     "player.js",
+    "reel.js",     "calls.js", "situation.js", "statistics.js", "momentum.js",
+    "thoughts.js", "clip.js",  "live.js",      "main.js"};
 
 // All modules as one script, without import and export: a page that is opened from disk cannot
 // import. No two modules use the same global name.
@@ -200,6 +202,17 @@ std::string about(const record::MatchRecord& record) {
 
 namespace {
 
+// Adds {thoughts, log} of the teams that have any.
+void add_own(Json& data, const OwnTexts& own) {
+  for (const Team team : both_teams) {
+    const std::string name(to_string(team));
+    const std::string& thoughts = own.thoughts[index_of(team)];
+    const std::string& log = own.logs[index_of(team)];
+    if (!thoughts.empty()) data["own"][name]["thoughts"] = packed_text(thoughts);
+    if (!log.empty()) data["own"][name]["log"] = log;
+  }
+}
+
 struct ReplayData {
   Json json;
   statistics::LegStatistics statistics;
@@ -253,9 +266,10 @@ std::string first_picture(const record::MatchRecord& record) {
 }
 
 tl::expected<ReplayPage, replay::Divergence> replay_page(const record::MatchRecord& record,
-                                                         Times times) {
-  const auto data = play_again(record, times);
+                                                         Times times, const OwnTexts& own) {
+  auto data = play_again(record, times);
   if (!data) return tl::unexpected(data.error());
+  add_own(data->json, own);
   return ReplayPage{page(match::Leg(record.recording.setup),
                          {record.teams[0].name, record.teams[1].name}, data->json),
                     data->statistics};

@@ -24,6 +24,12 @@ tl::expected<record::Json, replay::Divergence> replay_data(const record::MatchRe
 // Returns the first moment of the leg as an SVG element, whose bodies page/field.js moves.
 std::string first_picture(const record::MatchRecord& record);
 
+// What only a team and the host may see. An empty text shows nothing.
+struct OwnTexts {
+  match::ByTeam<std::string> thoughts;  // JSON lines of mirocup/thoughts/1
+  match::ByTeam<std::string> logs;      // what the teams printed
+};
+
 struct ReplayPage {
   std::string html;
   statistics::LegStatistics statistics;  // that it shows
@@ -31,8 +37,10 @@ struct ReplayPage {
 
 // Returns the page of the leg, with its data. Between the comments <!--league--> and
 // <!--/league--> a league may put links to its other pages.
+// A page that others see is made without `own`.
 tl::expected<ReplayPage, replay::Divergence> replay_page(const record::MatchRecord& record,
-                                                         Times times = Times::shown);
+                                                         Times times = Times::shown,
+                                                         const OwnTexts& own = {});
 
 // The data of a live page besides the match.
 struct LiveMatch {

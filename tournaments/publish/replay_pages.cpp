@@ -38,7 +38,7 @@ std::vector<Arguments> missing_pages(system::Files& files, const Folder& folder,
       const std::string page = folder.site() + "/" + replay_page_of(record);
       if (files.exists(page) && has_statistics(files, folder, record)) continue;
       commands.push_back({system::sibling_program("mirocup"), "replay", folder.path + "/" + record,
-                          "--no-times", "-o", page, "--statistics",
+                          "--no-times", "--public", "-o", page, "--statistics",
                           folder.site() + "/" + statistics_file_of(record)});
     }
   }

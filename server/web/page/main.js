@@ -12,6 +12,7 @@ import { Reel } from './reel.js';
 import { commandAt, download, situationAt } from './situation.js';
 import { heatOf, showHeat, showStatistics } from './statistics.js';
 import { element, minutes, words } from './text.js';
+import { ThoughtsView } from './thoughts.js';
 import { Track, unpack } from './track.js';
 
 const by = (id) => document.getElementById(id);
@@ -29,6 +30,7 @@ const moments = [];  // {tick, state, phase, left, score}: from that tick on
 const curve = new MomentumView(by('momentum'), (share) =>
   player.seek((track.firstTick + share * (track.lastTick - track.firstTick)) * leg.period));
 let result = null;
+let thoughts = null;  // of a replay that has any
 
 // Where a tick is between the ends of the leg, 0 to 1.
 const shareOf = (tick) => (tick - track.firstTick) / Math.max(track.lastTick - track.firstTick, 1);
@@ -45,6 +47,7 @@ function show() {
   const moment = momentAt(tick);
   const scene = field.show(track, player.time, moment.left);
   layers.show(track, player.time, moment.left);
+  thoughts?.show(tick, moment.left);
   calls.show(tick);
   showEnds(moment.left);
   curve.show(shareOf(player.time / leg.period));
@@ -297,7 +300,16 @@ function showReplay() {
   fitTimeline();
   drawMomentum();
   offerRobots();
+  showOwn();
   if (!goToAddress()) player.show(0);
+}
+
+// What only the teams and their host may see, if it is in the page.
+function showOwn() {
+  if (!leg.own) return;
+  thoughts = new ThoughtsView(by('own'), picture, [track.firstTick, track.lastTick]);
+  for (const [team, own] of Object.entries(leg.own)) thoughts.add(team, names[team], own);
+  addEventListener('resize', show);
 }
 
 function followMatch() {
