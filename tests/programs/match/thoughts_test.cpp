@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "server/record/thoughts_file.hpp"
+#include "tests/support/program.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <sstream>
+
+namespace mirocup {
+namespace {
+
+using test_support::program;
+using test_support::read_file;
+using test_support::run;
+using test_support::TemporaryFolder;
+using ThoughtJson = nlohmann::ordered_json;
+
+std::vector<std::string> drawing_match(const TemporaryFolder& folder,
+                                       const std::vector<std::string>& more) {
+  std::vector<std::string> words{
+      program("mirocup"), "match", "--blue",   program("teams/draws.so"), "--yellow", "idle",
+      "--half",           "2",     "--record", folder / "leg.json"};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+std::vector<ThoughtJson> thoughts_in(const std::string& path) {
+  const auto lines = record::unpacked_thoughts(read_file(path), path);
+  std::vector<ThoughtJson> all;
+  if (!lines) return all;
+  std::istringstream in(*lines);
+  for (std::string line; std::getline(in, line);) all.push_back(ThoughtJson::parse(line));
+  return all;
+}
+
+// Catches a shape that is lost or another one in a process than in the server, a leg that thoughts
+// change, and text of a team that could be read as something else.
+TEST(Thoughts, AreKeptBesideTheRecordAndChangeNothing) {
+  std::string bytes, hash;
+  for (const bool is_trusted : {false, true}) {
+    const TemporaryFolder folder;
+    std::vector<std::string> more{"--thoughts"};
+    if (is_trusted) more.emplace_back("--trusted");
+    const auto outcome = run(drawing_match(folder, more));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("shapes of the blue team's thoughts were left out"),
+              std::string::npos);
+    const auto record = test_support::read_json(folder / "leg.json");
+    const auto thoughts = thoughts_in(folder / "leg.blue.thoughts.zst");
+    const std::size_t ticks = record["ticks"].get<std::size_t>();
+    ASSERT_EQ(thoughts.size(), 7 * ticks + 1);  // the last line says what was left out
+    EXPECT_EQ(thoughts[0]["tick"], 0);
+    EXPECT_EQ(thoughts[7]["tick"], 1);
+    EXPECT_EQ(thoughts[0]["layer"], "plan");
+    EXPECT_EQ(thoughts[0]["colour"], "#ff8000ff");
+    EXPECT_EQ(thoughts[0]["line"].size(), 4u);
+    EXPECT_EQ(thoughts[3]["circle"][2], 0.03);
+    EXPECT_EQ(thoughts[4]["polygon"], ThoughtJson::parse("[[0.2,0.2],[0.4,0.2],[0.3,0.4]]"));
+    EXPECT_EQ(thoughts[5]["text"][2], "the \"ball\" <is> \\x1b[2J here");
+    EXPECT_EQ(thoughts[6]["text"][2].get<std::string>().rfind("distance = ", 0), 0u);
+    EXPECT_EQ(thoughts.back()["text"][2],
+              std::to_string(ticks) + " shapes of the leg were left out");
+    EXPECT_EQ(thoughts_in(folder / "leg.yellow.thoughts.zst").size(), 0u);
+    const std::string now = read_file(folder / "leg.blue.thoughts.zst");
+    if (!is_trusted) bytes = now, hash = record["state_hash"];
+    EXPECT_EQ(now, bytes);
+    EXPECT_EQ(record["state_hash"], hash);
+    EXPECT_EQ(run({program("mirocup"), "verify", folder / "leg.json"}).exit_code, 0);
+  }
+  const TemporaryFolder folder;
+  ASSERT_EQ(run(drawing_match(folder, {"--trusted"})).exit_code, 0);
+  EXPECT_EQ(test_support::read_json(folder / "leg.json")["state_hash"], hash);
+}
+
+// Catches thoughts of an earlier leg that are shown with a later one of the same name.
+TEST(Thoughts, OfAnEarlierLegAreRemoved) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run(drawing_match(folder, {"--trusted", "--thoughts"})).exit_code, 0);
+  ASSERT_EQ(run(drawing_match(folder, {"--trusted"})).exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder / "leg.blue.thoughts.zst"));
+}
+
+// Catches a tick whose shapes run over the page, and one that drops those that have room.
+TEST(Thoughts, HaveABoundInEachTick) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run(drawing_match(folder, {"--thoughts", "--param", "shapes=500"})).exit_code, 0);
+  const auto thoughts = thoughts_in(folder / "leg.blue.thoughts.zst");
+  std::size_t first_tick = 0;
+  while (thoughts[first_tick]["tick"] == 0) ++first_tick;
+  EXPECT_EQ(first_tick, match::max_thoughts);
+}
+
+// Catches a page for others with what only the team may see, and a page of its own without it.
+TEST(Thoughts, AreOnPagesThatAreNotPublic) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run(drawing_match(folder, {"--trusted", "--thoughts"})).exit_code, 0);
+  test_support::write_file(folder / "leg.json.blue.log", "to myself\n");
+  const std::string record = folder / "leg.json";
+  ASSERT_EQ(run({program("mirocup"), "replay", record, "-o", folder / "own.html"}).exit_code, 0);
+  ASSERT_EQ(
+      run({program("mirocup"), "replay", record, "--public", "-o", folder / "all.html"}).exit_code,
+      0);
+  const std::string own = read_file(folder / "own.html"), all = read_file(folder / "all.html");
+  EXPECT_NE(own.find("\"thoughts\":"), std::string::npos);
+  EXPECT_NE(own.find("to myself"), std::string::npos);
+  EXPECT_EQ(all.find("\"thoughts\":"), std::string::npos);
+  EXPECT_EQ(all.find("to myself"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace mirocup

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "server/record/thoughts_file.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace mirocup::record {
+namespace {
+
+match::Thought line_with(std::span<const double> numbers) {
+  return {.kind = match::ThoughtKind::line,
+          .colour = 0xff,
+          .layer = "l",
+          .numbers = numbers,
+          .text = {}};
+}
+
+TEST(ThoughtsFile, HasOneLineForEachShape) {
+  ThoughtsWriter writer;
+  const double numbers[] = {-0.00004, 0.00006, -1.25, 1e9};
+  writer.add(7, line_with(numbers));
+  EXPECT_EQ(
+      unpacked_thoughts(writer.packed(), "x").value(),
+      "{\"tick\":7,\"layer\":\"l\",\"colour\":\"#000000ff\",\"line\":[0,0.0001,-1.25,1000]}\n");
+}
+
+// Catches lines that are no JSON, whatever a team calls its layers.
+TEST(ThoughtsFile, EscapesForeignBytes) {
+  ThoughtsWriter writer;
+  std::string every;
+  for (int c = 1; c < 256; ++c) every += static_cast<char>(c);
+  const double at[] = {0.0, 0.0};
+  writer.add(0, {.kind = match::ThoughtKind::text,
+                 .colour = 0,
+                 .layer = "\"\\\n",
+                 .numbers = at,
+                 .text = every});
+  const auto lines = unpacked_thoughts(writer.packed(), "x").value();
+  EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 1);
+  EXPECT_TRUE(nlohmann::json::accept(lines)) << lines;
+}
+
+// Catches a leg that fills the disk, and one that does not say what is missing.
+TEST(ThoughtsFile, EndsAtItsBound) {
+  ThoughtsWriter writer;
+  const double numbers[] = {0.1, 0.2, 0.3, 0.4};
+  for (std::uint32_t tick = 0; writer.left_out() < 3; ++tick) writer.add(tick, line_with(numbers));
+  writer.count_left_out(2);
+  const auto lines = unpacked_thoughts(writer.packed(), "x").value();
+  EXPECT_LE(lines.size(), match::max_thought_bytes + 200);
+  EXPECT_NE(lines.find("5 shapes of the leg were left out"), std::string::npos);
+}
+
+TEST(ThoughtsFile, RefusesOtherBytes) {
+  EXPECT_EQ(unpacked_thoughts("", "x.zst").error().code, Errc::damaged);
+  EXPECT_EQ(unpacked_thoughts("no zstd", "x.zst").error().code, Errc::damaged);
+  ThoughtsWriter writer;
+  const double numbers[] = {0.1, 0.2, 0.3, 0.4};
+  for (std::uint32_t tick = 0; tick < 100; ++tick) writer.add(tick, line_with(numbers));
+  const std::string whole = writer.packed();
+  EXPECT_EQ(unpacked_thoughts(whole.substr(0, whole.size() / 2), "x.zst").error().code,
+            Errc::damaged);
+  EXPECT_TRUE(unpacked_thoughts(ThoughtsWriter().packed(), "x.zst").value().empty());
+}
+
+}  // namespace
+}  // namespace mirocup::record
