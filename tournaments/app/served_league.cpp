@@ -22,6 +22,10 @@ using namespace std::chrono_literals;
 
 constexpr auto poll_interval = 500ms;
 
+// While a class joins, each new team changes league.json and with it all pages. Making them takes
+// at most one part in that many of the time.
+constexpr int rest_factor = 10;
+
 // The line that `mirocup match --watch` prints. Only matches of this host are passed on.
 constexpr std::string_view watched = "mirocup: watch at http://127.0.0.1:";
 
@@ -78,7 +82,7 @@ void ServedLeague::reopen() {
   if (!fresh) return;
   store_ = std::move(*fresh);
   config_ = *config;
-  pages_.clear();
+  ++teams_version_;
   version_ = version_ > 0 ? version_ + 1 : 0;
 }
 
@@ -125,9 +129,18 @@ std::vector<ServedLeague::LiveLeg> ServedLeague::find_live_legs() const {
 }
 
 // Requires mutex_.
+bool ServedLeague::are_pages_fresh() const {
+  if (pages_.empty() || lines_of_pages_ != lines_) return false;
+  return version_of_pages_ == teams_version_ ||
+         std::chrono::steady_clock::now() < pages_rest_until_;
+}
+
+// Requires mutex_.
 void ServedLeague::make_pages() {
-  if (!pages_.empty() && lines_of_pages_ == lines_) return;
+  if (are_pages_fresh()) return;
+  const auto begun = std::chrono::steady_clock::now();
   lines_of_pages_ = lines_;
+  version_of_pages_ = teams_version_;
   pages_.clear();
   facts_ = read_facts(files_, store_.folder(), store_.state(), std::move(facts_));
   const LegReports reports = kept_statistics(files_, store_.folder(), store_.state());
@@ -153,6 +166,8 @@ void ServedLeague::make_pages() {
         records_.insert(stem_of({f.fixture, leg, version}));
     }
   }
+  const auto ended = std::chrono::steady_clock::now();
+  pages_rest_until_ = ended + rest_factor * (ended - begun);
 }
 
 std::optional<web::Page> ServedLeague::page(const std::string& path) {

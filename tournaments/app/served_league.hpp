@@ -53,6 +53,7 @@ class ServedLeague {
   void reopen();
   std::vector<LiveLeg> find_live_legs() const;
   void make_pages();
+  bool are_pages_fresh() const;
   std::optional<web::Page> replay(const std::string& stem);
   std::string linked(std::string page, const std::string& record);
 
@@ -65,7 +66,10 @@ class ServedLeague {
   std::uint64_t version_ = 0;  // grows with each change of the journal or of the live legs
   std::size_t lines_ = 0;      // of the journal
   std::vector<LiveLeg> live_legs_;
-  std::size_t lines_of_pages_ = 0;
+  std::uint64_t teams_version_ = 0;     // grows when league.json changes
+  std::uint64_t version_of_pages_ = 0;  // teams_version_ when the pages were made
+  std::size_t lines_of_pages_ = 0;      // lines_ then
+  std::chrono::steady_clock::time_point pages_rest_until_{};  // before the start of the league
   FactsOfLegs facts_;
   std::map<std::string, web::Page> pages_;  // by path
   std::set<std::string> records_;           // names without .json
