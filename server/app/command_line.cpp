@@ -234,11 +234,14 @@ void add_compile(CLI::App& app, Run& run) {
       app, run, "compile", "Compile a team's source as a league does: in a sandbox, fixed options",
       run_compile);
   CompileOptions& o = *command.options;
-  command->add_option("SOURCE", o.path, "One file of C++20, or of C17 if its name ends in .c")
+  command
+      ->add_option("SOURCE", o.path,
+                   "One file of C++20, or of C17 if its name ends in .c, or an archive of a project "
+                   "(.tar.gz, .tar, .zip)")
       ->required();
   command->add_option("-o", o.output, "Library to write")->type_name("FILE.so")->required();
   command->add_option("--language", o.language, "Of the source, whatever its name")
-      ->check(CLI::IsMember({"c", "c++"}));
+      ->check(CLI::IsMember({"c", "c++", "project"}));
   command->add_flag("--json", o.json, "Print the answer as one JSON object");
 }
 

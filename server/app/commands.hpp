@@ -76,7 +76,7 @@ Result<int> run_check(const CheckOptions& options);
 struct CompileOptions {
   std::string path;
   std::string output;
-  std::string language;  // "c", "c++"; "": by the name of the file
+  std::string language;  // "c", "c++", "project"; "": by the name of the file
   bool json = false;
 };
 Result<int> run_compile(const CompileOptions& options);

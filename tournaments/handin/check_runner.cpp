@@ -136,7 +136,7 @@ Result<int> check_hand_in(system::Files& files, const Folder& folder, const std:
   handed.name = file;
   const SourceKind kind = source_kind_of(file);
   if (kind != SourceKind::none) handed.source = folder.source(team, entry);
-  handed.is_c = kind == SourceKind::c;
+  handed.language = language_of(kind);
   const auto done = submit(files, folder, handed);
   if (!done) return tl::unexpected(done.error());
   // An entry that was not even looked at needs no bytes.

@@ -9,7 +9,23 @@ SourceKind source_kind_of(std::string_view file) {
   for (const std::string_view end : {".cpp", ".cc", ".cxx"}) {
     if (file.ends_with(end)) return SourceKind::cpp;
   }
+  for (const std::string_view end : {".tar", ".tar.gz", ".tgz", ".zip"}) {
+    if (file.ends_with(end)) return SourceKind::project;
+  }
   return file.ends_with(".c") ? SourceKind::c : SourceKind::none;
+}
+
+std::string language_of(SourceKind kind) {
+  switch (kind) {
+    case SourceKind::c:
+      return "c";
+    case SourceKind::project:
+      return "project";
+    case SourceKind::cpp:
+    case SourceKind::none:
+      break;
+  }
+  return "c++";
 }
 
 void HandInQueue::add(WaitingHandIn handed) {

@@ -34,9 +34,12 @@ constexpr bool is_final(HandInState state) {
          state != HandInState::checking;
 }
 
-// The languages of sources, told by the end of a file's name.
-enum class SourceKind { none, c, cpp };
+// The kinds of sources, told by the end of a file's name. A project is an archive of sources.
+enum class SourceKind { none, c, cpp, project };
 SourceKind source_kind_of(std::string_view file);
+
+// Returns what `mirocup compile --language` calls it.
+std::string language_of(SourceKind kind);
 
 // One file that a team has handed in over the network.
 struct WaitingHandIn {

@@ -168,7 +168,7 @@ Result<std::optional<Json>> compile(system::Files& files, const Folder& folder,
   system::ProcessSet processes;
   const auto started = processes.start(
       {system::sibling_program("mirocup"), "compile", handed.source, "-o",
-       folder.library(handed.team, number), "--json", "--language", handed.is_c ? "c" : "c++"},
+       folder.library(handed.team, number), "--json", "--language", handed.language},
       0, -1, log);
   if (!started) return tl::unexpected(started.error());
   const auto exit = processes.wait();

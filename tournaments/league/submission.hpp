@@ -28,7 +28,7 @@ struct HandIn {
   int entry = 0;
   // A source that waited: the library is made from it first. "": `path` is the library.
   std::string source = {};
-  bool is_c = false;      // the language of the source; false: C++
+  std::string language = {};  // of the source: "c", "c++", or "project", which is an archive
   std::string name = {};  // what its team calls the file, for its verdict; "": the path
 
   // In an inbox that several users can write to, the users whose files are the host's own word.
