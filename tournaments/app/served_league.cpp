@@ -5,12 +5,14 @@
 #include "server/web/assets.hpp"
 #include "server/web/page.hpp"
 #include "server/web/page_json.hpp"
+#include "tournaments/league/hand_ins.hpp"
 #include "tournaments/league/submission.hpp"
 #include "tournaments/play/leg_command.hpp"
 #include "tournaments/publish/replay_nav.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/site.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 
@@ -143,8 +145,8 @@ void ServedLeague::make_pages() {
   version_of_pages_ = teams_version_;
   pages_.clear();
   facts_ = read_facts(files_, store_.folder(), store_.state(), std::move(facts_));
-  const LegReports reports = kept_statistics(files_, store_.folder(), store_.state());
-  for (SiteFile& file : make_site(store_.state(), reports, facts_)) {
+  reports_ = kept_statistics(files_, store_.folder(), store_.state());
+  for (SiteFile& file : make_site(store_.state(), reports_, facts_)) {
     const std::string type = type_of(file.name);
     const bool is_html = type.starts_with("text/html");
     pages_["/" + file.name] = {
@@ -221,6 +223,62 @@ std::vector<OwnLeg> ServedLeague::legs_of(const std::string& team) {
   const std::lock_guard lock(mutex_);
   poll();
   return own_legs(store_.state(), team);
+}
+
+std::map<std::string, int> ServedLeague::entries_that_play() {
+  std::vector<std::string> names;
+  {
+    const std::lock_guard lock(mutex_);
+    poll();
+    const LeagueState& state = store_.state();
+    for (std::size_t i = 0; i < state.teams.size(); ++i) {
+      const bool takes_part = state.teams[i].status != TeamStatus::withdrawn;
+      if (takes_part && !state.file.teams[i].over_dds) names.push_back(state.file.teams[i].name);
+    }
+  }
+  std::map<std::string, int> entries;
+  for (const std::string& name : names) {
+    if (const int entry = playing_entry(files_, store_.folder(), name); entry > 0)
+      entries[name] = entry;
+  }
+  return entries;
+}
+
+std::vector<std::string> ServedLeague::neighbours_of(const std::string& team) {
+  constexpr std::ptrdiff_t reach = 2;  // ranks
+  const std::lock_guard lock(mutex_);
+  poll();
+  const LeagueState& state = store_.state();
+  const auto index = state.find_team(team);
+  if (!state.is_started || !index) return {};
+  const std::vector<TableRow> table = state.table();
+  const auto own = std::find_if(table.begin(), table.end(),
+                                [&](const TableRow& row) { return row.team == *index; });
+  if (own == table.end()) return {};
+  std::vector<std::string> names;
+  const auto first = own - std::min(reach, own - table.begin());
+  const auto end = own + std::min(reach + 1, table.end() - own);
+  for (auto row = first; row != end; ++row) {
+    if (row != own) names.push_back(state.name(row->team));
+  }
+  return names;
+}
+
+std::string ServedLeague::statistics_of(const std::string& team) {
+  const std::lock_guard lock(mutex_);
+  poll();
+  const auto index = store_.state().find_team(team);
+  if (!index || !store_.state().is_started) return "";
+  make_pages();
+  return team_statistics_html(overview(store_.state(), facts_), reports_, *index);
+}
+
+std::optional<std::string> ServedLeague::replay_of(const std::string& record) {
+  const std::lock_guard one_at_a_time(replaying_);
+  const auto loaded = record::load(files_, record);
+  if (!loaded) return std::nullopt;
+  auto page = web::replay_page(*loaded, web::Times::left_out);
+  return page ? std::optional(std::move(page->html)) : std::nullopt;
 }
 
 std::string ServedLeague::news(std::uint64_t& seen) {

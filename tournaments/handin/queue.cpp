@@ -108,6 +108,14 @@ int HandInQueue::unanswered(const std::string& team) const {
                                         [&](const Key& key) { return key.first == team; }));
 }
 
+std::map<std::string, int> HandInQueue::accepted() const {
+  std::map<std::string, int> latest;  // a team's entries are in their order
+  for (const auto& [key, handed] : all_) {
+    if (handed.state == HandInState::accepted) latest[key.first] = key.second;
+  }
+  return latest;
+}
+
 int HandInQueue::last_entry(const std::string& team) const {
   const auto own = of_team(team);
   return own.empty() ? 0 : own.back()->entry;

@@ -82,6 +82,9 @@ class HandInQueue {
   // Returns the highest number of the team's hand-ins; 0 if there is none.
   int last_entry(const std::string& team) const;
 
+  // The latest accepted hand-in of each team.
+  std::map<std::string, int> accepted() const;
+
  private:
   using Key = std::pair<std::string, int>;
 

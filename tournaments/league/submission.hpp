@@ -49,6 +49,11 @@ struct Submission {
 // entries are taken. A team that the league does not know may join before the start.
 std::string why_not_now(const LeagueState& state, const std::string& team, const std::string& now);
 
+// Lets a version play until it is pinned no more: that entry; 0: again the latest accepted one. In a
+// ladder that has started it is booked at once. Returns why it is not done, a sentence; "" if it is.
+Result<std::string> pin_entry(system::Files& files, const Folder& folder, const std::string& team,
+                              int number, std::int64_t now);
+
 // Hands in a library for a team. A team that is not in league.json joins with its first accepted
 // entry, until the league starts; its name must differ from the others' by more than capitals. What
 // is wrong with the file, and a quota that is used up, is a value; errors are faults of the host or
