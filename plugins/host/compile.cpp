@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 using std::chrono::steady_clock;
 
 constexpr int result_descriptor = 3;
-constexpr int step_descriptor = 4;     // to which a step that failed is written
+constexpr int step_descriptor = 4;      // to which a step that failed is written
 constexpr int compiler_descriptor = 5;  // the program that compiles, if it is none of the system
 
 // The exit codes of the first process of the sandbox.
@@ -57,17 +57,9 @@ const char* const cpp_command[] = {cpp_compiler,
                                    source_path,
                                    "-lmirocup_predict",
                                    nullptr};
-const char* const c_command[] = {c_compiler,
-                                 MIROCUP_C_OPTIONS,
-                                 MIROCUP_LINK_OPTIONS,
-                                 "-o",
-                                 library_path,
-                                 "-x",
-                                 "c",
-                                 source_path,
-                                 "-lmirocup_predict",
-                                 "-lm",
-                                 nullptr};
+const char* const c_command[] = {
+    c_compiler, MIROCUP_C_OPTIONS, MIROCUP_LINK_OPTIONS, "-o",  library_path, "-x",
+    "c",        source_path,       "-lmirocup_predict",  "-lm", nullptr};
 const char* const project_command[] = {"mirocup-project-compiler", source_path, "/compile/project",
                                        library_path, nullptr};
 
@@ -96,8 +88,8 @@ Result<void> add_predict(const std::string& path, std::vector<TreeFile>& files) 
   system::Disk disk;
   std::string bytes = "!<arch>\n";
   if (disk.exists(path)) {
-    auto read = disk.read(
-        path, {.max_size = system::size_limit::entry, .links = system::Links::followed});
+    auto read =
+        disk.read(path, {.max_size = system::size_limit::entry, .links = system::Links::followed});
     if (!read) return tl::unexpected(read.error());
     bytes = std::move(*read);
   }
@@ -315,8 +307,10 @@ Result<Compiled> compile_in_sandbox(const std::string& source, SourceLanguage la
     work.is_program_given = true;
     work.program = program.get();
   }
-  const auto added = add_headers(kit.headers, std::string(headers_folder) + "/mirocup", work.files)
-                         .and_then([&] { return add_predict(kit.predict, work.files); });
+  const auto added =
+      add_headers(kit.headers, std::string(headers_folder) + "/mirocup", work.files).and_then([&] {
+        return add_predict(kit.predict, work.files);
+      });
   if (!added) return tl::unexpected(added.error());
   work.files.push_back({.path = source_path, .bytes = source});
 

@@ -68,6 +68,7 @@ struct CheckOptions {
   std::string rules = "mirosot";
   std::optional<double> half_s;         // of the legs that the entry is for
   std::vector<std::string> parameters;  // KEY=VALUE
+  std::string record_path;              // of a leg against striker; "": none is written
   bool json = false;
   bool steps = false;  // print each check on standard error before it runs
 };
@@ -85,6 +86,7 @@ struct HandInOptions {
   std::string url;  // of the league
   std::string path;
   std::string token_file;
+  std::string pin;        // "N" or "latest": no file is sent, and that entry plays; "": a file is
   std::string authority;  // file of the certificate that signs for the server; "": the system's
   bool json = false;
 };

@@ -37,8 +37,8 @@ Result<int> run_compile(const CompileOptions& options) {
   system::Disk disk;
   const plugins::SourceLanguage language = language_of(options);
   const bool is_project = language == plugins::SourceLanguage::project;
-  const auto source = disk.read(
-      options.path, {.max_size = is_project ? system::size_limit::entry : max_source});
+  const auto source =
+      disk.read(options.path, {.max_size = is_project ? system::size_limit::entry : max_source});
   if (!source) return tl::unexpected(source.error());
   const system::TeamKit kit = system::team_kit();
   const auto done = plugins::compile_in_sandbox(

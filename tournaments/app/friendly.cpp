@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // The subcommand play-friendly: becomes the match of one friendly, at a low priority.
+#include "tournaments/handin/friendly.hpp"
+
 #include "system/locations.hpp"
 #include "tournaments/app/commands.hpp"
-#include "tournaments/handin/friendly.hpp"
 #include "tournaments/play/leg_command.hpp"
 
 #include <cerrno>

@@ -38,8 +38,8 @@ class HandInBook {
   Result<void> answer(const std::string& team, int entry, HandInState state,
                       const std::string& message, std::int64_t at);
 
-  // Writes which entry a team wants to play; 0: its latest. The file of the team says so, too, which
-  // is set right by the next server if this one dies between the two.
+  // Writes which entry a team wants to play; 0: its latest. The file of the team says so, too. If
+  // this server dies between the two, the next one sets that right.
   Result<void> pin(const std::string& team, int entry, std::int64_t at);
   const std::map<std::string, int>& pins() const { return pins_; }
 

@@ -86,10 +86,10 @@ class Friendlies {
   using Key = std::pair<std::string, int>;
 
   std::map<Key, Friendly> all_;
-  std::vector<Key> open_;               // waiting or playing, in the order in which they came
-  std::map<std::string, long> turn_;    // when each team had its last turn
+  std::vector<Key> open_;             // waiting or playing, in the order in which they came
+  std::map<std::string, long> turn_;  // when each team had its last turn
   long turns_ = 0;
-  std::map<std::string, int> bursts_;   // the last entry of each team that had one
+  std::map<std::string, int> bursts_;  // the last entry of each team that had one
 };
 
 }  // namespace mirocup::league

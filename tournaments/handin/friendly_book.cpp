@@ -69,13 +69,14 @@ Result<void> FriendlyBook::apply(const Json& line) {
 
 Result<int> FriendlyBook::add(Friendly friendly) {
   friendly.number = friendlies_.last_number(friendly.team) + 1;
-  auto written = journal_.append(std::string(asked_line), {{"team", friendly.team},
-                                                           {"number", friendly.number},
-                                                           {"entry", friendly.entry},
-                                                           {"opponent", friendly.opponent},
-                                                           {"opponent_entry", friendly.opponent_entry},
-                                                           {"burst", friendly.is_burst},
-                                                           {"at", friendly.at}});
+  auto written =
+      journal_.append(std::string(asked_line), {{"team", friendly.team},
+                                                {"number", friendly.number},
+                                                {"entry", friendly.entry},
+                                                {"opponent", friendly.opponent},
+                                                {"opponent_entry", friendly.opponent_entry},
+                                                {"burst", friendly.is_burst},
+                                                {"at", friendly.at}});
   if (!written) return tl::unexpected(written.error());
   const int number = friendly.number;
   friendlies_.add(std::move(friendly));
@@ -83,8 +84,7 @@ Result<int> FriendlyBook::add(Friendly friendly) {
 }
 
 Result<void> FriendlyBook::finish(const std::string& team, int number, FriendlyState state,
-                                  int goals, int against, const std::string& end,
-                                  std::int64_t at) {
+                                  int goals, int against, const std::string& end, std::int64_t at) {
   auto written = journal_.append(std::string(ended_line), {{"team", team},
                                                            {"number", number},
                                                            {"state", to_string(state)},

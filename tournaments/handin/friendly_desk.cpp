@@ -62,8 +62,8 @@ Result<void> FriendlyDesk::entry_accepted(const std::string& team, int entry, st
   const std::lock_guard lock(mutex_);
   if (book_.friendlies().has_burst(team, entry)) return {};
   for (const int number : book_.friendlies().waiting_of_older(team, entry)) {
-    auto ended = book_.finish(team, number, FriendlyState::void_, 0, 0,
-                              "a later entry was accepted", now);
+    auto ended =
+        book_.finish(team, number, FriendlyState::void_, 0, 0, "a later entry was accepted", now);
     if (!ended) return ended;
   }
   Friendly leg{.team = team, .entry = entry, .is_burst = true, .at = now};
@@ -188,8 +188,8 @@ web::Reply FriendlyDesk::show(const std::string& visitor, std::string_view rest)
     const Friendly* found = number ? book_.friendlies().find(team, *number) : nullptr;
     if (found != nullptr) known = *found;
   }
-  const bool may_see = known && (known->team == visitor ||
-                                 (known->opponent == visitor && !known->is_burst));
+  const bool may_see =
+      known && (known->team == visitor || (known->opponent == visitor && !known->is_burst));
   if (!may_see || known->state != FriendlyState::played) return nothing();
   const std::string record = folder_.friendly(team, *number);
   if (!files_.exists(record)) return nothing();

@@ -152,7 +152,8 @@ std::optional<web::Reply> Portal::answer(const web::Request& request, const web:
   if (path == "/hand-in/log-out" && request.method == "POST") return log_out(request);
   const bool is_replay = path.starts_with(replays_path);
   const bool is_entry = path.starts_with(entry_pages_path);
-  if ((path != "/hand-in" && !is_replay && !is_entry) || (request.method != "GET" && request.method != "HEAD"))
+  if ((path != "/hand-in" && !is_replay && !is_entry) ||
+      (request.method != "GET" && request.method != "HEAD"))
     return std::nullopt;
   {
     const std::lock_guard lock(mutex_);
@@ -167,13 +168,23 @@ std::optional<web::Reply> Portal::answer(const web::Request& request, const web:
   if (known.is_staff) return page_reply(200, staff_page());
   if (is_replay)
     return friendlies_->show(known.team, std::string_view(path).substr(replays_path.size()));
-  if (is_entry) {
-    const auto number = number_of(std::string_view(path).substr(entry_pages_path.size()));
-    const Json entry = number ? report(known.team, *number, true) : Json();
-    if (entry.is_null()) return problem_reply(404, known.team + " has no entry of this number");
-    return page_reply(200, entry_page(entry));
-  }
+  if (is_entry)
+    return entry_reply(known.team, std::string_view(path).substr(entry_pages_path.size()));
   return team_page(known.team);
+}
+
+// `rest` is what follows the path of all pages of entries.
+web::Reply Portal::entry_reply(const std::string& team, std::string_view rest) {
+  const std::size_t slash = std::min(rest.find('/'), rest.size());
+  const auto number = number_of(rest.substr(0, slash));
+  const std::string_view what = rest.substr(slash);
+  const Json entry = number ? report(team, *number, true) : Json();
+  if (!entry.is_null() && what.empty()) return page_reply(200, entry_page(entry));
+  if (entry.is_null() || what != "/replay" || !entry.contains("replay"))
+    return problem_reply(404, team + " has no entry of this number");
+  auto page = options_.friendlies.replay(folder_.gate_leg(team, *number));
+  if (!page) return problem_reply(503, "the replay cannot be made here");
+  return {.status = 200, .type = "text/html; charset=utf-8", .bytes = std::move(*page)};
 }
 
 web::Reply Portal::team_page(const std::string& team) {
@@ -310,7 +321,7 @@ std::optional<web::Reply> Portal::refused_now(const std::string& team) {
     return problem_reply(403, why);
   if (const int waiting = book_.queue().unanswered(team); waiting >= options_.max_waiting) {
     return problem_reply(429, std::to_string(waiting) + " files of " + team +
-                            " wait for their checks; hand in when they are answered");
+                                  " wait for their checks; hand in when they are answered");
   }
   auto known = read_hand_ins(files_, folder_, team);
   if (!known) return host_failed(known.error());
@@ -320,7 +331,7 @@ std::optional<web::Reply> Portal::refused_now(const std::string& team) {
   }
   if (tries < options_.quota.tries_per_hour) return std::nullopt;
   return problem_reply(429, team + " has had " + std::to_string(options_.quota.tries_per_hour) +
-                          " tries in the last hour; hand it in later");
+                                " tries in the last hour; hand it in later");
 }
 
 // Counts an upload of a team while it lasts.
@@ -437,8 +448,11 @@ Json Portal::report(const std::string& team, int entry, bool is_whole) {
     if (const auto found = steps_.find({team, entry}); found != steps_.end()) step = found->second;
   }
   const WaitingHandIn* known = waiting ? &*waiting : nullptr;
-  return is_whole ? entry_report(files_, folder_, team, entry, known, before, step)
-                  : entry_summary(files_, folder_, team, entry, known, before, step);
+  if (!is_whole) return entry_summary(files_, folder_, team, entry, known, before, step);
+  Json whole = entry_report(files_, folder_, team, entry, known, before, step);
+  if (!whole.is_null() && files_.exists(folder_.gate_leg(team, entry)))
+    whole["replay"] = std::string(entry_pages_path) + std::to_string(entry) + "/replay";
+  return whole;
 }
 
 // Returns the summaries of all entries of a team, the latest first.

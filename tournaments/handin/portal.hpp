@@ -75,6 +75,7 @@ class Portal {
                   const std::string& sha256);
   web::Reply pin(const web::Request& request, const Visitor& visitor);
   web::Reply friendly_reply(const web::Request& request, const Visitor& visitor);
+  web::Reply entry_reply(const std::string& team, std::string_view rest);
   web::Reply team_page(const std::string& team);
   web::Reply leg_reply(const std::string& team, std::string_view rest);
   web::Reply events(const std::string& team, int entry);

@@ -3,8 +3,9 @@
 
 #include "server/record/json_reader.hpp"
 
-#include <charconv>
 #include <nlohmann/json.hpp>
+
+#include <charconv>
 
 namespace mirocup::league {
 

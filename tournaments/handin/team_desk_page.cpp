@@ -21,7 +21,8 @@ for 12 hours, or until you log out.</p>
 )";
 
 constexpr std::string_view log_out_form =
-    R"(<form class="desk log-out" method="post" action="/hand-in/log-out"><button>Log out</button></form>
+    R"(<form class="desk log-out" method="post" action="/hand-in/log-out">
+<button>Log out</button></form>
 )";
 
 // Shown by the script, without which it would do nothing.
@@ -40,6 +41,20 @@ Bearer TOKEN" ADDRESS/api/v1/entries</code></p></noscript>
 
 constexpr std::string_view script = R"(<script type="module" src="/hand_in.js"></script>
 )";
+
+struct Column {
+  const char* name;
+  const char* style = "";  // "wide" and "mid" are left out on narrow windows
+};
+
+void head(Html& html, const std::vector<Column>& columns) {
+  html.raw("<tr>");
+  for (const Column& column : columns) {
+    html.raw(std::string("<th scope=\"col\" class=\"") + column.style + "\">" +
+             system::html_escaped(column.name) + "</th>");
+  }
+  html.raw("</tr>\n");
+}
 
 // Returns the answer to an entry in a sentence, without the team and the number, which are beside.
 std::string answer_in_words(const Json& entry) {
@@ -66,17 +81,17 @@ void pin_cell(Html& html, const TeamDesk& desk, const Json& entry) {
 
 void entries_table(Html& html, const TeamDesk& desk) {
   html.open_table();
-  html.row("th", {"Entry", "Handed in (UTC)", "File", "State", "", "Answer"});
+  head(html, {{"Entry"}, {"State"}, {""}, {"Answer"}, {"File", "mid"}, {"Handed in (UTC)", "mid"}});
   for (const Json& entry : desk.entries) {
     const std::string number = std::to_string(entry.value("entry", 0));
     const std::string state = text_in(entry, "state");
     html.raw("<tr id=\"entry-" + number + "\">\n");
     html.link_cell("/hand-in/entries/" + number, number);
-    html.cell("td", time_in_words(text_in(entry, "handed_in")));
-    html.cell_of("file", text_in(entry, "file"));
     html.cell_of(state, state);
     pin_cell(html, desk, entry);
     html.cell_of("small words", answer_in_words(entry));
+    html.cell_of("file mid", text_in(entry, "file"));
+    html.cell_of("mid", time_in_words(text_in(entry, "handed_in")));
     html.close("tr");
   }
   html.close_table();
@@ -89,8 +104,9 @@ void processor_time(Html& html, const Json& legs) {
     const char* name;
     double up_to;  // ms
   };
-  constexpr Range ranges[] = {{"up to 0.1 ms", 0.1}, {"0.1 to 0.3 ms", 0.3}, {"0.3 to 1 ms", 1.0},
-                              {"1 to 3 ms", 3.0},    {"3 to 10 ms", 10.0},   {"above 10 ms", 1e300}};
+  constexpr Range ranges[] = {{"up to 0.1 ms", 0.1}, {"0.1 to 0.3 ms", 0.3},
+                              {"0.3 to 1 ms", 1.0},  {"1 to 3 ms", 3.0},
+                              {"3 to 10 ms", 10.0},  {"above 10 ms", 1e300}};
   std::vector<int> counts;
   double above = -1.0;
   for (const Range& range : ranges) {
@@ -108,8 +124,9 @@ void processor_time(Html& html, const Json& legs) {
     html.open("tr");
     html.cell("td", ranges[i].name);
     html.cell_of("number", std::to_string(counts[i]));
-    html.raw("<td><svg class=\"bar\" width=\"160\" height=\"12\" aria-hidden=\"true\"><rect width=\"" +
-             std::to_string(160 * counts[i] / most) + "\" height=\"12\"/></svg></td>\n");
+    html.raw(
+        "<td><svg class=\"bar\" width=\"160\" height=\"12\" aria-hidden=\"true\"><rect width=\"" +
+        std::to_string(160 * counts[i] / most) + "\" height=\"12\"/></svg></td>\n");
     html.close("tr");
   }
   html.close_table();
@@ -123,7 +140,7 @@ void cost_cells(Html& html, const Json& leg) {
   const std::string bank = number_text(leg, "bank_seconds", "%.1f");
   const std::string cpu = number_text(leg, "cpu_seconds", "%.2f");
   html.cell_of("number wide", cpu.empty() ? "" : cpu + " of " + bank);
-  html.cell_of("number", number_text(leg, "slowest_tick_ms", "%.2f"));
+  html.cell_of("number mid", number_text(leg, "slowest_tick_ms", "%.2f"));
 }
 
 void link_cells(Html& html, const Json& leg) {
@@ -138,12 +155,19 @@ void link_cells(Html& html, const Json& leg) {
 
 void legs_table(Html& html, const Json& legs) {
   html.open_table();
-  html.row("th", {"Fixture", "Opponent", "Result", "", "Processor time, s", "Slowest tick, ms", "",
-                  "", "Own fault"});
+  head(html, {{"Fixture", "mid"},
+              {"Opponent"},
+              {"Result"},
+              {""},
+              {"Processor time, s", "wide"},
+              {"Slowest tick, ms", "mid"},
+              {""},
+              {""},
+              {"Own fault"}});
   for (const Json& leg : legs) {
     const std::string result = text_in(leg, "result");
     html.open("tr");
-    html.cell("td", text_in(leg, "fixture") + ", leg " + number_text(leg, "leg", "%.0f"));
+    html.cell_of("mid", text_in(leg, "fixture") + ", leg " + number_text(leg, "leg", "%.0f"));
     html.cell("td", text_in(leg, "opponent"));
     html.cell("td", score_of(leg));
     html.cell_of(result, result);
@@ -156,23 +180,32 @@ void legs_table(Html& html, const Json& legs) {
 }
 
 void friendly_form(Html& html, const std::vector<std::string>& opponents) {
-  html.raw("<form id=\"friendly\" class=\"desk\" hidden>\n<p><label for=\"opponent\">A leg that "
-           "counts for nothing, against</label> <select id=\"opponent\">\n");
+  html.raw(
+      "<form id=\"friendly\" class=\"desk\" hidden>\n<p><label for=\"opponent\">A leg that "
+      "counts for nothing, against</label> <select id=\"opponent\">\n");
   for (const std::string& name : opponents) html.cell("option", name);
-  html.raw("</select> <button>Play</button></p>\n</form>\n<p id=\"friendly-answer\" "
-           "role=\"status\" aria-live=\"polite\"></p>\n");
+  html.raw(
+      "</select> <button>Play</button></p>\n</form>\n<p id=\"friendly-answer\" "
+      "role=\"status\" aria-live=\"polite\"></p>\n");
 }
 
 void friendlies_table(Html& html, const Json& friendlies) {
   html.open_table();
-  html.row("th", {"Entry", "Opponent", "Result", "", "Processor time, s", "Slowest tick, ms", "",
-                  "", "End"});
+  head(html, {{"Entry", "mid"},
+              {"Opponent"},
+              {"Result"},
+              {""},
+              {"Processor time, s", "wide"},
+              {"Slowest tick, ms", "mid"},
+              {""},
+              {""},
+              {"End"}});
   for (const Json& leg : friendlies) {
     const std::string state = text_in(leg, "state");
     const bool is_played = state == "played";
     const int difference = is_played ? leg.value("goals", 0) - leg.value("against", 0) : 0;
     html.open("tr");
-    html.cell_of("number", number_text(leg, "entry", "%.0f"));
+    html.cell_of("number mid", number_text(leg, "entry", "%.0f"));
     html.cell("td", text_in(leg, "opponent"));
     html.cell("td", is_played ? score_of(leg) : state);
     const char* const letter = !is_played ? "" : difference > 0 ? "W" : difference < 0 ? "L" : "D";
@@ -188,9 +221,10 @@ void friendlies_table(Html& html, const Json& friendlies) {
 
 void friendlies_card(Html& html, const TeamDesk& desk) {
   next_card(html, "Friendlies");
-  html.raw("<p class=\"small\">Each accepted entry plays one leg against each house team, and "
-           "against its neighbours once there is a table. Ten more an hour are yours to choose; "
-           "the other team sees result and replay of those.</p>\n");
+  html.raw(
+      "<p class=\"small\">Each accepted entry plays one leg against each house team, and "
+      "against its neighbours once there is a table. Ten more an hour are yours to choose; "
+      "the other team sees result and replay of those.</p>\n");
   if (desk.playing > 0) friendly_form(html, desk.opponents);
   html.raw("<div id=\"friendlies\">\n");
   if (!desk.friendlies.empty()) friendlies_table(html, desk.friendlies);

@@ -65,6 +65,9 @@ struct Folder {
   std::string check_log(const std::string& team, int number) const {  // while it is checked
     return entry(team, number) + "/check.log";
   }
+  std::string gate_leg(const std::string& team, int number) const {  // the record of its check
+    return entry(team, number) + "/gate.json";
+  }
   std::string entry_file(const std::string& team, int number) const {
     return entry(team, number) + "/entry.json";
   }

@@ -20,12 +20,14 @@ namespace {
 // Returns the answer of `mirocup check --json` about a library of the team. Any exit code but yes
 // and no is an error of the host.
 Result<Json> check(system::Files& files, const std::string& library, const LeagueFile& rules,
-                   const std::string& team, const std::string& log) {
+                   const std::string& team, const std::string& log, const std::string& gate_leg) {
   std::vector<std::string> command{system::sibling_program("mirocup"),
                                    "check",
                                    library,
                                    "--json",
                                    "--steps",
+                                   "--record",
+                                   gate_leg,
                                    "--league",
                                    std::string(to_string(rules.league)),
                                    "--half",
@@ -135,7 +137,8 @@ Result<Json> store_and_check(system::Files& files, const Folder& folder, const L
                        return files.write(stored, library, Readers::owner);
                      });
   if (!written) return tl::unexpected(written.error());
-  auto verdict = check(files, stored, rules, handed.team, log);
+  auto verdict =
+      check(files, stored, rules, handed.team, log, folder.gate_leg(handed.team, number));
   if (!verdict) return verdict;
   const std::string sha256 = system::sha256(library);
   if (verdict->value("sha256", Json()).is_string() && (*verdict)["sha256"] != sha256)
@@ -496,8 +499,8 @@ Result<std::string> pin_entry(system::Files& files, const Folder& folder, const 
   const auto library =
       files.read(folder.library(team, playing), {.max_size = system::size_limit::entry});
   if (!library) return tl::unexpected(library.error());
-  auto booked = store->write(
-      EntryBooked{.team = team, .entry = playing, .sha256 = system::sha256(*library)});
+  auto booked =
+      store->write(EntryBooked{.team = team, .entry = playing, .sha256 = system::sha256(*library)});
   if (!booked) return tl::unexpected(booked.error());
   return "";
 }

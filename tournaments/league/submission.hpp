@@ -29,7 +29,7 @@ struct HandIn {
   // A source that waited: the library is made from it first. "": `path` is the library.
   std::string source = {};
   std::string language = {};  // of the source: "c", "c++", or "project", which is an archive
-  std::string name = {};  // what its team calls the file, for its verdict; "": the path
+  std::string name = {};      // what its team calls the file, for its verdict; "": the path
 
   // In an inbox that several users can write to, the users whose files are the host's own word.
   // Files of others count for the teams of their owners only, and a file with a second name (hard
@@ -49,8 +49,8 @@ struct Submission {
 // entries are taken. A team that the league does not know may join before the start.
 std::string why_not_now(const LeagueState& state, const std::string& team, const std::string& now);
 
-// Lets a version play until it is pinned no more: that entry; 0: again the latest accepted one. In a
-// ladder that has started it is booked at once. Returns why it is not done, a sentence; "" if it is.
+// Lets an entry play until another is pinned; 0: again the latest accepted one. In a ladder that
+// has started it is booked at once. Returns why that cannot be, a sentence; "" if it is done.
 Result<std::string> pin_entry(system::Files& files, const Folder& folder, const std::string& team,
                               int number, std::int64_t now);
 

@@ -89,8 +89,10 @@ std::vector<std::string> leg_command(const Folder& folder, const LeagueState& st
     // With golden goal and shoot-out one team wins.
     arguments.insert(arguments.end(), {"--stage", "knockout"});
   }
-  for (const auto& words : {rule_options(file.rules, file.league), condition_options(state.conditions),
-        seat_parameters(file.teams[blue], "--blue-param"), seat_parameters(file.teams[yellow], "--yellow-param")}) {
+  for (const auto& words :
+       {rule_options(file.rules, file.league), condition_options(state.conditions),
+        seat_parameters(file.teams[blue], "--blue-param"),
+        seat_parameters(file.teams[yellow], "--yellow-param")}) {
     arguments.insert(arguments.end(), words.begin(), words.end());
   }
   return arguments;

@@ -10,8 +10,8 @@ inline constexpr const char* c_compiler = "/usr/bin/gcc";
 inline constexpr const char* cpp_compiler = "/usr/bin/g++";
 
 // Where the sandbox has the headers of a strategy and the library of predict.hpp.
-#define MIROCUP_COMPILER_OPTIONS                                                      \
-  "-O2", "-DNDEBUG", "-fPIC", "-fvisibility=hidden", "-I/mirocup/include",            \
+#define MIROCUP_COMPILER_OPTIONS                                           \
+  "-O2", "-DNDEBUG", "-fPIC", "-fvisibility=hidden", "-I/mirocup/include", \
       "-fno-diagnostics-color", "-fmax-errors=20"
 #define MIROCUP_C_OPTIONS "-std=c17", MIROCUP_COMPILER_OPTIONS
 #define MIROCUP_CPP_OPTIONS "-std=c++20", "-ftemplate-depth=900", MIROCUP_COMPILER_OPTIONS
