@@ -104,7 +104,7 @@ Result<void> write_gate_leg(const CheckOptions& options, const EntryReport& repo
   record.isolation = to_string(report.isolation);
   const int own = index_of(report.gate_colour);
   record.teams[own] = {.name = "entry", .sha256 = report.sha256};
-  record.teams[1 - own] = {.name = "striker", .kind = record::TeamKind::house};
+  record.teams[1 - own] = {.name = "striker", .kind = record::TeamKind::house, .sha256 = {}};
   record.budget[own].slowest_tick_ms = report.slowest_tick_ms;
   record.recording = *report.gate_leg;
   system::Disk disk;

@@ -8,6 +8,7 @@
 #include "core/field/league.hpp"
 #include "core/match/team_parameters.hpp"
 #include "core/referee/rules.hpp"
+#include "core/replay/recording.hpp"
 #include "plugins/host/sandbox/isolation.hpp"
 
 #include <cstddef>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Sends any bytes to a site's server with a desk as a browser would, over a connection of this host, and reads
-// what it answers. Run it where no other program listens: run.sh does so in a network of its own.
+// Sends any bytes to a site's server with a desk as a browser would, over a connection of this
+// host, and reads what it answers. Run it where no other program listens: run.sh
+// does so in a network of its own.
 #include "server/web/site_server.hpp"
 #include "tests/security/fuzz/fuzz_target.hpp"
 #include "tests/support/temporary_folder.hpp"
