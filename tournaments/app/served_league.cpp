@@ -5,12 +5,14 @@
 #include "server/web/assets.hpp"
 #include "server/web/page.hpp"
 #include "server/web/page_json.hpp"
+#include "tournaments/league/hand_ins.hpp"
 #include "tournaments/league/submission.hpp"
 #include "tournaments/play/leg_command.hpp"
 #include "tournaments/publish/replay_nav.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/site.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 
@@ -21,6 +23,10 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto poll_interval = 500ms;
+
+// While a class joins, each new team changes league.json and with it all pages. Making them takes
+// at most one part in that many of the time.
+constexpr int rest_factor = 10;
 
 // The line that `mirocup match --watch` prints. Only matches of this host are passed on.
 constexpr std::string_view watched = "mirocup: watch at http://127.0.0.1:";
@@ -78,7 +84,7 @@ void ServedLeague::reopen() {
   if (!fresh) return;
   store_ = std::move(*fresh);
   config_ = *config;
-  pages_.clear();
+  ++teams_version_;
   version_ = version_ > 0 ? version_ + 1 : 0;
 }
 
@@ -125,13 +131,22 @@ std::vector<ServedLeague::LiveLeg> ServedLeague::find_live_legs() const {
 }
 
 // Requires mutex_.
+bool ServedLeague::are_pages_fresh() const {
+  if (pages_.empty() || lines_of_pages_ != lines_) return false;
+  return version_of_pages_ == teams_version_ ||
+         std::chrono::steady_clock::now() < pages_rest_until_;
+}
+
+// Requires mutex_.
 void ServedLeague::make_pages() {
-  if (!pages_.empty() && lines_of_pages_ == lines_) return;
+  if (are_pages_fresh()) return;
+  const auto begun = std::chrono::steady_clock::now();
   lines_of_pages_ = lines_;
+  version_of_pages_ = teams_version_;
   pages_.clear();
   facts_ = read_facts(files_, store_.folder(), store_.state(), std::move(facts_));
-  const LegReports reports = kept_statistics(files_, store_.folder(), store_.state());
-  for (SiteFile& file : make_site(store_.state(), reports, facts_)) {
+  reports_ = kept_statistics(files_, store_.folder(), store_.state());
+  for (SiteFile& file : make_site(store_.state(), reports_, facts_)) {
     const std::string type = type_of(file.name);
     const bool is_html = type.starts_with("text/html");
     pages_["/" + file.name] = {
@@ -153,6 +168,8 @@ void ServedLeague::make_pages() {
         records_.insert(stem_of({f.fixture, leg, version}));
     }
   }
+  const auto ended = std::chrono::steady_clock::now();
+  pages_rest_until_ = ended + rest_factor * (ended - begun);
 }
 
 std::optional<web::Page> ServedLeague::page(const std::string& path) {
@@ -206,6 +223,62 @@ std::vector<OwnLeg> ServedLeague::legs_of(const std::string& team) {
   const std::lock_guard lock(mutex_);
   poll();
   return own_legs(store_.state(), team);
+}
+
+std::map<std::string, int> ServedLeague::entries_that_play() {
+  std::vector<std::string> names;
+  {
+    const std::lock_guard lock(mutex_);
+    poll();
+    const LeagueState& state = store_.state();
+    for (std::size_t i = 0; i < state.teams.size(); ++i) {
+      const bool takes_part = state.teams[i].status != TeamStatus::withdrawn;
+      if (takes_part && !state.file.teams[i].over_dds) names.push_back(state.file.teams[i].name);
+    }
+  }
+  std::map<std::string, int> entries;
+  for (const std::string& name : names) {
+    if (const int entry = playing_entry(files_, store_.folder(), name); entry > 0)
+      entries[name] = entry;
+  }
+  return entries;
+}
+
+std::vector<std::string> ServedLeague::neighbours_of(const std::string& team) {
+  constexpr std::ptrdiff_t reach = 2;  // ranks
+  const std::lock_guard lock(mutex_);
+  poll();
+  const LeagueState& state = store_.state();
+  const auto index = state.find_team(team);
+  if (!state.is_started || !index) return {};
+  const std::vector<TableRow> table = state.table();
+  const auto own = std::find_if(table.begin(), table.end(),
+                                [&](const TableRow& row) { return row.team == *index; });
+  if (own == table.end()) return {};
+  std::vector<std::string> names;
+  const auto first = own - std::min(reach, own - table.begin());
+  const auto end = own + std::min(reach + 1, table.end() - own);
+  for (auto row = first; row != end; ++row) {
+    if (row != own) names.push_back(state.name(row->team));
+  }
+  return names;
+}
+
+std::string ServedLeague::statistics_of(const std::string& team) {
+  const std::lock_guard lock(mutex_);
+  poll();
+  const auto index = store_.state().find_team(team);
+  if (!index || !store_.state().is_started) return "";
+  make_pages();
+  return team_statistics_html(overview(store_.state(), facts_), reports_, *index);
+}
+
+std::optional<std::string> ServedLeague::replay_of(const std::string& record) {
+  const std::lock_guard one_at_a_time(replaying_);
+  const auto loaded = record::load(files_, record);
+  if (!loaded) return std::nullopt;
+  auto page = web::replay_page(*loaded, web::Times::left_out);
+  return page ? std::optional(std::move(page->html)) : std::nullopt;
 }
 
 std::string ServedLeague::news(std::uint64_t& seen) {

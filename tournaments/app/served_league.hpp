@@ -10,6 +10,7 @@
 #include "server/web/site_server.hpp"
 #include "tournaments/handin/own_legs.hpp"
 #include "tournaments/league/league_store.hpp"
+#include "tournaments/publish/league_statistics.hpp"
 #include "tournaments/publish/leg_facts.hpp"
 
 #include <nlohmann/json.hpp>
@@ -39,6 +40,18 @@ class ServedLeague {
   // Returns the decided legs of a team.
   std::vector<OwnLeg> legs_of(const std::string& team);
 
+  // Returns the teams that have an entry which would play now, with its number.
+  std::map<std::string, int> entries_that_play();
+
+  // Returns the teams next to a team in the table, above before below; none before the start.
+  std::vector<std::string> neighbours_of(const std::string& team);
+
+  // Returns the football statistics of a team, HTML; "" if there are none.
+  std::string statistics_of(const std::string& team);
+
+  // Returns the page that replays a record, a path; nothing if it cannot be made.
+  std::optional<std::string> replay_of(const std::string& record);
+
  private:
   // A leg that is being played and can be watched.
   struct LiveLeg {
@@ -53,6 +66,7 @@ class ServedLeague {
   void reopen();
   std::vector<LiveLeg> find_live_legs() const;
   void make_pages();
+  bool are_pages_fresh() const;
   std::optional<web::Page> replay(const std::string& stem);
   std::string linked(std::string page, const std::string& record);
 
@@ -65,8 +79,12 @@ class ServedLeague {
   std::uint64_t version_ = 0;  // grows with each change of the journal or of the live legs
   std::size_t lines_ = 0;      // of the journal
   std::vector<LiveLeg> live_legs_;
-  std::size_t lines_of_pages_ = 0;
+  std::uint64_t teams_version_ = 0;     // grows when league.json changes
+  std::uint64_t version_of_pages_ = 0;  // teams_version_ when the pages were made
+  std::size_t lines_of_pages_ = 0;      // lines_ then
+  std::chrono::steady_clock::time_point pages_rest_until_{};  // before the start of the league
   FactsOfLegs facts_;
+  LegReports reports_;
   std::map<std::string, web::Page> pages_;  // by path
   std::set<std::string> records_;           // names without .json
 

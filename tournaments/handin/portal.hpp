@@ -10,6 +10,7 @@
 #include "tournaments/handin/book.hpp"
 #include "tournaments/handin/doorkeeper.hpp"
 #include "tournaments/handin/entry_report.hpp"
+#include "tournaments/handin/friendly_desk.hpp"
 #include "tournaments/handin/own_legs.hpp"
 #include "tournaments/league/hand_ins.hpp"
 
@@ -29,6 +30,9 @@ struct PortalOptions {
   std::function<std::string(const std::string& team, const std::string& now)> why_not;
   // Returns the decided legs of a team.
   std::function<std::vector<OwnLeg>(const std::string& team)> legs;
+  // Returns the part of a page with the football statistics of a team, HTML; "" if there are none.
+  std::function<std::string(const std::string& team)> statistics;
+  FriendlyOptions friendlies;
   std::function<std::int64_t()> now;  // s since 1970
 };
 
@@ -39,6 +43,9 @@ class Portal {
 
   // The function web::Site::desk.
   std::optional<web::Reply> answer(const web::Request& request, const web::Body& body);
+
+  // The friendlies, for their runner.
+  FriendlyDesk& friendlies() { return *friendlies_; }
 
   // Marks the next hand-in as being checked and returns it; nothing if none is to be checked.
   std::optional<WaitingHandIn> begin_next();
@@ -55,7 +62,9 @@ class Portal {
  private:
   struct Upload;
 
-  Portal(system::Files& files, Folder folder, PortalOptions options, HandInBook book);
+  Portal(system::Files& files, Folder folder, PortalOptions options, HandInBook book,
+         std::unique_ptr<FriendlyDesk> friendlies);
+  Result<void> finish_what_was_begun();
 
   std::variant<Visitor, web::Reply> visitor(const web::Request& request, Purpose purpose);
   web::Reply api(const web::Request& request, const web::Body& body);
@@ -64,6 +73,10 @@ class Portal {
   web::Reply take(const web::Request& request, const web::Body& body, const Visitor& visitor);
   web::Reply keep(const Visitor& visitor, const std::string& name, system::IncomingFile& file,
                   const std::string& sha256);
+  web::Reply pin(const web::Request& request, const Visitor& visitor);
+  web::Reply friendly_reply(const web::Request& request, const Visitor& visitor);
+  web::Reply entry_reply(const std::string& team, std::string_view rest);
+  web::Reply team_page(const std::string& team);
   web::Reply leg_reply(const std::string& team, std::string_view rest);
   web::Reply events(const std::string& team, int entry);
   std::optional<web::Reply> refused_now(const std::string& team);
@@ -75,6 +88,7 @@ class Portal {
   const Folder folder_;
   const PortalOptions options_;
   LegCosts costs_;
+  const std::unique_ptr<FriendlyDesk> friendlies_;
   std::atomic<std::uint64_t> version_{1};  // grows with each change that a team may see
 
   std::mutex mutex_;  // guards what follows

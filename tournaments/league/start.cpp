@@ -3,6 +3,7 @@
 
 #include "server/record/match_record.hpp"
 #include "system/digest.hpp"
+#include "tournaments/league/hand_ins.hpp"
 
 namespace mirocup::league {
 
@@ -34,8 +35,7 @@ Result<void> book_entries(system::Files& files, LeagueStore& store) {
     const std::string& team = state.file.teams[i].name;
     const TeamState& booked = state.teams[i];
     if (booked.status == TeamStatus::withdrawn) continue;
-    const int number =
-        booked.entry > 0 ? booked.entry : last_accepted_entry(files, store.folder(), team);
+    const int number = booked.entry > 0 ? booked.entry : playing_entry(files, store.folder(), team);
     const std::string path = store.folder().library(team, number);
     const auto library = files.read(path, {.max_size = system::size_limit::entry});
     if (!library) return tl::unexpected(library.error());
