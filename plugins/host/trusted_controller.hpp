@@ -18,6 +18,11 @@ class TrustedController final : public match::Controller {
       const std::string& path, const match::Briefing& briefing,
       const match::TeamParameters& parameters);
 
+  // The same for the file of a team in Python. `module` is the path of mirocup-python.so.
+  static tl::expected<std::unique_ptr<TrustedController>, match::Fault> load_python(
+      const std::string& path, const std::string& module, const match::Briefing& briefing,
+      const match::TeamParameters& parameters);
+
   void post(const match::Observation& observation) override;
   match::Answer collect() override;
 
@@ -33,6 +38,8 @@ class TrustedController final : public match::Controller {
     mirocup_setup setup{};
   };
 
+  static std::unique_ptr<Facts> facts_for(const match::Briefing& briefing,
+                                          const match::TeamParameters& parameters);
   TrustedController(std::unique_ptr<Facts> facts, Plugin plugin);
 
   std::unique_ptr<Facts> facts_;

@@ -2,6 +2,8 @@
 #include "server/app/seats.hpp"
 
 #include "plugins/host/elf.hpp"
+#include "server/app/entry_advice.hpp"
+#include "server/app/host_program.hpp"
 #include "system/digest.hpp"
 #include "system/locations.hpp"
 
@@ -47,8 +49,13 @@ Result<TeamChoice> choose_team(const std::string& text) {
   auto entry = plugins::SealedEntry::open(choice.library);
   if (entry) {
     choice.info.sha256 = system::sha256(entry->bytes());
-    const auto library = plugins::read_shared_library(entry->bytes());
-    if (!library) choice.fault = no_load(choice.library + ": " + library.error());
+    if (!entry->is_python()) {
+      const auto library = plugins::read_shared_library(entry->bytes());
+      if (!library) {
+        const std::string known = advice_on_file(entry->bytes());
+        choice.fault = no_load(choice.library + ": " + (known.empty() ? library.error() : known));
+      }
+    }
     choice.entry = std::move(*entry);
   } else if (entry.error().code == Errc::input) {
     choice.fault = no_load(entry.error().what);
@@ -64,9 +71,10 @@ Result<TeamSeat> TeamSeat::take_in_process(const TeamChoice& choice,
   TeamSeat seat(choice.info);
   seat.load_fault_ = choice.fault;
   if (choice.fault) return seat;
-  auto process =
-      plugins::ProcessController::start(system::sibling_program("mirocup-plugin-host"),
-                                        *choice.entry, briefing, choice.info.parameters, terms);
+  const auto program = host_program(*choice.entry);
+  if (!program) return tl::unexpected(program.error());
+  auto process = plugins::ProcessController::start(*program, *choice.entry, briefing,
+                                                   choice.info.parameters, terms);
   if (!process) return tl::unexpected(process.error());
   seat.process_ = process->get();
   seat.controller_ = process->get();
@@ -78,8 +86,14 @@ Result<TeamSeat> TeamSeat::take_trusted(const TeamChoice& choice, const match::B
   TeamSeat seat(choice.info);
   seat.load_fault_ = choice.fault;
   if (choice.fault) return seat;
-  auto controller =
-      plugins::TrustedController::load(choice.library, briefing, choice.info.parameters);
+  const match::TeamParameters& parameters = choice.info.parameters;
+  const bool is_python = choice.entry->is_python();
+  const auto module = is_python ? python_module() : std::string();
+  if (!module) return tl::unexpected(module.error());
+  auto controller = is_python ? plugins::TrustedController::load_python(choice.library, *module,
+                                                                        briefing, parameters)
+                              : plugins::TrustedController::load(choice.library, briefing,
+                                                                 parameters);
   if (!controller) {
     seat.load_fault_ = controller.error();
     return seat;

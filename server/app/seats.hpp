@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The seats of the two teams of a leg. A team is a library in a process of its own, a library in
-// this process, or a program on the network.
+// The seats of the two teams of a leg. A team is a library or a file of Python in a process of its
+// own or in this process, or a program on the network.
 #pragma once
 
 #include "plugins/host/process_controller.hpp"
@@ -20,13 +20,13 @@ namespace mirocup::app {
 // A team as the command line names it.
 struct TeamChoice {
   record::TeamInfo info;
-  std::string library;       // path; "" for a DDS team
+  std::string library;       // path, also of a file of Python; "" for a DDS team
   std::string network_name;  // the name of a DDS team on the network; "" for others
   std::optional<plugins::SealedEntry> entry;  // the library's bytes when it was chosen
   std::optional<match::Fault> fault;          // of a file that cannot be loaded as a library
 };
 
-// `text` is "dds:NAME", the path of a library, or the name of a house team. A library that cannot
+// `text` is "dds:NAME", the path of a library or of a file of Python, or the name of a house team. A library that cannot
 // be loaded is a fault of the team, not an error.
 
 Result<TeamChoice> choose_team(const std::string& text);
