@@ -33,10 +33,16 @@ TeamKit team_kit() {
   const bool is_installed = program.parent_path().filename() == "bin";
   const fs::path prefix =
       is_installed ? program.parent_path().parent_path() : program.parent_path();
+  fs::path python;
+  for (const char* folder : {"python", "share/mirocup/python", "lib/python3/dist-packages"}) {
+    if (python.empty() && is_there(prefix / folder / "mirocup" / "team.py"))
+      python = prefix / folder;
+  }
   return {.program = program.string(),
           .prefix = prefix.string(),
           .headers = (prefix / "include" / "mirocup").string(),
-          .templates = (prefix / "share" / "mirocup" / "team").string()};
+          .templates = (prefix / "share" / "mirocup" / "team").string(),
+          .python = python.string()};
 }
 
 std::string drill_folder() {

@@ -288,6 +288,9 @@ void add_new(CLI::App& app, Run& run) {
                                  run_new);
   command->add_option("DIR", command.options->folder, "Folder to make; must be new or empty")
       ->required();
+  command->add_option("--language", command.options->language, "Language of the team")
+      ->check(CLI::IsMember({"c++", "c", "python"}))
+      ->capture_default_str();
 }
 
 void add_verify(CLI::App& app, Run& run) {

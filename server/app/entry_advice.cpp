@@ -96,6 +96,8 @@ std::string advice_on_python(const FaultEvidence& evidence) {
       return "the log has the traceback; mirocup match --trusted stops at breakpoint()";
     case FaultCode::budget:
       return advice_on_time_in_python;
+    case FaultCode::illegal_call:
+      return "a module that it imports needs more of the system than a team gets: do without it";
     default:
       return "";
   }

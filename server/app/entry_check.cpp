@@ -366,8 +366,13 @@ Result<std::string> Examination::cause_of_difference(const TrialTerms& terms) {
   };
   const auto plain = leg_in({}, false);
   if (!plain) return tl::unexpected(plain.error());
-  if (first_difference(blue_, *plain))
-    return std::string("chance of its own, such as std::random_device: take it from setup.seed");
+  if (first_difference(blue_, *plain)) {
+    return std::string(entry_->is_python()
+                           ? "chance of its own: take it from the module random, which setup.seed "
+                             "has seeded, and not from clocks, os.urandom() or default_rng()"
+                           : "chance of its own, such as std::random_device: take it from "
+                             "setup.seed");
+  }
 
   Surroundings clocks, memory, numbers, addresses;
   clocks.clocks = other_clocks;

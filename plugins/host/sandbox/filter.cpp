@@ -57,6 +57,7 @@ constexpr const char* no_access[] = {"open",   "access",     "faccessat", "facce
                                      "stat",   "lstat",      "readlink",  "readlinkat",
                                      "getcwd", "socket",     "socketpair"};
 constexpr const char* list_folder = "getdents64";
+constexpr const char* file_system = "statfs";  // some modules of Python ask for it
 constexpr const char* not_there[] = {"statx", "clone3", "membarrier", "set_mempolicy",
                                      "get_mempolicy"};
 constexpr const char* no_descriptors[] = {
@@ -243,6 +244,7 @@ bool filter_for_loading(Folders folders) {
   filter.add_all(SCMP_ACT_ERRNO(EPERM), not_permitted);
   filter.add_all(SCMP_ACT_ERRNO(EACCES), no_access);
   filter.add(folders == Folders::listed ? SCMP_ACT_ALLOW : SCMP_ACT_ERRNO(EACCES), list_folder);
+  if (folders == Folders::listed) filter.add(SCMP_ACT_ERRNO(EACCES), file_system);
   filter.add_all(SCMP_ACT_ERRNO(ENOSYS), not_there);
   filter.add_all(SCMP_ACT_ERRNO(EMFILE), no_descriptors);
   filter.add_all(SCMP_ACT_ERRNO(EAGAIN), try_again);
