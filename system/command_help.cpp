@@ -55,16 +55,38 @@ std::string option_text(const CLI::Option& option) {
   return joined.empty() ? text : text + " (" + joined + ")";
 }
 
+// Breaks lines so that the help fits into 100 columns.
+std::string wrapped_text(const std::string& text) {
+  constexpr std::size_t width = 66;
+  std::istringstream words(text);
+  std::string lines;
+  std::size_t column = 0;
+  for (std::string word; words >> word; column += word.size()) {
+    if (column > 0 && column + 1 + word.size() > width) {
+      lines += '\n';
+      column = 0;
+    } else if (column > 0) {
+      lines += ' ';
+      ++column;
+    }
+    lines += word;
+  }
+  return lines;
+}
+
 class HelpLayout final : public CLI::Formatter {
  public:
-  HelpLayout() { column_width(34); }
+  HelpLayout() {
+    column_width(34);
+    label("SUBCOMMAND", "COMMAND");
+  }
 
   std::string make_option_opts(const CLI::Option* option) const override {
     const std::string value = option->get_positional() ? "" : value_text(*option);
     return value.empty() ? "" : " " + value;
   }
   std::string make_option_desc(const CLI::Option* option) const override {
-    return option_text(*option);
+    return wrapped_text(option_text(*option));
   }
 };
 
@@ -175,8 +197,8 @@ std::string footer_of(const CLI::App& command) {
   const std::string footer = command.get_footer();
   if (footer.empty()) return "";
   const std::size_t line = footer.find('\n');
-  return ".SH EXAMPLES\n.nf\n" + roff(line == std::string::npos ? footer : footer.substr(line + 1)) +
-         "\n.fi\n";
+  return ".SH EXAMPLES\n.nf\n" +
+         roff(line == std::string::npos ? footer : footer.substr(line + 1)) + "\n.fi\n";
 }
 
 constexpr const char* bash_script = R"(# bash completion of @P@: made by @P@ completion bash

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace mirocup::system {
 
@@ -26,6 +27,9 @@ TeamKit team_kit();
 
 // Returns the folder of the drills that come with mirocup.
 std::string drill_folder();
+
+// Returns the names of the house teams, sorted.
+std::vector<std::string> house_teams();
 
 // Returns the path of the library of a house team; "" if there is no such team.
 std::string house_team(const std::string& name);

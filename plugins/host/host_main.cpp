@@ -101,7 +101,8 @@ const char* enter_sandbox(Isolation isolation, CommandPage& page) {
   const bool has_namespaces = isolation == Isolation::T2;
   if (!limit_this_process()) give_up("limits");
   if (!report_faults_to(page)) give_up("fault handlers");
-  if (!allow_libraries_only(has_namespaces ? private_entry_path : nullptr, folders_of_guest())) give_up("Landlock");
+  if (!allow_libraries_only(has_namespaces ? private_entry_path : nullptr, folders_of_guest()))
+    give_up("Landlock");
   let_the_server_end_loading();
   if (!filter_for_loading(folders_of_guest())) give_up("the filter of system calls");
   if (write(setup_descriptor, &sandbox_stands, 1) != 1) _exit(127);

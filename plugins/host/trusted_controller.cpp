@@ -40,8 +40,8 @@ tl::expected<std::unique_ptr<TrustedController>, match::Fault> TrustedController
   };
   void* library = dlopen(module.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) return no_load(std::string("Python is not here: ") + dlerror());
-  const auto load = reinterpret_cast<decltype(&mirocup_python_load)>(
-      dlsym(library, "mirocup_python_load"));
+  const auto load =
+      reinterpret_cast<decltype(&mirocup_python_load)>(dlsym(library, "mirocup_python_load"));
   if (load == nullptr) return no_load(module + " is of another version");
   auto facts = facts_for(briefing, parameters);
   PythonLoaded loaded{};

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #define PY_SSIZE_T_CLEAN
-#include <Python.h>
-
 #include "plugins/python/python_team.hpp"
+
 #include "plugins/python/team_source.hpp"
 
+#include <Python.h>
 #include <cstring>
 #include <memory>
 #include <stdexcept>
@@ -115,12 +115,13 @@ bool start_interpreter(Surrounding surrounding, std::string& why) {
   config.use_hash_seed = 1;  // of 0: the order of a set is the same in every leg
   config.module_search_paths_set = 1;
   bool is_set = PyStatus_Exception(status) == 0;
-  for (const char* folder : {MIROCUP_PYTHON_LIBRARY, MIROCUP_PYTHON_LIBRARY "/lib-dynload",
-                             "/usr/local/lib/python3/dist-packages",
-                             "/usr/lib/python3/dist-packages"})
+  for (const char* folder :
+       {MIROCUP_PYTHON_LIBRARY, MIROCUP_PYTHON_LIBRARY "/lib-dynload",
+        "/usr/local/lib/python3/dist-packages", "/usr/lib/python3/dist-packages"})
     is_set = is_set && add_search_path(config, folder);
   for (wchar_t** part : {&config.program_name, &config.executable, &config.base_executable})
-    is_set = is_set && PyStatus_Exception(PyConfig_SetString(&config, part, L"/usr/bin/python3")) == 0;
+    is_set =
+        is_set && PyStatus_Exception(PyConfig_SetString(&config, part, L"/usr/bin/python3")) == 0;
   for (wchar_t** part :
        {&config.prefix, &config.exec_prefix, &config.base_prefix, &config.base_exec_prefix})
     is_set = is_set && PyStatus_Exception(PyConfig_SetString(&config, part, L"/usr")) == 0;
@@ -183,16 +184,16 @@ tl::expected<LoadedTeam, Fault> load_team(const std::string& text, const std::st
   PyObject* module = team->module.get();
   if (module == nullptr)
     return fault(FaultCode::no_load, "Python does not start: " + take_error(nullptr, name));
-  const Object team_class = call(module, "_load", "y#s", text.data(),
-                                 static_cast<Py_ssize_t>(text.size()), name.c_str());
+  const Object team_class =
+      call(module, "_load", "y#s", text.data(), static_cast<Py_ssize_t>(text.size()), name.c_str());
   if (team_class == nullptr) return fault(FaultCode::no_load, take_error(module, name));
   const Object handle(PyCapsule_New(const_cast<mirocup_setup*>(&setup), nullptr, nullptr));
   const Object parameter(handle == nullptr ? nullptr
                                            : PyCFunction_New(&parameter_method, handle.get()));
   if (parameter != nullptr) {
-    team->runner = call(module, "_create", "Oy#O", team_class.get(),
-                        reinterpret_cast<const char*>(&setup),
-                        static_cast<Py_ssize_t>(sizeof setup), parameter.get());
+    team->runner =
+        call(module, "_create", "Oy#O", team_class.get(), reinterpret_cast<const char*>(&setup),
+             static_cast<Py_ssize_t>(sizeof setup), parameter.get());
   }
   if (team->runner == nullptr)
     return fault(FaultCode::crash, "__init__() raised " + take_error(module, name));

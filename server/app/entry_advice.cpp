@@ -84,8 +84,7 @@ std::string advice_on_python(const FaultEvidence& evidence) {
         return "a team opens no file: put its data into the source";
       return "mend that line; the log shows it";
     case FaultCode::crash:
-      if (has(text, "start new thread"))
-        return "a team has one thread: compute in decide()";
+      if (has(text, "start new thread")) return "a team has one thread: compute in decide()";
       if (has(text, "No module named") || has(text, "ModuleNotFoundError"))
         return "import it at the top of the file: no file can be opened while the team plays";
       if (has(text, "PermissionError") || has(text, "FileNotFoundError"))

@@ -404,7 +404,9 @@ void Session::report() const {
   const match::Outcome& r = match_.outcome();
   std::cout << seats_[0].info().name << " (blue) " << r.score[0] << " : " << r.score[1] << " "
             << seats_[1].info().name << " (yellow), " << to_string(r.kind) << " after "
-            << match_.tick() << " ticks, state hash " << to_hex(match_.state_hash()) << '\n';
+            << match_.tick() << " ticks";
+  if (options_.hash) std::cout << ", state hash " << to_hex(match_.state_hash());
+  std::cout << '\n';
   for (const match::TeamFault& f : r.faults) {
     std::cout << to_string(f.team) << ": " << to_string(f.fault.code) << ": "
               << system::printable(f.fault.text) << '\n';

@@ -72,7 +72,8 @@ Result<int> run_new(const NewOptions& options) {
     if ((fs::status(file.path()).permissions() & fs::perms::owner_exec) != fs::perms::none)
       fs::permissions(path, fs::perms::all & ~fs::perms(022), none);
   }
-  std::cout << system::printable(folder) << ": a team. " << (options.language == "python" ? "Test" : "Build, test") << " and check it: cd "
+  std::cout << system::printable(folder) << ": a team. "
+            << (options.language == "python" ? "Test" : "Build, test") << " and check it: cd "
             << quoted_for_shell(folder)
             << (options.language == "python" ? " && ./test\n"
                                              : " && cmake --workflow --preset team\n");

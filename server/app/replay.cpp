@@ -9,9 +9,13 @@
 #include "server/web/picture.hpp"
 #include "system/printable.hpp"
 
+#include <cstdlib>
+#include <fcntl.h>
 #include <filesystem>
 #include <iostream>
 #include <optional>
+#include <spawn.h>
+#include <unistd.h>
 
 namespace mirocup::app {
 

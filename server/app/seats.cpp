@@ -4,6 +4,7 @@
 #include "plugins/host/elf.hpp"
 #include "server/app/entry_advice.hpp"
 #include "server/app/host_program.hpp"
+#include "system/command_line.hpp"
 #include "system/digest.hpp"
 #include "system/locations.hpp"
 
@@ -44,7 +45,9 @@ Result<TeamChoice> choose_team(const std::string& text) {
     choice.info = {std::filesystem::path(text).stem().string(), record::TeamKind::plugin,
                    std::nullopt};
   } else {
-    return fail(Errc::input, "\"" + text + "\" is neither a file nor a house team");
+    const std::string meant = system::closest_word(text, system::house_teams());
+    return fail(Errc::input, "\"" + text + "\" is neither a file nor a house team" +
+                                 (meant.empty() ? "" : "; did you mean " + meant + "?"));
   }
   auto entry = plugins::SealedEntry::open(choice.library);
   if (entry) {
@@ -90,10 +93,10 @@ Result<TeamSeat> TeamSeat::take_trusted(const TeamChoice& choice, const match::B
   const bool is_python = choice.entry->is_python();
   const auto module = is_python ? python_module() : std::string();
   if (!module) return tl::unexpected(module.error());
-  auto controller = is_python ? plugins::TrustedController::load_python(choice.library, *module,
-                                                                        briefing, parameters)
-                              : plugins::TrustedController::load(choice.library, briefing,
-                                                                 parameters);
+  auto controller =
+      is_python
+          ? plugins::TrustedController::load_python(choice.library, *module, briefing, parameters)
+          : plugins::TrustedController::load(choice.library, briefing, parameters);
   if (!controller) {
     seat.load_fault_ = controller.error();
     return seat;

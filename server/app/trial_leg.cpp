@@ -2,7 +2,6 @@
 #include "server/app/trial_leg.hpp"
 
 #include "server/app/host_program.hpp"
-
 #include "server/pace/wall_clock.hpp"
 #include "system/locations.hpp"
 
@@ -47,8 +46,8 @@ Result<Seats> start_teams(const plugins::SealedEntry& entry, const match::Leg& l
         host_program(played, is_own && terms.is_careful ? Care::watched : Care::none);
     if (!program) return tl::unexpected(program.error());
     auto process = plugins::ProcessController::start(
-        *program, played, leg.briefing(team),
-        is_own ? terms.parameters : match::TeamParameters(), process_terms);
+        *program, played, leg.briefing(team), is_own ? terms.parameters : match::TeamParameters(),
+        process_terms);
     if (!process) return tl::unexpected(process.error());
     seats[index_of(team)] = std::move(*process);
   }

@@ -43,9 +43,8 @@ Result<std::vector<Waiting>> waiting_in(system::Files& files, const std::string&
     const std::string path = inbox + "/" + name;
     const auto owner = system::owner_of(path);
     if (!owner) continue;  // removed since
-    all.push_back({.path = path,
-                   .team = name.substr(0, name.size() - end->size()),
-                   .turn = turns[*owner]++});
+    all.push_back(
+        {.path = path, .team = name.substr(0, name.size() - end->size()), .turn = turns[*owner]++});
   }
   std::stable_sort(all.begin(), all.end(),
                    [](const Waiting& a, const Waiting& b) { return a.turn < b.turn; });

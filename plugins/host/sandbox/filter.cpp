@@ -53,9 +53,9 @@ constexpr const char* not_permitted[] = {
     "sched_setaffinity", "sched_setscheduler", "sched_setparam", "sched_setattr", "setpriority",
     "ioprio_set",        "setrlimit",          "mlock",          "mlock2",        "mlockall",
     "munlock",           "munlockall"};
-constexpr const char* no_access[] = {"open",   "access",     "faccessat", "faccessat2",
-                                     "stat",   "lstat",      "readlink",  "readlinkat",
-                                     "getcwd", "socket",     "socketpair"};
+constexpr const char* no_access[] = {"open",   "access", "faccessat", "faccessat2",
+                                     "stat",   "lstat",  "readlink",  "readlinkat",
+                                     "getcwd", "socket", "socketpair"};
 constexpr const char* list_folder = "getdents64";
 constexpr const char* file_system = "statfs";  // some modules of Python ask for it
 constexpr const char* not_there[] = {"statx", "clone3", "membarrier", "set_mempolicy",
