@@ -138,8 +138,7 @@ std::string sentence_of(const CLI::App& command, const CLI::ParseError& error) {
   if (kind == "ArgumentMismatch" && known != nullptr) {
     const std::string type = known->get_type_name();
     const std::string name = known->get_positional() ? "" : " " + type.substr(0, type.find(':'));
-    return option + " needs " +
-           (known->get_items_expected_min() > 1 ? "more values" : "a value") +
+    return option + " needs " + (known->get_items_expected_min() > 1 ? "more values" : "a value") +
            (name.size() > 1 ? ": " + option + name : "") + for_example(command);
   }
   if (kind == "ConversionError") {
@@ -209,8 +208,7 @@ std::optional<int> parse_command_line(CLI::App& app, int argc, char** argv,
     meant.insert(meant.end(), {"help", "version"});
     std::string closest = closest_word(first, meant);
     if (closest == "version") closest = "--version";
-    return complain(app.get_name(),
-                    "there is no command " + in_quotes(first) + or_meant(closest));
+    return complain(app.get_name(), "there is no command " + in_quotes(first) + or_meant(closest));
   }
   try {
     std::reverse(words.begin(), words.end());  // as CLI11 wants them

@@ -38,8 +38,8 @@ std::vector<std::string> other_versions() {
       if (!folder.empty()) add_program(folder, found);
     }
   }
-  for (const fs::path& all : {fs::path(shared_versions),
-                              fs::path(system::team_kit().prefix).parent_path()}) {
+  for (const fs::path& all :
+       {fs::path(shared_versions), fs::path(system::team_kit().prefix).parent_path()}) {
     std::vector<fs::path> folders;
     std::error_code none;
     for (const auto& folder : fs::directory_iterator(all, none)) folders.push_back(folder.path());

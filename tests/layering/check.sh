@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# Dependencies point in one direction (README.md, "The tree"). Fails on an include, a link or a library call against it.
+# Dependencies point in one direction (docs/tree.md). Fails on an include, a link or a library call against it.
 # Run from anywhere: tests/layering/check.sh [ROOT]
 set -euo pipefail
 cd "${1:-$(dirname "$0")/../..}"

@@ -53,8 +53,8 @@ TEST_F(PythonTeams, PlayTheSameLegInEachSandboxAndWithoutOne) {
   std::string first;
   for (const std::vector<std::string>& how :
        {std::vector<std::string>{}, {"--isolation", "T1"}, {"--trusted"}}) {
-    std::vector<std::string> words{program("mirocup"), "match",    "--blue", path,  "--yellow",
-                                   "chaser",           "--half",   "10",     "--hash"};
+    std::vector<std::string> words{program("mirocup"), "match",  "--blue", path,    "--yellow",
+                                   "chaser",           "--half", "10",     "--hash"};
     words.insert(words.end(), how.begin(), how.end());
     const Outcome outcome = run(words);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
