@@ -133,7 +133,8 @@ std::string sentence_of(const CLI::App& command, const CLI::ParseError& error) {
   const std::string option = text.substr(0, text.find(kind == "RequiredError" ? " " : ":"));
   const CLI::Option* known = command.get_option_no_throw(option);
   if (kind == "RequiredError") return option + " is missing" + for_example(command);
-  if (kind == "ExtrasError")
+  // Its name is the command's.
+  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError))
     return in_quotes(text.substr(text.rfind(": ") + 2)) + " is not expected" + for_example(command);
   if (kind == "ArgumentMismatch" && known != nullptr) {
     const std::string type = known->get_type_name();
