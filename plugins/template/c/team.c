@@ -8,7 +8,8 @@ static const double pi = 3.14159265358979323846;
 
 struct team {
   const mirocup_setup* setup;
-  double wait; /* how far behind the ball the others stay, m. To try another value: --param wait=0.4 */
+  double
+      wait; /* how far behind the ball the others stay, m. To try another value: --param wait=0.4 */
 };
 
 static double limited(double value, double low, double high) {
@@ -47,7 +48,8 @@ static mirocup_wheels kick(const mirocup_setup* setup, const mirocup_observation
   if (behind > 0.03 && fabs(aside) < 0.03) {
     return drive_to(setup, robot, now->ball_x + 0.3 * along_x, now->ball_y + 0.3 * along_y);
   }
-  if (behind > 0.0) return drive_to(setup, robot, now->ball_x - step * along_x, now->ball_y - step * along_y);
+  if (behind > 0.0)
+    return drive_to(setup, robot, now->ball_x - step * along_x, now->ball_y - step * along_y);
   /* In front of the ball: round it. */
   step = aside < 0.0 ? -0.15 : 0.15;
   return drive_to(setup, robot, now->ball_x - 0.15 * along_x - step * along_y,
@@ -71,11 +73,10 @@ static void decide(void* handle, const mirocup_observation* now, mirocup_command
   command->wheels[0] = drive_to(setup, &now->own[0], -setup->half_length + 0.05,
                                 limited(now->ball_y, -reach, reach));
   for (i = 1; i < now->robots; ++i) {
+    const double x = fmax(now->ball_x - team->wait, -setup->half_length + 0.35);
     const double side = i % 2 == 0 ? 0.2 : -0.2;
     command->wheels[i] =
-        i == 1 ? kick(setup, now, &now->own[i])
-               : drive_to(setup, &now->own[i], fmax(now->ball_x - team->wait, -setup->half_length + 0.35),
-                          side);
+        i == 1 ? kick(setup, now, &now->own[i]) : drive_to(setup, &now->own[i], x, side);
   }
 }
 

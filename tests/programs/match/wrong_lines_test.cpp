@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Wrong command lines, one a line of wrong_lines.txt. Catches an answer with another exit code, with
-// more than one sentence, with words of a library that a user does not know, and one that leaves
-// something on standard output.
+// Wrong command lines, one a line of wrong_lines.txt. Catches an answer with another exit code,
+// with more than one sentence, with words of a library that a user does not know, or with something
+// on standard output.
 #include "tests/support/program.hpp"
 
 #include <gtest/gtest.h>
