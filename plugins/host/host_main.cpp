@@ -134,6 +134,8 @@ int main(int argc, char** argv) {
   close(entry_descriptor);
   if (!allow_no_files() || !filter_for_playing())
     refuse(*out, {match::FaultCode::crash, "the library changed the sandbox while it was loaded"});
+  const std::string name = plugin->name();
+  std::memcpy(out->name, name.data(), std::min(name.size(), sizeof out->name - 1));
   out->load_state.store(LoadState::ready, std::memory_order_release);
   wake(out->answer);
 

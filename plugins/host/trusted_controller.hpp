@@ -26,6 +26,9 @@ class TrustedController final : public match::Controller {
   void post(const match::Observation& observation) override;
   match::Answer collect() override;
 
+  // Returns the name that the library gives its team: any text.
+  std::string team_name() const { return plugin_.name(); }
+
   // Returns the rows of the table of parameters that the team asked for so far.
   std::uint32_t asked_parameters() const { return facts_->asked.load(std::memory_order_relaxed); }
 

@@ -23,9 +23,11 @@ struct Release {
 using Object = std::unique_ptr<PyObject, Release>;
 
 struct PythonTeam {
-  Object module;  // mirocup.team
-  Object runner;  // a _Runner of it
-  std::string name;
+  Object module;         // mirocup.team
+  Object runner;         // a _Runner of it
+  std::string name;      // of the file, in sentences
+  std::string own_name;  // of the team, as its class says
+  mirocup_strategy strategy{};
 };
 
 // Calls a function of a module or a method of an object. Null: an exception is set.
@@ -197,7 +199,16 @@ tl::expected<LoadedTeam, Fault> load_team(const std::string& text, const std::st
   }
   if (team->runner == nullptr)
     return fault(FaultCode::crash, "__init__() raised " + take_error(module, name));
-  return LoadedTeam{&functions, team.release()};
+  const Object own_name(PyObject_GetAttrString(team_class.get(), "name"));
+  const char* text_of_name = own_name != nullptr && PyUnicode_Check(own_name.get()) != 0
+                                 ? PyUnicode_AsUTF8(own_name.get())
+                                 : nullptr;
+  PyErr_Clear();
+  if (text_of_name != nullptr) team->own_name = text_of_name;
+  team->strategy = functions;
+  team->strategy.name = team->own_name.c_str();
+  const mirocup_strategy* strategy = &team->strategy;
+  return LoadedTeam{strategy, team.release()};
 }
 
 }  // namespace mirocup::python

@@ -157,6 +157,7 @@ class Session {
 
  private:
   Result<TeamSeat> take_seat(const TeamChoice& choice, Team team);
+  void use_own_names();
   dds::JoinTerms patience();
   Result<plugins::ProcessTerms> process_terms() const;
   double longest_play() const;
@@ -231,7 +232,25 @@ Result<void> Session::seat_teams() {
   }
   if (network_) network_->publish(match_);  // teams answer it before the match begins
   wait_until_ready(seats_, match_, interrupt_);
+  use_own_names();
   return {};
+}
+
+// A library that is called team.so is told from another one by the name that it exports, unless
+// both export the same, as two versions of a team do.
+void Session::use_own_names() {
+  const auto name_of = [this](Team team) {
+    const TeamSeat& seat = seats_[index_of(team)];
+    const bool is_asked =
+        seat.info().kind == record::TeamKind::plugin && options_.names[index_of(team)].empty();
+    const std::string own = is_asked ? seat.own_name() : std::string();
+    return own.empty() ? seat.info().name : own;
+  };
+  const std::string blue = name_of(Team::blue);
+  const std::string yellow = name_of(Team::yellow);
+  if (blue == yellow) return;
+  seats_[0].rename(blue);
+  seats_[1].rename(yellow);
 }
 
 Result<TeamSeat> Session::take_seat(const TeamChoice& choice, Team team) {

@@ -7,6 +7,7 @@
 #include "system/command_line.hpp"
 #include "system/digest.hpp"
 #include "system/locations.hpp"
+#include "system/printable.hpp"
 
 #include <filesystem>
 #include <sched.h>
@@ -124,6 +125,14 @@ tl::expected<void, match::Answer> TeamSeat::wait_until_ready() {
   if (process_ != nullptr) return process_->wait_until_ready();
   if (network_ != nullptr) return network_->wait_until_ready();
   return {};
+}
+
+std::string TeamSeat::own_name() const {
+  constexpr std::size_t longest = 40;  // bytes, as in a league
+  std::string name;
+  if (process_ != nullptr) name = process_->team_name();
+  if (trusted_ != nullptr) name = trusted_->team_name();
+  return name.size() > longest || system::printable(name) != name ? "" : name;
 }
 
 match::TeamParameters TeamSeat::unknown_parameters() const {

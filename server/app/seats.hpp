@@ -56,6 +56,11 @@ class TeamSeat {
   }
   const record::TeamInfo& info() const { return info_; }
 
+  // Returns the name that the team's own library gives it; "" if it has none, is not ready, or
+  // gives one that cannot be printed on a line.
+  std::string own_name() const;
+  void rename(const std::string& name) { info_.name = name; }
+
   // Returns those of its parameters that the team has not asked for so far.
   match::TeamParameters unknown_parameters() const;
 

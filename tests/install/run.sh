@@ -3,19 +3,22 @@
 #
 # Makes the packages and tries them in a Debian 12 that has nothing else: install, play, check, teams in three languages, a
 # league with its units, uninstall. Needs root, mmdebstrap, lintian, dpkg-dev and a mirror of Debian.
-# Usage: tests/install/run.sh [--mirror URL] [--keep]      $APT_PROXY_OPTIONS: more options of mmdebstrap
+# Usage: tests/install/run.sh [--mirror URL] [--build DIR] [--keep]
+#   --build DIR   a tree that is built already, with MIROCUP_PYTHON_DIR as in the preset packages
 #
 # Catches a package that forgets a file or a dependency, one that works only beside the sources or only if it can write below
 # /usr, a package that lintian complains of, a unit that systemd does not take, and a removal that takes a league with it.
 set -euo pipefail
 root=$(realpath "$(dirname "$0")/../..")
 mirror=
+build=
 keep=
 while [[ $# -gt 0 ]]; do
   case $1 in
     --mirror) mirror=$2; shift 2 ;;
+    --build) build=$(realpath "$2"); shift 2 ;;
     --keep) keep=1; shift ;;
-    *) echo "usage: $0 [--mirror URL] [--keep]" >&2; exit 2 ;;
+    *) echo "usage: $0 [--mirror URL] [--build DIR] [--keep]" >&2; exit 2 ;;
   esac
 done
 for tool in mmdebstrap lintian dpkg-shlibdeps; do
@@ -27,11 +30,14 @@ step() { echo "== $*"; }
 
 step "packages"
 cd "$root"
-cmake --preset packages >/dev/null
-cmake --build --preset packages
-rm -f build/packages/*.deb
-(cd build/packages && cpack -G DEB)
-packages=("$root"/build/packages/*.deb)
+if [[ -z $build ]]; then
+  build=$root/build/packages
+  cmake --preset packages >/dev/null
+  cmake --build --preset packages
+fi
+rm -f "$build"/*.deb
+(cd "$build" && cpack -G DEB)
+packages=("$build"/*.deb)
 [[ ${#packages[@]} -eq 4 ]]
 
 step "lintian"
@@ -47,7 +53,7 @@ trap finish EXIT
 # apt-get of this computer knows how to reach a mirror.
 sources=()
 if [[ -n $mirror ]]; then sources=("deb $mirror bookworm main"); fi
-mmdebstrap --variant=minbase ${APT_PROXY_OPTIONS:-} bookworm "$folder/debian" "${sources[@]}"
+mmdebstrap --variant=minbase bookworm "$folder/debian" "${sources[@]}"
 cp /etc/resolv.conf "$folder/debian/etc/"
 mount -t proc proc "$folder/debian/proc"
 mount --rbind /dev "$folder/debian/dev"
