@@ -2,6 +2,7 @@
 #include "system/locations.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 namespace mirocup::system {
@@ -14,6 +15,12 @@ namespace {
 bool is_there(const fs::path& path) {
   std::error_code none;
   return fs::exists(path, none);
+}
+
+// A library is in lib/, or in a folder of lib/ that is named after the architecture.
+std::array<fs::path, 3> house_folders(const fs::path& here) {
+  return {here / "house", here.parent_path() / "lib" / "mirocup" / "house",
+          here.parent_path() / "mirocup" / "house"};
 }
 
 }  // namespace
@@ -34,10 +41,16 @@ TeamKit team_kit() {
   const bool is_installed = program.parent_path().filename() == "bin";
   const fs::path prefix =
       is_installed ? program.parent_path().parent_path() : program.parent_path();
+  fs::path python;
+  for (const char* folder : {"python", "share/mirocup/python", "lib/python3/dist-packages"}) {
+    if (python.empty() && is_there(prefix / folder / "mirocup" / "team.py"))
+      python = prefix / folder;
+  }
   return {.program = program.string(),
           .prefix = prefix.string(),
           .headers = (prefix / "include" / "mirocup").string(),
-          .templates = (prefix / "share" / "mirocup" / "team").string()};
+          .templates = (prefix / "share" / "mirocup" / "team").string(),
+          .python = python.string()};
 }
 
 std::string drill_folder() {
@@ -59,12 +72,22 @@ std::string house_team(const std::string& name) {
   return house_team(name, program_folder());
 }
 
+std::vector<std::string> house_teams() {
+  std::vector<std::string> names;
+  for (const fs::path& folder : house_folders(program_folder())) {
+    std::error_code none;
+    for (const auto& file : fs::directory_iterator(folder, none)) {
+      if (file.path().extension() == ".so") names.push_back(file.path().stem().string());
+    }
+    if (!names.empty()) break;
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 std::string house_team(const std::string& name, const std::string& folder) {
   if (name.empty() || name.find('/') != std::string::npos) return "";
-  // A library is in lib/, or in a folder of lib/ that is named after the architecture.
-  const fs::path here = folder;
-  for (const fs::path& teams : {here / "house", here.parent_path() / "lib" / "mirocup" / "house",
-                                here.parent_path() / "mirocup" / "house"}) {
+  for (const fs::path& teams : house_folders(folder)) {
     const fs::path library = teams / (name + ".so");
     if (is_there(library)) return library.string();
   }

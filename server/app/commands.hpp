@@ -45,6 +45,7 @@ struct MatchOptions {
   double join_within = 60.0;  // s that a DDS team has to join
   double away_limit = 10.0;   // s that a DDS team may be absent in total
   std::string credentials;
+  bool hash = false;  // print the state hash, too
   bool json = false;
 };
 Result<int> run_match(const MatchOptions& options);
@@ -106,8 +107,14 @@ struct JoinOptions {
 };
 Result<int> run_join(const JoinOptions& options);
 
+struct CompletionOptions {
+  std::string shell;
+};
+Result<int> run_completion(const CompletionOptions& options);
+
 struct NewOptions {
   std::string folder;
+  std::string language = "c++";
 };
 Result<int> run_new(const NewOptions& options);
 
@@ -133,6 +140,7 @@ struct ReplayOptions {
   bool no_times = false;
   bool public_page = false;  // without what only the teams may see
   std::string statistics;    // file for the statistics of the leg; "": none
+  bool open = false;         // in a browser
 };
 Result<int> run_replay(const ReplayOptions& options);
 

@@ -158,6 +158,7 @@ class Session {
 
  private:
   Result<TeamSeat> take_seat(const TeamChoice& choice, Team team);
+  void use_own_names();
   dds::JoinTerms patience();
   Result<plugins::ProcessTerms> process_terms() const;
   void keep_thoughts(std::uint32_t tick);
@@ -235,7 +236,25 @@ Result<void> Session::seat_teams() {
   }
   if (network_) network_->publish(match_);  // teams answer it before the match begins
   wait_until_ready(seats_, match_, interrupt_);
+  use_own_names();
   return {};
+}
+
+// A library that is called team.so is told from another one by the name that it exports, unless
+// both export the same, as two versions of a team do.
+void Session::use_own_names() {
+  const auto name_of = [this](Team team) {
+    const TeamSeat& seat = seats_[index_of(team)];
+    const bool is_asked =
+        seat.info().kind == record::TeamKind::plugin && options_.names[index_of(team)].empty();
+    const std::string own = is_asked ? seat.own_name() : std::string();
+    return own.empty() ? seat.info().name : own;
+  };
+  const std::string blue = name_of(Team::blue);
+  const std::string yellow = name_of(Team::yellow);
+  if (blue == yellow) return;
+  seats_[0].rename(blue);
+  seats_[1].rename(yellow);
 }
 
 Result<TeamSeat> Session::take_seat(const TeamChoice& choice, Team team) {
@@ -440,7 +459,9 @@ void Session::report() const {
   const match::Outcome& r = match_.outcome();
   std::cout << seats_[0].info().name << " (blue) " << r.score[0] << " : " << r.score[1] << " "
             << seats_[1].info().name << " (yellow), " << to_string(r.kind) << " after "
-            << match_.tick() << " ticks, state hash " << to_hex(match_.state_hash()) << '\n';
+            << match_.tick() << " ticks";
+  if (options_.hash) std::cout << ", state hash " << to_hex(match_.state_hash());
+  std::cout << '\n';
   for (const match::TeamFault& f : r.faults) {
     std::cout << to_string(f.team) << ": " << to_string(f.fault.code) << ": "
               << system::printable(f.fault.text) << '\n';

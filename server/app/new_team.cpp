@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup new DIR: writes a team that builds without changes.
+// mirocup new DIR: writes a team that builds, or in Python plays, without changes.
 #include "server/app/commands.hpp"
 #include "system/files.hpp"
 #include "system/locations.hpp"
@@ -32,6 +32,15 @@ std::string quoted_for_shell(const std::string& word) {
   return "'" + replaced(word, "'", "'\\''") + "'";
 }
 
+// A program that every shell finds is called by its name, so that the files outlive a move.
+std::string called_as(const std::string& program) {
+  const fs::path path(program);
+  for (const char* folder : {"/usr/bin", "/usr/local/bin"}) {
+    if (path.parent_path() == folder) return path.filename().string();
+  }
+  return program;
+}
+
 }  // namespace
 
 Result<int> run_new(const NewOptions& options) {
@@ -41,22 +50,33 @@ Result<int> run_new(const NewOptions& options) {
   if (fs::exists(folder, none) && !fs::is_empty(folder, none))
     return fail(Errc::input, folder + ": there is something in it already; name a new folder");
   const system::TeamKit kit = system::team_kit();
-  if (!fs::is_directory(kit.templates, none))
-    return fail(Errc::unavailable, kit.templates + ": the files of a new team are missing here");
+  const fs::path templates = fs::path(kit.templates) / options.language;
+  if (!fs::is_directory(templates, none)) {
+    return fail(Errc::unavailable,
+                templates.string() + ": the files of a new team are missing here");
+  }
+  const std::string program = quoted_for_shell(called_as(kit.program));
   if (auto made = disk.make_folder(folder); !made) return tl::unexpected(made.error());
 
-  for (const auto& file : fs::directory_iterator(kit.templates)) {
+  for (const auto& file : fs::directory_iterator(templates)) {
     auto text = disk.read(file.path().string(), {.max_size = system::size_limit::system_file,
                                                  .links = system::Links::followed});
     if (!text) return tl::unexpected(text.error());
-    std::string filled = replaced(std::move(*text), "@MIROCUP@", kit.program);
+    std::string filled = replaced(std::move(*text), "@MIROCUP@", program);
     filled = replaced(std::move(filled), "@MIROCUP_PREFIX@", kit.prefix);
     filled = replaced(std::move(filled), "@MIROCUP_HEADERS@", kit.headers);
+    filled = replaced(std::move(filled), "@MIROCUP_PYTHON@", kit.python);
     const std::string path = (fs::path(folder) / file.path().filename()).string();
     if (auto written = disk.write(path, filled); !written) return tl::unexpected(written.error());
+    // Scripts can be run.
+    if ((fs::status(file.path()).permissions() & fs::perms::owner_exec) != fs::perms::none)
+      fs::permissions(path, fs::perms::all & ~fs::perms(022), none);
   }
-  std::cout << system::printable(folder) << ": a team. Build, test and check it: cd "
-            << quoted_for_shell(folder) << " && cmake --workflow --preset team\n";
+  std::cout << system::printable(folder) << ": a team. "
+            << (options.language == "python" ? "Test" : "Build, test") << " and check it: cd "
+            << quoted_for_shell(folder)
+            << (options.language == "python" ? " && ./test\n"
+                                             : " && cmake --workflow --preset team\n");
   return exit_yes;
 }
 

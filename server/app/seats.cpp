@@ -2,8 +2,12 @@
 #include "server/app/seats.hpp"
 
 #include "plugins/host/elf.hpp"
+#include "server/app/entry_advice.hpp"
+#include "server/app/host_program.hpp"
+#include "system/command_line.hpp"
 #include "system/digest.hpp"
 #include "system/locations.hpp"
+#include "system/printable.hpp"
 
 #include <filesystem>
 #include <sched.h>
@@ -42,13 +46,20 @@ Result<TeamChoice> choose_team(const std::string& text) {
     choice.info = {std::filesystem::path(text).stem().string(), record::TeamKind::plugin,
                    std::nullopt};
   } else {
-    return fail(Errc::input, "\"" + text + "\" is neither a file nor a house team");
+    const std::string meant = system::closest_word(text, system::house_teams());
+    return fail(Errc::input, "\"" + text + "\" is neither a file nor a house team" +
+                                 (meant.empty() ? "" : "; did you mean " + meant + "?"));
   }
   auto entry = plugins::SealedEntry::open(choice.library);
   if (entry) {
     choice.info.sha256 = system::sha256(entry->bytes());
-    const auto library = plugins::read_shared_library(entry->bytes());
-    if (!library) choice.fault = no_load(choice.library + ": " + library.error());
+    if (!entry->is_python()) {
+      const auto library = plugins::read_shared_library(entry->bytes());
+      if (!library) {
+        const std::string known = advice_on_file(entry->bytes());
+        choice.fault = no_load(choice.library + ": " + (known.empty() ? library.error() : known));
+      }
+    }
     choice.entry = std::move(*entry);
   } else if (entry.error().code == Errc::input) {
     choice.fault = no_load(entry.error().what);
@@ -64,9 +75,10 @@ Result<TeamSeat> TeamSeat::take_in_process(const TeamChoice& choice,
   TeamSeat seat(choice.info);
   seat.load_fault_ = choice.fault;
   if (choice.fault) return seat;
-  auto process =
-      plugins::ProcessController::start(system::sibling_program("mirocup-plugin-host"),
-                                        *choice.entry, briefing, choice.info.parameters, terms);
+  const auto program = host_program(*choice.entry);
+  if (!program) return tl::unexpected(program.error());
+  auto process = plugins::ProcessController::start(*program, *choice.entry, briefing,
+                                                   choice.info.parameters, terms);
   if (!process) return tl::unexpected(process.error());
   seat.process_ = process->get();
   seat.controller_ = process->get();
@@ -79,8 +91,14 @@ Result<TeamSeat> TeamSeat::take_trusted(const TeamChoice& choice, const match::B
   TeamSeat seat(choice.info);
   seat.load_fault_ = choice.fault;
   if (choice.fault) return seat;
-  auto controller = plugins::TrustedController::load(choice.library, briefing,
-                                                     choice.info.parameters, keeps_thoughts);
+  const match::TeamParameters& parameters = choice.info.parameters;
+  const bool is_python = choice.entry->is_python();
+  const auto module = is_python ? python_module() : std::string();
+  if (!module) return tl::unexpected(module.error());
+  auto controller = is_python ? plugins::TrustedController::load_python(
+                                    choice.library, *module, briefing, parameters, keeps_thoughts)
+                              : plugins::TrustedController::load(choice.library, briefing,
+                                                                 parameters, keeps_thoughts);
   if (!controller) {
     seat.load_fault_ = controller.error();
     return seat;
@@ -108,6 +126,14 @@ tl::expected<void, match::Answer> TeamSeat::wait_until_ready() {
   if (process_ != nullptr) return process_->wait_until_ready();
   if (network_ != nullptr) return network_->wait_until_ready();
   return {};
+}
+
+std::string TeamSeat::own_name() const {
+  constexpr std::size_t longest = 40;  // bytes, as in a league
+  std::string name;
+  if (process_ != nullptr) name = process_->team_name();
+  if (trusted_ != nullptr) name = trusted_->team_name();
+  return name.size() > longest || system::printable(name) != name ? "" : name;
 }
 
 match::TeamParameters TeamSeat::unknown_parameters() const {

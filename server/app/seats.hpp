@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The seats of the two teams of a leg. A team is a library in a process of its own, a library in
-// this process, or a program on the network.
+// The seats of the two teams of a leg. A team is a library or a file of Python in a process of its
+// own or in this process, or a program on the network.
 #pragma once
 
 #include "plugins/host/process_controller.hpp"
@@ -20,15 +20,14 @@ namespace mirocup::app {
 // A team as the command line names it.
 struct TeamChoice {
   record::TeamInfo info;
-  std::string library;       // path; "" for a DDS team
+  std::string library;       // path, also of a file of Python; "" for a DDS team
   std::string network_name;  // the name of a DDS team on the network; "" for others
   std::optional<plugins::SealedEntry> entry;  // the library's bytes when it was chosen
   std::optional<match::Fault> fault;          // of a file that cannot be loaded as a library
 };
 
-// `text` is "dds:NAME", the path of a library, or the name of a house team. A library that cannot
-// be loaded is a fault of the team, not an error.
-
+// `text` is "dds:NAME", the path of a library or of a file of Python, or the name of a house team.
+// One that cannot be loaded is a fault of the team, not an error.
 Result<TeamChoice> choose_team(const std::string& text);
 
 // The place of one team in a leg: starts the team and asks it, whatever kind it is.
@@ -57,6 +56,11 @@ class TeamSeat {
     return *controller_;
   }
   const record::TeamInfo& info() const { return info_; }
+
+  // Returns the name that the team's own library gives it; "" if it has none, is not ready, or
+  // gives one that cannot be printed on a line.
+  std::string own_name() const;
+  void rename(const std::string& name) { info_.name = name; }
 
   // Returns those of its parameters that the team has not asked for so far.
   match::TeamParameters unknown_parameters() const;

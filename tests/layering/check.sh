@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# Dependencies point in one direction (README.md, "The tree"). Fails on an include, a link or a library call against it.
+# Dependencies point in one direction (docs/tree.md). Fails on an include, a link or a library call against it.
 # Run from anywhere: tests/layering/check.sh [ROOT]
 set -euo pipefail
 cd "${1:-$(dirname "$0")/../..}"
@@ -44,6 +44,7 @@ may plugins/predict 'core/(base|field|geometry|simulator)/|core/match/(command|o
 may plugins/house 'mirocup/'
 may plugins/abi 'core/|plugins/abi/|mirocup/'
 may plugins/host 'core/|system/|plugins/(abi|host)/|mirocup/'
+may plugins/python 'core/|plugins/(host|python)/|mirocup/'
 may idl 'idl/'
 may server/pace 'server/pace/'
 may server/record 'core/|system/|server/record/|server/pace/(absence|durations)\.hpp"'
@@ -76,7 +77,7 @@ only() {
 
 only 'dds/|mirocup\.h>' server/dds
 only 'nlohmann/' server/record server/statistics server/traces server/drills server/web server/app training tournaments
-only 'dlfcn\.h' plugins/host training
+only 'dlfcn\.h' plugins/host plugins/python training
 only 'httplib' server/web
 only 'kainjow/' server/web/design
 only 'CLI/' server/app system tournaments/app

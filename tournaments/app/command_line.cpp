@@ -4,7 +4,9 @@
 #include "tournaments/app/command_line.hpp"
 
 #include "server/record/match_record.hpp"
+#include "system/command_help.hpp"
 #include "system/command_line.hpp"
+#include "system/locations.hpp"
 #include "tournaments/app/commands.hpp"
 #include "tournaments/format/format.hpp"
 
@@ -45,7 +47,10 @@ void add_init(CLI::App& app, Action& action) {
   LeagueOptions& o = *command.options;
   add_folder(command);
   command->add_option("--config", o.config, "a league.json to start from");
-  command->add_option("--team", o.teams, "NAME=house:TEAM or NAME=FILE.so, once for each team")
+  command
+      ->add_option("--team", o.teams,
+                   "NAME=house:TEAM, NAME=FILE.so or NAME=FILE.py, once for each team")
+      ->type_name("NAME=TEAM")
       ->excludes("--config");
   std::vector<std::string> formats;
   for (const auto name : enum_names<FormatKind>) formats.emplace_back(name);
@@ -66,8 +71,11 @@ void add_submit(CLI::App& app, Action& action) {
   SubmitOptions& o = *command.options;
   add_folder(command);
   CLI::Option* team = command->add_option("TEAM", o.team, "its name");
-  CLI::Option* file = command->add_option("FILE.so", o.file, "its library");
-  command->add_option("--inbox", o.inbox, "a folder: hand in each TEAM.so in it that is new")
+  CLI::Option* file =
+      command->add_option("FILE", o.file, "its library (.so), or its file of Python (.py)");
+  command
+      ->add_option("--inbox", o.inbox,
+                   "a folder: hand in each TEAM.so and TEAM.py in it that is new")
       ->excludes(team)
       ->excludes(file);
   command->add_flag("--json", o.json, "one JSON object for each entry on standard output");
@@ -360,6 +368,60 @@ void add_credentials(CLI::App& app, Action& action) {
       ->capture_default_str();
 }
 
+constexpr const char* to_make = "Make";
+constexpr const char* to_take = "Entries";
+constexpr const char* to_play = "Play";
+constexpr const char* to_show = "Show";
+constexpr const char* to_rule = "Decide";
+constexpr const char* on_clusters = "Many computers";
+
+const system::CommandHelp help_of_commands[] = {
+    {"init",
+     to_make,
+     {"mirocup league init spring --team alpha=alpha.so --team house=house:striker --half 120",
+      "mirocup league init spring --config league.json"}},
+    {"credentials", to_make, {"mirocup league credentials spring"}},
+    {"compare",
+     to_make,
+     {"mirocup league compare new.so old.so",
+      "mirocup league compare a.so b.so c.so --against all"}},
+    {"submit",
+     to_take,
+     {"mirocup league submit spring alpha alpha.so", "mirocup league submit spring --inbox inbox"}},
+    {"owner", to_take, {"mirocup league owner spring alpha student7"}},
+    {"token",
+     to_take,
+     {"mirocup league token spring alpha", "mirocup league token spring --all --csv >tokens.csv"}},
+    {"start", to_play, {"mirocup league start spring --jobs 4"}},
+    {"stop", to_play, {"mirocup league stop spring"}},
+    {"status", to_play, {"mirocup league status spring"}},
+    {"serve",
+     to_show,
+     {"mirocup league serve spring --at 8080",
+      "mirocup league serve spring --hand-in --at 0.0.0.0:8443 --tls cert.pem key.pem"}},
+    {"show", to_show, {"mirocup league show spring --round r3"}},
+    {"publish", to_show, {"mirocup league publish spring"}},
+    {"stats", to_show, {"mirocup league stats spring --csv"}},
+    {"export", to_show, {"mirocup league export spring -o tables"}},
+    {"award", to_rule, {"mirocup league award spring r3-f1 alpha --reason \"beta left\""}},
+    {"rule", to_rule, {"mirocup league rule spring r3-f1 --score 2:1 --reason \"appeal 4\""}},
+    {"void", to_rule, {"mirocup league void spring r3-f1 --reason \"power cut\""}},
+    {"withdraw", to_rule, {"mirocup league withdraw spring beta --reason \"left the course\""}},
+    {"pause", to_rule, {"mirocup league pause spring beta --reason \"is looked at\""}},
+    {"resume", to_rule, {"mirocup league resume spring beta"}},
+    {"plan", on_clusters, {"mirocup league plan spring"}},
+    {"run-shard", on_clusters, {"mirocup league run-shard spring r1-f1 r1-f2"}},
+};
+
+const system::ValueNames value_names{
+    {"--config", "FILE"},   {"--team", "NAME"},   {"--half", "SECONDS"},      {"--seed", "SEED"},
+    {"--inbox", "DIR"},     {"--jobs", "NUMBER"}, {"--dds-domain", "NUMBER"}, {"--output", "DIR"},
+    {"--through", "ROUND"}, {"--round", "ROUND"}, {"--at", "[HOST:]PORT"},    {"--leg", "NUMBER"},
+    {"--reason", "TEXT"},   {"--by", "NAME"},     {"--score", "HOME:AWAY"},   {"--expires", "TIME"},
+    {"--most", "NUMBER"},   {"--equal", "ELO"},   {"--keep", "DIR"},          {"--revoke", "TEAM"},
+    {"--days", "DAYS"},
+};
+
 }  // namespace
 
 std::optional<int> read_command_line(int argc, char** argv, Action& action) {
@@ -375,6 +437,11 @@ std::optional<int> read_command_line(int argc, char** argv, Action& action) {
   add_compare(cli, action);
   add_shards(cli, action);
   add_credentials(cli, action);
+  cli.footer("mirocup league help COMMAND explains a command, with examples.");
+  system::finish_help(cli, help_of_commands, value_names);
+  if (const auto told =
+          system::tell_about(cli, argc, argv, record::software_version(), system::house_teams()))
+    return told;
   return system::parse_command_line(cli, argc, argv);
 }
 
