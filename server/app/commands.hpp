@@ -44,6 +44,10 @@ struct MatchOptions {
   double join_within = 60.0;  // s that a DDS team has to join
   double away_limit = 10.0;   // s that a DDS team may be absent in total
   std::string credentials;
+  // Addresses of firasim teams; "": those of the instance.
+  std::string firasim_vision, firasim_command, firasim_referee, firasim_placement;
+  int firasim_instance = 0;
+  bool lockstep = false;  // firasim teams are waited for even where real time is asked for
   bool json = false;
 };
 Result<int> run_match(const MatchOptions& options);
