@@ -15,17 +15,19 @@ install(FILES server/record/record.schema.json DESTINATION share/mirocup)
 install(DIRECTORY examples DESTINATION share/mirocup USE_SOURCE_PERMISSIONS PATTERN pitch EXCLUDE)  # it needs the source tree
 install(DIRECTORY plugins/template/ DESTINATION share/mirocup/team)
 install(DIRECTORY plugins/drills DESTINATION share/mirocup)
+install(DIRECTORY plugins/simurosot DESTINATION share/mirocup USE_SOURCE_PERMISSIONS)
 install(EXPORT mirocup NAMESPACE mirocup:: FILE mirocup-targets.cmake DESTINATION ${package_folder})
 
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup-config-version.cmake
   COMPATIBILITY SameMinorVersion)
-install(FILES cmake/mirocup-config.cmake ${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup-config-version.cmake
+install(FILES cmake/mirocup-config.cmake cmake/mirocup_simurosot.cmake ${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup-config-version.cmake
   DESTINATION ${package_folder})
 
 # The build tree looks like a prefix to find_package and to `mirocup new`.
 export(TARGETS mirocup mirocup_strategy mirocup_predict mirocup_team mirocup_training NAMESPACE mirocup::
   FILE ${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup-targets.cmake)
 configure_file(cmake/mirocup-config.cmake ${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup-config.cmake COPYONLY)
+configure_file(cmake/mirocup_simurosot.cmake ${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup_simurosot.cmake COPYONLY)
 foreach(file CMakeLists.txt CMakePresets.json README.md team.cpp team_test.cpp)
   configure_file(plugins/template/${file} ${PROJECT_BINARY_DIR}/share/mirocup/team/${file} COPYONLY)
 endforeach()
@@ -34,3 +36,4 @@ file(CREATE_LINK ${PROJECT_SOURCE_DIR}/plugins/include/mirocup ${PROJECT_BINARY_
   COPY_ON_ERROR SYMBOLIC)
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/share/mirocup)
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/plugins/drills ${PROJECT_BINARY_DIR}/share/mirocup/drills COPY_ON_ERROR SYMBOLIC)
+file(CREATE_LINK ${PROJECT_SOURCE_DIR}/plugins/simurosot ${PROJECT_BINARY_DIR}/share/mirocup/simurosot COPY_ON_ERROR SYMBOLIC)

@@ -317,6 +317,11 @@ void add_new(CLI::App& app, Run& run) {
                                  run_new);
   command->add_option("DIR", command.options->folder, "Folder to make; must be new or empty")
       ->required();
+  command
+      ->add_option("--from-simurosot", command.options->simurosot,
+                   "Folder with the sources of a team that was written for SimuroSot or Simuro5v5; "
+                   "they are copied")
+      ->type_name("OLD");
 }
 
 void add_verify(CLI::App& app, Run& run) {

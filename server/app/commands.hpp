@@ -108,6 +108,7 @@ struct JoinOptions {
 Result<int> run_join(const JoinOptions& options);
 
 struct NewOptions {
+  std::string simurosot;  // folder with the sources of an old team; "": a new team
   std::string folder;
 };
 Result<int> run_new(const NewOptions& options);

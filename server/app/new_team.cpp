@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup new DIR: writes a team that builds without changes.
+// mirocup new DIR: writes a team that builds without changes: a new one, or an old one of SimuroSot.
 #include "server/app/commands.hpp"
+#include "server/app/old_sources.hpp"
 #include "system/files.hpp"
 #include "system/locations.hpp"
 #include "system/printable.hpp"
@@ -9,6 +10,7 @@
 #include <filesystem>
 #include <iostream>
 #include <utility>
+#include <vector>
 
 namespace mirocup::app {
 
@@ -32,6 +34,46 @@ std::string quoted_for_shell(const std::string& word) {
   return "'" + replaced(word, "'", "'\\''") + "'";
 }
 
+using Words = std::vector<std::pair<std::string, std::string>>;
+
+// Copies a file of the installation into the folder, with other words in place of some.
+Result<void> write_filled(system::Disk& disk, const fs::path& file, const std::string& folder,
+                          const Words& words) {
+  auto text = disk.read(file.string(), {.max_size = system::size_limit::system_file,
+                                        .links = system::Links::followed});
+  if (!text) return tl::unexpected(text.error());
+  std::string filled = std::move(*text);
+  for (const auto& [word, by] : words) filled = replaced(std::move(filled), word, by);
+  return disk.write((fs::path(folder) / file.filename()).string(), filled);
+}
+
+// Makes a team of old sources, which are copied to src.
+Result<void> adopt(system::Disk& disk, const system::TeamKit& kit, const NewOptions& options,
+                   const OldSources& old, Words words) {
+  for (const std::string& path : old.files) {
+    const fs::path to = fs::path(options.folder) / "src" / path;
+    std::error_code error;
+    fs::create_directories(to.parent_path(), error);
+    if (!error) fs::copy_file(fs::path(options.simurosot) / path, to, error);
+    if (error) return fail(Errc::unavailable, to.string() + ": " + error.message());
+  }
+  std::string sources;
+  for (const std::string& path : old.sources) sources += "\n    \"src/" + path + '"';
+  words.insert(words.end(), {{"@HEADER@", "src/" + old.header},
+                             {"@SOURCES@", sources},
+                             {"@STYLE@", old.style},
+                             {"@STANDARD@", old.standard}});
+  const fs::path templates = fs::path(kit.prefix) / "share" / "mirocup" / "simurosot" / "template";
+  for (const fs::path& file : {templates / "CMakeLists.txt", templates / "README.md",
+                               fs::path(kit.templates) / "CMakePresets.json"}) {
+    if (auto done = write_filled(disk, file, options.folder, words); !done) return done;
+  }
+  std::cout << "style " << old.style << ", header " << system::printable(old.header) << ", "
+            << old.sources.size() << (old.sources.size() == 1 ? " source" : " sources") << ", "
+            << old.standard << '\n';
+  return {};
+}
+
 }  // namespace
 
 Result<int> run_new(const NewOptions& options) {
@@ -43,17 +85,24 @@ Result<int> run_new(const NewOptions& options) {
   const system::TeamKit kit = system::team_kit();
   if (!fs::is_directory(kit.templates, none))
     return fail(Errc::unavailable, kit.templates + ": the files of a new team are missing here");
+  Result<OldSources> old = OldSources{};
+  if (!options.simurosot.empty()) old = find_old_sources(options.simurosot);
+  if (!old) return tl::unexpected(old.error());
   if (auto made = disk.make_folder(folder); !made) return tl::unexpected(made.error());
 
-  for (const auto& file : fs::directory_iterator(kit.templates)) {
-    auto text = disk.read(file.path().string(), {.max_size = system::size_limit::system_file,
-                                                 .links = system::Links::followed});
-    if (!text) return tl::unexpected(text.error());
-    std::string filled = replaced(std::move(*text), "@MIROCUP@", kit.program);
-    filled = replaced(std::move(filled), "@MIROCUP_PREFIX@", kit.prefix);
-    filled = replaced(std::move(filled), "@MIROCUP_HEADERS@", kit.headers);
-    const std::string path = (fs::path(folder) / file.path().filename()).string();
-    if (auto written = disk.write(path, filled); !written) return tl::unexpected(written.error());
+  const Words words{{"@MIROCUP@", kit.program},
+                    {"@MIROCUP_PREFIX@", kit.prefix},
+                    {"@MIROCUP_HEADERS@", kit.headers}};
+  if (!options.simurosot.empty()) {
+    if (auto done = adopt(disk, kit, options, *old, words); !done) {
+      return tl::unexpected(done.error());
+    }
+  } else {
+    for (const auto& file : fs::directory_iterator(kit.templates)) {
+      if (auto done = write_filled(disk, file.path(), folder, words); !done) {
+        return tl::unexpected(done.error());
+      }
+    }
   }
   std::cout << system::printable(folder) << ": a team. Build, test and check it: cd "
             << quoted_for_shell(folder) << " && cmake --workflow --preset team\n";
