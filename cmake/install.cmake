@@ -14,6 +14,7 @@ install(PROGRAMS ${PROJECT_BINARY_DIR}/mirocup-credentials DESTINATION libexec/m
 install(FILES server/record/record.schema.json DESTINATION share/mirocup COMPONENT mirocup)
 install(DIRECTORY plugins/template/ DESTINATION share/mirocup/team COMPONENT mirocup USE_SOURCE_PERMISSIONS)
 install(DIRECTORY plugins/drills DESTINATION share/mirocup COMPONENT mirocup)
+install(DIRECTORY plugins/simurosot DESTINATION share/mirocup COMPONENT mirocup USE_SOURCE_PERMISSIONS)
 # The manual and what shells complete: made by the programs themselves, from their options.
 install(DIRECTORY ${PROJECT_BINARY_DIR}/share/man/man1 DESTINATION share/man COMPONENT mirocup OPTIONAL)
 install(FILES ${PROJECT_BINARY_DIR}/share/completions/mirocup.bash
@@ -40,7 +41,7 @@ install(DIRECTORY plugins/include/ training/include/ TYPE INCLUDE COMPONENT miro
 install(EXPORT mirocup NAMESPACE mirocup:: FILE mirocup-targets.cmake DESTINATION ${package_folder} COMPONENT mirocup-dev)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup-config-version.cmake
   COMPATIBILITY SameMinorVersion)
-install(FILES cmake/mirocup-config.cmake ${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup-config-version.cmake
+install(FILES cmake/mirocup-config.cmake cmake/mirocup_simurosot.cmake ${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup-config-version.cmake
   DESTINATION ${package_folder} COMPONENT mirocup-dev)
 
 # python3-mirocup: teams in Python, and teams that learn.
@@ -70,9 +71,11 @@ endif()
 export(TARGETS mirocup mirocup_strategy mirocup_predict mirocup_team mirocup_training NAMESPACE mirocup::
   FILE ${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup-targets.cmake)
 configure_file(cmake/mirocup-config.cmake ${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup-config.cmake COPYONLY)
+configure_file(cmake/mirocup_simurosot.cmake ${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup_simurosot.cmake COPYONLY)
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/include ${PROJECT_BINARY_DIR}/share/mirocup)
 file(REMOVE_RECURSE ${PROJECT_BINARY_DIR}/share/mirocup/team)  # a folder of copies in older build trees
-foreach(link plugins/include/mirocup:include/mirocup plugins/template:share/mirocup/team plugins/drills:share/mirocup/drills)
+foreach(link plugins/include/mirocup:include/mirocup plugins/template:share/mirocup/team plugins/drills:share/mirocup/drills
+    plugins/simurosot:share/mirocup/simurosot)
   string(REPLACE ":" ";" ends ${link})
   list(GET ends 0 from)
   list(GET ends 1 to)

@@ -57,17 +57,6 @@ std::string drill_folder() {
   return (fs::path(team_kit().prefix) / "share" / "mirocup" / "drills").string();
 }
 
-std::vector<std::string> house_teams() {
-  std::vector<std::string> names;
-  const std::string idle = house_team("idle");  // one that is always there
-  if (idle.empty()) return names;
-  for (const auto& file : fs::directory_iterator(fs::path(idle).parent_path())) {
-    if (file.path().extension() == ".so") names.push_back(file.path().stem());
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 std::string house_team(const std::string& name) {
   return house_team(name, program_folder());
 }

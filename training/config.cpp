@@ -136,7 +136,7 @@ match::Setup read_setup(const JsonReader& json, bool ends_at_goal) {
   }
   // The law that ends a lopsided leg ends an episode, too.
   if (ends_at_goal) setup.rules.mercy_goal_diff = 1;
-  if (setup.rules.preset == referee::Preset::simurosot) setup.control_period = 1.0 / 60.0;
+  setup.control_period = match::control_period_of(setup.rules.preset);
   if (const auto period = json.find("control_period")) {
     setup.control_period = period->number(min_period, max_period);
   }

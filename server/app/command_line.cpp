@@ -56,13 +56,40 @@ void add_parameters(CLI::App& command, const char* option, std::vector<std::stri
       ->type_name("KEY=VALUE");
 }
 
+void add_firasim(CLI::App& command, MatchOptions& o) {
+  const char* group = "Teams that speak the protocol of FIRASim and VSSReferee";
+  const auto add = [&](const char* option, std::string& value, const char* type,
+                       const char* description) {
+    command.add_option(option, value, description)->type_name(type)->group(group);
+  };
+  add("--firasim-vision", o.firasim_vision, "ADDR:PORT[,...]",
+      "Where vision is sent to: groups or single addresses (default: 224.0.0.1:10002)");
+  add("--firasim-command", o.firasim_command, "[ADDR:]PORT",
+      "Where commands are received (default: 20011)");
+  add("--firasim-referee", o.firasim_referee, "ADDR:PORT[,...]",
+      "Where the referee's calls are sent to (default: 224.5.23.2:10003)");
+  add("--firasim-placement", o.firasim_placement, "ADDR:PORT",
+      "Where placements are received (default: 224.5.23.2:10004)");
+  command
+      .add_option("--firasim-instance", o.firasim_instance,
+                  "Number of this match on this host; above 0 each has ports of its own: 10002+K, "
+                  "20011+K, 40000+K, 50000+K")
+      ->check(CLI::Range(0, 9999))
+      ->group(group);
+  command
+      .add_flag("--lockstep", o.lockstep,
+                "Wait in each tick until these teams have commanded all their robots (--speed max "
+                "does, too)")
+      ->group(group);
+}
+
 void add_match(CLI::App& app, Run& run) {
   Subcommand<MatchOptions> command(app, run, "match", "Play one leg", run_match);
   MatchOptions& o = *command.options;
   command
       ->add_option("--blue", o.teams[0],
                    "Blue team: a library (.so), a file of Python (.py), the name of a house team, "
-                   "or dds:NAME")
+                   "dds:NAME, or firasim:NAME for a program that speaks FIRASim's protocol")
       ->type_name("TEAM")
       ->required();
   command->add_option("--yellow", o.teams[1], "Yellow team, named in the same way")
@@ -163,7 +190,7 @@ void add_match(CLI::App& app, Run& run) {
       ->capture_default_str();
   command
       ->add_option("--interface", o.interface,
-                   "Network interface for DDS teams; lo: this host only")
+                   "Network interface for teams on the network; lo: this host only")
       ->capture_default_str();
   add_dds_domain(*command.sub, o.dds_domain);
   command
@@ -178,6 +205,7 @@ void add_match(CLI::App& app, Run& run) {
                    "Folder with the server's credentials; then only teams of the league can join")
       ->type_name("DIR");
   command->add_flag("--hash", o.hash, "Print the state hash of the leg, too");
+  add_firasim(*command.sub, o);
   command->add_flag("--json", o.json, "Print the record as one JSON object");
 }
 
@@ -319,6 +347,11 @@ void add_new(CLI::App& app, Run& run) {
   command->add_option("--language", command.options->language, "Language of the team")
       ->check(CLI::IsMember({"c++", "c", "python"}))
       ->capture_default_str();
+  command
+      ->add_option("--from-simurosot", command.options->simurosot,
+                   "Folder with the sources of a team that was written for SimuroSot or Simuro5v5; "
+                   "they are copied")
+      ->type_name("OLD");
 }
 
 void add_verify(CLI::App& app, Run& run) {

@@ -46,6 +46,10 @@ struct MatchOptions {
   double away_limit = 10.0;   // s that a DDS team may be absent in total
   std::string credentials;
   bool hash = false;  // print the state hash, too
+  // Addresses of firasim teams; "": those of the instance.
+  std::string firasim_vision, firasim_command, firasim_referee, firasim_placement;
+  int firasim_instance = 0;
+  bool lockstep = false;  // firasim teams are waited for even where real time is asked for
   bool json = false;
 };
 Result<int> run_match(const MatchOptions& options);
@@ -113,6 +117,7 @@ struct CompletionOptions {
 Result<int> run_completion(const CompletionOptions& options);
 
 struct NewOptions {
+  std::string simurosot;  // folder with the sources of an old team; "": a new team
   std::string folder;
   std::string language = "c++";
 };

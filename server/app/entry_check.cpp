@@ -137,7 +137,7 @@ class Examination {
       : path_(std::move(path)), terms_(terms), on_check_(on_check), on_step_(on_step) {
     setup_.league = terms.league;
     setup_.rules = terms.rules;
-    if (setup_.rules.preset == referee::Preset::simurosot) setup_.control_period = 1.0 / 60.0;
+    setup_.control_period = match::control_period_of(setup_.rules.preset);
     setup_.rules.mercy_goal_diff = 0;  // so that the second half is played, whatever the score
   }
 

@@ -51,7 +51,7 @@ std::string library_with(system::Files& files, const fs::path& folder, const std
 Result<TeamChoice> choose_again(system::Files& files, const record::TeamInfo& team,
                                 const RerunOptions& options) {
   const std::string entries = entries_folder(options);
-  if (team.kind == record::TeamKind::dds) {
+  if (record::is_on_network(team.kind)) {
     return fail(Errc::unavailable,
                 "\"" + team.name + "\" played over the network: only its owner can run it again");
   }

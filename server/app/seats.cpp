@@ -17,6 +17,7 @@ namespace mirocup::app {
 namespace {
 
 constexpr std::string_view dds_prefix = "dds:";
+constexpr std::string_view firasim_prefix = "firasim:";
 
 // dlopen() searches for a name without a slash in the system's folders.
 std::string with_slash(const std::string& path) {
@@ -35,6 +36,14 @@ Result<TeamChoice> choose_team(const std::string& text) {
     choice.network_name = text.substr(dds_prefix.size());
     choice.info = {choice.network_name, record::TeamKind::dds, std::nullopt};
     if (choice.network_name.empty()) return fail(Errc::input, "dds: needs a name, as in dds:NAME");
+    return choice;
+  }
+  if (text.rfind(firasim_prefix, 0) == 0) {
+    choice.network_name = text.substr(firasim_prefix.size());
+    choice.info = {choice.network_name, record::TeamKind::firasim, std::nullopt};
+    if (choice.network_name.empty()) {
+      return fail(Errc::input, "firasim: needs a name, as in firasim:NAME");
+    }
     return choice;
   }
   choice.library = system::house_team(text);
@@ -121,10 +130,22 @@ Result<TeamSeat> TeamSeat::take_on_network(const TeamChoice& choice,
   return seat;
 }
 
+Result<TeamSeat> TeamSeat::take_at_firasim(const TeamChoice& choice, const match::Leg& leg,
+                                           Team team, firasim::Server& server,
+                                           const firasim::Terms& terms) {
+  TeamSeat seat(choice.info);
+  seat.firasim_ = server.add_seat(leg.briefing(team), choice.network_name, terms);
+  seat.firasim_server_ = &server;
+  seat.firasim_leg_ = &leg;
+  seat.controller_ = seat.firasim_;
+  return seat;
+}
+
 tl::expected<void, match::Answer> TeamSeat::wait_until_ready() {
   if (load_fault_) return tl::unexpected<match::Answer>(*load_fault_);
   if (process_ != nullptr) return process_->wait_until_ready();
   if (network_ != nullptr) return network_->wait_until_ready();
+  if (firasim_ != nullptr) return firasim_server_->wait_until_ready(*firasim_, *firasim_leg_);
   return {};
 }
 
@@ -165,7 +186,34 @@ void stay_on_this_core() {
   sched_setaffinity(0, sizeof one, &one);
 }
 
+namespace {
+
+// What no team sent counts for each: it may have been meant for any.
+record::NetworkReport report_of(const firasim::Seat& seat, const firasim::Counts& strangers) {
+  const firasim::Counts& own = seat.counts();
+  return {
+      .in_step = own.in_time,
+      .late = own.held,
+      .late_driven = own.held,
+      .duplicate = own.repeated,
+      .ahead = 0,
+      .foreign = own.foreign + strangers.foreign,
+      .processes = own.senders,
+      .absences = seat.absences(),
+      .answers = seat.answers(),
+      .datagrams = record::DatagramReport{.received = own.datagrams,
+                                          .placements = own.placements,
+                                          .stale = own.stale,
+                                          .malformed = own.malformed + strangers.malformed,
+                                          .replacements = own.replacements + strangers.replacements,
+                                          .not_finite = own.not_finite,
+                                          .unknown_robots = own.unknown_robots}};
+}
+
+}  // namespace
+
 std::optional<record::NetworkReport> TeamSeat::network_report() const {
+  if (firasim_ != nullptr) return report_of(*firasim_, firasim_server_->strangers());
   if (network_ == nullptr) return std::nullopt;
   const dds::CommandCounts& commands = network_->commands();
   return record::NetworkReport{.in_step = commands.in_step,

@@ -8,6 +8,7 @@
 #include "plugins/host/trusted_controller.hpp"
 #include "server/app/interrupt.hpp"
 #include "server/dds/match_server.hpp"
+#include "server/firasim/server.hpp"
 #include "server/record/match_record.hpp"
 
 #include <cassert>
@@ -20,14 +21,14 @@ namespace mirocup::app {
 // A team as the command line names it.
 struct TeamChoice {
   record::TeamInfo info;
-  std::string library;       // path, also of a file of Python; "" for a DDS team
-  std::string network_name;  // the name of a DDS team on the network; "" for others
+  std::string library;       // path, also of a file of Python; "" for a team on the network
+  std::string network_name;  // the name of a team on the network; "" for others
   std::optional<plugins::SealedEntry> entry;  // the library's bytes when it was chosen
   std::optional<match::Fault> fault;          // of a file that cannot be loaded as a library
 };
 
-// `text` is "dds:NAME", the path of a library or of a file of Python, or the name of a house team.
-// One that cannot be loaded is a fault of the team, not an error.
+// `text` is "dds:NAME", "firasim:NAME", the path of a library or of a file of Python, or the name of
+// a house team. One that cannot be loaded is a fault of the team, not an error.
 Result<TeamChoice> choose_team(const std::string& text);
 
 // The place of one team in a leg: starts the team and asks it, whatever kind it is.
@@ -42,6 +43,10 @@ class TeamSeat {
                                        bool keeps_thoughts = false);
   static Result<TeamSeat> take_on_network(const TeamChoice& choice, const match::Briefing& briefing,
                                           dds::MatchServer& server, const dds::JoinTerms& patience);
+  // `server` and `leg` outlive the seat.
+  static Result<TeamSeat> take_at_firasim(const TeamChoice& choice, const match::Leg& leg,
+                                          Team team, firasim::Server& server,
+                                          const firasim::Terms& terms);
 
   // Waits until the team can play. The error is why it never will: a Fault of its own, or a
   // HostFailure.
@@ -89,6 +94,9 @@ class TeamSeat {
   plugins::ProcessController* process_ = nullptr;
   plugins::TrustedController* trusted_ = nullptr;
   dds::Seat* network_ = nullptr;
+  firasim::Seat* firasim_ = nullptr;
+  firasim::Server* firasim_server_ = nullptr;
+  const match::Leg* firasim_leg_ = nullptr;
   std::optional<match::Fault> load_fault_;
 };
 

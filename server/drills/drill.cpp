@@ -201,7 +201,7 @@ Result<match::Setup> setup_of(const Drill& drill, std::uint64_t seed) {
   setup.rules = drill.rules;
   setup.conditions = drill.conditions;
   setup.seed = seed;
-  if (setup.rules.preset == referee::Preset::simurosot) setup.control_period = 1.0 / 60.0;
+  setup.control_period = match::control_period_of(setup.rules.preset);
   setup.start = situation->start;
   // A try is the end of a leg, so its record is that of a whole one.
   setup.start->phase = referee::Phase::SECOND_HALF;
