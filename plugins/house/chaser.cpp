@@ -17,6 +17,7 @@ class Chaser : public Team {
     for (int i = 0; i < now.robots; ++i) {
       command.wheels[i] = i == chaser ? chase(now, i) : wait(now, i);
     }
+    avoid_own_goals(setup(), now, command);
     keep_laws(setup(), now, command);
   }
 

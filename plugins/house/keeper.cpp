@@ -34,6 +34,7 @@ class Keeper : public Team {
         command.wheels[i] = drive_clear(setup(), now, robot, place);
       }
     }
+    avoid_own_goals(setup(), now, command);
     keep_laws(setup(), now, command);
   }
 

@@ -21,6 +21,7 @@ class Striker : public Team {
     for (int i = 1; i < now.robots; ++i) {
       command.wheels[i] = i == attacker_ ? attack(now, i) : support(now, i, rank++);
     }
+    avoid_own_goals(setup(), now, command);
     keep_laws(setup(), now, command);
     if (must_take_kick(now, spot_)) {
       command.wheels[1] = shoot(setup(), now.own[1], ball(now), aim_);

@@ -32,6 +32,7 @@ class Tactician : public Team {
     for (int i = 1; i < now.robots; ++i) {
       command.wheels[i] = i == attacker_ ? attack(now, i) : support(now, i, rank++);
     }
+    avoid_own_goals(setup(), now, command);
     keep_laws(setup(), now, command);
     spare_keeper(setup(), now, command);
     if (must_take_kick(now, spot_)) {

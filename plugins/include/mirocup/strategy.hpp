@@ -258,6 +258,55 @@ inline void keep_laws(const Setup& setup, const Observation& now, Command& comma
   }
 }
 
+// Returns the multiple of a right angle that is nearest to a heading, rad.
+inline double squared(double heading) {
+  return pi / 2.0 * std::round(heading / (pi / 2.0));
+}
+
+// True if a ball that rolls straight on crosses the own goal line between the posts, or up to
+// `margin` (m) beside them.
+inline bool rolls_into_own_goal(const Setup& setup, Point ball, Point velocity, double margin) {
+  if (velocity.x > -0.05) return false;
+  const double seconds = (-setup.half_length - ball.x) / velocity.x;
+  return std::abs(ball.y + seconds * velocity.y) < setup.goal_half_width + margin;
+}
+
+// True if a ball that comes to `robot` within `soon_s` would rebound from it into the own goal.
+inline bool would_turn_ball_in(const Setup& setup, const Observation& now, const Robot& robot,
+                               double soon_s = 0.4) {
+  const Point velocity = ball_velocity(now);
+  const Point coming = velocity - Point{robot.vx, robot.vy};
+  const Point along = unit(coming);
+  const Point to = position(robot) - ball(now);
+  const double ahead = dot(to, along);
+  const double aside = along.x * to.y - along.y * to.x;
+  if (ahead < 0.0 || ahead > soon_s * length(coming) + 0.06 || std::abs(aside) > 0.08) return false;
+  for (int face = 0; face < 4; ++face) {
+    const double heading = robot.heading + face * pi / 2.0;
+    const Point normal{std::cos(heading), std::sin(heading)};
+    const double closing = -dot(coming, normal);
+    if (closing < 0.2 * length(coming)) continue;
+    const Point off = velocity + (1.4 * closing) * normal;  // 1.4: what impacts leave
+    if (rolls_into_own_goal(setup, position(robot) + 0.06 * normal, off, 0.05)) return true;
+  }
+  return false;
+}
+
+// Turns those robots square to the field from which a ball in the own half would rebound into the
+// own goal: a slanting face turns a ball that passes before the goal. Not for the keeper.
+inline void avoid_own_goals(const Setup& setup, const Observation& now, Command& command) {
+  const Point velocity = ball_velocity(now);
+  if (now.ball_x > 0.0 || length(velocity) < 0.25) return;
+  if (rolls_into_own_goal(setup, ball(now), velocity, -0.02)) return;  // worse it cannot get
+  for (int i = 1; i < now.robots; ++i) {
+    const Robot& robot = now.own[i];
+    const double error = squared(robot.heading) - robot.heading;
+    if (std::abs(error) < 0.08 || !would_turn_ball_in(setup, now, robot)) continue;
+    const double turns_on = robot.turn * (setup.control_period + setup.motor_time_constant);  // rad
+    command.wheels[i] = wheels_for(setup, 0.0, 16.0 * (error - turns_on));
+  }
+}
+
 // Drives to a point, around an obstacle on the line to it.
 inline Wheels drive_round(const Setup& setup, const Robot& robot, Point target, Point obstacle,
                           double arrival, double fastest) {
@@ -276,11 +325,6 @@ inline Wheels drive_round(const Setup& setup, const Robot& robot, Point target, 
   const double side = aside > 0.0 ? -1.0 : 1.0;
   const Point beside = obstacle + (side * berth * 1.2) * Point{-along.y, along.x};
   return drive_to(setup, robot, beside, 0.3, std::min(fastest, 0.9));
-}
-
-// Returns the multiple of a right angle that is nearest to a heading, rad.
-inline double squared(double heading) {
-  return pi / 2.0 * std::round(heading / (pi / 2.0));
 }
 
 // Drives to a point, around the ball or an opponent that is on the line to it: a robot that returns
@@ -364,32 +408,42 @@ inline Wheels free_ball(const Setup& setup, const Observation& now, const Robot&
 }
 
 // Drives along the goal line to a y, forwards or backwards, and looks along the line all the time:
-// a keeper that turns away from it throws the ball into its goal.
+// a keeper that turns away from it throws the ball into its goal. It brakes for what it still rolls
+// on while its motors follow, because a keeper that runs past its place meets the ball with a side
+// that turns it into the goal.
 inline Wheels slide_to(const Setup& setup, const Robot& robot, double y, double fastest = 1.5) {
   const bool is_up = robot.heading > 0.0;
   const double error = wrapped((is_up ? pi / 2.0 : -pi / 2.0) - robot.heading);
-  const double speed = std::clamp(8.0 * (y - robot.y), -fastest, fastest);
+  const double rolls_on = robot.vy * (setup.control_period + setup.motor_time_constant);  // m
+  const double speed = std::clamp(12.0 * (y - robot.y - rolls_on), -fastest, fastest);
   const double forward = (is_up ? speed : -speed) * std::max(0.0, std::cos(2.0 * error));
   return wheels_for(setup, forward, 9.0 * error);
 }
 
-// Keeps the goal: stays in its mouth, where the ball will cross the line, and kicks away a slow
-// ball in the goal area. A ball that comes along the end wall then meets the middle of the keeper's
-// face; farther out it would meet a corner, and turn the keeper aside.
+// Keeps the goal: stays in its mouth, where the ball will meet its face, and kicks away a slow ball
+// in the goal area, not inwards. A ball that comes along the end wall then meets the middle of the
+// keeper's face; farther out it would meet a corner, and turn the keeper aside.
 inline Wheels keep_goal(const Setup& setup, const Observation& now, const Robot& robot) {
   const double line = -setup.half_length + 0.03;
   const Point here = position(robot);
   const Point away = ball(now) - here;
 
+  const double outwards = now.ball_y < 0.0 ? -1.0 : 1.0;
   const bool is_slow = length(ball_velocity(now)) < 0.4;
   const bool is_in_reach = now.ball_x > here.x + 0.02 && length(away) < 0.16 &&
                            now.ball_x < -setup.half_length + setup.goal_area_depth + 0.02;
-  if (is_slow && is_in_reach) return drive_to(setup, robot, ball(now) + 0.2 * unit(away), 1.0);
+  const bool is_outer = away.x > 0.045 || outwards * away.y > -0.02;
+  if (is_slow && is_in_reach && is_outer) {
+    return drive_to(setup, robot, ball(now) + 0.2 * unit(away), 1.0);
+  }
 
-  // The place where the ball will cross the line, if it comes; else where it sees the goal.
+  // Where the ball will meet the face that looks into the field, if it comes; else where it sees
+  // the goal. A keeper that went on to where the ball would cross the goal line would meet a ball
+  // from the side with another face, and turn it in.
+  const double face = line + setup.robot_side / 2.0 + setup.ball_radius;
   double y = middle_of_goal_view(setup, ball(now));
   if (now.ball_vx < -0.1) {
-    const double seconds = (line - now.ball_x) / now.ball_vx;
+    const double seconds = (face - now.ball_x) / now.ball_vx;
     if (seconds > 0.0 && seconds < 1.5) y = now.ball_y + now.ball_vy * seconds;
   }
   const double reach = setup.goal_half_width - 0.0385;

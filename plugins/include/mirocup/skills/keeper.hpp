@@ -32,7 +32,9 @@ inline Point cover_point(const Setup& setup, const Observation& now,
   const double line = -setup.half_length + habits.line;
   const double reach = setup.goal_half_width - habits.inside_post;
   const auto at = [&](double y) { return Point{line, std::clamp(y, -reach, reach)}; };
-  const double front = line + setup.robot_side / 2.0;
+  // The ball's middle where it meets the face: farther on, a ball from the side would meet another
+  // face of the keeper, which turns it in.
+  const double front = line + setup.robot_side / 2.0 + setup.ball_radius;
   const Point where = ball(now);
 
   // The ball comes: where it will arrive.
