@@ -112,7 +112,7 @@ class Navigator : public Team {
     const double spread = rank % 2 == 0 ? 0.0 : side * (0.3 + 0.1 * row);
     const double y = std::clamp(part, 0.0, 1.0) * now.ball_y + spread;
     const Point place = keep_out(setup(), i, inside(setup(), {x, y}));
-    return drive_clear(setup(), now, now.own[i], place);
+    return drive_clear(setup(), now, now.own[i], make_way(setup(), now, place));
   }
 
   // Follows the field to a target, round all other robots.

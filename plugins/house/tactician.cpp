@@ -100,7 +100,8 @@ class Tactician : public Team {
     const double y = std::clamp(part, 0.0, 1.0) * now.ball_y + spread;
     // In the opponents' goal area there is room for one.
     const double front = setup().half_length - setup().goal_area_depth - 0.13;
-    const Point place = keep_out(setup(), i, inside(setup(), {std::min(x, front), y}));
+    const Point post = inside(setup(), {std::min(x, front), y});
+    const Point place = make_way(setup(), now, keep_out(setup(), i, post));
     const Point to = place - position(soon_[i]);
     if (length(to) < 0.02) return turn_quickly(setup(), soon_[i], squared(soon_[i].heading));
     const double course = round_others(now, i, soon_[i], place, std::atan2(to.y, to.x));

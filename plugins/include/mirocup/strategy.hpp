@@ -197,6 +197,17 @@ inline Point keep_out(const Setup& setup, int i, Point p) {
   return p;
 }
 
+// Returns a place for a robot that waits, moved aside if it is before the own goal while the ball is
+// still nearer to that goal: a ball that the keeper clears would come back from the robot.
+inline Point make_way(const Setup& setup, const Observation& now, Point p) {
+  const bool is_in_front = now.ball_x < -setup.half_length + setup.goal_area_depth + 0.15 &&
+                           p.x > now.ball_x + 0.02 && p.x < now.ball_x + 0.5;
+  if (!is_in_front) return p;
+  const double aside = setup.goal_half_width + 0.1;
+  p.y = p.y < 0.0 ? std::min(p.y, -aside) : std::max(p.y, aside);
+  return p;
+}
+
 // Returns the same wheel speeds, unless the robot would push an opponent without playing the ball.
 // Then it returns speeds at which the robot slows down before the opponent and backs off. A robot
 // at the ball plays the ball: if it backed off, and the opponent too, the ball would lie there.
@@ -292,18 +303,27 @@ inline bool would_turn_ball_in(const Setup& setup, const Observation& now, const
   return false;
 }
 
-// Turns those robots square to the field from which a ball in the own half would rebound into the
-// own goal: a slanting face turns a ball that passes before the goal. Not for the keeper.
+// Helps those robots from which a ball in the own half would rebound into the own goal: a robot that
+// stands at a slant turns square to the field, and one that is square makes way. Not for the keeper.
 inline void avoid_own_goals(const Setup& setup, const Observation& now, Command& command) {
   const Point velocity = ball_velocity(now);
   if (now.ball_x > 0.0 || length(velocity) < 0.25) return;
   if (rolls_into_own_goal(setup, ball(now), velocity, -0.02)) return;  // worse it cannot get
   for (int i = 1; i < now.robots; ++i) {
     const Robot& robot = now.own[i];
+    if (!would_turn_ball_in(setup, now, robot)) continue;
     const double error = squared(robot.heading) - robot.heading;
-    if (std::abs(error) < 0.08 || !would_turn_ball_in(setup, now, robot)) continue;
-    const double turns_on = robot.turn * (setup.control_period + setup.motor_time_constant);  // rad
-    command.wheels[i] = wheels_for(setup, 0.0, 16.0 * (error - turns_on));
+    if (std::abs(error) > 0.15) {
+      const double turns_on = robot.turn * (setup.control_period + setup.motor_time_constant);
+      command.wheels[i] = wheels_for(setup, 0.0, 16.0 * (error - turns_on));
+    } else {
+      const Point along = unit(velocity);
+      const Point to = position(robot) - ball(now);
+      const Point aside = unit(to - dot(to, along) * along);
+      const Point nose{std::cos(robot.heading), std::sin(robot.heading)};
+      const double way = dot(nose, aside + 0.7 * along) < 0.0 ? -1.0 : 1.0;
+      command.wheels[i] = wheels_for(setup, way * 1.5, 9.0 * error);
+    }
   }
 }
 
