@@ -6,6 +6,7 @@
 #include "mirocup/skills/drive.hpp"
 #include "mirocup/skills/hold_goal.hpp"
 #include "mirocup/skills/laws.hpp"
+#include "mirocup/skills/penalty.hpp"
 #include "mirocup/skills/roles.hpp"
 #include "mirocup/skills/shoot.hpp"
 #include "mirocup/skills/univector_field.hpp"
@@ -36,18 +37,22 @@ class Tactician : public Team {
     keep_laws(setup(), now, command);
     spare_keeper(setup(), now, command);
     if (must_take_kick(now, spot_)) {
-      command.wheels[1] = shoot(setup(), now.own[1], ball(now), aim_);
+      command.wheels[1] = now.restart == MIROCUP_PENALTY_KICK
+                              ? penalty_.drive(setup(), now, soon_[1])
+                              : shoot(setup(), now.own[1], ball(now), aim_);
     }
     asked_ = command;
   }
 
-  // At a penalty or free kick robot 1 takes a run-up to the corner that the keeper leaves open.
+  // At a penalty or free kick robot 1 takes a run-up.
   void place(const Observation& now, Placement& placement) override {
     if (now.restart != MIROCUP_PENALTY_KICK && now.restart != MIROCUP_FREE_KICK) return;
     if (now.own_restart == 0) return;
     spot_ = ball(now);
-    aim_ = open_corner(setup(), now, 0.05, 0.1 * (random().uniform() - 0.5));
-    placement.robots[1] = run_up(spot_, aim_);
+    const double bias = 0.1 * (random().uniform() - 0.5);
+    aim_ = open_corner(setup(), now, 0.05, bias);
+    placement.robots[1] = now.restart == MIROCUP_PENALTY_KICK ? penalty_.stand(setup(), now, bias)
+                                                              : run_up(spot_, aim_);
   }
 
  private:
@@ -113,6 +118,7 @@ class Tactician : public Team {
   std::array<Robot, MIROCUP_MAX_ROBOTS> soon_{};
   Point spot_{10.0, 0.0};  // of the ball at the last kick of this team, m
   Point aim_;              // of that kick, m
+  PenaltyTaker penalty_;
   int attacker_ = 1;
 };
 
