@@ -208,6 +208,12 @@ inline Point make_way(const Setup& setup, const Observation& now, Point p) {
   return p;
 }
 
+// True if the ball has got nowhere for `patience` s and nearly stands: between two robots, at a
+// wall, in a corner.
+inline bool is_stuck(const Observation& now, double patience = 0.6) {
+  return now.stalemate_s > patience && length(ball_velocity(now)) < 0.15;
+}
+
 // Returns the same wheel speeds, unless the robot would push an opponent without playing the ball.
 // Then it returns speeds at which the robot slows down before the opponent and backs off. A robot
 // at the ball plays the ball: if it backed off, and the opponent too, the ball would lie there.
@@ -227,8 +233,10 @@ inline Wheels without_pushing(const Setup& setup, const Observation& now, const 
     const Point to = position(now.opponent[j]) - here;
     if (dot(to, direction) <= 0.0 || std::abs(to.x * direction.y - to.y * direction.x) > 0.09)
       continue;
-    // The ball is between the robot and the opponent: pushing both is playing the ball.
-    if (ball_ahead && dot(to_ball, direction) < dot(to, direction)) continue;
+    // The ball is between the robot and the opponent: pushing both is playing the ball. So is going
+    // for a ball that gets nowhere.
+    const double nearer = is_stuck(now, 1.0) && length(to_ball) < 0.2 ? 0.04 : 0.0;
+    if (ball_ahead && dot(to_ball, direction) < dot(to, direction) + nearer) continue;
     const double gap = length(to) - 0.1;
     allowed = std::min(allowed, gap > 0.0 ? 0.1 + 4.0 * gap : -0.2);
   }
@@ -406,12 +414,6 @@ inline double middle_of_goal_view(const Setup& setup, Point ball) {
   return setup.goal_half_width * (right - left) / (right + left);
 }
 
-// True if the ball has got nowhere for `patience` s and nearly stands: between two robots, at a
-// wall, in a corner.
-inline bool is_stuck(const Observation& now, double patience = 0.6) {
-  return now.stalemate_s > patience && length(ball_velocity(now)) < 0.15;
-}
-
 // Gets a stuck ball free: drives at it, and spins beside it, so that a corner of the robot throws
 // it forward; before the opponents' goal, towards its middle.
 inline Wheels free_ball(const Setup& setup, const Observation& now, const Robot& robot) {
@@ -456,7 +458,6 @@ inline Wheels keep_goal(const Setup& setup, const Observation& now, const Robot&
   if (is_slow && is_in_reach && is_outer) {
     return drive_to(setup, robot, ball(now) + 0.2 * unit(away), 1.0);
   }
-
   // Where the ball will meet the face that looks into the field, if it comes; else where it sees
   // the goal. A keeper that went on to where the ball would cross the goal line would meet a ball
   // from the side with another face, and turn it in.

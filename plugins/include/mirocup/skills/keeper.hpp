@@ -79,6 +79,10 @@ inline Wheels guard_goal(const Setup& setup, const Observation& now, const Robot
     if (to_ball.x > 0.03 && length(to_ball) < 0.08) {
       return wheels_for(setup, 0.0, outwards * habits.spin);
     }
+    // Beside it at the end wall: along the wall with it.
+    if (std::abs(to_ball.x) < 0.05 && outwards * to_ball.y > 0.0 && length(to_ball) < 0.16) {
+      return slide_to(setup, robot, now.ball_y + 0.1 * outwards, 1.2);
+    }
     // Farther off, and the keeper is on its inner side: push it out of the area.
     const bool is_outer = outwards * to_ball.y > -0.01;
     if (to_ball.x > -0.02 && is_outer && length(to_ball) < 0.3) {
