@@ -20,6 +20,7 @@
 //   observation ball, ball_velocity, position, ball_after, meeting_point, must_kick_off
 //   one robot   wheels_for, turn_to, drive_to, drive_to_pose, drive_round, drive_clear
 //   the laws    keep_out (of the goal area), out_of_area, without_pushing, keep_laws
+//   own goals   make_way, avoid_own_goals
 //   roles       kick_to (behind the ball, then through it), keep_goal, kick_off
 //   stuck balls is_stuck, free_ball
 //   a team      Team: decide(), place(), setup(), random(), parameter("name", default),

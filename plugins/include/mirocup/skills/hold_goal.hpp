@@ -31,8 +31,7 @@ struct GoalHolding {
 // Returns the y at which the keeper has to be.
 inline double holding_y(const Setup& setup, const Observation& now, const BallPath& path,
                         const GoalHolding& how = {}) {
-  const double front =
-      -setup.half_length + how.line + setup.robot_side / 2.0 + setup.ball_radius;
+  const double front = -setup.half_length + how.line + setup.robot_side / 2.0 + setup.ball_radius;
   const double reach = setup.goal_half_width - how.inside_post;
   const Point where = ball(now);
   const double side = where.y < 0.0 ? -1.0 : 1.0;
