@@ -13,6 +13,7 @@
 //   shooting_aim    the open corner of the goal, or along a wall
 //   is_on_line      whether a robot is behind the ball, on the line of the shot
 //   attack_ball     1, 2 and 3
+//   attack_ball_at  the same, where the caller knows the place at which it meets the ball
 //   supporting_place   between the ball and the own goal, on alternate sides
 //
 // Frames and units are those of strategy.h.
@@ -66,27 +67,42 @@ inline Target pose_at_ball(const Setup& setup, int me, const Shot& shot) {
           std::atan2(shot.along.y, shot.along.x)};
 }
 
-// Shoots the ball of robot `me` to `aim`: meets it on its way, comes in along a field of directions
-// round all other robots, and drives through it.
-inline Wheels attack_ball(const Setup& setup, const Observation& now, int me, Point aim,
-                          double speed = 1.8) {
+// How a robot drives at the ball.
+struct Attack {
+  double speed = 1.8;    // m/s
+  double sight = 1e9;    // m: robots that are farther off are no obstacles
+  double lead_s = 0.08;  // s: the field is read where the robot will be then
+};
+
+// Shoots the ball that robot `me` meets at `at` to `aim`: comes in along a field of directions round
+// all other robots, and drives through it.
+inline Wheels attack_ball_at(const Setup& setup, const Observation& now, int me, Point at,
+                             Point aim, const Attack& how = {}) {
   const Robot& robot = now.own[me];
-  const Shot shot = shot_of(robot, intercept(setup, now, robot).ball.at, aim);
+  const Shot shot = shot_of(robot, at, aim);
   if (shot.is_on_line) {
-    return drive_to(setup, robot, keep_out(setup, me, through(shot)), speed, speed);
+    return drive_to(setup, robot, keep_out(setup, me, through(shot)), how.speed, how.speed);
   }
   const Target target = pose_at_ball(setup, me, shot);
   std::array<Obstacle, 2 * MIROCUP_MAX_ROBOTS> obstacles;
   std::size_t count = 0;
   const auto add = [&](const Robot& other) {
-    if (length(position(other) - target.at) < 0.1) return;  // it is at the ball itself
-    obstacles[count++] = {position(other), {other.vx, other.vy}};
+    const Point p = position(other);
+    const bool is_at_ball = length(p - target.at) < 0.1;
+    if (is_at_ball || length(p - position(robot)) > how.sight) return;
+    obstacles[count++] = {p, {other.vx, other.vy}};
   };
   for (int j = 0; j < now.robots; ++j) {
     add(now.opponent[j]);
     if (j != me) add(now.own[j]);
   }
-  return follow_field(setup, robot, target, speed, {obstacles.data(), count});
+  return follow_field(setup, robot, target, how.speed, {obstacles.data(), count}, {}, how.lead_s);
+}
+
+// Shoots the ball of robot `me` to `aim`, where the robot meets it on its way.
+inline Wheels attack_ball(const Setup& setup, const Observation& now, int me, Point aim,
+                          const Attack& how = {}) {
+  return attack_ball_at(setup, now, me, intercept(setup, now, now.own[me]).ball.at, aim, how);
 }
 
 // Returns the place of a robot that does not attack: between the ball and the own goal. `rank`: 0

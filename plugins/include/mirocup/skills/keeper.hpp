@@ -5,6 +5,7 @@
 //
 //   cover_point   where on its line the keeper has to be
 //   guard_goal    drives there, and clears
+//   rough_guard   a keeper for predictions: cheaper, and clears nothing
 //
 // Frames and units are those of strategy.h.
 #pragma once
@@ -101,6 +102,24 @@ inline Wheels guard_goal(const Setup& setup, const Observation& now, const Robot
   const double speed = std::min(1.8, 7.0 * std::abs(to.y) + 0.05);
   const LineFollowing how{.aim_ahead = 0.08};
   return follow_line(setup, robot, post, to.y > 0.0 ? pi / 2.0 : -pi / 2.0, speed, how);
+}
+
+// Stays on the line before the goal where the ball will cross it, with at most one rebound from a
+// side wall; for teams that ask hundreds of times in a tick.
+inline Wheels rough_guard(const Setup& setup, const Observation& now, const Robot& robot) {
+  const double line = -setup.half_length + 0.05;
+  double y = now.ball_y * 0.3;
+  if (now.ball_vx < -0.15 && now.ball_x > line) {
+    const double width = setup.half_width - setup.ball_radius;
+    y = now.ball_y + now.ball_vy * (line + 0.06 - now.ball_x) / now.ball_vx;
+    if (std::abs(y) > width) y = std::copysign(2.0 * width - std::abs(y), y);
+  }
+  const Point post{line, std::clamp(y, -setup.goal_half_width, setup.goal_half_width)};
+  const Point to = post - position(robot);
+  if (std::abs(to.x) > 0.05) return drive_to(setup, robot, post);
+  const double speed = std::min(1.8, 7.0 * std::abs(to.y));
+  return follow_line(setup, robot, post, to.y > 0.0 ? pi / 2.0 : -pi / 2.0, speed,
+                     {.aim_ahead = 0.08});
 }
 
 }  // namespace mirocup::strategy
