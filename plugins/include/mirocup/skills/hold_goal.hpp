@@ -26,6 +26,7 @@ struct GoalHolding {
   double line = 0.027;          // m, from the goal line to the middle of the keeper
   double inside_post = 0.0385;  // m: the keeper's middle stays so far inside the posts
   double slow = 0.2;            // m/s: a slower ball is cleared
+  double patience = 1.0;        // s, until it spins at a ball that is stuck beside the goal
 };
 
 // Returns the y at which the keeper has to be.
@@ -151,6 +152,10 @@ inline Wheels hold_goal(const Setup& setup, const Observation& now, const BallPa
                          std::abs(soon.y) < width + 0.22;
   const double gap = outwards * to_ball.y;
   if (is_beside && std::abs(here.x - post.x) < 0.02 && gap > 0.03 && gap < 0.075) {
+    // Pressed from both sides it would lie there: a spin throws it along the keeper's side.
+    if (is_stuck(now, how.patience)) {
+      return wheels_turning_first(setup, 0.0, -outwards * 25.0);
+    }
     return push_outwards(setup, robot, outwards);
   }
   if (std::abs(post.x - here.x) > 0.03 || std::abs(here.y) > width + 0.06) {
