@@ -419,7 +419,7 @@ inline double middle_of_goal_view(const Setup& setup, Point ball) {
 // it forward; before the opponents' goal, towards its middle.
 inline Wheels free_ball(const Setup& setup, const Observation& now, const Robot& robot) {
   const Point to = ball(now) - position(robot);
-  if (length(to) > 0.085) return drive_to(setup, robot, ball(now), 0.6, 1.2);
+  if (length(to) > 0.07) return drive_to(setup, robot, ball(now), 0.6, 1.2);
   Point way{1.0, 0.0};
   if (now.ball_x > 0.3 * setup.half_length) {
     way = Point{setup.half_length - 0.18, 0.0} - ball(now);
