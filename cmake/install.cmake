@@ -6,7 +6,8 @@ set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/mirocup)
 
 install(TARGETS mirocup mirocup_strategy mirocup_predict mirocup_team mirocup_training EXPORT mirocup)
 install(DIRECTORY training/include/ TYPE INCLUDE)
-install(DIRECTORY training/python/ DESTINATION share/mirocup/python PATTERN __pycache__ EXCLUDE)
+# Where Debian's Python looks below /usr; below another prefix, PYTHONPATH names it.
+install(DIRECTORY training/python/ DESTINATION lib/python3/dist-packages PATTERN __pycache__ EXCLUDE)
 install(TARGETS mirocup-league)
 install(TARGETS mirocup-plugin-host mirocup-careful-host RUNTIME DESTINATION libexec/mirocup)
 install(PROGRAMS ${PROJECT_BINARY_DIR}/mirocup-credentials DESTINATION libexec/mirocup)

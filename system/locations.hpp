@@ -25,6 +25,8 @@ TeamKit team_kit();
 
 // Returns the folder of the drills that come with mirocup.
 std::string drill_folder();
+// The same for a library that another program has loaded: `folder` is the library's.
+std::string drill_folder(const std::string& folder);
 
 // Returns the path of the library of a house team; "" if there is no such team.
 std::string house_team(const std::string& name);

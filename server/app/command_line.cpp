@@ -295,6 +295,17 @@ void add_new(CLI::App& app, Run& run) {
       ->required();
 }
 
+void add_export(CLI::App& app, Run& run) {
+  Subcommand<ExportOptions> command(app, run, "export",
+                                    "Write a learned network as the source of a team", run_export);
+  ExportOptions& o = *command.options;
+  command->add_option("POLICY", o.policy, "The network, an .npz of schema mirocup/policy/1")
+      ->required();
+  command->add_option("-o,--output", o.output, "File to write the source to")
+      ->type_name("FILE.cpp")
+      ->required();
+}
+
 void add_verify(CLI::App& app, Run& run) {
   Subcommand<VerifyOptions> command(
       app, run, "verify", "Simulate a record again from its commands and compare everything",
@@ -402,6 +413,7 @@ std::optional<int> read_command_line(int argc, char** argv, Run& run) {
   cli.set_version_flag("-v,--version", record::software_version());
   cli.footer(
       "mirocup league ... runs tournaments: see mirocup league --help.\n"
+      "mirocup tune ... finds better numbers for a team: see mirocup tune --help.\n"
       "mirocup bench ... compares speed and error with other engines: see mirocup bench --help.");
   add_match(cli, run);
   add_drill(cli, run);
@@ -410,13 +422,14 @@ std::optional<int> read_command_line(int argc, char** argv, Run& run) {
   add_hand_in(cli, run);
   add_join(cli, run);
   add_new(cli, run);
+  add_export(cli, run);
   add_verify(cli, run);
   add_rerun(cli, run);
   add_replay(cli, run);
   add_stats(cli, run);
   add_scene(cli, run);
   add_referee(cli, run);
-  const std::vector<std::string> others{"league", "bench"};
+  const std::vector<std::string> others{"league", "tune", "bench"};
   return system::parse_command_line(cli, argc, argv, others);
 }
 

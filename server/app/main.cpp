@@ -21,6 +21,9 @@ int report(const Result<int>& result) {
 int run(int argc, char** argv) {
   const std::string_view command = argc > 1 ? argv[1] : "";
   if (command == "league") return report(app::become_sibling_program("mirocup-league", argc, argv));
+  // The subcommand itself is one of that program.
+  if (command == "tune")
+    return report(app::become_sibling_program("mirocup-league", argc, argv, 1));
   if (command == "bench") return report(app::become_sibling_program("mirocup-bench", argc, argv));
 
   app::Run run;

@@ -52,6 +52,7 @@ may server/traces 'core/|system/|server/(record|traces)/'
 may server/drills 'core/|system/|server/(record|drills)/'
 may server/dds 'core/|system/|idl/|server/dds/|server/pace/(absence|durations)\.hpp"|plugins/abi/|mirocup/'
 may server/web/design 'system/|server/web/design/'
+may server/policy 'core/(base|field)/|server/(record|policy)/|mirocup/strategy\.h"'  # in the source that it writes
 may server/web 'core/|system/|server/(record|statistics|web)/'
 may server/app 'core/|system/|plugins/(abi|host)/|mirocup/|server/'
 may training 'core/|system/|server/record/|plugins/host/|mirocup/training\.h"|training/'
@@ -82,6 +83,7 @@ only 'kainjow/' server/web/design
 only 'CLI/' server/app system tournaments/app
 only 'openssl/' system
 only 'zstd' server/record
+only 'zip\.h' server/policy
 only 'box2d/|chipmunk/|ode/' none  # peers: tests/bench alone
 only 'thread>|chrono>|mutex>|fstream>|iostream>|filesystem>|random>|sys/|unistd\.h' system plugins server training tournaments
 

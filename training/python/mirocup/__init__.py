@@ -14,6 +14,7 @@ are used where they are installed, and not needed. docs/training.md has the whol
 from ._library import TrainingError
 from .configuration import PRESETS
 from .parallel_env import ParallelEnv
+from .policy import Policy
 from .vector_env import AutoresetMode, Env, VectorEnv
 
-__all__ = ["AutoresetMode", "Env", "PRESETS", "ParallelEnv", "TrainingError", "VectorEnv"]
+__all__ = ["AutoresetMode", "Env", "PRESETS", "ParallelEnv", "Policy", "TrainingError", "VectorEnv"]
