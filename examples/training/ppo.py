@@ -55,16 +55,16 @@ COMMON = {"agents": "robot", "observation": "relative", "ticks_per_step": 2, "au
 TASKS: dict[str, dict[str, Any]] = {
     "score": {**COMMON, "learners": [1], "opponent": "idle", "referee": "goals",
               "start": [SCORE_START, EASY_START], "episode_seconds": 10.0,
-              "rewards": {"goal": 1.0, "ball_to_goal": 0.4, "robot_to_ball": 0.15, "time": 0.01}},
+              "rewards": {"goal": 2.0, "ball_to_goal": 0.8, "robot_to_ball": 0.1, "time": 0.05}},
     "play": {**COMMON, "opponent": "self", "start": [PLAY_START, {}], "episode_seconds": 20.0,
              "rewards": {"goal": 1.0, "ball_to_goal": 0.2, "robot_to_ball": 0.02, "foul": 0.1}},
 }
 
 ENVIRONMENTS = 192      # rows: learners that act at once
 STEPS = 64              # of each environment between two updates
-EPOCHS, MINIBATCHES = 5, 24
+EPOCHS, MINIBATCHES = 4, 12
 GAMMA, LAMBDA = 0.99, 0.95
-CLIP, ENTROPY, VALUE = 0.2, 0.0005, 0.5
+CLIP, ENTROPY, VALUE = 0.2, 0.004, 0.5
 LEARNING_RATE = 5e-4    # falls to a tenth of it over the run
 HIDDEN = 64
 PAST_SELVES = 20        # kept as opponents
@@ -90,7 +90,7 @@ class Learner(nn.Module):
         super().__init__()
         self.mean = layers(observation, action, 0.01)
         self.value = layers(observation, 1, 1.0)
-        self.log_std = nn.Parameter(torch.full((action,), -1.0))
+        self.log_std = nn.Parameter(torch.full((action,), -0.7))
 
     def distribution(self, observations: torch.Tensor) -> torch.distributions.Normal:
         return torch.distributions.Normal(self.mean(observations), self.log_std.exp())

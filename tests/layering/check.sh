@@ -62,6 +62,7 @@ may tournaments/journal 'core/base/|system/|server/record/|tournaments/journal/'
 may tournaments/league 'core/|system/|server/record/|tournaments/(format|table|journal|league)/'
 may tournaments/handin 'core/|system/|server/record/|server/web/request\.hpp"|tournaments/(format|table|journal|league|publish|handin)/'
 may tournaments/play 'core/|system/|server/record/|tournaments/(format|table|journal|league|play)/'
+may tournaments/tune 'core/base/|system/|server/record/|tournaments/tune/'
 may tournaments/publish 'core/|system/|server/(record|statistics|web/design)/|tournaments/(format|table|journal|league|publish)/'
 may tournaments/app 'core/|system/|server/(record|statistics|web)/|tournaments/'
 
