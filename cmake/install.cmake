@@ -3,7 +3,8 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/mirocup)
-set(MIROCUP_PYTHON_DIR share/mirocup/python CACHE STRING "Folder of the package mirocup for Python, below the prefix")
+# Where Debian's Python looks below /usr; below another prefix, PYTHONPATH names it.
+set(MIROCUP_PYTHON_DIR lib/python3/dist-packages CACHE STRING "Folder of the package mirocup for Python, below the prefix")
 
 # mirocup: the programs, the house teams, and what they read.
 install(TARGETS mirocup EXPORT mirocup COMPONENT mirocup)

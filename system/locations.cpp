@@ -57,6 +57,17 @@ std::string drill_folder() {
   return (fs::path(team_kit().prefix) / "share" / "mirocup" / "drills").string();
 }
 
+std::string drill_folder(const std::string& folder) {
+  // Beside the library in a build tree; in a prefix, one or two folders above it.
+  std::error_code none;
+  fs::path above = folder;
+  for (int i = 0; i < 3; ++i, above = above.parent_path()) {
+    const fs::path drills = above / "share" / "mirocup" / "drills";
+    if (fs::is_directory(drills, none)) return drills.string();
+  }
+  return drill_folder();
+}
+
 std::string house_team(const std::string& name) {
   return house_team(name, program_folder());
 }

@@ -27,6 +27,8 @@ TeamKit team_kit();
 
 // Returns the folder of the drills that come with mirocup.
 std::string drill_folder();
+// The same for a library that another program has loaded: `folder` is the library's.
+std::string drill_folder(const std::string& folder);
 
 // Returns the names of the house teams, sorted.
 std::vector<std::string> house_teams();

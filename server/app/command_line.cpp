@@ -354,6 +354,17 @@ void add_new(CLI::App& app, Run& run) {
       ->type_name("OLD");
 }
 
+void add_export(CLI::App& app, Run& run) {
+  Subcommand<ExportOptions> command(app, run, "export",
+                                    "Write a learned network as the source of a team", run_export);
+  ExportOptions& o = *command.options;
+  command->add_option("POLICY", o.policy, "The network, an .npz of schema mirocup/policy/1")
+      ->required();
+  command->add_option("-o,--output", o.output, "File to write the source to")
+      ->type_name("FILE.cpp")
+      ->required();
+}
+
 void add_verify(CLI::App& app, Run& run) {
   Subcommand<VerifyOptions> command(
       app, run, "verify", "Simulate a record again from its commands and compare everything",
@@ -468,6 +479,9 @@ void add_completion(CLI::App& app, Run& run) {
 void add_league(CLI::App& app) {
   app.add_subcommand("league", "Make, play and show leagues: mirocup help league");
 }
+void add_tune(CLI::App& app) {
+  app.add_subcommand("tune", "Find better numbers for a team: mirocup tune --help");
+}
 void add_bench(CLI::App& app) {
   app.add_subcommand("bench", "Compare speed and error with other engines: mirocup help bench");
 }
@@ -494,6 +508,10 @@ const system::CommandHelp help_of_commands[] = {
      {"mirocup drill list", "mirocup drill shoot-open-goal mine.so --replay failed",
       "mirocup drill all mine.so striker --csv"}},
     {"compile", for_teams, {"mirocup compile mine.cpp -o mine.so"}},
+    {"export", for_teams, {"mirocup export policy.npz -o learned.cpp"}},
+    {"tune",
+     for_teams,
+     {"mirocup tune mine.so --param wait=0.3:0.6 --against chaser,striker -o tuned"}},
     {"hand-in",
      for_teams,
      {"mirocup hand-in https://league.example:8443 mine.so --token-file token"}},
@@ -546,6 +564,7 @@ std::optional<int> read_command_line(int argc, char** argv, Run& run) {
   add_hand_in(cli, run);
   add_join(cli, run);
   add_new(cli, run);
+  add_export(cli, run);
   add_verify(cli, run);
   add_rerun(cli, run);
   add_replay(cli, run);
@@ -553,6 +572,7 @@ std::optional<int> read_command_line(int argc, char** argv, Run& run) {
   add_league(cli);
   add_scene(cli, run);
   add_referee(cli, run);
+  add_tune(cli);
   add_bench(cli);
   add_completion(cli, run);
   system::finish_help(cli, help_of_commands, value_names);

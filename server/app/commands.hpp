@@ -116,6 +116,12 @@ struct CompletionOptions {
 };
 Result<int> run_completion(const CompletionOptions& options);
 
+struct ExportOptions {
+  std::string policy;  // the path of a mirocup/policy/1
+  std::string output;  // of the source
+};
+Result<int> run_export(const ExportOptions& options);
+
 struct NewOptions {
   std::string simurosot;  // folder with the sources of an old team; "": a new team
   std::string folder;
@@ -174,9 +180,9 @@ struct RefereeOptions {
 };
 Result<int> run_referee(const RefereeOptions& options);
 
-// `mirocup league …` is the program mirocup-league and `mirocup bench …` is mirocup-bench: runs the
-// program of that name in the place of this process, with the arguments behind argv[1]. Returns
-// only if it cannot be run.
-Result<int> become_sibling_program(const std::string& name, int argc, char** argv);
+// `mirocup league …` and `mirocup tune …` are the program mirocup-league, and `mirocup bench …` is
+// mirocup-bench: runs the program of that name in the place of this process, with the arguments
+// from argv[first] on. Returns only if it cannot be run.
+Result<int> become_sibling_program(const std::string& name, int argc, char** argv, int first = 2);
 
 }  // namespace mirocup::app

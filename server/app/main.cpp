@@ -29,6 +29,9 @@ int run(int argc, char** argv) {
                                               words.data()));
   }
   if (command == "league") return report(app::become_sibling_program("mirocup-league", argc, argv));
+  // The subcommand itself is one of that program.
+  if (command == "tune")
+    return report(app::become_sibling_program("mirocup-league", argc, argv, 1));
   if (command == "bench") return report(app::become_sibling_program("mirocup-bench", argc, argv));
 
   app::Run run;

@@ -54,6 +54,7 @@ may server/drills 'core/|system/|server/(record|drills)/'
 may server/dds 'core/|system/|idl/|server/dds/|server/pace/(absence|durations)\.hpp"|plugins/abi/|mirocup/'
 may server/firasim 'core/|system/|server/firasim/|server/pace/(absence|durations)\.hpp"'
 may server/web/design 'system/|server/web/design/'
+may server/policy 'core/(base|field)/|server/(record|policy)/|mirocup/strategy\.h"'  # in the source that it writes
 may server/web 'core/|system/|server/(record|statistics|web)/'
 may server/app 'core/|system/|plugins/(abi|host)/|mirocup/|server/'
 may training 'core/|system/|server/record/|plugins/host/|mirocup/training\.h"|training/'
@@ -63,6 +64,7 @@ may tournaments/journal 'core/base/|system/|server/record/|tournaments/journal/'
 may tournaments/league 'core/|system/|server/record/|tournaments/(format|table|journal|league)/'
 may tournaments/handin 'core/|system/|server/record/|server/web/request\.hpp"|tournaments/(format|table|journal|league|publish|handin)/'
 may tournaments/play 'core/|system/|server/record/|tournaments/(format|table|journal|league|play)/'
+may tournaments/tune 'core/base/|system/|server/record/|tournaments/tune/'
 may tournaments/publish 'core/|system/|server/(record|statistics|web/design)/|tournaments/(format|table|journal|league|publish)/'
 may tournaments/app 'core/|system/|server/(record|statistics|web)/|tournaments/'
 
@@ -84,6 +86,7 @@ only 'kainjow/' server/web/design
 only 'CLI/' server/app system tournaments/app
 only 'openssl/' system
 only 'zstd' server/record
+only 'zip\.h' server/policy
 only 'box2d/|chipmunk/|ode/' none  # peers: tests/bench alone
 only 'thread>|chrono>|mutex>|fstream>|iostream>|filesystem>|random>|sys/|unistd\.h' system plugins server training tournaments
 

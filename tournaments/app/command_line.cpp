@@ -339,6 +339,52 @@ void add_compare(CLI::App& app, Action& action) {
       ->excludes(json);
 }
 
+void add_tune(CLI::App& app, Action& action) {
+  Subcommand<TuneOptions> command(app, action, "tune", "Find better numbers for a team", run_tune);
+  TuneOptions& o = *command.options;
+  TuningOptions& t = o.tuning;
+  command->add_option("TEAM", o.team, "a library, or the name of a house team")->required();
+  command->add_option("--param", o.parameters, "a parameter of the team, and where to look for it")
+      ->type_name("KEY=LOW:HIGH")
+      ->required();
+  command->add_option("--against", o.against, "the opponents, with commas between them")
+      ->delimiter(',')
+      ->required();
+  command->add_option("--league", o.league, "small (3 a side), middle (5), large (11)")
+      ->check(CLI::IsMember({"small", "middle", "large"}))
+      ->capture_default_str();
+  command->add_option("--half", o.run.half_s, "seconds of a half")->check(CLI::Range(0.1, 36000.0));
+  command
+      ->add_option("--conditions", o.run.conditions,
+                   "exact, hall or camera (default: as in a match)")
+      ->check(CLI::IsMember({"exact", "hall", "camera"}));
+  command->add_option("--seed", t.seed, "seed of the search and of its fixtures")
+      ->check(CLI::Validator(system::problem_with_seed, "SEED"))
+      ->capture_default_str();
+  command
+      ->add_option("--jobs", o.run.jobs, "number of legs at once (default: one for each processor)")
+      ->check(CLI::Range(1, 1024));
+  command->add_option("--generations", t.generations, "generations of the search")
+      ->check(CLI::Range(1, 10'000))
+      ->capture_default_str();
+  command
+      ->add_option("--fixtures", t.fixtures,
+                   "fixtures of two legs of a candidate against each opponent; more if there is "
+                   "much noise")
+      ->check(CLI::Range(2, 1000))
+      ->capture_default_str();
+  command
+      ->add_option("--test", t.test_fixtures,
+                   "fixtures of the test at the end, against each opponent")
+      ->check(CLI::Range(10, 100'000))
+      ->capture_default_str();
+  command
+      ->add_option("-o,--output", o.folder,
+                   "a folder for what has been played and the picture; the same command goes on")
+      ->capture_default_str();
+  command->add_flag("--json", o.json, "one JSON object on standard output");
+}
+
 void add_shards(CLI::App& app, Action& action) {
   Subcommand<ShardOptions> plan(
       app, action, "plan",
@@ -385,6 +431,7 @@ const system::CommandHelp help_of_commands[] = {
      to_make,
      {"mirocup league compare new.so old.so",
       "mirocup league compare a.so b.so c.so --against all"}},
+    {"tune", to_make, {"mirocup tune mine.so --param wait=0.3:0.6 --against chaser,striker"}},
     {"submit",
      to_take,
      {"mirocup league submit spring alpha alpha.so", "mirocup league submit spring --inbox inbox"}},
@@ -435,6 +482,7 @@ std::optional<int> read_command_line(int argc, char** argv, Action& action) {
   add_hand_in(cli, action);
   add_rulings(cli, action);
   add_compare(cli, action);
+  add_tune(cli, action);
   add_shards(cli, action);
   add_credentials(cli, action);
   cli.footer("mirocup league help COMMAND explains a command, with examples.");

@@ -17,6 +17,7 @@ this, so the environments are loaded when they are first asked for.
 import importlib
 
 _HOMES = {"TrainingError": "_library", "PRESETS": "configuration", "ParallelEnv": "parallel_env",
+          "Policy": "policy",
           "AutoresetMode": "vector_env", "Env": "vector_env", "VectorEnv": "vector_env"}
 
 __all__ = sorted(_HOMES)
