@@ -181,14 +181,14 @@ void observe(const mirocup_setup&, const mirocup_observation& now, int self, flo
 )";
 
 constexpr std::string_view wheels_code = R"(
-mirocup_wheels wheels_of(const mirocup_setup& setup, float a, float b) {
+mirocup_wheels wheels_from(const mirocup_setup& setup, float a, float b) {
   const double limit = setup.wheel_speed_limit;
   return {limit * static_cast<double>(a), limit * static_cast<double>(b)};
 }
 )";
 
 constexpr std::string_view drive_code = R"(
-mirocup_wheels wheels_of(const mirocup_setup& setup, float forward, float turn) {
+mirocup_wheels wheels_from(const mirocup_setup& setup, float forward, float turn) {
   const auto wheel = [&](double share) {
     return setup.wheel_speed_limit * std::clamp(share, -1.0, 1.0);
   };
@@ -198,7 +198,7 @@ mirocup_wheels wheels_of(const mirocup_setup& setup, float forward, float turn) 
 )";
 
 constexpr std::string_view dead_zone_code = R"(
-mirocup_wheels wheels_of(const mirocup_setup& setup, float a, float b) {
+mirocup_wheels wheels_from(const mirocup_setup& setup, float a, float b) {
   const auto wheel = [&](double share) {
     const double speed = setup.wheel_speed_limit * share;
     return std::abs(speed) * setup.wheel_radius < 0.05 ? 0.0 : speed;
@@ -236,7 +236,7 @@ void decide(void* team, const mirocup_observation* now, mirocup_command* command
       observe(*self.setup, *now, is_one_first ? actor[0] : 0, observation);
       network(observation, action);
       for (int i = 0; i < action_size / 2; ++i) {
-        self.command.wheels[actor[i]] = wheels_of(*self.setup, action[2 * i], action[2 * i + 1]);
+        self.command.wheels[actor[i]] = wheels_from(*self.setup, action[2 * i], action[2 * i + 1]);
       }
     }
   }

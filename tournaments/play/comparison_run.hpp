@@ -87,8 +87,8 @@ std::uint64_t comparison_seed(const ComparisonRun& run, const std::array<int, 2>
 void count_fixture(PairComparison& pair, const std::array<ComparedLeg, 2>& legs,
                    const ComparisonRun& run);
 
-// Returns what the legs of a run depend on: teams with the digests of their libraries, the game, and
-// how it is played. The error is that of a library that cannot be read.
+// Returns what the legs of a run depend on: teams with the digests of their libraries, the game,
+// and how it is played. The error is that of a library that cannot be read.
 Result<nlohmann::ordered_json> comparison_identity(system::Files& files, const ComparisonRun& run);
 
 // True if no more fixtures of the pair are needed.
