@@ -40,7 +40,7 @@ Result<int> run_export(const ExportOptions& options) {
   }
   std::cout << system::printable(options.output) << ": the source of a team. "
             << "Compile it: c++ -std=c++17 -O2 -fPIC -shared -I "
-            << system::printable(system::team_kit().headers) << ' '
+            << system::printable(system::team_kit().prefix) << "/include" << ' '
             << system::printable(options.output) << " -o learned.so\n";
   return exit_yes;
 }
