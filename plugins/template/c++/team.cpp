@@ -17,8 +17,11 @@ class Mine : public Team {
   }
 
  private:
-  // How far behind the ball the others wait, m. To try another value: --param wait=0.4
+  // Numbers to try: mirocup match --param wait=0.4, or mirocup tune, which looks for better ones.
+  // How far behind the ball the others wait, m.
   const double wait_ = parameter("wait", 0.45);
+  // How fast the kicker drives, m/s.
+  const double pace_ = parameter("pace", 1.5);
 
   unsigned long long seed() const { return setup().seed; }
 
@@ -34,7 +37,7 @@ class Mine : public Team {
 
   Wheels kick(const Observation& now, const Robot& robot) const {
     if (must_kick_off(now)) return kick_off(setup(), robot);
-    return kick_to(setup(), now, robot, {setup().half_length, 0.0});
+    return kick_to(setup(), now, robot, {setup().half_length, 0.0}, pace_);
   }
 
   Wheels wait(const Observation& now, int i) const {
