@@ -45,6 +45,7 @@ TEST(Apply, OnlyLaterEntriesOfPresentTeams) {
   EXPECT_FALSE(validate(state, EntryBooked{.team = "a", .entry = 2, .sha256 = "t"}));
   EXPECT_FALSE(validate(state, EntryBooked{.team = "c", .entry = 1, .sha256 = "t"}));
   EXPECT_TRUE(validate(state, EntryBooked{.team = "a", .entry = 3, .sha256 = "t"}));
+  EXPECT_TRUE(validate(state, EntryBooked{.team = "a", .entry = 1, .sha256 = "t"})) << "pinned";
 }
 
 TEST(Apply, ARulingReplacesTheScoreAndKeepsTheRecord) {
