@@ -38,7 +38,7 @@ TEST(Apply, NothingBeforeTheStart) {
   EXPECT_TRUE(validate(state, Started{.config_sha256 = "x", .version = ""}));
 }
 
-TEST(Apply, OnlyLaterEntriesOfPresentTeams) {
+TEST(Apply, OnlyOtherEntriesOfPresentTeams) {
   LeagueState state = started_pair();
   apply(state, EntryBooked{.team = "a", .entry = 2, .sha256 = "s"});
   EXPECT_EQ(state.teams[0].entry, 2);
