@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace mirocup::league {
 
@@ -73,7 +74,10 @@ Result<void> HandInBook::apply(const Json& line) {
     const std::string message = json.at("message").text();
     if (!problem) queue_.answer(team, entry, state, message);
   } else if (kind == pinned) {
-    if (!problem) pins_[team] = entry;
+    if (!problem) {
+      pins_[team] = entry;
+      pin_times_[team].push_back(at);
+    }
   } else {
     json.at("kind").complain("no kind of line is called " + json.at("kind").quoted());
   }
@@ -127,8 +131,19 @@ Result<void> HandInBook::answer(const std::string& team, int entry, HandInState 
 Result<void> HandInBook::pin(const std::string& team, int entry, std::int64_t at) {
   auto written =
       journal_.append(std::string(pinned), {{"team", team}, {"entry", entry}, {"at", at}});
-  if (written) pins_[team] = entry;
-  return written;
+  if (!written) return written;
+  pins_[team] = entry;
+  pin_times_[team].push_back(at);
+  return {};
+}
+
+int HandInBook::pins_in_last_hour(const std::string& team, std::int64_t now) const {
+  constexpr std::int64_t hour = 3600;  // s
+  const auto times = pin_times_.find(team);
+  if (times == pin_times_.end()) return 0;
+  return static_cast<int>(
+      std::count_if(times->second.begin(), times->second.end(),
+                    [now](std::int64_t at) { return std::abs(now - at) < hour; }));
 }
 
 }  // namespace mirocup::league

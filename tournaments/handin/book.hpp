@@ -42,6 +42,7 @@ class HandInBook {
   // this server dies between the two, the next one sets that right.
   Result<void> pin(const std::string& team, int entry, std::int64_t at);
   const std::map<std::string, int>& pins() const { return pins_; }
+  int pins_in_last_hour(const std::string& team, std::int64_t now) const;
 
   // What is not written, because it ends with the server.
   void begin(const std::string& team, int entry, HandInState state = HandInState::checking) {
@@ -59,7 +60,8 @@ class HandInBook {
   Folder folder_;
   Journal journal_;
   HandInQueue queue_;
-  std::map<std::string, int> pins_;  // the last of each team
+  std::map<std::string, int> pins_;                             // the last of each team
+  std::map<std::string, std::vector<std::int64_t>> pin_times_;  // s since 1970
   std::optional<system::FileLock> lock_;
 };
 

@@ -24,6 +24,7 @@ constexpr std::string_view replays_path = "/hand-in/friendlies";
 constexpr std::string_view entry_pages_path = "/hand-in/entries/";
 constexpr std::size_t max_file_name = 100;  // bytes
 constexpr std::size_t max_form = 4096;      // bytes
+constexpr int max_pins = 10;                // of a team in an hour
 constexpr int max_failures = 10;            // of the host, until a hand-in is void
 
 constexpr const char* page_policy =
@@ -209,6 +210,11 @@ web::Reply Portal::pin(const web::Request& request, const Visitor& visitor) {
   if (!entry) return problem_reply(400, "?entry=N or ?entry=latest is expected");
   const std::lock_guard lock(mutex_);
   const std::int64_t now = options_.now();
+  // In a ladder each change has legs of its own.
+  if (book_.pins_in_last_hour(visitor.team, now) >= max_pins) {
+    return problem_reply(429, visitor.team + " has chosen its version " + std::to_string(max_pins) +
+                                  " times in the last hour; choose later");
+  }
   const auto done = pin_entry(files_, folder_, visitor.team, *entry, now);
   if (!done) return host_failed(done.error());
   if (!done->empty()) return problem_reply(409, *done);

@@ -352,6 +352,38 @@ TEST_F(Desk, PlaysFriendliesAndShowsThemToTheTwo) {
   EXPECT_EQ(json_of(ask(api("/api/v1/friendlies", beta_)))["friendlies"].size(), 2u);
 }
 
+TEST_F(Desk, PinsAnAcceptedVersionOfItsTeam) {
+  LeagueFile file;
+  file.teams = {{.name = "alpha", .source = "submitted"}, {.name = "beta", .source = "submitted"}};
+  ASSERT_TRUE(disk_.write(folder_.config(), print_league_file(file)));
+  ASSERT_TRUE(add_entry(disk_, folder_, "alpha", 1, "one"));
+  ASSERT_TRUE(add_entry(disk_, folder_, "alpha", 2, "two"));
+  ASSERT_TRUE(add_entry(disk_, folder_, "alpha", 3, "three", R"({"accepted":false})"));
+  const auto pin = [&](const std::string& token, const std::string& entry) {
+    web::Request request = api("/api/v1/pin", token);
+    request.method = "PUT";
+    request.query.emplace("entry", entry);
+    return ask(request).status;
+  };
+  EXPECT_EQ(playing_entry(disk_, folder_, "alpha"), 2);
+  EXPECT_EQ(pin(alpha_, "1"), 200);
+  EXPECT_EQ(playing_entry(disk_, folder_, "alpha"), 1);
+  EXPECT_EQ(pin(alpha_, "3"), 409) << "it was refused";
+  EXPECT_EQ(pin(alpha_, "9"), 409);
+  EXPECT_EQ(pin(beta_, "1"), 409) << "another team's";
+  for (const char* strange : {"", "0", "-1", "1x", "../1"}) EXPECT_EQ(pin(alpha_, strange), 400);
+  EXPECT_EQ(pin(staff_, "1"), 403);
+  // A server that died between its book and the file of the team.
+  HandIns forgotten;
+  ASSERT_TRUE(write_hand_ins(disk_, folder_, "alpha", forgotten));
+  open();
+  EXPECT_EQ(playing_entry(disk_, folder_, "alpha"), 1);
+  EXPECT_EQ(pin(alpha_, "latest"), 200);
+  EXPECT_EQ(playing_entry(disk_, folder_, "alpha"), 2);
+  for (int i = 0; i < 8; ++i) EXPECT_EQ(pin(alpha_, "1"), 200);
+  EXPECT_EQ(pin(alpha_, "latest"), 429);
+}
+
 TEST_F(Desk, GivesNothingOfAnotherTeam) {
   ASSERT_EQ(ask(put(alpha_), "ELF").status, 202);
   EXPECT_EQ(ask(api("/api/v1/entries/1", beta_)).status, 404);

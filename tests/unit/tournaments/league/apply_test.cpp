@@ -38,13 +38,14 @@ TEST(Apply, NothingBeforeTheStart) {
   EXPECT_TRUE(validate(state, Started{.config_sha256 = "x", .version = ""}));
 }
 
-TEST(Apply, OnlyLaterEntriesOfPresentTeams) {
+TEST(Apply, OnlyOtherEntriesOfPresentTeams) {
   LeagueState state = started_pair();
   apply(state, EntryBooked{.team = "a", .entry = 2, .sha256 = "s"});
   EXPECT_EQ(state.teams[0].entry, 2);
   EXPECT_FALSE(validate(state, EntryBooked{.team = "a", .entry = 2, .sha256 = "t"}));
   EXPECT_FALSE(validate(state, EntryBooked{.team = "c", .entry = 1, .sha256 = "t"}));
   EXPECT_TRUE(validate(state, EntryBooked{.team = "a", .entry = 3, .sha256 = "t"}));
+  EXPECT_TRUE(validate(state, EntryBooked{.team = "a", .entry = 1, .sha256 = "t"})) << "pinned";
 }
 
 TEST(Apply, ARulingReplacesTheScoreAndKeepsTheRecord) {
