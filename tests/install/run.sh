@@ -73,7 +73,7 @@ as_student() { inside setpriv --reuid 1500 --regid 1500 --clear-groups env HOME=
 step "install"
 inside apt-get -qq update
 inside sh -ec 'DEBIAN_FRONTEND=noninteractive apt-get -qq -y --no-install-recommends install /packages/*.deb openssl >/var/log/install.log'
-inside sh -ec 'DEBIAN_FRONTEND=noninteractive apt-get -qq -y --no-install-recommends install systemd man-db ninja-build >>/var/log/install.log'
+inside sh -ec 'DEBIAN_FRONTEND=noninteractive apt-get -qq -y --no-install-recommends install systemd man-db >>/var/log/install.log'
 mkdir -p "$folder/debian/home/student"
 chown 1500:1500 "$folder/debian/home/student"
 mount --bind "$folder/debian/usr" "$folder/debian/usr"
