@@ -32,7 +32,9 @@ add_custom_command(OUTPUT ${pages}
   COMMAND mirocup completion bash > ${PROJECT_BINARY_DIR}/share/completions/mirocup.bash
   COMMAND mirocup completion zsh > ${PROJECT_BINARY_DIR}/share/completions/mirocup.zsh
   COMMAND mirocup completion fish > ${PROJECT_BINARY_DIR}/share/completions/mirocup.fish
+  COMMAND sh -c "rm -f share/man/man1/*.gz && gzip -9n share/man/man1/*.1"
   COMMAND ${CMAKE_COMMAND} -E touch ${pages}
+  WORKING_DIRECTORY ${PROJECT_BINARY_DIR}
   DEPENDS mirocup mirocup-league VERBATIM)
 add_custom_target(manual ALL DEPENDS ${pages})
 

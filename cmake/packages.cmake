@@ -11,6 +11,8 @@ set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_MIROCUP_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/debian/triggers)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR})
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
@@ -19,35 +21,36 @@ set(CPACK_DEBIAN_MIROCUP_PACKAGE_NAME mirocup)
 set(CPACK_DEBIAN_MIROCUP-DEV_PACKAGE_NAME mirocup-dev)
 set(CPACK_DEBIAN_PYTHON3-MIROCUP_PACKAGE_NAME python3-mirocup)
 set(CPACK_DEBIAN_MIROCUP-DOC_PACKAGE_NAME mirocup-doc)
-set(CPACK_DEBIAN_MIROCUP_PACKAGE_SECTION games)
+set(CPACK_DEBIAN_MIROCUP_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_MIROCUP-DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_PYTHON3-MIROCUP_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_MIROCUP-DOC_PACKAGE_SECTION doc)
 set(CPACK_DEBIAN_MIROCUP_PACKAGE_RECOMMENDS "mirocup-dev, ffmpeg, openssl")
 set(CPACK_DEBIAN_MIROCUP_PACKAGE_SUGGESTS "python3-mirocup, mirocup-doc, xdg-utils")
 set(same_version "(= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
-set(CPACK_DEBIAN_MIROCUP-DEV_PACKAGE_DEPENDS "mirocup ${same_version}, g++, cmake")
+set(CPACK_DEBIAN_MIROCUP-DEV_PACKAGE_DEPENDS "mirocup ${same_version}, g++, cmake, make")
+set(CPACK_DEBIAN_MIROCUP-DEV_PACKAGE_RECOMMENDS "gdb")
 set(CPACK_DEBIAN_PYTHON3-MIROCUP_PACKAGE_DEPENDS "mirocup ${same_version}, python3")
 set(CPACK_DEBIAN_PYTHON3-MIROCUP_PACKAGE_RECOMMENDS "python3-numpy")
 set(CPACK_DEBIAN_MIROCUP-DOC_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_MIROCUP-DOC_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_MIROCUP_DESCRIPTION "tournament platform for MiroSot robot soccer
 Simulates a leg between two teams of small robots, judges it by the laws,
- records it so that it can be run again bit for bit, and makes a league of
- many legs. Teams are shared libraries or files of Python in a sandbox, or
- programs on the network. This package has the programs and house teams.")
+records it so that it can be run again bit for bit, and makes a league of
+many legs. Teams are shared libraries or files of Python in a sandbox, or
+programs on the network. This package has the programs and house teams.")
 set(CPACK_DEBIAN_MIROCUP-DEV_DESCRIPTION "headers to build a team for mirocup
 Headers in C and C++, a library that predicts what the simulator will do,
- and the files for find_package(mirocup) of CMake. With it, the command
- mirocup new makes a team that builds as it is.")
+and the files for find_package(mirocup) of CMake. With it, the command
+mirocup new makes a team that builds as it is.")
 set(CPACK_DEBIAN_PYTHON3-MIROCUP_DESCRIPTION "teams in Python for mirocup, and environments to learn in
 The module mirocup.team and the program that plays a team in Python in the
- sandbox of a library; and environments with the interface of Gymnasium in
- which thousands of matches are played at once.")
+sandbox of a library; and environments with the interface of Gymnasium in
+which thousands of matches are played at once.")
 set(CPACK_DEBIAN_MIROCUP-DOC_DESCRIPTION "pages, laws and examples of mirocup
 What hosts of leagues and students read: the laws, the conditions of a hall,
- how to host a league, exercises, formats of files, and examples: a league,
- a team over the network, units of systemd.")
+how to host a league, exercises, formats of files, and examples: a league,
+a team over the network, units of systemd.")
 
 # Each package has its copyright, its changelog and what lintian need not tell (cmake/debian).
 string(TIMESTAMP now "%a, %d %b %Y %H:%M:%S +0000" UTC)
@@ -57,9 +60,13 @@ foreach(package ${CPACK_COMPONENTS_ALL})
   execute_process(COMMAND gzip -9nf ${folder}/changelog COMMAND_ERROR_IS_FATAL ANY)
   install(FILES ${folder}/changelog.gz DESTINATION share/doc/${package} RENAME changelog.Debian.gz COMPONENT ${package} EXCLUDE_FROM_ALL)
   install(FILES LICENSE DESTINATION share/doc/${package} RENAME copyright COMPONENT ${package} EXCLUDE_FROM_ALL)
+  # What lintian says to a package that is not of Debian itself, and what is meant.
+  file(READ cmake/debian/lintian-overrides overrides)
   if(EXISTS ${PROJECT_SOURCE_DIR}/cmake/debian/${package}.lintian-overrides)
-    install(FILES cmake/debian/${package}.lintian-overrides DESTINATION share/lintian/overrides RENAME ${package}
-      COMPONENT ${package} EXCLUDE_FROM_ALL)
+    file(READ cmake/debian/${package}.lintian-overrides more)
+    string(APPEND overrides "${more}")
   endif()
+  file(WRITE ${folder}/overrides "${overrides}")
+  install(FILES ${folder}/overrides DESTINATION share/lintian/overrides RENAME ${package} COMPONENT ${package} EXCLUDE_FROM_ALL)
 endforeach()
 include(CPack)

@@ -5,8 +5,9 @@
     mirocup match --blue dds:snake --yellow keeper --match final &
     examples/python/chaser.py final blue snake [SERVER [CREDENTIALS]]
 
-$MIROCUP_TEAM_LIBRARY names the library, for example build/libmirocup_team.so; without it the
-installed one is used.
+It plays over the network, from any computer. $MIROCUP_TEAM_LIBRARY names the library; without it
+that of the build tree is used, or the installed one. docs/python.md has teams in Python without a
+network.
 """
 
 import math

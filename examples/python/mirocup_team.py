@@ -83,12 +83,19 @@ class Call(ctypes.Structure):
                 ("name", c_char_p), ("credentials", c_char_p), ("domain", c_int32)]
 
 
+def _built_library():
+    """Returns the library of the build tree that this file belongs to, else the installed one."""
+    above = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+    built = os.path.join(above, "build", "libmirocup_team.so")
+    return built if os.path.exists(built) else "libmirocup_team.so"
+
+
 def load(path=None):
     """Loads the library from `path`, from $MIROCUP_TEAM_LIBRARY, or from the installation.
 
     Raises Error if it is not there.
     """
-    path = path or os.environ.get("MIROCUP_TEAM_LIBRARY", "libmirocup_team.so")
+    path = path or os.environ.get("MIROCUP_TEAM_LIBRARY") or _built_library()
     try:
         library = ctypes.CDLL(path)
     except OSError as error:

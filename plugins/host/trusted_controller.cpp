@@ -2,6 +2,7 @@
 #include "plugins/host/trusted_controller.hpp"
 
 #include "plugins/abi/convert.hpp"
+#include "plugins/host/crash_notice.hpp"
 #include "plugins/host/python_module.hpp"
 
 #include <dlfcn.h>
@@ -29,7 +30,7 @@ tl::expected<std::unique_ptr<TrustedController>, match::Fault> TrustedController
   auto plugin = Plugin::load(path, facts->setup);
   if (!plugin) return tl::unexpected(plugin.error());
   return std::unique_ptr<TrustedController>(
-      new TrustedController(std::move(facts), std::move(*plugin)));
+      new TrustedController(briefing.team, std::move(facts), std::move(*plugin)));
 }
 
 tl::expected<std::unique_ptr<TrustedController>, match::Fault> TrustedController::load_python(
@@ -47,12 +48,12 @@ tl::expected<std::unique_ptr<TrustedController>, match::Fault> TrustedController
   PythonLoaded loaded{};
   load(path.c_str(), &facts->setup, &loaded);
   if (loaded.team == nullptr) return no_load(loaded.why);
-  return std::unique_ptr<TrustedController>(
-      new TrustedController(std::move(facts), Plugin::adopt(*loaded.strategy, loaded.team)));
+  return std::unique_ptr<TrustedController>(new TrustedController(
+      briefing.team, std::move(facts), Plugin::adopt(*loaded.strategy, loaded.team)));
 }
 
-TrustedController::TrustedController(std::unique_ptr<Facts> facts, Plugin plugin)
-    : facts_(std::move(facts)), plugin_(std::move(plugin)) {}
+TrustedController::TrustedController(Team team, std::unique_ptr<Facts> facts, Plugin plugin)
+    : colour_(to_string(team)), facts_(std::move(facts)), plugin_(std::move(plugin)) {}
 
 void TrustedController::post(const match::Observation& observation) {
   observation_ = abi::to_observation(observation);
@@ -62,10 +63,12 @@ match::Answer TrustedController::collect() {
   if (facts_->thoughts) facts_->thoughts->clear();
   std::optional<match::PlacementRequest> poses;
   if (observation_.placing != 0) {
+    const RunningCallMark mark({colour_.c_str(), "place()", observation_.tick});
     const auto placement = plugin_.place(observation_);
     if (!placement) return placement.error();
     poses = abi::to_poses(*placement);
   }
+  const RunningCallMark mark({colour_.c_str(), "decide()", observation_.tick});
   const auto decided = plugin_.decide(observation_);
   if (!decided) return decided.error();
   match::Command command = abi::to_command(*decided);

@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace mirocup::plugins {
 
@@ -49,8 +50,9 @@ class TrustedController final : public match::Controller {
   static std::unique_ptr<Facts> facts_for(const match::Briefing& briefing,
                                           const match::TeamParameters& parameters,
                                           bool keeps_thoughts);
-  TrustedController(std::unique_ptr<Facts> facts, Plugin plugin);
+  TrustedController(Team team, std::unique_ptr<Facts> facts, Plugin plugin);
 
+  std::string colour_;
   std::unique_ptr<Facts> facts_;
   Plugin plugin_;
   mirocup_observation observation_{};

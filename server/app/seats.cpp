@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/app/seats.hpp"
 
+#include "plugins/host/crash_notice.hpp"
 #include "plugins/host/elf.hpp"
 #include "server/app/entry_advice.hpp"
 #include "server/app/host_program.hpp"
@@ -100,6 +101,7 @@ Result<TeamSeat> TeamSeat::take_trusted(const TeamChoice& choice, const match::B
   TeamSeat seat(choice.info);
   seat.load_fault_ = choice.fault;
   if (choice.fault) return seat;
+  plugins::tell_of_crashes();
   const match::TeamParameters& parameters = choice.info.parameters;
   const bool is_python = choice.entry->is_python();
   const auto module = is_python ? python_module() : std::string();

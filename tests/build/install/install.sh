@@ -63,6 +63,17 @@ END
 env -i PATH=/usr/bin:/bin HOME=/ cmake --workflow --preset team
 mirocup check build/predicts.so
 
+# A team in C, and one in Python, where Python was built in.
+mirocup new "$folder/in C" --language c
+(cd "$folder/in C" && env -i PATH=/usr/bin:/bin HOME=/ sh -ec \
+  'cmake --preset team && cmake --build --preset team && build/team_test')
+mirocup match --blue "$folder/in C/build/team.so" --yellow idle --half 5
+if [[ -e $folder/prefix/libexec/mirocup/mirocup-python-host ]]; then
+  mirocup new "$folder/in Python" --language python
+  mirocup match --blue "$folder/in Python/team.py" --yellow idle --half 5
+  mirocup match --blue "$folder/in Python/team.py" --yellow idle --half 5 --trusted
+fi
+
 mirocup new "$folder/team" && exit 1  # does not write over a team
 [[ $? -eq 2 ]]
 mirocup league init league --team mine=build/team.so --team house=house:chaser --half 2

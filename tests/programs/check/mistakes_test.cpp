@@ -138,5 +138,21 @@ TEST_P(HarmlessTeams, AreAccepted) {
   }
 }
 
+// Catches --trusted that dies of a team without a word.
+TEST(Trusted, TellsWhichTeamCrashedWhere) {
+#ifdef MIROCUP_SANITIZED
+  GTEST_SKIP() << "the sanitizer tells it";
+#endif
+  const auto outcome = test_support::run(
+      {program("mirocup"), "match", "--trusted", "--blue", "idle", "--yellow",
+       program("teams/mistakes.so"), "--half", "60", "--yellow-param",
+       "mistake=" + std::to_string(static_cast<int>(Mistake::null_pointer_late))});
+  EXPECT_EQ(outcome.exit_code, 128 + 11);
+  EXPECT_NE(outcome.err.find("the yellow team crashed in this process, in decide() of tick 901, by "
+                             "Segmentation fault"),
+            std::string::npos)
+      << outcome.err;
+}
+
 }  // namespace
 }  // namespace mirocup

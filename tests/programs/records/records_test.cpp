@@ -137,6 +137,28 @@ TEST(Records, AreReadIfEarlierVersionsWroteThem) {
   expect_valid(samples());
 }
 
+// Catches a verification that does not look for the version that played the record, and one that
+// asks a version that does not reproduce it.
+TEST(Records, AreVerifiedByTheVersionThatPlayedThem) {
+  const test_support::TemporaryFolder versions;
+  const auto add_version = [&versions](const std::string& name, int code) {
+    const std::string folder = versions / name;
+    std::filesystem::create_directories(folder + "/bin");
+    test_support::write_file(folder + "/bin/mirocup", "#!/bin/sh\necho " + name + " $1; exit " +
+                                                          std::to_string(code) + "\n");
+    std::filesystem::permissions(folder + "/bin/mirocup", std::filesystem::perms::owner_all);
+    return folder;
+  };
+  const std::string path = add_version("other", 4) + ":" + add_version("fitting", 0);
+  setenv("MIROCUP_VERSIONS", path.c_str(), 1);
+  const auto verified =
+      test_support::run({test_support::program("mirocup"), "verify", samples().front()});
+  unsetenv("MIROCUP_VERSIONS");
+  EXPECT_EQ(verified.exit_code, 0) << verified.err;
+  EXPECT_EQ(verified.out, "fitting verify\n");
+  EXPECT_NE(verified.err.find("played by another version"), std::string::npos) << verified.err;
+}
+
 TEST(Records, AreNotCalledWrongIfTheBehaviourHasChanged) {
   const TemporaryFolder folder;
   const std::string path = folder / "leg.json";

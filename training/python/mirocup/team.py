@@ -58,7 +58,7 @@ Observation = namedtuple("Observation", "tick time clock state phase restart own
 class Team:
     """Derive from it, and define decide(). `setup` holds the facts of the leg."""
 
-    name = "team"
+    name = ""  # as reports call it; without one, the name of the file
 
     def __init__(self, setup):
         self.setup = setup
@@ -401,7 +401,7 @@ def _parameter(name, default):  # the program that plays the team puts its own i
 
 
 def _setup_of(data):
-    values = _SETUP.unpack(data)
+    values = _SETUP.unpack_from(data)  # newer hosts have more at the end
     return Setup(*values[1:26])
 
 
@@ -410,7 +410,7 @@ def _counts_of(values, at):
 
 
 def _observation_of(data):
-    v = _OBSERVATION.unpack(data)
+    v = _OBSERVATION.unpack_from(data)
     n = v[10]
     own = tuple([Robot(*v[k:k + 6]) for k in range(_OWN, _OWN + 6 * n, 6)])
     opponent = tuple([Robot(*v[k:k + 6]) for k in range(_OPPONENT, _OPPONENT + 6 * n, 6)])

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+//
+// A word about a team that crashes in the server's own process (--trusted), before the process dies
+// of it. In a team's own process fault_report.hpp does this.
+#pragma once
+
+#include <cstdint>
+
+namespace mirocup::plugins {
+
+// The call of a team that runs in this process.
+struct RunningCall {
+  const char* colour = "";
+  const char* function = "";
+  std::uint32_t tick = 0;
+};
+
+// From here on a deadly signal first prints one line about the running call. A handler that is
+// there already, as a sanitizer's, stays. For programs, not for a library in another's process.
+void tell_of_crashes();
+
+// Says that the call runs, until the object ends.
+class RunningCallMark {
+ public:
+  explicit RunningCallMark(const RunningCall& call);
+  RunningCallMark(const RunningCallMark&) = delete;
+  RunningCallMark& operator=(const RunningCallMark&) = delete;
+  ~RunningCallMark();
+
+ private:
+  RunningCall call_;
+};
+
+}  // namespace mirocup::plugins
