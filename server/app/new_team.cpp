@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup new DIR: writes a team that builds without changes: a new one, or an old one of SimuroSot.
+// mirocup new DIR: writes a team that builds without changes: a new one, or an old one of
+// SimuroSot.
 #include "server/app/commands.hpp"
 #include "server/app/old_sources.hpp"
 #include "system/files.hpp"

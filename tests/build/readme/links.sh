@@ -41,10 +41,10 @@ while IFS= read -r page; do
       target=$(realpath -m --relative-to=. "$folder/$file")
       [[ -e $target ]] || { complain "$page: no file $link"; continue; }
     fi
-    [[ $link != *'#'* || $target != *.md ]] || anchors "$target" | grep -qxF -- "${link#*#}" ||
+    [[ $link != *'#'* || $target != *.md ]] || anchors "$target" | grep -xF -- "${link#*#}" >/dev/null ||
       complain "$page: no heading for $link"
   done < <(prose "$page" | grep -oE '\]\([^) ]+' | sed 's/^](//' || true)
-  [[ $page == docs/README.md ]] || prose docs/README.md | grep -qF "]($(realpath -m --relative-to=docs "$page"))" ||
+  [[ $page == docs/README.md ]] || prose docs/README.md | grep -F "]($(realpath -m --relative-to=docs "$page"))" >/dev/null ||
     complain "docs/README.md does not list $page"
 done < <(pages)
 
