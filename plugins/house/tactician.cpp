@@ -26,11 +26,11 @@ class Tactician : public Team {
     const BallPath path(setup(), moving_ball(now));
     command.wheels[0] = hold_goal(setup(), now, path, soon_[0]);
     attacker_ = must_kick_off(now) ? 1 : cheapest_robot(now, 1, attacker_, 0.2, [&](int i) {
-      return time_behind(setup(), now, i);
+      return time_behind(path, now.own[i]);
     });
     int rank = 0;
     for (int i = 1; i < now.robots; ++i) {
-      command.wheels[i] = i == attacker_ ? attack(now, i) : support(now, i, rank++);
+      command.wheels[i] = i == attacker_ ? attack(now, path, i) : support(now, i, rank++);
     }
     avoid_own_goals(setup(), now, command);
     keep_laws(setup(), now, command);
@@ -63,11 +63,11 @@ class Tactician : public Team {
     }
   }
 
-  Wheels attack(const Observation& now, int i) {
+  Wheels attack(const Observation& now, const BallPath& path, int i) {
     if (must_kick_off(now)) return kick_off(setup(), now.own[i]);
     if (is_stuck(now)) return free_ball(setup(), now, soon_[i]);
 
-    const Point meet = intercept(setup(), now, now.own[i]).ball.at;
+    const Point meet = intercept(path, now.own[i]).ball.at;
     const Shot shot = shot_of(now.own[i], meet, shooting_aim(setup(), now, ball(now)));
     if (shot.is_on_line) {
       return drive_quickly(setup(), soon_[i], keep_out(setup(), i, through(shot)), 1.8);

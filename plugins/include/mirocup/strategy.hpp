@@ -314,8 +314,9 @@ inline bool would_turn_ball_in(const Setup& setup, const Observation& now, const
   return false;
 }
 
-// Helps those robots from which a ball in the own half would rebound into the own goal: a robot that
-// stands at a slant turns square to the field, and one that is square makes way. Not for the keeper.
+// Helps those robots from which a ball in the own half would rebound into the own goal: a robot
+// that stands at a slant turns square to the field, and one that is square makes way. Not for the
+// keeper.
 inline void avoid_own_goals(const Setup& setup, const Observation& now, Command& command) {
   const Point velocity = ball_velocity(now);
   if (now.ball_x > 0.0 || length(velocity) < 0.25) return;

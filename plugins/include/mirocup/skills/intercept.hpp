@@ -21,24 +21,37 @@ struct Interception {
 
 // Returns where a robot that drives at `pace` m/s in the mean meets the ball. Looks `most_s`
 // seconds ahead. Turning and starting are not counted: an attacker that aims farther ahead for them
-// runs past a ball that it is about to reach.
-inline Interception intercept(const Setup& setup, const Observation& now, const Robot& robot,
-                              double pace = 1.2, double most_s = 1.5) {
-  const double step = 1.0 / 30.0;  // s
-  MovingBall ball = moving_ball(now);
-  double gap = length(ball.at - position(robot)) / pace;  // s, that the robot comes too late
-  for (double t = 0.0; t <= most_s; t += step) {
+// runs past a ball that it is about to reach. `path`: of the ball; make it once a tick.
+inline Interception intercept(const BallPath& path, const Robot& robot, double pace = 1.2,
+                              double most_s = 1.5) {
+  const double step = 1.0 / 30.0;                            // s
+  const auto late = [&](const MovingBall& ball, double t) {  // s, that the robot comes too late
+    return length(ball.at - position(robot)) / pace - t;
+  };
+  MovingBall ball = path.after(0.0);
+  // Even if the ball rolls straight to it, the robot is not there before.
+  const double first = length(ball.at - position(robot)) / (pace + length(ball.velocity));
+  double t = std::min(step * std::floor(first / step), most_s);
+  ball = path.after(t);
+  double gap = late(ball, t);
+  for (; t <= most_s; t += step) {
     if (gap <= 0.0) return {ball, t, true};
-    const MovingBall next = rolled(setup, ball, step);
-    const double next_gap = length(next.at - position(robot)) / pace - (t + step);
+    const MovingBall next = path.after(t + step);
+    const double next_gap = late(next, t + step);
     if (next_gap <= 0.0) {
       const double part = step * gap / (gap - next_gap);  // s, of this step
-      return {rolled(setup, ball, part), t + part, true};
+      return {path.after(t + part), t + part, true};
     }
     ball = next;
     gap = next_gap;
   }
   return {ball, most_s + gap, false};
+}
+
+// The same, for a team that asks once.
+inline Interception intercept(const Setup& setup, const Observation& now, const Robot& robot,
+                              double pace = 1.2, double most_s = 1.5) {
+  return intercept(BallPath(setup, moving_ball(now)), robot, pace, most_s);
 }
 
 // Returns about where a robot that drives at `pace` m/s meets the ball, with at most one rebound from

@@ -33,11 +33,15 @@ int cheapest_robot(const Observation& now, int first, int last, double bonus, co
   return best;
 }
 
-// Returns how soon robot `i` meets the ball, s, and `round_s` more if it has to drive round it.
+// Returns how soon a robot meets the ball on its path, s, and `round_s` more if it has to drive round
+// it.
+inline double time_behind(const BallPath& path, const Robot& robot, double round_s = 0.35) {
+  const Interception meet = intercept(path, robot);
+  return meet.seconds + (robot.x > meet.ball.at.x - 0.03 ? round_s : 0.0);
+}
 inline double time_behind(const Setup& setup, const Observation& now, int i,
                           double round_s = 0.35) {
-  const Interception meet = intercept(setup, now, now.own[i]);
-  return meet.seconds + (now.own[i].x > meet.ball.at.x - 0.03 ? round_s : 0.0);
+  return time_behind(BallPath(setup, moving_ball(now)), now.own[i], round_s);
 }
 
 // The robots of some places.
