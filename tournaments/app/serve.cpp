@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The subcommands serve and check-hand-in.
+#include "system/clock.hpp"
 #include "system/printable.hpp"
 #include "system/process_set.hpp"
 #include "system/tls.hpp"
@@ -8,7 +9,6 @@
 #include "tournaments/app/served_league.hpp"
 #include "tournaments/handin/check_runner.hpp"
 
-#include <ctime>
 #include <iostream>
 
 namespace mirocup::league {
@@ -36,7 +36,9 @@ Result<std::unique_ptr<Portal>> open_portal(system::Files& files, const ServeOpt
     return league.why_not(team, now);
   };
   portal.legs = [&league](const std::string& team) { return league.legs_of(team); };
-  portal.now = [] { return static_cast<std::int64_t>(std::time(nullptr)); };
+  portal.digest = [&league](const std::string& team) { return league.digest_of(team); };
+  portal.replay = [&league](const std::string& name) { return league.own_replay(name); };
+  portal.now = [] { return system::now_s(); };
   std::string notice;
   auto opened = Portal::open(files, Folder{options.folder}, std::move(portal), &notice);
   if (!notice.empty()) tell_host(notice);

@@ -39,6 +39,13 @@ class ServedLeague {
   // Returns the decided legs of a team.
   std::vector<OwnLeg> legs_of(const std::string& team);
 
+  // Returns what the last night changed for a team, as the inside of a page of the desk; "" if that
+  // is hidden, or there was no night.
+  std::string digest_of(const std::string& team);
+
+  // Returns the replay page of a leg that a team may see, released or not.
+  std::optional<std::string> own_replay(const std::string& name);
+
  private:
   // A leg that is being played and can be watched.
   struct LiveLeg {
@@ -53,6 +60,7 @@ class ServedLeague {
   void reopen();
   std::vector<LiveLeg> find_live_legs() const;
   void make_pages();
+  const LeagueState& shown() const { return shown_ ? *shown_ : store_.state(); }
   std::optional<web::Page> replay(const std::string& stem);
   std::string linked(std::string page, const std::string& record);
 
@@ -66,6 +74,8 @@ class ServedLeague {
   std::size_t lines_ = 0;      // of the journal
   std::vector<LiveLeg> live_legs_;
   std::size_t lines_of_pages_ = 0;
+  std::optional<LeagueState> shown_;  // what is released; nothing before the first page
+  std::string people_;                // teams.json
   FactsOfLegs facts_;
   std::map<std::string, web::Page> pages_;  // by path
   std::set<std::string> records_;           // names without .json

@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::string_view entries_path = "/api/v1/entries";
 constexpr std::string_view legs_path = "/api/v1/legs";
+constexpr std::string_view replays_path = "/hand-in/replays/";
 constexpr std::size_t max_file_name = 100;  // bytes
 constexpr std::size_t max_form = 4096;      // bytes
 constexpr int max_failures = 10;            // of the host, until a hand-in is void
@@ -49,6 +50,13 @@ web::Reply page_reply(int status, std::string html) {
           .type = "text/html; charset=utf-8",
           .bytes = std::move(html),
           .headers = {{"Content-Security-Policy", page_policy}}};
+}
+
+// Returns the page with one more card at its end; "": as it is.
+std::string with_card(std::string page, const std::string& content) {
+  const std::size_t end = page.rfind("</main>");
+  if (content.empty() || end == std::string::npos) return page;
+  return page.insert(end, "<section class=\"card\">\n" + content + "</section>\n");
 }
 
 web::Reply go_to(const std::string& path) {
@@ -110,6 +118,7 @@ Portal::Portal(system::Files& files, Folder folder, PortalOptions options, HandI
       folder_(folder),
       options_(std::move(options)),
       costs_(files, folder),
+      staff_(files, folder, options_.now),
       book_(std::move(book)),
       doorkeeper_(files, std::move(folder), options_.proxy) {}
 
@@ -140,6 +149,8 @@ std::optional<web::Reply> Portal::answer(const web::Request& request, const web:
   if (path.starts_with("/api/")) return api(request, body);
   if (path == "/hand-in/log-in" && request.method == "POST") return log_in(request, body);
   if (path == "/hand-in/log-out" && request.method == "POST") return log_out(request);
+  if (path == "/hand-in/staff" || path == "/hand-in/grades.csv") return staff(request, body);
+  if (path.starts_with(replays_path)) return own_replay(request);
   if (path != "/hand-in" || (request.method != "GET" && request.method != "HEAD"))
     return std::nullopt;
   {
@@ -152,9 +163,48 @@ std::optional<web::Reply> Portal::answer(const web::Request& request, const web:
     return page_reply(refusal->status, log_in_page(error.value("error", "")));
   }
   const Visitor& known = std::get<Visitor>(who);
-  if (known.is_staff) return page_reply(200, staff_page());
-  return page_reply(200, team_desk_page(known.team, reports(known.team),
-                                        own_legs_json(options_.legs(known.team), costs_)));
+  if (known.is_staff) return staff_.page(number_of(request.asked("done")).value_or(0));
+  std::string page = team_desk_page(known.team, reports(known.team),
+                                    own_legs_json(options_.legs(known.team), costs_));
+  return page_reply(200,
+                    with_card(std::move(page), options_.digest ? options_.digest(known.team) : ""));
+}
+
+// What only the staff may ask for: the forms of its page, and the grades.
+web::Reply Portal::staff(const web::Request& request, const web::Body& body) {
+  const bool is_act = request.method == "POST";
+  const auto who = visitor(request, is_act ? Purpose::changing : Purpose::reading);
+  if (const auto* refusal = std::get_if<web::Reply>(&who)) return *refusal;
+  if (!std::get<Visitor>(who).is_staff) return problem(403, "this is for the staff only");
+  if (!is_act) {
+    return request.path == "/hand-in/grades.csv" ? staff_.grades()
+                                                 : problem(405, "a form is expected");
+  }
+  std::string form;
+  const bool is_whole = body([&form](std::string_view part) {
+    form += part;
+    return form.size() <= max_form;
+  });
+  if (!is_whole) return problem(400, "the form was not sent to its end, or is too long");
+  web::Reply reply = staff_.act(form);
+  ++version_;
+  return reply;
+}
+
+// A leg of a team may be shown to it before the public sees it.
+web::Reply Portal::own_replay(const web::Request& request) {
+  const auto who = visitor(request, Purpose::reading);
+  if (const auto* refusal = std::get_if<web::Reply>(&who)) return *refusal;
+  const Visitor& known = std::get<Visitor>(who);
+  for (const OwnLeg& leg : options_.legs(known.team)) {
+    if (leg.record.empty() || !options_.replay ||
+        request.path != std::string(replays_path) + name_of_leg(leg) + ".html")
+      continue;
+    auto page = options_.replay(name_of_leg(leg));
+    if (!page) break;
+    return {.status = 200, .type = "text/html; charset=utf-8", .bytes = std::move(*page)};
+  }
+  return problem(404, "there is no leg of yours of this name");
 }
 
 web::Reply Portal::api(const web::Request& request, const web::Body& body) {

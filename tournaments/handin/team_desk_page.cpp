@@ -177,11 +177,4 @@ std::string team_desk_page(const std::string& team, const Json& entries, const J
   return desk_page(team, html);
 }
 
-std::string staff_page() {
-  Html html;
-  html.raw(log_out_form);
-  html.cell("p", "With this token, entries of all teams can be read: /api/v1/entries?team=NAME.");
-  return desk_page("Staff", html);
-}
-
 }  // namespace mirocup::league

@@ -20,7 +20,4 @@ std::string log_in_page(const std::string& why);
 // own_legs_json().
 std::string team_desk_page(const std::string& team, const Json& entries, const Json& legs);
 
-// Whoever logs in with the token of the staff.
-std::string staff_page();
-
 }  // namespace mirocup::league

@@ -3,6 +3,7 @@
 
 #include "server/record/match_record.hpp"
 #include "tournaments/league/apply.hpp"
+#include "tournaments/league/decisions.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -56,14 +57,22 @@ Result<LeagueState> state_up_to(const LeagueState& whole, const Journal& journal
                                 const std::string& round, Shows shows) {
   const auto last = round_named(round);
   const bool exists =
-      last && std::any_of(whole.fixtures.begin(), whole.fixtures.end(),
-                          [&](const FixtureState& f) { return Round::of(f.fixture) == *last; });
+      last && (last->number == 0 ||
+               std::any_of(whole.fixtures.begin(), whole.fixtures.end(),
+                           [&](const FixtureState& f) { return Round::of(f.fixture) == *last; }));
   if (!exists)
     return fail(Errc::input, "there is no round " + round + "; r3-f1 is a fixture of round r3");
   LeagueState state = new_league(whole.file);
+  state.shown_names = whole.shown_names;
+  const std::set<int> undone = undone_lines(journal, journal.lines().size());
   for (const Json& line : journal.lines()) {
     const auto event = read_event(line);
     if (!event) return fail(Errc::damaged, journal.path() + ": " + event.error().what);
+    if (const auto* night = std::get_if<NightBegan>(&*event)) {
+      const bool is_nightly = whole.file.format.kind == FormatKind::nightly;
+      if (is_nightly && night->number > last->number) continue;
+    }
+    const int number = line.value("n", 0);
     if (const std::string* id = fixture_of(*event); id != nullptr) {
       // An unknown fixture follows from one that is left out.
       const auto index = state.find_fixture(*id);
@@ -71,10 +80,19 @@ Result<LeagueState> state_up_to(const LeagueState& whole, const Journal& journal
       const Round of = Round::of(state.fixtures[*index].fixture);
       if (of.is_after(*last) || (of == *last && !shows(*id, leg_of(*event)))) continue;
     }
+    if (undone.contains(number) && is_of_person(*event)) {
+      note_undone_decision(state, *event, number);
+      continue;
+    }
+    if (const auto* e = std::get_if<Undone>(&*event)) {
+      const bool is_known = std::any_of(state.decisions.begin(), state.decisions.end(),
+                                        [e](const Decision& d) { return d.line == e->line; });
+      if (!is_known) continue;  // a decision on a later round
+    }
     if (const auto valid = validate(state, *event); !valid) {
       return fail(Errc::input, round + " cannot be shown alone: " + valid.error().what);
     }
-    apply(state, *event);
+    apply(state, *event, number);
   }
   return state;
 }
