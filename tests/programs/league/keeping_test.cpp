@@ -62,7 +62,9 @@ TEST(Backup, OfALeagueThatIsPlayedEndsWithTheSamePages) {
       fs::copy(copy, restored, fs::copy_options::recursive);
       const Outcome resumed = run(league("start", restored));
       ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
-      if (!fs::exists(whole + "/site")) ASSERT_EQ(run(league("start", whole)).exit_code, 0);
+      if (!fs::exists(whole + "/site")) {
+        ASSERT_EQ(run(league("start", whole)).exit_code, 0);
+      }
       expect_same_site(restored, whole);
       EXPECT_EQ(count_kind(restored, "leg"), 12);
       EXPECT_EQ(run(league("verify", restored)).exit_code, 0);
