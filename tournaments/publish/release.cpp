@@ -11,9 +11,8 @@ bool is_all_released(const LeagueState& state) {
 
 Result<LeagueState> released_state(const LeagueState& whole, const Journal& journal) {
   if (is_all_released(whole)) return whole;
-  constexpr const char* before_all = "r0";
-  const std::string& through = whole.release.through;
-  return state_through(whole, journal, through.empty() ? before_all : through);
+  if (whole.release.through.empty()) return state_before_rounds(whole, journal);
+  return state_through(whole, journal, whole.release.through);
 }
 
 }  // namespace mirocup::league
