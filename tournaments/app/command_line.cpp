@@ -47,7 +47,7 @@ void add_init(CLI::App& app, Action& action) {
   command->add_option("--config", o.config, "a league.json to start from");
   command
       ->add_option("--team", o.teams,
-                   "NAME=house:TEAM, NAME=FILE.so, or NAME of a team that hands in later")
+                   "NAME=house:TEAM, NAME=FILE.so, or NAME=submitted: it hands in later")
       ->excludes("--config");
   std::vector<std::string> formats;
   for (const auto name : enum_names<FormatKind>) formats.emplace_back(name);

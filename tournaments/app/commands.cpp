@@ -54,10 +54,14 @@ Result<LeagueFile> file_from(system::Files& files, const LeagueOptions& options)
   file.conditions = default_conditions();
   for (const std::string& text : options.teams) {
     const std::size_t equals = text.find('=');
-    // A name alone is a team that hands in later.
-    const std::string source =
-        equals == std::string::npos ? std::string(TeamConfig::submitted) : text.substr(equals + 1);
-    file.teams.push_back({.name = text.substr(0, equals), .source = source, .over_dds = false});
+    if (equals == std::string::npos) {
+      return fail(Errc::input,
+                  "--team " + text +
+                      ": NAME=house:TEAM, NAME=FILE.so or, if it hands in later, NAME=submitted is "
+                      "expected");
+    }
+    file.teams.push_back(
+        {.name = text.substr(0, equals), .source = text.substr(equals + 1), .over_dds = false});
   }
   // Parsed again, because the parser checks the names.
   return parse_league_file(print_league_file(file), "--team");
