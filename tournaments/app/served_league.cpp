@@ -23,6 +23,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto poll_interval = 500ms;
+constexpr auto entries_interval = 2s;  // between two looks at the entries of all teams
 
 // While a class joins, each new team changes league.json and with it all pages. Making them takes
 // at most one part in that many of the time.
@@ -144,6 +145,7 @@ void ServedLeague::make_pages() {
   lines_of_pages_ = lines_;
   version_of_pages_ = teams_version_;
   pages_.clear();
+  statistics_.clear();
   facts_ = read_facts(files_, store_.folder(), store_.state(), std::move(facts_));
   reports_ = kept_statistics(files_, store_.folder(), store_.state());
   for (SiteFile& file : make_site(store_.state(), reports_, facts_)) {
@@ -226,22 +228,21 @@ std::vector<OwnLeg> ServedLeague::legs_of(const std::string& team) {
 }
 
 std::map<std::string, int> ServedLeague::entries_that_play() {
-  std::vector<std::string> names;
-  {
-    const std::lock_guard lock(mutex_);
-    poll();
-    const LeagueState& state = store_.state();
-    for (std::size_t i = 0; i < state.teams.size(); ++i) {
-      const bool takes_part = state.teams[i].status != TeamStatus::withdrawn;
-      if (takes_part && !state.file.teams[i].over_dds) names.push_back(state.file.teams[i].name);
-    }
+  const std::lock_guard lock(mutex_);
+  poll();
+  const auto now = std::chrono::steady_clock::now();
+  if (now - entries_looked_up_at_ < entries_interval) return entries_that_play_;
+  entries_looked_up_at_ = now;
+  entries_that_play_.clear();
+  const LeagueState& state = store_.state();
+  for (std::size_t i = 0; i < state.teams.size(); ++i) {
+    const TeamConfig& team = state.file.teams[i];
+    if (state.teams[i].status == TeamStatus::withdrawn || team.over_dds) continue;
+    const int booked = state.teams[i].entry;
+    const int entry = booked > 0 ? booked : playing_entry(files_, store_.folder(), team.name);
+    if (entry > 0) entries_that_play_[team.name] = entry;
   }
-  std::map<std::string, int> entries;
-  for (const std::string& name : names) {
-    if (const int entry = playing_entry(files_, store_.folder(), name); entry > 0)
-      entries[name] = entry;
-  }
-  return entries;
+  return entries_that_play_;
 }
 
 std::vector<std::string> ServedLeague::neighbours_of(const std::string& team) {
@@ -270,7 +271,10 @@ std::string ServedLeague::statistics_of(const std::string& team) {
   const auto index = store_.state().find_team(team);
   if (!index || !store_.state().is_started) return "";
   make_pages();
-  return team_statistics_html(overview(store_.state(), facts_), reports_, *index);
+  const auto known = statistics_.find(*index);
+  if (known != statistics_.end()) return known->second;
+  std::string html = team_statistics_html(overview(store_.state(), facts_), reports_, *index);
+  return statistics_[*index] = std::move(html);
 }
 
 std::optional<std::string> ServedLeague::replay_of(const std::string& record) {

@@ -40,7 +40,8 @@ class ServedLeague {
   // Returns the decided legs of a team.
   std::vector<OwnLeg> legs_of(const std::string& team);
 
-  // Returns the teams that have an entry which would play now, with its number.
+  // Returns the teams that have an entry which would play now, with its number. It is a few seconds
+  // old at most.
   std::map<std::string, int> entries_that_play();
 
   // Returns the teams next to a team in the table, above before below; none before the start.
@@ -85,6 +86,9 @@ class ServedLeague {
   std::chrono::steady_clock::time_point pages_rest_until_{};  // before the start of the league
   FactsOfLegs facts_;
   LegReports reports_;
+  std::map<int, std::string> statistics_;  // of teams, as far as they were asked for
+  std::map<std::string, int> entries_that_play_;
+  std::chrono::steady_clock::time_point entries_looked_up_at_{};
   std::map<std::string, web::Page> pages_;  // by path
   std::set<std::string> records_;           // names without .json
 

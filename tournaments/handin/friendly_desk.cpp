@@ -58,7 +58,7 @@ Result<std::unique_ptr<FriendlyDesk>> FriendlyDesk::open(system::Files& files, c
 
 Result<void> FriendlyDesk::entry_accepted(const std::string& team, int entry, std::int64_t now) {
   const auto neighbours = options_.neighbours(team);
-  const auto teams = options_.teams();
+  const auto teams = neighbours.empty() ? std::map<std::string, int>() : options_.teams();
   const std::lock_guard lock(mutex_);
   if (book_.friendlies().has_burst(team, entry)) return {};
   for (const int number : book_.friendlies().waiting_of_older(team, entry)) {
