@@ -81,7 +81,9 @@ void pin_cell(Html& html, const TeamDesk& desk, const Json& entry) {
 
 void entries_table(Html& html, const TeamDesk& desk) {
   html.open_table();
-  head(html, {{"Entry"}, {"State"}, {""}, {"Answer"}, {"File", "mid"}, {"Handed in (UTC)", "mid"}});
+  head(
+      html,
+      {{"Entry"}, {"State"}, {""}, {"Answer", "mid"}, {"File", "mid"}, {"Handed in (UTC)", "mid"}});
   for (const Json& entry : desk.entries) {
     const std::string number = std::to_string(entry.value("entry", 0));
     const std::string state = text_in(entry, "state");
@@ -89,7 +91,7 @@ void entries_table(Html& html, const TeamDesk& desk) {
     html.link_cell("/hand-in/entries/" + number, number);
     html.cell_of(state, state);
     pin_cell(html, desk, entry);
-    html.cell_of("small words", answer_in_words(entry));
+    html.cell_of("small words mid", answer_in_words(entry));
     html.cell_of("file mid", text_in(entry, "file"));
     html.cell_of("mid", time_in_words(text_in(entry, "handed_in")));
     html.close("tr");
@@ -199,7 +201,7 @@ void friendlies_table(Html& html, const Json& friendlies) {
               {"Slowest tick, ms", "mid"},
               {""},
               {""},
-              {"End"}});
+              {"End", "mid"}});
   for (const Json& leg : friendlies) {
     const std::string state = text_in(leg, "state");
     const bool is_played = state == "played";
@@ -213,7 +215,7 @@ void friendlies_table(Html& html, const Json& friendlies) {
     cost_cells(html, leg);
     link_cells(html, leg);
     const std::string end = text_in(leg, "end");
-    html.cell_of("small words", end == "full_time" ? "" : end);
+    html.cell_of("small words mid", end == "full_time" ? "" : end);
     html.close("tr");
   }
   html.close_table();
@@ -227,7 +229,16 @@ void friendlies_card(Html& html, const TeamDesk& desk) {
       "the other team sees result and replay of those.</p>\n");
   if (desk.playing > 0) friendly_form(html, desk.opponents);
   html.raw("<div id=\"friendlies\">\n");
-  if (!desk.friendlies.empty()) friendlies_table(html, desk.friendlies);
+  constexpr std::ptrdiff_t shown = 10;  // legs; the others are folded
+  const auto latest = desk.friendlies.begin();
+  const auto older = latest + std::min<std::ptrdiff_t>(shown, desk.friendlies.end() - latest);
+  if (latest != older) friendlies_table(html, Json(latest, older));
+  if (older != desk.friendlies.end()) {
+    html.raw("<details>\n");
+    html.cell("summary", "Older ones");
+    friendlies_table(html, Json(older, desk.friendlies.end()));
+    html.raw("</details>\n");
+  }
   html.raw("</div>\n");
 }
 
