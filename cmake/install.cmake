@@ -8,7 +8,7 @@ install(TARGETS mirocup mirocup_strategy mirocup_predict mirocup_team mirocup_tr
 install(DIRECTORY training/include/ TYPE INCLUDE)
 install(DIRECTORY training/python/ DESTINATION share/mirocup/python PATTERN __pycache__ EXCLUDE)
 install(TARGETS mirocup-league)
-install(TARGETS mirocup-plugin-host mirocup-careful-host RUNTIME DESTINATION libexec/mirocup)
+install(TARGETS mirocup-plugin-host mirocup-careful-host mirocup-project-compiler RUNTIME DESTINATION libexec/mirocup)
 install(PROGRAMS ${PROJECT_BINARY_DIR}/mirocup-credentials DESTINATION libexec/mirocup)
 install(DIRECTORY plugins/include/ TYPE INCLUDE)
 install(FILES server/record/record.schema.json DESTINATION share/mirocup)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "system/locations.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace mirocup::system {
@@ -41,6 +42,17 @@ TeamKit team_kit() {
 
 std::string drill_folder() {
   return (fs::path(team_kit().prefix) / "share" / "mirocup" / "drills").string();
+}
+
+std::vector<std::string> house_teams() {
+  std::vector<std::string> names;
+  const std::string idle = house_team("idle");  // one that is always there
+  if (idle.empty()) return names;
+  for (const auto& file : fs::directory_iterator(fs::path(idle).parent_path())) {
+    if (file.path().extension() == ".so") names.push_back(file.path().stem());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 std::string house_team(const std::string& name) {

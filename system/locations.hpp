@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace mirocup::system {
 
@@ -30,5 +31,8 @@ std::string drill_folder();
 std::string house_team(const std::string& name);
 // The same for a library that another program has loaded: `folder` is the library's.
 std::string house_team(const std::string& name, const std::string& folder);
+
+// Returns the names of all house teams, sorted.
+std::vector<std::string> house_teams();
 
 }  // namespace mirocup::system

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "plugins/host/compile.hpp"
 
+#include "plugins/host/project/compiler_command.hpp"
 #include "plugins/host/sandbox/fork.hpp"
 #include "plugins/host/sandbox/probe.hpp"
 #include "plugins/host/sandbox/toolchain_root.hpp"
@@ -32,56 +33,35 @@ namespace fs = std::filesystem;
 using std::chrono::steady_clock;
 
 constexpr int result_descriptor = 3;
-constexpr int step_descriptor = 4;  // to which a step that failed is written
+constexpr int step_descriptor = 4;      // to which a step that failed is written
+constexpr int compiler_descriptor = 5;  // the program that compiles, if it is none of the system
 
 // The exit codes of the first process of the sandbox.
 constexpr int compiled = 0;
 constexpr int not_compiled = 1;
-constexpr int too_much = 2;  // the compiler was ended by a limit
+constexpr int too_much = 2;  // the compiler was ended by a limit; 3: refused_archive
 constexpr int no_sandbox_stands = 127;
 
 constexpr const char* library_path = "/compile/strategy.so";
+constexpr const char* source_path = "/compile/source";
 const char* const compile_environment[] = {"PATH=/usr/bin", "LANG=C", "TMPDIR=/compile", nullptr};
 
-// Plain 64-bit code that each host of the league runs, with the C++ library inside, so that it does
-// not depend on the one of another computer.
-const char* const cpp_command[] = {"/usr/bin/g++",
-                                   "-std=c++20",
-                                   "-O2",
-                                   "-DNDEBUG",
-                                   "-fPIC",
-                                   "-shared",
-                                   "-fvisibility=hidden",
+const char* const cpp_command[] = {cpp_compiler,
+                                   MIROCUP_CPP_OPTIONS,
+                                   MIROCUP_LINK_OPTIONS,
                                    "-static-libstdc++",
-                                   "-static-libgcc",
-                                   "-I/mirocup/include",
-                                   "-fno-diagnostics-color",
-                                   "-fmax-errors=20",
-                                   "-ftemplate-depth=900",
                                    "-o",
-                                   "/compile/strategy.so",
+                                   library_path,
                                    "-x",
                                    "c++",
-                                   "/compile/source",
+                                   source_path,
+                                   "-lmirocup_predict",
                                    nullptr};
-const char* const c_command[] = {"/usr/bin/gcc",
-                                 "-std=c17",
-                                 "-O2",
-                                 "-DNDEBUG",
-                                 "-fPIC",
-                                 "-shared",
-                                 "-fvisibility=hidden",
-                                 "-static-libgcc",
-                                 "-I/mirocup/include",
-                                 "-fno-diagnostics-color",
-                                 "-fmax-errors=20",
-                                 "-o",
-                                 "/compile/strategy.so",
-                                 "-x",
-                                 "c",
-                                 "/compile/source",
-                                 "-lm",
-                                 nullptr};
+const char* const c_command[] = {
+    c_compiler, MIROCUP_C_OPTIONS, MIROCUP_LINK_OPTIONS, "-o",  library_path, "-x",
+    "c",        source_path,       "-lmirocup_predict",  "-lm", nullptr};
+const char* const project_command[] = {"mirocup-project-compiler", source_path, "/compile/project",
+                                       library_path, nullptr};
 
 // Adds the headers with their folders.
 Result<void> add_headers(const fs::path& folder, const std::string& below,
@@ -103,11 +83,28 @@ Result<void> add_headers(const fs::path& folder, const std::string& below,
   return {};
 }
 
+// Adds the library of predict.hpp. An empty one in its place lets the fixed command stand.
+Result<void> add_predict(const std::string& path, std::vector<TreeFile>& files) {
+  system::Disk disk;
+  std::string bytes = "!<arch>\n";
+  if (disk.exists(path)) {
+    auto read =
+        disk.read(path, {.max_size = system::size_limit::entry, .links = system::Links::followed});
+    if (!read) return tl::unexpected(read.error());
+    bytes = std::move(*read);
+  }
+  files.push_back({.path = "/mirocup/lib", .bytes = "", .is_folder = true});
+  files.push_back({.path = "/mirocup/lib/libmirocup_predict.a", .bytes = std::move(bytes)});
+  return {};
+}
+
 // What runs in the sandbox is given before the fork, because the child may allocate nothing.
 struct Work {
   std::vector<TreeFile> files;
   const char* const* command = nullptr;
+  bool is_program_given = false;  // then the command's first word is a name only
   CompileLimits limits;
+  int program = -1;
   int output = -1;
   int result = -1;
   int step = -1;
@@ -123,7 +120,8 @@ struct Work {
 
 bool arrange_work(const Work& work) {
   const int nothing = open("/dev/null", O_RDONLY);
-  const int from[] = {nothing, work.output, work.output, work.result, work.step};
+  const int program = work.is_program_given ? work.program : nothing;
+  const int from[] = {nothing, work.output, work.output, work.result, work.step, program};
   constexpr int count = sizeof from / sizeof from[0];
   constexpr int spare_from = 32;
   int spare[count];
@@ -154,8 +152,14 @@ bool limit(int resource, rlim_t most) {
   // The compiler speaks to nobody but by its output.
   close(result_descriptor);
   fcntl(step_descriptor, F_SETFD, FD_CLOEXEC);
-  execve(work.command[0], const_cast<char* const*>(work.command),
-         const_cast<char* const*>(compile_environment));
+  fcntl(compiler_descriptor, F_SETFD, FD_CLOEXEC);
+  auto* const command = const_cast<char* const*>(work.command);
+  auto* const environment = const_cast<char* const*>(compile_environment);
+  if (work.is_program_given) {
+    fexecve(compiler_descriptor, command, environment);
+  } else {
+    execve(command[0], command, environment);
+  }
   give_up_compiling("the start of the compiler");
 }
 
@@ -202,6 +206,7 @@ bool hand_over_library(std::size_t most) {
   const int status = wait_for(pid);
   if (WIFSIGNALED(status)) _exit(too_much);
   if (WEXITSTATUS(status) == no_sandbox_stands) _exit(no_sandbox_stands);
+  if (WEXITSTATUS(status) == refused_archive) _exit(refused_archive);
   if (WEXITSTATUS(status) != 0) _exit(not_compiled);
   _exit(hand_over_library(work.limits.library) ? compiled : too_much);
 }
@@ -242,6 +247,12 @@ std::string read_all(int file, std::size_t size) {
   return bytes;
 }
 
+std::string last_line(std::string text) {
+  while (text.ends_with('\n')) text.pop_back();
+  const std::size_t end = text.rfind('\n');
+  return end == std::string::npos ? text : text.substr(end + 1);
+}
+
 // Returns what became of it, after the sandbox has ended with that status.
 Result<Compiled> judge(int status, bool is_in_time, const Work& work, int result, int step,
                        Compiled compiled_so_far) {
@@ -252,6 +263,9 @@ Result<Compiled> judge(int status, bool is_in_time, const Work& work, int result
   if (!is_in_time) {
     done.why_not = "compiling it takes more than " +
                    std::to_string(static_cast<int>(work.limits.seconds)) + " s";
+  } else if (code == refused_archive) {
+    done.why_not = last_line(done.output);
+    done.output.clear();
   } else if (code == not_compiled) {
     done.why_not = "it does not compile; the log has the compiler's words";
   } else if (code != compiled) {
@@ -267,7 +281,7 @@ Result<Compiled> judge(int status, bool is_in_time, const Work& work, int result
 }  // namespace
 
 Result<Compiled> compile_in_sandbox(const std::string& source, SourceLanguage language,
-                                    const std::string& headers, const CompileLimits& limits) {
+                                    const CompilerKit& kit, const CompileLimits& limits) {
   const auto isolation = strongest_isolation();
   if (!isolation) return tl::unexpected(isolation.error());
   if (*isolation != Isolation::T2) {
@@ -275,16 +289,30 @@ Result<Compiled> compile_in_sandbox(const std::string& source, SourceLanguage la
                 "sources are not compiled here: this computer allows no namespaces; hand in the "
                 "library");
   }
+  const bool is_c = language == SourceLanguage::c;
+  const char* const compiler = is_c ? c_compiler : cpp_compiler;
+  if (access(compiler, X_OK) != 0) {
+    return fail(Errc::unavailable,
+                "sources are not compiled here: there is no " + std::string(compiler));
+  }
   Work work;
   work.limits = limits;
-  work.command = language == SourceLanguage::cpp ? cpp_command : c_command;
-  if (access(work.command[0], X_OK) != 0) {
-    return fail(Errc::unavailable,
-                "sources are not compiled here: there is no " + std::string(work.command[0]));
+  work.command = is_c ? c_command : cpp_command;
+  system::Descriptor program;
+  if (language == SourceLanguage::project) {
+    program = system::Descriptor(open(kit.project_compiler.c_str(), O_RDONLY | O_CLOEXEC));
+    if (!program.is_open())
+      return fail(Errc::unavailable, kit.project_compiler + ": it is missing here");
+    work.command = project_command;
+    work.is_program_given = true;
+    work.program = program.get();
   }
-  const auto added = add_headers(headers, std::string(headers_folder) + "/mirocup", work.files);
+  const auto added =
+      add_headers(kit.headers, std::string(headers_folder) + "/mirocup", work.files).and_then([&] {
+        return add_predict(kit.predict, work.files);
+      });
   if (!added) return tl::unexpected(added.error());
-  work.files.push_back({.path = std::string(work_folder) + "/source", .bytes = source});
+  work.files.push_back({.path = source_path, .bytes = source});
 
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) return cannot("a pipe cannot be made");

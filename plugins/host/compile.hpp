@@ -11,7 +11,15 @@
 
 namespace mirocup::plugins {
 
-enum class SourceLanguage { c, cpp };
+// What a source is: a file of C17 or of C++20, or an archive with a project (project/unpack.hpp).
+enum class SourceLanguage { c, cpp, project };
+
+// The project's own program and files that the compiler is given.
+struct CompilerKit {
+  std::string headers;           // folder of strategy.h
+  std::string predict;           // library of predict.hpp; is left out if there is none
+  std::string project_compiler;  // the program mirocup-project-compiler
+};
 
 struct CompileLimits {
   double seconds = 60.0;                        // on a clock on the wall
@@ -27,9 +35,9 @@ struct Compiled {
   std::string output;   // what the compiler has said, cut
 };
 
-// `headers` is the folder of strategy.h. What is wrong with the source is a value. Errors:
-// Errc::unavailable where there are no namespaces or no compiler; Errc::host.
+// What is wrong with the source is a value. Errors: Errc::unavailable where there are no namespaces
+// or no compiler; Errc::host.
 Result<Compiled> compile_in_sandbox(const std::string& source, SourceLanguage language,
-                                    const std::string& headers, const CompileLimits& limits = {});
+                                    const CompilerKit& kit, const CompileLimits& limits = {});
 
 }  // namespace mirocup::plugins

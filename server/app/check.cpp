@@ -7,6 +7,7 @@
 #include "server/record/json_reader.hpp"
 #include "server/record/match_record.hpp"
 #include "server/record/team_parameters_json.hpp"
+#include "system/files.hpp"
 #include "system/printable.hpp"
 
 #include <nlohmann/json.hpp>
@@ -95,6 +96,21 @@ void print(const CheckOptions& options, const EntryReport& report) {
             << (failure == nullptr ? ": accepted" : ": not accepted, see " + failure->name) << '\n';
 }
 
+// Writes the leg against striker, if it came to its end.
+Result<void> write_gate_leg(const CheckOptions& options, const EntryReport& report) {
+  if (options.record_path.empty() || !report.gate_leg) return {};
+  record::MatchRecord record;
+  record.software = record::this_software();
+  record.isolation = to_string(report.isolation);
+  const int own = index_of(report.gate_colour);
+  record.teams[own] = {.name = "entry", .sha256 = report.sha256};
+  record.teams[1 - own] = {.name = "striker", .kind = record::TeamKind::house, .sha256 = {}};
+  record.budget[own].slowest_tick_ms = report.slowest_tick_ms;
+  record.recording = *report.gate_leg;
+  system::Disk disk;
+  return record::save(disk, options.record_path, record);
+}
+
 }  // namespace
 
 Result<int> run_check(const CheckOptions& options) {
@@ -113,6 +129,8 @@ Result<int> run_check(const CheckOptions& options) {
       options.path, terms, options.json ? OnCheck() : [](const Check& check) { print(check); },
       tell);
   if (!report) return tl::unexpected(report.error());
+  if (auto written = write_gate_leg(options, *report); !written)
+    return tl::unexpected(written.error());
   if (options.json) {
     std::cout << record::json_text(to_json(options, *report)) << '\n';
   } else {

@@ -229,6 +229,10 @@ void add_check(CLI::App& app, Run& run) {
           "(default: as in the rules)")
       ->check(CLI::Range(0.1, 36000.0));
   add_parameters(*command.sub, "--param", o.parameters, "the team");
+  command
+      ->add_option("--record", o.record_path,
+                   "Record of its leg against striker to write, for mirocup replay")
+      ->type_name("FILE.json");
   command->add_flag("--json", o.json, "Print the report as one JSON object");
   command->add_flag("--steps", o.steps,
                     "Print \"step 3 of 10: entry\" on standard error before each check");
@@ -239,11 +243,15 @@ void add_compile(CLI::App& app, Run& run) {
       app, run, "compile", "Compile a team's source as a league does: in a sandbox, fixed options",
       run_compile);
   CompileOptions& o = *command.options;
-  command->add_option("SOURCE", o.path, "One file of C++20, or of C17 if its name ends in .c")
+  command
+      ->add_option(
+          "SOURCE", o.path,
+          "One file of C++20, or of C17 if its name ends in .c, or an archive of a project "
+          "(.tar.gz, .tar, .zip)")
       ->required();
   command->add_option("-o", o.output, "Library to write")->type_name("FILE.so")->required();
   command->add_option("--language", o.language, "Of the source, whatever its name")
-      ->check(CLI::IsMember({"c", "c++"}));
+      ->check(CLI::IsMember({"c", "c++", "project"}));
   command->add_flag("--json", o.json, "Print the answer as one JSON object");
 }
 
@@ -254,7 +262,13 @@ void add_hand_in(CLI::App& app, Run& run) {
   HandInOptions& o = *command.options;
   command->add_option("URL", o.url, "Address of the league, as https://league.example:8443")
       ->required();
-  command->add_option("FILE", o.path, "Library of the team")->required();
+  CLI::Option* file = command->add_option(
+      "FILE", o.path, "Library of the team, its source, or an archive of its project");
+  command
+      ->add_option("--pin", o.pin,
+                   "Send no file: let this accepted entry play, or \"latest\" again")
+      ->type_name("N")
+      ->excludes(file);
   command->add_option("--token-file", o.token_file, "File with the token of the team")
       ->type_name("FILE")
       ->required();

@@ -69,6 +69,7 @@ struct CheckOptions {
   std::string rules = "mirosot";
   std::optional<double> half_s;         // of the legs that the entry is for
   std::vector<std::string> parameters;  // KEY=VALUE
+  std::string record_path;              // of a leg against striker; "": none is written
   bool json = false;
   bool steps = false;  // print each check on standard error before it runs
 };
@@ -77,7 +78,7 @@ Result<int> run_check(const CheckOptions& options);
 struct CompileOptions {
   std::string path;
   std::string output;
-  std::string language;  // "c", "c++"; "": by the name of the file
+  std::string language;  // "c", "c++", "project"; "": by the name of the file
   bool json = false;
 };
 Result<int> run_compile(const CompileOptions& options);
@@ -86,6 +87,7 @@ struct HandInOptions {
   std::string url;  // of the league
   std::string path;
   std::string token_file;
+  std::string pin;        // "N" or "latest": no file is sent, and that entry plays; "": a file is
   std::string authority;  // file of the certificate that signs for the server; "": the system's
   bool json = false;
 };

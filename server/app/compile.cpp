@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup compile SOURCE -o FILE.so: compiles a team's source as a league does, in a sandbox.
+// mirocup compile SOURCE -o FILE.so: compiles a team's source, or the archive of its project, as a
+// league does, in a sandbox.
 #include "plugins/host/compile.hpp"
 
 #include "server/app/commands.hpp"
@@ -17,19 +18,34 @@ namespace mirocup::app {
 
 namespace {
 
-constexpr std::uint64_t max_source = 4u << 20;  // bytes
+constexpr std::uint64_t max_source = 4u << 20;  // bytes of one file
+
+plugins::SourceLanguage language_of(const CompileOptions& options) {
+  using plugins::SourceLanguage;
+  if (options.language == "c") return SourceLanguage::c;
+  if (options.language == "c++") return SourceLanguage::cpp;
+  if (options.language == "project") return SourceLanguage::project;
+  for (const char* end : {".tar", ".tar.gz", ".tgz", ".zip"}) {
+    if (options.path.ends_with(end)) return SourceLanguage::project;
+  }
+  return options.path.ends_with(".c") ? SourceLanguage::c : SourceLanguage::cpp;
+}
 
 }  // namespace
 
 Result<int> run_compile(const CompileOptions& options) {
   system::Disk disk;
-  const auto source = disk.read(options.path, {.max_size = max_source});
+  const plugins::SourceLanguage language = language_of(options);
+  const bool is_project = language == plugins::SourceLanguage::project;
+  const auto source =
+      disk.read(options.path, {.max_size = is_project ? system::size_limit::entry : max_source});
   if (!source) return tl::unexpected(source.error());
-  const bool is_c =
-      options.language == "c" || (options.language.empty() && options.path.ends_with(".c"));
+  const system::TeamKit kit = system::team_kit();
   const auto done = plugins::compile_in_sandbox(
-      *source, is_c ? plugins::SourceLanguage::c : plugins::SourceLanguage::cpp,
-      system::team_kit().headers);
+      *source, language,
+      {.headers = kit.headers,
+       .predict = kit.prefix + "/lib/libmirocup_predict.a",
+       .project_compiler = system::sibling_program("mirocup-project-compiler")});
   if (!done) return tl::unexpected(done.error());
   const bool is_compiled = done->why_not.empty();
   if (is_compiled) {

@@ -294,8 +294,13 @@ Result<bool> Examination::play_whole_legs() {
   for (const Team team : both_teams) {
     TrialTerms terms = trial(team, *striker_);
     terms.setup.seed = team == Team::blue ? 1 : 2;
+    terms.is_recorded = true;
     auto leg = play_trial(*entry_, terms);
     if (!leg) return tl::unexpected(leg.error());
+    if (leg->recording && (team == Team::blue || leg->fault)) {
+      report_.gate_leg = std::move(leg->recording);
+      report_.gate_colour = team;
+    }
     const auto passed =
         judge(*leg, terms,
               "plays " + seconds(leg->ticks() * setup_.control_period) + " s of a leg as " +

@@ -8,6 +8,7 @@
 #include "core/field/league.hpp"
 #include "core/match/team_parameters.hpp"
 #include "core/referee/rules.hpp"
+#include "core/replay/recording.hpp"
 #include "plugins/host/sandbox/isolation.hpp"
 
 #include <cstddef>
@@ -42,6 +43,11 @@ struct EntryReport {
   bool has_moved = false;                    // it turned a wheel
   std::vector<std::string> warnings;         // sentences about what is allowed but hardly meant
   std::string log;
+
+  // The leg as blue against striker, or the one as yellow in which it failed; nothing if it was
+  // stopped early or not reached.
+  std::optional<replay::Recording> gate_leg;
+  Team gate_colour = Team::blue;
 
   // The first check that failed; null if none did.
   const Check* failure() const;

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup hand-in URL FILE: hands a library in to a league in the network and waits for the answer.
+// mirocup hand-in URL FILE: hands a library in to a league in the network and waits for the answer,
+// or pins a version.
 #include "server/app/commands.hpp"
 #include "server/record/json_reader.hpp"
 #include "server/web/hand_in_client.hpp"
 #include "system/files.hpp"
 #include "system/printable.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <iostream>
 #include <optional>
@@ -20,7 +22,9 @@ using namespace std::chrono_literals;
 using web::DeskReply;
 using web::Json;
 
-constexpr auto pause = 500ms;                   // between two questions
+constexpr auto shortest_pause = 500ms;  // between two questions
+constexpr auto pause_for_each = 100ms;  // check that comes before
+constexpr auto longest_pause = 10'000ms;
 constexpr auto patience = 120s;                 // with a server that does not answer
 constexpr std::uint64_t max_token_file = 4096;  // bytes
 
@@ -53,6 +57,12 @@ std::string state_in_words(const Json& report) {
   return state;
 }
 
+// A class that waits together does not keep the server from checking.
+std::chrono::milliseconds pause_after(const Json& report) {
+  return std::min<std::chrono::milliseconds>(
+      longest_pause, shortest_pause + number_in(report, "before") * pause_for_each);
+}
+
 bool is_final(const Json& report) {
   const std::string state = text_in(report, "state");
   return state == "accepted" || state == "refused" || state == "void";
@@ -74,6 +84,7 @@ Result<std::string> read_token(const std::string& path) {
 // Asks until there is an answer. A server that is started again goes on with what it has taken.
 Result<Json> wait_for_answer(web::HandInClient& client, int entry) {
   std::string told;
+  std::chrono::milliseconds pause = shortest_pause;
   auto answered_at = std::chrono::steady_clock::now();
   while (true) {
     const DeskReply reply = client.entry(entry);
@@ -86,6 +97,7 @@ Result<Json> wait_for_answer(web::HandInClient& client, int entry) {
       const std::string words = state_in_words(reply.json);
       if (words != told) std::cerr << system::printable(words) << std::endl;
       told = words;
+      pause = pause_after(reply.json);
     } else if (now - answered_at > patience) {
       return fail(Errc::unavailable, reply.error + "; entry " + std::to_string(entry) +
                                          " was taken, and what became of it will be on its page");
@@ -110,11 +122,26 @@ Result<DeskReply> checked(DeskReply reply, int expected) {
   return fail(is_gone ? Errc::unavailable : Errc::input, reply.error);
 }
 
+Result<int> pin_entry(const HandInOptions& options, const std::string& token) {
+  auto client = web::HandInClient::open(options.url, token, options.authority);
+  if (!client) return tl::unexpected(client.error());
+  const auto pinned = checked((*client)->pin(options.pin), 200);
+  if (!pinned) return tl::unexpected(pinned.error());
+  if (options.json) {
+    std::cout << record::json_text(pinned->json) << '\n';
+  } else {
+    std::cout << "entry " << number_in(pinned->json, "playing") << " plays\n";
+  }
+  return exit_yes;
+}
+
 }  // namespace
 
 Result<int> run_hand_in(const HandInOptions& options) {
   const auto token = read_token(options.token_file);
   if (!token) return tl::unexpected(token.error());
+  if (!options.pin.empty()) return pin_entry(options, *token);
+  if (options.path.empty()) return fail(Errc::input, "name the file to hand in, or --pin N");
   system::Disk disk;
   const auto bytes = disk.read(
       options.path, {.max_size = system::size_limit::entry, .links = system::Links::followed});

@@ -111,6 +111,7 @@ Result<TrialLeg> play_trial(const plugins::SealedEntry& entry, const TrialTerms&
   played.requests = own.requests();
   if (fault) played.fault = FaultEvidence{*fault, own.exit_report(), played.requests};
   played.log = leg.log();
+  if (leg.is_over() && terms.is_recorded) played.recording = replay::record(leg);
   played.bad_values = leg.bad_values()[index_of(terms.team)];
   played.moved_placements = moved_placements(leg, terms.team);
   played.has_moved =

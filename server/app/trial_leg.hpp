@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/match/leg.hpp"
+#include "core/replay/recording.hpp"
 #include "plugins/host/process_controller.hpp"
 #include "server/app/entry_advice.hpp"
 
@@ -23,6 +24,7 @@ struct TrialTerms {
   double max_seconds = 4.0;  // of playing, without waiting for a processor; then the leg stops
   plugins::Isolation isolation = plugins::Isolation::T2;
   plugins::Surroundings surroundings;
+  bool is_recorded = false;
   bool is_careful = false;  // played by mirocup-careful-host
 };
 
@@ -30,15 +32,16 @@ struct TrialTerms {
 struct TrialLeg {
   std::optional<FaultEvidence> fault;
   std::vector<match::TickLog> log;
-  int bad_values = 0;            // values of commands that were zeroed or clamped
-  int moved_placements = 0;      // placements that were asked for and not legal
-  bool has_moved = false;        // some command turned a wheel
-  double start_seconds = 0.0;    // to load and create
-  double playing_seconds = 0.0;  // processor time
-  double slowest_tick_ms = 0.0;  // processor time
-  std::uint32_t places = 0;      // times that it was asked to place
-  double slept_seconds = 0.0;    // neither computing nor waiting for a processor
-  std::size_t peak_memory = 0;   // bytes
+  int bad_values = 0;                          // values of commands that were zeroed or clamped
+  int moved_placements = 0;                    // placements that were asked for and not legal
+  bool has_moved = false;                      // some command turned a wheel
+  double start_seconds = 0.0;                  // to load and create
+  double playing_seconds = 0.0;                // processor time
+  double slowest_tick_ms = 0.0;                // processor time
+  std::uint32_t places = 0;                    // times that it was asked to place
+  double slept_seconds = 0.0;                  // neither computing nor waiting for a processor
+  std::size_t peak_memory = 0;                 // bytes
+  std::optional<replay::Recording> recording;  // of a leg that came to its end
   std::string output;
   std::string requests;  // lines of ProcessController::requests()
   std::uint32_t asked_parameters = 0;

@@ -105,6 +105,12 @@ DeskReply HandInClient::put(const std::string& name, const std::string& bytes) {
   return reply_of(result, result ? result->body : "");
 }
 
+DeskReply HandInClient::pin(const std::string& entry) {
+  const auto result = impl_->client.Put("/api/v1/pin?entry=" + percent_coded(entry), impl_->headers,
+                                        "", "text/plain");
+  return reply_of(result, result ? result->body : "");
+}
+
 DeskReply HandInClient::entry(int number) {
   return impl_->get("/api/v1/entries/" + std::to_string(number));
 }

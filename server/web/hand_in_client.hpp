@@ -37,6 +37,8 @@ class HandInClient {
   DeskReply about();
   // Sends a file.
   DeskReply put(const std::string& name, const std::string& bytes);
+  // Lets an entry play: its number, or "latest".
+  DeskReply pin(const std::string& entry);
   // Asks for the state of an entry.
   DeskReply entry(int number);
 

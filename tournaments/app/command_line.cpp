@@ -227,6 +227,17 @@ void add_hand_in(CLI::App& app, Action& action) {
   check->add_option("ENTRY", check.options->entry)->required();
   check->add_option("--file", check.options->file)->required();
   check->add_option("--at", check.options->at)->required();
+
+  Subcommand<PlayFriendlyOptions> friendly(app, action, "play-friendly",
+                                           "What serve --hand-in starts for each friendly",
+                                           run_play_friendly);
+  friendly->group("");
+  add_folder(friendly);
+  friendly->add_option("TEAM", friendly.options->team)->required();
+  friendly->add_option("NUMBER", friendly.options->number)->required();
+  friendly->add_option("--entry", friendly.options->entry)->required();
+  friendly->add_option("--opponent", friendly.options->opponent)->required();
+  friendly->add_option("--opponent-entry", friendly.options->opponent_entry)->required();
 }
 
 // The subcommand of an act of the staff, with the argument DIR and a reason.

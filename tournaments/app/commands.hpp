@@ -90,6 +90,17 @@ struct CheckHandInOptions {
 };
 Result<int> run_check_hand_in(const CheckHandInOptions& options);
 
+// Options of `play-friendly`, which `serve` starts for each leg that counts for nothing.
+struct PlayFriendlyOptions {
+  std::string folder;
+  std::string team;
+  int number = 0;
+  int entry = 0;
+  std::string opponent;  // a team, or "house:NAME"
+  int opponent_entry = 0;
+};
+Result<int> run_play_friendly(const PlayFriendlyOptions& options);
+
 // Options of `token`, which makes and revokes the tokens by which teams hand in.
 struct TokenOptions {
   std::string folder;

@@ -8,8 +8,10 @@
 #include "tournaments/app/commands.hpp"
 #include "tournaments/app/progress_bar.hpp"
 #include "tournaments/app/publishing.hpp"
+#include "tournaments/league/hand_ins.hpp"
 #include "tournaments/league/roster.hpp"
 #include "tournaments/league/start.hpp"
+#include "tournaments/play/leg_command.hpp"
 #include "tournaments/play/program.hpp"
 #include "tournaments/publish/night_pages.hpp"
 #include "tournaments/publish/site.hpp"
@@ -23,7 +25,8 @@ namespace mirocup::league {
 
 namespace {
 
-// Returns the last accepted entry of each team that does not play with it yet.
+// Returns for each team its last accepted entry, or the one that it has pinned, unless it plays
+// with that already.
 Result<std::vector<EntryBooked>> new_entries(system::Files& files, const LeagueStore& store) {
   std::vector<EntryBooked> entries;
   const LeagueState& state = store.state();
@@ -31,8 +34,8 @@ Result<std::vector<EntryBooked>> new_entries(system::Files& files, const LeagueS
   for (std::size_t i = 0; i < state.teams.size(); ++i) {
     const std::string& team = state.file.teams[i].name;
     if (state.teams[i].status == TeamStatus::withdrawn) continue;
-    const int number = last_accepted_entry(files, store.folder(), team);
-    if (number <= state.teams[i].entry) continue;
+    const int number = playing_entry(files, store.folder(), team);
+    if (number == 0 || number == state.teams[i].entry) continue;
     const auto library =
         files.read(store.folder().library(team, number), {.max_size = system::size_limit::entry});
     if (!library) return tl::unexpected(library.error());
@@ -41,8 +44,8 @@ Result<std::vector<EntryBooked>> new_entries(system::Files& files, const LeagueS
   return entries;
 }
 
-// True if the last night began on the day that it is in the league's zone, or has legs to play: then
-// the command goes on with it.
+// True if the last night began on the day that it is in the league's zone, or has legs to play:
+// then the command goes on with it.
 bool goes_on(const LeagueState& state, std::int64_t now) {
   if (state.nights.empty()) return false;
   if (state.played() < state.legs() && state.file.format.kind == FormatKind::nightly) {

@@ -74,7 +74,7 @@ void print_row(const LeagueFile& file, const RosterRow& row) {
   if (!row.handed_in.empty()) std::cout << ", " << shown_time(file, row.handed_in);
   if (row.playing_entry > 0) {
     std::cout << ", plays with entry " << row.playing_entry;
-    if (row.last_accepted > row.playing_entry)
+    if (row.last_accepted > 0 && row.last_accepted != row.playing_entry)
       std::cout << ", entry " << row.last_accepted << " from the next night on";
   } else if (row.last_accepted > 0) {
     std::cout << ", entry " << row.last_accepted << " will play";

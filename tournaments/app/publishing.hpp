@@ -22,8 +22,8 @@ struct NightNews {
 // of it.
 Result<NightNews> news_for(const LeagueState& shown, const LeagueStore& store);
 
-// Writes the pages of a state to the folder's site/; `jobs` replay pages are made at once (0: one for
-// each processor).
+// Writes the pages of a state to the folder's site/; `jobs` replay pages are made at once (0: one
+// for each processor).
 Result<void> publish_site(system::Files& files, const Folder& folder, const LeagueState& shown,
                           const NightNews& news, int jobs = 0);
 

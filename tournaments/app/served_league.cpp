@@ -7,6 +7,7 @@
 #include "server/web/page_json.hpp"
 #include "tournaments/app/publishing.hpp"
 #include "tournaments/league/apply.hpp"
+#include "tournaments/league/hand_ins.hpp"
 #include "tournaments/league/submission.hpp"
 #include "tournaments/play/leg_command.hpp"
 #include "tournaments/publish/night_pages.hpp"
@@ -15,6 +16,7 @@
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/site.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 
@@ -25,6 +27,11 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto poll_interval = 500ms;
+constexpr auto entries_interval = 2s;  // between two looks at the entries of all teams
+
+// While a class joins, each new team changes league.json and with it all pages. Making them takes
+// at most one part in that many of the time.
+constexpr int rest_factor = 10;
 
 // The line that `mirocup match --watch` prints. Only matches of this host are passed on.
 constexpr std::string_view watched = "mirocup: watch at http://127.0.0.1:";
@@ -72,8 +79,8 @@ std::string with_script(std::string html, bool takes_hand_ins) {
 
 }  // namespace
 
-// Requires mutex_. Until the league starts, teams join and league.json may be edited; what people are
-// called may change at any time.
+// Requires mutex_. Until the league starts, teams join and league.json may be edited; what people
+// are called may change at any time.
 void ServedLeague::reopen() {
   std::string people =
       files_.read(store_.folder().people(), {.max_size = system::size_limit::league_file})
@@ -89,7 +96,7 @@ void ServedLeague::reopen() {
   store_ = std::move(*fresh);
   config_ = *config;
   people_ = std::move(people);
-  pages_.clear();
+  ++teams_version_;
   version_ = version_ > 0 ? version_ + 1 : 0;
 }
 
@@ -137,18 +144,28 @@ std::vector<ServedLeague::LiveLeg> ServedLeague::find_live_legs() const {
 }
 
 // Requires mutex_.
+bool ServedLeague::are_pages_fresh() const {
+  if (pages_.empty() || lines_of_pages_ != lines_) return false;
+  return version_of_pages_ == teams_version_ ||
+         std::chrono::steady_clock::now() < pages_rest_until_;
+}
+
+// Requires mutex_.
 void ServedLeague::make_pages() {
-  if (!pages_.empty() && lines_of_pages_ == lines_) return;
+  if (are_pages_fresh()) return;
+  const auto begun = std::chrono::steady_clock::now();
   lines_of_pages_ = lines_;
+  version_of_pages_ = teams_version_;
   pages_.clear();
+  statistics_.clear();
   // What cannot be shown alone, such as a round that does not exist any more, is not shown at all.
   auto released = released_state(store_.state(), store_.journal());
   shown_ = released ? std::move(*released) : new_league(store_.state().file);
   const auto news = news_for(*shown_, store_).value_or(NightNews{});
   facts_ = read_facts(files_, store_.folder(), *shown_, std::move(facts_));
-  const LegReports reports = kept_statistics(files_, store_.folder(), *shown_);
+  reports_ = kept_statistics(files_, store_.folder(), *shown_);
   for (SiteFile& file :
-       make_site(*shown_, reports, facts_, news.night ? &*news.night : nullptr, news.feed)) {
+       make_site(*shown_, reports_, facts_, news.night ? &*news.night : nullptr, news.feed)) {
     const std::string type = type_of(file.name);
     const bool is_html = type.starts_with("text/html");
     pages_["/" + file.name] = {
@@ -170,6 +187,8 @@ void ServedLeague::make_pages() {
         records_.insert(stem_of({f.fixture, leg, version}));
     }
   }
+  const auto ended = std::chrono::steady_clock::now();
+  pages_rest_until_ = ended + rest_factor * (ended - begun);
 }
 
 std::optional<web::Page> ServedLeague::page(const std::string& path) {
@@ -245,6 +264,64 @@ std::string ServedLeague::digest_of(const std::string& team) {
 std::optional<std::string> ServedLeague::own_replay(const std::string& name) {
   auto page = replay(name);
   return page ? std::optional(std::move(page->bytes)) : std::nullopt;
+}
+
+std::map<std::string, int> ServedLeague::entries_that_play() {
+  const std::lock_guard lock(mutex_);
+  poll();
+  const auto now = std::chrono::steady_clock::now();
+  if (now - entries_looked_up_at_ < entries_interval) return entries_that_play_;
+  entries_looked_up_at_ = now;
+  entries_that_play_.clear();
+  const LeagueState& state = store_.state();
+  for (std::size_t i = 0; i < state.teams.size(); ++i) {
+    const TeamConfig& team = state.file.teams[i];
+    if (state.teams[i].status == TeamStatus::withdrawn || team.over_dds) continue;
+    const int booked = state.teams[i].entry;
+    const int entry = booked > 0 ? booked : playing_entry(files_, store_.folder(), team.name);
+    if (entry > 0) entries_that_play_[team.name] = entry;
+  }
+  return entries_that_play_;
+}
+
+std::vector<std::string> ServedLeague::neighbours_of(const std::string& team) {
+  constexpr std::ptrdiff_t reach = 2;  // ranks
+  const std::lock_guard lock(mutex_);
+  poll();
+  const LeagueState& state = store_.state();
+  const auto index = state.find_team(team);
+  if (!state.is_started || !index) return {};
+  const std::vector<TableRow> table = state.table();
+  const auto own = std::find_if(table.begin(), table.end(),
+                                [&](const TableRow& row) { return row.team == *index; });
+  if (own == table.end()) return {};
+  std::vector<std::string> names;
+  const auto first = own - std::min(reach, own - table.begin());
+  const auto end = own + std::min(reach + 1, table.end() - own);
+  for (auto row = first; row != end; ++row) {
+    if (row != own) names.push_back(state.name(row->team));
+  }
+  return names;
+}
+
+std::string ServedLeague::statistics_of(const std::string& team) {
+  const std::lock_guard lock(mutex_);
+  poll();
+  const auto index = store_.state().find_team(team);
+  if (!index || !store_.state().is_started) return "";
+  make_pages();
+  const auto known = statistics_.find(*index);
+  if (known != statistics_.end()) return known->second;
+  std::string html = team_statistics_html(overview(store_.state(), facts_), reports_, *index);
+  return statistics_[*index] = std::move(html);
+}
+
+std::optional<std::string> ServedLeague::replay_of(const std::string& record) {
+  const std::lock_guard one_at_a_time(replaying_);
+  const auto loaded = record::load(files_, record);
+  if (!loaded) return std::nullopt;
+  auto page = web::replay_page(*loaded, web::Times::left_out);
+  return page ? std::optional(std::move(page->html)) : std::nullopt;
 }
 
 std::string ServedLeague::news(std::uint64_t& seen) {

@@ -10,6 +10,7 @@
 #include "server/web/site_server.hpp"
 #include "tournaments/handin/own_legs.hpp"
 #include "tournaments/league/league_store.hpp"
+#include "tournaments/publish/league_statistics.hpp"
 #include "tournaments/publish/leg_facts.hpp"
 
 #include <nlohmann/json.hpp>
@@ -46,6 +47,19 @@ class ServedLeague {
   // Returns the replay page of a leg that a team may see, released or not.
   std::optional<std::string> own_replay(const std::string& name);
 
+  // Returns the teams that have an entry which would play now, with its number. It is a few seconds
+  // old at most.
+  std::map<std::string, int> entries_that_play();
+
+  // Returns the teams next to a team in the table, above before below; none before the start.
+  std::vector<std::string> neighbours_of(const std::string& team);
+
+  // Returns the football statistics of a team, HTML; "" if there are none.
+  std::string statistics_of(const std::string& team);
+
+  // Returns the page that replays a record, a path; nothing if it cannot be made.
+  std::optional<std::string> replay_of(const std::string& record);
+
  private:
   // A leg that is being played and can be watched.
   struct LiveLeg {
@@ -61,6 +75,7 @@ class ServedLeague {
   std::vector<LiveLeg> find_live_legs() const;
   void make_pages();
   const LeagueState& shown() const { return shown_ ? *shown_ : store_.state(); }
+  bool are_pages_fresh() const;
   std::optional<web::Page> replay(const std::string& stem);
   std::string linked(std::string page, const std::string& record);
 
@@ -73,10 +88,17 @@ class ServedLeague {
   std::uint64_t version_ = 0;  // grows with each change of the journal or of the live legs
   std::size_t lines_ = 0;      // of the journal
   std::vector<LiveLeg> live_legs_;
-  std::size_t lines_of_pages_ = 0;
+  std::uint64_t teams_version_ = 0;     // grows when league.json changes
+  std::uint64_t version_of_pages_ = 0;  // teams_version_ when the pages were made
+  std::size_t lines_of_pages_ = 0;      // lines_ then
+  std::chrono::steady_clock::time_point pages_rest_until_{};  // before the start of the league
   std::optional<LeagueState> shown_;  // what is released; nothing before the first page
   std::string people_;                // teams.json
   FactsOfLegs facts_;
+  LegReports reports_;
+  std::map<int, std::string> statistics_;  // of teams, as far as they were asked for
+  std::map<std::string, int> entries_that_play_;
+  std::chrono::steady_clock::time_point entries_looked_up_at_{};
   std::map<std::string, web::Page> pages_;  // by path
   std::set<std::string> records_;           // names without .json
 

@@ -15,6 +15,7 @@ using record::JsonReader;
 
 constexpr std::string_view taken = "hand_in";
 constexpr std::string_view answered = "answer";
+constexpr std::string_view pinned = "pin";
 constexpr std::int64_t latest_time = std::int64_t{1} << 40;  // s
 
 std::string lock_path(const Folder& folder) {
@@ -52,7 +53,7 @@ Result<void> HandInBook::apply(const Json& line) {
   const JsonReader json(line, "", problem);
   const std::string kind = json.at("kind").text();
   const std::string team = json.at("team").text();
-  const int entry = json.at("entry").integer(1, max_count);
+  const int entry = json.at("entry").integer(kind == pinned ? 0 : 1, max_count);
   const std::int64_t at = json.at("at").integer<std::int64_t>(0, latest_time);
   if (!problem && !is_good_name(team)) json.at("team").complain("the name of a team is expected");
   const bool is_known = queue_.find(team, entry) != nullptr;
@@ -71,6 +72,8 @@ Result<void> HandInBook::apply(const Json& line) {
     if (!is_final(state)) json.at("state").complain("accepted, refused or void is expected");
     const std::string message = json.at("message").text();
     if (!problem) queue_.answer(team, entry, state, message);
+  } else if (kind == pinned) {
+    if (!problem) pins_[team] = entry;
   } else {
     json.at("kind").complain("no kind of line is called " + json.at("kind").quoted());
   }
@@ -119,6 +122,13 @@ Result<void> HandInBook::answer(const std::string& team, int entry, HandInState 
   if (!written) return written;
   queue_.answer(team, entry, state, message);
   return {};
+}
+
+Result<void> HandInBook::pin(const std::string& team, int entry, std::int64_t at) {
+  auto written =
+      journal_.append(std::string(pinned), {{"team", team}, {"entry", entry}, {"at", at}});
+  if (written) pins_[team] = entry;
+  return written;
 }
 
 }  // namespace mirocup::league

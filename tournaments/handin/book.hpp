@@ -38,6 +38,11 @@ class HandInBook {
   Result<void> answer(const std::string& team, int entry, HandInState state,
                       const std::string& message, std::int64_t at);
 
+  // Writes which entry a team wants to play; 0: its latest. The file of the team says so, too. If
+  // this server dies between the two, the next one sets that right.
+  Result<void> pin(const std::string& team, int entry, std::int64_t at);
+  const std::map<std::string, int>& pins() const { return pins_; }
+
   // What is not written, because it ends with the server.
   void begin(const std::string& team, int entry, HandInState state = HandInState::checking) {
     queue_.begin(team, entry, state);
@@ -54,6 +59,7 @@ class HandInBook {
   Folder folder_;
   Journal journal_;
   HandInQueue queue_;
+  std::map<std::string, int> pins_;  // the last of each team
   std::optional<system::FileLock> lock_;
 };
 

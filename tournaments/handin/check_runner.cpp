@@ -2,6 +2,7 @@
 #include "tournaments/handin/check_runner.hpp"
 
 #include "server/record/json_reader.hpp"
+#include "system/clock.hpp"
 #include "system/locations.hpp"
 #include "system/printable.hpp"
 #include "tournaments/league/submission.hpp"
@@ -33,25 +34,31 @@ CheckRunner::CheckRunner(system::Files& files, Folder folder, Portal& portal,
       portal_(portal),
       processes_(processes),
       jobs_(jobs),
-      tell_(std::move(tell)) {}
+      tell_(std::move(tell)),
+      friendlies_(folder_, portal.friendlies(), processes) {}
 
 std::string CheckRunner::output_of(const WaitingHandIn& handed) const {
   return folder_.entry(handed.team, handed.entry) + "/answer.log";
 }
 
 bool CheckRunner::step() {
-  while (static_cast<int>(running_.size()) < jobs_ && steady_clock::now() >= rests_until_) {
+  while (busy() < jobs_ && steady_clock::now() >= rests_until_) {
     const std::size_t before = running_.size();
     start_next();
     if (running_.size() == before) break;
   }
+  // Friendlies take what the checks leave.
+  while (busy() < jobs_ && friendlies_.start_next(next_tag_, system::now_s())) ++next_tag_;
   look_at_steps();
+  friendlies_.look_at_time();
   const auto news = processes_.wait_within(wait_s);
   if (news.exit) {
     if (const auto ended = running_.find(news.exit->tag); ended != running_.end()) {
       const Running check = std::move(ended->second);
       running_.erase(ended);
       book(check, *news.exit);
+    } else {
+      friendlies_.book(*news.exit, system::now_s());
     }
   }
   return !news.is_asked_to_stop;
@@ -136,7 +143,7 @@ Result<int> check_hand_in(system::Files& files, const Folder& folder, const std:
   handed.name = file;
   const SourceKind kind = source_kind_of(file);
   if (kind != SourceKind::none) handed.source = folder.source(team, entry);
-  handed.is_c = kind == SourceKind::c;
+  handed.language = language_of(kind);
   const auto done = submit(files, folder, handed);
   if (!done) return tl::unexpected(done.error());
   // An entry that was not even looked at needs no bytes.

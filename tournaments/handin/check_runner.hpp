@@ -2,12 +2,13 @@
 //
 // Runs the checks of the hand-ins that wait, each in a child process: `mirocup-league
 // check-hand-in`. A child may be killed at any moment, or die with this process; then its hand-in
-// waits again.
+// waits again. Friendlies are played when no hand-in waits.
 //
 // Threads: the one that uses the ProcessSet.
 #pragma once
 
 #include "system/process_set.hpp"
+#include "tournaments/handin/friendly_runner.hpp"
 #include "tournaments/handin/portal.hpp"
 
 #include <chrono>
@@ -32,6 +33,9 @@ class CheckRunner {
     std::chrono::steady_clock::time_point begun;
   };
 
+  // Processes that run.
+  int busy() const { return static_cast<int>(running_.size()) + friendlies_.running(); }
+
   void start_next();
   void book(const Running& check, const system::Exit& exit);
   void look_at_steps();
@@ -44,6 +48,7 @@ class CheckRunner {
   int jobs_;
   std::function<void(const std::string& line)> tell_;
   std::map<int, Running> running_;  // by tag
+  FriendlyRunner friendlies_;
   int next_tag_ = 0;
   std::chrono::steady_clock::time_point steps_read_at_{};
   std::chrono::steady_clock::time_point rests_until_{};  // after a fault of the host

@@ -3,7 +3,9 @@
 
 #include "server/record/json_reader.hpp"
 #include "system/printable.hpp"
+#include "tournaments/handin/replies.hpp"
 #include "tournaments/handin/team_desk_page.hpp"
+#include "tournaments/league/submission.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -16,7 +18,11 @@ namespace {
 
 constexpr std::string_view entries_path = "/api/v1/entries";
 constexpr std::string_view legs_path = "/api/v1/legs";
-constexpr std::string_view replays_path = "/hand-in/replays/";
+constexpr std::string_view own_replays_path = "/hand-in/replays/";
+constexpr std::string_view friendlies_path = "/api/v1/friendlies";
+constexpr std::string_view pin_path = "/api/v1/pin";
+constexpr std::string_view replays_path = "/hand-in/friendlies";
+constexpr std::string_view entry_pages_path = "/hand-in/entries/";
 constexpr std::size_t max_file_name = 100;  // bytes
 constexpr std::size_t max_form = 4096;      // bytes
 constexpr int max_failures = 10;            // of the host, until a hand-in is void
@@ -25,24 +31,11 @@ constexpr const char* page_policy =
     "default-src 'none'; style-src 'self'; script-src 'self'; connect-src 'self'; "
     "form-action 'self'; base-uri 'none'; frame-ancestors 'none'";
 
-web::Reply json_reply(int status, const Json& json) {
-  return {.status = status, .type = "application/json", .bytes = record::json_text(json) + "\n"};
-}
-
-web::Reply problem(int status, const std::string& why) {
-  return json_reply(status, {{"error", why}});
-}
-
 web::Reply reply_to(const Refusal& refusal) {
-  web::Reply reply = problem(refusal.status, refusal.why);
+  web::Reply reply = problem_reply(refusal.status, refusal.why);
   if (refusal.status == 401) reply.headers.emplace_back("WWW-Authenticate", "Bearer");
   if (refusal.wait > 0) reply.headers.emplace_back("Retry-After", std::to_string(refusal.wait));
   return reply;
-}
-
-// The host is told the reason, and a stranger is not.
-web::Reply host_failed(const Error&) {
-  return problem(503, "this server cannot do that now; try again later");
 }
 
 web::Reply page_reply(int status, std::string html) {
@@ -61,13 +54,6 @@ std::string with_card(std::string page, const std::string& content) {
 
 web::Reply go_to(const std::string& path) {
   return {.status = 303, .bytes = "", .headers = {{"Location", path}}};
-}
-
-std::optional<int> number_of(std::string_view text) {
-  int number = 0;
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (read.ec != std::errc() || read.ptr != text.data() + text.size() || number < 1) return {};
-  return number;
 }
 
 // Returns the name of a file without its folder, as it may be printed.
@@ -113,12 +99,14 @@ std::string form_value(const std::string& form, std::string_view key) {
 
 }  // namespace
 
-Portal::Portal(system::Files& files, Folder folder, PortalOptions options, HandInBook book)
+Portal::Portal(system::Files& files, Folder folder, PortalOptions options, HandInBook book,
+               std::unique_ptr<FriendlyDesk> friendlies)
     : files_(files),
       folder_(folder),
       options_(std::move(options)),
       costs_(files, folder),
       staff_(files, folder, options_.now),
+      friendlies_(std::move(friendlies)),
       book_(std::move(book)),
       doorkeeper_(files, std::move(folder), options_.proxy) {}
 
@@ -133,7 +121,29 @@ Result<std::unique_ptr<Portal>> Portal::open(system::Files& files, const Folder&
   // Uploads that a killed server has left.
   if (auto removed = files.remove_unfinished(folder.uploads()); !removed)
     return tl::unexpected(removed.error());
-  return std::unique_ptr<Portal>(new Portal(files, folder, std::move(options), std::move(*book)));
+  auto friendlies = FriendlyDesk::open(files, folder, options.friendlies, notice);
+  if (!friendlies) return tl::unexpected(friendlies.error());
+  std::unique_ptr<Portal> portal(
+      new Portal(files, folder, std::move(options), std::move(*book), std::move(*friendlies)));
+  if (auto finished = portal->finish_what_was_begun(); !finished)
+    return tl::unexpected(finished.error());
+  return portal;
+}
+
+// What a server that died has written into one book and not yet into the next file.
+Result<void> Portal::finish_what_was_begun() {
+  const std::int64_t now = options_.now();
+  for (const auto& [team, entry] : book_.pins()) {
+    const auto known = read_hand_ins(files_, folder_, team);
+    if (!known) return tl::unexpected(known.error());
+    if (known->pinned == entry) continue;
+    if (auto pinned = pin_entry(files_, folder_, team, entry, now); !pinned)
+      return tl::unexpected(pinned.error());
+  }
+  for (const auto& [team, entry] : book_.queue().accepted()) {
+    if (auto begun = friendlies_->entry_accepted(team, entry, now); !begun) return begun;
+  }
+  return {};
 }
 
 std::variant<Visitor, web::Reply> Portal::visitor(const web::Request& request, Purpose purpose) {
@@ -150,8 +160,11 @@ std::optional<web::Reply> Portal::answer(const web::Request& request, const web:
   if (path == "/hand-in/log-in" && request.method == "POST") return log_in(request, body);
   if (path == "/hand-in/log-out" && request.method == "POST") return log_out(request);
   if (path == "/hand-in/staff" || path == "/hand-in/grades.csv") return staff(request, body);
-  if (path.starts_with(replays_path)) return own_replay(request);
-  if (path != "/hand-in" || (request.method != "GET" && request.method != "HEAD"))
+  if (path.starts_with(own_replays_path)) return own_replay(request);
+  const bool is_replay = path.starts_with(replays_path);
+  const bool is_entry = path.starts_with(entry_pages_path);
+  if ((path != "/hand-in" && !is_replay && !is_entry) ||
+      (request.method != "GET" && request.method != "HEAD"))
     return std::nullopt;
   {
     const std::lock_guard lock(mutex_);
@@ -164,10 +177,11 @@ std::optional<web::Reply> Portal::answer(const web::Request& request, const web:
   }
   const Visitor& known = std::get<Visitor>(who);
   if (known.is_staff) return staff_.page(number_of(request.asked("done")).value_or(0));
-  std::string page = team_desk_page(known.team, reports(known.team),
-                                    own_legs_json(options_.legs(known.team), costs_));
-  return page_reply(200,
-                    with_card(std::move(page), options_.digest ? options_.digest(known.team) : ""));
+  if (is_replay)
+    return friendlies_->show(known.team, std::string_view(path).substr(replays_path.size()));
+  if (is_entry)
+    return entry_reply(known.team, std::string_view(path).substr(entry_pages_path.size()));
+  return team_page(known.team);
 }
 
 // What only the staff may ask for: the forms of its page, and the grades.
@@ -175,17 +189,17 @@ web::Reply Portal::staff(const web::Request& request, const web::Body& body) {
   const bool is_act = request.method == "POST";
   const auto who = visitor(request, is_act ? Purpose::changing : Purpose::reading);
   if (const auto* refusal = std::get_if<web::Reply>(&who)) return *refusal;
-  if (!std::get<Visitor>(who).is_staff) return problem(403, "this is for the staff only");
+  if (!std::get<Visitor>(who).is_staff) return problem_reply(403, "this is for the staff only");
   if (!is_act) {
     return request.path == "/hand-in/grades.csv" ? staff_.grades()
-                                                 : problem(405, "a form is expected");
+                                                 : problem_reply(405, "a form is expected");
   }
   std::string form;
   const bool is_whole = body([&form](std::string_view part) {
     form += part;
     return form.size() <= max_form;
   });
-  if (!is_whole) return problem(400, "the form was not sent to its end, or is too long");
+  if (!is_whole) return problem_reply(400, "the form was not sent to its end, or is too long");
   web::Reply reply = staff_.act(form);
   ++version_;
   return reply;
@@ -198,13 +212,73 @@ web::Reply Portal::own_replay(const web::Request& request) {
   const Visitor& known = std::get<Visitor>(who);
   for (const OwnLeg& leg : options_.legs(known.team)) {
     if (leg.record.empty() || !options_.replay ||
-        request.path != std::string(replays_path) + name_of_leg(leg) + ".html")
+        request.path != std::string(own_replays_path) + name_of_leg(leg) + ".html")
       continue;
     auto page = options_.replay(name_of_leg(leg));
     if (!page) break;
     return {.status = 200, .type = "text/html; charset=utf-8", .bytes = std::move(*page)};
   }
-  return problem(404, "there is no leg of yours of this name");
+  return problem_reply(404, "there is no leg of yours of this name");
+}
+
+// `rest` is what follows the path of all pages of entries.
+web::Reply Portal::entry_reply(const std::string& team, std::string_view rest) {
+  const std::size_t slash = std::min(rest.find('/'), rest.size());
+  const auto number = number_of(rest.substr(0, slash));
+  const std::string_view what = rest.substr(slash);
+  const Json entry = number ? report(team, *number, true) : Json();
+  if (!entry.is_null() && what.empty()) return page_reply(200, entry_page(entry));
+  if (entry.is_null() || what != "/replay" || !entry.contains("replay"))
+    return problem_reply(404, team + " has no entry of this number");
+  auto page = options_.friendlies.replay(folder_.gate_leg(team, *number));
+  if (!page) return problem_reply(503, "the replay cannot be made here");
+  return {.status = 200, .type = "text/html; charset=utf-8", .bytes = std::move(*page)};
+}
+
+web::Reply Portal::team_page(const std::string& team) {
+  TeamDesk desk;
+  desk.team = team;
+  desk.entries = reports(team);
+  desk.legs = own_legs_json(options_.legs(team), costs_);
+  desk.friendlies = friendlies_->list(team, costs_);
+  desk.opponents = friendlies_->opponents(team);
+  desk.playing = playing_entry(files_, folder_, team);
+  const auto known = read_hand_ins(files_, folder_, team);
+  desk.is_pinned = known && known->pinned > 0 && known->pinned == desk.playing;
+  desk.statistics = options_.statistics(team);
+  return page_reply(200,
+                    with_card(team_desk_page(desk), options_.digest ? options_.digest(team) : ""));
+}
+
+// A team may choose one of its accepted versions, as long as it may hand in.
+web::Reply Portal::pin(const web::Request& request, const Visitor& visitor) {
+  if (visitor.is_staff) return problem_reply(403, "the staff's token pins no version");
+  const std::string asked = request.asked("entry");
+  const auto entry = asked == "latest" ? std::optional(0) : number_of(asked);
+  if (!entry) return problem_reply(400, "?entry=N or ?entry=latest is expected");
+  const std::lock_guard lock(mutex_);
+  const std::int64_t now = options_.now();
+  const auto done = pin_entry(files_, folder_, visitor.team, *entry, now);
+  if (!done) return host_failed(done.error());
+  if (!done->empty()) return problem_reply(409, *done);
+  if (auto written = book_.pin(visitor.team, *entry, now); !written)
+    return host_failed(written.error());
+  ++version_;
+  return json_reply(200, {{"pinned", *entry > 0 ? Json(*entry) : Json()},
+                          {"playing", playing_entry(files_, folder_, visitor.team)}});
+}
+
+web::Reply Portal::friendly_reply(const web::Request& request, const Visitor& visitor) {
+  if (visitor.is_staff) return problem_reply(403, "the staff's token plays no friendlies");
+  const std::string_view rest = std::string_view(request.path).substr(friendlies_path.size());
+  if (request.method == "POST" && rest.empty())
+    return friendlies_->ask(visitor.team, request.asked("opponent"), options_.now());
+  if (request.method != "GET" && request.method != "HEAD")
+    return problem_reply(405, "there is nothing of this name here");
+  if (!rest.empty()) return friendlies_->show(visitor.team, rest);
+  return json_reply(200, {{"team", visitor.team},
+                          {"friendlies", friendlies_->list(visitor.team, costs_)},
+                          {"opponents", friendlies_->opponents(visitor.team)}});
 }
 
 web::Reply Portal::api(const web::Request& request, const web::Body& body) {
@@ -214,28 +288,30 @@ web::Reply Portal::api(const web::Request& request, const web::Body& body) {
   const Visitor& known = std::get<Visitor>(who);
   const std::string_view path = request.path;
   if (path == entries_path && request.method == "PUT") return take(request, body, known);
+  if (path == pin_path && request.method == "PUT") return pin(request, known);
+  if (path.starts_with(friendlies_path)) return friendly_reply(request, known);
 
   // The staff names the team; a team reads its own entries only.
   std::string team = request.asked("team");
   if (team.empty()) team = known.team;
   if (!known.is_staff && team != known.team)
-    return problem(403, "this token is for the entries of " + known.team + " only");
+    return problem_reply(403, "this token is for the entries of " + known.team + " only");
   if (path == "/api/v1/team" && is_reading) return json_reply(200, about(known));
   const bool is_leg = path.starts_with(legs_path);
   if (!is_reading || (!is_leg && !path.starts_with(entries_path)))
-    return problem(is_reading ? 404 : 405, "there is nothing of this name here");
-  if (!is_good_name(team)) return problem(400, "?team=NAME is expected");
+    return problem_reply(is_reading ? 404 : 405, "there is nothing of this name here");
+  if (!is_good_name(team)) return problem_reply(400, "?team=NAME is expected");
   if (is_leg) return leg_reply(team, path.substr(legs_path.size()));
   std::string_view rest = path.substr(entries_path.size());
   if (rest.empty()) return json_reply(200, {{"team", team}, {"entries", reports(team)}});
-  if (!rest.starts_with("/")) return problem(404, "there is nothing of this name here");
+  if (!rest.starts_with("/")) return problem_reply(404, "there is nothing of this name here");
   rest.remove_prefix(1);
   const std::size_t slash = std::min(rest.find('/'), rest.size());
   const auto entry = number_of(rest.substr(0, slash));
   const std::string_view what = rest.substr(slash);
   const Json known_entry = entry ? report(team, *entry, true) : Json();
   if (known_entry.is_null() || (what != "" && what != "/events"))
-    return problem(404, team + " has no entry of this number");
+    return problem_reply(404, team + " has no entry of this number");
   return what.empty() ? json_reply(200, known_entry) : events(team, *entry);
 }
 
@@ -254,7 +330,7 @@ web::Reply Portal::leg_reply(const std::string& team, std::string_view rest) {
       return {.status = 200, .bytes = system::printable(log, system::LineEnds::kept)};
     }
   }
-  return problem(404, team + " has played no leg of this name");
+  return problem_reply(404, team + " has played no leg of this name");
 }
 
 web::Reply Portal::log_in(const web::Request& request, const web::Body& body) {
@@ -291,10 +367,10 @@ web::Reply Portal::log_out(const web::Request& request) {
 std::optional<web::Reply> Portal::refused_now(const std::string& team) {
   const std::int64_t now = options_.now();
   if (const std::string why = options_.why_not(team, utc_text(now)); !why.empty())
-    return problem(403, why);
+    return problem_reply(403, why);
   if (const int waiting = book_.queue().unanswered(team); waiting >= options_.max_waiting) {
-    return problem(429, std::to_string(waiting) + " files of " + team +
-                            " wait for their checks; hand in when they are answered");
+    return problem_reply(429, std::to_string(waiting) + " files of " + team +
+                                  " wait for their checks; hand in when they are answered");
   }
   auto known = read_hand_ins(files_, folder_, team);
   if (!known) return host_failed(known.error());
@@ -303,8 +379,8 @@ std::optional<web::Reply> Portal::refused_now(const std::string& team) {
     if (!is_final(handed->state) && find_try(*known, handed->entry) == nullptr) ++tries;
   }
   if (tries < options_.quota.tries_per_hour) return std::nullopt;
-  return problem(429, team + " has had " + std::to_string(options_.quota.tries_per_hour) +
-                          " tries in the last hour; hand it in later");
+  return problem_reply(429, team + " has had " + std::to_string(options_.quota.tries_per_hour) +
+                                " tries in the last hour; hand it in later");
 }
 
 // Counts an upload of a team while it lasts.
@@ -329,25 +405,25 @@ struct Portal::Upload {
 
 web::Reply Portal::take(const web::Request& request, const web::Body& body,
                         const Visitor& visitor) {
-  if (visitor.is_staff) return problem(403, "the staff's token hands in for no team");
+  if (visitor.is_staff) return problem_reply(403, "the staff's token hands in for no team");
   const std::string& team = visitor.team;
   const std::string coding = request.header("content-encoding");
   if (!coding.empty() && coding != "identity")
-    return problem(415, "send the file as it is, without Content-Encoding");
+    return problem_reply(415, "send the file as it is, without Content-Encoding");
   if (request.headers.contains("content-length") && request.headers.contains("transfer-encoding"))
-    return problem(400, "two lengths are given");
+    return problem_reply(400, "two lengths are given");
   const std::string length = request.header("content-length");
-  if (length == "0") return problem(400, "the file is empty");
+  if (length == "0") return problem_reply(400, "the file is empty");
   std::uint64_t announced = 0;
   const auto read = std::from_chars(length.data(), length.data() + length.size(), announced);
   if (announced > system::size_limit::entry || read.ec == std::errc::result_out_of_range)
-    return problem(413, too_large());
+    return problem_reply(413, too_large());
   Upload upload{*this, team};
   {
     const std::lock_guard lock(mutex_);
     if (auto refused = refused_now(team)) return std::move(*refused);
     if (!upload.begin())
-      return problem(429, team + " is sending other files already; wait for their end");
+      return problem_reply(429, team + " is sending other files already; wait for their end");
   }
   auto file = system::IncomingFile::begin(folder_.uploads() + "/upload");
   if (!file) return host_failed(file.error());
@@ -360,11 +436,11 @@ web::Reply Portal::take(const web::Request& request, const web::Body& body,
     }
     return added.has_value();
   });
-  if (!added && added.error().code == Errc::input) return problem(413, added.error().what);
+  if (!added && added.error().code == Errc::input) return problem_reply(413, added.error().what);
   if (!added) return host_failed(added.error());
   if (!is_whole || (!length.empty() && file->size() != announced))
-    return problem(400, "the file did not arrive to its end; send it again");
-  if (file->size() == 0) return problem(400, "the file is empty");
+    return problem_reply(400, "the file did not arrive to its end; send it again");
+  if (file->size() == 0) return problem_reply(400, "the file is empty");
   const auto sha256 = file->finish();
   if (!sha256) return host_failed(sha256.error());
   return keep(visitor, file_name_of(request.asked("name")), *file, *sha256);
@@ -421,8 +497,11 @@ Json Portal::report(const std::string& team, int entry, bool is_whole) {
     if (const auto found = steps_.find({team, entry}); found != steps_.end()) step = found->second;
   }
   const WaitingHandIn* known = waiting ? &*waiting : nullptr;
-  return is_whole ? entry_report(files_, folder_, team, entry, known, before, step)
-                  : entry_summary(files_, folder_, team, entry, known, before, step);
+  if (!is_whole) return entry_summary(files_, folder_, team, entry, known, before, step);
+  Json whole = entry_report(files_, folder_, team, entry, known, before, step);
+  if (!whole.is_null() && files_.exists(folder_.gate_leg(team, entry)))
+    whole["replay"] = std::string(entry_pages_path) + std::to_string(entry) + "/replay";
+  return whole;
 }
 
 // Returns the summaries of all entries of a team, the latest first.
@@ -477,12 +556,17 @@ void Portal::set_step(const std::string& team, int entry, const CheckStep& step)
 
 Result<void> Portal::close(const std::string& team, int entry, HandInState state,
                            const std::string& message) {
-  const std::lock_guard lock(mutex_);
-  auto answered = book_.answer(team, entry, state, message, options_.now());
-  steps_.erase({team, entry});
-  if (!answered) book_.wait_again(team, entry);
-  ++version_;
-  return answered;
+  {
+    const std::lock_guard lock(mutex_);
+    auto answered = book_.answer(team, entry, state, message, options_.now());
+    steps_.erase({team, entry});
+    if (!answered) book_.wait_again(team, entry);
+    ++version_;
+    if (!answered) return answered;
+  }
+  // If the server dies here, the next one begins the burst.
+  if (state != HandInState::accepted) return {};
+  return friendlies_->entry_accepted(team, entry, options_.now());
 }
 
 Result<void> Portal::wait_again(const std::string& team, int entry) {

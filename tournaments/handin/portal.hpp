@@ -10,6 +10,7 @@
 #include "tournaments/handin/book.hpp"
 #include "tournaments/handin/doorkeeper.hpp"
 #include "tournaments/handin/entry_report.hpp"
+#include "tournaments/handin/friendly_desk.hpp"
 #include "tournaments/handin/own_legs.hpp"
 #include "tournaments/handin/staff_desk.hpp"
 #include "tournaments/league/hand_ins.hpp"
@@ -34,6 +35,9 @@ struct PortalOptions {
   std::function<std::string(const std::string& team)> digest = {};
   // Returns the replay page of a leg, by the name of its record; nothing if there is none.
   std::function<std::optional<std::string>(const std::string& name)> replay = {};
+  // Returns the part of a page with the football statistics of a team, HTML; "" if there are none.
+  std::function<std::string(const std::string& team)> statistics;
+  FriendlyOptions friendlies;
   std::function<std::int64_t()> now;  // s since 1970
 };
 
@@ -44,6 +48,9 @@ class Portal {
 
   // The function web::Site::desk.
   std::optional<web::Reply> answer(const web::Request& request, const web::Body& body);
+
+  // The friendlies, for their runner.
+  FriendlyDesk& friendlies() { return *friendlies_; }
 
   // Marks the next hand-in as being checked and returns it; nothing if none is to be checked.
   std::optional<WaitingHandIn> begin_next();
@@ -60,7 +67,9 @@ class Portal {
  private:
   struct Upload;
 
-  Portal(system::Files& files, Folder folder, PortalOptions options, HandInBook book);
+  Portal(system::Files& files, Folder folder, PortalOptions options, HandInBook book,
+         std::unique_ptr<FriendlyDesk> friendlies);
+  Result<void> finish_what_was_begun();
 
   std::variant<Visitor, web::Reply> visitor(const web::Request& request, Purpose purpose);
   web::Reply api(const web::Request& request, const web::Body& body);
@@ -71,6 +80,10 @@ class Portal {
   web::Reply take(const web::Request& request, const web::Body& body, const Visitor& visitor);
   web::Reply keep(const Visitor& visitor, const std::string& name, system::IncomingFile& file,
                   const std::string& sha256);
+  web::Reply pin(const web::Request& request, const Visitor& visitor);
+  web::Reply friendly_reply(const web::Request& request, const Visitor& visitor);
+  web::Reply entry_reply(const std::string& team, std::string_view rest);
+  web::Reply team_page(const std::string& team);
   web::Reply leg_reply(const std::string& team, std::string_view rest);
   web::Reply events(const std::string& team, int entry);
   std::optional<web::Reply> refused_now(const std::string& team);
@@ -83,6 +96,7 @@ class Portal {
   const PortalOptions options_;
   LegCosts costs_;
   const StaffDesk staff_;
+  const std::unique_ptr<FriendlyDesk> friendlies_;
   std::atomic<std::uint64_t> version_{1};  // grows with each change that a team may see
 
   std::mutex mutex_;  // guards what follows

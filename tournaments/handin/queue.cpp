@@ -9,7 +9,23 @@ SourceKind source_kind_of(std::string_view file) {
   for (const std::string_view end : {".cpp", ".cc", ".cxx"}) {
     if (file.ends_with(end)) return SourceKind::cpp;
   }
+  for (const std::string_view end : {".tar", ".tar.gz", ".tgz", ".zip"}) {
+    if (file.ends_with(end)) return SourceKind::project;
+  }
   return file.ends_with(".c") ? SourceKind::c : SourceKind::none;
+}
+
+std::string language_of(SourceKind kind) {
+  switch (kind) {
+    case SourceKind::c:
+      return "c";
+    case SourceKind::project:
+      return "project";
+    case SourceKind::cpp:
+    case SourceKind::none:
+      break;
+  }
+  return "c++";
 }
 
 void HandInQueue::add(WaitingHandIn handed) {
@@ -90,6 +106,14 @@ std::vector<const WaitingHandIn*> HandInQueue::of_team(const std::string& team) 
 int HandInQueue::unanswered(const std::string& team) const {
   return static_cast<int>(std::count_if(waiting_.begin(), waiting_.end(),
                                         [&](const Key& key) { return key.first == team; }));
+}
+
+std::map<std::string, int> HandInQueue::accepted() const {
+  std::map<std::string, int> latest;  // a team's entries are in their order
+  for (const auto& [key, handed] : all_) {
+    if (handed.state == HandInState::accepted) latest[key.first] = key.second;
+  }
+  return latest;
 }
 
 int HandInQueue::last_entry(const std::string& team) const {

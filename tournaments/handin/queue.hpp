@@ -34,9 +34,12 @@ constexpr bool is_final(HandInState state) {
          state != HandInState::checking;
 }
 
-// The languages of sources, told by the end of a file's name.
-enum class SourceKind { none, c, cpp };
+// The kinds of sources, told by the end of a file's name. A project is an archive of sources.
+enum class SourceKind { none, c, cpp, project };
 SourceKind source_kind_of(std::string_view file);
+
+// Returns what `mirocup compile --language` calls it.
+std::string language_of(SourceKind kind);
 
 // One file that a team has handed in over the network.
 struct WaitingHandIn {
@@ -78,6 +81,9 @@ class HandInQueue {
 
   // Returns the highest number of the team's hand-ins; 0 if there is none.
   int last_entry(const std::string& team) const;
+
+  // The latest accepted hand-in of each team.
+  std::map<std::string, int> accepted() const;
 
  private:
   using Key = std::pair<std::string, int>;

@@ -3,14 +3,11 @@
 
 #include "system/file_lock.hpp"
 #include "system/markup.hpp"
+#include "tournaments/handin/desk_html.hpp"
 #include "tournaments/league/acts.hpp"
 #include "tournaments/league/roster.hpp"
 #include "tournaments/publish/decision_view.hpp"
 #include "tournaments/publish/grades.hpp"
-#include "tournaments/publish/html.hpp"
-#include "tournaments/publish/page_values.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <charconv>
 #include <map>
@@ -59,7 +56,7 @@ std::string value_of(const Form& form, const std::string& key) {
   return found == form.end() ? "" : found->second;
 }
 
-int count_of(const Form& form, const std::string& key) {
+int number_in(const Form& form, const std::string& key) {
   const std::string text = value_of(form, key);
   int number = 0;
   const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -72,7 +69,7 @@ std::optional<Act> act_of(const Form& form) {
   if (!kind) return std::nullopt;
   return Act{.kind = *kind,
              .fixture = value_of(form, "fixture"),
-             .leg = count_of(form, "leg"),
+             .leg = number_in(form, "leg"),
              .has_all_legs = value_of(form, "leg") == "all",
              .team = value_of(form, "team"),
              .score = value_of(form, "score"),
@@ -81,7 +78,7 @@ std::optional<Act> act_of(const Form& form) {
              .is_lifted = !value_of(form, "lift").empty(),
              .level = value_of(form, "level"),
              .through = value_of(form, "through"),
-             .decision = count_of(form, "decision"),
+             .decision = number_in(form, "decision"),
              .reason = value_of(form, "reason"),
              .by = value_of(form, "by"),
              .is_dry_run = value_of(form, "go") == "try"};
@@ -231,7 +228,7 @@ void teams_table(Html& html, const LeagueFile& file, const std::vector<RosterRow
     if (!row.same_as.empty())
       answer += (answer.empty() ? "" : " ") + std::string("The same file as ") +
                 joined_with(row.same_as, ", ") + ".";
-    html.cell_of("small", answer);
+    html.cell_of("words", answer);
     html.close("tr");
   }
   html.close_table();
@@ -342,18 +339,16 @@ web::Reply StaffDesk::page(int done, const std::string& said, int status) const 
                                  : "No entry is taken from " + shown_time(state.file, frozen));
   if (state.is_closed) html.cell("li", "The league is closed");
   html.close("ul");
-  html.cell("h2", "To look at");
+  next_card(html, "To look at");
   attention(html, *rows);
-  html.cell("h2", "Teams");
+  next_card(html, "Teams");
   teams_table(html, state.file, *rows);
   html.raw("<p><a href=\"/hand-in/grades.csv\">Grades (CSV)</a></p>\n");
-  html.cell("h2", "Decide");
+  next_card(html, "Decide");
   Forms(html, state).all();
-  html.cell("h2", "Decisions");
+  next_card(html, "Decisions");
   decisions_list(html, state, done);
-  return staff_reply(
-      status,
-      filled_page("desk.html", {{"root", "/"}, {"page_title", "Staff"}, {"content", html.text()}}));
+  return staff_reply(status, desk_page("Staff", html));
 }
 
 web::Reply StaffDesk::act(const std::string& form) const {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The page of those who run a league, at the desk in the network: the teams and what they have
-// handed in, a form for each act, the list of decisions, the grades. Each act is that of the command
-// of the same name (league/acts.hpp).
+// handed in, a form for each act, the list of decisions, the grades. Each act is that of the
+// command of the same name (league/acts.hpp).
 //
 // Threads: any. The league is opened for each request.
 #pragma once

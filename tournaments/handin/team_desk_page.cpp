@@ -2,20 +2,16 @@
 #include "tournaments/handin/team_desk_page.hpp"
 
 #include "system/markup.hpp"
-#include "tournaments/publish/html.hpp"
-#include "tournaments/publish/page_values.hpp"
+#include "tournaments/handin/desk_html.hpp"
 
-#include <nlohmann/json.hpp>
-
-#include <cstdio>
-#include <vector>
+#include <algorithm>
 
 namespace mirocup::league {
 
 namespace {
 
 constexpr std::string_view log_in_form =
-    R"(<form method="post" action="/hand-in/log-in">
+    R"(<form class="desk" method="post" action="/hand-in/log-in">
 <p><label for="token">Token of your team</label></p>
 <p><input id="token" name="token" type="password" autocomplete="current-password" required
 size="30" autofocus> <button>Log in</button></p>
@@ -25,13 +21,15 @@ for 12 hours, or until you log out.</p>
 )";
 
 constexpr std::string_view log_out_form =
-    R"(<form method="post" action="/hand-in/log-out"><p><button>Log out</button></p></form>
+    R"(<form class="desk log-out" method="post" action="/hand-in/log-out">
+<button>Log out</button></form>
 )";
 
 // Shown by the script, without which it would do nothing.
 constexpr std::string_view hand_in_form =
-    R"(<form id="hand-in" hidden>
-<p><label for="file">Your library (team.so) or its source (team.cpp)</label></p>
+    R"(<form id="hand-in" class="desk" hidden>
+<p><label for="file">Your library (team.so), its source (team.cpp) or your project
+(.tar.gz, .zip)</label></p>
 <p><input id="file" type="file" required> <button>Hand in</button></p>
 <p><progress id="sent" max="1" value="0" hidden></progress></p>
 </form>
@@ -44,104 +42,204 @@ Bearer TOKEN" ADDRESS/api/v1/entries</code></p></noscript>
 constexpr std::string_view script = R"(<script type="module" src="/hand_in.js"></script>
 )";
 
-std::string text_in(const Json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
+struct Column {
+  const char* name;
+  const char* style = "";  // "wide" and "mid" are left out on narrow windows
+};
+
+void head(Html& html, const std::vector<Column>& columns) {
+  html.raw("<tr>");
+  for (const Column& column : columns) {
+    html.raw(std::string("<th scope=\"col\" class=\"") + column.style + "\">" +
+             system::html_escaped(column.name) + "</th>");
+  }
+  html.raw("</tr>\n");
 }
 
-// Returns the answer to an entry in a sentence.
+// Returns the answer to an entry in a sentence, without the team and the number, which are beside.
 std::string answer_in_words(const Json& entry) {
-  const std::string message = text_in(entry, "message");
-  if (!message.empty()) return message;
-  return text_in(entry, "reason");
+  std::string message = text_in(entry, "message");
+  if (message.empty()) return text_in(entry, "reason");
+  const std::string before =
+      text_in(entry, "team") + ": entry " + number_text(entry, "entry", "%.0f") + " ";
+  if (message.starts_with(before)) message.erase(0, before.size());
+  return message;
 }
 
-void entries_table(Html& html, const Json& entries) {
+// What the buttons of a version do: page/hand_in.js reads data-pin.
+void pin_cell(Html& html, const TeamDesk& desk, const Json& entry) {
+  const int number = entry.value("entry", 0);
+  html.raw("<td>");
+  if (number == desk.playing) html.cell("strong", desk.is_pinned ? "pinned " : "plays ");
+  if (number == desk.playing && desk.is_pinned) {
+    html.raw("<button data-pin=\"latest\">unpin</button>");
+  } else if (text_in(entry, "state") == "accepted") {
+    html.raw("<button data-pin=\"" + std::to_string(number) + "\">pin</button>");
+  }
+  html.raw("</td>\n");
+}
+
+void entries_table(Html& html, const TeamDesk& desk) {
   html.open_table();
-  html.row("th", {"Entry", "Handed in (UTC)", "File", "State", "Answer"});
-  for (const Json& entry : entries) {
-    html.raw("<tr id=\"entry-" + std::to_string(entry.value("entry", 0)) + "\">\n");
-    html.cell_of("number", std::to_string(entry.value("entry", 0)));
-    std::string at = text_in(entry, "handed_in");
-    if (const std::size_t t = at.find('T'); t != std::string::npos) at.replace(t, 1, " ");
-    if (at.ends_with('Z')) at.pop_back();
-    html.cell("td", at);
-    html.cell("td", text_in(entry, "file"));
-    html.cell_of(text_in(entry, "state"), text_in(entry, "state"));
-    html.cell_of("small", answer_in_words(entry));
+  head(
+      html,
+      {{"Entry"}, {"State"}, {""}, {"Answer", "mid"}, {"File", "mid"}, {"Handed in (UTC)", "mid"}});
+  for (const Json& entry : desk.entries) {
+    const std::string number = std::to_string(entry.value("entry", 0));
+    const std::string state = text_in(entry, "state");
+    html.raw("<tr id=\"entry-" + number + "\">\n");
+    html.link_cell("/hand-in/entries/" + number, number);
+    html.cell_of(state, state);
+    pin_cell(html, desk, entry);
+    html.cell_of("small words mid", answer_in_words(entry));
+    html.cell_of("file mid", text_in(entry, "file"));
+    html.cell_of("mid", time_in_words(text_in(entry, "handed_in")));
     html.close("tr");
   }
   html.close_table();
 }
 
-std::string number_text(const Json& object, const char* key, const char* format) {
-  const auto found = object.find(key);
-  if (found == object.end() || !found->is_number()) return "";
-  char text[32];
-  std::snprintf(text, sizeof text, format, found->get<double>());
-  return text;
-}
-
-// The slowest ticks of the legs, so that a team sees how near it comes to its limits.
+// How many legs have their slowest tick in each range, so that a team sees how near it comes to its
+// limits.
 void processor_time(Html& html, const Json& legs) {
-  struct Column {
+  struct Range {
     const char* name;
     double up_to;  // ms
   };
-  constexpr Column columns[] = {{"up to 0.1 ms", 0.1}, {"0.3 ms", 0.3}, {"1 ms", 1.0},
-                                {"3 ms", 3.0},         {"10 ms", 10.0}, {"more", 1e300}};
-  std::vector<std::string> head;
-  std::vector<std::string> counts;
-  for (const Column& column : columns) {
-    const double above = head.empty() ? -1.0 : columns[head.size() - 1].up_to;
-    int count = 0;
-    for (const Json& leg : legs) {
+  constexpr Range ranges[] = {{"up to 0.1 ms", 0.1}, {"0.1 to 0.3 ms", 0.3},
+                              {"0.3 to 1 ms", 1.0},  {"1 to 3 ms", 3.0},
+                              {"3 to 10 ms", 10.0},  {"above 10 ms", 1e300}};
+  std::vector<int> counts;
+  double above = -1.0;
+  for (const Range& range : ranges) {
+    counts.push_back(static_cast<int>(std::count_if(legs.begin(), legs.end(), [&](const Json& leg) {
       const double slowest = leg.value("slowest_tick_ms", -1.0);
-      if (slowest > above && slowest <= column.up_to && slowest >= 0.0) ++count;
-    }
-    head.emplace_back(column.name);
-    counts.push_back(std::to_string(count));
+      return slowest >= 0.0 && slowest > above && slowest <= range.up_to;
+    })));
+    above = range.up_to;
   }
-  html.cell("h3", "Legs by their slowest tick");
+  const int most = *std::max_element(counts.begin(), counts.end());
+  if (most == 0) return;
+  html.cell("h3", "Legs by their slowest tick, processor time");
   html.open_table();
-  html.row("th", head);
-  html.row("td", counts);
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    html.open("tr");
+    html.cell("td", ranges[i].name);
+    html.cell_of("number", std::to_string(counts[i]));
+    html.raw(
+        "<td><svg class=\"bar\" width=\"160\" height=\"12\" aria-hidden=\"true\"><rect width=\"" +
+        std::to_string(160 * counts[i] / most) + "\" height=\"12\"/></svg></td>\n");
+    html.close("tr");
+  }
   html.close_table();
+}
+
+std::string score_of(const Json& leg) {
+  return number_text(leg, "goals", "%.0f") + " : " + number_text(leg, "against", "%.0f");
+}
+
+void cost_cells(Html& html, const Json& leg) {
+  const std::string bank = number_text(leg, "bank_seconds", "%.1f");
+  const std::string cpu = number_text(leg, "cpu_seconds", "%.2f");
+  html.cell_of("number wide", cpu.empty() ? "" : cpu + " of " + bank);
+  html.cell_of("number mid", number_text(leg, "slowest_tick_ms", "%.2f"));
+}
+
+void link_cells(Html& html, const Json& leg) {
+  if (leg.contains("replay")) {
+    html.link_cell(text_in(leg, "replay"), "replay");
+    html.link_cell(text_in(leg, "log"), "log");
+  } else {
+    html.cell("td", "");
+    html.cell("td", "");
+  }
 }
 
 void legs_table(Html& html, const Json& legs) {
   html.open_table();
-  html.row("th", {"Fixture", "Leg", "Opponent", "", "", "Processor time, s", "of",
-                  "Slowest tick, ms", "Own fault", "", ""});
+  head(html, {{"Fixture", "mid"},
+              {"Opponent"},
+              {"Result"},
+              {""},
+              {"Processor time, s", "wide"},
+              {"Slowest tick, ms", "mid"},
+              {""},
+              {""},
+              {"Own fault"}});
   for (const Json& leg : legs) {
     const std::string result = text_in(leg, "result");
     html.open("tr");
-    html.cell("td", text_in(leg, "fixture"));
-    html.cell_of("number", std::to_string(leg.value("leg", 0)));
+    html.cell_of("mid", text_in(leg, "fixture") + ", leg " + number_text(leg, "leg", "%.0f"));
     html.cell("td", text_in(leg, "opponent"));
-    html.cell("td", std::to_string(leg.value("goals", 0)) + " : " +
-                        std::to_string(leg.value("against", 0)));
+    html.cell("td", score_of(leg));
     html.cell_of(result, result);
-    html.cell_of("number", number_text(leg, "cpu_seconds", "%.2f"));
-    html.cell_of("number", number_text(leg, "bank_seconds", "%.2f"));
-    html.cell_of("number", number_text(leg, "slowest_tick_ms", "%.2f"));
-    html.cell_of("small", text_in(leg, "fault"));
-    if (leg.contains("replay")) {
-      html.link_cell(text_in(leg, "replay"), "replay");
-      html.link_cell(text_in(leg, "log"), "own log");
-    } else {
-      html.cell("td", "");
-      html.cell("td", "");
-    }
+    cost_cells(html, leg);
+    link_cells(html, leg);
+    html.cell_of("small words", text_in(leg, "fault"));
     html.close("tr");
   }
   html.close_table();
 }
 
-// The page around the content, in the design of all pages.
-std::string desk_page(const std::string& title, const Html& content) {
-  return filled_page("desk.html",
-                     {{"root", "/"}, {"page_title", title}, {"content", content.text()}});
+void friendly_form(Html& html, const std::vector<std::string>& opponents) {
+  html.raw(
+      "<form id=\"friendly\" class=\"desk\" hidden>\n<p><label for=\"opponent\">A leg that "
+      "counts for nothing, against</label> <select id=\"opponent\">\n");
+  for (const std::string& name : opponents) html.cell("option", name);
+  html.raw(
+      "</select> <button>Play</button></p>\n</form>\n<p id=\"friendly-answer\" "
+      "role=\"status\" aria-live=\"polite\"></p>\n");
+}
+
+void friendlies_table(Html& html, const Json& friendlies) {
+  html.open_table();
+  head(html, {{"Entry", "mid"},
+              {"Opponent"},
+              {"Result"},
+              {""},
+              {"Processor time, s", "wide"},
+              {"Slowest tick, ms", "mid"},
+              {""},
+              {""},
+              {"End", "mid"}});
+  for (const Json& leg : friendlies) {
+    const std::string state = text_in(leg, "state");
+    const bool is_played = state == "played";
+    const int difference = is_played ? leg.value("goals", 0) - leg.value("against", 0) : 0;
+    html.open("tr");
+    html.cell_of("number mid", number_text(leg, "entry", "%.0f"));
+    html.cell("td", text_in(leg, "opponent"));
+    html.cell("td", is_played ? score_of(leg) : state);
+    const char* const letter = !is_played ? "" : difference > 0 ? "W" : difference < 0 ? "L" : "D";
+    html.cell_of(letter, letter);
+    cost_cells(html, leg);
+    link_cells(html, leg);
+    const std::string end = text_in(leg, "end");
+    html.cell_of("small words mid", end == "full_time" ? "" : end);
+    html.close("tr");
+  }
+  html.close_table();
+}
+
+void friendlies_card(Html& html, const TeamDesk& desk) {
+  next_card(html, "Friendlies");
+  html.raw(
+      "<p class=\"small\">Each accepted entry plays one leg against each house team, and "
+      "against its neighbours once there is a table. Ten more an hour are yours to choose; "
+      "the other team sees result and replay of those.</p>\n");
+  if (desk.playing > 0) friendly_form(html, desk.opponents);
+  html.raw("<div id=\"friendlies\">\n");
+  constexpr std::ptrdiff_t shown = 10;  // legs; the others are folded
+  const auto latest = desk.friendlies.begin();
+  const auto older = latest + std::min<std::ptrdiff_t>(shown, desk.friendlies.end() - latest);
+  if (latest != older) friendlies_table(html, Json(latest, older));
+  if (older != desk.friendlies.end()) {
+    html.raw("<details>\n");
+    html.cell("summary", "Older ones");
+    friendlies_table(html, Json(older, desk.friendlies.end()));
+    html.raw("</details>\n");
+  }
+  html.raw("</div>\n");
 }
 
 }  // namespace
@@ -155,26 +253,29 @@ std::string log_in_page(const std::string& why) {
   return desk_page("Hand in", html);
 }
 
-std::string team_desk_page(const std::string& team, const Json& entries, const Json& legs) {
+std::string team_desk_page(const TeamDesk& desk) {
   Html html;
   html.raw(log_out_form);
   html.cell("h2", "Hand in");
   html.raw(hand_in_form);
-  html.cell("h2", "Entries");
+  next_card(html, "Versions");
   html.raw("<div id=\"entries\">\n");
-  if (entries.empty()) {
+  if (desk.entries.empty()) {
     html.cell("p", "Nothing was handed in yet.");
   } else {
-    entries_table(html, entries);
+    entries_table(html, desk);
   }
   html.raw("</div>\n");
-  if (!legs.empty()) {
-    html.cell("h2", "Own legs");
-    processor_time(html, legs);
-    legs_table(html, legs);
-  }
+  friendlies_card(html, desk);
+  next_card(html, "Own legs");
+  if (desk.legs.empty()) html.cell("p", "No leg of the league was played yet.");
+  Json all = desk.legs;
+  all.insert(all.end(), desk.friendlies.begin(), desk.friendlies.end());
+  processor_time(html, all);
+  if (!desk.legs.empty()) legs_table(html, desk.legs);
+  html.raw(desk.statistics);
   html.raw(script);
-  return desk_page(team, html);
+  return desk_page(desk.team, html);
 }
 
 }  // namespace mirocup::league

@@ -1,23 +1,37 @@
 // SPDX-License-Identifier: MIT
 //
 // The pages of the desk: the one that asks for a token, and the private page of a team, where it
-// hands in and reads what became of its entries. page/hand_in.js of server/web sends the file and
-// follows its check.
+// hands in and reads what became of its entries. page/hand_in.js of server/web sends what is filled
+// in and follows checks.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 
 #include <string>
+#include <vector>
 
 namespace mirocup::league {
 
 using Json = nlohmann::ordered_json;
 
+// What the private page of a team shows.
+struct TeamDesk {
+  std::string team;
+  Json entries;                        // entry_summary() of each, the latest first
+  Json legs;                           // own_legs_json()
+  Json friendlies;                     // FriendlyDesk::list()
+  std::vector<std::string> opponents;  // against whom it may play friendlies
+  int playing = 0;                     // the entry that plays; 0: none yet
+  bool is_pinned = false;              // that entry plays on, whatever is accepted
+  std::string statistics;              // HTML
+};
+
 // `why` is a sentence that says what was wrong with the last token; "": nothing was.
 std::string log_in_page(const std::string& why);
 
-// `entries` are the summaries of entry_summary(), the latest first; `legs` those of
-// own_legs_json().
-std::string team_desk_page(const std::string& team, const Json& entries, const Json& legs);
+std::string team_desk_page(const TeamDesk& desk);
+
+// The answer to one entry, with what `mirocup check` reports: entry_report().
+std::string entry_page(const Json& entry);
 
 }  // namespace mirocup::league

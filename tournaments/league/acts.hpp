@@ -42,8 +42,8 @@ inline constexpr int max_ruled_goals = 100;
 std::string objection_to_reason(const std::string& text);
 
 // Performs an act. `files` is for league.json, which has the time of a freeze before the start.
-// Returns lines for the person who acts, with what was before: "r1-f1 leg 2: a 2 : 1 b (was 0 : 3)".
-// Errors: Errc::input; then nothing is written.
+// Returns lines for the person who acts, with what was before: "r1-f1 leg 2: a 2 : 1 b (was 0 :
+// 3)". Errors: Errc::input; then nothing is written.
 Result<std::vector<std::string>> perform(system::Files& files, LeagueStore& store, const Act& act,
                                          std::int64_t now);
 

@@ -72,8 +72,8 @@ struct Validator {
   Result<void> operator()(const EntryBooked& e) const {
     const auto team = find_present_team(state, e.team);
     if (!team) return tl::unexpected(team.error());
-    if (e.entry <= state.teams[*team].entry) {
-      return fail(Errc::input, e.team + " plays with a later entry already");
+    if (e.entry == state.teams[*team].entry) {
+      return fail(Errc::input, e.team + " plays with this entry already");
     }
     return {};
   }

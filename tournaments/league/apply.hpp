@@ -22,8 +22,8 @@ LeagueState new_league(LeagueFile file);
 Result<void> validate(const LeagueState& state, const Event& event);
 
 // Applies an event. Precondition: validate() accepts it in this state. `line` is the number of its
-// line, by which Undone names it. Undone itself only enters the list of decisions: what it takes back
-// is left out when the state is made from the journal.
+// line, by which Undone names it. Undone itself only enters the list of decisions: what it takes
+// back is left out when the state is made from the journal.
 void apply(LeagueState& state, const Event& event, int line = 0);
 
 // Decodes, validates and applies one line of the journal at `journal_path`. The error

@@ -185,9 +185,9 @@ struct Resumed {
   bool operator==(const Resumed&) const = default;
 };
 
-// A night begins. In a nightly league these entries, the last accepted ones of teams that have a new
-// one, play from here on, and fixtures follow; in the other formats there are none, and the line
-// marks the time from which on there is news.
+// A night begins. In a nightly league these entries, the last accepted ones of teams that have a
+// new one, play from here on, and fixtures follow; in the other formats there are none, and the
+// line marks the time from which on there is news.
 struct NightBegan {
   static constexpr std::string_view kind = "night";
 

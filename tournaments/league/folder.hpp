@@ -30,6 +30,18 @@ struct Folder {
   // What came in over the network, and the answers (handin/book.hpp).
   std::string hand_in_book() const { return path + "/hand-ins.jsonl"; }
 
+  // The friendlies of teams (handin/friendly_book.hpp), and their records.
+  std::string friendly_book() const { return path + "/friendlies.jsonl"; }
+  std::string friendlies(const std::string& team) const {
+    return entries() + "/" + team + "/friendlies";
+  }
+  std::string friendly(const std::string& team, int number) const {
+    return path + "/" + friendly_name(team, number);
+  }
+  static std::string friendly_name(const std::string& team, int number) {
+    return "entries/" + team + "/friendlies/" + std::to_string(number) + ".json";
+  }
+
   std::string uploads() const { return entries() + "/.uploads"; }  // files that are arriving
 
   // Locked while the league is played; its text is the id of the process that plays it.
@@ -60,6 +72,9 @@ struct Folder {
   }
   std::string check_log(const std::string& team, int number) const {  // while it is checked
     return entry(team, number) + "/check.log";
+  }
+  std::string gate_leg(const std::string& team, int number) const {  // the record of its check
+    return entry(team, number) + "/gate.json";
   }
   std::string entry_file(const std::string& team, int number) const {
     return entry(team, number) + "/entry.json";

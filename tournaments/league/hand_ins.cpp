@@ -43,6 +43,8 @@ Result<HandIns> read_hand_ins(system::Files& files, const Folder& folder, const 
     HandIns known;
     known.owner = read_user(json.at("owner"));
     known.last_user = read_user(json.at("last_user"));
+    // Not in files of versions before it.
+    if (json.has("pinned")) known.pinned = json.at("pinned").integer(0, max_count);
     known.last_file = json.at("last_file").text();
     for (const JsonReader& line : json.at("tries").elements()) {
       Try one;
@@ -70,12 +72,23 @@ Result<void> write_hand_ins(system::Files& files, const Folder& folder, const st
   const Json json{{"schema", schema},
                   {"owner", user_json(known.owner)},
                   {"last_user", user_json(known.last_user)},
+                  {"pinned", known.pinned},
                   {"last_file", known.last_file},
                   {"tries", tries}};
   return make_entries_folder(files, folder, team).and_then([&] {
     return files.write(folder.hand_ins(team), record::json_text(json, 1) + "\n",
                        system::Readers::owner);
   });
+}
+
+int playing_entry(system::Files& files, const Folder& folder, const std::string& team) {
+  const auto known = read_hand_ins(files, folder, team);
+  const int pinned = known ? known->pinned : 0;
+  if (pinned > 0 && files.exists(folder.entry_file(team, pinned)) &&
+      is_accepted_entry(files, folder, team, pinned)) {
+    return pinned;
+  }
+  return last_accepted_entry(files, folder, team);
 }
 
 void add_try(HandIns& known, Try next) {
@@ -107,11 +120,13 @@ int teams_of_user(system::Files& files, const Folder& folder, uid_t user) {
 Result<void> prune_versions(system::Files& files, const Folder& folder, const std::string& team,
                             const std::vector<int>& played, const Quota& quota) {
   const std::vector<int> all = entries_of(files, folder, team);
-  const int playing = last_accepted_entry(files, folder, team);
+  const int latest = last_accepted_entry(files, folder, team);
+  const int playing = playing_entry(files, folder, team);
   std::vector<int> refused;
   std::vector<int> others;  // that may go
   for (const int number : all) {
-    if (has(played, number) || number == playing || number == all.back()) continue;
+    const bool stays = number == playing || number == latest || number == all.back();
+    if (stays || has(played, number)) continue;
     (is_accepted_entry(files, folder, team, number) ? others : refused).push_back(number);
   }
   for (const int number : refused) {

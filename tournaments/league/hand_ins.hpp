@@ -38,6 +38,7 @@ struct HandIns {
   // nobody is bound yet.
   std::optional<uid_t> owner;
   std::optional<uid_t> last_user;  // of a shared inbox who tried last, accepted or not
+  int pinned = 0;                  // the entry that the team wants to play; 0: its latest
   std::string last_file;           // tells the file that was refused unread last; "": none was
   std::vector<Try> tries;          // the last ones, oldest first
 };
@@ -47,6 +48,10 @@ Result<HandIns> read_hand_ins(system::Files& files, const Folder& folder, const 
 
 Result<void> write_hand_ins(system::Files& files, const Folder& folder, const std::string& team,
                             const HandIns& known);
+
+// Returns the entry that plays for a team from now on: the one that it has pinned, as long as that
+// is kept, or its last accepted one; 0 if there is none.
+int playing_entry(system::Files& files, const Folder& folder, const std::string& team);
 
 // Adds a try, and forgets those that no quota needs.
 void add_try(HandIns& known, Try next);
@@ -63,7 +68,8 @@ int tries_in_last_hour(const HandIns& known, std::int64_t now, const std::option
 int teams_of_user(system::Files& files, const Folder& folder, uid_t user);
 
 // Removes versions beyond the quota, refused ones first, and the library of each refused version
-// but the newest. Versions in `played`, the last that was accepted and the newest stay.
+// but the newest. Versions in `played`, the one that is pinned, the last that was
+// accepted and the newest stay.
 Result<void> prune_versions(system::Files& files, const Folder& folder, const std::string& team,
                             const std::vector<int>& played, const Quota& quota);
 

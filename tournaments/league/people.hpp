@@ -21,8 +21,8 @@ struct People {
 };
 using PeopleOfTeams = std::map<std::string, People>;  // by the team's name
 
-// Returns why a text is no name for people; "" if it is one: UTF-8 that can be printed in a line, at
-// most 60 bytes.
+// Returns why a text is no name for people; "" if it is one: UTF-8 that can be printed in a line,
+// at most 60 bytes.
 std::string objection_to_display(const std::string& text);
 
 // Reads and writes the file; a league without it has no such names. Errors: Errc::input.

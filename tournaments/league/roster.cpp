@@ -60,7 +60,7 @@ Result<std::vector<RosterRow>> roster(system::Files& files, const LeagueStore& s
     if (const auto known = people->find(row.team); known != people->end())
       row.people = known->second;
     row.last_entry = last_entry(files, folder, row.team);
-    row.last_accepted = last_accepted_entry(files, folder, row.team);
+    row.last_accepted = league::playing_entry(files, folder, row.team);
     row.sha256 = sha256_of_entry(files, folder, row.team, row.last_accepted);
     if (!row.sha256.empty()) by_file[row.sha256].push_back(i);
     const auto known = read_hand_ins(files, folder, row.team);

@@ -20,13 +20,13 @@ struct RosterRow {
   TeamStatus status = TeamStatus::playing;
   std::string why;        // it is paused, or has withdrawn
   int playing_entry = 0;  // that the journal lets play; 0: none yet
-  int last_accepted = 0;  // the number of the last entry that was accepted; 0: none
+  int last_accepted = 0;  // the last entry that was accepted, or the pinned one; 0: none
   int last_entry = 0;     // of the last entry that is kept
   std::string handed_in;  // when it last handed in, UTC; "": never, or the host gave the library
   bool was_accepted = false;         // the last try
   std::string message;               // what was answered to it
-  std::string sha256;                // of the last accepted entry; ""
-  std::vector<std::string> same_as;  // other teams whose last accepted entry is the same file
+  std::string sha256;                // of that entry; ""
+  std::vector<std::string> same_as;  // other teams whose entry is the same file
 
   // One word: "nothing handed in", "accepted", "refused" or "given by the host".
   std::string state() const;

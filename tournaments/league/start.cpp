@@ -3,6 +3,7 @@
 
 #include "server/record/match_record.hpp"
 #include "system/digest.hpp"
+#include "tournaments/league/hand_ins.hpp"
 
 namespace mirocup::league {
 
@@ -48,8 +49,7 @@ Result<void> book_entries(system::Files& files, LeagueStore& store) {
     if (booked.status == TeamStatus::withdrawn) continue;
     // A night books the entries of a nightly league.
     if (booked.entry == 0 && state.file.format.kind == FormatKind::nightly) continue;
-    const int number =
-        booked.entry > 0 ? booked.entry : last_accepted_entry(files, store.folder(), team);
+    const int number = booked.entry > 0 ? booked.entry : playing_entry(files, store.folder(), team);
     const std::string path = store.folder().library(team, number);
     const auto library = files.read(path, {.max_size = system::size_limit::entry});
     if (!library) return tl::unexpected(library.error());

@@ -20,12 +20,14 @@ namespace {
 // Returns the answer of `mirocup check --json` about a library of the team. Any exit code but yes
 // and no is an error of the host.
 Result<Json> check(system::Files& files, const std::string& library, const LeagueFile& rules,
-                   const std::string& team, const std::string& log) {
+                   const std::string& team, const std::string& log, const std::string& gate_leg) {
   std::vector<std::string> command{system::sibling_program("mirocup"),
                                    "check",
                                    library,
                                    "--json",
                                    "--steps",
+                                   "--record",
+                                   gate_leg,
                                    "--league",
                                    std::string(to_string(rules.league)),
                                    "--half",
@@ -144,7 +146,8 @@ Result<Json> store_and_check(system::Files& files, const Folder& folder, const L
                        return files.write(stored, library, Readers::owner);
                      });
   if (!written) return tl::unexpected(written.error());
-  auto verdict = check(files, stored, rules, handed.team, log);
+  auto verdict =
+      check(files, stored, rules, handed.team, log, folder.gate_leg(handed.team, number));
   if (!verdict) return verdict;
   const std::string sha256 = system::sha256(library);
   if (verdict->value("sha256", Json()).is_string() && (*verdict)["sha256"] != sha256)
@@ -177,7 +180,7 @@ Result<std::optional<Json>> compile(system::Files& files, const Folder& folder,
   system::ProcessSet processes;
   const auto started = processes.start(
       {system::sibling_program("mirocup"), "compile", handed.source, "-o",
-       folder.library(handed.team, number), "--json", "--language", handed.is_c ? "c" : "c++"},
+       folder.library(handed.team, number), "--json", "--language", handed.language},
       0, -1, log);
   if (!started) return tl::unexpected(started.error());
   const auto exit = processes.wait();
@@ -246,6 +249,8 @@ Result<void> let_play(system::Files& files, LeagueStore& store, const std::strin
   if (store.state().file.format.kind == FormatKind::nightly) return {};  // the next night takes it
   // A later one may have been quicker, or this one was booked by a process that died.
   if (store.state().teams[*store.state().find_team(team)].entry >= number) return {};
+  // A team that has pinned a version plays on with that.
+  if (playing_entry(files, store.folder(), team) != number) return {};
   return store.write(EntryBooked{.team = team, .entry = number, .sha256 = system::sha256(library)});
 }
 
@@ -445,9 +450,11 @@ Result<Submission> Desk::conclude(const Found& found, Json verdict) {
                    (result.is_accepted ? " was accepted" : " was not accepted");
   if (!result.is_accepted) {
     const Json reason = result.verdict.value("reason", Json());
-    const int before = last_accepted_entry(files_, folder(), team());
+    const int before = playing_entry(files_, folder(), team());
     result.message += ": " + (reason.is_string() ? reason.get<std::string>() : "");
     if (before > 0) result.message += "; entry " + std::to_string(before) + " plays on";
+  } else if (known_.pinned > 0 && playing_entry(files_, folder(), team()) == known_.pinned) {
+    result.message += "; entry " + std::to_string(known_.pinned) + " plays on, which is pinned";
   } else if (found.user && !known_.owner) {
     known_.owner = found.user;
     result.message +=
@@ -476,6 +483,37 @@ std::string why_not_now(const LeagueState& state, const std::string& team, const
   if (!why.empty() || state.find_team(team)) return why;
   const std::string twin = twin_of(state, team);
   return twin.empty() ? "" : "the league has a team " + twin + "; choose a name that differs more";
+}
+
+Result<std::string> pin_entry(system::Files& files, const Folder& folder, const std::string& team,
+                              int number, std::int64_t now) {
+  const auto lock = system::FileLock::acquire(folder.submitting());
+  if (!lock) return tl::unexpected(lock.error());
+  auto store = LeagueStore::open(files, folder);
+  if (!store) return tl::unexpected(store.error());
+  if (const std::string why = why_not_now(store->state(), team, utc_text(now)); !why.empty())
+    return why;
+  const bool is_kept = number == 0 || (files.exists(folder.entry_file(team, number)) &&
+                                       files.exists(folder.library(team, number)) &&
+                                       is_accepted_entry(files, folder, team, number));
+  if (!is_kept) return team + " has no accepted entry " + std::to_string(number) + " any more";
+  auto known = read_hand_ins(files, folder, team);
+  if (!known) return tl::unexpected(known.error());
+  known->pinned = number;
+  if (auto noted = write_hand_ins(files, folder, team, *known); !noted)
+    return tl::unexpected(noted.error());
+  const int playing = playing_entry(files, folder, team);
+  const LeagueState& state = store->state();
+  if (!state.is_started || playing == 0) return "";
+  if (state.file.format.kind == FormatKind::nightly) return "";  // the next night takes it
+  if (state.teams[*state.find_team(team)].entry == playing) return "";
+  const auto library =
+      files.read(folder.library(team, playing), {.max_size = system::size_limit::entry});
+  if (!library) return tl::unexpected(library.error());
+  auto booked =
+      store->write(EntryBooked{.team = team, .entry = playing, .sha256 = system::sha256(*library)});
+  if (!booked) return tl::unexpected(booked.error());
+  return "";
 }
 
 Result<Submission> submit(system::Files& files, const Folder& folder, const HandIn& handed,

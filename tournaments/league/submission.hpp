@@ -28,8 +28,8 @@ struct HandIn {
   int entry = 0;
   // A source that waited: the library is made from it first. "": `path` is the library.
   std::string source = {};
-  bool is_c = false;      // the language of the source; false: C++
-  std::string name = {};  // what its team calls the file, for its verdict; "": the path
+  std::string language = {};  // of the source: "c", "c++", or "project", which is an archive
+  std::string name = {};      // what its team calls the file, for its verdict; "": the path
 
   // In an inbox that several users can write to, the users whose files are the host's own word.
   // Files of others count for the teams of their owners only, and a file with a second name (hard
@@ -48,6 +48,11 @@ struct Submission {
 // Returns why no entry of this team is taken at this time (UTC, as league.json has it); "" if
 // entries are taken. A team that the league does not know may join before the start.
 std::string why_not_now(const LeagueState& state, const std::string& team, const std::string& now);
+
+// Lets an entry play until another is pinned; 0: again the latest accepted one. In a ladder that
+// has started it is booked at once. Returns why that cannot be, a sentence; "" if it is done.
+Result<std::string> pin_entry(system::Files& files, const Folder& folder, const std::string& team,
+                              int number, std::int64_t now);
 
 // Hands in a library for a team. A team that is not in league.json joins with its first accepted
 // entry, until the league starts; its name must differ from the others' by more than capitals. What

@@ -89,14 +89,45 @@ std::vector<std::string> leg_command(const Folder& folder, const LeagueState& st
     // With golden goal and shoot-out one team wins.
     arguments.insert(arguments.end(), {"--stage", "knockout"});
   }
-  const std::vector<std::string> rules = rule_options(file.rules, file.league);
-  arguments.insert(arguments.end(), rules.begin(), rules.end());
-  const std::vector<std::string> conditions = condition_options(state.conditions);
-  arguments.insert(arguments.end(), conditions.begin(), conditions.end());
-  for (const auto& words : {seat_parameters(file.teams[blue], "--blue-param"),
-                            seat_parameters(file.teams[yellow], "--yellow-param")}) {
+  for (const auto& words :
+       {rule_options(file.rules, file.league), condition_options(state.conditions),
+        seat_parameters(file.teams[blue], "--blue-param"),
+        seat_parameters(file.teams[yellow], "--yellow-param")}) {
     arguments.insert(arguments.end(), words.begin(), words.end());
   }
+  return arguments;
+}
+
+std::vector<std::string> friendly_command(const LeagueState& state, const FriendlyTerms& terms) {
+  const LeagueFile& file = state.file;
+  std::vector<std::string> arguments{system::sibling_program("mirocup"),
+                                     "match",
+                                     "--blue",
+                                     terms.blue.library,
+                                     "--blue-name",
+                                     terms.blue.name,
+                                     "--yellow",
+                                     terms.yellow.library,
+                                     "--yellow-name",
+                                     terms.yellow.name,
+                                     "--league",
+                                     std::string(to_string(file.league)),
+                                     "--seed",
+                                     std::to_string(terms.seed),
+                                     "--record",
+                                     terms.record};
+  const match::Conditions conditions =
+      state.is_started ? state.conditions : file.conditions.value_or(default_conditions());
+  for (const auto& words : {rule_options(file.rules, file.league), condition_options(conditions)})
+    arguments.insert(arguments.end(), words.begin(), words.end());
+  const auto add_parameters = [&](const std::string& name, const std::string& option) {
+    const auto team = state.find_team(name);
+    if (!team) return;
+    const auto words = seat_parameters(file.teams[*team], option);
+    arguments.insert(arguments.end(), words.begin(), words.end());
+  };
+  add_parameters(terms.blue.name, "--blue-param");
+  add_parameters(terms.yellow.name, "--yellow-param");
   return arguments;
 }
 

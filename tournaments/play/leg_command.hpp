@@ -32,6 +32,19 @@ std::uint64_t leg_seed(const LeagueState& state, const LegId& id);
 std::vector<std::string> leg_command(const Folder& folder, const LeagueState& state,
                                      const LegId& leg, const std::string& match_id);
 
+// A leg that counts for nothing, under the conditions of the league.
+struct FriendlyTerms {
+  struct Side {
+    std::string library;  // its path
+    std::string name;
+  };
+  Side blue;
+  Side yellow;
+  std::uint64_t seed = 0;
+  std::string record;  // where the record is written
+};
+std::vector<std::string> friendly_command(const LeagueState& state, const FriendlyTerms& terms);
+
 // Returns the path of the file for the output of the match server.
 std::string leg_output(const Folder& folder, const LegId& leg);
 

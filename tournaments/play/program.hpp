@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The program that plays a league. The journal names it, and programs/ in the folder of the league
-// keeps a copy of its match server. So after an upgrade old records are verified by the program that
-// played them, and no league goes on with another one by accident.
+// keeps a copy of its match server. So after an upgrade old records are verified by the program
+// that played them, and no league goes on with another one by accident.
 #pragma once
 
 #include "server/record/match_record.hpp"

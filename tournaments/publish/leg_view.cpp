@@ -73,8 +73,8 @@ char LegView::letter(int team) const {
 
 namespace {
 
-// Fits the strengths. Where entries are replaced, the legs of the former ones of a team are those of
-// another player, so that a strength is that of the entry that plays now.
+// Fits the strengths. Where entries are replaced, the legs of the former ones of a team are those
+// of another player, so that a strength is that of the entry that plays now.
 Ratings rate_present(const LeagueState& state, std::vector<FixtureResults> fixtures) {
   const int teams = static_cast<int>(state.file.teams.size());
   bool any_is_past = false;

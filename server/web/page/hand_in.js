@@ -32,15 +32,19 @@ function isFinal({ state }) {
   return state === 'accepted' || state === 'refused' || state === 'void';
 }
 
-async function showEntries() {
-  const page = await (await fetch(location.pathname)).text();
-  const list = new DOMParser().parseFromString(page, 'text/html').getElementById('entries');
-  if (list) document.getElementById('entries').replaceWith(list);
+// Takes the lists of the page anew from the server.
+async function showLists() {
+  const text = await (await fetch(location.pathname)).text();
+  const page = new DOMParser().parseFromString(text, 'text/html');
+  for (const id of ['entries', 'friendlies']) {
+    const list = page.getElementById(id);
+    if (list) document.getElementById(id).replaceWith(list);
+  }
 }
 
 function end() {
   button.disabled = false;
-  showEntries();
+  showLists();
 }
 
 // Follows a check by its events, or by questions if there are none.
@@ -90,7 +94,7 @@ form.addEventListener('submit', (event) => {
     sent.hidden = true;
     if (request.status === 202) {
       follow(request.response);
-      showEntries();
+      showLists();
       return;
     }
     say(`Not taken: ${request.response?.error ?? `status ${request.status}`}.`);
@@ -103,5 +107,39 @@ form.addEventListener('submit', (event) => {
   };
   request.send(chosen);
 });
+
+// A version is pinned, or the pinned one is let go.
+document.addEventListener('click', async ({ target }) => {
+  const entry = target.dataset?.pin;
+  if (!entry) return;
+  target.disabled = true;
+  const reply = await fetch(`/api/v1/pin?entry=${entry}`, { method: 'PUT' });
+  if (reply.ok) {
+    say(entry === 'latest' ? 'The latest accepted entry plays.' : `Entry ${entry} is pinned: it plays until you unpin it.`);
+  } else {
+    say(`Not pinned: ${(await reply.json()).error}.`);
+  }
+  showLists();
+});
+
+const friendly = document.getElementById('friendly');
+if (friendly) {
+  const told = document.getElementById('friendly-answer');
+  const opponent = document.getElementById('opponent');
+  friendly.addEventListener('submit', async (event) => {
+    event.preventDefault();
+    const reply = await fetch(`/api/v1/friendlies?opponent=${encodeURIComponent(opponent.value)}`, { method: 'POST' });
+    told.textContent = reply.ok ? `A leg against ${opponent.value} will be played.` : `Not played: ${(await reply.json()).error}.`;
+    showLists();
+  });
+  friendly.hidden = false;
+}
+
+// While legs are to be played, the page asks how they ended.
+const legPause = 3000;  // ms
+setInterval(() => {
+  const waits = [...document.querySelectorAll('#friendlies td')].some(({ textContent }) => textContent === 'waiting' || textContent === 'playing');
+  if (waits && !document.hidden) showLists();
+}, legPause);
 
 form.hidden = false;

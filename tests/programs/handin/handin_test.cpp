@@ -128,6 +128,33 @@ TEST_F(HandIn, TellsTheVerdictByOneCommand) {
   }
 }
 
+TEST_F(HandIn, PlaysWithThePinnedVersion) {
+  new_token("alpha");
+  serve();
+  ASSERT_EQ(hand_in("alpha", house("striker")).exit_code, 0);
+  const auto pin = [&](const char* entry) {
+    return run({program("mirocup"), "hand-in", url_, "--token-file", temporary_ / "alpha.token",
+                "--pin", entry});
+  };
+  EXPECT_EQ(pin("7").exit_code, 2);
+  const Outcome pinned = pin("1");
+  EXPECT_EQ(pinned.exit_code, 0) << pinned.err;
+  EXPECT_EQ(pinned.out, "entry 1 plays\n");
+  const Outcome later = hand_in("alpha", house("navigator"));
+  EXPECT_NE(later.out.find("entry 1 plays on, which is pinned"), std::string::npos) << later.out;
+  // The burst of the later entry waits for nobody, and the league starts with the pinned one.
+  EXPECT_TRUE(test_support::wait_until([&] {
+    return read_file(folder_ + "/friendlies.jsonl").find("\"played\"") != std::string::npos;
+  }));
+  EXPECT_EQ(run(league("start", folder_, {"--jobs", "1"})).exit_code, 0);
+  for (const auto& line : test_support::journal_of(folder_)) {
+    if (line["kind"] == "entry" && line["team"] == "alpha") {
+      EXPECT_EQ(line["entry"], 1);
+    }
+  }
+  EXPECT_EQ(pin("2").exit_code, 2) << "the league has started";
+}
+
 TEST_F(HandIn, TakesNothingAfterTheStart) {
   new_token("alpha");
   ASSERT_EQ(run(league("start", folder_, {"--jobs", "1"})).exit_code, 0);

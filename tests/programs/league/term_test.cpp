@@ -3,8 +3,8 @@
 // A term of a class of eight teams, rehearsed with a clock that is moved: nights, a bad entry, an
 // appeal, a program that is replaced in the middle, release, grades. The numbers of digests and
 // grades are computed again from the journal alone, by the few lines of Tally. Catches a night that
-// plays what was not accepted, a result that pages tell before it is released, an old record that no
-// program verifies any more, a grade that is not what was played.
+// plays what was not accepted, a result that pages tell before it is released, an old record that
+// no program verifies any more, a grade that is not what was played.
 #include "tests/programs/league/league_command.hpp"
 
 #include <gtest/gtest.h>
@@ -73,8 +73,8 @@ class Term : public testing::Test {
 
   std::string page(const std::string& name) const { return read_file(folder_ + "/site/" + name); }
 
-  // Copies the programs of the build, with another hash of their behaviour: what a new version is to
-  // a league. Returns the folder.
+  // Copies the programs of the build, with another hash of their behaviour: what a new version is
+  // to a league. Returns the folder.
   std::string upgraded(const std::string& game, const std::string& other) const {
     const std::string home = temporary_ / "upgraded";
     fs::create_directory(home);

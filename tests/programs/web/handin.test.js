@@ -68,6 +68,24 @@ test('a student hands in and reads the answer', async () => {
   await page.setViewportSize({ width: 390, height: 800 });
   assert.equal(await overflows(page), false);
 
+  // What the check has seen of an entry, and its leg.
+  await page.click('#entry-2 a');
+  await page.waitForSelector('.verdict');
+  await page.waitForLoadState();
+  assert.match(await page.textContent('main'), /Slowest tick/);
+  assert.equal(await overflows(page), false);
+  const replay = await page.getAttribute('a[href$=replay]', 'href');
+  await page.goto(new URL(replay, place).href);
+  await page.waitForSelector('svg');
+  await page.goto(`${place}hand-in`);
+
+  await page.click('#entry-1 [data-pin]');
+  await page.waitForFunction(() => document.querySelector('#entry-1')?.textContent.includes('pinned'));
+  await page.selectOption('#opponent', 'beta');
+  await page.click('#friendly button');
+  await page.waitForFunction(() => [...document.querySelectorAll('#friendlies tr')]
+    .some((row) => row.textContent.includes('beta') && row.querySelector('a[href$=replay]')));
+
   // The cookie is of no use to a script, and the page loads nothing from elsewhere.
   assert.equal(await page.evaluate(() => document.cookie), '');
   assert.deepEqual(page.problems.filter((text) => !text.includes('401')), []);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Sends any bytes to a site's server as a browser would, over a connection of this host, and reads
-// what it answers. Run it where no other program listens: run.sh does so in a network of its own.
+// Sends any bytes to a site's server with a desk as a browser would, over a connection of this
+// host, and reads what it answers. Run it where no other program listens: run.sh
+// does so in a network of its own.
 #include "server/web/site_server.hpp"
 #include "tests/security/fuzz/fuzz_target.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tournaments/handin/portal.hpp"
 
 #include <arpa/inet.h>
 #include <cerrno>
@@ -18,18 +21,52 @@ namespace {
 
 using namespace mirocup;
 
-// A site of two pages. It has news all the time, so that the server notices who is gone.
+// The desk of a league, with a team that a proxy on this host may name: so inputs reach each of its
+// routes. What they hand in is never checked.
+league::Portal& desk() {
+  static system::Disk disk;
+  static const test_support::TemporaryFolder folder;
+  static const auto portal = [] {
+    league::PortalOptions options;
+    options.proxy = {.addresses = {"127.0.0.1"}, .team_header = "x-team"};
+    options.why_not = [](const std::string&, const std::string&) { return std::string(); };
+    options.legs = [](const std::string&) { return std::vector<league::OwnLeg>(); };
+    options.statistics = [](const std::string&) { return std::string(); };
+    options.friendlies = {
+        .teams =
+            [] {
+              return std::map<std::string, int>{{"alpha", 1}, {"beta", 1}};
+            },
+        .neighbours = [](const std::string&) { return std::vector<std::string>(); },
+        .house = {"striker"},
+        .replay = [](const std::string&) { return std::optional<std::string>("replay"); }};
+    options.now = [] { return std::int64_t{1'795'000'000}; };
+    const league::Folder place{folder / "."};
+    (void)league::add_entry(disk, place, "alpha", 1, "library");
+    return league::Portal::open(disk, place, std::move(options), nullptr);
+  }();
+  if (!portal) {
+    std::fprintf(stderr, "%s\n", portal.error().what.c_str());
+    std::exit(1);
+  }
+  return **portal;
+}
+
+// A site of two pages and a desk. It has news all the time, so that the server notices who is gone.
 web::Site site() {
   return {.page = [](const std::string& path) -> std::optional<web::Page> {
             if (path != "/" && path != "/table.json") return std::nullopt;
             return web::Page{"text/html", "default-src 'none'", "page " + path};
           },
           .news = [](std::uint64_t& seen) { return "data: " + std::to_string(++seen) + "\n\n"; },
-          .match = [](const std::string&) { return std::nullopt; }};
+          .match = [](const std::string&) { return std::nullopt; },
+          .desk = [](const web::Request& request,
+                     const web::Body& body) { return desk().answer(request, body); }};
 }
 
 int port_of_server() {
-  static const auto server = web::SiteServer::open(web::Address{}, "--at", site());
+  static const auto server = web::SiteServer::open(
+      web::Address{}, "--at", site(), web::SiteLimits{.max_upload = system::size_limit::entry});
   if (!server) {
     std::fprintf(stderr, "%s\n", server.error().what.c_str());
     std::exit(1);

@@ -194,6 +194,21 @@ seed("http", "multipart", "POST / HTTP/1.1\r\nContent-Type: multipart/form-data;
 seed("http", "ranges", "GET / HTTP/1.1\r\nRange: bytes=" + "0-0," * 1000 + "0-0\r\n\r\n")
 seed("http", "many_headers", "GET / HTTP/1.1\r\n" + "".join("X%d: y\r\n" % i for i in range(5000)) + "\r\n")
 seed("http", "expect", "PUT / HTTP/1.1\r\nExpect: 100-continue\r\nContent-Length: 3\r\n\r\nabc")
+# The desk of a league: alpha is named as a trusted proxy names a team.
+alpha = " HTTP/1.1\r\nHost: a\r\nOrigin: http://a\r\nX-Team: alpha\r\n"
+for what, path in [("page", "/hand-in"), ("entry_page", "/hand-in/entries/1"), ("replay", "/hand-in/friendlies/alpha/1/replay"),
+                   ("team", "/api/v1/team"), ("entries", "/api/v1/entries"), ("entry", "/api/v1/entries/1"),
+                   ("other_team", "/api/v1/entries/1?team=beta"), ("events", "/api/v1/entries/1/events"), ("legs", "/api/v1/legs"),
+                   ("log", "/api/v1/legs/r1-f1-1-1/log"), ("friendlies", "/api/v1/friendlies"), ("up", "/api/v1/friendlies/../1/log")]:
+    seed("http", "desk_" + what, "GET " + path + alpha + "\r\n")
+for what, request in [("put", "PUT /api/v1/entries?name=team.so"), ("pin", "PUT /api/v1/pin?entry=1"), ("unpin", "PUT /api/v1/pin?entry=latest"),
+                      ("friendly", "POST /api/v1/friendlies?opponent=house%3Astriker"), ("log_out", "POST /hand-in/log-out"),
+                      ("log_in", "POST /hand-in/log-in")]:
+    seed("http", "desk_" + what, request + alpha + "Content-Length: 9\r\n\r\ntoken=%41")
+    seed("http", "desk_short_" + what, request + alpha + "Content-Length: 900\r\n\r\ntoken=%41")
+seed("http", "desk_token", "GET /api/v1/team HTTP/1.1\r\nAuthorization: Bearer AAAAAAAAAAAAAAAAAAAAAAAAAA\r\n\r\n")
+seed("http", "desk_cookie", "GET /api/v1/team HTTP/1.1\r\nCookie: mirocup_session=A; mirocup_session=B\r\n\r\n")
+seed("http", "desk_chunked", "PUT /api/v1/entries" + alpha + "Transfer-Encoding: chunked\r\n\r\n3\r\nELF\r\n0\r\n\r\n")
 seed("http", "gzip", b"POST / HTTP/1.1\r\nContent-Encoding: gzip\r\nContent-Length: 20\r\n\r\n\x1f\x8b\x08\0\0\0\0\0\0\3" + b"\xff" * 10)
 
 # --- What libFuzzer found.

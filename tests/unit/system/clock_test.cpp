@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Times in UTC and in zones. Catches an offset that is added where it must be taken off, a day that
-// no calendar has, a summer time that begins on another day, a zone that is read from another folder.
+// no calendar has, a summer time that begins on another day, a zone that is read from another
+// folder.
 #include "system/clock.hpp"
 
 #include <gtest/gtest.h>

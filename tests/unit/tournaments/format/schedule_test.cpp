@@ -59,8 +59,8 @@ TEST(FixtureSeed, DependsOnTheLeagueAndWhoPlays) {
   EXPECT_LT(fixture_seed(5, f), 1ULL << 53);
 }
 
-// Catches a pair that never meets in the nights, a team that plays twice as often as another, and two
-// fixtures of a night with one number.
+// Catches a pair that never meets in the nights, a team that plays twice as often as another, and
+// two fixtures of a night with one number.
 TEST(Night, LetsEveryPairMeetEquallyOften) {
   const std::vector<int> teams{1, 3, 4, 6, 7, 9};
   for (const int opponents : {0, 1, 2, 5, 50}) {

@@ -53,6 +53,11 @@ class Desk : public testing::Test {
     options.legs = [this](const std::string& team) {
       return team == "alpha" ? legs_ : std::vector<OwnLeg>();
     };
+    options.statistics = [](const std::string&) { return std::string(); };
+    options.friendlies = {.teams = [this] { return entries_; },
+                          .neighbours = [this](const std::string&) { return neighbours_; },
+                          .house = {"keeper", "striker"},
+                          .replay = [](const std::string&) { return std::optional("the replay"); }};
     options.why_not = [this](const std::string&, const std::string&) { return why_not_; };
     auto portal = Portal::open(disk_, folder_, std::move(options), nullptr);
     ASSERT_TRUE(portal) << portal.error().what;
@@ -102,10 +107,43 @@ class Desk : public testing::Test {
   Folder folder_{temporary_ / "."};
   std::int64_t now_ = opening;
   std::string why_not_;
-  std::vector<OwnLeg> legs_;  // of alpha
+  std::vector<OwnLeg> legs_;            // of alpha
+  std::map<std::string, int> entries_;  // that play
+  std::vector<std::string> neighbours_;
   std::string alpha_, beta_, expired_, revoked_, staff_;
   std::unique_ptr<Portal> portal_;
   bool is_body_read_ = false;
+};
+
+// A request of one route. All of alpha: nobody else may get its answer.
+struct Route {
+  const char* method;
+  const char* path;
+  std::multimap<std::string, std::string> query = {};
+  bool is_page = false;  // asks for the token in HTML
+};
+
+const std::vector<Route> private_routes{
+    {"GET", "/api/v1/team"},
+    {"GET", "/api/v1/entries"},
+    {"GET", "/api/v1/entries/1"},
+    {"GET", "/api/v1/entries/1/events"},
+    {"PUT", "/api/v1/entries", {{"name", "team.so"}}},
+    {"PUT", "/api/v1/pin", {{"entry", "1"}}},
+    {"PUT", "/api/v1/pin", {{"entry", "latest"}}},
+    {"GET", "/api/v1/legs"},
+    {"GET", "/api/v1/legs/r1-f1-1-1/log"},
+    {"GET", "/api/v1/friendlies"},
+    {"POST", "/api/v1/friendlies", {{"opponent", "house:striker"}}},
+    {"GET", "/api/v1/friendlies/alpha/1/log"},
+    {"GET", "/api/v1/friendlies/alpha/1/replay"},
+    {"GET", "/api/v1/anything"},
+    {"DELETE", "/api/v1/entries/1"},
+    {"HEAD", "/api/v1/entries/1"},
+    {"GET", "/hand-in", {}, true},
+    {"GET", "/hand-in/entries/1", {}, true},
+    {"GET", "/hand-in/entries/1/replay", {}, true},
+    {"GET", "/hand-in/friendlies/alpha/1/replay", {}, true},
 };
 
 const std::vector<std::string> private_paths{"/api/v1/team",      "/api/v1/entries",
@@ -178,6 +216,140 @@ TEST_F(Desk, GivesNothingWithoutTheRightToken) {
   web::Request twice = api("/api/v1/entries", alpha_);
   twice.headers.emplace("authorization", "Bearer " + beta_);
   EXPECT_EQ(ask(twice).status, 401) << "nobody chooses between two tokens";
+}
+
+// Each route with each wrong visitor. Catches one route that forgets to ask who comes.
+TEST_F(Desk, GivesNoRouteToTheWrongVisitor) {
+  ASSERT_EQ(ask(put(alpha_), "the_secret_of_alpha").status, 202);
+  ASSERT_TRUE(portal_->begin_next());
+  ASSERT_TRUE(portal_->close("alpha", 1, HandInState::refused, "the_secret_of_alpha"));
+  OwnLeg leg;
+  leg.fixture = "the_secret_of_alpha";
+  leg.record = "records/r1-f1-1-1.json";
+  leg.colour = "blue";
+  legs_ = {leg};
+  const std::string ended = log_in(alpha_);
+  web::Request out = with(with(get("/hand-in/log-out"), "cookie", ended), "origin", own_origin);
+  out.method = "POST";
+  ASSERT_EQ(ask(out).status, 303);
+  const std::string cookie = log_in(alpha_);
+  const std::string book = *disk_.read(folder_.hand_in_book(), {.max_size = 1 << 20});
+
+  struct WrongVisitor {
+    const char* name;
+    std::function<web::Request(web::Request)> dress;
+    bool may_read = false;  // the right one, but a change comes from another site
+    bool is_other_team = false;
+  };
+  const auto bearer = [this](const std::string& token) {
+    return
+        [token](web::Request r) { return with(std::move(r), "authorization", "Bearer " + token); };
+  };
+  const std::vector<WrongVisitor> visitors{
+      {"none", [](web::Request r) { return r; }},
+      {"wrong", bearer(std::string(26, 'A'))},
+      {"expired", bearer(expired_)},
+      {"revoked", bearer(revoked_)},
+      {"another team", bearer(beta_), false, true},
+      {"after log-out",
+       [&](web::Request r) {
+         return with(with(std::move(r), "cookie", ended), "origin", own_origin);
+       }},
+      {"forged team", [](web::Request r) { return with(std::move(r), "x-team", "alpha"); }},
+      {"forged cookie",
+       [](web::Request r) {
+         return with(with(std::move(r), "cookie", "mirocup_session=" + std::string(26, 'A')),
+                     "origin", own_origin);
+       }},
+      {"another site",
+       [&](web::Request r) {
+         return with(with(std::move(r), "cookie", cookie), "origin", "http://evil.example");
+       },
+       true},
+      {"no origin", [&](web::Request r) { return with(std::move(r), "cookie", cookie); }, true},
+  };
+  for (const Route& route : private_routes) {
+    const std::string method = route.method;
+    const bool is_change = method != "GET" && method != "HEAD";
+    for (const WrongVisitor& visitor : visitors) {
+      SCOPED_TRACE(method + " " + route.path + ": " + visitor.name);
+      if (visitor.may_read && !is_change) continue;
+      web::Request request = get(route.path);
+      request.method = method;
+      request.query = route.query;
+      const web::Reply reply = ask(visitor.dress(request), "ELF");
+      const std::string shown = reply.events ? reply.events().text : reply.bytes;
+      EXPECT_EQ(shown.find("the_secret_of_alpha"), std::string::npos) << shown;
+      EXPECT_EQ(shown.find("the replay"), std::string::npos);
+      now_ += 1000;                         // wrong tokens are forgotten
+      if (visitor.is_other_team) continue;  // it may do the same for itself
+      const int expected = visitor.may_read ? 403 : 401;
+      // The page that asks for a token is for everybody.
+      EXPECT_TRUE(reply.status == expected || (reply.status == 200 && route.is_page))
+          << reply.status;
+      EXPECT_FALSE(is_body_read_);
+    }
+  }
+  // Nothing of alpha has changed, whoever tried.
+  const std::string after = *disk_.read(folder_.hand_in_book(), {.max_size = 1 << 20});
+  EXPECT_EQ(after.substr(0, book.size()), book);
+  EXPECT_EQ(after.find("\"alpha\"", book.size()), std::string::npos) << after;
+  EXPECT_EQ(read_hand_ins(disk_, folder_, "alpha")->pinned, 0);
+}
+
+TEST_F(Desk, PlaysFriendliesAndShowsThemToTheTwo) {
+  entries_ = {{"alpha", 1}, {"beta", 1}, {"gamma", 1}};
+  neighbours_ = {"beta"};
+  for (const char* team : {"alpha", "beta", "gamma"})
+    ASSERT_TRUE(add_entry(disk_, folder_, team, 1, "library"));
+  const auto ask_for = [&](const std::string& token, const std::string& opponent) {
+    web::Request request = api("/api/v1/friendlies", token);
+    request.method = "POST";
+    request.query.emplace("opponent", opponent);
+    return ask(request).status;
+  };
+  EXPECT_EQ(ask_for(alpha_, "nobody"), 404);
+  EXPECT_EQ(ask_for(alpha_, "alpha"), 404);
+  EXPECT_EQ(ask_for(alpha_, "house:nobody"), 404);
+  EXPECT_EQ(ask_for(alpha_, "house:../x"), 404);
+  ASSERT_EQ(ask_for(alpha_, "beta"), 202);
+  const auto leg = portal_->friendlies().begin_next();
+  ASSERT_TRUE(leg);
+  EXPECT_EQ(leg->opponent_entry, 1);
+  EXPECT_FALSE(portal_->friendlies().begin_next()) << "one at a time of each team";
+  ASSERT_TRUE(disk_.write(folder_.friendly("alpha", 1),
+                          R"({"result":{"score":{"blue":3,"yellow":1},"end":"full_time",)"
+                          R"("fault":null}})"));
+  ASSERT_TRUE(disk_.write(folder_.friendly("alpha", 1) + ".blue.log", "of alpha"));
+  ASSERT_TRUE(disk_.write(folder_.friendly("alpha", 1) + ".yellow.log", "of beta"));
+  ASSERT_TRUE(portal_->friendlies().played(*leg, now_));
+  EXPECT_EQ(ask(api("/api/v1/friendlies/alpha/1/log", alpha_)).bytes, "of alpha");
+  EXPECT_EQ(ask(api("/api/v1/friendlies/alpha/1/log", beta_)).bytes, "of beta");
+  EXPECT_EQ(ask(api("/api/v1/friendlies/alpha/1/replay", beta_)).bytes, "the replay");
+  const Json seen = json_of(ask(api("/api/v1/friendlies", beta_)))["friendlies"];
+  ASSERT_EQ(seen.size(), 1u);
+  EXPECT_EQ(seen[0]["goals"], 1);
+  EXPECT_EQ(seen[0]["opponent"], "alpha");
+  for (const char* strange : {"/alpha/2/log", "/alpha/1/x", "/alpha//log", "/../1/log",
+                              "/alpha/1/../1/log", "/gamma/1/log", "/alpha/0/log"}) {
+    EXPECT_EQ(ask(api(std::string("/api/v1/friendlies") + strange, alpha_)).status, 404) << strange;
+  }
+  for (int i = 1; i < 10; ++i) EXPECT_EQ(ask_for(alpha_, "house:striker"), 202);
+  EXPECT_EQ(ask_for(alpha_, "house:striker"), 429);
+  EXPECT_EQ(ask_for(beta_, "house:striker"), 202) << "another team's limit";
+  open();
+  EXPECT_EQ(ask_for(alpha_, "house:striker"), 429) << "a server that starts again remembers";
+
+  // The burst of an accepted entry is for its team only, and ends what waits for older entries.
+  ASSERT_TRUE(portal_->friendlies().entry_accepted("alpha", 2, now_));
+  const Json all = json_of(ask(api("/api/v1/friendlies", alpha_)))["friendlies"];
+  EXPECT_EQ(std::count_if(all.begin(), all.end(), [](const Json& one) { return one["burst"]; }), 3);
+  EXPECT_EQ(
+      std::count_if(all.begin(), all.end(), [](const Json& one) { return one["state"] == "void"; }),
+      9);
+  ASSERT_TRUE(portal_->friendlies().entry_accepted("alpha", 2, now_));
+  EXPECT_EQ(json_of(ask(api("/api/v1/friendlies", alpha_)))["friendlies"].size(), all.size());
+  EXPECT_EQ(json_of(ask(api("/api/v1/friendlies", beta_)))["friendlies"].size(), 2u);
 }
 
 TEST_F(Desk, GivesNothingOfAnotherTeam) {

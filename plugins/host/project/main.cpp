@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+//
+// build/mirocup-project-compiler ARCHIVE FOLDER LIBRARY: makes a library from the archive of a
+// project. It runs in the compiler's sandbox, in which reading the archive can do no harm either:
+// its namespaces have no network and no file of the host, and its limits count for this program,
+// too.
+#include "plugins/host/project/compiler_command.hpp"
+#include "plugins/host/project/sources.hpp"
+#include "plugins/host/project/unpack.hpp"
+
+#include <cstdio>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace mirocup::plugins {
+
+namespace {
+
+int say_why(const std::string& why) {
+  std::printf("%s\n", why.c_str());
+  return refused_archive;
+}
+
+// Runs a compiler and returns its exit code.
+int run(const std::vector<std::string>& command) {
+  std::vector<char*> words;
+  for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
+  words.push_back(nullptr);
+  const pid_t child = fork();
+  if (child == 0) {
+    execv(words[0], words.data());
+    _exit(127);
+  }
+  int status = 0;
+  if (child < 0 || waitpid(child, &status, 0) != child) return 1;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+}
+
+// "./" keeps a compiler from taking a name for an option. The objects have numbers for names.
+int compile(std::vector<std::string> command, const std::string& source,
+            std::vector<std::string>& objects) {
+  const std::string object = "/compile/" + std::to_string(objects.size()) + ".o";
+  objects.push_back(object);
+  command.insert(command.end(), {"-I.", "-Iinclude", "-c", "-o", object, "./" + source});
+  return run(command);
+}
+
+int make_library(const ProjectSources& sources, const std::string& library) {
+  std::vector<std::string> objects;
+  for (const std::string& source : sources.c) {
+    if (const int code = compile({c_compiler, MIROCUP_C_OPTIONS}, source, objects); code != 0)
+      return code;
+  }
+  for (const std::string& source : sources.cpp) {
+    if (const int code = compile({cpp_compiler, MIROCUP_CPP_OPTIONS}, source, objects); code != 0)
+      return code;
+  }
+  std::vector<std::string> link{sources.cpp.empty() ? c_compiler : cpp_compiler,
+                                MIROCUP_LINK_OPTIONS};
+  if (!sources.cpp.empty()) link.emplace_back("-static-libstdc++");
+  link.insert(link.end(), {"-o", library});
+  link.insert(link.end(), objects.begin(), objects.end());
+  link.insert(link.end(), {"-lmirocup_predict", "-lm"});
+  return run(link);
+}
+
+int run_project_compiler(const std::string& archive, const std::string& folder,
+                         const std::string& library) {
+  if (mkdir(folder.c_str(), 0755) != 0) return say_why("the folder of the project cannot be made");
+  if (const auto unpacked = unpack(archive, folder); !unpacked)
+    return say_why(unpacked.error().what);
+  const ProjectSources sources = sources_of_project(folder);
+  if (sources.c.empty() && sources.cpp.empty()) {
+    return say_why(
+        "the archive has no source of a team: a file that ends in .cpp, .cc, .cxx or .c, outside "
+        "of test, tests and build");
+  }
+  if (chdir(sources.root.c_str()) != 0) return say_why("the folder of the project cannot be read");
+  return make_library(sources, library) == 0 ? 0 : 1;
+}
+
+}  // namespace
+
+}  // namespace mirocup::plugins
+
+int main(int count, char** words) {
+  if (count != 4) return 2;
+  return mirocup::plugins::run_project_compiler(words[1], words[2], words[3]);
+}

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/handin/desk_html.hpp"
+
+#include "tournaments/publish/page_values.hpp"
+
+#include <cstdio>
+
+namespace mirocup::league {
+
+std::string desk_page(const std::string& title, const Html& content) {
+  return filled_page("desk.html",
+                     {{"root", "/"}, {"page_title", title}, {"content", content.text()}});
+}
+
+void next_card(Html& html, const std::string& heading) {
+  html.raw("</section>\n<section class=\"card\">\n");
+  html.cell("h2", heading);
+}
+
+std::string text_in(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+std::string number_text(const Json& object, const char* key, const char* format) {
+  const auto found = object.find(key);
+  if (found == object.end() || !found->is_number()) return "";
+  char text[32];
+  std::snprintf(text, sizeof text, format, found->get<double>());
+  return text;
+}
+
+std::string time_in_words(const std::string& utc) {
+  constexpr std::size_t to_minutes = 16;  // characters
+  std::string text = utc.substr(0, to_minutes);
+  if (const std::size_t t = text.find('T'); t != std::string::npos) text[t] = ' ';
+  return text;
+}
+
+}  // namespace mirocup::league

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+//
+// What the pages of the desk have in common: the page around them, and words for values.
+#pragma once
+
+#include "tournaments/publish/html.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace mirocup::league {
+
+using Json = nlohmann::ordered_json;
+
+// The page around the content, in the design of all pages. `back` is true below the team's page.
+std::string desk_page(const std::string& title, const Html& content);
+
+// Ends a card and begins the next, with a heading.
+void next_card(Html& html, const std::string& heading);
+
+// A text of an object; "" if there is none of that name.
+std::string text_in(const Json& object, const char* key);
+
+// A number of an object in a printf format; "" if there is none of that name.
+std::string number_text(const Json& object, const char* key, const char* format);
+
+// "2026-11-25T01:02:03Z" as "2026-11-25 01:02".
+std::string time_in_words(const std::string& utc);
+
+}  // namespace mirocup::league

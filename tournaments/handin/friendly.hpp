@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+//
+// Friendlies: single legs that count for nothing. A team asks for one against a team that it
+// chooses, and each accepted entry plays a burst of them, against the house teams and the
+// neighbours in the table. They are played when no hand-in waits for its check, and teams take
+// turns.
+//
+// A pure function of the events that it is given. Threads: one at a time.
+#pragma once
+
+#include "core/base/names.hpp"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace mirocup::league {
+
+enum class FriendlyState {
+  waiting,
+  playing,
+  played,
+  void_,  // it was not played, and will not be
+};
+
+// One leg. The team that has asked for it plays in blue.
+struct Friendly {
+  std::string team;
+  int number = 0;             // among those of the team, from 1
+  int entry = 0;              // with which the team plays
+  std::string opponent = {};  // a team of the league, or "house:NAME"
+  int opponent_entry = 0;     // 0: a house team
+  bool is_burst = false;      // it follows from an accepted entry; nobody has asked for it
+  std::int64_t at = 0;        // s since 1970
+
+  FriendlyState state = FriendlyState::waiting;
+  int goals = 0;
+  int against = 0;
+  std::string end = {};  // as in a record: "full_time"; of a leg that is void, why
+
+  int failures = 0;  // of the host, since the server started
+};
+
+// True for "house:NAME".
+bool is_house(std::string_view opponent);
+
+class Friendlies {
+ public:
+  static constexpr int per_hour = 10;  // that a team may ask for
+  static constexpr int kept = 60;      // of each team; records of older ones are removed
+
+  // Adds a leg that waits. Precondition: it has the team's next number.
+  void add(Friendly friendly);
+
+  // Says how a leg ended, with its goals and its end.
+  void finish(const std::string& team, int number, FriendlyState state, int goals, int against,
+              const std::string& end);
+
+  void begin(const std::string& team, int number);
+  void wait_again(const std::string& team, int number);
+
+  // Returns the leg that is to be played next: of the team that has waited for its turn longest,
+  // one at a time of each team. Null if none may be played.
+  const Friendly* next() const;
+
+  const Friendly* find(const std::string& team, int number) const;
+  int last_number(const std::string& team) const;
+
+  // Those that a team has asked for and those that another team has asked it for, the latest first.
+  std::vector<const Friendly*> of_team(const std::string& team) const;
+
+  // The waiting legs of entries of the team before this one.
+  std::vector<int> waiting_of_older(const std::string& team, int entry) const;
+
+  bool has_burst(const std::string& team, int entry) const;
+
+  // Returns how many legs the team has asked for in the hour before `now`.
+  int asked_in_last_hour(const std::string& team, std::int64_t now) const;
+
+ private:
+  using Key = std::pair<std::string, int>;
+
+  std::map<Key, Friendly> all_;
+  std::vector<Key> open_;             // waiting or playing, in the order in which they came
+  std::map<std::string, long> turn_;  // when each team had its last turn
+  long turns_ = 0;
+  std::map<std::string, int> bursts_;  // the last entry of each team that had one
+};
+
+}  // namespace mirocup::league
+
+namespace mirocup {
+
+template <>
+inline constexpr std::array<std::string_view, 4> enum_names<league::FriendlyState>{
+    "waiting", "playing", "played", "void"};
+static_assert(to_string(league::FriendlyState::void_) == "void");
+
+}  // namespace mirocup

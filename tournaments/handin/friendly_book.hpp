@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+//
+// The book of the friendlies of a league, friendlies.jsonl, in the form of a journal: a line for
+// each leg that is to be played and one for how it ended. A killed server goes on with those that
+// have no end. journal/format.md has the lines.
+//
+// Threads: one at a time. Processes: the one that holds the lock of the book of hand-ins.
+#pragma once
+
+#include "tournaments/handin/friendly.hpp"
+#include "tournaments/journal/journal.hpp"
+#include "tournaments/league/folder.hpp"
+
+namespace mirocup::league {
+
+class FriendlyBook {
+ public:
+  static Result<FriendlyBook> open(system::Files& files, const Folder& folder, std::string* notice);
+
+  const Friendlies& friendlies() const { return friendlies_; }
+
+  // Writes a leg that is to be played, with the team's next number, and returns that.
+  Result<int> add(Friendly friendly);
+
+  // Writes how a leg ended.
+  Result<void> finish(const std::string& team, int number, FriendlyState state, int goals,
+                      int against, const std::string& end, std::int64_t at);
+
+  void begin(const std::string& team, int number) { friendlies_.begin(team, number); }
+  void wait_again(const std::string& team, int number) { friendlies_.wait_again(team, number); }
+
+ private:
+  explicit FriendlyBook(Journal journal) : journal_(std::move(journal)) {}
+
+  Result<void> apply(const Json& line);
+
+  Journal journal_;
+  Friendlies friendlies_;
+};
+
+}  // namespace mirocup::league

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+//
+// Takes friendlies, gives them to the runner, and shows them to the two teams that play: the
+// result, the replay, and to each the log of its own process. Those of a burst are shown to their
+// team only.
+//
+// Threads: all public functions may be called by any thread at any time.
+#pragma once
+
+#include "server/web/request.hpp"
+#include "tournaments/handin/friendly_book.hpp"
+#include "tournaments/handin/own_legs.hpp"
+
+#include <functional>
+#include <memory>
+#include <mutex>
+
+namespace mirocup::league {
+
+struct FriendlyOptions {
+  // Returns the teams of the league against which a friendly can be played, with their entries.
+  std::function<std::map<std::string, int>()> teams;
+  // Returns the teams next to a team in the table; none before the league has one.
+  std::function<std::vector<std::string>(const std::string& team)> neighbours;
+  // The house teams, without "house:".
+  std::vector<std::string> house;
+  // Returns the page that replays a record, a path.
+  std::function<std::optional<std::string>(const std::string& record)> replay;
+};
+
+class FriendlyDesk {
+ public:
+  static Result<std::unique_ptr<FriendlyDesk>> open(system::Files& files, const Folder& folder,
+                                                    FriendlyOptions options, std::string* notice);
+
+  // An entry was accepted: its burst waits from now on, and waiting legs of older entries are void.
+  // Does nothing for an entry that has had its burst.
+  Result<void> entry_accepted(const std::string& team, int entry, std::int64_t now);
+
+  // POST: a team asks for a leg.
+  web::Reply ask(const std::string& team, const std::string& opponent, std::int64_t now);
+
+  // The legs of a team, the latest first, and against whom it may play.
+  Json list(const std::string& team, LegCosts& costs);
+  std::vector<std::string> opponents(const std::string& team);
+
+  // GET below the path of friendlies, "/TEAM/NUMBER/log" or "/TEAM/NUMBER/replay".
+  web::Reply show(const std::string& visitor, std::string_view rest);
+
+  // For the runner. The host's failures void a leg after some tries.
+  std::optional<Friendly> begin_next();
+  Result<void> played(const Friendly& friendly, std::int64_t now);
+  Result<void> failed(const Friendly& friendly, std::int64_t now);
+
+ private:
+  FriendlyDesk(system::Files& files, Folder folder, FriendlyOptions options, FriendlyBook book)
+      : files_(files),
+        folder_(std::move(folder)),
+        options_(std::move(options)),
+        book_(std::move(book)) {}
+
+  Json json_of(const Friendly& friendly, const std::string& viewer, LegCosts& costs);
+  void forget_old_records(const std::string& team);
+
+  system::Files& files_;
+  const Folder folder_;
+  const FriendlyOptions options_;
+  std::mutex mutex_;  // guards book_
+  FriendlyBook book_;
+};
+
+}  // namespace mirocup::league

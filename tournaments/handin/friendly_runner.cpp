@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/handin/friendly_runner.hpp"
+
+#include "system/locations.hpp"
+
+#include <csignal>
+
+namespace mirocup::league {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto most_time_of_leg = 600s;  // on the clock; a leg of the longest half takes minutes
+
+}  // namespace
+
+bool FriendlyRunner::start_next(int tag, std::int64_t now) {
+  const auto next = desk_.begin_next();
+  if (!next) return false;
+  const std::string record = folder_.friendly(next->team, next->number);
+  const auto pid = processes_.start(
+      {system::sibling_program("mirocup-league"), "play-friendly", folder_.path, next->team,
+       std::to_string(next->number), "--entry=" + std::to_string(next->entry),
+       "--opponent=" + next->opponent, "--opponent-entry=" + std::to_string(next->opponent_entry)},
+      tag, -1, record + ".out");
+  if (!pid) {
+    (void)desk_.failed(*next, now);
+    return false;
+  }
+  running_[tag] = {*next, *pid, std::chrono::steady_clock::now()};
+  return true;
+}
+
+bool FriendlyRunner::book(const system::Exit& exit, std::int64_t now) {
+  const auto found = running_.find(exit.tag);
+  if (found == running_.end()) return false;
+  const Friendly friendly = std::move(found->second.friendly);
+  running_.erase(found);
+  (void)(exit.signal == 0 && exit.code == exit_yes ? desk_.played(friendly, now)
+                                                   : desk_.failed(friendly, now));
+  return true;
+}
+
+void FriendlyRunner::look_at_time() {
+  const auto now = std::chrono::steady_clock::now();
+  for (const auto& [tag, leg] : running_) {
+    if (now - leg.begun > most_time_of_leg) ::kill(leg.pid, SIGKILL);
+  }
+}
+
+}  // namespace mirocup::league

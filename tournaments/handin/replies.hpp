@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+//
+// The replies of the HTTP API: JSON, and a sentence in {"error"} for what went wrong.
+#pragma once
+
+#include "core/base/error.hpp"
+#include "server/web/request.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace mirocup::league {
+
+web::Reply json_reply(int status, const nlohmann::ordered_json& json);
+web::Reply problem_reply(int status, const std::string& why);
+
+// The host is told the reason, and a stranger is not.
+web::Reply host_failed(const Error&);
+
+// Reads a number from 1 that is the whole text.
+std::optional<int> number_of(std::string_view text);
+
+}  // namespace mirocup::league
