@@ -1,36 +1,85 @@
 # The files of a prefix, and find_package(mirocup) from a prefix and from the build tree. Programs find their parts relative to
-# themselves (system/locations.hpp), so a prefix can be moved.
+# themselves (system/locations.hpp), so a prefix can be moved. The components are the packages of cmake/packages.cmake.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/mirocup)
+# Where Debian's Python looks below /usr; below another prefix, PYTHONPATH names it.
+set(MIROCUP_PYTHON_DIR lib/python3/dist-packages CACHE STRING "Folder of the package mirocup for Python, below the prefix")
 
-install(TARGETS mirocup mirocup_strategy mirocup_predict mirocup_team mirocup_training EXPORT mirocup)
-install(DIRECTORY training/include/ TYPE INCLUDE)
-install(DIRECTORY training/python/ DESTINATION share/mirocup/python PATTERN __pycache__ EXCLUDE)
-install(TARGETS mirocup-league)
-install(TARGETS mirocup-plugin-host mirocup-careful-host mirocup-project-compiler RUNTIME DESTINATION libexec/mirocup)
-install(PROGRAMS ${PROJECT_BINARY_DIR}/mirocup-credentials DESTINATION libexec/mirocup)
-install(DIRECTORY plugins/include/ TYPE INCLUDE)
-install(FILES server/record/record.schema.json DESTINATION share/mirocup)
-install(DIRECTORY examples DESTINATION share/mirocup USE_SOURCE_PERMISSIONS PATTERN pitch EXCLUDE)  # it needs the source tree
-install(DIRECTORY plugins/template/ DESTINATION share/mirocup/team)
-install(DIRECTORY plugins/drills DESTINATION share/mirocup)
-install(EXPORT mirocup NAMESPACE mirocup:: FILE mirocup-targets.cmake DESTINATION ${package_folder})
+# mirocup: the programs, the house teams, and what they read.
+install(TARGETS mirocup EXPORT mirocup COMPONENT mirocup)
+install(TARGETS mirocup_team mirocup_training EXPORT mirocup LIBRARY COMPONENT mirocup NAMELINK_COMPONENT mirocup-dev)
+install(TARGETS mirocup-league COMPONENT mirocup)
+install(TARGETS mirocup-plugin-host mirocup-careful-host mirocup-project-compiler RUNTIME DESTINATION libexec/mirocup COMPONENT mirocup)
+install(PROGRAMS ${PROJECT_BINARY_DIR}/mirocup-credentials DESTINATION libexec/mirocup COMPONENT mirocup)
+install(FILES server/record/record.schema.json DESTINATION share/mirocup COMPONENT mirocup)
+install(DIRECTORY plugins/template/ DESTINATION share/mirocup/team COMPONENT mirocup USE_SOURCE_PERMISSIONS)
+install(DIRECTORY plugins/drills DESTINATION share/mirocup COMPONENT mirocup)
+install(DIRECTORY plugins/simurosot DESTINATION share/mirocup COMPONENT mirocup USE_SOURCE_PERMISSIONS)
+# The manual and what shells complete: made by the programs themselves, from their options.
+install(DIRECTORY ${PROJECT_BINARY_DIR}/share/man/man1 DESTINATION share/man COMPONENT mirocup OPTIONAL)
+install(FILES ${PROJECT_BINARY_DIR}/share/completions/mirocup.bash
+  DESTINATION share/bash-completion/completions RENAME mirocup COMPONENT mirocup OPTIONAL)
+install(FILES ${PROJECT_BINARY_DIR}/share/completions/mirocup.zsh
+  DESTINATION share/zsh/vendor-completions RENAME _mirocup COMPONENT mirocup OPTIONAL)
+install(FILES ${PROJECT_BINARY_DIR}/share/completions/mirocup.fish
+  DESTINATION share/fish/vendor_completions.d COMPONENT mirocup OPTIONAL)
+set(pages ${PROJECT_BINARY_DIR}/share/made)
+add_custom_command(OUTPUT ${pages}
+  COMMAND ${CMAKE_COMMAND} -E make_directory ${PROJECT_BINARY_DIR}/share/man/man1 ${PROJECT_BINARY_DIR}/share/completions
+  COMMAND mirocup man ${PROJECT_BINARY_DIR}/share/man/man1
+  COMMAND mirocup-league man ${PROJECT_BINARY_DIR}/share/man/man1
+  COMMAND mirocup completion bash > ${PROJECT_BINARY_DIR}/share/completions/mirocup.bash
+  COMMAND mirocup completion zsh > ${PROJECT_BINARY_DIR}/share/completions/mirocup.zsh
+  COMMAND mirocup completion fish > ${PROJECT_BINARY_DIR}/share/completions/mirocup.fish
+  COMMAND ${CMAKE_COMMAND} -E touch ${pages}
+  DEPENDS mirocup mirocup-league VERBATIM)
+add_custom_target(manual ALL DEPENDS ${pages})
 
+# mirocup-dev: what a team in C or C++ is built with.
+install(TARGETS mirocup_strategy mirocup_predict EXPORT mirocup ARCHIVE COMPONENT mirocup-dev)
+install(DIRECTORY plugins/include/ training/include/ TYPE INCLUDE COMPONENT mirocup-dev)
+install(EXPORT mirocup NAMESPACE mirocup:: FILE mirocup-targets.cmake DESTINATION ${package_folder} COMPONENT mirocup-dev)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup-config-version.cmake
   COMPATIBILITY SameMinorVersion)
-install(FILES cmake/mirocup-config.cmake ${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup-config-version.cmake
-  DESTINATION ${package_folder})
+install(FILES cmake/mirocup-config.cmake cmake/mirocup_simurosot.cmake ${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup-config-version.cmake
+  DESTINATION ${package_folder} COMPONENT mirocup-dev)
+
+# python3-mirocup: teams in Python, and teams that learn.
+install(DIRECTORY training/python/ DESTINATION ${MIROCUP_PYTHON_DIR} COMPONENT python3-mirocup PATTERN __pycache__ EXCLUDE)
+if(TARGET mirocup-python)
+  install(TARGETS mirocup-python-host RUNTIME DESTINATION libexec/mirocup COMPONENT python3-mirocup)
+  install(TARGETS mirocup-python LIBRARY DESTINATION libexec/mirocup COMPONENT python3-mirocup)
+endif()
+
+# mirocup-doc: pages, examples, units of systemd.
+set(doc_folder share/doc/mirocup-doc)
+install(DIRECTORY examples DESTINATION ${doc_folder} COMPONENT mirocup-doc USE_SOURCE_PERMISSIONS
+  PATTERN pitch EXCLUDE)  # it needs the source tree
+install(DIRECTORY docs DESTINATION ${doc_folder} COMPONENT mirocup-doc PATTERN "*.py" EXCLUDE)
+install(FILES README.md CHANGELOG.md CONTRIBUTING.md DESTINATION ${doc_folder} COMPONENT mirocup-doc)
+install(FILES plugins/host/README.md DESTINATION ${doc_folder}/plugins/host COMPONENT mirocup-doc)
+install(FILES server/record/schema.md server/record/scene.md DESTINATION ${doc_folder}/server/record COMPONENT mirocup-doc)
+install(FILES server/dds/README.md DESTINATION ${doc_folder}/server/dds COMPONENT mirocup-doc)
+install(FILES tournaments/README.md DESTINATION ${doc_folder}/tournaments COMPONENT mirocup-doc)
+install(FILES tournaments/journal/format.md DESTINATION ${doc_folder}/tournaments/journal COMPONENT mirocup-doc)
+install(DIRECTORY tournaments/examples DESTINATION ${doc_folder}/tournaments COMPONENT mirocup-doc)
+if(EXISTS ${PROJECT_SOURCE_DIR}/tournaments/units)
+  install(DIRECTORY tournaments/units/ DESTINATION ${doc_folder}/systemd COMPONENT mirocup-doc)
+endif()
 
 # The build tree looks like a prefix to find_package and to `mirocup new`.
 export(TARGETS mirocup mirocup_strategy mirocup_predict mirocup_team mirocup_training NAMESPACE mirocup::
   FILE ${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup-targets.cmake)
 configure_file(cmake/mirocup-config.cmake ${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup-config.cmake COPYONLY)
-foreach(file CMakeLists.txt CMakePresets.json README.md team.cpp team_test.cpp)
-  configure_file(plugins/template/${file} ${PROJECT_BINARY_DIR}/share/mirocup/team/${file} COPYONLY)
+configure_file(cmake/mirocup_simurosot.cmake ${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup_simurosot.cmake COPYONLY)
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/include ${PROJECT_BINARY_DIR}/share/mirocup)
+file(REMOVE_RECURSE ${PROJECT_BINARY_DIR}/share/mirocup/team)  # a folder of copies in older build trees
+foreach(link plugins/include/mirocup:include/mirocup plugins/template:share/mirocup/team plugins/drills:share/mirocup/drills
+    plugins/simurosot:share/mirocup/simurosot)
+  string(REPLACE ":" ";" ends ${link})
+  list(GET ends 0 from)
+  list(GET ends 1 to)
+  file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${from} ${PROJECT_BINARY_DIR}/${to} COPY_ON_ERROR SYMBOLIC)
 endforeach()
-file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/include)
-file(CREATE_LINK ${PROJECT_SOURCE_DIR}/plugins/include/mirocup ${PROJECT_BINARY_DIR}/include/mirocup
-  COPY_ON_ERROR SYMBOLIC)
-file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/share/mirocup)
-file(CREATE_LINK ${PROJECT_SOURCE_DIR}/plugins/drills ${PROJECT_BINARY_DIR}/share/mirocup/drills COPY_ON_ERROR SYMBOLIC)
+include(cmake/packages.cmake)

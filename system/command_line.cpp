@@ -2,6 +2,8 @@
 #include "system/command_line.hpp"
 
 #include "core/base/error.hpp"
+#include "system/command_help.hpp"
+#include "system/files.hpp"
 #include "system/printable.hpp"
 
 #include <CLI/CLI.hpp>
@@ -11,6 +13,7 @@
 #include <cstdint>
 #include <iostream>
 #include <numeric>
+#include <sstream>
 #include <vector>
 
 namespace mirocup::system {
@@ -71,13 +74,101 @@ std::pair<const CLI::App*, std::string> parsed_command(const CLI::App& app) {
   return {parsed.front(), app.get_name() + " " + parsed.front()->get_name()};
 }
 
+// The first example of the command's help.
+std::string example_of(const CLI::App& command) {
+  const std::string footer = command.get_footer();
+  const std::size_t begin = footer.find("\n  ");
+  if (begin == std::string::npos) return "";
+  return footer.substr(begin + 3, footer.find('\n', begin + 1) - begin - 3);
+}
+
+std::string for_example(const CLI::App& command) {
+  const std::string example = example_of(command);
+  return example.empty() ? "" : "; for example: " + example;
+}
+
+// Returns what stands between two parts of a text; "" if it has not both.
+std::string between(const std::string& text, std::string_view before, std::string_view after) {
+  const std::size_t begin = text.find(before);
+  const std::size_t end = text.find(after, begin == std::string::npos ? 0 : begin + before.size());
+  if (begin == std::string::npos || end == std::string::npos) return "";
+  return text.substr(begin + before.size(), end - begin - before.size());
+}
+
+// "0.100000" as people write it.
+std::string short_number(std::string number) {
+  if (number.find('.') == std::string::npos) return number;
+  number.erase(number.find_last_not_of('0') + 1);
+  if (number.back() == '.') number.pop_back();
+  return number;
+}
+
+// A value that the option does not take. CLI11 says which, and this says which it takes.
+std::string about_value(const std::string& option, const std::string& text) {
+  const std::string range = text.substr(std::min(text.find(" not in range "), text.size()));
+  if (!range.empty()) {
+    const std::string value = between(text, "Value ", " not in range ");
+    const std::size_t to = range.find(" to ");
+    const std::size_t from = std::string_view(" not in range ").size();
+    return option + " " + value + ": a number from " + short_number(range.substr(from, to - from)) +
+           " to " + short_number(range.substr(to + 4)) + " is expected";
+  }
+  const std::string set = between(text, "{", "}");
+  const std::string value = between(text, option + ": ", " not in ");
+  if (set.empty()) return text;
+  std::vector<std::string> values;
+  std::istringstream rest(set);
+  for (std::string one; std::getline(rest, one, ',');) values.push_back(one);
+  std::string list;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    list += (i == 0 ? "" : i + 1 == values.size() ? " or " : ", ") + values[i];
+  return option + " " + value + ": " + list + " is expected" +
+         or_meant(closest_word(value, values));
+}
+
+// Returns a sentence that says what to type.
+std::string sentence_of(const CLI::App& command, const CLI::ParseError& error) {
+  const std::string text = error.what();
+  const std::string kind = error.get_name();
+  const std::string option = text.substr(0, text.find(kind == "RequiredError" ? " " : ":"));
+  const CLI::Option* known = command.get_option_no_throw(option);
+  if (kind == "RequiredError") return option + " is missing" + for_example(command);
+  // Its name is the command's.
+  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError))
+    return in_quotes(text.substr(text.rfind(": ") + 2)) + " is not expected" + for_example(command);
+  if (kind == "ArgumentMismatch" && known != nullptr) {
+    const std::string type = known->get_type_name();
+    const std::string name = known->get_positional() ? "" : " " + type.substr(0, type.find(':'));
+    return option + " needs " + (known->get_items_expected_min() > 1 ? "more values" : "a value") +
+           (name.size() > 1 ? ": " + option + name : "") + for_example(command);
+  }
+  if (kind == "ConversionError") {
+    const std::string pair = text.substr(std::min(text.find(": ") + 2, text.size()));
+    const std::string name = pair.substr(0, pair.find(" = "));
+    const CLI::Option* flag = command.get_option_no_throw(name);
+    if (flag != nullptr && flag->get_items_expected_max() == 0) return name + " takes no value";
+    return name + " " + pair.substr(std::min(pair.find(" = ") + 3, pair.size())) +
+           ": a number is expected";
+  }
+  if (kind == "ExcludesError") {
+    const std::size_t middle = text.find(" excludes ");
+    return text.substr(0, middle) + " and " + text.substr(middle + 10) +
+           " do not go together: leave one of them out";
+  }
+  if (kind == "RequiresError") {
+    const std::size_t middle = text.find(" requires ");
+    return text.substr(0, middle) + " works only together with " + text.substr(middle + 10);
+  }
+  return kind == "ValidationError" ? about_value(option, text) : text;
+}
+
 int explain(const CLI::App& app, const CLI::ParseError& error) {
   const auto [command, program] = parsed_command(app);
   const std::vector<std::string> left = command->remaining();
   const auto unknown = std::find_if(left.begin(), left.end(), [](const std::string& word) {
     return word.size() > 1 && word.front() == '-';
   });
-  if (unknown == left.end()) return complain(program, error.what());
+  if (unknown == left.end()) return complain(program, sentence_of(*command, error));
   const std::string name = unknown->substr(0, unknown->find('='));
   return complain(
       program, "there is no option " + name + or_meant(closest_word(name, options_of(*command))));
@@ -114,8 +205,11 @@ std::optional<int> parse_command_line(CLI::App& app, int argc, char** argv,
   const std::string& first = words[0];
   const bool is_known = std::find(commands.begin(), commands.end(), first) != commands.end();
   if (first.empty() || (first.front() != '-' && !is_known)) {
-    return complain(app.get_name(), "there is no command " + in_quotes(first) +
-                                        or_meant(closest_word(first, commands)));
+    std::vector<std::string> meant = commands;
+    meant.insert(meant.end(), {"help", "version"});
+    std::string closest = closest_word(first, meant);
+    if (closest == "version") closest = "--version";
+    return complain(app.get_name(), "there is no command " + in_quotes(first) + or_meant(closest));
   }
   try {
     std::reverse(words.begin(), words.end());  // as CLI11 wants them
@@ -126,6 +220,25 @@ std::optional<int> parse_command_line(CLI::App& app, int argc, char** argv,
     return exit_yes;
   }
   return std::nullopt;
+}
+
+std::optional<int> tell_about(const CLI::App& app, int argc, char** argv,
+                              const std::string& version, std::span<const std::string> teams) {
+  const std::string first = argc > 1 ? argv[1] : "";
+  if (first == "complete") {
+    const std::vector<std::string> words(argv + 2, argv + argc);
+    std::cout << completions(app, words, teams);
+    return exit_yes;
+  }
+  if (first != "man" || argc != 3) return std::nullopt;
+  Disk disk;
+  for (const auto& [name, text] : manual_pages(app, version)) {
+    const auto written = disk.write(argv[2] + ("/" + name), text);
+    if (written) continue;
+    std::cerr << app.get_name() << ": " << printable(written.error().what) << '\n';
+    return exit_code(written.error().code);
+  }
+  return exit_yes;
 }
 
 std::string problem_with_seed(const std::string& text) {

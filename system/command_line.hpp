@@ -27,6 +27,11 @@ std::string closest_word(std::string_view word, std::span<const std::string> wor
 std::optional<int> parse_command_line(CLI::App& app, int argc, char** argv,
                                       std::span<const std::string> others = {});
 
+// Answers a command line that asks about the program itself, for a shell or a packager: `complete
+// WORD…` prints completions(), `man DIR` writes the manual's pages. Returns nothing for any other.
+std::optional<int> tell_about(const CLI::App& app, int argc, char** argv,
+                              const std::string& version, std::span<const std::string> teams);
+
 // Returns what is wrong with a text as a seed, an integer from 0 to 2^64 - 1, or "".
 std::string problem_with_seed(const std::string& text);
 

@@ -2,6 +2,7 @@
 #include "system/locations.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 namespace mirocup::system {
@@ -14,6 +15,12 @@ namespace {
 bool is_there(const fs::path& path) {
   std::error_code none;
   return fs::exists(path, none);
+}
+
+// A library is in lib/, or in a folder of lib/ that is named after the architecture.
+std::array<fs::path, 3> house_folders(const fs::path& here) {
+  return {here / "house", here.parent_path() / "lib" / "mirocup" / "house",
+          here.parent_path() / "mirocup" / "house"};
 }
 
 }  // namespace
@@ -34,37 +41,53 @@ TeamKit team_kit() {
   const bool is_installed = program.parent_path().filename() == "bin";
   const fs::path prefix =
       is_installed ? program.parent_path().parent_path() : program.parent_path();
+  fs::path python;
+  for (const char* folder : {"python", "share/mirocup/python", "lib/python3/dist-packages"}) {
+    if (python.empty() && is_there(prefix / folder / "mirocup" / "team.py"))
+      python = prefix / folder;
+  }
   return {.program = program.string(),
           .prefix = prefix.string(),
           .headers = (prefix / "include" / "mirocup").string(),
-          .templates = (prefix / "share" / "mirocup" / "team").string()};
+          .templates = (prefix / "share" / "mirocup" / "team").string(),
+          .python = python.string()};
 }
 
 std::string drill_folder() {
   return (fs::path(team_kit().prefix) / "share" / "mirocup" / "drills").string();
 }
 
-std::vector<std::string> house_teams() {
-  std::vector<std::string> names;
-  const std::string idle = house_team("idle");  // one that is always there
-  if (idle.empty()) return names;
-  for (const auto& file : fs::directory_iterator(fs::path(idle).parent_path())) {
-    if (file.path().extension() == ".so") names.push_back(file.path().stem());
+std::string drill_folder(const std::string& folder) {
+  // Beside the library in a build tree; in a prefix, one or two folders above it.
+  std::error_code none;
+  fs::path above = folder;
+  for (int i = 0; i < 3; ++i, above = above.parent_path()) {
+    const fs::path drills = above / "share" / "mirocup" / "drills";
+    if (fs::is_directory(drills, none)) return drills.string();
   }
-  std::sort(names.begin(), names.end());
-  return names;
+  return drill_folder();
 }
 
 std::string house_team(const std::string& name) {
   return house_team(name, program_folder());
 }
 
+std::vector<std::string> house_teams() {
+  std::vector<std::string> names;
+  for (const fs::path& folder : house_folders(program_folder())) {
+    std::error_code none;
+    for (const auto& file : fs::directory_iterator(folder, none)) {
+      if (file.path().extension() == ".so") names.push_back(file.path().stem().string());
+    }
+    if (!names.empty()) break;
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 std::string house_team(const std::string& name, const std::string& folder) {
   if (name.empty() || name.find('/') != std::string::npos) return "";
-  // A library is in lib/, or in a folder of lib/ that is named after the architecture.
-  const fs::path here = folder;
-  for (const fs::path& teams : {here / "house", here.parent_path() / "lib" / "mirocup" / "house",
-                                here.parent_path() / "mirocup" / "house"}) {
+  for (const fs::path& teams : house_folders(folder)) {
     const fs::path library = teams / (name + ".so");
     if (is_there(library)) return library.string();
   }

@@ -20,12 +20,18 @@ struct TeamKit {
   std::string program;    // path of this program
   std::string prefix;     // for find_package(mirocup)
   std::string headers;    // folder of strategy.h, for people to read
-  std::string templates;  // folder of the files of a new team
+  std::string templates;  // folder with a folder of a new team's files for each language
+  std::string python;     // folder of the package mirocup for Python; "" if it is not here
 };
 TeamKit team_kit();
 
 // Returns the folder of the drills that come with mirocup.
 std::string drill_folder();
+// The same for a library that another program has loaded: `folder` is the library's.
+std::string drill_folder(const std::string& folder);
+
+// Returns the names of the house teams, sorted.
+std::vector<std::string> house_teams();
 
 // Returns the path of the library of a house team; "" if there is no such team.
 std::string house_team(const std::string& name);

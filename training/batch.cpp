@@ -42,7 +42,7 @@ Batch::Batch(Config config)
             .terms = terms,
             .statistics = statistics,
             .threads = workers_.threads()};
-  for (int i = 0; i < workers_.threads(); ++i) worlds_.push_back(make_world(config_, field_));
+  for (int i = 0; i < workers_.threads(); ++i) worlds_.push_back(make_world(config_.setup, field_));
   for (int i = 0; i < config_.matches; ++i) {
     const auto seed = static_cast<std::uint64_t>(i) + 1;
     matches_.push_back(std::make_unique<Match>(config_, slots_, observer_, seed));
@@ -192,6 +192,9 @@ std::string Batch::make_spec() const {
                             {"matches", sizes_.matches},
                             {"autoreset", to_string(config_.autoreset)},
                             {"agents", to_string(config_.agents)},
+                            {"observation_kind", to_string(config_.observation)},
+                            {"action_kind", to_string(config_.action)},
+                            {"ticks_per_step", config_.ticks_per_step},
                             {"slots", slots},
                             {"observation", observation},
                             {"action", action},

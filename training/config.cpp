@@ -2,8 +2,10 @@
 #include "training/config.hpp"
 
 #include "server/record/conditions_json.hpp"
+#include "server/record/drawn_situation.hpp"
 #include "server/record/json_reader.hpp"
 #include "server/record/rules_json.hpp"
+#include "server/record/scene_json.hpp"
 #include "server/record/team_parameters_json.hpp"
 #include "system/locations.hpp"
 
@@ -136,7 +138,7 @@ match::Setup read_setup(const JsonReader& json, bool ends_at_goal) {
   }
   // The law that ends a lopsided leg ends an episode, too.
   if (ends_at_goal) setup.rules.mercy_goal_diff = 1;
-  if (setup.rules.preset == referee::Preset::simurosot) setup.control_period = 1.0 / 60.0;
+  setup.control_period = match::control_period_of(setup.rules.preset);
   if (const auto period = json.find("control_period")) {
     setup.control_period = period->number(min_period, max_period);
   }
@@ -154,15 +156,43 @@ void read_episode(const JsonReader& json, Config& config) {
   json.read_if_present("ends_at_goal", config.ends_at_goal);
 }
 
+// The number in the place of each range: `low` says which end.
+nlohmann::ordered_json end_of(const nlohmann::ordered_json& json, const char* end) {
+  if (json.is_object() && json.size() == 2 && json.contains("from") && json.contains("to")) {
+    return json[end];
+  }
+  nlohmann::ordered_json result = json;
+  for (auto& member : result) {
+    if (member.is_structured()) member = end_of(member, end);
+  }
+  return result;
+}
+
+// Both ends of all ranges have to be parameters of the physics.
+nlohmann::ordered_json read_pitch(const JsonReader& json) {
+  for (const char* end : {"from", "to"}) {
+    const nlohmann::ordered_json numbers = end_of(json.json(), end);
+    std::optional<record::JsonProblem> problem;
+    simulator::Parameters parameters;
+    record::read_parameters(JsonReader(numbers, "", problem), parameters);
+    if (problem) json.complain(problem->pointer + ": " + problem->reason);
+  }
+  return json.json();
+}
+
 Config read_config(const JsonReader& json, const std::string& folder) {
   Config config;
   json.expect_object({"matches", "threads", "league", "rules", "referee", "control_period",
-                      "conditions", "blue", "yellow", "agents", "observation", "action",
-                      "ticks_per_step", "skip_stops", "episode", "rewards", "autoreset"});
+                      "conditions", "pitch", "blue", "yellow", "agents", "observation", "action",
+                      "ticks_per_step", "skip_stops", "episode", "start", "rewards", "autoreset"});
   if (json.has("matches")) config.matches = json.at("matches").integer<int>(1, max_matches);
   if (json.has("threads")) config.threads = json.at("threads").integer<int>(0, max_threads);
   if (const auto episode = json.find("episode")) read_episode(*episode, config);
   config.setup = read_setup(json, config.ends_at_goal);
+  if (const auto start = json.find("start")) {
+    config.starts = read_starts(*start, config.setup.league, config.ends_at_goal, folder);
+  }
+  if (const auto pitch = json.find("pitch")) config.pitch = read_pitch(*pitch);
   json.read_if_present("agents", config.agents);
   json.read_if_present("observation", config.observation);
   json.read_if_present("action", config.action);
@@ -189,6 +219,10 @@ Config read_config(const JsonReader& json, const std::string& folder) {
       blue.learners.size() != yellow.learners.size()) {
     json.complain("both teams learn, but with different numbers of robots");
   }
+  if (config.observation == ObservationKind::relative && config.agents == Agents::team &&
+      std::max(blue.learners.size(), yellow.learners.size()) > 1) {
+    json.complain("the observation \"relative\" is that of one robot: \"agents\": \"robot\"");
+  }
   return config;
 }
 
@@ -204,6 +238,23 @@ Result<Config> parse_config(std::string_view json, const std::string& folder) {
   parsed.value.erase("threads");
   config.text = record::json_text(parsed.value);
   return config;
+}
+
+Result<match::Setup> setup_of(const Config& config, std::uint64_t seed) {
+  match::Setup setup = config.setup;
+  setup.seed = seed;
+  Random random(mix_seed(~seed));  // the leg draws from mix_seed(seed)
+  if (!config.starts.empty()) {
+    auto start = draw_start(config.starts, setup.league, random);
+    if (!start) return tl::unexpected(start.error());
+    setup.start = std::move(*start);
+  }
+  if (!config.pitch.is_null()) {
+    const nlohmann::ordered_json numbers = record::drawn(config.pitch, random);
+    std::optional<record::JsonProblem> none;
+    record::read_parameters(JsonReader(numbers, "", none), setup.parameters);
+  }
+  return setup;
 }
 
 }  // namespace mirocup::training

@@ -8,6 +8,7 @@
 #include "core/match/leg.hpp"
 #include "core/match/team_parameters.hpp"
 #include "training/rewards.hpp"
+#include "training/starts.hpp"
 
 #include <string>
 #include <string_view>
@@ -20,6 +21,7 @@ enum class Agents { team, robot };
 
 enum class ObservationKind {
   standard,  // ball, robots, restart: observations.hpp
+  relative,  // the same in the frame of the robot that learns
   vss,       // the 40 numbers of rSoccer's VSS environment
 };
 
@@ -51,10 +53,12 @@ struct Config {
   ObservationKind observation = ObservationKind::standard;
   ActionKind action = ActionKind::wheels;
   Autoreset autoreset = Autoreset::next_step;
-  double episode_s = 30.0;   // of play, after which an episode is truncated; infinite: never
-  bool ends_at_goal = true;  // a goal terminates the episode
-  bool skips_stops = true;   // steps go on until play is on: at restarts robots stand
-  int ticks_per_step = 1;    // control periods for which an action holds
+  double episode_s = 30.0;          // of play, after which an episode is truncated; infinite: never
+  bool ends_at_goal = true;         // a goal terminates the episode
+  bool skips_stops = true;          // steps go on until play is on: at restarts robots stand
+  std::vector<StartRanges> starts;  // of episodes; none: with the kick-off
+  nlohmann::ordered_json pitch;     // "parameters" of a scene, with ranges; null: those of a match
+  int ticks_per_step = 1;           // control periods for which an action holds
   Weights weights = default_weights();
   std::string text;  // of the JSON, without the number of matches and threads
 };
@@ -63,6 +67,10 @@ struct Config {
 // Errors: Errc::input, with the JSON pointer of the key.
 Result<Config> parse_config(std::string_view json, const std::string& folder);
 
+// Returns the setup of the leg of an episode, whose seed draws its start and its pitch. The error
+// is that of a start of which no draw could be played.
+Result<match::Setup> setup_of(const Config& config, std::uint64_t seed);
+
 }  // namespace mirocup::training
 
 namespace mirocup {
@@ -70,8 +78,8 @@ namespace mirocup {
 template <>
 inline constexpr std::array<std::string_view, 2> enum_names<training::Agents>{"team", "robot"};
 template <>
-inline constexpr std::array<std::string_view, 2> enum_names<training::ObservationKind>{"standard",
-                                                                                       "vss"};
+inline constexpr std::array<std::string_view, 3> enum_names<training::ObservationKind>{
+    "standard", "relative", "vss"};
 template <>
 inline constexpr std::array<std::string_view, 3> enum_names<training::ActionKind>{"wheels", "drive",
                                                                                   "vss"};

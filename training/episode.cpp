@@ -44,12 +44,6 @@ match::ByTeam<match::Answer> Episode::answers(std::uint32_t tick, int robots) co
   return answers;
 }
 
-match::Setup setup_of(const Config& config, std::uint64_t seed) {
-  match::Setup setup = config.setup;
-  setup.seed = seed;
-  return setup;
-}
-
 namespace {
 
 record::TeamInfo team_info(const Side& side, system::Files& files) {
@@ -70,7 +64,13 @@ record::TeamInfo team_info(const Side& side, system::Files& files) {
 }  // namespace
 
 Result<void> save_record(const Config& config, const Episode& episode, const std::string& path) {
-  match::Leg leg(setup_of(config, episode.seed));
+  if (!config.pitch.is_null()) {
+    return fail(Errc::input,
+                "a record holds no pitch: an episode with \"pitch\" cannot be written as one");
+  }
+  const auto setup = setup_of(config, episode.seed);
+  if (!setup) return tl::unexpected(setup.error());
+  match::Leg leg(*setup);
   const int robots = leg.field().robots_per_team;
   const std::uint32_t ticks = episode.ticks(robots);
   replay::StateTrace trace;

@@ -34,9 +34,6 @@ struct Episode {
   match::ByTeam<match::Answer> answers(std::uint32_t tick, int robots) const;
 };
 
-// Returns the setup of the leg of an episode.
-match::Setup setup_of(const Config& config, std::uint64_t seed);
-
 // Plays the episode again and writes it as a record, with its replay beside it. An episode that was
 // cut, or has not ended yet, is a void leg.
 Result<void> save_record(const Config& config, const Episode& episode, const std::string& path);

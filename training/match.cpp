@@ -68,9 +68,9 @@ std::uint64_t Match::next_seed() {
   return episode == 0 ? first_seed_ : mix_seed(mix_seed(first_seed_) + episode);
 }
 
-std::unique_ptr<simulator::World> make_world(const Config& config, const field::Field& field) {
-  return std::make_unique<simulator::World>(
-      &field, config.setup.parameters, config.setup.tolerances, 2 * field.robots_per_team, true);
+std::unique_ptr<simulator::World> make_world(const match::Setup& setup, const field::Field& field) {
+  return std::make_unique<simulator::World>(&field, setup.parameters, setup.tolerances,
+                                            2 * field.robots_per_team, true);
 }
 
 Result<void> Match::reset(std::optional<std::uint64_t> seed, const Rows& rows,
@@ -80,7 +80,7 @@ Result<void> Match::reset(std::optional<std::uint64_t> seed, const Rows& rows,
     episodes_ = 0;
   }
   auto started = start_episode(rows, world);
-  leg_->lay_aside();
+  lay_aside();
   return started;
 }
 
@@ -107,7 +107,16 @@ Result<void> Match::begin(std::uint64_t seed, simulator::World& world) {
   counts_ = {};
   episode_ = {};
   episode_.seed = seed;
-  leg_.emplace(setup_of(config_, seed), match::TickLogs::dropped, world);
+  const auto setup = setup_of(config_, seed);
+  if (!setup) {
+    leg_.reset();
+    return tl::unexpected(setup.error());
+  }
+  if (shares_world()) {
+    leg_.emplace(*setup, match::TickLogs::dropped, world);
+  } else {
+    leg_.emplace(*setup, match::TickLogs::dropped);
+  }
   for (const Team team : both_teams) noise_[index_of(team)] = Noise(seed, team);
   return start_teams();
 }
@@ -127,21 +136,29 @@ Result<void> Match::start_teams() {
   return {};
 }
 
+void Match::take_up(simulator::World& world) {
+  if (shares_world()) leg_->take_up(world);
+}
+
+void Match::lay_aside() {
+  if (leg_ && shares_world()) leg_->lay_aside();
+}
+
 void Match::skip_stop() {
   while (!leg_->is_over() && leg_->state() == match::State::READY) play_tick({});
 }
 
 Result<void> Match::step(const Rows& rows, const Weights& weights, simulator::World& world) {
-  leg_->take_up(world);
+  take_up(world);
   auto played = play_step(rows, weights, world);
-  leg_->lay_aside();
+  lay_aside();
   return played;
 }
 
 match::Snapshot Match::snapshot(simulator::World& world) {
-  leg_->take_up(world);
+  take_up(world);
   const match::Snapshot now = leg_->snapshot();
-  leg_->lay_aside();
+  lay_aside();
   return now;
 }
 
@@ -233,10 +250,10 @@ void Match::observe(float* to) const {
   if (to == nullptr) return;
   const std::size_t size = observer_.quantities().size();
   for (const Learner& learner : slots_.learners) {
+    const bool is_one =
+        config_.agents == Agents::robot || config_.observation == ObservationKind::relative;
     int first = 0;
-    while (config_.agents == Agents::robot && !learner.robots[static_cast<std::size_t>(first)]) {
-      ++first;
-    }
+    while (is_one && !learner.robots[static_cast<std::size_t>(first)]) ++first;
     observer_.write(*leg_, learner.team, first, {to, size});
     to += size;
   }
@@ -390,7 +407,7 @@ Result<void> Match::restore(std::string_view copy, simulator::World& world) {
   }
   const auto begun = begin(episode.seed, world);
   if (!begun) {
-    leg_->lay_aside();
+    lay_aside();
     return begun;
   }
   first_seed_ = first_seed;
@@ -409,7 +426,7 @@ Result<void> Match::restore(std::string_view copy, simulator::World& world) {
   counts_ = counts;
   episode_ = std::move(episode);
   measures_ = std::move(measures);
-  leg_->lay_aside();
+  lay_aside();
   return {};
 }
 

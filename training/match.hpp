@@ -43,8 +43,8 @@ struct Rows {
   float* statistics = nullptr;
 };
 
-// Returns a world for matches of a configuration, whose field outlives it.
-std::unique_ptr<simulator::World> make_world(const Config& config, const field::Field& field);
+// Returns a world for legs of a setup. The field outlives it.
+std::unique_ptr<simulator::World> make_world(const match::Setup& setup, const field::Field& field);
 
 class Match {
  public:
@@ -104,6 +104,10 @@ class Match {
   void write_statistics(float* to) const;
   bool is_done() const { return counts_.is_terminated || counts_.is_truncated; }
   std::uint64_t next_seed();
+  // A leg on a pitch of its own has a world of its own.
+  bool shares_world() const { return config_.pitch.is_null(); }
+  void take_up(simulator::World& world);
+  void lay_aside();
 
   const Config& config_;
   const Slots& slots_;

@@ -39,7 +39,13 @@ Observer::Observer(const Config& config, const field::Field& field) : kind_(conf
   const simulator::Parameters& p = config.setup.parameters;
   speed_ = p.wheel_speed_limit * p.wheel_radius;
   metre_ = field.half_length + field.goal_depth;
-  if (kind_ == ObservationKind::standard) {
+  goal_x_ = field.half_length;
+  if (kind_ == ObservationKind::relative) {
+    turn_ = 2.0 * speed_ / p.wheel_distance;
+    bound_ = 2.5;
+    fast_ = 5.0;
+    add_relative(field.robots_per_team);
+  } else if (kind_ == ObservationKind::standard) {
     turn_ = 2.0 * speed_ / p.wheel_distance;
     bound_ = 1.2;
     fast_ = 5.0;
@@ -79,6 +85,84 @@ void Observer::add_standard(int robots) {
   add("stalemate", "s", max_stalemate, 1.0);
 }
 
+void Observer::add_relative(int robots) {
+  const auto add_place = [&](const std::string& name) {
+    add(name + "_x", "m", metre_, bound_);
+    add(name + "_y", "m", metre_, bound_);
+  };
+  const auto add_velocity = [&](const std::string& name) {
+    add(name + "_vx", "m/s", speed_, fast_);
+    add(name + "_vy", "m/s", speed_, fast_);
+  };
+  const auto add_heading = [&](const std::string& name) {
+    add(name + "_cos", "1", 1.0, 1.0);
+    add(name + "_sin", "1", 1.0, 1.0);
+  };
+  add_place("ball");
+  add_velocity("ball");
+  add_velocity("self");
+  add("self_turn", "rad/s", turn_, fast_);
+  add_place("goal");
+  add_place("own_goal");
+  add_place("self_field");
+  add_heading("self_field");
+  add_place("ball_field");
+  for (int i = 1; i < 2 * robots; ++i) {
+    const std::string name =
+        i < robots ? "mate_" + std::to_string(i) : "opponent_" + std::to_string(i - robots);
+    add_place(name);
+    add_velocity(name);
+    add_heading(name);
+  }
+  add("own_restart", "1", 1.0, 1.0);
+  add("stalemate", "s", max_stalemate, 1.0);
+}
+
+void Observer::write_relative(const match::Leg& leg, const std::optional<match::Snapshot>& view,
+                              Team team, int self, std::span<float> to) const {
+  const End end = leg.end_of(team);
+  float* out = to.data();
+  const auto put = [&](double value, double bound) {
+    *out++ = static_cast<float>(std::clamp(value, -bound, bound));
+  };
+  const auto see = [&](Team whose, int i) {
+    return view ? seen(*view, end, whose, i) : seen(leg, end, whose, i);
+  };
+  const Seen me = see(team, self);
+  const simulator::BallState ball = view ? view->ball : leg.ball();
+  const Vec2 ball_at = team_frame(end, ball.position);
+  const auto put_vector = [&](const Vec2& v, double per_unit, double bound) {
+    put(v.x() * per_unit, bound);
+    put(v.y() * per_unit, bound);
+  };
+  const auto put_place = [&](const Vec2& at) {
+    put_vector(me.heading.to_body(at - me.position), 1.0 / metre_, bound_);
+  };
+  const auto put_velocity = [&](const Vec2& v) {
+    put_vector(me.heading.to_body(v), 1.0 / speed_, fast_);
+  };
+  put_place(ball_at);
+  put_velocity(team_frame(end, ball.velocity));
+  put_velocity(me.velocity);
+  put(me.turn / turn_, fast_);
+  put_place({goal_x_, 0.0});
+  put_place({-goal_x_, 0.0});
+  put_vector(me.position, 1.0 / metre_, bound_);
+  put_vector({me.heading.cos, me.heading.sin}, 1.0, 1.0);
+  put_vector(ball_at, 1.0 / metre_, bound_);
+  for (const Team whose : {team, opponent_of(team)}) {
+    for (int i = 0; i < leg.field().robots_per_team; ++i) {
+      if (whose == team && i == self) continue;
+      const Seen r = see(whose, i);
+      put_place(r.position);
+      put_velocity(r.velocity);
+      put_vector(me.heading.to_body({r.heading.cos, r.heading.sin}), 1.0, 1.0);
+    }
+  }
+  put(leg.taker() == team ? 1.0 : -1.0, 1.0);
+  put(leg.referee().stalemate_s() / max_stalemate, 1.0);
+}
+
 void Observer::add_vss(int robots) {
   add("ball_x", "m", metre_, bound_);
   add("ball_y", "m", metre_, bound_);
@@ -103,13 +187,13 @@ void Observer::add_vss(int robots) {
 void Observer::write(const match::Leg& leg, Team team, int first, std::span<float> to) const {
   const End end = leg.end_of(team);
   const int robots = leg.field().robots_per_team;
-  const bool has_camera = leg.setup().conditions.has_camera();
+  std::optional<match::Snapshot> view;
+  if (leg.setup().conditions.has_camera()) view.emplace(leg.view());
+  if (kind_ == ObservationKind::relative) return write_relative(leg, view, team, first, to);
   float* out = to.data();
   const auto put = [&](double value, double bound) {
     *out++ = static_cast<float>(std::clamp(value, -bound, bound));
   };
-  std::optional<match::Snapshot> view;
-  if (has_camera) view.emplace(leg.view());
   const simulator::BallState ball = view ? view->ball : leg.ball();
   const Vec2 at = team_frame(end, ball.position);
   const Vec2 velocity = team_frame(end, ball.velocity);

@@ -7,6 +7,11 @@
 // took the last restart and how long play has been getting nowhere. A learner that is one robot
 // comes first of its team.
 //
+// `relative`: the same in the frame of the one robot that learns, whose x points forward: the ball;
+// its own velocity and turn; the middle of both goals; then where it and the ball are on the field;
+// then each mate and each opponent: x, y, velocity, and cosine and sine of its heading, all as seen
+// by the robot; restart and stalemate.
+//
 // `vss`: that of rSoccer's VSS environment: the ball, the own robots with sine before cosine, the
 // opponents without heading.
 //
@@ -15,6 +20,7 @@
 
 #include "training/config.hpp"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -43,14 +49,18 @@ class Observer {
  private:
   void add(const std::string& name, const char* unit, double scale, double bound);
   void add_standard(int robots);
+  void add_relative(int robots);
   void add_vss(int robots);
+  void write_relative(const match::Leg& leg, const std::optional<match::Snapshot>& view, Team team,
+                      int self, std::span<float> to) const;
 
   ObservationKind kind_;
-  double metre_ = 1.0;  // m, of an observed 1
-  double speed_ = 1.0;  // m/s
-  double turn_ = 1.0;   // rad/s
-  double bound_ = 1.0;  // of positions
-  double fast_ = 1.0;   // bound of velocities
+  double goal_x_ = 1.0;  // m, of the opponents' goal
+  double metre_ = 1.0;   // m, of an observed 1
+  double speed_ = 1.0;   // m/s
+  double turn_ = 1.0;    // rad/s
+  double bound_ = 1.0;   // of positions
+  double fast_ = 1.0;    // bound of velocities
   std::vector<Quantity> quantities_;
 };
 

@@ -35,6 +35,20 @@
 
 namespace mirocup::match {
 
+// The control period of a preset, s: that of the platform whose rules it has. SimuroSot asks its
+// teams 60 times a second, FIRASim every 16 ms; 33 ms are the sample time of MiroSot.
+constexpr double control_period_of(referee::Preset preset) {
+  switch (preset) {
+    case referee::Preset::simurosot:
+      return 1.0 / 60.0;
+    case referee::Preset::vsss:
+      return 0.016;
+    case referee::Preset::mirosot:
+      break;
+  }
+  return 0.033;
+}
+
 // Everything that a leg depends on besides the teams.
 struct Setup {
   League league = League::small;

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
 // mirocup-plugin-host T1|T2: runs one team in a process of its own. Only the match server starts
-// it, with the descriptors of launch.hpp. mirocup-careful-host is the same with another care.hpp.
+// it, with the descriptors of launch.hpp. mirocup-careful-host is the same with another care.hpp,
+// mirocup-python-host with another guest.hpp.
 //
 // It enters the sandbox, loads the library, restricts itself further, and answers observations
 // until it is killed. No code of the library, its constructors included, runs before the sandbox
 // stands.
 #include "plugins/host/care.hpp"
 #include "plugins/host/fault_report.hpp"
+#include "plugins/host/guest.hpp"
 #include "plugins/host/launch.hpp"
 #include "plugins/host/mailbox.hpp"
-#include "plugins/host/plugin.hpp"
 #include "plugins/host/sandbox/descriptor_packet.hpp"
 #include "plugins/host/sandbox/file_access.hpp"
 #include "plugins/host/sandbox/filter.hpp"
@@ -101,9 +102,10 @@ const char* enter_sandbox(Isolation isolation, CommandPage& page) {
   const bool has_namespaces = isolation == Isolation::T2;
   if (!limit_this_process()) give_up("limits");
   if (!report_faults_to(page)) give_up("fault handlers");
-  if (!allow_libraries_only(has_namespaces ? private_entry_path : nullptr)) give_up("Landlock");
+  if (!allow_libraries_only(has_namespaces ? private_entry_path : nullptr, folders_of_guest()))
+    give_up("Landlock");
   let_the_server_end_loading();
-  if (!filter_for_loading()) give_up("the filter of system calls");
+  if (!filter_for_loading(folders_of_guest())) give_up("the filter of system calls");
   if (write(setup_descriptor, &sandbox_stands, 1) != 1) _exit(127);
   close(setup_descriptor);
   // In tier T1 the library has no path of its own; Landlock does not restrict sealed memory.
@@ -129,10 +131,12 @@ int main(int argc, char** argv) {
   TeamHost host{&in->parameters, &out->asked_parameters};
   if (in->keeps_thoughts != 0) host.thoughts = &out->thoughts;
   give_host(setup, host);
-  auto plugin = with_care(*out, TeamCall::create, [&] { return Plugin::load(library, setup); });
+  auto plugin = with_care(*out, TeamCall::create, [&] { return load_guest(library, setup); });
   close(entry_descriptor);
   if (!allow_no_files() || !filter_for_playing())
     refuse(*out, {match::FaultCode::crash, "the library changed the sandbox while it was loaded"});
+  const std::string name = plugin->name();
+  std::memcpy(out->name, name.data(), std::min(name.size(), sizeof out->name - 1));
   out->load_state.store(LoadState::ready, std::memory_order_release);
   wake(out->answer);
 

@@ -77,12 +77,12 @@ void hold_signals() {
     give_up(setup_descriptor, "the root folder");
   }
   // The host program learns from its argument what surrounds it.
-  char name[] = "mirocup-plugin-host";
+  char name[] = "mirocup-team";
   char inner[] = "T2";
   char outer[] = "T1";
   char* arguments[] = {name, has_namespaces ? inner : outer, nullptr};
   execveat(program_descriptor, "", arguments, const_cast<char* const*>(environment), AT_EMPTY_PATH);
-  give_up(setup_descriptor, "the start of mirocup-plugin-host");
+  give_up(setup_descriptor, "the start of the team's program");
 }
 
 }  // namespace

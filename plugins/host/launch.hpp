@@ -27,8 +27,14 @@ enum HostDescriptor : int {
 // is the reason why the sandbox does not stand.
 inline constexpr char sandbox_stands = '+';
 
+// The programs of a team's process: for libraries, for libraries whose mistakes are looked for, and
+// for teams in Python.
+inline constexpr const char* library_host = "mirocup-plugin-host";
+inline constexpr const char* careful_host = "mirocup-careful-host";
+inline constexpr const char* python_host = "mirocup-python-host";
+
 struct Launch {
-  std::string program;  // path of mirocup-plugin-host
+  std::string program;  // path of one of the programs above
   Isolation isolation = Isolation::T2;
   bool fixed_addresses = true;  // see surroundings.hpp
   // Descriptors of the calling process, which stay its own.

@@ -56,6 +56,7 @@ struct CommandPage {
   std::atomic<AddressKind> fault_address;
   std::atomic<TeamCall> team_call;  // the function that runs, or ran last
   AskedRows asked_parameters;       // of ObservationPage::parameters
+  char name[64];                    // of the team, as its library says; any bytes
   char text[256];                   // why the team does not play, or what it threw
   char requests[1024];              // only of mirocup-careful-host: write_requests()
   mirocup_command command;

@@ -24,6 +24,12 @@ class Plugin {
   static tl::expected<Plugin, match::Fault> load(const std::string& path,
                                                  const mirocup_setup& setup);
 
+  // Takes a team that other code of this process has created with these functions. destroy() is
+  // not called.
+  static Plugin adopt(const mirocup_strategy& strategy, void* team) {
+    return Plugin(nullptr, &strategy, team);
+  }
+
   // Returns why load() would refuse the library at `path`, as far as that can be told without a
   // team: its file, its version, its functions.
   static tl::expected<void, match::Fault> check(const std::string& path);

@@ -110,6 +110,9 @@ class ProcessController final : public match::Controller {
   // that is not kept.
   const ThoughtsPage* thoughts();
 
+  // Returns the name that the library gives its team: any bytes, and "" before it is ready.
+  std::string team_name() const { return {out_->name, strnlen(out_->name, sizeof out_->name)}; }
+
   // Returns what the process left when it ended by itself; nothing before that.
   const std::optional<LastWords>& exit_report() const { return exit_report_; }
 

@@ -3,6 +3,7 @@
 
 #include "system/files.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -49,6 +50,17 @@ Result<SealedEntry> SealedEntry::open(const std::string& path) {
   void* bytes = mmap(nullptr, size, PROT_READ, MAP_SHARED, sealed.get(), 0);
   if (bytes == MAP_FAILED) return system_error(path);
   return SealedEntry(std::move(sealed), {static_cast<const char*>(bytes), size});
+}
+
+bool SealedEntry::is_python() const {
+  if (bytes_.find('\0') != std::string_view::npos) return false;
+  for (std::size_t begin = 0; begin < bytes_.size();) {
+    const std::size_t end = std::min(bytes_.find('\n', begin), bytes_.size());
+    const std::string_view line = bytes_.substr(begin, end - begin);
+    if (line.starts_with("from mirocup") || line.starts_with("import mirocup")) return true;
+    begin = end + 1;
+  }
+  return false;
 }
 
 SealedEntry::SealedEntry(SealedEntry&& other) noexcept

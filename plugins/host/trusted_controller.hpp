@@ -19,11 +19,19 @@ class TrustedController final : public match::Controller {
       const std::string& path, const match::Briefing& briefing,
       const match::TeamParameters& parameters, bool keeps_thoughts = false);
 
+  // The same for the file of a team in Python. `module` is the path of mirocup-python.so.
+  static tl::expected<std::unique_ptr<TrustedController>, match::Fault> load_python(
+      const std::string& path, const std::string& module, const match::Briefing& briefing,
+      const match::TeamParameters& parameters, bool keeps_thoughts = false);
+
   void post(const match::Observation& observation) override;
   match::Answer collect() override;
 
   // Returns what the team drew in the tick that it answered last; null if that is not kept.
   const ThoughtsPage* thoughts() const { return facts_->thoughts ? &*facts_->thoughts : nullptr; }
+
+  // Returns the name that the library gives its team: any text.
+  std::string team_name() const { return plugin_.name(); }
 
   // Returns the rows of the table of parameters that the team asked for so far.
   std::uint32_t asked_parameters() const { return facts_->asked.load(std::memory_order_relaxed); }
@@ -38,6 +46,9 @@ class TrustedController final : public match::Controller {
     mirocup_setup setup{};
   };
 
+  static std::unique_ptr<Facts> facts_for(const match::Briefing& briefing,
+                                          const match::TeamParameters& parameters,
+                                          bool keeps_thoughts);
   TrustedController(std::unique_ptr<Facts> facts, Plugin plugin);
 
   std::unique_ptr<Facts> facts_;

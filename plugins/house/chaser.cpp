@@ -17,6 +17,7 @@ class Chaser : public Team {
     for (int i = 0; i < now.robots; ++i) {
       command.wheels[i] = i == chaser ? chase(now, i) : wait(now, i);
     }
+    avoid_own_goals(setup(), now, command);
     keep_laws(setup(), now, command);
   }
 
@@ -47,7 +48,8 @@ class Chaser : public Team {
       const Point through = keep_out(setup(), i, ball(now) + 0.1 * towards);
       return drive_to(setup(), robot, through, 0.8, pace_);
     }
-    return drive_clear(setup(), now, robot, keep_out(setup(), i, behind), 0.0, pace_);
+    const Point place = make_way(setup(), now, keep_out(setup(), i, behind));
+    return drive_clear(setup(), now, robot, place, 0.0, pace_);
   }
 
   Wheels wait(const Observation& now, int i) {
@@ -55,7 +57,7 @@ class Chaser : public Team {
     const int row = (i + 1) / 2;
     const double y = 0.2 * (i % 2 == 0 ? 1.0 : -1.0) * row;
     const Point place = keep_out(setup(), i, {-0.4 * setup().half_length, y});
-    return drive_clear(setup(), now, now.own[i], place);
+    return drive_clear(setup(), now, now.own[i], make_way(setup(), now, place));
   }
 
   double pace_ = 1.3 + 0.3 * random().uniform();  // m/s, of this leg

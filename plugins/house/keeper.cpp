@@ -24,6 +24,8 @@ class Keeper : public Team {
       } else if (i == 1 && is_near && robot.x < now.ball_x) {
         command.wheels[i] =
             drive_to(setup(), robot, keep_out(setup(), i, ball(now) + 0.1 * out), 1.0);
+      } else if (i == 1 && is_near && is_stuck(now)) {
+        command.wheels[i] = free_ball(setup(), now, robot);
       } else {
         // The others form a screen across the line from the ball to the goal.
         const int column = i / 2;
@@ -31,9 +33,10 @@ class Keeper : public Team {
         const double aside = 0.09 * (i % 2 == 0 ? 1.0 : -1.0) * column;
         const Point post = goal + (distance_ + 0.07 * row) * out;
         const Point place = keep_out(setup(), i, {post.x, post.y + aside});
-        command.wheels[i] = drive_clear(setup(), now, robot, place);
+        command.wheels[i] = drive_clear(setup(), now, robot, make_way(setup(), now, place));
       }
     }
+    avoid_own_goals(setup(), now, command);
     keep_laws(setup(), now, command);
   }
 

@@ -21,6 +21,7 @@ class Striker : public Team {
     for (int i = 1; i < now.robots; ++i) {
       command.wheels[i] = i == attacker_ ? attack(now, i) : support(now, i, rank++);
     }
+    avoid_own_goals(setup(), now, command);
     keep_laws(setup(), now, command);
     if (must_take_kick(now, spot_)) {
       command.wheels[1] = shoot(setup(), now.own[1], ball(now), aim_);
@@ -88,7 +89,7 @@ class Striker : public Team {
     }
     // Otherwise drive to a place behind the ball.
     const Point behind_it = keep_out(setup(), i, inside(setup(), meet - 0.11 * shot));
-    return drive_clear(setup(), now, robot, behind_it, 0.3, 1.7);
+    return drive_clear(setup(), now, robot, make_way(setup(), now, behind_it), 0.3, 1.7);
   }
 
   // Waits between the ball and the own goal, fanned out, ready to take over.
@@ -99,7 +100,7 @@ class Striker : public Team {
     const double x = std::max(-0.7 * setup().half_length, now.ball_x - back);
     const double y = 0.4 * now.ball_y + side * (rank % 2 == 0 ? 0.12 : -0.25);
     const Point place = keep_out(setup(), i, inside(setup(), {x, y}));
-    return drive_clear(setup(), now, now.own[i], place);
+    return drive_clear(setup(), now, now.own[i], make_way(setup(), now, place));
   }
 
   Point spot_{10.0, 0.0};  // of the ball at the last kick of this team, m

@@ -3,12 +3,12 @@
 // A team with roles. The keeper stands in the mouth of its goal. The robot that is soonest behind
 // the ball attacks; it drives along a field of directions, turns on the spot where that is quicker,
 // and goes through the ball. The others stay between the ball and their goal.
+#include "mirocup/skills/attack.hpp"
 #include "mirocup/skills/drive.hpp"
 #include "mirocup/skills/hold_goal.hpp"
 #include "mirocup/skills/laws.hpp"
+#include "mirocup/skills/penalty.hpp"
 #include "mirocup/skills/roles.hpp"
-#include "mirocup/skills/shoot.hpp"
-#include "mirocup/skills/univector_field.hpp"
 #include "mirocup/strategy.hpp"
 
 #include <array>
@@ -32,21 +32,26 @@ class Tactician : public Team {
     for (int i = 1; i < now.robots; ++i) {
       command.wheels[i] = i == attacker_ ? attack(now, i) : support(now, i, rank++);
     }
+    avoid_own_goals(setup(), now, command);
     keep_laws(setup(), now, command);
     spare_keeper(setup(), now, command);
     if (must_take_kick(now, spot_)) {
-      command.wheels[1] = shoot(setup(), now.own[1], ball(now), aim_);
+      command.wheels[1] = now.restart == MIROCUP_PENALTY_KICK
+                              ? penalty_.drive(setup(), now, soon_[1])
+                              : shoot(setup(), now.own[1], ball(now), aim_);
     }
     asked_ = command;
   }
 
-  // At a penalty or free kick robot 1 takes a run-up to the corner that the keeper leaves open.
+  // At a penalty or free kick robot 1 takes a run-up.
   void place(const Observation& now, Placement& placement) override {
     if (now.restart != MIROCUP_PENALTY_KICK && now.restart != MIROCUP_FREE_KICK) return;
     if (now.own_restart == 0) return;
     spot_ = ball(now);
-    aim_ = open_corner(setup(), now, 0.05, 0.1 * (random().uniform() - 0.5));
-    placement.robots[1] = run_up(spot_, aim_);
+    const double bias = 0.1 * (random().uniform() - 0.5);
+    aim_ = open_corner(setup(), now, 0.05, bias);
+    placement.robots[1] = now.restart == MIROCUP_PENALTY_KICK ? penalty_.stand(setup(), now, bias)
+                                                              : run_up(spot_, aim_);
   }
 
  private:
@@ -62,44 +67,19 @@ class Tactician : public Team {
     if (must_kick_off(now)) return kick_off(setup(), now.own[i]);
     if (is_stuck(now)) return free_ball(setup(), now, soon_[i]);
 
-    const MovingBall meet = intercept(setup(), now, now.own[i]).ball;
-    const Point along = unit(aim_from(now, ball(now)) - meet.at);
-    const Point from_ball = position(now.own[i]) - meet.at;
-    const double behind = -dot(from_ball, along);
-    const double aside = along.x * from_ball.y - along.y * from_ball.x;
-    if (behind > 0.0 && behind < 0.4 && std::abs(aside) < 0.02 + 0.35 * behind) {
-      const Point through = meet.at + 0.3 * along - (2.0 * aside) * Point{-along.y, along.x};
-      return drive_quickly(setup(), soon_[i], keep_out(setup(), i, through), 1.8);
+    const Point meet = intercept(setup(), now, now.own[i]).ball.at;
+    const Shot shot = shot_of(now.own[i], meet, shooting_aim(setup(), now, ball(now)));
+    if (shot.is_on_line) {
+      return drive_quickly(setup(), soon_[i], keep_out(setup(), i, through(shot)), 1.8);
     }
-    const Target target{keep_out(setup(), i, inside(setup(), meet.at, 0.04)),
-                        std::atan2(along.y, along.x)};
+    const Target target = pose_at_ball(setup(), i, shot);
     const Point here = position(soon_[i]) + 0.03 * Point{soon_[i].vx, soon_[i].vy};
     const double course = field_heading(field_, here, target);
     return head_for(setup(), soon_[i], round_others(now, i, soon_[i], target.at, course), 1.8);
   }
 
-  // Where to shoot from a place: the open corner of the goal, or along a wall.
-  Point aim_from(const Observation& now, Point from) const {
-    const double wall = setup().half_width - 0.05;
-    const bool is_at_wall = std::abs(from.y) > wall && from.x < setup().half_length - 0.25;
-    if (is_at_wall) return {from.x + 1.0, from.y};
-    const bool is_at_own_end = from.x < -setup().half_length + 0.06;
-    if (is_at_own_end) return {from.x + 0.2, from.y + (from.y > 0.0 ? 1.0 : -1.0)};
-    return open_corner(setup(), now, 0.06);
-  }
-
-  // Stays between the ball and the own goal; the second of these covers the other side.
   Wheels support(const Observation& now, int i, int rank) {
-    const double side = now.ball_y > 0.0 ? -1.0 : 1.0;
-    const int row = rank / 2;
-    const double back = 0.3 + 0.25 * row;
-    const double x = std::max(-0.75 * setup().half_length, now.ball_x - back);
-    const double part = (x + setup().half_length) / (now.ball_x + setup().half_length + 0.01);
-    const double spread = rank % 2 == 0 ? 0.0 : side * (0.3 + 0.1 * row);
-    const double y = std::clamp(part, 0.0, 1.0) * now.ball_y + spread;
-    // In the opponents' goal area there is room for one.
-    const double front = setup().half_length - setup().goal_area_depth - 0.13;
-    const Point place = keep_out(setup(), i, inside(setup(), {std::min(x, front), y}));
+    const Point place = supporting_place(setup(), now, i, rank);
     const Point to = place - position(soon_[i]);
     if (length(to) < 0.02) return turn_quickly(setup(), soon_[i], squared(soon_[i].heading));
     const double course = round_others(now, i, soon_[i], place, std::atan2(to.y, to.x));
@@ -111,6 +91,7 @@ class Tactician : public Team {
   std::array<Robot, MIROCUP_MAX_ROBOTS> soon_{};
   Point spot_{10.0, 0.0};  // of the ball at the last kick of this team, m
   Point aim_;              // of that kick, m
+  PenaltyTaker penalty_;
   int attacker_ = 1;
 };
 

@@ -6,7 +6,9 @@
 #include "server/app/commands.hpp"
 #include "server/dds/domain.hpp"
 #include "server/record/match_record.hpp"
+#include "system/command_help.hpp"
 #include "system/command_line.hpp"
+#include "system/locations.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -54,12 +56,40 @@ void add_parameters(CLI::App& command, const char* option, std::vector<std::stri
       ->type_name("KEY=VALUE");
 }
 
+void add_firasim(CLI::App& command, MatchOptions& o) {
+  const char* group = "Teams that speak the protocol of FIRASim and VSSReferee";
+  const auto add = [&](const char* option, std::string& value, const char* type,
+                       const char* description) {
+    command.add_option(option, value, description)->type_name(type)->group(group);
+  };
+  add("--firasim-vision", o.firasim_vision, "ADDR:PORT[,...]",
+      "Where vision is sent to: groups or single addresses (default: 224.0.0.1:10002)");
+  add("--firasim-command", o.firasim_command, "[ADDR:]PORT",
+      "Where commands are received (default: 20011)");
+  add("--firasim-referee", o.firasim_referee, "ADDR:PORT[,...]",
+      "Where the referee's calls are sent to (default: 224.5.23.2:10003)");
+  add("--firasim-placement", o.firasim_placement, "ADDR:PORT",
+      "Where placements are received (default: 224.5.23.2:10004)");
+  command
+      .add_option("--firasim-instance", o.firasim_instance,
+                  "Number of this match on this host; above 0 each has ports of its own: 10002+K, "
+                  "20011+K, 40000+K, 50000+K")
+      ->check(CLI::Range(0, 9999))
+      ->group(group);
+  command
+      .add_flag("--lockstep", o.lockstep,
+                "Wait in each tick until these teams have commanded all their robots (--speed max "
+                "does, too)")
+      ->group(group);
+}
+
 void add_match(CLI::App& app, Run& run) {
   Subcommand<MatchOptions> command(app, run, "match", "Play one leg", run_match);
   MatchOptions& o = *command.options;
   command
       ->add_option("--blue", o.teams[0],
-                   "Blue team: the path of a library, the name of a house team, or dds:NAME")
+                   "Blue team: a library (.so), a file of Python (.py), the name of a house team, "
+                   "dds:NAME, or firasim:NAME for a program that speaks FIRASim's protocol")
       ->type_name("TEAM")
       ->required();
   command->add_option("--yellow", o.teams[1], "Yellow team, named in the same way")
@@ -160,7 +190,7 @@ void add_match(CLI::App& app, Run& run) {
       ->capture_default_str();
   command
       ->add_option("--interface", o.interface,
-                   "Network interface for DDS teams; lo: this host only")
+                   "Network interface for teams on the network; lo: this host only")
       ->capture_default_str();
   add_dds_domain(*command.sub, o.dds_domain);
   command
@@ -174,6 +204,8 @@ void add_match(CLI::App& app, Run& run) {
       ->add_option("--credentials", o.credentials,
                    "Folder with the server's credentials; then only teams of the league can join")
       ->type_name("DIR");
+  command->add_flag("--hash", o.hash, "Print the state hash of the leg, too");
+  add_firasim(*command.sub, o);
   command->add_flag("--json", o.json, "Print the record as one JSON object");
 }
 
@@ -213,7 +245,8 @@ void add_check(CLI::App& app, Run& run) {
   Subcommand<CheckOptions> command(
       app, run, "check", "Check whether a library would be accepted as an entry", run_check);
   CheckOptions& o = *command.options;
-  command->add_option("FILE.so", o.path, "Library of the team")->required();
+  command->add_option("FILE", o.path, "Library of the team (.so), or its file of Python (.py)")
+      ->required();
   command
       ->add_option("--league", o.league,
                    "Field and number of robots: small (3 a side), middle (5), large (11)")
@@ -249,7 +282,9 @@ void add_compile(CLI::App& app, Run& run) {
           "One file of C++20, or of C17 if its name ends in .c, or an archive of a project "
           "(.tar.gz, .tar, .zip)")
       ->required();
-  command->add_option("-o", o.output, "Library to write")->type_name("FILE.so")->required();
+  command->add_option("-o,--output", o.output, "Library to write")
+      ->type_name("FILE.so")
+      ->required();
   command->add_option("--language", o.language, "Of the source, whatever its name")
       ->check(CLI::IsMember({"c", "c++", "project"}));
   command->add_flag("--json", o.json, "Print the answer as one JSON object");
@@ -263,7 +298,8 @@ void add_hand_in(CLI::App& app, Run& run) {
   command->add_option("URL", o.url, "Address of the league, as https://league.example:8443")
       ->required();
   CLI::Option* file = command->add_option(
-      "FILE", o.path, "Library of the team, its source, or an archive of its project");
+      "FILE", o.path,
+      "Library of the team, its source, its file of Python, or an archive of its project");
   command
       ->add_option("--pin", o.pin,
                    "Send no file: let this accepted entry play, or \"latest\" again")
@@ -292,8 +328,9 @@ void add_join(CLI::App& app, Run& run) {
       ->required();
   command->add_option("--server", o.server, "Host on which the match runs")->capture_default_str();
   add_dds_domain(*command.sub, o.dds_domain);
-  command->add_option("--patience", o.join_within, "Seconds to wait for the match")
+  command->add_option("--join-within", o.join_within, "Seconds to wait for the match")
       ->capture_default_str();
+  command->add_option("--patience", o.join_within, "The older name of --join-within")->group("");
   command
       ->add_option("--credentials", o.credentials,
                    "Folder with the team's credentials, for a match that asks for them")
@@ -306,6 +343,25 @@ void add_new(CLI::App& app, Run& run) {
   Subcommand<NewOptions> command(app, run, "new", "Make a folder with a team that builds as it is",
                                  run_new);
   command->add_option("DIR", command.options->folder, "Folder to make; must be new or empty")
+      ->required();
+  command->add_option("--language", command.options->language, "Language of the team")
+      ->check(CLI::IsMember({"c++", "c", "python"}))
+      ->capture_default_str();
+  command
+      ->add_option("--from-simurosot", command.options->simurosot,
+                   "Folder with the sources of a team that was written for SimuroSot or Simuro5v5; "
+                   "they are copied")
+      ->type_name("OLD");
+}
+
+void add_export(CLI::App& app, Run& run) {
+  Subcommand<ExportOptions> command(app, run, "export",
+                                    "Write a learned network as the source of a team", run_export);
+  ExportOptions& o = *command.options;
+  command->add_option("POLICY", o.policy, "The network, an .npz of schema mirocup/policy/1")
+      ->required();
+  command->add_option("-o,--output", o.output, "File to write the source to")
+      ->type_name("FILE.cpp")
       ->required();
 }
 
@@ -351,6 +407,7 @@ void add_replay(CLI::App& app, Run& run) {
                    "FROM:TO in seconds since the match began: a video (.webm, .mp4 or .gif)")
       ->excludes(at)
       ->excludes(svg);
+  command->add_flag("--open", o.open, "Open the page in a browser");
   command->add_flag("--no-times", o.no_times,
                     "Leave out times that a clock measured, so that the page is the same on "
                     "every machine");
@@ -385,7 +442,8 @@ void add_scene(CLI::App& app, Run& run) {
   command->add_option("FILE", o.path, "Scene, a file of schema mirocup/scene/1")->required();
   command->add_option("--accuracy", o.accuracy, "Accuracy of lasting contacts (default: standard)")
       ->check(CLI::IsMember({"coarse", "standard", "reference"}));
-  command->add_option("-o", o.out, "File to write the result to (default: standard output)")
+  command
+      ->add_option("-o,--output", o.out, "File to write the result to (default: standard output)")
       ->type_name("FILE");
   command->add_flag("--json", o.json, "Accepted for uniformity: the result is always JSON");
 }
@@ -408,15 +466,97 @@ void add_referee(CLI::App& app, Run& run) {
   command->add_flag("--json", o.json, "Print the answer as one JSON object");
 }
 
+void add_completion(CLI::App& app, Run& run) {
+  Subcommand<CompletionOptions> command(app, run, "completion",
+                                        "Print the script by which a shell completes what is typed",
+                                        run_completion);
+  command->add_option("SHELL", command.options->shell, "The shell that reads it")
+      ->required()
+      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+}
+
+// Commands of other programs, which are started before this command line is read.
+void add_league(CLI::App& app) {
+  app.add_subcommand("league", "Make, play and show leagues: mirocup help league");
+}
+void add_tune(CLI::App& app) {
+  app.add_subcommand("tune", "Find better numbers for a team: mirocup tune --help");
+}
+void add_bench(CLI::App& app) {
+  app.add_subcommand("bench", "Compare speed and error with other engines: mirocup help bench");
+}
+
+constexpr const char* for_teams = "A team";
+constexpr const char* after_a_leg = "After a leg";
+constexpr const char* for_leagues = "Leagues";
+constexpr const char* for_engineers = "Referee and physics";
+constexpr const char* for_shells = "Shells";
+
+const system::CommandHelp help_of_commands[] = {
+    {"new",
+     for_teams,
+     {"mirocup new mine && cd mine && cmake --workflow --preset team",
+      "mirocup new mine --language python"}},
+    {"match",
+     for_teams,
+     {"mirocup match --blue mine.so --yellow striker --seed 7 --record leg.json",
+      "mirocup match --blue mine.py --yellow chaser --watch",
+      "mirocup match --blue mine.so --yellow mine.so --blue-param wait=0.5"}},
+    {"check", for_teams, {"mirocup check mine.so", "mirocup check mine.py --league large"}},
+    {"drill",
+     for_teams,
+     {"mirocup drill list", "mirocup drill shoot-open-goal mine.so --replay failed",
+      "mirocup drill all mine.so striker --csv"}},
+    {"compile", for_teams, {"mirocup compile mine.cpp -o mine.so"}},
+    {"export", for_teams, {"mirocup export policy.npz -o learned.cpp"}},
+    {"tune",
+     for_teams,
+     {"mirocup tune mine.so --param wait=0.3:0.6 --against chaser,striker -o tuned"}},
+    {"hand-in",
+     for_teams,
+     {"mirocup hand-in https://league.example:8443 mine.so --token-file token"}},
+    {"join",
+     for_teams,
+     {"mirocup join --match 7 --team blue --name ours mine.so",
+      "mirocup join --match 7 --team yellow --name theirs their.so --server 10.0.0.5"}},
+    {"replay",
+     after_a_leg,
+     {"mirocup replay leg.json --open", "mirocup replay leg.json --clip 12:18 -o goal.gif",
+      "mirocup replay leg.json --at 12.5 --svg -o moment.svg"}},
+    {"stats", after_a_leg, {"mirocup stats leg.json --goals", "mirocup stats spring --csv"}},
+    {"verify", after_a_leg, {"mirocup verify leg.json"}},
+    {"rerun", after_a_leg, {"mirocup rerun leg.json --entries teams"}},
+    {"league",
+     for_leagues,
+     {"mirocup league init spring --team alpha=alpha.so --team house=house:striker",
+      "mirocup league start spring"}},
+    {"referee",
+     for_engineers,
+     {"mirocup referee trace.jsonl", "mirocup referee --record leg.json --rule stalemate_s=5"}},
+    {"scene", for_engineers, {"mirocup scene scene.json --accuracy reference -o result.json"}},
+    {"bench", for_engineers, {"mirocup bench --quick"}},
+    {"completion",
+     for_shells,
+     {"mirocup completion bash >~/.local/share/bash-completion/completions/mirocup",
+      "mirocup completion fish >~/.config/fish/completions/mirocup.fish"}},
+};
+
+const system::ValueNames value_names{
+    {"--seed", "SEED"},          {"--half", "SECONDS"},      {"--tick", "TICK"},
+    {"--match", "ID"},           {"--interface", "NAME"},    {"--join-within", "SECONDS"},
+    {"--away-limit", "SECONDS"}, {"--dds-domain", "NUMBER"}, {"--tries", "NUMBER"},
+    {"--jobs", "NUMBER"},        {"--at-least", "MARKS"},    {"--name", "NAME"},
+    {"--server", "HOST"},        {"--entries", "DIR"},       {"--at", "SECONDS"},
+    {"--clip", "FROM:TO"},
+};
+
 }  // namespace
 
 std::optional<int> read_command_line(int argc, char** argv, Run& run) {
   CLI::App cli("A tournament platform for MiroSot robot soccer.", "mirocup");
   cli.require_subcommand(1);
   cli.set_version_flag("-v,--version", record::software_version());
-  cli.footer(
-      "mirocup league ... runs tournaments: see mirocup league --help.\n"
-      "mirocup bench ... compares speed and error with other engines: see mirocup bench --help.");
+  cli.footer("mirocup help COMMAND explains a command, with examples.");
   add_match(cli, run);
   add_drill(cli, run);
   add_check(cli, run);
@@ -424,14 +564,22 @@ std::optional<int> read_command_line(int argc, char** argv, Run& run) {
   add_hand_in(cli, run);
   add_join(cli, run);
   add_new(cli, run);
+  add_export(cli, run);
   add_verify(cli, run);
   add_rerun(cli, run);
   add_replay(cli, run);
   add_stats(cli, run);
+  add_league(cli);
   add_scene(cli, run);
   add_referee(cli, run);
-  const std::vector<std::string> others{"league", "bench"};
-  return system::parse_command_line(cli, argc, argv, others);
+  add_tune(cli);
+  add_bench(cli);
+  add_completion(cli, run);
+  system::finish_help(cli, help_of_commands, value_names);
+  if (const auto told =
+          system::tell_about(cli, argc, argv, record::software_version(), system::house_teams()))
+    return told;
+  return system::parse_command_line(cli, argc, argv);
 }
 
 }  // namespace mirocup::app

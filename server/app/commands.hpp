@@ -45,6 +45,11 @@ struct MatchOptions {
   double join_within = 60.0;  // s that a DDS team has to join
   double away_limit = 10.0;   // s that a DDS team may be absent in total
   std::string credentials;
+  bool hash = false;  // print the state hash, too
+  // Addresses of firasim teams; "": those of the instance.
+  std::string firasim_vision, firasim_command, firasim_referee, firasim_placement;
+  int firasim_instance = 0;
+  bool lockstep = false;  // firasim teams are waited for even where real time is asked for
   bool json = false;
 };
 Result<int> run_match(const MatchOptions& options);
@@ -106,8 +111,21 @@ struct JoinOptions {
 };
 Result<int> run_join(const JoinOptions& options);
 
+struct CompletionOptions {
+  std::string shell;
+};
+Result<int> run_completion(const CompletionOptions& options);
+
+struct ExportOptions {
+  std::string policy;  // the path of a mirocup/policy/1
+  std::string output;  // of the source
+};
+Result<int> run_export(const ExportOptions& options);
+
 struct NewOptions {
+  std::string simurosot;  // folder with the sources of an old team; "": a new team
   std::string folder;
+  std::string language = "c++";
 };
 Result<int> run_new(const NewOptions& options);
 
@@ -133,6 +151,7 @@ struct ReplayOptions {
   bool no_times = false;
   bool public_page = false;  // without what only the teams may see
   std::string statistics;    // file for the statistics of the leg; "": none
+  bool open = false;         // in a browser
 };
 Result<int> run_replay(const ReplayOptions& options);
 
@@ -161,9 +180,9 @@ struct RefereeOptions {
 };
 Result<int> run_referee(const RefereeOptions& options);
 
-// `mirocup league …` is the program mirocup-league and `mirocup bench …` is mirocup-bench: runs the
-// program of that name in the place of this process, with the arguments behind argv[1]. Returns
-// only if it cannot be run.
-Result<int> become_sibling_program(const std::string& name, int argc, char** argv);
+// `mirocup league …` and `mirocup tune …` are the program mirocup-league, and `mirocup bench …` is
+// mirocup-bench: runs the program of that name in the place of this process, with the arguments
+// from argv[first] on. Returns only if it cannot be run.
+Result<int> become_sibling_program(const std::string& name, int argc, char** argv, int first = 2);
 
 }  // namespace mirocup::app

@@ -95,7 +95,7 @@ Result<TeamChoice> choose(const std::string& text, const std::string& what) {
   const bool is_named = equals != std::string::npos && equals < text.find('/');
   auto choice = choose_team(is_named ? text.substr(equals + 1) : text);
   if (choice && is_named) choice->info.name = text.substr(0, equals);
-  if (choice && choice->info.kind == record::TeamKind::dds) {
+  if (choice && record::is_on_network(choice->info.kind)) {
     return fail(Errc::input, what + " " + text + ": drills are for libraries and house teams");
   }
   return choice;

@@ -17,6 +17,10 @@ using plugins::LastWords;
 constexpr const char* in_a_debugger =
     "build it with -g and run gdb --args mirocup match --trusted --blue FILE.so --yellow striker";
 
+constexpr const char* no_team_in_python =
+    "it is Python, but no team: write \"from mirocup.team import Team\" and derive a class from "
+    "Team";
+
 bool has(const std::string& text, std::string_view part) {
   return text.find(part) != std::string::npos;
 }
@@ -69,9 +73,41 @@ bool starts_with(std::string_view bytes, std::string_view text) {
   return bytes.substr(0, text.size()) == text;
 }
 
+// A team in Python: its log has the traceback.
+std::string advice_on_python(const FaultEvidence& evidence) {
+  const std::string& text = evidence.fault.text;
+  switch (evidence.fault.code) {
+    case FaultCode::no_load:
+      if (has(text, "ModuleNotFoundError") || has(text, "No module named"))
+        return "use Python's library, or a module that the host has installed";
+      if (has(text, "FileNotFoundError") || has(text, "PermissionError"))
+        return "a team opens no file: put its data into the source";
+      return "mend that line; the log shows it";
+    case FaultCode::crash:
+      if (has(text, "start new thread")) return "a team has one thread: compute in decide()";
+      if (has(text, "No module named") || has(text, "ModuleNotFoundError"))
+        return "import it at the top of the file: no file can be opened while the team plays";
+      if (has(text, "PermissionError") || has(text, "FileNotFoundError"))
+        return "a team opens no file and no connection: put its data into the source";
+      if (has(text, "MemoryError"))
+        return "it used more than 1 GiB of memory; keep what a team needs, and free the rest";
+      if (has(text, "SystemExit")) return "return from decide() instead of calling exit()";
+      return "the log has the traceback; mirocup match --trusted stops at breakpoint()";
+    case FaultCode::budget:
+      return advice_on_time_in_python;
+    case FaultCode::illegal_call:
+      return "a module that it imports needs more of the system than a team gets: do without it";
+    default:
+      return "";
+  }
+}
+
 }  // namespace
 
 std::string advice_on(const FaultEvidence& evidence) {
+  if (evidence.is_python) {
+    if (std::string advice = advice_on_python(evidence); !advice.empty()) return advice;
+  }
   const std::string& text = evidence.fault.text;
   switch (evidence.fault.code) {
     case FaultCode::no_load:
@@ -102,7 +138,7 @@ std::string advice_on(const FaultEvidence& evidence) {
 }
 
 std::string advice_on_file(std::string_view bytes) {
-  constexpr std::array<std::pair<std::string_view, const char*>, 9> kinds{{
+  constexpr std::array<std::pair<std::string_view, const char*>, 15> kinds{{
       {"!<arch>", "it is a static library (.a): link its objects with -shared"},
       {"MZ", "it is a library or program of Windows (DLL): build it on Linux, as a .so"},
       {"PK\x03\x04", "it is a zip archive: hand in the library that is in it"},
@@ -110,8 +146,14 @@ std::string advice_on_file(std::string_view bytes) {
       {"\xcf\xfa\xed\xfe", "it is a library of macOS: build it on Linux, as a .so"},
       {"#include", "it is a source: compile it, g++ -std=c++20 -O2 -shared -fPIC"},
       {"//", "it is a source: compile it, g++ -std=c++20 -O2 -shared -fPIC"},
-      {"import ", "it is a program in Python: a team is a shared library; Python plays over DDS"},
-      {"#!", "it is a script: a team is a shared library"},
+      {"import ", no_team_in_python},
+      {"from ", no_team_in_python},
+      {"\"\"\"", no_team_in_python},
+      {"# ", no_team_in_python},
+      {"class ", no_team_in_python},
+      {"#!/usr/bin/env python", no_team_in_python},
+      {"#!/usr/bin/python", no_team_in_python},
+      {"#!", "it is a script: a team is a shared library, or a file of Python"},
   }};
   const auto* found = std::find_if(
       kinds.begin(), kinds.end(), [&](const auto& kind) { return starts_with(bytes, kind.first); });

@@ -16,7 +16,8 @@ namespace mirocup::app {
 struct FaultEvidence {
   match::Fault fault;
   std::optional<plugins::LastWords> words;  // nothing if the server ended the process
-  std::string requests;                     // lines of ProcessController::requests()
+  std::string requests = {};                // lines of ProcessController::requests()
+  bool is_python = false;                   // the team is in Python
 };
 
 std::string advice_on(const FaultEvidence& evidence);
@@ -24,6 +25,10 @@ std::string advice_on(const FaultEvidence& evidence);
 // Advice for a team that takes too much time.
 inline constexpr const char* advice_on_time =
     "a tick has 1 ms of processor time in the mean of a leg; compute less, and do not wait";
+
+inline constexpr const char* advice_on_time_in_python =
+    "a tick has 1 ms of processor time in the mean of a leg; compute less, use numpy for what is "
+    "long, or write it in C++";
 
 // Returns advice about a file that is no shared library but something else that is known, such as
 // an archive or a source; "" if it is not known.

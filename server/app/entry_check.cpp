@@ -6,6 +6,7 @@
 #include "plugins/host/sandbox/probe.hpp"
 #include "plugins/host/sealed_entry.hpp"
 #include "server/app/entry_advice.hpp"
+#include "server/app/host_program.hpp"
 #include "server/app/trial_leg.hpp"
 #include "system/digest.hpp"
 #include "system/files.hpp"
@@ -136,7 +137,7 @@ class Examination {
       : path_(std::move(path)), terms_(terms), on_check_(on_check), on_step_(on_step) {
     setup_.league = terms.league;
     setup_.rules = terms.rules;
-    if (setup_.rules.preset == referee::Preset::simurosot) setup_.control_period = 1.0 / 60.0;
+    setup_.control_period = match::control_period_of(setup_.rules.preset);
     setup_.rules.mercy_goal_diff = 0;  // so that the second half is played, whatever the score
   }
 
@@ -144,6 +145,7 @@ class Examination {
 
  private:
   Result<bool> examine_file();
+  Result<bool> examine_python();
   Result<bool> examine_play();
   Result<bool> load_and_answer();
   Result<bool> play_whole_legs();
@@ -216,6 +218,7 @@ Result<bool> Examination::examine_file() {
   entry_ = std::move(*entry);
   pass("a regular file of " + std::to_string(entry_->bytes().size()) + " bytes");
 
+  if (entry_->is_python()) return examine_python();
   const auto library = plugins::read_shared_library(entry_->bytes());
   if (!library) {
     const std::string known = advice_on_file(entry_->bytes());
@@ -238,6 +241,15 @@ Result<bool> Examination::examine_file() {
     names += (names.empty() ? "" : ", ") + system::printable(name);
   }
   return pass(names.empty() ? "needs no other library" : "needs " + names);
+}
+
+// Whether the text is a program and has a team, Python says when it is loaded.
+Result<bool> Examination::examine_python() {
+  const auto program = host_program(*entry_);
+  if (!program) return tl::unexpected(program.error());
+  pass("a text in Python");
+  pass("imports mirocup.team");
+  return pass("plays with this system's Python and what is installed for it");
 }
 
 Result<bool> Examination::examine_play() {
@@ -331,7 +343,9 @@ Result<bool> Examination::repeat_elsewhere() {
   const auto again = play_trial(*entry_, terms);
   if (!again) return tl::unexpected(again.error());
   requests_ += again->requests;
-  const auto careful = judge(*again, terms, "writes only to memory of its own");
+  const auto careful = judge(*again, terms,
+                             entry_->is_python() ? "plays the same leg again without a fault"
+                                                 : "writes only to memory of its own");
   if (!careful || !*careful) return careful;
   const auto tick = first_difference(blue_, *again);
   if (!tick) {
@@ -357,8 +371,13 @@ Result<std::string> Examination::cause_of_difference(const TrialTerms& terms) {
   };
   const auto plain = leg_in({}, false);
   if (!plain) return tl::unexpected(plain.error());
-  if (first_difference(blue_, *plain))
-    return std::string("chance of its own, such as std::random_device: take it from setup.seed");
+  if (first_difference(blue_, *plain)) {
+    return std::string(entry_->is_python()
+                           ? "chance of its own: take it from the module random, which setup.seed "
+                             "has seeded, and not from clocks, os.urandom() or default_rng()"
+                           : "chance of its own, such as std::random_device: take it from "
+                             "setup.seed");
+  }
 
   Surroundings clocks, memory, numbers, addresses;
   clocks.clocks = other_clocks;
@@ -404,8 +423,9 @@ Result<bool> Examination::judge(const TrialLeg& leg, const TrialTerms& terms, st
   note_use(leg, terms);
   if (!leg.fault) return pass(std::move(text));
   FaultEvidence evidence = *leg.fault;
+  evidence.is_python = entry_->is_python();
   std::string mistake;
-  if (evidence.fault.code == match::FaultCode::crash && !terms.is_careful) {
+  if (evidence.fault.code == match::FaultCode::crash && !terms.is_careful && !evidence.is_python) {
     auto found = mistake_in_memory(terms, evidence);
     if (!found) return tl::unexpected(found.error());
     mistake = std::move(*found);
@@ -461,7 +481,8 @@ bool Examination::judge_time() {
                 setup_.rules.half_s, report_.leg_seconds, 100.0 * report_.leg_share,
                 report_.leg_seconds / report_.leg_share);
   if (report_.leg_share > refused_leg_share) {
-    return fail_with(std::string(text) + ": " + advice_on_time);
+    return fail_with(std::string(text) + ": " +
+                     (entry_->is_python() ? advice_on_time_in_python : advice_on_time));
   }
   return pass(text);
 }

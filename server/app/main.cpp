@@ -7,6 +7,7 @@
 
 #include <iostream>
 #include <string_view>
+#include <vector>
 
 using namespace mirocup;
 
@@ -20,7 +21,17 @@ int report(const Result<int>& result) {
 
 int run(int argc, char** argv) {
   const std::string_view command = argc > 1 ? argv[1] : "";
+  // `complete league WORD…` asks the other program.
+  if (command == "complete" && argc > 3 && std::string_view(argv[2]) == "league") {
+    std::vector<char*> words{argv[0], argv[2], argv[1]};
+    words.insert(words.end(), argv + 3, argv + argc);
+    return report(app::become_sibling_program("mirocup-league", static_cast<int>(words.size()),
+                                              words.data()));
+  }
   if (command == "league") return report(app::become_sibling_program("mirocup-league", argc, argv));
+  // The subcommand itself is one of that program.
+  if (command == "tune")
+    return report(app::become_sibling_program("mirocup-league", argc, argv, 1));
   if (command == "bench") return report(app::become_sibling_program("mirocup-bench", argc, argv));
 
   app::Run run;

@@ -71,7 +71,7 @@ Result<match::Setup> setup_of(const MatchOptions& options) {
   setup.rules = *rules;
   setup.stage = *from_string<referee::Stage>(options.stage);
   setup.seed = options.seed;
-  if (setup.rules.preset == referee::Preset::simurosot) setup.control_period = 1.0 / 60.0;
+  setup.control_period = match::control_period_of(setup.rules.preset);
   if (options.half_s) setup.rules.half_s = *options.half_s;
   const auto conditions = record::conditions_with_changes(
       *from_string<match::ConditionsPreset>(options.conditions), options.condition_changes);
@@ -96,7 +96,11 @@ Result<std::optional<record::MatchRecord>> read_past(const MatchOptions& options
 
 Result<std::optional<double>> factor_of(const MatchOptions& options) {
   const std::string& speed = options.speed;
-  if (speed.empty() && options.watch) return std::optional<double>(1.0);
+  // VSSS programs live by the wall clock unless they are told otherwise.
+  const bool any_firasim =
+      options.teams[0].rfind("firasim:", 0) == 0 || options.teams[1].rfind("firasim:", 0) == 0;
+  const bool by_the_clock = options.watch.has_value() || (any_firasim && !options.lockstep);
+  if (speed.empty() && by_the_clock) return std::optional<double>(1.0);
   if (speed.empty() || speed == "max") return std::optional<double>();
   char* end = nullptr;
   const double factor = std::strtod(speed.c_str(), &end);
@@ -115,7 +119,7 @@ Result<void> give_parameters(const MatchOptions& options, std::vector<TeamChoice
     const std::string option = "--" + std::string(to_string(team)) + "-param";
     const auto& own = options.own_parameters[index_of(team)];
     record::TeamInfo& info = choices[index_of(team)].info;
-    if (info.kind == record::TeamKind::dds) {
+    if (record::is_on_network(info.kind)) {
       if (own.empty()) continue;
       return fail(Errc::input, option + " " + own[0] + ": " + info.name +
                                    " plays over the network; give it to mirocup join");
@@ -158,7 +162,10 @@ class Session {
 
  private:
   Result<TeamSeat> take_seat(const TeamChoice& choice, Team team);
+  void use_own_names();
   dds::JoinTerms patience();
+  firasim::Terms firasim_terms();
+  Result<void> open_network(const std::vector<TeamChoice>& choices);
   Result<plugins::ProcessTerms> process_terms() const;
   void keep_thoughts(std::uint32_t tick);
   Result<void> write_thoughts(Team team);
@@ -175,6 +182,7 @@ class Session {
   match::ByTeam<record::ThoughtsWriter> thoughts_;
   pace::Pacer pacer_;
   std::unique_ptr<dds::MatchServer> network_;  // null unless a team plays over it
+  std::unique_ptr<firasim::Server> firasim_;   // likewise
   std::unique_ptr<web::LiveServer> live_;      // null unless the leg is watched
   std::shared_ptr<plugins::Doorbell> bell_ = std::make_shared<plugins::Doorbell>();
   std::shared_ptr<plugins::MemoryWitness> memory_ = std::make_shared<plugins::MemoryWitness>();
@@ -214,16 +222,8 @@ Result<void> Session::seat_teams() {
     choices.push_back(std::move(*choice));
   }
   if (auto given = give_parameters(options_, choices); !given) return given;
-  const bool any_dds = choices[0].info.kind == record::TeamKind::dds ||
-                       choices[1].info.kind == record::TeamKind::dds;
-  if (any_dds) {
-    auto server = dds::MatchServer::open(options_.match_id, options_.interface,
-                                         options_.credentials, options_.dds_domain);
-    if (!server) return tl::unexpected(server.error());
-    network_ = std::move(*server);
-  } else if (pacer_.period() == 0.0) {
-    stay_on_this_core();
-  }
+  if (auto opened = open_network(choices); !opened) return opened;
+  if (!network_ && !firasim_ && pacer_.period() == 0.0) stay_on_this_core();
   for (const Team team : both_teams) {
     auto seat = take_seat(choices[index_of(team)], team);
     if (!seat) return tl::unexpected(seat.error());
@@ -235,6 +235,49 @@ Result<void> Session::seat_teams() {
   }
   if (network_) network_->publish(match_);  // teams answer it before the match begins
   wait_until_ready(seats_, match_, interrupt_);
+  use_own_names();
+  return {};
+}
+
+// A library that is called team.so is told from another one by the name that it exports, unless
+// both export the same, as two versions of a team do.
+void Session::use_own_names() {
+  const auto name_of = [this](Team team) {
+    const TeamSeat& seat = seats_[index_of(team)];
+    const bool is_asked =
+        seat.info().kind == record::TeamKind::plugin && options_.names[index_of(team)].empty();
+    const std::string own = is_asked ? seat.own_name() : std::string();
+    return own.empty() ? seat.info().name : own;
+  };
+  const std::string blue = name_of(Team::blue);
+  const std::string yellow = name_of(Team::yellow);
+  if (blue == yellow) return;
+  seats_[0].rename(blue);
+  seats_[1].rename(yellow);
+}
+
+Result<void> Session::open_network(const std::vector<TeamChoice>& choices) {
+  const auto any = [&](record::TeamKind kind) {
+    return choices[0].info.kind == kind || choices[1].info.kind == kind;
+  };
+  if (any(record::TeamKind::dds)) {
+    auto server = dds::MatchServer::open(options_.match_id, options_.interface,
+                                         options_.credentials, options_.dds_domain);
+    if (!server) return tl::unexpected(server.error());
+    network_ = std::move(*server);
+  }
+  if (any(record::TeamKind::firasim)) {
+    const auto addresses =
+        firasim::addresses_of(options_.firasim_instance, {.vision = options_.firasim_vision,
+                                                          .referee = options_.firasim_referee,
+                                                          .command = options_.firasim_command,
+                                                          .placement = options_.firasim_placement,
+                                                          .interface = options_.interface});
+    if (!addresses) return tl::unexpected(addresses.error());
+    auto server = firasim::Server::open(*addresses);
+    if (!server) return tl::unexpected(server.error());
+    firasim_ = std::move(*server);
+  }
   return {};
 }
 
@@ -242,6 +285,9 @@ Result<TeamSeat> Session::take_seat(const TeamChoice& choice, Team team) {
   const match::Briefing briefing = match_.briefing(team);
   if (choice.info.kind == record::TeamKind::dds) {
     return TeamSeat::take_on_network(choice, briefing, *network_, patience());
+  }
+  if (choice.info.kind == record::TeamKind::firasim) {
+    return TeamSeat::take_at_firasim(choice, match_, team, *firasim_, firasim_terms());
   }
   if (options_.trusted) {
     isolation_ = to_string(plugins::Isolation::none);
@@ -291,6 +337,18 @@ dds::JoinTerms Session::patience() {
   return patience;
 }
 
+firasim::Terms Session::firasim_terms() {
+  firasim::Terms terms;
+  terms.to_join = options_.join_within;
+  terms.away = options_.away_limit;
+  terms.interrupted = [this] { return interrupt_.is_asked_for(); };
+  terms.tell = [](const std::string& text) {
+    std::cerr << "mirocup: " << system::printable(text) << '\n';
+  };
+  if (pacer_.period() > 0.0 && !options_.lockstep) terms.tick = answer_share * pacer_.period();
+  return terms;
+}
+
 // Wall seconds after which a leg is over, if its teams are there. In lockstep it is played faster.
 double Session::longest_play() const {
   const match::Setup& setup = match_.setup();
@@ -328,12 +386,14 @@ Result<void> Session::play() {
     pacer_.wait_for(match_.tick());
     if (network_) network_->publish(match_);
     const std::uint32_t tick = match_.tick();
+    if (firasim_) firasim_->publish(match_);
     match_.advance(seats_[0].controller(), seats_[1].controller());
     if (options_.thoughts) keep_thoughts(tick);
     trace_.add(match_);
     if (live_) live_->publish(match_);
   }
   if (network_) network_->close(match_);
+  if (firasim_) firasim_->close(match_);
   if (is_void() && interrupt_.is_asked_for()) {
     return fail(Errc::interrupted, "interrupted; nothing was decided");
   }
@@ -440,7 +500,9 @@ void Session::report() const {
   const match::Outcome& r = match_.outcome();
   std::cout << seats_[0].info().name << " (blue) " << r.score[0] << " : " << r.score[1] << " "
             << seats_[1].info().name << " (yellow), " << to_string(r.kind) << " after "
-            << match_.tick() << " ticks, state hash " << to_hex(match_.state_hash()) << '\n';
+            << match_.tick() << " ticks";
+  if (options_.hash) std::cout << ", state hash " << to_hex(match_.state_hash());
+  std::cout << '\n';
   for (const match::TeamFault& f : r.faults) {
     std::cout << to_string(f.team) << ": " << to_string(f.fault.code) << ": "
               << system::printable(f.fault.text) << '\n';

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup new DIR: writes a team that builds without changes.
+// mirocup new DIR: writes a team that builds, or in Python plays, without changes: a new one, or an
+// old one of SimuroSot.
 #include "server/app/commands.hpp"
+#include "server/app/old_sources.hpp"
 #include "system/files.hpp"
 #include "system/locations.hpp"
 #include "system/printable.hpp"
@@ -9,6 +11,7 @@
 #include <filesystem>
 #include <iostream>
 #include <utility>
+#include <vector>
 
 namespace mirocup::app {
 
@@ -32,6 +35,61 @@ std::string quoted_for_shell(const std::string& word) {
   return "'" + replaced(word, "'", "'\\''") + "'";
 }
 
+// A program that every shell finds is called by its name, so that the files outlive a move.
+std::string called_as(const std::string& program) {
+  const fs::path path(program);
+  for (const char* folder : {"/usr/bin", "/usr/local/bin"}) {
+    if (path.parent_path() == folder) return path.filename().string();
+  }
+  return program;
+}
+
+using Words = std::vector<std::pair<std::string, std::string>>;
+
+// Copies a file of the installation into the folder, with other words in place of some.
+Result<void> write_filled(system::Disk& disk, const fs::path& file, const std::string& folder,
+                          const Words& words) {
+  auto text = disk.read(file.string(), {.max_size = system::size_limit::system_file,
+                                        .links = system::Links::followed});
+  if (!text) return tl::unexpected(text.error());
+  std::string filled = std::move(*text);
+  for (const auto& [word, by] : words) filled = replaced(std::move(filled), word, by);
+  const std::string path = (fs::path(folder) / file.filename()).string();
+  if (auto written = disk.write(path, filled); !written) return written;
+  // Scripts can be run.
+  std::error_code none;
+  if ((fs::status(file).permissions() & fs::perms::owner_exec) != fs::perms::none)
+    fs::permissions(path, fs::perms::all & ~fs::perms(022), none);
+  return {};
+}
+
+// Makes a team of old sources, which are copied to src.
+Result<void> adopt(system::Disk& disk, const system::TeamKit& kit, const NewOptions& options,
+                   const OldSources& old, Words words) {
+  for (const std::string& path : old.files) {
+    const fs::path to = fs::path(options.folder) / "src" / path;
+    std::error_code error;
+    fs::create_directories(to.parent_path(), error);
+    if (!error) fs::copy_file(fs::path(options.simurosot) / path, to, error);
+    if (error) return fail(Errc::unavailable, to.string() + ": " + error.message());
+  }
+  std::string sources;
+  for (const std::string& path : old.sources) sources += "\n    \"src/" + path + '"';
+  words.insert(words.end(), {{"@HEADER@", "src/" + old.header},
+                             {"@SOURCES@", sources},
+                             {"@STYLE@", old.style},
+                             {"@STANDARD@", old.standard}});
+  const fs::path templates = fs::path(kit.prefix) / "share" / "mirocup" / "simurosot" / "template";
+  for (const fs::path& file : {templates / "CMakeLists.txt", templates / "README.md",
+                               fs::path(kit.templates) / "c++" / "CMakePresets.json"}) {
+    if (auto done = write_filled(disk, file, options.folder, words); !done) return done;
+  }
+  std::cout << "style " << old.style << ", header " << system::printable(old.header) << ", "
+            << old.sources.size() << (old.sources.size() == 1 ? " source" : " sources") << ", "
+            << old.standard << '\n';
+  return {};
+}
+
 }  // namespace
 
 Result<int> run_new(const NewOptions& options) {
@@ -41,22 +99,36 @@ Result<int> run_new(const NewOptions& options) {
   if (fs::exists(folder, none) && !fs::is_empty(folder, none))
     return fail(Errc::input, folder + ": there is something in it already; name a new folder");
   const system::TeamKit kit = system::team_kit();
-  if (!fs::is_directory(kit.templates, none))
-    return fail(Errc::unavailable, kit.templates + ": the files of a new team are missing here");
+  const fs::path templates = fs::path(kit.templates) / options.language;
+  if (!fs::is_directory(templates, none)) {
+    return fail(Errc::unavailable,
+                templates.string() + ": the files of a new team are missing here");
+  }
+  Result<OldSources> old = OldSources{};
+  if (!options.simurosot.empty()) old = find_old_sources(options.simurosot);
+  if (!old) return tl::unexpected(old.error());
   if (auto made = disk.make_folder(folder); !made) return tl::unexpected(made.error());
 
-  for (const auto& file : fs::directory_iterator(kit.templates)) {
-    auto text = disk.read(file.path().string(), {.max_size = system::size_limit::system_file,
-                                                 .links = system::Links::followed});
-    if (!text) return tl::unexpected(text.error());
-    std::string filled = replaced(std::move(*text), "@MIROCUP@", kit.program);
-    filled = replaced(std::move(filled), "@MIROCUP_PREFIX@", kit.prefix);
-    filled = replaced(std::move(filled), "@MIROCUP_HEADERS@", kit.headers);
-    const std::string path = (fs::path(folder) / file.path().filename()).string();
-    if (auto written = disk.write(path, filled); !written) return tl::unexpected(written.error());
+  const Words words{{"@MIROCUP@", quoted_for_shell(called_as(kit.program))},
+                    {"@MIROCUP_PREFIX@", kit.prefix},
+                    {"@MIROCUP_HEADERS@", kit.headers},
+                    {"@MIROCUP_PYTHON@", kit.python}};
+  if (!options.simurosot.empty()) {
+    if (auto done = adopt(disk, kit, options, *old, words); !done) {
+      return tl::unexpected(done.error());
+    }
+  } else {
+    for (const auto& file : fs::directory_iterator(templates)) {
+      if (auto done = write_filled(disk, file.path(), folder, words); !done) {
+        return tl::unexpected(done.error());
+      }
+    }
   }
-  std::cout << system::printable(folder) << ": a team. Build, test and check it: cd "
-            << quoted_for_shell(folder) << " && cmake --workflow --preset team\n";
+  std::cout << system::printable(folder) << ": a team. "
+            << (options.language == "python" ? "Test" : "Build, test") << " and check it: cd "
+            << quoted_for_shell(folder)
+            << (options.language == "python" ? " && ./test\n"
+                                             : " && cmake --workflow --preset team\n");
   return exit_yes;
 }
 

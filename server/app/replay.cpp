@@ -10,9 +10,13 @@
 #include "server/web/picture.hpp"
 #include "system/printable.hpp"
 
+#include <cstdlib>
+#include <fcntl.h>
 #include <filesystem>
 #include <iostream>
 #include <optional>
+#include <spawn.h>
+#include <unistd.h>
 
 namespace mirocup::app {
 
@@ -97,6 +101,23 @@ Result<web::OwnTexts> own_texts(system::Disk& disk, const std::string& record_pa
   return own;
 }
 
+// Starts the desktop's program for the file and does not wait for it. Returns false if there is no
+// desktop.
+bool open_in_browser(const std::string& path) {
+  if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return false;
+  std::string program = "xdg-open";
+  std::string file = std::filesystem::absolute(path).string();
+  char* const arguments[] = {program.data(), file.data(), nullptr};
+  posix_spawn_file_actions_t silence;
+  posix_spawn_file_actions_init(&silence);
+  for (const int descriptor : {0, 1, 2})
+    posix_spawn_file_actions_addopen(&silence, descriptor, "/dev/null", O_RDWR, 0);
+  pid_t pid = 0;
+  const int failed = posix_spawnp(&pid, program.c_str(), &silence, nullptr, arguments, environ);
+  posix_spawn_file_actions_destroy(&silence);
+  return failed == 0;
+}
+
 }  // namespace
 
 Result<int> run_replay(const ReplayOptions& options) {
@@ -144,6 +165,8 @@ Result<int> run_replay(const ReplayOptions& options) {
     }
   }
   std::cout << system::printable(*output) << '\n';
+  if (options.open && !open_in_browser(*output))
+    std::cerr << "mirocup: no browser can be opened from here: open the file in one\n";
   return exit_yes;
 }
 

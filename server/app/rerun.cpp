@@ -41,7 +41,7 @@ template <class Iterator>
 std::string library_with(system::Files& files, const fs::path& folder, const std::string& sha256) {
   std::error_code none;
   for (Iterator at(folder, none), end; !none && at != end; at.increment(none)) {
-    if (at->path().extension() != ".so") continue;
+    if (at->path().extension() != ".so" && at->path().extension() != ".py") continue;
     const auto bytes = files.read(at->path().string(), {.max_size = system::size_limit::entry});
     if (bytes && system::sha256(*bytes) == sha256) return at->path().string();
   }
@@ -51,7 +51,7 @@ std::string library_with(system::Files& files, const fs::path& folder, const std
 Result<TeamChoice> choose_again(system::Files& files, const record::TeamInfo& team,
                                 const RerunOptions& options) {
   const std::string entries = entries_folder(options);
-  if (team.kind == record::TeamKind::dds) {
+  if (record::is_on_network(team.kind)) {
     return fail(Errc::unavailable,
                 "\"" + team.name + "\" played over the network: only its owner can run it again");
   }

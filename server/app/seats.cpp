@@ -2,8 +2,12 @@
 #include "server/app/seats.hpp"
 
 #include "plugins/host/elf.hpp"
+#include "server/app/entry_advice.hpp"
+#include "server/app/host_program.hpp"
+#include "system/command_line.hpp"
 #include "system/digest.hpp"
 #include "system/locations.hpp"
+#include "system/printable.hpp"
 
 #include <filesystem>
 #include <sched.h>
@@ -13,6 +17,7 @@ namespace mirocup::app {
 namespace {
 
 constexpr std::string_view dds_prefix = "dds:";
+constexpr std::string_view firasim_prefix = "firasim:";
 
 // dlopen() searches for a name without a slash in the system's folders.
 std::string with_slash(const std::string& path) {
@@ -33,6 +38,14 @@ Result<TeamChoice> choose_team(const std::string& text) {
     if (choice.network_name.empty()) return fail(Errc::input, "dds: needs a name, as in dds:NAME");
     return choice;
   }
+  if (text.rfind(firasim_prefix, 0) == 0) {
+    choice.network_name = text.substr(firasim_prefix.size());
+    choice.info = {choice.network_name, record::TeamKind::firasim, std::nullopt};
+    if (choice.network_name.empty()) {
+      return fail(Errc::input, "firasim: needs a name, as in firasim:NAME");
+    }
+    return choice;
+  }
   choice.library = system::house_team(text);
   if (!choice.library.empty()) {
     choice.info = {text, record::TeamKind::house, std::nullopt};
@@ -42,13 +55,20 @@ Result<TeamChoice> choose_team(const std::string& text) {
     choice.info = {std::filesystem::path(text).stem().string(), record::TeamKind::plugin,
                    std::nullopt};
   } else {
-    return fail(Errc::input, "\"" + text + "\" is neither a file nor a house team");
+    const std::string meant = system::closest_word(text, system::house_teams());
+    return fail(Errc::input, "\"" + text + "\" is neither a file nor a house team" +
+                                 (meant.empty() ? "" : "; did you mean " + meant + "?"));
   }
   auto entry = plugins::SealedEntry::open(choice.library);
   if (entry) {
     choice.info.sha256 = system::sha256(entry->bytes());
-    const auto library = plugins::read_shared_library(entry->bytes());
-    if (!library) choice.fault = no_load(choice.library + ": " + library.error());
+    if (!entry->is_python()) {
+      const auto library = plugins::read_shared_library(entry->bytes());
+      if (!library) {
+        const std::string known = advice_on_file(entry->bytes());
+        choice.fault = no_load(choice.library + ": " + (known.empty() ? library.error() : known));
+      }
+    }
     choice.entry = std::move(*entry);
   } else if (entry.error().code == Errc::input) {
     choice.fault = no_load(entry.error().what);
@@ -64,9 +84,10 @@ Result<TeamSeat> TeamSeat::take_in_process(const TeamChoice& choice,
   TeamSeat seat(choice.info);
   seat.load_fault_ = choice.fault;
   if (choice.fault) return seat;
-  auto process =
-      plugins::ProcessController::start(system::sibling_program("mirocup-plugin-host"),
-                                        *choice.entry, briefing, choice.info.parameters, terms);
+  const auto program = host_program(*choice.entry);
+  if (!program) return tl::unexpected(program.error());
+  auto process = plugins::ProcessController::start(*program, *choice.entry, briefing,
+                                                   choice.info.parameters, terms);
   if (!process) return tl::unexpected(process.error());
   seat.process_ = process->get();
   seat.controller_ = process->get();
@@ -79,8 +100,14 @@ Result<TeamSeat> TeamSeat::take_trusted(const TeamChoice& choice, const match::B
   TeamSeat seat(choice.info);
   seat.load_fault_ = choice.fault;
   if (choice.fault) return seat;
-  auto controller = plugins::TrustedController::load(choice.library, briefing,
-                                                     choice.info.parameters, keeps_thoughts);
+  const match::TeamParameters& parameters = choice.info.parameters;
+  const bool is_python = choice.entry->is_python();
+  const auto module = is_python ? python_module() : std::string();
+  if (!module) return tl::unexpected(module.error());
+  auto controller = is_python ? plugins::TrustedController::load_python(
+                                    choice.library, *module, briefing, parameters, keeps_thoughts)
+                              : plugins::TrustedController::load(choice.library, briefing,
+                                                                 parameters, keeps_thoughts);
   if (!controller) {
     seat.load_fault_ = controller.error();
     return seat;
@@ -103,11 +130,31 @@ Result<TeamSeat> TeamSeat::take_on_network(const TeamChoice& choice,
   return seat;
 }
 
+Result<TeamSeat> TeamSeat::take_at_firasim(const TeamChoice& choice, const match::Leg& leg,
+                                           Team team, firasim::Server& server,
+                                           const firasim::Terms& terms) {
+  TeamSeat seat(choice.info);
+  seat.firasim_ = server.add_seat(leg.briefing(team), choice.network_name, terms);
+  seat.firasim_server_ = &server;
+  seat.firasim_leg_ = &leg;
+  seat.controller_ = seat.firasim_;
+  return seat;
+}
+
 tl::expected<void, match::Answer> TeamSeat::wait_until_ready() {
   if (load_fault_) return tl::unexpected<match::Answer>(*load_fault_);
   if (process_ != nullptr) return process_->wait_until_ready();
   if (network_ != nullptr) return network_->wait_until_ready();
+  if (firasim_ != nullptr) return firasim_server_->wait_until_ready(*firasim_, *firasim_leg_);
   return {};
+}
+
+std::string TeamSeat::own_name() const {
+  constexpr std::size_t longest = 40;  // bytes, as in a league
+  std::string name;
+  if (process_ != nullptr) name = process_->team_name();
+  if (trusted_ != nullptr) name = trusted_->team_name();
+  return name.size() > longest || system::printable(name) != name ? "" : name;
 }
 
 match::TeamParameters TeamSeat::unknown_parameters() const {
@@ -139,7 +186,34 @@ void stay_on_this_core() {
   sched_setaffinity(0, sizeof one, &one);
 }
 
+namespace {
+
+// What no team sent counts for each: it may have been meant for any.
+record::NetworkReport report_of(const firasim::Seat& seat, const firasim::Counts& strangers) {
+  const firasim::Counts& own = seat.counts();
+  return {
+      .in_step = own.in_time,
+      .late = own.held,
+      .late_driven = own.held,
+      .duplicate = own.repeated,
+      .ahead = 0,
+      .foreign = own.foreign + strangers.foreign,
+      .processes = own.senders,
+      .absences = seat.absences(),
+      .answers = seat.answers(),
+      .datagrams = record::DatagramReport{.received = own.datagrams,
+                                          .placements = own.placements,
+                                          .stale = own.stale,
+                                          .malformed = own.malformed + strangers.malformed,
+                                          .replacements = own.replacements + strangers.replacements,
+                                          .not_finite = own.not_finite,
+                                          .unknown_robots = own.unknown_robots}};
+}
+
+}  // namespace
+
 std::optional<record::NetworkReport> TeamSeat::network_report() const {
+  if (firasim_ != nullptr) return report_of(*firasim_, firasim_server_->strangers());
   if (network_ == nullptr) return std::nullopt;
   const dds::CommandCounts& commands = network_->commands();
   return record::NetworkReport{.in_step = commands.in_step,

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// The seats of the two teams of a leg. A team is a library in a process of its own, a library in
-// this process, or a program on the network.
+// The seats of the two teams of a leg. A team is a library or a file of Python in a process of its
+// own or in this process, or a program on the network.
 #pragma once
 
 #include "plugins/host/process_controller.hpp"
 #include "plugins/host/trusted_controller.hpp"
 #include "server/app/interrupt.hpp"
 #include "server/dds/match_server.hpp"
+#include "server/firasim/server.hpp"
 #include "server/record/match_record.hpp"
 
 #include <cassert>
@@ -20,15 +21,14 @@ namespace mirocup::app {
 // A team as the command line names it.
 struct TeamChoice {
   record::TeamInfo info;
-  std::string library;       // path; "" for a DDS team
-  std::string network_name;  // the name of a DDS team on the network; "" for others
+  std::string library;       // path, also of a file of Python; "" for a team on the network
+  std::string network_name;  // the name of a team on the network; "" for others
   std::optional<plugins::SealedEntry> entry;  // the library's bytes when it was chosen
   std::optional<match::Fault> fault;          // of a file that cannot be loaded as a library
 };
 
-// `text` is "dds:NAME", the path of a library, or the name of a house team. A library that cannot
-// be loaded is a fault of the team, not an error.
-
+// `text` is "dds:NAME", "firasim:NAME", the path of a library or of a file of Python, or the name of
+// a house team. One that cannot be loaded is a fault of the team, not an error.
 Result<TeamChoice> choose_team(const std::string& text);
 
 // The place of one team in a leg: starts the team and asks it, whatever kind it is.
@@ -43,6 +43,10 @@ class TeamSeat {
                                        bool keeps_thoughts = false);
   static Result<TeamSeat> take_on_network(const TeamChoice& choice, const match::Briefing& briefing,
                                           dds::MatchServer& server, const dds::JoinTerms& patience);
+  // `server` and `leg` outlive the seat.
+  static Result<TeamSeat> take_at_firasim(const TeamChoice& choice, const match::Leg& leg,
+                                          Team team, firasim::Server& server,
+                                          const firasim::Terms& terms);
 
   // Waits until the team can play. The error is why it never will: a Fault of its own, or a
   // HostFailure.
@@ -57,6 +61,11 @@ class TeamSeat {
     return *controller_;
   }
   const record::TeamInfo& info() const { return info_; }
+
+  // Returns the name that the team's own library gives it; "" if it has none, is not ready, or
+  // gives one that cannot be printed on a line.
+  std::string own_name() const;
+  void rename(const std::string& name) { info_.name = name; }
 
   // Returns those of its parameters that the team has not asked for so far.
   match::TeamParameters unknown_parameters() const;
@@ -85,6 +94,9 @@ class TeamSeat {
   plugins::ProcessController* process_ = nullptr;
   plugins::TrustedController* trusted_ = nullptr;
   dds::Seat* network_ = nullptr;
+  firasim::Seat* firasim_ = nullptr;
+  firasim::Server* firasim_server_ = nullptr;
+  const match::Leg* firasim_leg_ = nullptr;
   std::optional<match::Fault> load_fault_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/app/trial_leg.hpp"
 
+#include "server/app/host_program.hpp"
 #include "server/pace/wall_clock.hpp"
 #include "system/locations.hpp"
 
@@ -40,11 +41,13 @@ Result<Seats> start_teams(const plugins::SealedEntry& entry, const match::Leg& l
     const bool is_own = team == terms.team;
     process_terms.budget = is_own ? trial_budget() : plugins::Budget();
     process_terms.surroundings = is_own ? terms.surroundings : plugins::Surroundings();
+    const plugins::SealedEntry& played = is_own ? entry : *terms.opponent;
+    const auto program =
+        host_program(played, is_own && terms.is_careful ? Care::watched : Care::none);
+    if (!program) return tl::unexpected(program.error());
     auto process = plugins::ProcessController::start(
-        system::sibling_program(is_own && terms.is_careful ? "mirocup-careful-host"
-                                                           : "mirocup-plugin-host"),
-        is_own ? entry : *terms.opponent, leg.briefing(team),
-        is_own ? terms.parameters : match::TeamParameters(), process_terms);
+        *program, played, leg.briefing(team), is_own ? terms.parameters : match::TeamParameters(),
+        process_terms);
     if (!process) return tl::unexpected(process.error());
     seats[index_of(team)] = std::move(*process);
   }

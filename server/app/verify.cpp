@@ -3,8 +3,10 @@
 // mirocup verify RECORD: simulates the leg again and compares it with the record.
 #include "core/replay/verification.hpp"
 #include "server/app/commands.hpp"
+#include "server/app/other_versions.hpp"
 #include "server/record/json_reader.hpp"
 #include "server/record/match_record.hpp"
+#include "system/child_process.hpp"
 #include "system/printable.hpp"
 
 #include <nlohmann/json.hpp>
@@ -24,6 +26,14 @@ Result<int> run_verify(const VerifyOptions& options) {
   const bool has_other_behaviour = record::has_other_behaviour(*record);
   if (!whole && (!divergence || has_other_behaviour)) return tl::unexpected(whole.error());
   if (divergence && has_other_behaviour) {
+    const std::string program = version_that_reproduces(options.path);
+    if (!program.empty()) {
+      std::cerr << "mirocup: it was played by another version; " << system::printable(program)
+                << " verifies it\n";
+      std::vector<std::string> words{program, "verify", options.path};
+      if (options.json) words.emplace_back("--json");
+      return tl::unexpected(system::become_program(std::move(words)));
+    }
     return tl::unexpected(record::behaviour_mismatch(options.path, *record, divergence->tick));
   }
 

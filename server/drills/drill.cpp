@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "server/drills/drill.hpp"
 
-#include "core/base/random.hpp"
 #include "core/field/field.hpp"
 #include "server/record/conditions_json.hpp"
+#include "server/record/drawn_situation.hpp"
 #include "server/record/json_reader.hpp"
 #include "server/record/rules_json.hpp"
-#include "server/record/situation_json.hpp"
 #include "server/record/team_parameters_json.hpp"
 
 #include <filesystem>
@@ -25,32 +24,6 @@ constexpr int max_tries = 10000;
 constexpr std::size_t max_events = 16;
 constexpr double max_length = 10.0;  // m
 constexpr double max_angle = 1e3;    // rad
-
-// A situation in which ranges let bodies overlap is drawn again, so many times at most.
-constexpr int max_draws = 100;
-
-bool is_range(const Json& json) {
-  return json.is_object() && json.size() == 2 && json.contains("from") && json.contains("to");
-}
-
-// The situation with a number in the place of each range, in the order of the document.
-Json drawn(const Json& json, Random& random) {
-  if (is_range(json) && json["from"].is_number() && json["to"].is_number()) {
-    return random.uniform(json["from"].get<double>(), json["to"].get<double>());
-  }
-  Json result = json;
-  for (auto& member : result) {
-    if (member.is_structured()) member = drawn(member, random);
-  }
-  return result;
-}
-
-Result<record::Situation> draw(const Drill& drill, Random& random) {
-  Json json{{"schema", "mirocup/situation/1"}, {"league", to_string(drill.league)}};
-  const Json numbers = drawn(drill.situation, random);
-  for (const auto& [key, value] : numbers.items()) json[key] = value;
-  return record::parse_situation(json.dump(), drill.name + ": /situation");
-}
 
 void read_robot(const JsonReader& json, int robots, Event& event) {
   const JsonReader robot = json.at("robot");
@@ -193,15 +166,15 @@ Result<Drill> parse_drill(std::string_view text, const std::string& path) {
 
 Result<match::Setup> setup_of(const Drill& drill, std::uint64_t seed) {
   Random random(mix_seed(~seed));  // the leg draws from mix_seed(seed)
-  auto situation = draw(drill, random);
-  for (int i = 1; !situation && i < max_draws; ++i) situation = draw(drill, random);
+  const auto situation =
+      record::draw_situation(drill.situation, drill.league, random, drill.name + ": /situation");
   if (!situation) return tl::unexpected(situation.error());
   match::Setup setup;
   setup.league = drill.league;
   setup.rules = drill.rules;
   setup.conditions = drill.conditions;
   setup.seed = seed;
-  if (setup.rules.preset == referee::Preset::simurosot) setup.control_period = 1.0 / 60.0;
+  setup.control_period = match::control_period_of(setup.rules.preset);
   setup.start = situation->start;
   // A try is the end of a leg, so its record is that of a whole one.
   setup.start->phase = referee::Phase::SECOND_HALF;

@@ -30,7 +30,7 @@ constexpr bool has_names_up_to(E last, std::string_view name) {
 }
 static_assert(has_names_up_to(Team::yellow, "yellow"));
 static_assert(has_names_up_to(League::large, "large"));
-static_assert(has_names_up_to(TeamKind::dds, "dds"));
+static_assert(has_names_up_to(TeamKind::firasim, "firasim"));
 static_assert(has_names_up_to(referee::Stage::knockout, "knockout"));
 static_assert(has_names_up_to(referee::Verdict::MATCH_END, "MATCH_END"));
 static_assert(has_names_up_to(referee::Law::forfeit, "forfeit"));
@@ -156,15 +156,25 @@ Json network_json(const std::optional<NetworkReport>& report) {
                         {"back", a.back ? Json(*a.back) : Json()},
                         {"why", a.has_left ? "left" : "silent"}});
   }
-  return {{"in_step", report->in_step},
-          {"late", report->late},
-          {"late_driven", report->late_driven},
-          {"duplicate", report->duplicate},
-          {"ahead", report->ahead},
-          {"foreign", report->foreign},
-          {"processes", report->processes},
-          {"absences", absences},
-          {"answers", durations_json(report->answers)}};
+  Json json = {{"in_step", report->in_step},
+               {"late", report->late},
+               {"late_driven", report->late_driven},
+               {"duplicate", report->duplicate},
+               {"ahead", report->ahead},
+               {"foreign", report->foreign},
+               {"processes", report->processes},
+               {"absences", absences},
+               {"answers", durations_json(report->answers)}};
+  if (const auto& datagrams = report->datagrams) {
+    json["datagrams"] = {{"received", datagrams->received},
+                         {"placements", datagrams->placements},
+                         {"stale", datagrams->stale},
+                         {"malformed", datagrams->malformed},
+                         {"replacements", datagrams->replacements},
+                         {"not_finite", datagrams->not_finite},
+                         {"unknown_robots", datagrams->unknown_robots}};
+  }
+  return json;
 }
 
 Json network_json(const match::ByTeam<std::optional<NetworkReport>>& reports) {

@@ -23,7 +23,7 @@ namespace mirocup::record {
 using Json = nlohmann::ordered_json;
 
 // The kind of program that steered a team.
-enum class TeamKind { plugin, house, dds };
+enum class TeamKind { plugin, house, dds, firasim };
 
 struct TeamInfo {
   std::string name;
@@ -41,6 +41,23 @@ struct BudgetReport {
   int bad_commands = 0;
 };
 
+// True if the team is a program of its own that plays over the network.
+inline bool is_on_network(TeamKind kind) {
+  return kind == TeamKind::dds || kind == TeamKind::firasim;
+}
+
+// What became of the datagrams of a team that plays by FIRASim's protocol. Only those that reached
+// the server are counted.
+struct DatagramReport {
+  std::uint64_t received = 0;        // commands of the team's own sender
+  std::uint64_t placements = 0;      // of the team
+  std::uint64_t stale = 0;           // came after the answer that counted, or for another step
+  std::uint64_t malformed = 0;       // no message at all, whoever sent it
+  std::uint64_t replacements = 0;    // refused, whoever sent it
+  std::uint64_t not_finite = 0;      // commands with NaN or an infinity
+  std::uint64_t unknown_robots = 0;  // commands to a robot that there is not
+};
+
 // The traffic between the server and a team on the network. Commands are counted by their fate:
 // those in step were driven, and of the late ones the newest where nothing newer was there.
 struct NetworkReport {
@@ -53,6 +70,7 @@ struct NetworkReport {
   int processes = 0;              // that played for the team, one after the other
   std::vector<pace::Absence> absences;
   pace::Durations answers;  // wall time from a tick's state to the answer in step
+  std::optional<DatagramReport> datagrams = std::nullopt;  // of a firasim team
 };
 
 // The lateness of a match in real time, or in a multiple of it.
@@ -131,7 +149,7 @@ std::string replay_path_of(const std::string& record_path);
 namespace mirocup {
 
 template <>
-inline constexpr std::array<std::string_view, 3> enum_names<record::TeamKind>{"plugin", "house",
-                                                                              "dds"};
+inline constexpr std::array<std::string_view, 4> enum_names<record::TeamKind>{"plugin", "house",
+                                                                              "dds", "firasim"};
 
 }  // namespace mirocup

@@ -74,42 +74,6 @@ double read_grip(const JsonReader& json) {
   return infinite_grip;
 }
 
-void read_parameters(const JsonReader& json, Parameters& p) {
-  if (!json.expect_object({"robot_side", "robot_mass", "wheel_distance", "wheel_radius",
-                           "motor_time_constant", "wheel_speed_limit", "grip", "ball_radius",
-                           "ball_mass", "rolling_resistance", "viscous_friction",
-                           "rolling_friction", "k", "restitution", "contact_friction", "shape"})) {
-    return;
-  }
-  const auto positive = [&](const char* key, double& member) {
-    if (!json.has(key)) return;
-    const JsonReader value = json.at(key);
-    member = value.positive_number();
-    if (member > 0.0) member = value.number(min_parameter, max_parameter);
-  };
-  const auto not_negative = [&](const char* key, double& member) {
-    if (json.has(key)) member = json.at(key).number(0.0, max_parameter);
-  };
-  positive("robot_side", p.robot_side);
-  positive("robot_mass", p.robot_mass);
-  positive("wheel_distance", p.wheel_distance);
-  positive("wheel_radius", p.wheel_radius);
-  positive("motor_time_constant", p.motor_time_constant);
-  not_negative("wheel_speed_limit", p.wheel_speed_limit);
-  if (json.has("grip")) p.grip = read_grip(json.at("grip"));
-  positive("ball_radius", p.ball_radius);
-  positive("ball_mass", p.ball_mass);
-  not_negative("rolling_resistance", p.rolling_resistance);
-  not_negative("viscous_friction", p.viscous_friction);
-  json.read_if_present("rolling_friction", p.rolling_friction);
-  positive("k", p.k);
-  if (json.has("restitution")) read_per_pair(json.at("restitution"), 1.0, p.restitution);
-  if (json.has("contact_friction")) {
-    read_per_pair(json.at("contact_friction"), infinite_grip, p.contact_friction);
-  }
-  if (json.has("shape")) p.robot_corners = read_outline(json.at("shape"));
-}
-
 void read_wheels(const JsonReader& json, SceneRobot& robot) {
   robot.wheels_on_ground = !json.is_null();
   if (json.is_null()) return;
@@ -238,6 +202,42 @@ Json to_json(const Scene& scene, const Impact& impact) {
 }
 
 }  // namespace
+
+void read_parameters(const JsonReader& json, Parameters& p) {
+  if (!json.expect_object({"robot_side", "robot_mass", "wheel_distance", "wheel_radius",
+                           "motor_time_constant", "wheel_speed_limit", "grip", "ball_radius",
+                           "ball_mass", "rolling_resistance", "viscous_friction",
+                           "rolling_friction", "k", "restitution", "contact_friction", "shape"})) {
+    return;
+  }
+  const auto positive = [&](const char* key, double& member) {
+    if (!json.has(key)) return;
+    const JsonReader value = json.at(key);
+    member = value.positive_number();
+    if (member > 0.0) member = value.number(min_parameter, max_parameter);
+  };
+  const auto not_negative = [&](const char* key, double& member) {
+    if (json.has(key)) member = json.at(key).number(0.0, max_parameter);
+  };
+  positive("robot_side", p.robot_side);
+  positive("robot_mass", p.robot_mass);
+  positive("wheel_distance", p.wheel_distance);
+  positive("wheel_radius", p.wheel_radius);
+  positive("motor_time_constant", p.motor_time_constant);
+  not_negative("wheel_speed_limit", p.wheel_speed_limit);
+  if (json.has("grip")) p.grip = read_grip(json.at("grip"));
+  positive("ball_radius", p.ball_radius);
+  positive("ball_mass", p.ball_mass);
+  not_negative("rolling_resistance", p.rolling_resistance);
+  not_negative("viscous_friction", p.viscous_friction);
+  json.read_if_present("rolling_friction", p.rolling_friction);
+  positive("k", p.k);
+  if (json.has("restitution")) read_per_pair(json.at("restitution"), 1.0, p.restitution);
+  if (json.has("contact_friction")) {
+    read_per_pair(json.at("contact_friction"), infinite_grip, p.contact_friction);
+  }
+  if (json.has("shape")) p.robot_corners = read_outline(json.at("shape"));
+}
 
 Result<Scene> parse_scene(std::string_view text, const std::string& path) {
   auto scene = read_json<Scene>(text, path, Errc::input, read_scene);

@@ -206,6 +206,25 @@ Result<Address> parse_address(const std::string& text, const std::string& option
   return address;
 }
 
+namespace {
+
+// Tries the port at all addresses of this host, which tells what the library does not.
+std::string why_not_bound(int port) {
+  const int socket_ = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  sockaddr_in any{};
+  any.sin_family = AF_INET;
+  any.sin_port = htons(static_cast<std::uint16_t>(port));
+  const bool is_bound = bind(socket_, reinterpret_cast<const sockaddr*>(&any), sizeof any) == 0;
+  const int reason = errno;
+  close(socket_);
+  if (!is_bound && reason == EACCES)
+    return "needs the permission of root: take a port from 1024 on, 8080 for example";
+  if (!is_bound && reason == EADDRINUSE) return "is in use: take another port";
+  return "is not an address of this host, or in use";
+}
+
+}  // namespace
+
 HttpServer::HttpServer() {
   server_.new_task_queue = [] { return new httplib::ThreadPool(max_viewers + page_threads); };
   server_.set_payload_max_length(max_body);
@@ -228,8 +247,8 @@ Result<void> HttpServer::listen(const Address& address, const std::string& optio
   }
   if (address_.port < 0) {
     return fail(Errc::unavailable, option + ": " + address.host + " port " +
-                                       std::to_string(address.port) +
-                                       " is in use or not an address of this host");
+                                       std::to_string(address.port) + " " +
+                                       why_not_bound(address.port));
   }
   thread_ = std::thread([this] {
     // The threads that this one starts inherit the priority. Matches come first.

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# Dependencies point in one direction (README.md, "The tree"). Fails on an include, a link or a library call against it.
+# Dependencies point in one direction (docs/tree.md). Fails on an include, a link or a library call against it.
 # Run from anywhere: tests/layering/check.sh [ROOT]
 set -euo pipefail
 cd "${1:-$(dirname "$0")/../..}"
@@ -44,6 +44,7 @@ may plugins/predict 'core/(base|field|geometry|simulator)/|core/match/(command|o
 may plugins/house 'mirocup/'
 may plugins/abi 'core/|plugins/abi/|mirocup/'
 may plugins/host 'core/|system/|plugins/(abi|host)/|mirocup/'
+may plugins/python 'core/|plugins/(host|python)/|mirocup/'
 may idl 'idl/'
 may server/pace 'server/pace/'
 may server/record 'core/|system/|server/record/|server/pace/(absence|durations)\.hpp"'
@@ -51,7 +52,9 @@ may server/statistics 'core/|system/|server/(record|statistics)/'
 may server/traces 'core/|system/|server/(record|traces)/'
 may server/drills 'core/|system/|server/(record|drills)/'
 may server/dds 'core/|system/|idl/|server/dds/|server/pace/(absence|durations)\.hpp"|plugins/abi/|mirocup/'
+may server/firasim 'core/|system/|server/firasim/|server/pace/(absence|durations)\.hpp"'
 may server/web/design 'system/|server/web/design/'
+may server/policy 'core/(base|field)/|server/(record|policy)/|mirocup/strategy\.h"'  # in the source that it writes
 may server/web 'core/|system/|server/(record|statistics|web)/'
 may server/app 'core/|system/|plugins/(abi|host)/|mirocup/|server/'
 may training 'core/|system/|server/record/|plugins/host/|mirocup/training\.h"|training/'
@@ -61,6 +64,7 @@ may tournaments/journal 'core/base/|system/|server/record/|tournaments/journal/'
 may tournaments/league 'core/|system/|server/record/|tournaments/(format|table|journal|league)/'
 may tournaments/handin 'core/|system/|server/record/|server/web/request\.hpp"|tournaments/(format|table|journal|league|publish|handin)/'
 may tournaments/play 'core/|system/|server/record/|tournaments/(format|table|journal|league|play)/'
+may tournaments/tune 'core/base/|system/|server/record/|tournaments/tune/'
 may tournaments/publish 'core/|system/|server/(record|statistics|web/design)/|tournaments/(format|table|journal|league|publish)/'
 may tournaments/app 'core/|system/|server/(record|statistics|web)/|tournaments/'
 
@@ -76,12 +80,13 @@ only() {
 
 only 'dds/|mirocup\.h>' server/dds
 only 'nlohmann/' server/record server/statistics server/traces server/drills server/web server/app training tournaments
-only 'dlfcn\.h' plugins/host training
+only 'dlfcn\.h' plugins/host plugins/python training
 only 'httplib' server/web
 only 'kainjow/' server/web/design
 only 'CLI/' server/app system tournaments/app
 only 'openssl/' system
 only 'zstd' server/record
+only 'zip\.h' server/policy
 only 'box2d/|chipmunk/|ode/' none  # peers: tests/bench alone
 only 'thread>|chrono>|mutex>|fstream>|iostream>|filesystem>|random>|sys/|unistd\.h' system plugins server training tournaments
 

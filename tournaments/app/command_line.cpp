@@ -4,7 +4,9 @@
 #include "tournaments/app/command_line.hpp"
 
 #include "server/record/match_record.hpp"
+#include "system/command_help.hpp"
 #include "system/command_line.hpp"
+#include "system/locations.hpp"
 #include "tournaments/app/commands.hpp"
 #include "tournaments/format/format.hpp"
 
@@ -47,7 +49,9 @@ void add_init(CLI::App& app, Action& action) {
   command->add_option("--config", o.config, "a league.json to start from");
   command
       ->add_option("--team", o.teams,
-                   "NAME=house:TEAM, NAME=FILE.so, or NAME=submitted: it hands in later")
+                   "NAME=house:TEAM, NAME=FILE.so, NAME=FILE.py, or NAME=submitted: it hands in "
+                   "later; once for each team")
+      ->type_name("NAME=TEAM")
       ->excludes("--config");
   std::vector<std::string> formats;
   for (const auto name : enum_names<FormatKind>) formats.emplace_back(name);
@@ -68,8 +72,11 @@ void add_submit(CLI::App& app, Action& action) {
   SubmitOptions& o = *command.options;
   add_folder(command);
   CLI::Option* team = command->add_option("TEAM", o.team, "its name");
-  CLI::Option* file = command->add_option("FILE.so", o.file, "its library");
-  command->add_option("--inbox", o.inbox, "a folder: hand in each TEAM.so in it that is new")
+  CLI::Option* file =
+      command->add_option("FILE", o.file, "its library (.so), or its file of Python (.py)");
+  command
+      ->add_option("--inbox", o.inbox,
+                   "a folder: hand in each TEAM.so and TEAM.py in it that is new")
       ->excludes(team)
       ->excludes(file);
   command->add_flag("--json", o.json, "one JSON object for each entry on standard output");
@@ -307,6 +314,7 @@ void add_rulings(CLI::App& app, Action& action) {
   CLI::Option* at =
       freeze->add_option("--at", freeze.act().from,
                          "2026-11-30T18:00:00Z, …+01:00, or in the league's zone (default: now)");
+  at->type_name("TIME");
   freeze->add_flag("--lift", freeze.act().is_lifted, "take entries again")->excludes(at);
   freeze.add_reason();
 
@@ -421,6 +429,52 @@ void add_compare(CLI::App& app, Action& action) {
       ->excludes(json);
 }
 
+void add_tune(CLI::App& app, Action& action) {
+  Subcommand<TuneOptions> command(app, action, "tune", "Find better numbers for a team", run_tune);
+  TuneOptions& o = *command.options;
+  TuningOptions& t = o.tuning;
+  command->add_option("TEAM", o.team, "a library, or the name of a house team")->required();
+  command->add_option("--param", o.parameters, "a parameter of the team, and where to look for it")
+      ->type_name("KEY=LOW:HIGH")
+      ->required();
+  command->add_option("--against", o.against, "the opponents, with commas between them")
+      ->delimiter(',')
+      ->required();
+  command->add_option("--league", o.league, "small (3 a side), middle (5), large (11)")
+      ->check(CLI::IsMember({"small", "middle", "large"}))
+      ->capture_default_str();
+  command->add_option("--half", o.run.half_s, "seconds of a half")->check(CLI::Range(0.1, 36000.0));
+  command
+      ->add_option("--conditions", o.run.conditions,
+                   "exact, hall or camera (default: as in a match)")
+      ->check(CLI::IsMember({"exact", "hall", "camera"}));
+  command->add_option("--seed", t.seed, "seed of the search and of its fixtures")
+      ->check(CLI::Validator(system::problem_with_seed, "SEED"))
+      ->capture_default_str();
+  command
+      ->add_option("--jobs", o.run.jobs, "number of legs at once (default: one for each processor)")
+      ->check(CLI::Range(1, 1024));
+  command->add_option("--generations", t.generations, "generations of the search")
+      ->check(CLI::Range(1, 10'000))
+      ->capture_default_str();
+  command
+      ->add_option("--fixtures", t.fixtures,
+                   "fixtures of two legs of a candidate against each opponent; more if there is "
+                   "much noise")
+      ->check(CLI::Range(2, 1000))
+      ->capture_default_str();
+  command
+      ->add_option("--test", t.test_fixtures,
+                   "fixtures of the test at the end, against each opponent")
+      ->check(CLI::Range(10, 100'000))
+      ->capture_default_str();
+  command
+      ->add_option("-o,--output", o.folder,
+                   "a folder for what has been played and the picture; the same command goes on")
+      ->capture_default_str();
+  command->add_flag("--json", o.json, "one JSON object on standard output");
+}
+
 void add_shards(CLI::App& app, Action& action) {
   Subcommand<ShardOptions> plan(
       app, action, "plan",
@@ -450,6 +504,77 @@ void add_credentials(CLI::App& app, Action& action) {
       ->capture_default_str();
 }
 
+constexpr const char* to_make = "Make";
+constexpr const char* to_take = "Entries";
+constexpr const char* to_play = "Play";
+constexpr const char* to_show = "Show";
+constexpr const char* to_rule = "Decide";
+constexpr const char* on_clusters = "Many computers";
+
+const system::CommandHelp help_of_commands[] = {
+    {"init",
+     to_make,
+     {"mirocup league init spring --team alpha=alpha.so --team house=house:striker --half 120",
+      "mirocup league init spring --config league.json"}},
+    {"credentials", to_make, {"mirocup league credentials spring"}},
+    {"compare",
+     to_make,
+     {"mirocup league compare new.so old.so",
+      "mirocup league compare a.so b.so c.so --against all"}},
+    {"tune", to_make, {"mirocup tune mine.so --param wait=0.3:0.6 --against chaser,striker"}},
+    {"submit",
+     to_take,
+     {"mirocup league submit spring alpha alpha.so", "mirocup league submit spring --inbox inbox"}},
+    {"team", to_take, {"mirocup league team spring alpha --display \"Zoë & Co\" --member Zoë"}},
+    {"owner", to_take, {"mirocup league owner spring alpha student7"}},
+    {"token",
+     to_take,
+     {"mirocup league token spring alpha", "mirocup league token spring --all --csv >tokens.csv"}},
+    {"start", to_play, {"mirocup league start spring --jobs 4"}},
+    {"stop", to_play, {"mirocup league stop spring"}},
+    {"nightly", to_play, {"mirocup league nightly spring"}},
+    {"status", to_play, {"mirocup league status spring", "mirocup league status spring --entries"}},
+    {"verify", to_play, {"mirocup league verify spring"}},
+    {"backup", to_play, {"mirocup league backup spring /backup/spring"}},
+    {"serve",
+     to_show,
+     {"mirocup league serve spring --at 8080",
+      "mirocup league serve spring --hand-in --at 0.0.0.0:8443 --tls cert.pem key.pem"}},
+    {"show", to_show, {"mirocup league show spring --round r3"}},
+    {"publish", to_show, {"mirocup league publish spring"}},
+    {"stats", to_show, {"mirocup league stats spring --csv"}},
+    {"export", to_show, {"mirocup league export spring -o tables"}},
+    {"grades", to_show, {"mirocup league grades spring --drills drills.csv -o grades.csv"}},
+    {"release", to_show, {"mirocup league release spring --through r3 --reason \"it is Friday\""}},
+    {"award",
+     to_rule,
+     {"mirocup league award spring r3-f1 alpha --all-legs --reason \"beta left\""}},
+    {"rule",
+     to_rule,
+     {"mirocup league rule spring r3-f1 --leg 1 --score 2:1 --reason \"appeal 4\""}},
+    {"void", to_rule, {"mirocup league void spring r3-f1 --leg 2 --reason \"power cut\""}},
+    {"freeze", to_rule, {"mirocup league freeze spring --reason \"last day\""}},
+    {"close", to_rule, {"mirocup league close spring --reason \"the term is over\""}},
+    {"decisions", to_rule, {"mirocup league decisions spring"}},
+    {"undo", to_rule, {"mirocup league undo spring 3 --reason \"the wrong leg\""}},
+    {"withdraw", to_rule, {"mirocup league withdraw spring beta --reason \"left the course\""}},
+    {"pause", to_rule, {"mirocup league pause spring beta --reason \"is looked at\""}},
+    {"resume", to_rule, {"mirocup league resume spring beta --reason \"repaired\""}},
+    {"plan", on_clusters, {"mirocup league plan spring"}},
+    {"run-shard", on_clusters, {"mirocup league run-shard spring r1-f1 r1-f2"}},
+};
+
+const system::ValueNames value_names{
+    {"--config", "FILE"},       {"--team", "NAME"},      {"--half", "SECONDS"},
+    {"--seed", "SEED"},         {"--inbox", "DIR"},      {"--jobs", "NUMBER"},
+    {"--dds-domain", "NUMBER"}, {"--output", "DIR"},     {"--through", "ROUND"},
+    {"--round", "ROUND"},       {"--at", "[HOST:]PORT"}, {"--leg", "NUMBER"},
+    {"--reason", "TEXT"},       {"--by", "NAME"},        {"--score", "HOME:AWAY"},
+    {"--expires", "TIME"},      {"--most", "NUMBER"},    {"--equal", "ELO"},
+    {"--keep", "DIR"},          {"--revoke", "TEAM"},    {"--days", "DAYS"},
+    {"--display", "NAME"},      {"--member", "NAME"},
+};
+
 }  // namespace
 
 std::optional<int> read_command_line(int argc, char** argv, Action& action) {
@@ -464,8 +589,14 @@ std::optional<int> read_command_line(int argc, char** argv, Action& action) {
   add_rulings(cli, action);
   add_keeping(cli, action);
   add_compare(cli, action);
+  add_tune(cli, action);
   add_shards(cli, action);
   add_credentials(cli, action);
+  cli.footer("mirocup league help COMMAND explains a command, with examples.");
+  system::finish_help(cli, help_of_commands, value_names);
+  if (const auto told =
+          system::tell_about(cli, argc, argv, record::software_version(), system::house_teams()))
+    return told;
   return system::parse_command_line(cli, argc, argv);
 }
 

@@ -55,10 +55,10 @@ Result<LeagueFile> file_from(system::Files& files, const LeagueOptions& options)
   for (const std::string& text : options.teams) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos) {
-      return fail(Errc::input,
-                  "--team " + text +
-                      ": NAME=house:TEAM, NAME=FILE.so or, if it hands in later, NAME=submitted is "
-                      "expected");
+      return fail(Errc::input, "--team " + text +
+                                   ": NAME=house:TEAM, NAME=FILE.so, NAME=FILE.py or, if it hands "
+                                   "in later, NAME=submitted is "
+                                   "expected");
     }
     file.teams.push_back(
         {.name = text.substr(0, equals), .source = text.substr(equals + 1), .over_dds = false});

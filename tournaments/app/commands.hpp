@@ -9,6 +9,7 @@
 #include "core/base/error.hpp"
 #include "tournaments/league/acts.hpp"
 #include "tournaments/play/comparison_run.hpp"
+#include "tournaments/tune/tuning.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -162,6 +163,18 @@ struct CompareOptions {
 inline constexpr int fixtures_of_a_table = 50;  // of each pair, by default
 
 Result<int> run_compare(const CompareOptions& options);
+
+struct TuneOptions {
+  std::string team;                     // as in compare
+  std::vector<std::string> parameters;  // KEY=LOW:HIGH
+  std::vector<std::string> against;
+  std::string league = "small";
+  ComparisonRun run;  // half, conditions and jobs; the teams are filled in
+  TuningOptions tuning;
+  std::string folder = "tune";
+  bool json = false;
+};
+Result<int> run_tune(const TuneOptions& options);
 
 // What the staff decides.
 struct ActOptions {

@@ -5,6 +5,7 @@
 #include "system/printable.hpp"
 #include "tournaments/app/commands.hpp"
 #include "tournaments/app/progress_bar.hpp"
+#include "tournaments/app/scratch_folder.hpp"
 #include "tournaments/league/event.hpp"
 #include "tournaments/play/comparison_run.hpp"
 
@@ -13,35 +14,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <filesystem>
 #include <iostream>
 #include <numeric>
 
 namespace mirocup::league {
 
 namespace {
-
-namespace fs = std::filesystem;
-
-// A temporary folder, removed by the destructor.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string name = (fs::temp_directory_path() / "mirocup-compare-XXXXXX").string();
-    if (mkdtemp(name.data()) != nullptr) path_ = name;
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  ~ScratchFolder() {
-    std::error_code ignored;
-    if (!path_.empty()) fs::remove_all(path_, ignored);
-  }
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
 
 // What is reported of a pair, for text, JSON and CSV alike.
 struct PairReport {
@@ -346,7 +324,7 @@ Result<int> run_compare(const CompareOptions& options) {
     run.max_fixtures = fixtures_of_a_table;
   }
   const std::unique_ptr<ScratchFolder> scratch =
-      options.keep.empty() ? std::make_unique<ScratchFolder>() : nullptr;
+      options.keep.empty() ? std::make_unique<ScratchFolder>("mirocup-compare") : nullptr;
   run.keeps_legs = scratch == nullptr;
   run.folder = run.keeps_legs ? options.keep : scratch->path();
   if (run.folder.empty()) return fail(Errc::unavailable, "no folder for the records can be made");

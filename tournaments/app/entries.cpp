@@ -67,8 +67,7 @@ Result<int> collect(system::Files& files, const SubmitOptions& options) {
 Result<int> run_submit(const SubmitOptions& options) {
   system::Disk disk;
   if (!options.inbox.empty()) return collect(disk, options);
-  if (options.file.empty())
-    return fail(Errc::input, "TEAM and FILE.so are expected, or --inbox FOLDER");
+  if (options.file.empty()) return fail(Errc::input, "TEAM and FILE are expected, or --inbox DIR");
   HandIn handed;
   handed.team = options.team;
   handed.path = options.file;

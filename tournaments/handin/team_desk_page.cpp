@@ -28,8 +28,8 @@ constexpr std::string_view log_out_form =
 // Shown by the script, without which it would do nothing.
 constexpr std::string_view hand_in_form =
     R"(<form id="hand-in" class="desk" hidden>
-<p><label for="file">Your library (team.so), its source (team.cpp) or your project
-(.tar.gz, .zip)</label></p>
+<p><label for="file">Your library (team.so), its source (team.cpp), team.py, or your
+project (.tar.gz, .zip)</label></p>
 <p><input id="file" type="file" required> <button>Hand in</button></p>
 <p><progress id="sent" max="1" value="0" hidden></progress></p>
 </form>

@@ -139,6 +139,10 @@ Result<void> init_folder(system::Files& files, const Folder& folder, const Leagu
   if (files.exists(folder.config())) {
     return fail(Errc::input, folder.path + " is a league already");
   }
+  // Looked at before anything is written, so that nothing is left of a league without a team.
+  for (const TeamConfig& team : file.teams) {
+    if (auto library = library_of(files, team); !library) return tl::unexpected(library.error());
+  }
   if (auto made = files.make_folder(folder.path + "/records"); !made) return made;
   for (const TeamConfig& team : file.teams) {
     if (team.hands_in()) continue;

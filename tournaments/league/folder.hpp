@@ -61,6 +61,7 @@ struct Folder {
   std::string entry(const std::string& team, int number) const {
     return entries() + "/" + team + "/" + std::to_string(number);
   }
+  // A team in Python has its text there, under the same name.
   std::string library(const std::string& team, int number) const {
     return entry(team, number) + "/strategy.so";
   }

@@ -4,13 +4,15 @@
 #include "system/users.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 namespace mirocup::league {
 
 namespace {
 
-constexpr std::string_view library_end = ".so";
+// A library, or a team in Python: the check tells them apart by what is in them.
+constexpr std::array<std::string_view, 2> ends_of_entries{".so", ".py"};
 
 struct Waiting {
   std::string path;
@@ -35,13 +37,14 @@ Result<std::vector<Waiting>> waiting_in(system::Files& files, const std::string&
   std::vector<Waiting> all;
   std::map<uid_t, int> turns;
   for (const std::string& name : *names) {
-    if (!name.ends_with(library_end)) continue;
+    const auto end = std::find_if(ends_of_entries.begin(), ends_of_entries.end(),
+                                  [&name](std::string_view e) { return name.ends_with(e); });
+    if (end == ends_of_entries.end()) continue;
     const std::string path = inbox + "/" + name;
     const auto owner = system::owner_of(path);
     if (!owner) continue;  // removed since
-    all.push_back({.path = path,
-                   .team = name.substr(0, name.size() - library_end.size()),
-                   .turn = turns[*owner]++});
+    all.push_back(
+        {.path = path, .team = name.substr(0, name.size() - end->size()), .turn = turns[*owner]++});
   }
   std::stable_sort(all.begin(), all.end(),
                    [](const Waiting& a, const Waiting& b) { return a.turn < b.turn; });

@@ -65,27 +65,6 @@ ComparedLeg compared_leg(const record::JsonReader& json, int blue) {
   return leg;
 }
 
-// What the legs of a folder depend on.
-Result<Json> identity_of(system::Files& files, const ComparisonRun& run) {
-  Json teams = Json::array();
-  for (const std::string& team : run.teams) {
-    const std::string path = compared_team(team).team;
-    const std::string house = system::house_team(path);
-    const auto library =
-        files.read(house.empty() ? path : house,
-                   {.max_size = system::size_limit::entry, .links = system::Links::followed});
-    if (!library) return tl::unexpected(library.error());
-    teams.push_back({{"team", team}, {"sha256", system::sha256(*library)}});
-  }
-  return Json{{"schema", "mirocup/comparison/1"},
-              {"game", record::this_software().behaviour_hash},
-              {"teams", teams},
-              {"league", to_string(run.league)},
-              {"half_s", run.half_s},
-              {"conditions", run.conditions},
-              {"seed", run.seed}};
-}
-
 class Comparison {
  public:
   Comparison(system::Files& files, const ComparisonRun& run, ProgressReporter& progress)
@@ -156,7 +135,7 @@ class Comparison {
 
   // Writes comparison.json, or compares with the one that is there.
   Result<void> open_folder() {
-    const auto wanted = identity_of(files_, run_);
+    const auto wanted = comparison_identity(files_, run_);
     if (!wanted) return tl::unexpected(wanted.error());
     const std::string path = run_.folder + "/comparison.json";
     if (!files_.exists(path)) return files_.write(path, record::json_text(*wanted, 1) + "\n");
@@ -283,6 +262,26 @@ class Comparison {
 };
 
 }  // namespace
+
+Result<nlohmann::ordered_json> comparison_identity(system::Files& files, const ComparisonRun& run) {
+  Json teams = Json::array();
+  for (const std::string& team : run.teams) {
+    const std::string path = compared_team(team).team;
+    const std::string house = system::house_team(path);
+    const auto library =
+        files.read(house.empty() ? path : house,
+                   {.max_size = system::size_limit::entry, .links = system::Links::followed});
+    if (!library) return tl::unexpected(library.error());
+    teams.push_back({{"team", team}, {"sha256", system::sha256(*library)}});
+  }
+  return Json{{"schema", "mirocup/comparison/1"},
+              {"game", record::this_software().behaviour_hash},
+              {"teams", teams},
+              {"league", to_string(run.league)},
+              {"half_s", run.half_s},
+              {"conditions", run.conditions},
+              {"seed", run.seed}};
+}
 
 ComparedTeam compared_team(const std::string& text) {
   ComparedTeam team{text, {}};

@@ -21,6 +21,8 @@
 #include "tournaments/table/comparison.hpp"
 #include "tournaments/table/rating.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <array>
 #include <cstdint>
 #include <map>
@@ -84,6 +86,10 @@ std::uint64_t comparison_seed(const ComparisonRun& run, const std::array<int, 2>
 // Adds a fixture to a pair and decides, unless `plays_all` leaves that to the last fixture.
 void count_fixture(PairComparison& pair, const std::array<ComparedLeg, 2>& legs,
                    const ComparisonRun& run);
+
+// Returns what the legs of a run depend on: teams with the digests of their libraries, the game, and
+// how it is played. The error is that of a library that cannot be read.
+Result<nlohmann::ordered_json> comparison_identity(system::Files& files, const ComparisonRun& run);
 
 // True if no more fixtures of the pair are needed.
 bool is_over(const PairComparison& pair, const ComparisonRun& run);

@@ -46,11 +46,12 @@ system::Descriptor make_rules() {
 }
 
 // Adds a rule that allows reading below `path`. A path that does not exist needs no rule.
-bool allow_reading(const system::Descriptor& rules, const char* path) {
+bool allow_reading(const system::Descriptor& rules, const char* path,
+                   std::uint64_t rights = LANDLOCK_ACCESS_FS_READ_FILE) {
   const system::Descriptor file(open(path, O_PATH | O_CLOEXEC));
   if (file.get() < 0) return errno == ENOENT;
   landlock_path_beneath_attr below{};
-  below.allowed_access = LANDLOCK_ACCESS_FS_READ_FILE;
+  below.allowed_access = rights;
   below.parent_fd = file.get();
   return syscall(SYS_landlock_add_rule, rules.get(), LANDLOCK_RULE_PATH_BENEATH, &below, 0) == 0;
 }
@@ -66,11 +67,13 @@ int landlock_version() {
       syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION));
 }
 
-bool allow_libraries_only(const char* entry_path) {
+bool allow_libraries_only(const char* entry_path, Folders folders) {
   const system::Descriptor rules = make_rules();
   if (rules.get() < 0) return false;
+  std::uint64_t rights = LANDLOCK_ACCESS_FS_READ_FILE;
+  if (folders == Folders::listed) rights |= LANDLOCK_ACCESS_FS_READ_DIR;
   for (const char* folder : library_folders) {
-    if (!allow_reading(rules, folder)) return false;
+    if (!allow_reading(rules, folder, rights)) return false;
   }
   if (!allow_reading(rules, loader_cache)) return false;
   if (entry_path != nullptr && !allow_reading(rules, entry_path)) return false;

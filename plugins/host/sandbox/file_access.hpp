@@ -7,13 +7,16 @@
 
 namespace mirocup::plugins {
 
+// Whether the process may list the library folders while it loads, as Python's import does.
+enum class Folders { hidden, listed };
+
 // Returns the version of the kernel's Landlock; 0 or less if it has none.
 int landlock_version();
 
 // From here on this process may only read files below the library folders and, if it is not null,
 // `entry_path`; or no files at all. Neither can be undone; the second is applied on top of the
 // first. They return false on failure; errno says why.
-bool allow_libraries_only(const char* entry_path);
+bool allow_libraries_only(const char* entry_path, Folders folders);
 bool allow_no_files();
 
 }  // namespace mirocup::plugins

@@ -53,9 +53,11 @@ constexpr const char* not_permitted[] = {
     "sched_setaffinity", "sched_setscheduler", "sched_setparam", "sched_setattr", "setpriority",
     "ioprio_set",        "setrlimit",          "mlock",          "mlock2",        "mlockall",
     "munlock",           "munlockall"};
-constexpr const char* no_access[] = {"open",   "access",     "faccessat", "faccessat2",
-                                     "stat",   "lstat",      "readlink",  "readlinkat",
-                                     "getcwd", "getdents64", "socket",    "socketpair"};
+constexpr const char* no_access[] = {"open",   "access", "faccessat", "faccessat2",
+                                     "stat",   "lstat",  "readlink",  "readlinkat",
+                                     "getcwd", "socket", "socketpair"};
+constexpr const char* list_folder = "getdents64";
+constexpr const char* file_system = "statfs";  // some modules of Python ask for it
 constexpr const char* not_there[] = {"statx", "clone3", "membarrier", "set_mempolicy",
                                      "get_mempolicy"};
 constexpr const char* no_descriptors[] = {
@@ -228,7 +230,7 @@ bool open_for_reading_only() {
 
 }  // namespace
 
-bool filter_for_loading() {
+bool filter_for_loading(Folders folders) {
   if (!open_for_reading_only()) return false;
   Filter filter(SCMP_ACT_TRAP);
   filter.add_all(SCMP_ACT_ALLOW, memory);
@@ -241,6 +243,8 @@ bool filter_for_loading() {
   allow_some_forms(filter);
   filter.add_all(SCMP_ACT_ERRNO(EPERM), not_permitted);
   filter.add_all(SCMP_ACT_ERRNO(EACCES), no_access);
+  filter.add(folders == Folders::listed ? SCMP_ACT_ALLOW : SCMP_ACT_ERRNO(EACCES), list_folder);
+  if (folders == Folders::listed) filter.add(SCMP_ACT_ERRNO(EACCES), file_system);
   filter.add_all(SCMP_ACT_ERRNO(ENOSYS), not_there);
   filter.add_all(SCMP_ACT_ERRNO(EMFILE), no_descriptors);
   filter.add_all(SCMP_ACT_ERRNO(EAGAIN), try_again);

@@ -5,6 +5,8 @@
 // libraries try and can do without return an error instead.
 #pragma once
 
+#include "plugins/host/sandbox/file_access.hpp"
+
 #include <chrono>
 #include <string>
 
@@ -13,7 +15,7 @@ namespace mirocup::plugins {
 // Phase 1 allows enough to load a library and create a team. Phase 2, on top of it, forbids opening
 // files, mapping new code and changing the sandbox. Neither can be undone. They return false on
 // failure; errno says why.
-bool filter_for_loading();
+bool filter_for_loading(Folders folders);
 bool filter_for_playing();
 
 // The calls that loading needs and playing does not (opening a file, asking for one, new code) wait

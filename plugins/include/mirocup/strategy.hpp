@@ -20,6 +20,7 @@
 //   observation ball, ball_velocity, position, ball_after, meeting_point, must_kick_off
 //   one robot   wheels_for, turn_to, drive_to, drive_to_pose, drive_round, drive_clear
 //   the laws    keep_out (of the goal area), out_of_area, without_pushing, keep_laws
+//   own goals   make_way, avoid_own_goals
 //   roles       kick_to (behind the ball, then through it), keep_goal, kick_off
 //   stuck balls is_stuck, free_ball
 //   a team      Team: decide(), place(), setup(), random(), parameter("name", default),
@@ -199,6 +200,23 @@ inline Point keep_out(const Setup& setup, int i, Point p) {
   return p;
 }
 
+// Returns a place for a robot that waits, moved aside if it is before the own goal while the ball is
+// still nearer to that goal: a ball that the keeper clears would come back from the robot.
+inline Point make_way(const Setup& setup, const Observation& now, Point p) {
+  const bool is_in_front = now.ball_x < -setup.half_length + setup.goal_area_depth + 0.15 &&
+                           p.x > now.ball_x + 0.02 && p.x < now.ball_x + 0.5;
+  if (!is_in_front) return p;
+  const double aside = setup.goal_half_width + 0.1;
+  p.y = p.y < 0.0 ? std::min(p.y, -aside) : std::max(p.y, aside);
+  return p;
+}
+
+// True if the ball has got nowhere for `patience` s and nearly stands: between two robots, at a
+// wall, in a corner.
+inline bool is_stuck(const Observation& now, double patience = 0.6) {
+  return now.stalemate_s > patience && length(ball_velocity(now)) < 0.15;
+}
+
 // Returns the same wheel speeds, unless the robot would push an opponent without playing the ball.
 // Then it returns speeds at which the robot slows down before the opponent and backs off. A robot
 // at the ball plays the ball: if it backed off, and the opponent too, the ball would lie there.
@@ -218,8 +236,10 @@ inline Wheels without_pushing(const Setup& setup, const Observation& now, const 
     const Point to = position(now.opponent[j]) - here;
     if (dot(to, direction) <= 0.0 || std::abs(to.x * direction.y - to.y * direction.x) > 0.09)
       continue;
-    // The ball is between the robot and the opponent: pushing both is playing the ball.
-    if (ball_ahead && dot(to_ball, direction) < dot(to, direction)) continue;
+    // The ball is between the robot and the opponent: pushing both is playing the ball. So is going
+    // for a ball that gets nowhere.
+    const double nearer = is_stuck(now, 1.0) && length(to_ball) < 0.2 ? 0.04 : 0.0;
+    if (ball_ahead && dot(to_ball, direction) < dot(to, direction) + nearer) continue;
     const double gap = length(to) - 0.1;
     allowed = std::min(allowed, gap > 0.0 ? 0.1 + 4.0 * gap : -0.2);
   }
@@ -260,6 +280,64 @@ inline void keep_laws(const Setup& setup, const Observation& now, Command& comma
   }
 }
 
+// Returns the multiple of a right angle that is nearest to a heading, rad.
+inline double squared(double heading) {
+  return pi / 2.0 * std::round(heading / (pi / 2.0));
+}
+
+// True if a ball that rolls straight on crosses the own goal line between the posts, or up to
+// `margin` (m) beside them.
+inline bool rolls_into_own_goal(const Setup& setup, Point ball, Point velocity, double margin) {
+  if (velocity.x > -0.05) return false;
+  const double seconds = (-setup.half_length - ball.x) / velocity.x;
+  return std::abs(ball.y + seconds * velocity.y) < setup.goal_half_width + margin;
+}
+
+// True if a ball that comes to `robot` within `soon_s` would rebound from it into the own goal.
+inline bool would_turn_ball_in(const Setup& setup, const Observation& now, const Robot& robot,
+                               double soon_s = 0.4) {
+  const Point velocity = ball_velocity(now);
+  const Point coming = velocity - Point{robot.vx, robot.vy};
+  const Point along = unit(coming);
+  const Point to = position(robot) - ball(now);
+  const double ahead = dot(to, along);
+  const double aside = along.x * to.y - along.y * to.x;
+  if (ahead < 0.0 || ahead > soon_s * length(coming) + 0.06 || std::abs(aside) > 0.08) return false;
+  for (int face = 0; face < 4; ++face) {
+    const double heading = robot.heading + face * pi / 2.0;
+    const Point normal{std::cos(heading), std::sin(heading)};
+    const double closing = -dot(coming, normal);
+    if (closing < 0.2 * length(coming)) continue;
+    const Point off = velocity + (1.4 * closing) * normal;  // 1.4: what impacts leave
+    if (rolls_into_own_goal(setup, position(robot) + 0.06 * normal, off, 0.05)) return true;
+  }
+  return false;
+}
+
+// Helps those robots from which a ball in the own half would rebound into the own goal: a robot that
+// stands at a slant turns square to the field, and one that is square makes way. Not for the keeper.
+inline void avoid_own_goals(const Setup& setup, const Observation& now, Command& command) {
+  const Point velocity = ball_velocity(now);
+  if (now.ball_x > 0.0 || length(velocity) < 0.25) return;
+  if (rolls_into_own_goal(setup, ball(now), velocity, -0.02)) return;  // worse it cannot get
+  for (int i = 1; i < now.robots; ++i) {
+    const Robot& robot = now.own[i];
+    if (!would_turn_ball_in(setup, now, robot)) continue;
+    const double error = squared(robot.heading) - robot.heading;
+    if (std::abs(error) > 0.15) {
+      const double turns_on = robot.turn * (setup.control_period + setup.motor_time_constant);
+      command.wheels[i] = wheels_for(setup, 0.0, 16.0 * (error - turns_on));
+    } else {
+      const Point along = unit(velocity);
+      const Point to = position(robot) - ball(now);
+      const Point aside = unit(to - dot(to, along) * along);
+      const Point nose{std::cos(robot.heading), std::sin(robot.heading)};
+      const double way = dot(nose, aside + 0.7 * along) < 0.0 ? -1.0 : 1.0;
+      command.wheels[i] = wheels_for(setup, way * 1.5, 9.0 * error);
+    }
+  }
+}
+
 // Drives to a point, around an obstacle on the line to it.
 inline Wheels drive_round(const Setup& setup, const Robot& robot, Point target, Point obstacle,
                           double arrival, double fastest) {
@@ -278,11 +356,6 @@ inline Wheels drive_round(const Setup& setup, const Robot& robot, Point target, 
   const double side = aside > 0.0 ? -1.0 : 1.0;
   const Point beside = obstacle + (side * berth * 1.2) * Point{-along.y, along.x};
   return drive_to(setup, robot, beside, 0.3, std::min(fastest, 0.9));
-}
-
-// Returns the multiple of a right angle that is nearest to a heading, rad.
-inline double squared(double heading) {
-  return pi / 2.0 * std::round(heading / (pi / 2.0));
 }
 
 // Drives to a point, around the ball or an opponent that is on the line to it: a robot that returns
@@ -344,17 +417,11 @@ inline double middle_of_goal_view(const Setup& setup, Point ball) {
   return setup.goal_half_width * (right - left) / (right + left);
 }
 
-// True if the ball has got nowhere for `patience` s and nearly stands: between two robots, at a
-// wall, in a corner.
-inline bool is_stuck(const Observation& now, double patience = 0.6) {
-  return now.stalemate_s > patience && length(ball_velocity(now)) < 0.15;
-}
-
 // Gets a stuck ball free: drives at it, and spins beside it, so that a corner of the robot throws
 // it forward; before the opponents' goal, towards its middle.
 inline Wheels free_ball(const Setup& setup, const Observation& now, const Robot& robot) {
   const Point to = ball(now) - position(robot);
-  if (length(to) > 0.085) return drive_to(setup, robot, ball(now), 0.6, 1.2);
+  if (length(to) > 0.07) return drive_to(setup, robot, ball(now), 0.6, 1.2);
   Point way{1.0, 0.0};
   if (now.ball_x > 0.3 * setup.half_length) {
     way = Point{setup.half_length - 0.18, 0.0} - ball(now);
@@ -366,32 +433,41 @@ inline Wheels free_ball(const Setup& setup, const Observation& now, const Robot&
 }
 
 // Drives along the goal line to a y, forwards or backwards, and looks along the line all the time:
-// a keeper that turns away from it throws the ball into its goal.
+// a keeper that turns away from it throws the ball into its goal. It brakes for what it still rolls
+// on while its motors follow, because a keeper that runs past its place meets the ball with a side
+// that turns it into the goal.
 inline Wheels slide_to(const Setup& setup, const Robot& robot, double y, double fastest = 1.5) {
   const bool is_up = robot.heading > 0.0;
   const double error = wrapped((is_up ? pi / 2.0 : -pi / 2.0) - robot.heading);
-  const double speed = std::clamp(8.0 * (y - robot.y), -fastest, fastest);
+  const double rolls_on = robot.vy * (setup.control_period + setup.motor_time_constant);  // m
+  const double speed = std::clamp(12.0 * (y - robot.y - rolls_on), -fastest, fastest);
   const double forward = (is_up ? speed : -speed) * std::max(0.0, std::cos(2.0 * error));
   return wheels_for(setup, forward, 9.0 * error);
 }
 
-// Keeps the goal: stays in its mouth, where the ball will cross the line, and kicks away a slow
-// ball in the goal area. A ball that comes along the end wall then meets the middle of the keeper's
-// face; farther out it would meet a corner, and turn the keeper aside.
+// Keeps the goal: stays in its mouth, where the ball will meet its face, and kicks away a slow ball
+// in the goal area, not inwards. A ball that comes along the end wall then meets the middle of the
+// keeper's face; farther out it would meet a corner, and turn the keeper aside.
 inline Wheels keep_goal(const Setup& setup, const Observation& now, const Robot& robot) {
   const double line = -setup.half_length + 0.03;
   const Point here = position(robot);
   const Point away = ball(now) - here;
 
+  const double outwards = now.ball_y < 0.0 ? -1.0 : 1.0;
   const bool is_slow = length(ball_velocity(now)) < 0.4;
   const bool is_in_reach = now.ball_x > here.x + 0.02 && length(away) < 0.16 &&
                            now.ball_x < -setup.half_length + setup.goal_area_depth + 0.02;
-  if (is_slow && is_in_reach) return drive_to(setup, robot, ball(now) + 0.2 * unit(away), 1.0);
-
-  // The place where the ball will cross the line, if it comes; else where it sees the goal.
+  const bool is_outer = away.x > 0.045 || outwards * away.y > -0.02;
+  if (is_slow && is_in_reach && is_outer) {
+    return drive_to(setup, robot, ball(now) + 0.2 * unit(away), 1.0);
+  }
+  // Where the ball will meet the face that looks into the field, if it comes; else where it sees
+  // the goal. A keeper that went on to where the ball would cross the goal line would meet a ball
+  // from the side with another face, and turn it in.
+  const double face = line + setup.robot_side / 2.0 + setup.ball_radius;
   double y = middle_of_goal_view(setup, ball(now));
   if (now.ball_vx < -0.1) {
-    const double seconds = (line - now.ball_x) / now.ball_vx;
+    const double seconds = (face - now.ball_x) / now.ball_vx;
     if (seconds > 0.0 && seconds < 1.5) y = now.ball_y + now.ball_vy * seconds;
   }
   const double reach = setup.goal_half_width - 0.0385;

@@ -44,7 +44,7 @@ while IFS= read -r page; do
     [[ $link != *'#'* || $target != *.md ]] || anchors "$target" | grep -qxF -- "${link#*#}" ||
       complain "$page: no heading for $link"
   done < <(prose "$page" | grep -oE '\]\([^) ]+' | sed 's/^](//' || true)
-  [[ $page == docs/README.md ]] || prose docs/README.md | grep -qF "]($(realpath -m --relative-to=docs "$page"))" ||
+  [[ $page == docs/README.md ]] || prose docs/README.md | grep -F "]($(realpath -m --relative-to=docs "$page"))" >/dev/null ||
     complain "docs/README.md does not list $page"
 done < <(pages)
 

@@ -21,7 +21,8 @@ using test_support::TemporaryFolder;
 
 std::vector<std::string> match(const std::string& blue, const std::string& yellow,
                                const std::vector<std::string>& more = {}) {
-  std::vector<std::string> words{program("mirocup"), "match", "--blue", blue, "--yellow", yellow};
+  std::vector<std::string> words{program("mirocup"), "match", "--blue", blue,
+                                 "--yellow",         yellow,  "--hash"};
   words.insert(words.end(), more.begin(), more.end());
   return words;
 }

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <set>
 #if defined(__SSE2__)
 #include <xmmintrin.h>
 #endif
@@ -20,6 +21,18 @@ namespace {
 
 using nlohmann::json;
 using test_support::TemporaryFolder;
+
+json range(double from, double to) {
+  return {{"from", from}, {"to", to}};
+}
+
+// The ball and a robot of blue lie anywhere on the right half.
+json anywhere() {
+  const json place = {range(0.1, 0.6), range(-0.5, 0.5)};
+  return {{"schema", "mirocup/situation/1"},
+          {"ball", {{"position", place}}},
+          {"blue", {{{"pose", {place[0], place[1], range(-3.0, 3.0)}}}}}};
+}
 
 // Configurations that between them use every part.
 const std::map<std::string, json>& kinds() {
@@ -46,6 +59,16 @@ const std::map<std::string, json>& kinds() {
         {"episode", {{"seconds", nullptr}, {"ends_at_goal", false}}},
         {"skip_stops", false},
         {"autoreset", "same_step"}}},
+      {"starts",
+       {{"agents", "robot"},
+        {"observation", "relative"},
+        {"yellow", "keeper"},
+        {"autoreset", "same_step"},
+        {"start", {"shoot-open-goal", anywhere(), {{"restart", {{"kind", "FREE_KICK"}}}}}}}},
+      {"pitch",
+       {{"yellow", "agent"},
+        {"autoreset", "same_step"},
+        {"pitch", {{"ball_mass", range(0.03, 0.06)}, {"restitution", {{"ball_wall", 0.5}}}}}}},
       {"middle", {{"league", "middle"}, {"yellow", "chaser"}, {"rules", "simurosot"}}}};
   return all;
 }
@@ -119,6 +142,59 @@ TEST(Training, EpisodesWrittenAsRecordsVerify) {
   EXPECT_EQ(verified, most);
   EXPECT_GT(ends["void"], 0) << "episodes that were cut";
   EXPECT_GT(ends.size(), 1U) << "episodes that ended";
+}
+
+// Catches starts that are not drawn, that all episodes share, or that do not keep to their ranges.
+TEST(Training, EpisodesStartWhereTheyAreTold) {
+  json configuration = kind("starts", 50, 1);
+  configuration["start"] = anywhere();
+  BatchOfMatches batch(configuration);
+  ASSERT_EQ(batch.reset(1), 0);
+  std::set<double> places;
+  for (int match = 0; match < 50; ++match) {
+    double bodies[7 * 6];
+    ASSERT_EQ(mirocup_training_bodies(batch.get(), match, bodies), 0);
+    const double* ball = bodies + std::ptrdiff_t{6 * 6};
+    places.insert(ball[0]);
+    for (const double* body : {static_cast<const double*>(bodies), ball}) {
+      EXPECT_GE(body[0], 0.1);
+      EXPECT_LE(body[0], 0.6);
+      EXPECT_LE(std::abs(body[1]), 0.5);
+    }
+  }
+  EXPECT_EQ(places.size(), 50U);
+  configuration["start"] = "shoot-open-goal";
+  BatchOfMatches drill(configuration);
+  ASSERT_EQ(drill.reset(1), 0);
+  double bodies[7 * 6];
+  ASSERT_EQ(mirocup_training_bodies(drill.get(), 7, bodies), 0);
+  EXPECT_EQ(bodies[0], -0.7) << "its keeper";
+}
+
+// Catches a pitch that the physics does not have, that all episodes share, or that a record hides.
+TEST(Training, APitchIsDrawnForEachEpisode) {
+  const auto after = [](const json& pitch, int match) {
+    json configuration{{"matches", 2}, {"conditions", "exact"}, {"start", anywhere()}};
+    configuration["start"]["ball"]["velocity"] = {1.0, 0.3};
+    if (!pitch.is_null()) configuration["pitch"] = pitch;
+    BatchOfMatches batch(configuration);
+    const std::vector<std::uint64_t> seeds{5, 5};
+    EXPECT_EQ(mirocup_training_reset(batch.get(), nullptr, seeds.data()), 0);
+    for (int step = 0; step < 15; ++step) EXPECT_EQ(mirocup_training_step(batch.get()), 0);
+    if (!pitch.is_null()) {
+      EXPECT_EQ(mirocup_training_record(batch.get(), 0, MIROCUP_CURRENT_EPISODE, "/tmp/none.json"),
+                2);
+    }
+    double bodies[7 * 6];
+    EXPECT_EQ(mirocup_training_bodies(batch.get(), match, bodies), 0);
+    return bodies[6 * 6];
+  };
+  const double usual = after(nullptr, 0);
+  EXPECT_EQ(usual, after({{"viscous_friction", 0.01}}, 0));
+  EXPECT_NE(usual, after({{"viscous_friction", 0.05}}, 0));
+  const double drawn = after({{"viscous_friction", range(0.02, 0.06)}}, 0);
+  EXPECT_NE(usual, drawn);
+  EXPECT_EQ(drawn, after({{"viscous_friction", range(0.02, 0.06)}}, 1)) << "the same seed";
 }
 
 // Catches a state that is not saved, or that saving disturbs.
@@ -317,7 +393,14 @@ TEST(Training, RefusesWhatItDoesNotUnderstand) {
       {{{"rules", {{"preset", "mirosot"}, {"half", 1}}}}, "/rules/half"},
       {{{"autoreset", "never"}}, "next_step"},
       {{{"blue", {{"learners", {0}}}}, {"yellow", "agent"}}, "different numbers"},
-      {{{"referee", "none"}}, "/referee"}};
+      {{{"referee", "none"}}, "/referee"},
+      {{{"observation", "relative"}}, "relative"},
+      {{{"start", "no-such-drill"}}, "/start"},
+      {{{"start", {{"bal", 1}}}}, "/bal"},
+      {{{"start", {{"score", {1, 0}}}}}, "even"},
+      {{{"start", {{"ball", {{"position", {9, 9}}}}}}}, "outside"},
+      {{{"pitch", {{"ball_mas", 1}}}}, "/ball_mas"},
+      {{{"pitch", {{"ball_mass", range(-1.0, 1.0)}}}}, "/ball_mass"}};
   for (const auto& [configuration, part] : cases) {
     char error[500] = "";
     EXPECT_EQ(mirocup_training_create(configuration.dump().c_str(), error, sizeof error), nullptr);

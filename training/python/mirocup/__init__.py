@@ -10,10 +10,23 @@
 `VectorEnv` plays many matches at once, `Env` one, `ParallelEnv` one with an agent for each robot. All
 need numpy and libmirocup_training, which is built and installed with mirocup. gymnasium and pettingzoo
 are used where they are installed, and not needed. docs/training.md has the whole story.
-"""
-from ._library import TrainingError
-from .configuration import PRESETS
-from .parallel_env import ParallelEnv
-from .vector_env import AutoresetMode, Env, VectorEnv
 
-__all__ = ["AutoresetMode", "Env", "PRESETS", "ParallelEnv", "TrainingError", "VectorEnv"]
+`mirocup.team` is the interface of teams that are written in Python: docs/python.md. It needs none of
+this, so the environments are loaded when they are first asked for.
+"""
+import importlib
+
+_HOMES = {"TrainingError": "_library", "PRESETS": "configuration", "ParallelEnv": "parallel_env",
+          "Policy": "policy",
+          "AutoresetMode": "vector_env", "Env": "vector_env", "VectorEnv": "vector_env"}
+
+__all__ = sorted(_HOMES)
+
+
+def __getattr__(name):
+    home = _HOMES.get(name)
+    if home is None:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = getattr(importlib.import_module("." + home, __name__), name)
+    globals()[name] = value
+    return value

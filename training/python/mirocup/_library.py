@@ -21,7 +21,7 @@ def _candidates() -> list[Path]:
     """Where the library is: beside this package in a build tree, below the prefix of an installation."""
     package = Path(__file__).absolute().parent
     found = [package.parent.parent / _NAME]  # BUILD/python/mirocup
-    for above in package.parents:  # PREFIX/share/mirocup/python/mirocup
+    for above in package.parents:  # PREFIX/lib/python3/dist-packages/mirocup
         found += [above / "lib" / _NAME, *sorted(above.glob(f"lib/*-linux-gnu/{_NAME}")), above / "build" / _NAME]
     return found
 

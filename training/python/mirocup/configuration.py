@@ -22,7 +22,7 @@ PRESETS: dict[str, dict[str, Any]] = {
 }
 
 # The arguments that go into the configuration as they are, if they are given.
-_KEYS = ("league", "rules", "referee", "control_period", "conditions", "agents", "observation", "action",
+_KEYS = ("league", "rules", "referee", "control_period", "conditions", "start", "pitch", "agents", "observation", "action",
          "ticks_per_step", "skip_stops", "rewards", "threads")
 
 DEFAULTS: dict[str, Any] = {

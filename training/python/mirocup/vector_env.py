@@ -52,13 +52,18 @@ class VectorEnv(_VectorBase):  # type: ignore[misc,valid-type]
     learners         "all", or the indices of the robots that learn
     mates            who steers the others: as opponent
     agents           "team": a learner steers all these robots; "robot": one learner for each
-    observation      "standard" or "vss"; action: "wheels", "drive" or "vss"
+    observation      "standard", "relative" (one robot) or "vss"; action: "wheels", "drive" or "vss"
     rewards          weight of each term of the reward, by name; default {"goal": 1.0}
     referee          "laws", or "goals": no fouls, and restarts take no time
     rules            a preset ("mirosot", "simurosot", "vsss") or a dict with a preset and changes: docs/laws.md
     control_period   s; ticks_per_step: control periods for which an action holds
     episode_seconds  of play, after which an episode is truncated; float("inf"): never
     ends_at_goal     a goal terminates the episode; otherwise a leg is played to its end
+    start            where episodes start: a situation as a dict, in which any number may be {"from": a, "to": b}, the name
+                     of a drill, the path of a file of either, or a list, of which each episode draws one. None: the
+                     kick-off
+    pitch            numbers of the physics as in a scene, {"ball_mass": 0.05}; each may be a range, of which each episode
+                     draws one. Such episodes have no records
     skip_stops       steps go on until play is on; otherwise robots stand for some steps after a restart
     preset           "vss": rSoccer's VSS-v0
     autoreset_mode   an AutoresetMode
@@ -79,7 +84,7 @@ class VectorEnv(_VectorBase):  # type: ignore[misc,valid-type]
                  rewards: dict[str, float] | None = None, referee: str | None = None, rules: Any = None,
                  control_period: float | None = None, ticks_per_step: int | None = None,
                  episode_seconds: float | None = None, ends_at_goal: bool | None = None,
-                 skip_stops: bool | None = None, preset: str | None = None,
+                 start: Any = None, pitch: dict[str, Any] | None = None, skip_stops: bool | None = None, preset: str | None = None,
                  autoreset_mode: AutoresetMode = AutoresetMode.NEXT_STEP, threads: int = 0,
                  seed: int | None = None, render_mode: str | None = None, copy: bool = True) -> None:
         if render_mode not in (None, "rgb_array"):
@@ -88,6 +93,7 @@ class VectorEnv(_VectorBase):  # type: ignore[misc,valid-type]
             "league": league, "conditions": conditions, "opponent": opponent,
             "opponent_parameters": opponent_parameters, "learners": learners, "mates": mates, "agents": agents,
             "observation": observation, "action": action, "rewards": rewards, "referee": referee, "rules": rules,
+            "start": start, "pitch": pitch,
             "control_period": control_period, "ticks_per_step": ticks_per_step, "episode_seconds": episode_seconds,
             "ends_at_goal": ends_at_goal, "skip_stops": skip_stops, "preset": preset, "threads": threads,
         }

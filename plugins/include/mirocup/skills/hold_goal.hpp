@@ -26,12 +26,13 @@ struct GoalHolding {
   double line = 0.027;          // m, from the goal line to the middle of the keeper
   double inside_post = 0.0385;  // m: the keeper's middle stays so far inside the posts
   double slow = 0.2;            // m/s: a slower ball is cleared
+  double patience = 1.0;        // s, until it spins at a ball that is stuck beside the goal
 };
 
 // Returns the y at which the keeper has to be.
 inline double holding_y(const Setup& setup, const Observation& now, const BallPath& path,
                         const GoalHolding& how = {}) {
-  const double front = -setup.half_length + how.line + setup.robot_side / 2.0;
+  const double front = -setup.half_length + how.line + setup.robot_side / 2.0 + setup.ball_radius;
   const double reach = setup.goal_half_width - how.inside_post;
   const Point where = ball(now);
   const double side = where.y < 0.0 ? -1.0 : 1.0;
@@ -39,12 +40,22 @@ inline double holding_y(const Setup& setup, const Observation& now, const BallPa
   // Beside the goal: nothing passes the near post.
   if (depth < how.line + 0.06 && std::abs(where.y) > reach) return side * reach;
 
+  // Where the ball's middle is when it meets the face that looks into the field. Farther on, a ball
+  // from the side would meet another face, which turns it in.
   if (now.ball_vx < -0.1) {
-    for (double t = 0.0; t < 1.3; t += 0.033) {
+    const double step = 0.033;  // s
+    Point before = where;
+    for (double t = 0.0; t < 1.3; t += step) {
       const Point there = path.after(t).at;
-      if (there.x > front + setup.ball_radius) continue;
-      if (std::abs(there.y) > setup.goal_half_width + 0.08) break;
-      return std::clamp(there.y, -reach, reach);
+      if (there.x > front) {
+        before = there;
+        continue;
+      }
+      const double gone = before.x - there.x;
+      const double part = gone > 1e-6 ? (before.x - front) / gone : 1.0;
+      const double y = before.y + std::clamp(part, 0.0, 1.0) * (there.y - before.y);
+      if (std::abs(y) > setup.goal_half_width + 0.08) break;
+      return std::clamp(y, -reach, reach);
     }
   }
   // A robot runs at a ball that lies: where its shot would go.
@@ -141,6 +152,10 @@ inline Wheels hold_goal(const Setup& setup, const Observation& now, const BallPa
                          std::abs(soon.y) < width + 0.22;
   const double gap = outwards * to_ball.y;
   if (is_beside && std::abs(here.x - post.x) < 0.02 && gap > 0.03 && gap < 0.075) {
+    // Pressed from both sides it would lie there: a spin throws it along the keeper's side.
+    if (is_stuck(now, how.patience)) {
+      return wheels_turning_first(setup, 0.0, -outwards * 25.0);
+    }
     return push_outwards(setup, robot, outwards);
   }
   if (std::abs(post.x - here.x) > 0.03 || std::abs(here.y) > width + 0.06) {

@@ -3,7 +3,8 @@
 // Interception: the earliest point of the ball's path that a robot reaches before the ball does.
 // The path has walls (ball_path.hpp).
 //
-//   intercept   where and when a robot can meet the ball
+//   intercept       where and when a robot can meet the ball
+//   rough_meeting   about where, at a fraction of the cost
 //
 // Frames and units are those of strategy.h.
 #pragma once
@@ -38,6 +39,19 @@ inline Interception intercept(const Setup& setup, const Observation& now, const 
     gap = next_gap;
   }
   return {ball, most_s + gap, false};
+}
+
+// Returns about where a robot that drives at `pace` m/s meets the ball, with at most one rebound from
+// a side wall; for teams that ask hundreds of times in a tick.
+inline Point rough_meeting(const Setup& setup, const Observation& now, const Robot& robot,
+                           double pace = 1.2) {
+  const double width = setup.half_width - setup.ball_radius;
+  Point p = ball(now);
+  for (int i = 0; i < 2; ++i) {
+    p = ball_after(now, std::min(length(p - position(robot)) / pace, 0.8));
+    if (std::abs(p.y) > width) p.y = std::copysign(2.0 * width - std::abs(p.y), p.y);
+  }
+  return inside(setup, p, setup.ball_radius);
 }
 
 }  // namespace mirocup::strategy

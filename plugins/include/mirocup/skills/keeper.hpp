@@ -5,6 +5,7 @@
 //
 //   cover_point   where on its line the keeper has to be
 //   guard_goal    drives there, and clears
+//   rough_guard   a keeper for predictions: cheaper, and clears nothing
 //
 // Frames and units are those of strategy.h.
 #pragma once
@@ -32,7 +33,9 @@ inline Point cover_point(const Setup& setup, const Observation& now,
   const double line = -setup.half_length + habits.line;
   const double reach = setup.goal_half_width - habits.inside_post;
   const auto at = [&](double y) { return Point{line, std::clamp(y, -reach, reach)}; };
-  const double front = line + setup.robot_side / 2.0;
+  // The ball's middle where it meets the face: farther on, a ball from the side would meet another
+  // face of the keeper, which turns it in.
+  const double front = line + setup.robot_side / 2.0 + setup.ball_radius;
   const Point where = ball(now);
 
   // The ball comes: where it will arrive.
@@ -77,6 +80,10 @@ inline Wheels guard_goal(const Setup& setup, const Observation& now, const Robot
     if (to_ball.x > 0.03 && length(to_ball) < 0.08) {
       return wheels_for(setup, 0.0, outwards * habits.spin);
     }
+    // Beside it at the end wall: along the wall with it.
+    if (std::abs(to_ball.x) < 0.05 && outwards * to_ball.y > 0.0 && length(to_ball) < 0.16) {
+      return slide_to(setup, robot, now.ball_y + 0.1 * outwards, 1.2);
+    }
     // Farther off, and the keeper is on its inner side: push it out of the area.
     const bool is_outer = outwards * to_ball.y > -0.01;
     if (to_ball.x > -0.02 && is_outer && length(to_ball) < 0.3) {
@@ -95,6 +102,24 @@ inline Wheels guard_goal(const Setup& setup, const Observation& now, const Robot
   const double speed = std::min(1.8, 7.0 * std::abs(to.y) + 0.05);
   const LineFollowing how{.aim_ahead = 0.08};
   return follow_line(setup, robot, post, to.y > 0.0 ? pi / 2.0 : -pi / 2.0, speed, how);
+}
+
+// Stays on the line before the goal where the ball will cross it, with at most one rebound from a
+// side wall; for teams that ask hundreds of times in a tick.
+inline Wheels rough_guard(const Setup& setup, const Observation& now, const Robot& robot) {
+  const double line = -setup.half_length + 0.05;
+  double y = now.ball_y * 0.3;
+  if (now.ball_vx < -0.15 && now.ball_x > line) {
+    const double width = setup.half_width - setup.ball_radius;
+    y = now.ball_y + now.ball_vy * (line + 0.06 - now.ball_x) / now.ball_vx;
+    if (std::abs(y) > width) y = std::copysign(2.0 * width - std::abs(y), y);
+  }
+  const Point post{line, std::clamp(y, -setup.goal_half_width, setup.goal_half_width)};
+  const Point to = post - position(robot);
+  if (std::abs(to.x) > 0.05) return drive_to(setup, robot, post);
+  const double speed = std::min(1.8, 7.0 * std::abs(to.y));
+  return follow_line(setup, robot, post, to.y > 0.0 ? pi / 2.0 : -pi / 2.0, speed,
+                     {.aim_ahead = 0.08});
 }
 
 }  // namespace mirocup::strategy

@@ -2,7 +2,9 @@
 //
 // Keeping the laws that the helpers of strategy.hpp do not know.
 //
-//   spare_keeper   brakes before the opponents' keeper
+//   spare_keeper       brakes before the opponents' keeper
+//   must_leave_area    whether a robot that does not attack has to leave the opponents' goal area
+//   leave_area         drives out of it
 //
 // Frames and units are those of strategy.h.
 #pragma once
@@ -71,6 +73,19 @@ inline void spare_keeper(const Setup& setup, const Observation& now, Command& co
 
 inline void spare_keeper(const Setup& setup, const Observation& now, Command& command) {
   spare_keeper(setup, now, command, keeper_distance(setup));
+}
+
+// True if a robot that does not attack is about to be in the opponents' goal area, where only one
+// may be. Only SimuroSot rules call that so often that it is worth the goals that keeping away
+// costs; the control period tells that they are played.
+inline bool must_leave_area(const Setup& setup, const Robot& robot) {
+  if (setup.control_period > 0.02) return false;
+  return robot.x + 0.1 * robot.vx > setup.half_length - setup.goal_area_depth - 0.1 &&
+         std::abs(robot.y + 0.1 * robot.vy) < setup.goal_area_half_width + 0.05;
+}
+
+inline Wheels leave_area(const Setup& setup, const Robot& robot) {
+  return drive_to(setup, robot, {setup.half_length - setup.goal_area_depth - 0.2, robot.y});
 }
 
 }  // namespace mirocup::strategy

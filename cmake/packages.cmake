@@ -1,0 +1,65 @@
+# `cpack -G DEB` in the build tree of the preset "packages" makes the four packages of Debian; docs/installing.md.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME mirocup)
+set(CPACK_PACKAGE_VENDOR mirocup)
+set(CPACK_PACKAGE_CONTACT "mirocup maintainers <mirocup@localhost>")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_COMPONENTS_ALL mirocup mirocup-dev python3-mirocup mirocup-doc)
+set(CPACK_COMPONENTS_GROUPING IGNORE)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR})
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+  OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+set(CPACK_DEBIAN_MIROCUP_PACKAGE_NAME mirocup)
+set(CPACK_DEBIAN_MIROCUP-DEV_PACKAGE_NAME mirocup-dev)
+set(CPACK_DEBIAN_PYTHON3-MIROCUP_PACKAGE_NAME python3-mirocup)
+set(CPACK_DEBIAN_MIROCUP-DOC_PACKAGE_NAME mirocup-doc)
+set(CPACK_DEBIAN_MIROCUP_PACKAGE_SECTION games)
+set(CPACK_DEBIAN_MIROCUP-DEV_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_PYTHON3-MIROCUP_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_MIROCUP-DOC_PACKAGE_SECTION doc)
+set(CPACK_DEBIAN_MIROCUP_PACKAGE_RECOMMENDS "mirocup-dev, ffmpeg, openssl")
+set(CPACK_DEBIAN_MIROCUP_PACKAGE_SUGGESTS "python3-mirocup, mirocup-doc, xdg-utils")
+set(same_version "(= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
+set(CPACK_DEBIAN_MIROCUP-DEV_PACKAGE_DEPENDS "mirocup ${same_version}, g++, cmake")
+set(CPACK_DEBIAN_PYTHON3-MIROCUP_PACKAGE_DEPENDS "mirocup ${same_version}, python3")
+set(CPACK_DEBIAN_PYTHON3-MIROCUP_PACKAGE_RECOMMENDS "python3-numpy")
+set(CPACK_DEBIAN_MIROCUP-DOC_PACKAGE_ARCHITECTURE all)
+set(CPACK_DEBIAN_MIROCUP-DOC_PACKAGE_SHLIBDEPS OFF)
+set(CPACK_DEBIAN_MIROCUP_DESCRIPTION "tournament platform for MiroSot robot soccer
+Simulates a leg between two teams of small robots, judges it by the laws,
+ records it so that it can be run again bit for bit, and makes a league of
+ many legs. Teams are shared libraries or files of Python in a sandbox, or
+ programs on the network. This package has the programs and house teams.")
+set(CPACK_DEBIAN_MIROCUP-DEV_DESCRIPTION "headers to build a team for mirocup
+Headers in C and C++, a library that predicts what the simulator will do,
+ and the files for find_package(mirocup) of CMake. With it, the command
+ mirocup new makes a team that builds as it is.")
+set(CPACK_DEBIAN_PYTHON3-MIROCUP_DESCRIPTION "teams in Python for mirocup, and environments to learn in
+The module mirocup.team and the program that plays a team in Python in the
+ sandbox of a library; and environments with the interface of Gymnasium in
+ which thousands of matches are played at once.")
+set(CPACK_DEBIAN_MIROCUP-DOC_DESCRIPTION "pages, laws and examples of mirocup
+What hosts of leagues and students read: the laws, the conditions of a hall,
+ how to host a league, exercises, formats of files, and examples: a league,
+ a team over the network, units of systemd.")
+
+# Each package has its copyright, its changelog and what lintian need not tell (cmake/debian).
+string(TIMESTAMP now "%a, %d %b %Y %H:%M:%S +0000" UTC)
+foreach(package ${CPACK_COMPONENTS_ALL})
+  set(folder ${PROJECT_BINARY_DIR}/debian/${package})
+  configure_file(cmake/debian/changelog.in ${folder}/changelog @ONLY)
+  execute_process(COMMAND gzip -9nf ${folder}/changelog COMMAND_ERROR_IS_FATAL ANY)
+  install(FILES ${folder}/changelog.gz DESTINATION share/doc/${package} RENAME changelog.Debian.gz COMPONENT ${package} EXCLUDE_FROM_ALL)
+  install(FILES LICENSE DESTINATION share/doc/${package} RENAME copyright COMPONENT ${package} EXCLUDE_FROM_ALL)
+  if(EXISTS ${PROJECT_SOURCE_DIR}/cmake/debian/${package}.lintian-overrides)
+    install(FILES cmake/debian/${package}.lintian-overrides DESTINATION share/lintian/overrides RENAME ${package}
+      COMPONENT ${package} EXCLUDE_FROM_ALL)
+  endif()
+endforeach()
+include(CPack)

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+//
+// In the team's process: what kind of team the program plays. mirocup-plugin-host plays libraries
+// (library_guest.cpp), mirocup-python-host plays teams in Python (plugins/python/python_guest.cpp).
+#pragma once
+
+#include "plugins/host/plugin.hpp"
+#include "plugins/host/sandbox/file_access.hpp"
+
+namespace mirocup::plugins {
+
+// Whether loading such a team lists the folders of the system's libraries.
+Folders folders_of_guest();
+
+// Loads the team from the entry, which is at `path` and open as entry_descriptor, and creates it.
+// `setup` must outlive it.
+tl::expected<Plugin, match::Fault> load_guest(const char* path, const mirocup_setup& setup);
+
+}  // namespace mirocup::plugins

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+//
+// Attacking: which way the ball shall go, getting behind it, driving through it, and where the
+// others wait meanwhile.
+//
+//                    3 to the open corner
+//                   o ----------------->
+//      2 through   /
+//        the ball /            1 along the field of directions, behind the ball
+//          .--->-'
+//         '--<-- robot
+//
+//   shooting_aim    the open corner of the goal, or along a wall
+//   is_on_line      whether a robot is behind the ball, on the line of the shot
+//   attack_ball     1, 2 and 3
+//   attack_ball_at  the same, where the caller knows the place at which it meets the ball
+//   supporting_place   between the ball and the own goal, on alternate sides
+//
+// Frames and units are those of strategy.h.
+#pragma once
+
+#include "mirocup/skills/intercept.hpp"
+#include "mirocup/skills/shoot.hpp"
+#include "mirocup/skills/univector_field.hpp"
+
+#include <array>
+
+namespace mirocup::strategy {
+
+// Returns where a ball at `from` shall go: to the open corner of the goal, or along a wall.
+inline Point shooting_aim(const Setup& setup, const Observation& now, Point from) {
+  const double wall = setup.half_width - 0.05;
+  const bool is_at_wall = std::abs(from.y) > wall && from.x < setup.half_length - 0.25;
+  if (is_at_wall) return {from.x + 1.0, from.y};
+  const bool is_at_own_end = from.x < -setup.half_length + 0.06;
+  if (is_at_own_end) return {from.x + 0.2, from.y + (from.y > 0.0 ? 1.0 : -1.0)};
+  return open_corner(setup, now, 0.06);
+}
+
+// A shot at a ball that will be at `at`, along `along` (of length 1).
+struct Shot {
+  Point at;          // m
+  Point along;       // of length 1
+  double aside = 0;  // m: how far the robot is to the left of the line of the shot
+  bool is_on_line = false;
+};
+
+// Returns the shot of `robot` at the ball that will be at `at`, to `aim`.
+inline Shot shot_of(const Robot& robot, Point at, Point aim) {
+  Shot shot{at, unit(aim - at)};
+  const Point from_ball = position(robot) - at;
+  const double behind = -dot(from_ball, shot.along);
+  shot.aside = shot.along.x * from_ball.y - shot.along.y * from_ball.x;
+  shot.is_on_line = behind > 0.0 && behind < 0.4 && std::abs(shot.aside) < 0.02 + 0.35 * behind;
+  return shot;
+}
+
+// Returns the point to drive to for a robot that is on the line: it comes back to the line where it
+// meets the ball, and goes on.
+inline Point through(const Shot& shot) {
+  return shot.at + 0.3 * shot.along - (2.0 * shot.aside) * Point{-shot.along.y, shot.along.x};
+}
+
+// Returns the pose that a robot shall have at the ball. `me`: its number.
+inline Target pose_at_ball(const Setup& setup, int me, const Shot& shot) {
+  return {keep_out(setup, me, inside(setup, shot.at, 0.04)),
+          std::atan2(shot.along.y, shot.along.x)};
+}
+
+// How a robot drives at the ball.
+struct Attack {
+  double speed = 1.8;    // m/s
+  double sight = 1e9;    // m: robots that are farther off are no obstacles
+  double lead_s = 0.08;  // s: the field is read where the robot will be then
+};
+
+// Shoots the ball that robot `me` meets at `at` to `aim`: comes in along a field of directions round
+// all other robots, and drives through it.
+inline Wheels attack_ball_at(const Setup& setup, const Observation& now, int me, Point at,
+                             Point aim, const Attack& how = {}) {
+  const Robot& robot = now.own[me];
+  const Shot shot = shot_of(robot, at, aim);
+  if (shot.is_on_line) {
+    return drive_to(setup, robot, keep_out(setup, me, through(shot)), how.speed, how.speed);
+  }
+  const Target target = pose_at_ball(setup, me, shot);
+  std::array<Obstacle, 2 * MIROCUP_MAX_ROBOTS> obstacles;
+  std::size_t count = 0;
+  const auto add = [&](const Robot& other) {
+    const Point p = position(other);
+    const bool is_at_ball = length(p - target.at) < 0.1;
+    if (is_at_ball || length(p - position(robot)) > how.sight) return;
+    obstacles[count++] = {p, {other.vx, other.vy}};
+  };
+  for (int j = 0; j < now.robots; ++j) {
+    add(now.opponent[j]);
+    if (j != me) add(now.own[j]);
+  }
+  return follow_field(setup, robot, target, how.speed, {obstacles.data(), count}, {}, how.lead_s);
+}
+
+// Shoots the ball of robot `me` to `aim`, where the robot meets it on its way.
+inline Wheels attack_ball(const Setup& setup, const Observation& now, int me, Point aim,
+                          const Attack& how = {}) {
+  return attack_ball_at(setup, now, me, intercept(setup, now, now.own[me]).ball.at, aim, how);
+}
+
+// Returns the place of a robot that does not attack: between the ball and the own goal. `rank`: 0
+// is on that line, 1 beside it, 2 and 3 a row farther back, and so on.
+inline Point supporting_place(const Setup& setup, const Observation& now, int me, int rank) {
+  const double side = now.ball_y > 0.0 ? -1.0 : 1.0;
+  const int row = rank / 2;
+  const double back = 0.3 + 0.25 * row;
+  const double x = std::max(-0.75 * setup.half_length, now.ball_x - back);
+  const double part = (x + setup.half_length) / (now.ball_x + setup.half_length + 0.01);
+  const double spread = rank % 2 == 0 ? 0.0 : side * (0.3 + 0.1 * row);
+  const double y = std::clamp(part, 0.0, 1.0) * now.ball_y + spread;
+  // In the opponents' goal area there is room for one.
+  const double front = setup.half_length - setup.goal_area_depth - 0.13;
+  return make_way(setup, now, keep_out(setup, me, inside(setup, {std::min(x, front), y})));
+}
+
+}  // namespace mirocup::strategy

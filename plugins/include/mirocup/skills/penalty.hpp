@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+//
+// Penalties. A good keeper reads the run-up: it stands where a shot along the kicker's heading would
+// arrive. So the kicker runs up to one corner, looks where the keeper goes, and if the keeper goes
+// there, too, turns to the other corner just before the ball.
+//
+//        keeper goes along ->  K
+//   post ----------------------+--- post
+//           \                 :
+//            \  the shot     :  the run-up
+//             \             :
+//              \--- o <-. :
+//                      kicker
+//
+//   PenaltyTaker   where the kicker stands, and how it runs and shoots
+//
+// Frames and units are those of strategy.h.
+#pragma once
+
+#include "mirocup/skills/drive.hpp"
+#include "mirocup/skills/shoot.hpp"
+
+namespace mirocup::strategy {
+
+struct PenaltyHabits {
+  double run_up = 0.35;     // m, from the middle of the kicker to that of the ball
+  double turn_from = 0.18;  // m from the ball: there it chooses the corner
+  double reads_at = 0.025;  // m: a keeper that is so far on the side of the run-up reads it
+  double margin = 0.05;     // m, from the post to where the ball shall pass
+  double speed = 1.8;       // m/s
+};
+
+// Takes the penalties of a team. Call stand() in place(), and drive() while must_take_kick() says
+// that the ball lies where it was put.
+class PenaltyTaker {
+ public:
+  explicit PenaltyTaker(const PenaltyHabits& habits = {}) : habits_(habits) {}
+
+  // Returns the pose of the kicker. `y_bias`: as in open_corner(); draw it at random, so that nobody
+  // knows the corner of the run-up.
+  mirocup_pose stand(const Setup& setup, const Observation& now, double y_bias) {
+    aim_ = open_corner(setup, now, habits_.margin, y_bias);
+    return run_up(ball(now), aim_, habits_.run_up);
+  }
+
+  // Returns the wheel speeds of the kicker. `robot`: where it will be at its next command.
+  Wheels drive(const Setup& setup, const Observation& now, const Robot& robot) {
+    if (length(ball(now) - position(robot)) > habits_.turn_from) {
+      is_decided_ = false;
+      return shoot(setup, robot, ball(now), aim_, habits_.speed);
+    }
+    const double side = aim_.y < 0.0 ? -1.0 : 1.0;
+    if (!is_decided_ && side * keeper_y(now) > habits_.reads_at) aim_.y = -aim_.y;
+    is_decided_ = true;
+    const Point to = aim_ - ball(now);
+    const double error = wrapped(std::atan2(to.y, to.x) - robot.heading);
+    return wheels_turning_first(setup, habits_.speed, turn_for(setup, robot.turn, error));
+  }
+
+ private:
+  // Where the keeper will be in a moment, m.
+  static double keeper_y(const Observation& now) {
+    int keeper = 0;
+    for (int j = 1; j < now.robots; ++j) {
+      if (now.opponent[j].x > now.opponent[keeper].x) keeper = j;
+    }
+    return now.opponent[keeper].y + 0.05 * now.opponent[keeper].vy;
+  }
+
+  PenaltyHabits habits_;
+  Point aim_;  // m
+  bool is_decided_ = false;
+};
+
+}  // namespace mirocup::strategy

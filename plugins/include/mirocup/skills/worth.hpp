@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+//
+// What a scene is worth to a team that tries moves before it makes them: where the ball is and where
+// it goes, and who is first behind it. About 1 is a goal, -1 a goal against.
+//
+//   worth_of             of a scene in play
+//   time_to_get_behind   how soon a robot is behind the ball, about
+//   out_of_reach         whether a ball that goes in passes all robots of a team
+//
+// Frames and units are those of strategy.h.
+#pragma once
+
+#include "mirocup/skills/ball_path.hpp"
+
+namespace mirocup::strategy {
+
+// Returns how far from all robots of a team the ball goes in: 0 at one, 1 out of reach.
+inline double out_of_reach(const Robot* robots, int count, Point ball) {
+  double nearest = 1.0;
+  for (int i = 0; i < count; ++i) {
+    if (std::abs(robots[i].x - ball.x) > 0.25) continue;
+    nearest = std::min(nearest, std::abs(robots[i].y + 0.1 * robots[i].vy - ball.y));
+  }
+  return std::clamp((nearest - 0.05) / 0.15, 0.0, 1.0);
+}
+
+// Returns about how long a robot takes to get behind the ball, seen from a goal, s.
+inline double time_to_get_behind(const Robot& robot, Point ball, Point goal) {
+  const Point along = unit(goal - ball);
+  const Point to = ball - 0.06 * along - position(robot);
+  const double before = std::max(0.0, dot(position(robot) - ball, along));
+  const double turned = std::abs(std::sin(std::atan2(along.y, along.x) - robot.heading));
+  return length(to) / 1.3 + 0.5 * std::min(before, 0.15) + 0.08 * turned;
+}
+
+inline double worth_of(const Setup& setup, const Observation& now) {
+  const double half = setup.half_length;
+  const MovingBall later = rolled(setup, moving_ball(now), 0.5);
+  if (later.at.x > half) return 0.35 + 0.3 * out_of_reach(now.opponent, now.robots, later.at);
+  if (later.at.x < -half) return -0.5 - 0.3 * out_of_reach(now.own, now.robots, later.at);
+  const MovingBall soon = rolled(setup, moving_ball(now), 0.2);
+  const auto near = [&](double x) {
+    const Point goal{x, std::clamp(soon.at.y, -0.1, 0.1)};
+    return std::exp(-length(soon.at - goal) / 0.35);
+  };
+  double worth = 0.2 * soon.at.x / half + 0.25 * (near(half) - near(-half));
+  double own = 1e9, opponent = 1e9;
+  bool is_covered = false;
+  for (int i = 1; i < now.robots; ++i) {
+    own = std::min(own, time_to_get_behind(now.own[i], soon.at, {half, 0.0}));
+    opponent = std::min(opponent, time_to_get_behind(now.opponent[i], soon.at, {-half, 0.0}));
+    is_covered |= now.own[i].x < soon.at.x - 0.1;
+  }
+  worth += 0.2 * std::clamp((opponent - own) / 0.4, -1.0, 1.0);
+  return is_covered ? worth : worth - 0.05;
+}
+
+}  // namespace mirocup::strategy

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+#define PY_SSIZE_T_CLEAN
+#include "plugins/python/python_team.hpp"
+
+#include "plugins/python/team_source.hpp"
+
+#include <Python.h>
+#include <cstring>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+namespace mirocup::python {
+
+namespace {
+
+using match::Fault;
+using match::FaultCode;
+
+struct Release {
+  void operator()(PyObject* object) const { Py_XDECREF(object); }
+};
+using Object = std::unique_ptr<PyObject, Release>;
+
+struct PythonTeam {
+  Object module;         // mirocup.team
+  Object runner;         // a _Runner of it
+  std::string name;      // of the file, in sentences
+  std::string own_name;  // of the team, as its class says
+  mirocup_strategy strategy{};
+};
+
+// Calls a function of a module or a method of an object. Null: an exception is set.
+template <class... Arguments>
+Object call(PyObject* owner, const char* function, const char* format, Arguments... arguments) {
+  return Object(PyObject_CallMethod(owner, function, format, arguments...));
+}
+
+// Clears the exception that is set and returns it as a sentence; its traceback goes to the log.
+std::string take_error(PyObject* module, const std::string& name) {
+  PyObject *type = nullptr, *value = nullptr, *trace = nullptr;
+  PyErr_Fetch(&type, &value, &trace);
+  PyErr_NormalizeException(&type, &value, &trace);
+  const Object keep_type(type), error(value), keep_trace(trace);
+  if (error == nullptr) return "an error without a text";
+  if (trace != nullptr) PyException_SetTraceback(error.get(), trace);
+  const Object text = module == nullptr
+                          ? Object(PyObject_Repr(error.get()))
+                          : call(module, "_describe", "Os", error.get(), name.c_str());
+  const char* said = text != nullptr ? PyUnicode_AsUTF8(text.get()) : nullptr;
+  std::string sentence = said != nullptr ? said : "an error that cannot be told";
+  PyErr_Clear();
+  return sentence;
+}
+
+// _parameter(name, default) of mirocup.team: asks the host.
+PyObject* parameter_of_host(PyObject* self, PyObject* arguments) {
+  const char* name = nullptr;
+  double fallback = 0.0;
+  if (PyArg_ParseTuple(arguments, "sd", &name, &fallback) == 0) return nullptr;
+  const auto* setup = static_cast<const mirocup_setup*>(PyCapsule_GetPointer(self, nullptr));
+  if (setup == nullptr) return nullptr;
+  return PyFloat_FromDouble(setup->parameter(setup->host, name, fallback));
+}
+
+PyMethodDef parameter_method = {"parameter", parameter_of_host, METH_VARARGS, nullptr};
+
+// Lets a method of the team answer an observation and copies its bytes into `answer`.
+template <class Answer>
+void ask(void* handle, const char* method, const mirocup_observation& now, Answer& answer) {
+  const auto& team = *static_cast<const PythonTeam*>(handle);
+  const Object bytes = call(team.runner.get(), method, "y#", reinterpret_cast<const char*>(&now),
+                            static_cast<Py_ssize_t>(sizeof now));
+  if (bytes == nullptr) throw std::runtime_error(take_error(team.module.get(), team.name));
+  std::memcpy(&answer, PyBytes_AS_STRING(bytes.get()), sizeof answer);
+}
+
+void decide(void* team, const mirocup_observation* now, mirocup_command* command) {
+  ask(team, "decide", *now, *command);
+}
+
+void place(void* team, const mirocup_observation* now, mirocup_placement* placement) {
+  ask(team, "place", *now, *placement);
+}
+
+void destroy(void* team) {
+  delete static_cast<PythonTeam*>(team);
+}
+
+constexpr mirocup_strategy functions{.abi_version = MIROCUP_ABI_VERSION,
+                                     .size = sizeof(mirocup_strategy),
+                                     .name = "",
+                                     .create = nullptr,
+                                     .decide = decide,
+                                     .destroy = destroy,
+                                     .place = place};
+
+bool add_search_path(PyConfig& config, const char* path) {
+  wchar_t* decoded = Py_DecodeLocale(path, nullptr);
+  if (decoded == nullptr) return false;
+  const PyStatus status = PyWideStringList_Append(&config.module_search_paths, decoded);
+  PyMem_RawFree(decoded);
+  return PyStatus_Exception(status) == 0;
+}
+
+// Returns false and `why` on failure. All folders are given, so that Python looks for none.
+bool start_interpreter(Surrounding surrounding, std::string& why) {
+  PyPreConfig before;
+  PyPreConfig_InitIsolatedConfig(&before);
+  before.utf8_mode = 1;
+  PyStatus status = Py_PreInitialize(&before);
+  PyConfig config;
+  PyConfig_InitIsolatedConfig(&config);
+  config.install_signal_handlers = surrounding == Surrounding::developer ? 1 : 0;
+  config.site_import = 0;
+  config.write_bytecode = 0;
+  config.use_hash_seed = 1;  // of 0: the order of a set is the same in every leg
+  config.module_search_paths_set = 1;
+  bool is_set = PyStatus_Exception(status) == 0;
+  for (const char* folder :
+       {MIROCUP_PYTHON_LIBRARY, MIROCUP_PYTHON_LIBRARY "/lib-dynload",
+        "/usr/local/lib/python3/dist-packages", "/usr/lib/python3/dist-packages"})
+    is_set = is_set && add_search_path(config, folder);
+  for (wchar_t** part : {&config.program_name, &config.executable, &config.base_executable})
+    is_set =
+        is_set && PyStatus_Exception(PyConfig_SetString(&config, part, L"/usr/bin/python3")) == 0;
+  for (wchar_t** part :
+       {&config.prefix, &config.exec_prefix, &config.base_prefix, &config.base_exec_prefix})
+    is_set = is_set && PyStatus_Exception(PyConfig_SetString(&config, part, L"/usr")) == 0;
+  if (is_set) status = Py_InitializeFromConfig(&config);
+  if (!is_set || PyStatus_Exception(status) != 0) {
+    why = status.err_msg != nullptr ? status.err_msg : "its configuration is not taken";
+    PyConfig_Clear(&config);
+    return false;
+  }
+  PyConfig_Clear(&config);
+  return true;
+}
+
+// Makes the package mirocup with the module mirocup.team, from the text in this program.
+Object make_module(Surrounding surrounding) {
+  const Object package(PyImport_AddModule("mirocup"));
+  PyObject* module = PyImport_AddModule("mirocup.team");
+  Py_XINCREF(package.get());  // both are borrowed
+  Py_XINCREF(module);
+  Object team(module);
+  if (package == nullptr || team == nullptr) return nullptr;
+  const Object no_path(PyList_New(0));
+  if (PyObject_SetAttrString(package.get(), "__path__", no_path.get()) != 0 ||
+      PyObject_SetAttrString(package.get(), "team", module) != 0)
+    return nullptr;
+  const std::string source(team_source("team.py"));
+  const Object code(Py_CompileString(source.c_str(), "mirocup/team.py", Py_file_input));
+  PyObject* names = PyModule_GetDict(module);
+  if (code == nullptr || PyDict_SetItemString(names, "__builtins__", PyEval_GetBuiltins()) != 0)
+    return nullptr;
+  const Object done(PyEval_EvalCode(code.get(), names, names));
+  if (done == nullptr) return nullptr;
+  const Object begun = call(module, "_begin", "i", surrounding == Surrounding::sandbox ? 1 : 0);
+  return begun == nullptr ? nullptr : std::move(team);
+}
+
+// Returns the module, which is made once; null: an exception is set.
+Object team_module(Surrounding surrounding) {
+  PyObject* modules = PyImport_GetModuleDict();
+  if (PyObject* known = PyDict_GetItemString(modules, "mirocup.team")) {
+    Py_INCREF(known);
+    return Object(known);
+  }
+  return make_module(surrounding);
+}
+
+}  // namespace
+
+tl::expected<LoadedTeam, Fault> load_team(const std::string& text, const std::string& name,
+                                          const mirocup_setup& setup, Surrounding surrounding) {
+  const auto fault = [](FaultCode code, std::string why) {
+    return tl::unexpected<Fault>(Fault{code, std::move(why)});
+  };
+  std::string why;
+  if (Py_IsInitialized() == 0 && !start_interpreter(surrounding, why))
+    return fault(FaultCode::no_load, "Python does not start: " + why);
+  auto team = std::make_unique<PythonTeam>();
+  team->name = name;
+  team->module = team_module(surrounding);
+  PyObject* module = team->module.get();
+  if (module == nullptr)
+    return fault(FaultCode::no_load, "Python does not start: " + take_error(nullptr, name));
+  const Object team_class =
+      call(module, "_load", "y#s", text.data(), static_cast<Py_ssize_t>(text.size()), name.c_str());
+  if (team_class == nullptr) return fault(FaultCode::no_load, take_error(module, name));
+  const Object handle(PyCapsule_New(const_cast<mirocup_setup*>(&setup), nullptr, nullptr));
+  const Object parameter(handle == nullptr ? nullptr
+                                           : PyCFunction_New(&parameter_method, handle.get()));
+  if (parameter != nullptr) {
+    team->runner =
+        call(module, "_create", "Oy#O", team_class.get(), reinterpret_cast<const char*>(&setup),
+             static_cast<Py_ssize_t>(sizeof setup), parameter.get());
+  }
+  if (team->runner == nullptr)
+    return fault(FaultCode::crash, "__init__() raised " + take_error(module, name));
+  const Object own_name(PyObject_GetAttrString(team_class.get(), "name"));
+  const char* text_of_name = own_name != nullptr && PyUnicode_Check(own_name.get()) != 0
+                                 ? PyUnicode_AsUTF8(own_name.get())
+                                 : nullptr;
+  PyErr_Clear();
+  if (text_of_name != nullptr) team->own_name = text_of_name;
+  team->strategy = functions;
+  team->strategy.name = team->own_name.c_str();
+  const mirocup_strategy* strategy = &team->strategy;
+  return LoadedTeam{strategy, team.release()};
+}
+
+}  // namespace mirocup::python

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+//
+// A team that is written in Python, played by an interpreter in this process. Its class derives
+// from mirocup.team.Team (training/python/mirocup/team.py), whose text is part of the program, so
+// that a team needs nothing but the system's Python.
+//
+// The team is handed over as the functions of strategy.h. So host and match treat it as they treat
+// a library; an exception that leaves a method leaves the function as a std::runtime_error.
+#pragma once
+
+#include "core/match/controller.hpp"
+#include "mirocup/strategy.h"
+
+#include <tl/expected.hpp>
+
+#include <string>
+
+namespace mirocup::python {
+
+enum class Surrounding {
+  sandbox,    // output goes to the team's log and is dropped where that is full
+  developer,  // input and output are those of this process, so that a debugger works
+};
+
+struct LoadedTeam {
+  const mirocup_strategy* strategy = nullptr;
+  void* team = nullptr;  // of the strategy's functions, which keep it until destroy()
+};
+
+// Starts the interpreter, if this process has none yet, runs the text of the file and creates its
+// team. `name` stands for the file in sentences and tracebacks. `setup` must outlive the team. The
+// interpreter hashes every text alike in every leg, and knows no folders but its library's.
+// Errors are the team's: no_load if the file is no team, crash if the team cannot be created.
+// From here on the thread that called this is the only one that may use the team.
+tl::expected<LoadedTeam, match::Fault> load_team(const std::string& text, const std::string& name,
+                                                 const mirocup_setup& setup,
+                                                 Surrounding surrounding);
+
+}  // namespace mirocup::python

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+//
+// Surroundings of an old team: memory that starts as zeros, files that swallow what is written, and
+// clocks that show simulated time. The linker's --wrap leads the team's calls here, and only those.
+//
+// Old teams read memory that they have not written and seed their random numbers by the clock. With
+// this their legs are the same ones whenever they are played.
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <new>
+
+namespace {
+
+double now_s = 0.0;
+
+ssize_t swallow(void*, const char*, size_t size) {
+  return static_cast<ssize_t>(size);
+}
+
+}  // namespace
+
+// Called by the adapter before each call of the team.
+void mirocup_simurosot_set_time(double seconds) {
+  now_s = seconds;
+}
+
+extern "C" {
+
+std::uint32_t mirocup_simurosot_ms() {
+  return static_cast<std::uint32_t>(now_s * 1000.0);
+}
+
+void* __wrap_malloc(size_t size) {
+  return std::calloc(1, size);
+}
+
+// A file to be written is one that keeps nothing; there is none to be read.
+FILE* __wrap_fopen(const char*, const char* mode) {
+  if (mode != nullptr && mode[0] == 'r' && mode[1] != '+') {
+    errno = ENOENT;
+    return nullptr;
+  }
+  cookie_io_functions_t functions{};
+  functions.write = swallow;
+  return fopencookie(nullptr, "w", functions);
+}
+
+int __real_fclose(FILE* file);
+
+// Some close a file that they could not open.
+int __wrap_fclose(FILE* file) {
+  return file != nullptr ? __real_fclose(file) : EOF;
+}
+
+time_t __wrap_time(time_t* result) {
+  constexpr time_t year_2000 = 946684800;
+  const time_t now = year_2000 + static_cast<time_t>(now_s);
+  if (result != nullptr) *result = now;
+  return now;
+}
+
+clock_t __wrap_clock() {
+  return static_cast<clock_t>(now_s * CLOCKS_PER_SEC);
+}
+
+}  // extern "C"
+
+void* operator new(size_t size) {
+  if (void* memory = std::calloc(1, size > 0 ? size : 1)) return memory;
+  std::abort();
+}
+void* operator new[](size_t size) {
+  return operator new(size);
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete[](void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, size_t) noexcept {
+  std::free(memory);
+}
+void operator delete[](void* memory, size_t) noexcept {
+  std::free(memory);
+}

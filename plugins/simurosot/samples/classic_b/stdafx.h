@@ -1,0 +1,3 @@
+#include <windows.h>
+#include <math.h>
+#include <fstream.h>

@@ -1,0 +1,3 @@
+/* SPDX-License-Identifier: MIT */
+#include <fstream>
+using namespace std;

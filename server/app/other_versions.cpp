@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "server/app/other_versions.hpp"
+
+#include "core/base/error.hpp"
+#include "system/child_process.hpp"
+#include "system/locations.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+
+namespace mirocup::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* shared_versions = "/opt/mirocup";
+
+void add_program(const fs::path& folder, std::vector<std::string>& found) {
+  std::error_code none;
+  for (const fs::path& program : {folder / "bin" / "mirocup", folder / "mirocup"}) {
+    const fs::path real = fs::canonical(program, none);
+    if (none || !fs::is_regular_file(real, none) || real == fs::read_symlink("/proc/self/exe"))
+      continue;
+    if (std::find(found.begin(), found.end(), real) == found.end()) found.push_back(real);
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> other_versions() {
+  std::vector<std::string> found;
+  if (const char* named = std::getenv("MIROCUP_VERSIONS")) {
+    std::istringstream folders(named);
+    for (std::string folder; std::getline(folders, folder, ':');) {
+      if (!folder.empty()) add_program(folder, found);
+    }
+  }
+  for (const fs::path& all :
+       {fs::path(shared_versions), fs::path(system::team_kit().prefix).parent_path()}) {
+    std::vector<fs::path> folders;
+    std::error_code none;
+    for (const auto& folder : fs::directory_iterator(all, none)) folders.push_back(folder.path());
+    std::sort(folders.rbegin(), folders.rend());  // new ones first
+    for (const fs::path& folder : folders) add_program(folder, found);
+  }
+  return found;
+}
+
+std::string version_that_reproduces(const std::string& record) {
+  for (const std::string& program : other_versions()) {
+    const auto answer = system::run_child(
+        {.arguments = {program, "verify", record}, .cpu = -1, .log = "/dev/null"});
+    if (answer && *answer == exit_yes) return program;
+  }
+  return "";
+}
+
+}  // namespace mirocup::app

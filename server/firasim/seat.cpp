@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#include "server/firasim/seat.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mirocup::firasim {
+
+namespace {
+
+// A sender that has been silent for so long may be replaced by another one, s.
+constexpr double seat_is_free_after = 1.0;
+
+// In lock-step: how long a team that has commanded some robots is waited for, until it is taken for
+// one that leaves the others out; and how long one that stands still before the whistle, s.
+constexpr double partial_patience = 0.5;
+constexpr double ready_patience = 1.0;
+// So often in a row it is waited for in vain before it is waited for no longer.
+constexpr int ready_tries = 3;
+
+// How long a placement is waited for, in real time and in lock-step, s; and how often in vain.
+constexpr double placement_patience = 0.25;
+constexpr double lockstep_placement_patience = 1.0;
+constexpr int placement_tries = 2;
+
+// The record lists no more.
+constexpr std::size_t max_absences = 100;
+// Silence that counts as an absence, s.
+constexpr double absence = 1.0;
+
+}  // namespace
+
+Seat::Seat(const match::Briefing& briefing, std::string name, const Terms& terms,
+           std::function<void()> settle)
+    : briefing_(briefing), name_(std::move(name)), terms_(terms), settle_(std::move(settle)) {}
+
+bool Seat::let_in(const Endpoint& sender, double now) {
+  if (sender_ == sender) return true;
+  const bool is_free = !sender_ || (heard_at_ && now - *heard_at_ >= seat_is_free_after);
+  if (!is_free) return false;
+  terms_.tell(std::string(to_string(team())) + " \"" + name_ + "\" is steered from " +
+              to_text(sender));
+  sender_ = sender;
+  ++counts_.senders;
+  return true;
+}
+
+void Seat::heard(double now) {
+  heard_at_ = now;
+  if (absences_.empty() || absences_.back().back) return;
+  absences_.back().back = observation_.tick;
+}
+
+void Seat::take(const Packet& packet, double now) {
+  heard(now);
+  // In lock-step the first whole answer counts. What follows it is a copy, or comes too late.
+  const bool is_stale = (packet.step && *packet.step != step_) || (!terms_.tick && has_answered_);
+  if (is_stale) ++counts_.stale;
+  for (const WheelCommand& command : packet.commands) {
+    const auto robots = static_cast<std::uint32_t>(briefing_.field->robots_per_team);
+    if (command.team != team()) {
+      ++counts_.foreign;
+    } else if (command.id >= robots) {
+      ++counts_.unknown_robots;
+    } else if (!std::isfinite(command.left) || !std::isfinite(command.right)) {
+      ++counts_.not_finite;
+    } else {
+      ever_commanded_.set(command.id);
+      if (is_stale) continue;
+      if (commanded_[command.id]) ++counts_.repeated;
+      commanded_.set(command.id);
+      wheels_[command.id] = to_wheels(command.left, command.right, *briefing_.parameters);
+      if (!first_command_at_) first_command_at_ = now;
+    }
+  }
+  if (!awaits_commands()) note_answer(now);
+}
+
+void Seat::note_answer(double now) {
+  if (has_answered_) return;
+  has_answered_ = true;
+  if (observation_.state == match::State::READY) silent_ready_ticks_ = 0;
+  if (asked_at_ > 0.0) answers_.add(now - asked_at_);
+}
+
+void Seat::take(const TeamPlacement& placement, const Endpoint& sender, double now) {
+  const bool is_of_another_host = sender_ && sender_->address != sender.address;
+  const bool is_another =
+      placer_ && *placer_ != sender && heard_at_ && now - *heard_at_ < seat_is_free_after;
+  if (is_of_another_host || is_another) {
+    ++counts_.foreign;
+    return;
+  }
+  placer_ = sender;
+  ++counts_.placements;
+  missing_placements_ = 0;
+  placement_ = placement;  // the last one counts
+  heard(now);
+}
+
+void Seat::ask(std::uint32_t step, bool restart, double now) {
+  step_ = step;
+  asked_at_ = now;
+  first_command_at_.reset();
+  commanded_.reset();
+  gave_up_ = false;
+  has_answered_ = false;
+  may_place_ = false;
+  if (!restart) return;
+  placement_.reset();
+  wheels_ = {};
+}
+
+void Seat::post(const match::Observation& observation) {
+  observation_ = observation;
+  may_place_ = observation.placing;
+}
+
+bool Seat::awaits_commands() const {
+  if (gave_up_ || end_) return false;
+  const bool is_ready = observation_.state == match::State::READY;
+  if (is_ready && !terms_.tick && silent_ready_ticks_ >= ready_tries) return false;
+  referee::RobotSet all;
+  for (int i = 0; i < briefing_.field->robots_per_team; ++i) all.set(i);
+  const referee::RobotSet awaited = only_ever_commanded_ ? ever_commanded_ : all;
+  return (awaited & ~commanded_).any();
+}
+
+bool Seat::awaits_placement() const {
+  return may_place_ && !placement_ && !gave_up_ && !end_ && missing_placements_ < placement_tries;
+}
+
+double Seat::deadline() const {
+  double wait = 0.0;
+  if (awaits_placement()) {
+    wait = terms_.tick ? std::max(*terms_.tick, placement_patience) : lockstep_placement_patience;
+  }
+  if (!awaits_commands()) return asked_at_ + wait;
+  if (terms_.tick) return asked_at_ + std::max(wait, *terms_.tick);
+  double until = asked_at_ + std::max(wait, ready_patience);
+  if (observation_.state != match::State::READY) until = asked_at_ + terms_.away;
+  if (first_command_at_) until = std::min(until, *first_command_at_ + partial_patience);
+  return std::max(until, asked_at_ + wait);
+}
+
+void Seat::give_up(double now) {
+  if (gave_up_) return;
+  if (awaits_placement()) ++missing_placements_;
+  if (awaits_commands()) {
+    if (!terms_.tick && first_command_at_) only_ever_commanded_ = true;
+    if (observation_.state == match::State::READY && !first_command_at_) ++silent_ready_ticks_;
+  }
+  const double silence = silent_for(now);
+  gave_up_ = true;
+  const bool is_new = absences_.empty() || absences_.back().back;
+  if (silence < absence || !is_new || absences_.size() == max_absences) return;
+  absences_.push_back({.tick = observation_.tick,
+                       .noticed = observation_.tick,
+                       .back = std::nullopt,
+                       .has_left = false});
+}
+
+// Before the whistle a team may well say nothing, and after its answer it has nothing to say.
+double Seat::silent_for(double now) const {
+  if (!heard_at_ || !awaits_commands() || observation_.state == match::State::READY) return 0.0;
+  return now - *heard_at_;
+}
+
+match::Fault Seat::disconnected() const {
+  return {match::FaultCode::disconnected,
+          "the team sent nothing for " + std::to_string(static_cast<int>(terms_.away)) + " s"};
+}
+
+match::Answer Seat::collect() {
+  settle_();
+  if (end_) return *end_;
+  match::Command command;
+  command.wheels = wheels_;
+  if (may_place_ && placement_) command.placement = to_request(*placement_, observation_);
+  if (has_answered_) {
+    ++counts_.in_time;
+    return command;
+  }
+  ++counts_.held;
+  // A team that is not waited for before the whistle is not late.
+  if (observation_.state == match::State::READY) return command;
+  return match::Late{.older = command};
+}
+
+}  // namespace mirocup::firasim

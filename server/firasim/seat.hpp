@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+//
+// The seat of one team that speaks FIRASim's protocol: who may steer it, and what it last said.
+//
+// FIRASim asks nobody: every process may steer both colours. Here a colour belongs to the first
+// address and port that sends commands for it. Another one may take it over only after the first
+// has been silent for a while. Placements come from a socket of their own, which is bound in the
+// same way and must be of the same host.
+//
+// As in FIRASim, the last command of a robot holds until there is a newer one. At a restart all
+// robots of the team stop.
+#pragma once
+
+#include "core/match/controller.hpp"
+#include "server/firasim/convert.hpp"
+#include "server/firasim/udp.hpp"
+#include "server/pace/absence.hpp"
+#include "server/pace/durations.hpp"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mirocup::firasim {
+
+// The terms on which a team joins and stays; seconds of wall time.
+struct Terms {
+  double to_join = 60.0;  // from the opening of the server to the team's first datagram
+  // The time in which a tick is answered (real time). Nothing: the match waits (lock-step).
+  std::optional<double> tick;
+  double away = 10.0;  // silent for so long while play is on: the team has lost
+  std::function<bool()> interrupted = [] { return false; };
+  std::function<void(const std::string&)> tell = [](auto&) {};  // gets a sentence for the host
+};
+
+// What became of the datagrams; the record has these numbers.
+struct Counts {
+  std::uint64_t in_time = 0;    // ticks that were answered in time
+  std::uint64_t held = 0;       // ticks in which the last commands were held
+  std::uint64_t datagrams = 0;  // of the team's own sender
+  std::uint64_t placements = 0;
+  std::uint64_t repeated = 0;  // commands to a robot that had one in this tick
+  std::uint64_t stale = 0;     // arrived before the vision that they should answer
+  std::uint64_t malformed = 0;
+  std::uint64_t foreign = 0;         // of another sender
+  std::uint64_t replacements = 0;    // refused: a team moves no bodies
+  std::uint64_t not_finite = 0;      // commands with NaN or infinity
+  std::uint64_t unknown_robots = 0;  // commands to a robot that there is not
+  int senders = 0;
+};
+
+class Seat final : public match::Controller {
+ public:
+  Seat(const match::Briefing& briefing, std::string name, const Terms& terms,
+       std::function<void()> settle);
+
+  Team team() const { return briefing_.team; }
+
+  void post(const match::Observation& observation) override;
+  match::Answer collect() override;
+
+  // For the server, which receives for both seats. `now`: wall time, s.
+  bool belongs_to(const Endpoint& sender) const { return sender_ == sender; }
+  // True if the sender steers the team, or does so from now on.
+  bool let_in(const Endpoint& sender, double now);
+  void take(const Packet& packet, double now);
+  void take(const TeamPlacement& placement, const Endpoint& sender, double now);
+  Counts& counts() { return counts_; }
+  const Counts& counts() const { return counts_; }
+
+  // A vision of this step leaves now; `restart`: with a call of the referee, which stops the team.
+  void ask(std::uint32_t step, bool restart, double now);
+  bool was_heard() const { return heard_at_.has_value(); }
+  bool is_satisfied() const { return !awaits_placement() && !awaits_commands(); }
+  // Wall time at which the tick is no longer waited for.
+  double deadline() const;
+  // Ends the wait for this tick.
+  void give_up(double now);
+  // For how long the team has been silent in play, s.
+  double silent_for(double now) const;
+  bool is_lost(double now) const { return silent_for(now) >= terms_.away; }
+  void end(match::Answer how) { end_ = std::move(how); }
+  const Terms& terms() const { return terms_; }
+  match::Fault disconnected() const;
+
+  const std::vector<pace::Absence>& absences() const { return absences_; }
+  const pace::Durations& answers() const { return answers_; }
+
+ private:
+  bool awaits_commands() const;
+  bool awaits_placement() const;
+  void heard(double now);
+  void note_answer(double now);
+
+  match::Briefing briefing_;
+  std::string name_;
+  Terms terms_;
+  std::function<void()> settle_;
+
+  std::optional<Endpoint> sender_, placer_;
+  std::optional<double> heard_at_;
+  match::Observation observation_;
+  std::uint32_t step_ = 0;
+  double asked_at_ = 0.0;
+  std::optional<double> first_command_at_;  // of this tick
+  bool gave_up_ = false;
+  bool has_answered_ = false;
+
+  std::array<simulator::WheelSpeeds, max_robots_per_team> wheels_{};
+  referee::RobotSet commanded_;  // in this tick
+  referee::RobotSet ever_commanded_;
+  bool only_ever_commanded_ = false;  // the team leaves robots out, and is not waited for longer
+  int silent_ready_ticks_ = 0;        // one after the other
+  int missing_placements_ = 0;        // likewise
+  std::optional<TeamPlacement> placement_;  // since the last call
+  bool may_place_ = false;                  // in this tick
+
+  Counts counts_;
+  std::vector<pace::Absence> absences_;
+  pace::Durations answers_;
+  std::optional<match::Answer> end_;
+};
+
+}  // namespace mirocup::firasim

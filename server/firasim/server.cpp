@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: MIT
+#include "server/firasim/server.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <poll.h>
+
+namespace mirocup::firasim {
+
+namespace {
+
+// A flood must not keep the server from its tick.
+constexpr int most_datagrams_at_once = 4096;
+
+// A vision that nobody has answered is sent again after this, s: it may be lost.
+constexpr double resend_after = 0.25;
+constexpr double resend_before_play = 0.1;
+
+// Old answers have arrived when nothing has come for this, s; a client that sends without end is
+// not waited for longer than the second number.
+constexpr double quiet = 0.03;
+constexpr double longest_drain = 0.5;
+
+constexpr double interrupt_poll = 0.1;  // s
+
+double now_s() {
+  using Clock = std::chrono::steady_clock;
+  return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
+}
+
+std::string port_of(int instance, int first) {
+  return ":" + std::to_string(first + instance);
+}
+
+}  // namespace
+
+Result<Addresses> addresses_of(int instance, const Addresses& changes) {
+  if (instance < 0 || instance > 9999) {
+    return fail(Errc::input, "--firasim-instance " + std::to_string(instance) +
+                                 ": a number from 0 to 9999 is expected");
+  }
+  Addresses all{.vision = "224.0.0.1" + port_of(instance, 10002),
+                .referee = "224.5.23.2" + (instance == 0 ? ":10003" : port_of(instance, 40000)),
+                .command = port_of(instance, 20011).substr(1),
+                .placement = "224.5.23.2" + (instance == 0 ? ":10004" : port_of(instance, 50000)),
+                .interface = changes.interface};
+  if (!changes.vision.empty()) all.vision = changes.vision;
+  if (!changes.referee.empty()) all.referee = changes.referee;
+  if (!changes.command.empty()) all.command = changes.command;
+  if (!changes.placement.empty()) all.placement = changes.placement;
+  return all;
+}
+
+Result<std::unique_ptr<Server>> Server::open(const Addresses& a) {
+  const auto vision_to = parse_endpoints(a.vision, "--firasim-vision");
+  if (!vision_to) return tl::unexpected(vision_to.error());
+  const auto referee_to = parse_endpoints(a.referee, "--firasim-referee");
+  if (!referee_to) return tl::unexpected(referee_to.error());
+  const bool has_address = a.command.find(':') != std::string::npos;
+  const std::string any = a.interface == this_host ? "127.0.0.1:" : "0.0.0.0:";
+  const auto commands_at =
+      parse_endpoint(has_address ? a.command : any + a.command, "--firasim-command");
+  if (!commands_at) return tl::unexpected(commands_at.error());
+  const auto placements_at = parse_endpoint(a.placement, "--firasim-placement");
+  if (!placements_at) return tl::unexpected(placements_at.error());
+
+  auto vision = Sender::open(*vision_to, a.interface);
+  if (!vision) return tl::unexpected(vision.error());
+  auto referee = Sender::open(*referee_to, a.interface);
+  if (!referee) return tl::unexpected(referee.error());
+  auto commands = Receiver::open(*commands_at, a.interface, "--firasim-command");
+  if (!commands) return tl::unexpected(commands.error());
+  auto placements = Receiver::open(*placements_at, a.interface, "--firasim-placement");
+  if (!placements) return tl::unexpected(placements.error());
+  return std::unique_ptr<Server>(new Server(std::move(*vision), std::move(*referee),
+                                            std::move(*commands), std::move(*placements)));
+}
+
+Server::Server(Sender vision, Sender referee, Receiver commands, Receiver placements)
+    : vision_(std::move(vision)),
+      referee_(std::move(referee)),
+      commands_(std::move(commands)),
+      placements_(std::move(placements)) {}
+
+Seat* Server::add_seat(const match::Briefing& briefing, const std::string& name,
+                       const Terms& terms) {
+  seats_.push_back(std::make_unique<Seat>(briefing, name, terms, [this] { settle(); }));
+  return seats_.back().get();
+}
+
+Seat* Server::seat_of(Team team) {
+  for (const auto& seat : seats_) {
+    if (seat->team() == team) return seat.get();
+  }
+  return nullptr;
+}
+
+tl::expected<void, match::Answer> Server::wait_until_ready(const Seat& seat,
+                                                           const match::Leg& leg) {
+  const double begun = now_s();
+  double sent = 0.0;
+  const Terms& terms = seat.terms();
+  while (!seat.was_heard()) {
+    const double now = now_s();
+    if (terms.interrupted()) {
+      return tl::unexpected<match::Answer>(
+          match::HostFailure{"interrupted while a team was awaited"});
+    }
+    if (now - begun > terms.to_join) {
+      return tl::unexpected<match::Answer>(
+          match::Fault{match::FaultCode::start_timeout,
+                       "the team sent no command and no placement within " +
+                           std::to_string(static_cast<int>(std::ceil(terms.to_join))) + " s"});
+    }
+    if (now - sent >= resend_before_play) {
+      if (!called_) call(leg);
+      sent_vision_ = encode(to_vision(leg));
+      vision_.send(sent_vision_);
+      if (!sent_call_.empty()) referee_.send(sent_call_);
+      sent = now;
+    }
+    wait(resend_before_play);
+    receive(now_s());
+  }
+  was_sent_again_ = true;  // so the first tick starts when all answers to this have come
+  return {};
+}
+
+void Server::publish(const match::Leg& leg) {
+  drain();
+  const double now = now_s();
+  call(leg);
+  const Vision vision = to_vision(leg);
+  for (const auto& seat : seats_) seat->ask(vision.step, is_new_call_, now);
+  is_new_call_ = false;
+  sent_vision_ = encode(vision);
+  vision_.send(sent_vision_);
+  is_settled_ = false;
+}
+
+// The referee speaks once for each change: a call, STOP when the teams have placed their robots,
+// GAME_ON when play begins.
+void Server::call(const match::Leg& leg) {
+  const match::LoggedDecision* restart = nullptr;
+  for (; decisions_ < leg.decisions().size(); ++decisions_) {
+    const match::LoggedDecision& decision = leg.decisions()[decisions_];
+    if (decision.decision.restart != referee::Restart::none) restart = &decision;
+  }
+  if (restart != nullptr) {
+    is_new_call_ = true;
+    called_at_ = leg.tick();
+    send_call(to_command(leg, *restart));
+    return;
+  }
+  const match::Snapshot now = leg.view();
+  if (now.state == match::State::PLAY) {
+    if (called_ != Foul::GAME_ON) send_call(to_command(leg, Foul::GAME_ON));
+    return;
+  }
+  const double since = (leg.tick() - called_at_) * leg.setup().control_period;
+  const bool is_half_time = since >= leg.setup().rules.ready_s / 2.0;
+  if (called_ != Foul::STOP && !now.placing && is_half_time) {
+    send_call(to_command(leg, Foul::STOP));
+  }
+}
+
+void Server::send_call(const RefereeCommand& command) {
+  called_ = command.foul;
+  sent_call_ = encode(command);
+  referee_.send(sent_call_);
+}
+
+void Server::close(const match::Leg& leg) {
+  vision_.send(encode(to_vision(leg)));
+  send_call(to_command(leg, Foul::HALT));
+}
+
+void Server::wait(double seconds) const {
+  pollfd sockets[2] = {{commands_.descriptor(), POLLIN, 0}, {placements_.descriptor(), POLLIN, 0}};
+  timespec limit{};
+  limit.tv_sec = static_cast<time_t>(std::max(0.0, seconds));
+  limit.tv_nsec =
+      static_cast<long>(1e9 * (std::max(0.0, seconds) - static_cast<double>(limit.tv_sec)));
+  ppoll(sockets, 2, &limit, nullptr);
+}
+
+// Returns true if anything has come.
+bool Server::receive(double now) {
+  Receiver::Datagram datagram;
+  int count = 0;
+  while (count < most_datagrams_at_once && placements_.receive(datagram)) {
+    take_placement(datagram, now);
+    ++count;
+  }
+  while (count < most_datagrams_at_once && commands_.receive(datagram)) {
+    take_packet(datagram, now);
+    ++count;
+  }
+  return count > 0;
+}
+
+// The datagram counts for the seat of its sender, and otherwise for nobody's.
+void Server::take_packet(const Receiver::Datagram& datagram, double now) {
+  Seat* owner = nullptr;
+  for (const auto& seat : seats_) {
+    if (seat->belongs_to(datagram.from)) owner = seat.get();
+  }
+  const auto packet = decode_packet(datagram.bytes);
+  if (!packet) {
+    ++(owner != nullptr ? owner->counts() : strangers_).malformed;
+    return;
+  }
+  if (owner == nullptr && !packet->commands.empty()) {
+    Seat* wanted = seat_of(packet->commands.front().team);
+    if (wanted != nullptr && wanted->let_in(datagram.from, now)) owner = wanted;
+  }
+  Counts& counts = owner != nullptr ? owner->counts() : strangers_;
+  if (packet->has_replacement) ++counts.replacements;
+  if (owner == nullptr) {
+    ++counts.foreign;
+    return;
+  }
+  ++counts.datagrams;
+  if (!packet->commands.empty()) owner->take(*packet, now);
+}
+
+void Server::take_placement(const Receiver::Datagram& datagram, double now) {
+  const auto placement = decode_placement(datagram.bytes);
+  if (!placement) {
+    ++strangers_.malformed;
+    return;
+  }
+  Seat* seat = seat_of(placement->team);
+  if (seat == nullptr) {
+    ++strangers_.foreign;
+    return;
+  }
+  seat->take(*placement, datagram.from, now);
+}
+
+// Commands that came too late for the last vision would be taken for answers to the next one. In
+// real time they are the newest that the team has said, and count until the next ones come.
+void Server::drain() {
+  const double begun = now_s();
+  receive(begun);
+  if (!std::exchange(was_sent_again_, false)) return;
+  while (now_s() - begun < longest_drain) {
+    wait(quiet);
+    if (!receive(now_s())) return;
+  }
+}
+
+void Server::settle() {
+  if (std::exchange(is_settled_, true)) return;
+  double sent = now_s();
+  while (true) {
+    const double now = now_s();
+    receive(now);
+    end_the_lost(now);
+    double until = now + interrupt_poll;
+    bool all = true;
+    for (const auto& seat : seats_) {
+      if (!seat->is_satisfied() && now >= seat->deadline()) seat->give_up(now);
+      if (seat->is_satisfied()) continue;
+      all = false;
+      until = std::min(until, seat->deadline());
+    }
+    if (all) return;
+    const Terms& terms = seats_.front()->terms();
+    if (terms.interrupted()) {
+      for (const auto& seat : seats_) {
+        seat->end(match::HostFailure{"interrupted while a team was awaited"});
+      }
+      return;
+    }
+    if (!terms.tick && now - sent >= resend_after) {
+      vision_.send(sent_vision_);
+      was_sent_again_ = true;
+      sent = now;
+    }
+    wait(until - now);
+  }
+}
+
+// A team is lost when it has been silent for too long in play. Nobody wins who is not there
+// either: the other one is lost with it if it has been silent for half as long.
+void Server::end_the_lost(double now) {
+  const bool any = std::any_of(seats_.begin(), seats_.end(),
+                               [&](const auto& seat) { return seat->is_lost(now); });
+  if (!any) return;
+  for (const auto& seat : seats_) {
+    if (seat->silent_for(now) >= seat->terms().away / 2.0) seat->end(seat->disconnected());
+  }
+}
+
+}  // namespace mirocup::firasim

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+//
+// A match as FIRASim and VSSReferee show it to their teams: vision and referee's calls go out,
+// commands and placements come in.
+//
+// Used from one thread. It guards against mistakes and against every content of a datagram, not
+// against an attacker who forges the addresses of datagrams on the same network.
+#pragma once
+
+#include "server/firasim/seat.hpp"
+
+#include <memory>
+
+namespace mirocup::firasim {
+
+// Addresses and ports, as FIRASim and VSSReferee have them by default.
+struct Addresses {
+  std::string vision = "224.0.0.1:10002";  // lists with commas
+  std::string referee = "224.5.23.2:10003";
+  std::string command;                         // PORT or ADDRESS:PORT; "": 20011
+  std::string placement = "224.5.23.2:10004";  // a group, or an address of this host
+  std::string interface = this_host;
+};
+
+// Returns the addresses of an instance: 0 has the ports above, and instance k > 0 has 10002 + k,
+// 20011 + k, 40000 + k for the referee and 50000 + k for placements, as some clients expect.
+// What is given in `changes` (not "") counts instead.
+Result<Addresses> addresses_of(int instance, const Addresses& changes);
+
+class Server {
+ public:
+  static Result<std::unique_ptr<Server>> open(const Addresses& addresses);
+
+  // Adds a seat, which the server owns.
+  Seat* add_seat(const match::Briefing& briefing, const std::string& name, const Terms& terms);
+
+  // Shows the leg's first state again and again until the teams of all seats have sent something.
+  // The error says why a team never will.
+  tl::expected<void, match::Answer> wait_until_ready(const Seat& seat, const match::Leg& leg);
+
+  // Drops what has arrived, then sends the vision of the tick that begins, and what the referee
+  // has called since the last one.
+  void publish(const match::Leg& leg);
+
+  // Sends HALT.
+  void close(const match::Leg& leg);
+
+  // Counts of datagrams that belong to no seat.
+  const Counts& strangers() const { return strangers_; }
+
+ private:
+  Server(Sender vision, Sender referee, Receiver commands, Receiver placements);
+  void settle();
+  void end_the_lost(double now);
+  bool receive(double now);
+  void take_packet(const Receiver::Datagram& datagram, double now);
+  void take_placement(const Receiver::Datagram& datagram, double now);
+  void drain();
+  void wait(double seconds) const;
+  void call(const match::Leg& leg);
+  void send_call(const RefereeCommand& command);
+  Seat* seat_of(Team team);
+
+  Sender vision_, referee_;
+  Receiver commands_, placements_;
+  std::vector<std::unique_ptr<Seat>> seats_;
+  std::string sent_vision_, sent_call_;
+  std::optional<Foul> called_;
+  std::size_t decisions_ = 0;  // number that was called already
+  std::uint32_t called_at_ = 0;
+  bool is_new_call_ = false;
+  bool is_settled_ = true;
+  bool was_sent_again_ = false;  // answers to the copy may still arrive
+  Counts strangers_;
+};
+
+}  // namespace mirocup::firasim

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+//
+// UDP as FIRASim and its clients use it: multicast groups, or lists of addresses.
+#pragma once
+
+#include "core/base/error.hpp"
+#include "system/descriptor.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace mirocup::firasim {
+
+// An IPv4 address and a port, both in the host's byte order.
+struct Endpoint {
+  std::uint32_t address = 0;
+  std::uint16_t port = 0;
+
+  bool operator==(const Endpoint&) const = default;
+  bool is_group() const { return address >> 28 == 0xe; }  // 224.0.0.0 to 239.255.255.255
+};
+std::string to_text(const Endpoint& endpoint);
+
+// Parses "ADDR:PORT", or a list of them with commas. `option` names the text in an error.
+Result<Endpoint> parse_endpoint(const std::string& text, const std::string& option);
+Result<std::vector<Endpoint>> parse_endpoints(const std::string& text, const std::string& option);
+
+// The interface "lo" means this host only: what is sent to a group also goes to the sockets of this
+// host that joined it on the interface of the default route, but leaves the host on none.
+inline constexpr const char* this_host = "lo";
+
+// Sends datagrams to a list of addresses.
+class Sender {
+ public:
+  static Result<Sender> open(std::vector<Endpoint> to, const std::string& interface);
+  // Sends once to each address. A datagram that the system does not take is lost, as on a network.
+  void send(const std::string& bytes) const;
+
+ private:
+  std::vector<Endpoint> to_;
+  std::vector<system::Descriptor> sockets_;  // one for each interface; the first also for unicast
+};
+
+// Receives datagrams at one address, without waiting.
+class Receiver {
+ public:
+  // Address 0 is any address of the host. A group is joined on the interface, and on lo.
+  static Result<Receiver> open(const Endpoint& at, const std::string& interface,
+                               const std::string& option);
+
+  struct Datagram {
+    Endpoint from;
+    std::string bytes;
+  };
+  // Returns false if none is there. One that is longer than max_size arrives empty.
+  bool receive(Datagram& datagram) const;
+  int descriptor() const { return socket_.get(); }
+
+  static constexpr std::size_t max_size = 4096;
+
+ private:
+  system::Descriptor socket_;
+};
+
+}  // namespace mirocup::firasim

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+//
+// The messages of FIRASim and VSSReferee as bytes: protobuf's encoding, written by hand because six
+// small messages need no library. Field numbers stand beside the fields.
+//
+// The frame on the wire has its origin at the centre of the field; blue is left and attacks +x.
+// Metres and seconds; wheels in rad/s; vision has radians, placements have degrees.
+//
+// A missing number is 0, and so a missing colour is blue. Decoding takes fields in any order, skips
+// unknown ones and joins messages that come in parts, as protobuf does.
+#pragma once
+
+#include "core/field/league.hpp"
+#include "core/field/team.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mirocup::firasim {
+
+// No datagram that a team sends has more entries than this; one that has is malformed.
+inline constexpr std::size_t max_entries = 64;
+
+// Robot of a Frame.
+struct SeenRobot {
+  double x = 0.0, y = 0.0;                // 2, 3
+  double orientation = 0.0;               // 4, rad in (-pi, pi]
+  double vx = 0.0, vy = 0.0, turn = 0.0;  // 5, 6, 7: m/s, rad/s
+};
+
+// Field; the sizes in which a client draws and plans, m.
+struct FieldSizes {
+  double width = 0.0, length = 0.0;                 // 1, 2
+  double goal_width = 0.0, goal_depth = 0.0;        // 3, 4
+  double center_radius = 0.0;                       // 5
+  double penalty_width = 0.0, penalty_depth = 0.0;  // 6, 7
+  double penalty_point = 0.0;                       // 8
+};
+
+// Environment: the vision of one tick.
+struct Vision {
+  std::uint32_t step = 0;                                            // 1, ms of simulated time
+  double ball_x = 0.0, ball_y = 0.0, ball_z = 0.0;                   // Frame 1: Ball 1, 2, 3
+  double ball_vx = 0.0, ball_vy = 0.0;                               // Ball 4, 5
+  std::array<std::array<SeenRobot, max_robots_per_team>, 2> robots;  // [team]: blue 3, yellow 2
+  int robots_per_team = 0;
+  FieldSizes field;                      // 3
+  std::array<std::uint32_t, 2> goals{};  // blue 4, yellow 5
+};
+std::string encode(const Vision& vision);
+
+// Command of one robot.
+struct WheelCommand {
+  std::uint32_t id = 0;            // 1
+  Team team = Team::blue;          // 2, bool yellowteam
+  double left = 0.0, right = 0.0;  // 6, 7
+};
+
+// Packet: what a team sends.
+struct Packet {
+  std::vector<WheelCommand> commands;  // cmd 1: robot_commands 1
+  bool has_replacement = false;        // replace 2
+  // 15, not of FIRASim, which skips it: the step of the vision that the commands answer. With it
+  // lock-step needs no guess.
+  std::optional<std::uint32_t> step;
+};
+// Returns nothing if the bytes are not a Packet.
+std::optional<Packet> decode_packet(std::string_view bytes);
+
+enum class Foul {
+  FREE_KICK,
+  PENALTY_KICK,
+  GOAL_KICK,
+  FREE_BALL,
+  KICKOFF,
+  STOP,
+  GAME_ON,
+  HALT,
+};
+enum class Colour { BLUE, YELLOW, NONE };
+
+// VSSRef_Command.
+struct RefereeCommand {
+  Foul foul = Foul::FREE_KICK;   // 1
+  Colour colour = Colour::NONE;  // 2
+  int quadrant = 0;              // 3: 1 is x, y > 0, then counter-clockwise; 0: none
+  double timestamp = 0.0;        // 4, of the half
+  int half = 0;                  // 5: first 1, second 2, extra time 3 and 4, shoot-out 5
+};
+std::string encode(const RefereeCommand& command);
+
+struct PlacedRobot {
+  std::uint32_t id = 0;      // 1
+  double x = 0.0, y = 0.0;   // 2, 3
+  double orientation = 0.0;  // 4, degrees
+};
+
+// VSSRef_Placement.
+struct TeamPlacement {
+  Team team = Team::blue;           // world 1: teamColor 1
+  std::vector<PlacedRobot> robots;  // world 1: robots 2
+};
+// Returns nothing if the bytes are not a placement of one of the two teams.
+std::optional<TeamPlacement> decode_placement(std::string_view bytes);
+
+}  // namespace mirocup::firasim

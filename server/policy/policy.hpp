@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+//
+// A learned network that plays as a team: what it sees, what it does, and its layers. The file,
+// "mirocup/policy/1", is an .npz as numpy.savez writes it; docs/training.md describes its arrays.
+//
+// The file may come from a stranger: it is read with limits, and nothing in it is run.
+#pragma once
+
+#include "core/base/error.hpp"
+#include "core/field/league.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mirocup::policy {
+
+enum class Activation { tanh, relu };
+
+// What an observation consists of, and what an action means: as in training.
+enum class Sight { standard, relative, vss };
+enum class Steering { wheels, drive, vss };
+
+// A number of an observation: clamp(value / scale, low, high).
+struct Entry {
+  std::string name;
+  double scale = 1.0;
+  double low = -1.0;
+  double high = 1.0;
+};
+
+// Multiplies with the weights, a row for each output, and adds the biases.
+struct Layer {
+  int inputs = 0;
+  int outputs = 0;
+  std::vector<float> weights;
+  std::vector<float> biases;
+};
+
+struct Policy {
+  League league = League::small;
+  Sight sight = Sight::standard;
+  Steering steering = Steering::wheels;
+  int ticks_per_step = 1;                // control periods for which an action holds
+  std::vector<std::vector<int>> actors;  // the network acts once for each, who steers these robots
+  std::vector<Entry> observation;
+  Activation activation = Activation::tanh;
+  std::vector<Layer> layers;
+};
+
+// Reads the bytes of a policy. Errors: Errc::damaged for a file that is no .npz; Errc::input for
+// one that is no policy, with `path` and the array or key.
+Result<Policy> parse_policy(std::string_view bytes, const std::string& path);
+
+// Returns the source of a team in C++17 that needs strategy.h alone. `name` is that of the team.
+// What it computes depends on the observation only: it is in double precision, with a tanh of its
+// own, and rounds observations and actions to float where training does.
+std::string source_of(const Policy& policy, const std::string& name);
+
+}  // namespace mirocup::policy
+
+namespace mirocup {
+
+template <>
+inline constexpr std::array<std::string_view, 2> enum_names<policy::Activation>{"tanh", "relu"};
+template <>
+inline constexpr std::array<std::string_view, 3> enum_names<policy::Sight>{"standard", "relative",
+                                                                           "vss"};
+template <>
+inline constexpr std::array<std::string_view, 3> enum_names<policy::Steering>{"wheels", "drive",
+                                                                              "vss"};
+
+}  // namespace mirocup

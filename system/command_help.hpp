@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+//
+// What a command line tells about itself: its help, the completion of a shell and its manual
+// pages, all made from the options as they are declared.
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace mirocup::system {
+
+// What the help of a command has beside its options.
+struct CommandHelp {
+  const char* name;   // of the subcommand
+  const char* group;  // the heading under which the program's help lists it
+  std::vector<const char*> examples;
+};
+
+// The names of values that options of any command take: {"--half", "SECONDS"}. An option that
+// declares a name itself keeps it.
+using ValueNames = std::map<std::string, const char*>;
+
+// Gives the program one layout of help, the names of values, groups and examples. Called once,
+// after all commands are declared.
+void finish_help(CLI::App& app, std::span<const CommandHelp> commands, const ValueNames& names);
+
+// Returns how the last of the words may go on, a line each: "WORD<tab>DESCRIPTION". The words are
+// those after the program's name; the last one may be "". A last line ":files" means: or a file.
+// `teams` are the names of the house teams.
+std::string completions(const CLI::App& app, std::span<const std::string> words,
+                        std::span<const std::string> teams);
+
+// Returns the script that a shell reads to complete the words after `program`: "bash", "zsh" or
+// "fish"; "" for another shell. The script asks `program complete WORD…`, so it stays true.
+std::string completion_script(const std::string& shell, const std::string& program);
+
+// Returns the pages of the manual, by the names of their files: mirocup.1, mirocup-match.1.
+std::map<std::string, std::string> manual_pages(const CLI::App& app, const std::string& version);
+
+}  // namespace mirocup::system

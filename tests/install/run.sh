@@ -1,0 +1,113 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# Makes the packages and tries them in a Debian 12 that has nothing else: install, play, check, teams in three languages, a
+# league with its units, uninstall. Needs root, mmdebstrap, lintian, dpkg-dev and a mirror of Debian.
+# Usage: tests/install/run.sh [--mirror URL] [--build DIR] [--keep]
+#   --build DIR   a tree that is built already, with MIROCUP_PYTHON_DIR as in the preset packages
+#
+# Catches a package that forgets a file or a dependency, one that works only beside the sources or only if it can write below
+# /usr, a package that lintian complains of, a unit that systemd does not take, and a removal that takes a league with it.
+set -euo pipefail
+root=$(realpath "$(dirname "$0")/../..")
+mirror=
+build=
+keep=
+while [[ $# -gt 0 ]]; do
+  case $1 in
+    --mirror) mirror=$2; shift 2 ;;
+    --build) build=$(realpath "$2"); shift 2 ;;
+    --keep) keep=1; shift ;;
+    *) echo "usage: $0 [--mirror URL] [--build DIR] [--keep]" >&2; exit 2 ;;
+  esac
+done
+for tool in mmdebstrap lintian dpkg-shlibdeps; do
+  command -v "$tool" >/dev/null || { echo "$tool is missing: apt install mmdebstrap lintian dpkg-dev" >&2; exit 3; }
+done
+[[ $(id -u) -eq 0 ]] || { echo "root is needed, for a chroot" >&2; exit 3; }
+
+step() { echo "== $*"; }
+
+step "packages"
+cd "$root"
+if [[ -z $build ]]; then
+  build=$root/build/packages
+  cmake --preset packages >/dev/null
+  cmake --build --preset packages
+fi
+rm -f "$build"/*.deb
+(cd "$build" && cpack -G DEB)
+packages=("$build"/*.deb)
+[[ ${#packages[@]} -eq 4 ]]
+
+step "lintian"
+lintian --fail-on error,warning "${packages[@]}"
+
+step "a Debian 12 with nothing else"
+folder=$(mktemp -d)
+finish() {
+  for mounted in proc dev usr; do mountpoint -q "$folder/debian/$mounted" && umount -l "$folder/debian/$mounted"; done
+  [[ -n $keep ]] && echo "kept: $folder" || rm -rf "$folder"
+}
+trap finish EXIT
+# apt-get of this computer knows how to reach a mirror.
+sources=()
+if [[ -n $mirror ]]; then sources=("deb $mirror bookworm main"); fi
+mmdebstrap --variant=minbase bookworm "$folder/debian" "${sources[@]}"
+cp /etc/resolv.conf "$folder/debian/etc/"
+mount -t proc proc "$folder/debian/proc"
+mount --rbind /dev "$folder/debian/dev"
+mkdir "$folder/debian/packages"
+cp "${packages[@]}" "$folder/debian/packages/"
+inside() { chroot "$folder/debian" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 "$@"; }
+as_student() { inside setpriv --reuid 1500 --regid 1500 --clear-groups env HOME=/home/student sh -ec "cd /home/student; $*"; }
+
+step "install"
+inside apt-get -qq update
+inside sh -ec 'DEBIAN_FRONTEND=noninteractive apt-get -qq -y --no-install-recommends install /packages/*.deb openssl >/var/log/install.log'
+inside sh -ec 'DEBIAN_FRONTEND=noninteractive apt-get -qq -y --no-install-recommends install systemd man-db ninja-build >>/var/log/install.log'
+mkdir -p "$folder/debian/home/student"
+chown 1500:1500 "$folder/debian/home/student"
+mount --bind "$folder/debian/usr" "$folder/debian/usr"
+mount -o remount,ro,bind "$folder/debian/usr"
+
+step "play, with a tree that nobody can write to"
+as_student mirocup match --blue chaser --yellow striker --half 20 --record leg.json
+as_student mirocup verify leg.json
+as_student mirocup replay leg.json
+as_student mirocup drill touch-the-ball striker --tries 2
+
+step "a team in each language"
+for language in c++ c python; do
+  as_student "mirocup new $language --language $language"
+  if [[ $language == python ]]; then
+    as_student "./python/test"
+  else
+    as_student "cd $language; cmake --workflow --preset team"
+  fi
+done
+as_student "mirocup check c/build/team.so && mirocup match --blue python/team.py --yellow c++/build/team.so --half 20"
+as_student "PYTHONPATH= python3 -c 'import mirocup.team; print(mirocup.team.__file__)'"
+
+step "a league by its units"
+as_student "mirocup league init spring --team alpha=c/build/team.so --team snake=python/team.py --team rock=house:idle --half 5"
+as_student "mirocup league start spring && mirocup league publish spring && mirocup league verify spring"
+for unit in "$folder"/debian/usr/share/doc/mirocup-doc/systemd/*; do
+  cp "$unit" "$folder/debian/etc/systemd/system/"
+done
+for unit in mirocup-league@spring.service mirocup-night@spring.service mirocup-night@spring.timer; do
+  inside systemd-analyze verify "$unit"
+done
+
+step "the manual and completion"
+inside sh -ec 'man -w mirocup mirocup-match mirocup-league-start'
+inside bash -ec '. /usr/share/bash-completion/completions/mirocup
+  COMP_WORDS=(mirocup match --league ""); COMP_CWORD=3; _mirocup; [[ "${COMPREPLY[*]}" == *middle* ]]'
+
+step "uninstall"
+umount "$folder/debian/usr"
+inside sh -ec 'apt-get -qq -y purge mirocup mirocup-dev python3-mirocup mirocup-doc >/dev/null'
+[[ -f $folder/debian/home/student/spring/journal.jsonl ]]
+left=$(find "$folder/debian/usr" "$folder/debian/etc" -name '*mirocup*' -not -path '*/systemd/system/*')
+[[ -z $left ]] || { echo "left behind: $left" >&2; exit 1; }
+echo "all is well"

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+//
+// Teams in Python, as their users run them. Catches a sandbox that lets Python open a file, a leg
+// that is another one in the sandbox than with --trusted, and an advice that is for C++.
+#include "tests/support/program.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace mirocup {
+namespace {
+
+using test_support::Outcome;
+using test_support::program;
+using test_support::run;
+using test_support::TemporaryFolder;
+using test_support::write_file;
+using PythonJson = nlohmann::ordered_json;
+
+constexpr const char* import = "from mirocup.team import *\n";
+
+// A class whose decide() has this body.
+std::string team_that(const std::string& body, const std::string& before = "") {
+  return import + before + "class A(Team):\n    def decide(self, now):\n        " + body + "\n";
+}
+
+class PythonTeams : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!std::filesystem::exists(program("mirocup-python-host"))) GTEST_SKIP() << "not built";
+  }
+
+  std::string file(const std::string& text) {
+    const std::string path = folder_ / "team.py";
+    write_file(path, text);
+    return path;
+  }
+  PythonJson check(const std::string& text, int exit_code) {
+    const Outcome outcome = run({program("mirocup"), "check", file(text), "--half", "4", "--json"});
+    EXPECT_EQ(outcome.exit_code, exit_code) << text << outcome.out << outcome.err;
+    return PythonJson::parse(outcome.out, nullptr, false);
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(PythonTeams, PlayTheSameLegInEachSandboxAndWithoutOne) {
+  const std::string path = file(
+      team_that("return [drive_to(self.setup, r, (now.ball_x, now.ball_y + random.random() / 50)) "
+                "for r in now.own]",
+                "import random\n"));
+  std::string first;
+  for (const std::vector<std::string>& how :
+       {std::vector<std::string>{}, {"--isolation", "T1"}, {"--trusted"}}) {
+    std::vector<std::string> words{program("mirocup"), "match",  "--blue", path,    "--yellow",
+                                   "chaser",           "--half", "10",     "--hash"};
+    words.insert(words.end(), how.begin(), how.end());
+    const Outcome outcome = run(words);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("full_time"), std::string::npos) << outcome.out;
+    if (first.empty()) first = outcome.out;
+    EXPECT_EQ(outcome.out, first);
+  }
+}
+
+TEST_F(PythonTeams, AreAcceptedWithTheirParametersAndPlaces) {
+  const PythonJson report = check(
+      import + std::string("class A(Team):\n"
+                           "    def __init__(self, setup):\n"
+                           "        super().__init__(setup)\n"
+                           "        print('speed', self.parameter('speed', 4.5), setup.robots)\n"
+                           "    def decide(self, now):\n"
+                           "        return [(5, 5), None]\n"
+                           "    def place(self, now, placement):\n"
+                           "        placement.robots[2] = (-0.3, 0.2, 0.0)\n"),
+      0);
+  EXPECT_EQ(report["log"], "speed 4.5 3\n");
+  EXPECT_TRUE(report["reason"].is_null());
+}
+
+// Each mistake is another one. Catches a sentence that leaves out the line, or does not say what to
+// do.
+TEST_F(PythonTeams, AreRefusedWithTheLineAndAnAdvice) {
+  const struct {
+    std::string text;
+    const char* check;
+    std::vector<const char*> said;
+  } mistakes[] = {
+      {import + std::string("class A(Team)\n"), "loads", {"line 2: SyntaxError", "mend"}},
+      {import + std::string("x = 1\n"), "loads", {"defines no class"}},
+      {team_that("return []", "import nothing_like_it\n"), "loads", {"No module", "installed"}},
+      {team_that("return []", "open('/etc/passwd')\n"), "loads", {"line 2", "opens no file"}},
+      {team_that("return open('/etc/passwd')"), "ticks", {"line 4", "opens no file"}},
+      {team_that("import fractions"), "ticks", {"line 4", "top of the file"}},
+      {team_that("threading.Thread(target=print).start()", "import threading\n"),
+       "ticks",
+       {"line 5", "one thread"}},
+      {team_that("return 3.0"), "ticks", {"decide() returned 3.0", "(left, right)"}},
+      {team_that("return [('fast', 1)]"), "ticks", {"for robot 0", "rad/s"}},
+      {team_that("sys.exit(0)", "import sys\n"), "ticks", {"SystemExit", "return from decide()"}},
+      {team_that("return self.speed if now.tick > 90 else []"),
+       "ticks",
+       {"line 4", "AttributeError", "tick 91", "breakpoint()"}},
+      {team_that("return [(time.time() % 7, 1)]", "import time\n"),
+       "repeatable",
+       {"module random"}},
+      {"print('hello')\n# no team\n", "complete", {}},
+      {"import os\n", "complete", {"from mirocup.team import Team"}},
+  };
+  for (const auto& mistake : mistakes) {
+    const PythonJson report = check(mistake.text, 1);
+    const std::string reason = report.value("reason", "");
+    EXPECT_EQ(reason.substr(0, reason.find(':')), mistake.check) << mistake.text << reason;
+    for (const char* part : mistake.said)
+      EXPECT_NE(reason.find(part), std::string::npos) << part << " in: " << reason;
+    EXPECT_EQ(reason.find("gdb"), std::string::npos) << reason;
+  }
+}
+
+// Catches a league that keeps or starts a team in Python as a library.
+TEST_F(PythonTeams, PlayInALeague) {
+  const std::string league = folder_ / "league";
+  const std::string path = file(team_that("return [(5, 5)] * now.robots"));
+  const auto mirocup = [](std::vector<std::string> words) {
+    words.insert(words.begin(), {program("mirocup"), "league"});
+    const Outcome outcome = run(words);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+    return outcome.out;
+  };
+  mirocup({"init", league, "--team", "snake=" + path, "--team", "rock=house:idle", "--half", "2"});
+  mirocup({"start", league});
+  EXPECT_NE(mirocup({"status", league}).find("snake"), std::string::npos);
+}
+
+// Catches a template that does not pass its own test, or whose scripts cannot be run.
+TEST_F(PythonTeams, BeginFromATemplateThatPassesItsTest) {
+  const std::string made = folder_ / "mein Team";
+  EXPECT_EQ(run({program("mirocup"), "new", made, "--language", "python"}).exit_code, 0);
+  const Outcome outcome = run({made + "/test"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+}
+
+}  // namespace
+}  // namespace mirocup

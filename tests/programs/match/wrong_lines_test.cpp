@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+//
+// Wrong command lines, one a line of wrong_lines.txt. Catches an answer with another exit code,
+// with more than one sentence, with words of a library that a user does not know, or with something
+// on standard output.
+#include "tests/support/program.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace mirocup {
+namespace {
+
+std::vector<std::string> words_in(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> words;
+  for (std::string word; in >> word;) words.push_back(word);
+  return words;
+}
+
+TEST(WrongLines, AreAnsweredWithOneSentenceThatSaysWhatToType) {
+  std::istringstream lines(
+      test_support::read_file(MIROCUP_SOURCE_FOLDER "/tests/programs/match/wrong_lines.txt"));
+  int count = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty() || line[0] == '#') continue;
+    std::istringstream columns(line);
+    std::string code, arguments, sentence;
+    std::getline(columns, code, '\t');
+    std::getline(columns, arguments, '\t');
+    std::getline(columns, sentence);
+    std::vector<std::string> words = words_in(arguments);
+    words.insert(words.begin(), test_support::program("mirocup"));
+    const auto outcome = test_support::run(words);
+    EXPECT_EQ(outcome.exit_code, std::stoi(code)) << arguments;
+    EXPECT_EQ(outcome.out, "") << arguments;
+    EXPECT_NE(outcome.err.find(sentence), std::string::npos) << arguments << '\n' << outcome.err;
+    EXPECT_EQ(outcome.err.rfind("mirocup", 0), 0u) << arguments << '\n' << outcome.err;
+    // A second line only says where to read on.
+    const auto ends = std::count(outcome.err.begin(), outcome.err.end(), '\n');
+    EXPECT_LE(ends, outcome.err.find("\nSee mirocup") == std::string::npos ? 1 : 2) << arguments;
+    for (const char* foreign : {"exception", "[json", "terminate", "std::", "CLI::", "TEXT"})
+      EXPECT_EQ(outcome.err.find(foreign), std::string::npos) << arguments << '\n' << outcome.err;
+    ++count;
+  }
+  EXPECT_GE(count, 100);
+}
+
+// Catches a completion that does not know a command, a value or a house team, and a page of the
+// manual that is missing.
+TEST(WrongLines, CompletionAndManualKnowWhatTheHelpKnows) {
+  const auto asked = [](std::vector<std::string> words) {
+    words.insert(words.begin(), {test_support::program("mirocup"), "complete"});
+    return test_support::run(words).out;
+  };
+  EXPECT_NE(asked({"ma"}).find("match\t"), std::string::npos);
+  EXPECT_NE(asked({"match", "--league", "m"}).find("middle\t"), std::string::npos);
+  EXPECT_EQ(asked({"match", "--league", "m"}).find("small"), std::string::npos);
+  const std::string teams = asked({"match", "--blue", ""});
+  EXPECT_NE(teams.find("striker\t"), std::string::npos);
+  EXPECT_NE(teams.find(":files"), std::string::npos);
+  EXPECT_NE(asked({"replay", "--o"}).find("--open\t"), std::string::npos);
+  EXPECT_NE(asked({"league", "st"}).find("start\t"), std::string::npos);
+  EXPECT_NE(asked({"league", "start", "--engine", ""}).find("slurm\t"), std::string::npos);
+  EXPECT_NE(asked({"verify", ""}).find(":files"), std::string::npos);
+
+  const test_support::TemporaryFolder folder;
+  EXPECT_EQ(test_support::run({test_support::program("mirocup"), "man", folder / ""}).exit_code, 0);
+  const std::string page = test_support::read_file(folder / "mirocup-match.1");
+  for (const char* part : {".TH MIROCUP-MATCH 1", "\\-\\-league", ".SH EXAMPLES"})
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+}
+
+}  // namespace
+}  // namespace mirocup

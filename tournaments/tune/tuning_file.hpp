@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+//
+// The folder of a search: tune.json remembers every candidate that has been played, so that a
+// search that was stopped goes on to the same end; course.svg shows how it got on.
+#pragma once
+
+#include "system/files.hpp"
+#include "tournaments/tune/tuning.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace mirocup::league {
+
+class TuningFile {
+ public:
+  // Opens a folder, or makes it. The error is Errc::input if the folder holds another search:
+  // `identity` is all that the marks depend on.
+  static Result<TuningFile> open(system::Files& files, const std::string& folder,
+                                 nlohmann::ordered_json identity);
+
+  // The marks of a candidate; null if they are not known.
+  const std::vector<Mark>* find(const std::string& key) const;
+  // Keeps them, on disk before it returns.
+  Result<void> keep(const std::string& key, std::vector<Mark> marks);
+
+  int known() const { return static_cast<int>(marks_.size()); }
+
+ private:
+  TuningFile(system::Files& files, std::string path, nlohmann::ordered_json identity)
+      : files_(&files), path_(std::move(path)), identity_(std::move(identity)) {}
+
+  system::Files* files_;
+  std::string path_;
+  nlohmann::ordered_json identity_;
+  std::map<std::string, std::vector<Mark>> marks_;
+};
+
+// Returns the course of a search as a picture: the goals of the candidates, and mean and spread of
+// each parameter, by generation.
+std::string course_svg(const TuningOptions& options, const std::vector<Generation>& course);
+
+}  // namespace mirocup::league

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+//
+// Where episodes start, if not with a kick-off: situations, and those of drills, with numbers that
+// each episode draws.
+#pragma once
+
+#include "core/base/error.hpp"
+#include "core/base/random.hpp"
+#include "core/match/start.hpp"
+#include "server/record/json_reader.hpp"
+
+#include <string>
+#include <vector>
+
+namespace mirocup::training {
+
+// A situation, "mirocup/situation/1", whose numbers may be ranges. docs/situations.md
+struct StartRanges {
+  std::string name;  // in messages
+  nlohmann::ordered_json situation;
+};
+
+// Reads one start or a list of them: a situation, the name of a drill, or the file of a situation
+// or a drill. `folder` is that of the library, near which drills are looked for. Complains about a
+// start of which no draw can be played; with `is_even`, about a score that is not even.
+std::vector<StartRanges> read_starts(const record::JsonReader& json, League league, bool is_even,
+                                     const std::string& folder);
+
+// Draws one of the starts, which are not empty, and its numbers.
+Result<match::Start> draw_start(const std::vector<StartRanges>& starts, League league,
+                                Random& random);
+
+}  // namespace mirocup::training
