@@ -49,7 +49,8 @@ void add_init(CLI::App& app, Action& action) {
   command->add_option("--config", o.config, "a league.json to start from");
   command
       ->add_option("--team", o.teams,
-                   "NAME=house:TEAM, NAME=FILE.so or NAME=FILE.py, once for each team")
+                   "NAME=house:TEAM, NAME=FILE.so, NAME=FILE.py, or NAME=submitted: it hands in "
+                   "later; once for each team")
       ->type_name("NAME=TEAM")
       ->excludes("--config");
   std::vector<std::string> formats;
@@ -92,10 +93,27 @@ void add_owner(CLI::App& app, Action& action) {
   command->add_flag("--free", o.is_free, "the next user whose file is accepted")->excludes(user);
 }
 
+void add_other_program(const LeagueSubcommand& command) {
+  command->add_flag("--other-program", command.options->accepts_other_program,
+                    "go on with this program, although another one has played until now");
+}
+
 // Playing and showing a league.
 void add_running(CLI::App& app, Action& action) {
+  LeagueSubcommand nightly(app, action, "nightly",
+                           "Let what is accepted play, publish, and tell each team what changed",
+                           run_nightly);
+  add_folder(nightly);
+  nightly
+      ->add_option("--jobs", nightly.options->jobs,
+                   "number of legs at once (default: one for each processor)")
+      ->check(CLI::Range(1, 1024));
+  nightly->add_flag("--another", nightly.options->another, "one more night on the same day");
+  add_other_program(nightly);
+
   LeagueSubcommand start(app, action, "start", "Play the league, or resume it", run_start);
   add_folder(start);
+  add_other_program(start);
   start
       ->add_option("--engine", start.options->engine,
                    "where legs are played: on this host, or on the nodes of its Slurm cluster")
@@ -118,9 +136,13 @@ void add_running(CLI::App& app, Action& action) {
   stop->add_flag("--now", stop.options->now,
                  "stop the present legs, too, instead of playing them to their end");
 
-  LeagueSubcommand status(app, action, "status", "Print the table and the state of the league",
-                          run_status);
+  LeagueSubcommand status(
+      app, action, "status",
+      "Print the table and the state of the league (exit code 1: legs are left)", run_status);
   add_folder(status);
+  status->add_flag("--entries", status.options->entries,
+                   "what each team has handed in, and what became of it; the exit code stays: 0 if "
+                   "every leg is decided, 1 if not");
   status->add_flag("--json", status.options->json, "one JSON object on standard output");
 
   Subcommand<StatsOptions> stats(app, action, "stats",
@@ -225,70 +247,138 @@ void add_hand_in(CLI::App& app, Action& action) {
   friendly->add_option("--opponent-entry", friendly.options->opponent_entry)->required();
 }
 
-// The subcommand of a person's decision, with the argument DIR and a reason.
-class RulingSubcommand {
+// The subcommand of an act of the staff, with the argument DIR and a reason.
+class ActSubcommand {
  public:
-  RulingSubcommand(CLI::App& app, Action& action, const char* name, const char* description,
-                   Result<int> (*command)(const RulingOptions&))
-      : command_(app, action, name, description, command) {
+  ActSubcommand(CLI::App& app, Action& action, ActKind kind, const char* description)
+      : command_(app, action, std::string(to_string(kind)).c_str(), description, run_act) {
+    act().kind = kind;
     add_folder(command_);
   }
 
   void add_fixture() {
-    command_->add_option("FIXTURE", options().fixture, "its id, as in r3-f1")->required();
-    command_->add_option("--leg", options().leg, "1, 2 or 3 (default: all)")
-        ->check(CLI::Range(1, 3));
+    command_->add_option("FIXTURE", act().fixture, "its id, as in r3-f1")->required();
+    CLI::Option* leg = command_->add_option("--leg", act().leg, "1, 2 or 3");
+    leg->check(CLI::Range(1, 3));
+    command_->add_flag("--all-legs", act().has_all_legs, "all legs of the fixture")->excludes(leg);
   }
 
-  void add_team() { command_->add_option("TEAM", options().team, "its name")->required(); }
+  void add_team() { command_->add_option("TEAM", act().team, "its name")->required(); }
 
-  void add_reason(bool is_needed) {
-    CLI::Option* reason =
-        command_->add_option("--reason", options().reason, "why; it is published");
-    if (is_needed) reason->required();
-    command_->add_option("--by", options().by, "who decided; it is published");
+  void add_reason() {
+    command_->add_option("--reason", act().reason, "why; it is published")->required();
+    command_->add_option("--by", act().by, "who decided; it is published");
+    command_->add_flag("--dry-run", act().is_dry_run, "say what would change, and change nothing");
   }
 
-  RulingOptions& options() const { return *command_.options; }
+  Act& act() const { return command_.options->act; }
   CLI::App* operator->() const { return command_.sub; }
 
  private:
-  Subcommand<RulingOptions> command_;
+  Subcommand<ActOptions> command_;
 };
 
 void add_rulings(CLI::App& app, Action& action) {
-  RulingSubcommand award(app, action, "award", "Give a fixture or a leg to a team, as by a forfeit",
-                         run_award);
+  ActSubcommand award(app, action, ActKind::award, "Give legs to a team, as by a forfeit");
   award.add_fixture();
   award.add_team();
-  award.add_reason(true);
+  award.add_reason();
 
-  RulingSubcommand rule(app, action, "rule", "Decide the score of all legs of a fixture, or of one",
-                        run_rule);
+  ActSubcommand rule(app, action, ActKind::rule, "Decide the score of a leg, or of all legs");
   rule.add_fixture();
-  rule->add_option("--score", rule.options().score, "HOME:AWAY")->required();
-  rule.add_reason(true);
+  rule->add_option("--score", rule.act().score, "HOME:AWAY")->required();
+  rule.add_reason();
 
-  RulingSubcommand annul(app, action, "void",
-                         "Declare legs void; they are played again with the same seed", run_void);
+  ActSubcommand annul(app, action, ActKind::void_,
+                      "Declare legs void; they are played again with the same seed");
   annul.add_fixture();
-  annul.add_reason(true);
+  annul.add_reason();
 
-  RulingSubcommand withdraw(app, action, "withdraw", "Take a team out of the league", run_withdraw);
+  ActSubcommand withdraw(app, action, ActKind::withdraw, "Take a team out of the league");
   withdraw.add_team();
-  withdraw->add_option("--results", withdraw.options().results, "keep its results, or annul them")
+  withdraw.act().results = "keep";
+  withdraw->add_option("--results", withdraw.act().results, "keep its results, or annul them")
       ->check(CLI::IsMember({"keep", "annul"}))
       ->capture_default_str();
-  withdraw.add_reason(true);
+  withdraw.add_reason();
 
-  RulingSubcommand pause(app, action, "pause", "Start no legs of a team until it is resumed",
-                         run_pause);
+  ActSubcommand pause(app, action, ActKind::pause, "Start no legs of a team until it is resumed");
   pause.add_team();
-  pause.add_reason(true);
+  pause.add_reason();
 
-  RulingSubcommand resume(app, action, "resume", "Let a paused team play again", run_resume);
+  ActSubcommand resume(app, action, ActKind::resume, "Let a paused team play again");
   resume.add_team();
-  resume.add_reason(false);
+  resume.add_reason();
+
+  ActSubcommand freeze(app, action, ActKind::freeze, "Take no entries from a time on");
+  CLI::Option* at =
+      freeze->add_option("--at", freeze.act().from,
+                         "2026-11-30T18:00:00Z, …+01:00, or in the league's zone (default: now)");
+  at->type_name("TIME");
+  freeze->add_flag("--lift", freeze.act().is_lifted, "take entries again")->excludes(at);
+  freeze.add_reason();
+
+  ActSubcommand release(app, action, ActKind::release, "Say which rounds the pages show");
+  release.act().level = "all";
+  release
+      ->add_option("--level", release.act().level,
+                   "all: everybody; teams: each team reads its digest; hidden: neither")
+      ->check(CLI::IsMember({"all", "teams", "hidden"}))
+      ->capture_default_str();
+  release->add_option("--through", release.act().through,
+                      "the last round that the pages show, r3 or k1 (default: with all every "
+                      "round, otherwise none)");
+  release.add_reason();
+
+  ActSubcommand close(app, action, ActKind::close, "End a league: no night follows, no entry");
+  close.add_reason();
+
+  ActSubcommand undo(app, action, ActKind::undo, "Take a decision back");
+  undo->add_option("NUMBER", undo.act().decision, "its number in league decisions")->required();
+  undo.add_reason();
+
+  LeagueSubcommand decisions(app, action, "decisions",
+                             "List what was decided: number, when, who, what, why", run_decisions);
+  add_folder(decisions);
+  decisions->add_flag("--json", decisions.options->json, "one JSON object on standard output");
+}
+
+void add_keeping(CLI::App& app, Action& action) {
+  LeagueSubcommand verify(app, action, "verify",
+                          "Simulate all records again, each with the program that played it",
+                          run_verify_league);
+  add_folder(verify);
+  verify
+      ->add_option("--jobs", verify.options->jobs,
+                   "records at once (default: one for each processor)")
+      ->check(CLI::Range(1, 1024));
+  verify->add_flag("--json", verify.options->json, "one JSON object on standard output");
+
+  Subcommand<BackupOptions> backup(app, action, "backup",
+                                   "Copy the league; it may be played meanwhile", run_backup);
+  add_folder(backup);
+  backup->add_option("TO", backup.options->to, "a new folder, or one with an earlier copy")
+      ->required();
+
+  LeagueSubcommand grades(app, action, "grades", "Print what a lecturer grades by, as CSV",
+                          run_grades);
+  add_folder(grades);
+  grades
+      ->add_option("--drills", grades.options->drills,
+                   "marks of the teams, from mirocup drill --csv")
+      ->type_name("FILE");
+  grades->add_option("-o,--output", grades.options->output,
+                     "a file, which only you can read (default: standard output)");
+
+  Subcommand<TeamOptions> team(
+      app, action, "team", "Say by what names people know the teams, and who is in them", run_team);
+  TeamOptions& o = *team.options;
+  add_folder(team);
+  team->add_option("TEAM", o.team, "its name in the league");
+  team->add_option("--display", o.display, "any letters; \"\": its name in the league");
+  team->add_option("--member", o.members, "once for each member");
+  team->add_option("--csv", o.csv, "a class list: team,display,members with ; between them")
+      ->type_name("FILE");
 }
 
 void add_compare(CLI::App& app, Action& action) {
@@ -435,13 +525,17 @@ const system::CommandHelp help_of_commands[] = {
     {"submit",
      to_take,
      {"mirocup league submit spring alpha alpha.so", "mirocup league submit spring --inbox inbox"}},
+    {"team", to_take, {"mirocup league team spring alpha --display \"Zoë & Co\" --member Zoë"}},
     {"owner", to_take, {"mirocup league owner spring alpha student7"}},
     {"token",
      to_take,
      {"mirocup league token spring alpha", "mirocup league token spring --all --csv >tokens.csv"}},
     {"start", to_play, {"mirocup league start spring --jobs 4"}},
     {"stop", to_play, {"mirocup league stop spring"}},
-    {"status", to_play, {"mirocup league status spring"}},
+    {"nightly", to_play, {"mirocup league nightly spring"}},
+    {"status", to_play, {"mirocup league status spring", "mirocup league status spring --entries"}},
+    {"verify", to_play, {"mirocup league verify spring"}},
+    {"backup", to_play, {"mirocup league backup spring /backup/spring"}},
     {"serve",
      to_show,
      {"mirocup league serve spring --at 8080",
@@ -450,23 +544,35 @@ const system::CommandHelp help_of_commands[] = {
     {"publish", to_show, {"mirocup league publish spring"}},
     {"stats", to_show, {"mirocup league stats spring --csv"}},
     {"export", to_show, {"mirocup league export spring -o tables"}},
-    {"award", to_rule, {"mirocup league award spring r3-f1 alpha --reason \"beta left\""}},
-    {"rule", to_rule, {"mirocup league rule spring r3-f1 --score 2:1 --reason \"appeal 4\""}},
-    {"void", to_rule, {"mirocup league void spring r3-f1 --reason \"power cut\""}},
+    {"grades", to_show, {"mirocup league grades spring --drills drills.csv -o grades.csv"}},
+    {"release", to_show, {"mirocup league release spring --through r3 --reason \"it is Friday\""}},
+    {"award",
+     to_rule,
+     {"mirocup league award spring r3-f1 alpha --all-legs --reason \"beta left\""}},
+    {"rule",
+     to_rule,
+     {"mirocup league rule spring r3-f1 --leg 1 --score 2:1 --reason \"appeal 4\""}},
+    {"void", to_rule, {"mirocup league void spring r3-f1 --leg 2 --reason \"power cut\""}},
+    {"freeze", to_rule, {"mirocup league freeze spring --reason \"last day\""}},
+    {"close", to_rule, {"mirocup league close spring --reason \"the term is over\""}},
+    {"decisions", to_rule, {"mirocup league decisions spring"}},
+    {"undo", to_rule, {"mirocup league undo spring 3 --reason \"the wrong leg\""}},
     {"withdraw", to_rule, {"mirocup league withdraw spring beta --reason \"left the course\""}},
     {"pause", to_rule, {"mirocup league pause spring beta --reason \"is looked at\""}},
-    {"resume", to_rule, {"mirocup league resume spring beta"}},
+    {"resume", to_rule, {"mirocup league resume spring beta --reason \"repaired\""}},
     {"plan", on_clusters, {"mirocup league plan spring"}},
     {"run-shard", on_clusters, {"mirocup league run-shard spring r1-f1 r1-f2"}},
 };
 
 const system::ValueNames value_names{
-    {"--config", "FILE"},   {"--team", "NAME"},   {"--half", "SECONDS"},      {"--seed", "SEED"},
-    {"--inbox", "DIR"},     {"--jobs", "NUMBER"}, {"--dds-domain", "NUMBER"}, {"--output", "DIR"},
-    {"--through", "ROUND"}, {"--round", "ROUND"}, {"--at", "[HOST:]PORT"},    {"--leg", "NUMBER"},
-    {"--reason", "TEXT"},   {"--by", "NAME"},     {"--score", "HOME:AWAY"},   {"--expires", "TIME"},
-    {"--most", "NUMBER"},   {"--equal", "ELO"},   {"--keep", "DIR"},          {"--revoke", "TEAM"},
-    {"--days", "DAYS"},
+    {"--config", "FILE"},       {"--team", "NAME"},      {"--half", "SECONDS"},
+    {"--seed", "SEED"},         {"--inbox", "DIR"},      {"--jobs", "NUMBER"},
+    {"--dds-domain", "NUMBER"}, {"--output", "DIR"},     {"--through", "ROUND"},
+    {"--round", "ROUND"},       {"--at", "[HOST:]PORT"}, {"--leg", "NUMBER"},
+    {"--reason", "TEXT"},       {"--by", "NAME"},        {"--score", "HOME:AWAY"},
+    {"--expires", "TIME"},      {"--most", "NUMBER"},    {"--equal", "ELO"},
+    {"--keep", "DIR"},          {"--revoke", "TEAM"},    {"--days", "DAYS"},
+    {"--display", "NAME"},      {"--member", "NAME"},
 };
 
 }  // namespace
@@ -481,6 +587,7 @@ std::optional<int> read_command_line(int argc, char** argv, Action& action) {
   add_running(cli, action);
   add_hand_in(cli, action);
   add_rulings(cli, action);
+  add_keeping(cli, action);
   add_compare(cli, action);
   add_tune(cli, action);
   add_shards(cli, action);

@@ -5,13 +5,15 @@
 #include "system/file_lock.hpp"
 #include "system/printable.hpp"
 #include "tournaments/app/progress_bar.hpp"
+#include "tournaments/app/publishing.hpp"
 #include "tournaments/league/apply.hpp"
+#include "tournaments/league/roster.hpp"
+#include "tournaments/play/program.hpp"
 #include "tournaments/play/runner.hpp"
 #include "tournaments/play/slurm_runner.hpp"
 #include "tournaments/publish/exports.hpp"
 #include "tournaments/publish/grades.hpp"
 #include "tournaments/publish/league_statistics.hpp"
-#include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/site.hpp"
 #include "tournaments/publish/snapshot.hpp"
 
@@ -37,7 +39,7 @@ Result<LeagueFile> file_from(system::Files& files, const LeagueOptions& options)
     // Paths of libraries are relative to the folder of the file.
     const std::filesystem::path base = std::filesystem::path(options.config).parent_path();
     for (TeamConfig& team : file->teams) {
-      if (team.source.rfind("house:", 0) != 0) team.source = (base / team.source).string();
+      if (!team.is_house() && !team.hands_in()) team.source = (base / team.source).string();
     }
     if (!file->conditions) file->conditions = default_conditions();
     return file;
@@ -53,8 +55,10 @@ Result<LeagueFile> file_from(system::Files& files, const LeagueOptions& options)
   for (const std::string& text : options.teams) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos) {
-      return fail(Errc::input,
-                  "--team " + text + ": NAME=house:TEAM, NAME=FILE.so or NAME=FILE.py is expected");
+      return fail(Errc::input, "--team " + text +
+                                   ": NAME=house:TEAM, NAME=FILE.so, NAME=FILE.py or, if it hands "
+                                   "in later, NAME=submitted is "
+                                   "expected");
     }
     file.teams.push_back(
         {.name = text.substr(0, equals), .source = text.substr(equals + 1), .over_dds = false});
@@ -63,26 +67,7 @@ Result<LeagueFile> file_from(system::Files& files, const LeagueOptions& options)
   return parse_league_file(print_league_file(file), "--team");
 }
 
-Result<void> publish_site(system::Files& files, const Folder& folder, const LeagueState& state,
-                          int jobs = 0) {
-  for (const char* part : {"/teams", "/rounds"}) {
-    if (auto made = files.make_folder(folder.site() + part); !made) return made;
-  }
-  if (auto removed = files.remove_unfinished(folder.path); !removed) return removed;
-  // First what takes long: the pages of league and teams show the statistics of every leg.
-  const auto failed = make_replay_pages(files, folder, overview(state), jobs);
-  if (!failed) return tl::unexpected(failed.error());
-  const FactsOfLegs facts = read_facts(files, folder, state);
-  for (const SiteFile& file : make_site(state, kept_statistics(files, folder, state), facts)) {
-    if (auto written = files.write(folder.site() + "/" + file.name, file.bytes); !written)
-      return written;
-  }
-  if (*failed > 0) {
-    std::cerr << "mirocup: " << *failed
-              << " replay pages could not be made; mirocup replay RECORD says why\n";
-  }
-  return {};
-}
+}  // namespace
 
 void say_what_is_left(const LeagueState& state) {
   std::cerr << "mirocup: " << state.legs() - state.played() << " legs are not decided\n";
@@ -101,13 +86,17 @@ void say_what_is_left(const LeagueState& state) {
   }
 }
 
-// Plays until no leg can be played, and returns the state.
-Result<LeagueState> play(system::Files& files, LeagueStore store, ProgressReporter& progress,
-                         const LeagueOptions& options) {
+Result<LeagueState> play_league(system::Files& files, LeagueStore store, ProgressReporter& progress,
+                                const LeagueOptions& options) {
   const auto state_of = [](auto& runner, const Result<int>& left) -> Result<LeagueState> {
     if (!left) return tl::unexpected(left.error());
     return runner.state();
   };
+  const record::Software program = record::this_software();
+  if (auto same = expect_program(store, program, options.accepts_other_program); !same)
+    return tl::unexpected(same.error());
+  if (auto kept = keep_program(files, store.folder(), program); !kept)
+    return tl::unexpected(kept.error());
   if (options.engine == "slurm") {
     SlurmRunner runner(files, std::move(store), progress);
     return state_of(runner, runner.run(options.jobs));
@@ -117,8 +106,6 @@ Result<LeagueState> play(system::Files& files, LeagueStore store, ProgressReport
                                       .watched = options.watched,
                                       .dds_domain = options.dds_domain}));
 }
-
-}  // namespace
 
 Result<int> run_init(const LeagueOptions& options) {
   system::Disk disk;
@@ -146,11 +133,11 @@ Result<int> run_start(const LeagueOptions& options) {
   }
 
   auto progress = make_progress_reporter();
-  const auto played = play(disk, std::move(*store), *progress, options);
+  const auto played = play_league(disk, std::move(*store), *progress, options);
   if (!played) return tl::unexpected(played.error());
   progress->say("making pages");
   const int jobs_here = options.engine == "local" ? options.jobs : 0;
-  if (auto published = publish_site(disk, folder, *played, jobs_here); !published) {
+  if (auto published = publish_league(disk, folder, jobs_here); !published) {
     return tl::unexpected(published.error());
   }
   progress.reset();  // removes the bar before the table is printed
@@ -183,7 +170,10 @@ Result<int> run_status(const LeagueOptions& options) {
   const auto store = LeagueStore::open(disk, Folder{options.folder});
   if (!store) return tl::unexpected(store.error());
   const LeagueState& state = store->state();
-  if (options.json) {
+  if (options.entries) {
+    if (auto told = print_roster(disk, *store, options.json); !told)
+      return tl::unexpected(told.error());
+  } else if (options.json) {
     std::cout << record::json_text(table_json(overview(state))) << '\n';
   } else {
     std::cout << system::printable(state.file.title) << ": " << state.played() << " of "
@@ -196,6 +186,8 @@ Result<int> run_status(const LeagueOptions& options) {
                 << (team.status == TeamStatus::paused ? " is paused: " : " has withdrawn: ")
                 << system::printable(team.why) << '\n';
     }
+    if (const std::string at = last_leg_at(store->journal()); !at.empty())
+      std::cout << "the last leg was played at " << shown_time(state.file, at) << '\n';
   }
   return state.played() == state.legs() ? exit_yes : exit_no;
 }
@@ -204,15 +196,15 @@ Result<int> run_publish(const LeagueOptions& options) {
   system::Disk disk;
   const auto store = LeagueStore::open(disk, Folder{options.folder});
   if (!store) return tl::unexpected(store.error());
-  // site/ has all rounds, so the pages of some rounds go to another folder.
+  // site/ has what is released, so the pages of other rounds go to another folder.
   const Folder folder{options.through.empty() ? options.folder : options.output};
   auto published =
       options.through.empty()
-          ? publish_site(disk, folder, store->state())
+          ? publish_league(disk, folder)
           : state_through(store->state(), store->journal(), options.through)
                 .and_then([&](const LeagueState& shown) {
                   return copy_records(disk, store->folder(), shown, folder).and_then([&] {
-                    return publish_site(disk, folder, shown);
+                    return publish_site(disk, folder, shown, {});
                   });
                 });
   if (!published) return tl::unexpected(published.error());
@@ -247,7 +239,9 @@ Result<std::vector<SiteFile>> files_to_export(system::Files& disk, const LeagueO
   const auto drills = disk.read(
       options.drills, {.max_size = system::size_limit::note, .links = system::Links::followed});
   if (!drills) return tl::unexpected(drills.error());
-  auto joined = grades(overview, *drills, options.drills);
+  const auto people = read_people(disk, Folder{options.folder});
+  if (!people) return tl::unexpected(people.error());
+  auto joined = grades(overview, *people, *drills, options.drills);
   if (!joined) return tl::unexpected(joined.error());
   files.push_back(std::move(*joined));
   return files;

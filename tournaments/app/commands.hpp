@@ -2,15 +2,17 @@
 //
 // The subcommands of `mirocup league` and their options with defaults. command_line.cpp reads the
 // options. Each function returns the exit code of an answer: exit_yes or exit_no. commands.cpp,
-// entries.cpp, compare.cpp, rulings.cpp, serve.cpp, show.cpp, tokens.cpp, shards.cpp and
-// credentials.cpp define them.
+// entries.cpp, compare.cpp, keeping.cpp, nightly.cpp, rulings.cpp, serve.cpp, show.cpp, tokens.cpp,
+// shards.cpp and credentials.cpp define them.
 #pragma once
 
 #include "core/base/error.hpp"
+#include "tournaments/league/acts.hpp"
 #include "tournaments/play/comparison_run.hpp"
 #include "tournaments/tune/tuning.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,8 +32,11 @@ struct LeagueOptions {
   int dds_domain = 0;              // start; of the legs in which a team plays over DDS
   bool now = false;                // stop
   std::string output;              // export, publish
-  std::string drills;              // export: the output of mirocup drill --csv; "": none
+  std::string drills;              // export, grades: the output of mirocup drill --csv; "": none
   std::string through;             // publish: the last round shown; "": all rounds
+  bool entries = false;            // status
+  bool another = false;            // nightly: one more on the same day
+  bool accepts_other_program = false;  // start, nightly
   bool json = false;
 };
 Result<int> run_init(const LeagueOptions& options);
@@ -40,6 +45,9 @@ Result<int> run_stop(const LeagueOptions& options);
 Result<int> run_status(const LeagueOptions& options);
 Result<int> run_publish(const LeagueOptions& options);
 Result<int> run_export(const LeagueOptions& options);
+Result<int> run_nightly(const LeagueOptions& options);
+Result<int> run_verify_league(const LeagueOptions& options);
+Result<int> run_grades(const LeagueOptions& options);
 
 // Options of `stats`, which `mirocup stats` starts for a league.
 struct StatsOptions {
@@ -168,22 +176,29 @@ struct TuneOptions {
 };
 Result<int> run_tune(const TuneOptions& options);
 
-// The decisions of a person.
-struct RulingOptions {
+// What the staff decides.
+struct ActOptions {
   std::string folder;
-  std::string fixture;
-  int leg = 0;  // 0: all
-  std::string team;
-  std::string score;
-  std::string results = "keep";
-  std::string reason;
-  std::string by;
+  Act act;
 };
-Result<int> run_award(const RulingOptions& options);
-Result<int> run_rule(const RulingOptions& options);
-Result<int> run_void(const RulingOptions& options);
-Result<int> run_withdraw(const RulingOptions& options);
-Result<int> run_pause(const RulingOptions& options);
-Result<int> run_resume(const RulingOptions& options);
+Result<int> run_act(const ActOptions& options);
+Result<int> run_decisions(const LeagueOptions& options);
+
+// Options of `backup`.
+struct BackupOptions {
+  std::string folder;
+  std::string to;
+};
+Result<int> run_backup(const BackupOptions& options);
+
+// Options of `team`, which says by what names people know the teams.
+struct TeamOptions {
+  std::string folder;
+  std::string team;
+  std::optional<std::string> display;
+  std::vector<std::string> members;
+  std::string csv;  // a class list; "": one team
+};
+Result<int> run_team(const TeamOptions& options);
 
 }  // namespace mirocup::league

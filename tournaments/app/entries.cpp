@@ -2,7 +2,9 @@
 //
 // The subcommands submit and owner.
 #include "server/record/json_reader.hpp"
+#include "system/clock.hpp"
 #include "system/file_lock.hpp"
+#include "system/locations.hpp"
 #include "system/printable.hpp"
 #include "system/users.hpp"
 #include "tournaments/app/commands.hpp"
@@ -10,7 +12,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <ctime>
 #include <iostream>
 
 namespace mirocup::league {
@@ -56,7 +57,7 @@ Result<int> collect(system::Files& files, const SubmitOptions& options) {
                  "prevents that\n";
   }
   const auto done =
-      submit_inbox(files, Folder{options.folder}, options.inbox, std::time(nullptr), tell);
+      submit_inbox(files, Folder{options.folder}, options.inbox, system::now_s(), tell);
   if (!done) return tl::unexpected(done.error());
   return result;
 }
@@ -70,7 +71,14 @@ Result<int> run_submit(const SubmitOptions& options) {
   HandIn handed;
   handed.team = options.team;
   handed.path = options.file;
-  handed.at = std::time(nullptr);
+  constexpr std::string_view house = "house:";
+  if (options.file.starts_with(house)) {
+    const std::string name = options.file.substr(house.size());
+    handed.path = system::house_team(name);
+    handed.name = options.file;
+    if (handed.path.empty()) return fail(Errc::input, "there is no house team \"" + name + "\"");
+  }
+  handed.at = system::now_s();
   const auto done = submit(disk, Folder{options.folder}, handed);
   if (!done) return tl::unexpected(done.error());
   print(options.file, options.team, *done, options.json);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The subcommands serve and check-hand-in.
+#include "system/clock.hpp"
 #include "system/locations.hpp"
 #include "system/printable.hpp"
 #include "system/process_set.hpp"
@@ -9,7 +10,6 @@
 #include "tournaments/app/served_league.hpp"
 #include "tournaments/handin/check_runner.hpp"
 
-#include <ctime>
 #include <iostream>
 
 namespace mirocup::league {
@@ -37,13 +37,15 @@ Result<std::unique_ptr<Portal>> open_portal(system::Files& files, const ServeOpt
     return league.why_not(team, now);
   };
   portal.legs = [&league](const std::string& team) { return league.legs_of(team); };
+  portal.digest = [&league](const std::string& team) { return league.digest_of(team); };
+  portal.replay = [&league](const std::string& name) { return league.own_replay(name); };
   portal.statistics = [&league](const std::string& team) { return league.statistics_of(team); };
   portal.friendlies = {
       .teams = [&league] { return league.entries_that_play(); },
       .neighbours = [&league](const std::string& team) { return league.neighbours_of(team); },
       .house = system::house_teams(),
       .replay = [&league](const std::string& record) { return league.replay_of(record); }};
-  portal.now = [] { return static_cast<std::int64_t>(std::time(nullptr)); };
+  portal.now = [] { return system::now_s(); };
   std::string notice;
   auto opened = Portal::open(files, Folder{options.folder}, std::move(portal), &notice);
   if (!notice.empty()) tell_host(notice);

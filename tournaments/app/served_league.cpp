@@ -5,9 +5,13 @@
 #include "server/web/assets.hpp"
 #include "server/web/page.hpp"
 #include "server/web/page_json.hpp"
+#include "tournaments/app/publishing.hpp"
+#include "tournaments/league/apply.hpp"
 #include "tournaments/league/hand_ins.hpp"
 #include "tournaments/league/submission.hpp"
 #include "tournaments/play/leg_command.hpp"
+#include "tournaments/publish/night_pages.hpp"
+#include "tournaments/publish/release.hpp"
 #include "tournaments/publish/replay_nav.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/site.hpp"
@@ -43,6 +47,7 @@ std::string type_of(const std::string& path) {
   if (end == ".json") return "application/json";
   if (end == ".csv") return "text/csv; charset=utf-8";
   if (end == ".css") return "text/css; charset=utf-8";
+  if (end == ".xml") return "application/atom+xml";
   if (end == ".js") return "text/javascript; charset=utf-8";
   return "application/octet-stream";
 }
@@ -74,17 +79,23 @@ std::string with_script(std::string html, bool takes_hand_ins) {
 
 }  // namespace
 
-// Requires mutex_. Until the league starts, teams join and league.json may be edited.
+// Requires mutex_. Until the league starts, teams join and league.json may be edited; what people
+// are called may change at any time.
 void ServedLeague::reopen() {
-  if (store_.state().is_started) return;
+  std::string people =
+      files_.read(store_.folder().people(), {.max_size = system::size_limit::league_file})
+          .value_or("");
+  const bool has_new_names = people != people_;
+  if (store_.state().is_started && !has_new_names) return;
   const auto config =
       files_.read(store_.folder().config(),
                   {.max_size = system::size_limit::league_file, .links = system::Links::followed});
-  if (!config || *config == config_) return;
+  if (!config || (*config == config_ && !has_new_names)) return;
   auto fresh = LeagueStore::open(files_, store_.folder());
   if (!fresh) return;
   store_ = std::move(*fresh);
   config_ = *config;
+  people_ = std::move(people);
   ++teams_version_;
   version_ = version_ > 0 ? version_ + 1 : 0;
 }
@@ -106,6 +117,7 @@ void ServedLeague::poll() {
 std::vector<ServedLeague::LiveLeg> ServedLeague::find_live_legs() const {
   const LeagueState& state = store_.state();
   std::vector<LiveLeg> playing;
+  if (!is_all_released(state)) return playing;
   for (std::size_t i = state.first_open(); i < state.fixtures.size(); ++i) {
     const FixtureState& f = state.fixtures[i];
     for (const int number : open_legs(state, f)) {
@@ -146,9 +158,14 @@ void ServedLeague::make_pages() {
   version_of_pages_ = teams_version_;
   pages_.clear();
   statistics_.clear();
-  facts_ = read_facts(files_, store_.folder(), store_.state(), std::move(facts_));
-  reports_ = kept_statistics(files_, store_.folder(), store_.state());
-  for (SiteFile& file : make_site(store_.state(), reports_, facts_)) {
+  // What cannot be shown alone, such as a round that does not exist any more, is not shown at all.
+  auto released = released_state(store_.state(), store_.journal());
+  shown_ = released ? std::move(*released) : new_league(store_.state().file);
+  const auto news = news_for(*shown_, store_).value_or(NightNews{});
+  facts_ = read_facts(files_, store_.folder(), *shown_, std::move(facts_));
+  reports_ = kept_statistics(files_, store_.folder(), *shown_);
+  for (SiteFile& file :
+       make_site(*shown_, reports_, facts_, news.night ? &*news.night : nullptr, news.feed)) {
     const std::string type = type_of(file.name);
     const bool is_html = type.starts_with("text/html");
     pages_["/" + file.name] = {
@@ -161,7 +178,7 @@ void ServedLeague::make_pages() {
     pages_["/hand_in.js"] = {type_of("hand_in.js"), "", std::string(web::asset("hand_in.js"))};
   }
   records_.clear();
-  for (const FixtureState& f : store_.state().fixtures) {
+  for (const FixtureState& f : shown_->fixtures) {
     for (int leg = 1; leg <= max_legs; ++leg) {
       const LegState& now = f.legs[leg - 1];
       const int versions =
@@ -212,7 +229,7 @@ std::optional<web::Page> ServedLeague::replay(const std::string& stem) {
 
 std::string ServedLeague::linked(std::string page, const std::string& record) {
   const std::lock_guard lock(mutex_);
-  return with_league_links(std::move(page), overview(store_.state()), record);
+  return with_league_links(std::move(page), overview(shown()), record);
 }
 
 std::string ServedLeague::why_not(const std::string& team, const std::string& now) {
@@ -224,7 +241,29 @@ std::string ServedLeague::why_not(const std::string& team, const std::string& no
 std::vector<OwnLeg> ServedLeague::legs_of(const std::string& team) {
   const std::lock_guard lock(mutex_);
   poll();
-  return own_legs(store_.state(), team);
+  const bool is_hidden = store_.state().release.level == ReleaseLevel::hidden;
+  if (is_hidden) make_pages();
+  return own_legs(is_hidden ? shown() : store_.state(), team);
+}
+
+std::string ServedLeague::digest_of(const std::string& team) {
+  const std::lock_guard lock(mutex_);
+  poll();
+  const LeagueState& state = store_.state();
+  if (state.release.level == ReleaseLevel::hidden) return "";
+  const auto night = last_night(state, store_.journal());
+  if (!night || !*night) return "";
+  facts_ = read_facts(files_, store_.folder(), state, std::move(facts_));
+  const Overview o = overview(state, facts_);
+  for (const TeamDigest& digest : digests(**night, o)) {
+    if (state.name(digest.team) == team) return digest_html(o, **night, digest, "/hand-in/");
+  }
+  return "";
+}
+
+std::optional<std::string> ServedLeague::own_replay(const std::string& name) {
+  auto page = replay(name);
+  return page ? std::optional(std::move(page->bytes)) : std::nullopt;
 }
 
 std::map<std::string, int> ServedLeague::entries_that_play() {

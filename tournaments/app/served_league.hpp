@@ -40,6 +40,13 @@ class ServedLeague {
   // Returns the decided legs of a team.
   std::vector<OwnLeg> legs_of(const std::string& team);
 
+  // Returns what the last night changed for a team, as the inside of a page of the desk; "" if that
+  // is hidden, or there was no night.
+  std::string digest_of(const std::string& team);
+
+  // Returns the replay page of a leg that a team may see, released or not.
+  std::optional<std::string> own_replay(const std::string& name);
+
   // Returns the teams that have an entry which would play now, with its number. It is a few seconds
   // old at most.
   std::map<std::string, int> entries_that_play();
@@ -67,6 +74,7 @@ class ServedLeague {
   void reopen();
   std::vector<LiveLeg> find_live_legs() const;
   void make_pages();
+  const LeagueState& shown() const { return shown_ ? *shown_ : store_.state(); }
   bool are_pages_fresh() const;
   std::optional<web::Page> replay(const std::string& stem);
   std::string linked(std::string page, const std::string& record);
@@ -84,6 +92,8 @@ class ServedLeague {
   std::uint64_t version_of_pages_ = 0;  // teams_version_ when the pages were made
   std::size_t lines_of_pages_ = 0;      // lines_ then
   std::chrono::steady_clock::time_point pages_rest_until_{};  // before the start of the league
+  std::optional<LeagueState> shown_;  // what is released; nothing before the first page
+  std::string people_;                // teams.json
   FactsOfLegs facts_;
   LegReports reports_;
   std::map<int, std::string> statistics_;  // of teams, as far as they were asked for

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/app/commands.hpp"
 #include "tournaments/app/progress_bar.hpp"
+#include "tournaments/play/program.hpp"
 #include "tournaments/play/result_recorder.hpp"
 #include "tournaments/play/shard.hpp"
 
@@ -13,6 +14,11 @@ Result<int> run_plan(const ShardOptions& options) {
   system::Disk disk;
   auto store = LeagueStore::open(disk, Folder{options.folder});
   if (!store) return tl::unexpected(store.error());
+  const record::Software software = record::this_software();
+  const auto ready = expect_program(*store, software, false).and_then([&] {
+    return keep_program(disk, store->folder(), software);
+  });
+  if (!ready) return tl::unexpected(ready.error());
   const auto progress = make_progress_reporter();
   ResultRecorder recorder(disk, std::move(*store), *progress);
   if (auto started = recorder.start(); !started) return tl::unexpected(started.error());

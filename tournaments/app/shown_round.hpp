@@ -11,6 +11,8 @@
 #include "tournaments/league/league_store.hpp"
 #include "tournaments/publish/rounds.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <map>
 #include <mutex>
 #include <string>

@@ -8,7 +8,6 @@
 #include "tournaments/league/league_store.hpp"
 #include "tournaments/league/submission.hpp"
 
-#include <ctime>
 #include <iostream>
 
 namespace mirocup::league {
@@ -74,7 +73,7 @@ Result<int> run_token(const TokenOptions& options) {
   const Folder folder{options.folder};
   const auto store = LeagueStore::open(disk, folder);
   if (!store) return tl::unexpected(store.error());
-  const std::string now = utc_text(std::time(nullptr));
+  const std::string now = utc_text(system::now_s());
   const auto expires = expiry_of(options.expires, now);
   if (!expires) return tl::unexpected(expires.error());
   const auto lock = system::FileLock::acquire(folder.lock());

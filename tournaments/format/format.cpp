@@ -45,6 +45,7 @@ std::vector<Fixture> first_schedule(const Format& format, int teams) {
     }
     case FormatKind::swiss:
     case FormatKind::ladder:
+    case FormatKind::nightly:
       break;
   }
   return {};

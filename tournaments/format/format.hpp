@@ -13,7 +13,7 @@
 
 namespace mirocup::league {
 
-enum class FormatKind { double_round_robin, round_robin, groups, knockout, swiss, ladder };
+enum class FormatKind { double_round_robin, round_robin, groups, knockout, swiss, ladder, nightly };
 
 // A kind with its settings. Settings that do not concern the kind are ignored.
 struct Format {
@@ -22,10 +22,15 @@ struct Format {
   int groups = 2;
   int qualifiers = 2;  // teams of each group that go on to the knockout
   bool third_place = true;
-  int rounds = 0;  // Swiss; 0: usual_swiss_rounds()
-  int sample = 4;  // ladder: opponents of a new entry
+  int rounds = 0;     // Swiss; 0: usual_swiss_rounds()
+  int sample = 4;     // ladder: opponents of a new entry
+  int opponents = 0;  // nightly: opponents of each team in a night; 0: all others
 
   bool has_knockout() const { return kind == FormatKind::groups || kind == FormatKind::knockout; }
+
+  // Entries are taken after the start, too; the table counts the results of the present ones, and
+  // goes by the points of a leg.
+  bool takes_entries() const { return kind == FormatKind::ladder || kind == FormatKind::nightly; }
   int swiss_rounds(int teams) const;
 };
 
@@ -33,7 +38,7 @@ struct Format {
 std::string objection(const Format& format, int teams);
 
 // Returns all fixtures of a round robin, of groups and of a knockout. Returns none of a Swiss
-// tournament or a ladder, whose fixtures depend on results and entries.
+// tournament, a ladder or a nightly league, whose fixtures depend on results and entries.
 // Precondition: objection() is "".
 std::vector<Fixture> first_schedule(const Format& format, int teams);
 
@@ -42,8 +47,8 @@ std::vector<Fixture> first_schedule(const Format& format, int teams);
 namespace mirocup {
 
 template <>
-inline constexpr std::array<std::string_view, 6> enum_names<league::FormatKind>{
-    "double_round_robin", "round_robin", "groups", "knockout", "swiss", "ladder"};
-static_assert(to_string(league::FormatKind::ladder) == "ladder");
+inline constexpr std::array<std::string_view, 7> enum_names<league::FormatKind>{
+    "double_round_robin", "round_robin", "groups", "knockout", "swiss", "ladder", "nightly"};
+static_assert(to_string(league::FormatKind::nightly) == "nightly");
 
 }  // namespace mirocup

@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <ctime>
 #include <set>
 
 namespace mirocup::league {
@@ -38,7 +37,7 @@ TeamConfig read_team(const JsonReader& json) {
                              std::to_string(max_name_length));
   }
   if (team.source.empty()) {
-    json.at("entry").complain("\"house:NAME\" or the path of a library is expected");
+    json.at("entry").complain("\"house:NAME\", the path of a library or \"submitted\" is expected");
   }
   return team;
 }
@@ -68,7 +67,8 @@ Format read_format(const JsonReader& json) {
     format.kind = json.name<FormatKind>();
     return format;
   }
-  json.expect_object({"kind", "legs", "groups", "qualifiers", "third_place", "rounds", "sample"});
+  json.expect_object(
+      {"kind", "legs", "groups", "qualifiers", "third_place", "rounds", "sample", "opponents"});
   format.kind = json.at("kind").name<FormatKind>();
   const bool is_knockout = format.kind == FormatKind::knockout;
   read_count(json, "legs", 1, is_knockout ? legs_per_fixture : 100, format.legs);
@@ -76,6 +76,7 @@ Format read_format(const JsonReader& json) {
   read_count(json, "qualifiers", 1, 500, format.qualifiers);
   read_count(json, "rounds", 0, 500, format.rounds);
   read_count(json, "sample", 1, 1000, format.sample);
+  read_count(json, "opponents", 0, 1000, format.opponents);
   json.read_if_present("third_place", format.third_place);
   return format;
 }
@@ -90,15 +91,28 @@ Json format_json(const Format& format) {
   if (format.third_place != plain.third_place) json["third_place"] = format.third_place;
   if (format.rounds != plain.rounds) json["rounds"] = format.rounds;
   if (format.sample != plain.sample) json["sample"] = format.sample;
+  if (format.opponents != plain.opponents) json["opponents"] = format.opponents;
   return json.size() == 1 ? json["kind"] : json;
 }
 
-std::string read_time(const JsonReader& json) {
-  std::string time = json.text();
-  if (!time.empty() && !is_time(time)) {
-    json.complain("a time like \"2026-11-30T18:00:00Z\" is expected");
+// Reads the name of a time zone and finds it.
+void read_zone(const JsonReader& json, LeagueFile& file) {
+  file.zone = json.text();
+  if (file.zone.empty()) return;
+  auto zone = system::TimeZone::find(file.zone);
+  if (zone) {
+    file.time_zone = *zone;
+  } else {
+    json.complain(zone.error().what);
   }
-  return time;
+}
+
+std::string read_time(const JsonReader& json, const LeagueFile& file) {
+  const std::string text = json.text();
+  if (text.empty()) return text;
+  const auto time = utc_of(text, file);
+  if (!time) json.complain(time.error().what);
+  return time.value_or("");
 }
 
 Points read_points(const JsonReader& json) {
@@ -112,7 +126,7 @@ Points read_points(const JsonReader& json) {
 
 LeagueFile read_league(const JsonReader& json) {
   json.expect_object({"schema", "title", "format", "league", "rules", "conditions", "seed",
-                      "points", "tie_breaks", "freeze", "strikes", "teams"});
+                      "points", "tie_breaks", "zone", "freeze", "strikes", "anonymous", "teams"});
   json.expect_schema(schema);
   LeagueFile file;
   json.read_if_present("title", file.title);
@@ -131,7 +145,9 @@ LeagueFile read_league(const JsonReader& json) {
     // Among teams of equal points, the one with stronger opponents ranks higher.
     file.tie_breaks.insert(file.tie_breaks.begin(), TieBreak::opponents_points);
   }
-  if (json.has("freeze")) file.freeze = read_time(json.at("freeze"));
+  if (json.has("zone")) read_zone(json.at("zone"), file);
+  if (json.has("freeze")) file.freeze = read_time(json.at("freeze"), file);
+  json.read_if_present("anonymous", file.is_anonymous);
   read_count(json, "strikes", 0, 1000, file.strikes);
   if (json.has("teams")) file.teams = read_teams(json.at("teams"));
   return file;
@@ -152,12 +168,25 @@ bool is_time(const std::string& text) {
 }
 
 std::string utc_text(std::int64_t at) {
-  const std::time_t time = at;
-  std::tm utc{};
-  gmtime_r(&time, &utc);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
-  return text;
+  return system::utc_text(at);
+}
+
+Result<std::string> utc_of(const std::string& text, const LeagueFile& file) {
+  const auto time = system::parse_time(text);
+  if (!time) {
+    return fail(Errc::input,
+                "a time like \"2026-11-30T18:00:00Z\", "
+                "\"2026-11-30T19:00:00+01:00\" or, in the league's zone, "
+                "\"2026-11-30T19:00:00\" is expected");
+  }
+  return utc_text(time->is_local ? file.time_zone.from_local(time->at) : time->at);
+}
+
+std::string shown_time(const LeagueFile& file, const std::string& utc) {
+  const std::string local = system::in_zone(file.time_zone, utc);
+  return file.zone.empty() || file.zone == "UTC" || !is_time(utc)
+             ? local
+             : local + " (" + utc.substr(11, 5) + " UTC)";
 }
 
 bool is_good_name(const std::string& name) {
@@ -196,7 +225,9 @@ std::string print_league_file(const LeagueFile& file) {
                 {{"win", file.points.win}, {"draw", file.points.draw}, {"loss", file.points.loss}}},
                {"tie_breaks", tie_breaks},
                {"strikes", file.strikes}});
+  if (!file.zone.empty()) json["zone"] = file.zone;
   if (!file.freeze.empty()) json["freeze"] = file.freeze;
+  if (file.is_anonymous) json["anonymous"] = true;
   json["teams"] = teams;
   return record::json_text(json, 2) + "\n";
 }

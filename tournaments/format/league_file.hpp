@@ -8,6 +8,7 @@
 #include "core/match/conditions.hpp"
 #include "core/match/team_parameters.hpp"
 #include "core/referee/rules.hpp"
+#include "system/clock.hpp"
 #include "tournaments/format/format.hpp"
 #include "tournaments/table/table.hpp"
 
@@ -21,9 +22,13 @@ namespace mirocup::league {
 // A team of the file: where its library comes from, and how it plays.
 struct TeamConfig {
   std::string name;
-  std::string source;     // as written: "house:NAME", a path, or "submitted"
+  std::string source;     // as written: "house:NAME", a path, or "submitted": it hands in later
   bool over_dds = false;  // true: it joins over the network (mirocup join); else the server runs it
   match::TeamParameters parameters = {};  // what each of its legs gives its library
+
+  bool is_house() const { return source.starts_with("house:"); }
+  bool hands_in() const { return source == submitted; }  // the host gives no library
+  static constexpr std::string_view submitted = "submitted";
 };
 
 struct LeagueFile {
@@ -37,8 +42,16 @@ struct LeagueFile {
   std::vector<TieBreak> tie_breaks{default_tie_breaks.begin(), default_tie_breaks.end()};
 
   // From this time on no entry is taken: "2026-11-30T18:00:00Z". "": entries are taken until the
-  // league starts.
+  // league starts. The file may have an offset from UTC in place of the Z, or neither: then it is
+  // the time of the league's zone.
   std::string freeze;
+
+  // The time zone in which people are told times: "Europe/Berlin". "": UTC.
+  std::string zone;
+  system::TimeZone time_zone = {};
+
+  // The public pages show no display names: the teams' names are their aliases.
+  bool is_anonymous = false;
 
   // Number of legs in a row, lost by its own faults, that pauses a team; 0: no number does.
   int strikes = 3;
@@ -59,6 +72,13 @@ std::string utc_text(std::int64_t at);
 
 // True for a time as utc_text() writes it.
 bool is_time(const std::string& text);
+
+// Returns a time that a person wrote as utc_text() writes it: with a Z, with an offset, or as the
+// clocks of the league's zone show it. Errors: Errc::input.
+Result<std::string> utc_of(const std::string& text, const LeagueFile& file);
+
+// Returns a time of the journal as people read it: "2026-11-30 19:00 CET (18:00 UTC)".
+std::string shown_time(const LeagueFile& file, const std::string& utc);
 
 // Reads a league file. The error (Errc::input) names `path`, the JSON pointer and the reason.
 Result<LeagueFile> parse_league_file(const std::string& text, const std::string& path);

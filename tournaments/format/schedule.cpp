@@ -64,4 +64,23 @@ std::uint64_t fixture_seed(std::uint64_t league_seed, const Fixture& fixture) {
   return seed >> 11;
 }
 
+std::vector<Fixture> night_fixtures(int night, const std::vector<int>& teams, int opponents) {
+  const int count = static_cast<int>(teams.size());
+  std::vector<Fixture> fixtures;
+  if (count < 2) return fixtures;
+  const int rounds = count % 2 == 0 ? count - 1 : count;
+  const int wanted = opponents == 0 ? rounds : std::min(opponents, rounds);
+  const std::int64_t first = std::int64_t{night - 1} * wanted % rounds;
+  for (Fixture fixture : round_robin(count)) {
+    if (fixture.away == no_team || fixture.home == no_team) continue;
+    if ((fixture.round - 1 - first + rounds) % rounds >= wanted) continue;
+    fixture.round = night;
+    fixture.number = static_cast<int>(fixtures.size()) + 1;
+    fixture.home = teams[fixture.home];
+    fixture.away = teams[fixture.away];
+    fixtures.push_back(fixture);
+  }
+  return fixtures;
+}
+
 }  // namespace mirocup::league

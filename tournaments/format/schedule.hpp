@@ -66,6 +66,11 @@ std::vector<Fixture> round_robin(int teams);
 // number a last fixture of one leg. Home and away are swapped each time that a pair meets again.
 std::vector<Fixture> round_robin(int teams, int legs);
 
+// Returns the fixtures of a night (from 1) among some teams, all in one round of that number: every
+// pair, or `opponents` fixtures for each team (0: all), with an odd number of teams one less for
+// some. Over the nights every pair meets equally often.
+std::vector<Fixture> night_fixtures(int night, const std::vector<int>& teams, int opponents);
+
 // Returns the seed of all legs of a fixture, which depends on the seed of the league, the round and
 // the teams, not on when the legs are played. It has 53 bits.
 std::uint64_t fixture_seed(std::uint64_t league_seed, const Fixture& fixture);

@@ -2,12 +2,12 @@
 #include "tournaments/handin/check_runner.hpp"
 
 #include "server/record/json_reader.hpp"
+#include "system/clock.hpp"
 #include "system/locations.hpp"
 #include "system/printable.hpp"
 #include "tournaments/league/submission.hpp"
 
 #include <csignal>
-#include <ctime>
 #include <iostream>
 #include <sys/resource.h>
 
@@ -48,7 +48,7 @@ bool CheckRunner::step() {
     if (running_.size() == before) break;
   }
   // Friendlies take what the checks leave.
-  while (busy() < jobs_ && friendlies_.start_next(next_tag_, std::time(nullptr))) ++next_tag_;
+  while (busy() < jobs_ && friendlies_.start_next(next_tag_, system::now_s())) ++next_tag_;
   look_at_steps();
   friendlies_.look_at_time();
   const auto news = processes_.wait_within(wait_s);
@@ -58,7 +58,7 @@ bool CheckRunner::step() {
       running_.erase(ended);
       book(check, *news.exit);
     } else {
-      friendlies_.book(*news.exit, std::time(nullptr));
+      friendlies_.book(*news.exit, system::now_s());
     }
   }
   return !news.is_asked_to_stop;

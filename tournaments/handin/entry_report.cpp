@@ -50,7 +50,7 @@ Json verdict_of(system::Files& files, const Folder& folder, const std::string& t
   return parsed.problem || !parsed.value.is_object() ? Json() : std::move(parsed.value);
 }
 
-std::string text_in(const Json& object, const char* key) {
+std::string verdict_text(const Json& object, const char* key) {
   const auto found = object.find(key);
   return found != object.end() && found->is_string() ? found->get<std::string>() : "";
 }
@@ -75,7 +75,7 @@ Json report_of(system::Files& files, const Folder& folder, const std::string& te
                                 : is_accepted      ? HandInState::accepted
                                                    : HandInState::refused);
     const std::string message = waiting != nullptr ? waiting->message : "";
-    const std::string reason = text_in(verdict, "reason");
+    const std::string reason = verdict_text(verdict, "reason");
     const bool has_reason = report["state"] != to_string(HandInState::accepted);
     report["reason"] = has_reason ? text_or_null(reason.empty() ? message : reason) : Json();
     report["message"] = text_or_null(message);
@@ -83,7 +83,7 @@ Json report_of(system::Files& files, const Folder& folder, const std::string& te
       for (const char* key : {"checks", "timing", "peak_memory_bytes", "isolation"}) {
         if (verdict.contains(key)) report[key] = verdict[key];
       }
-      report["log"] = shortened(text_in(verdict, "log"));
+      report["log"] = shortened(verdict_text(verdict, "log"));
     }
   }
   if (waiting == nullptr) return report;

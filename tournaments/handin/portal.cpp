@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::string_view entries_path = "/api/v1/entries";
 constexpr std::string_view legs_path = "/api/v1/legs";
+constexpr std::string_view own_replays_path = "/hand-in/replays/";
 constexpr std::string_view friendlies_path = "/api/v1/friendlies";
 constexpr std::string_view pin_path = "/api/v1/pin";
 constexpr std::string_view replays_path = "/hand-in/friendlies";
@@ -43,6 +44,13 @@ web::Reply page_reply(int status, std::string html) {
           .type = "text/html; charset=utf-8",
           .bytes = std::move(html),
           .headers = {{"Content-Security-Policy", page_policy}}};
+}
+
+// Returns the page with one more card at its end; "": as it is.
+std::string with_card(std::string page, const std::string& content) {
+  const std::size_t end = page.rfind("</main>");
+  if (content.empty() || end == std::string::npos) return page;
+  return page.insert(end, "<section class=\"card\">\n" + content + "</section>\n");
 }
 
 web::Reply go_to(const std::string& path) {
@@ -98,6 +106,7 @@ Portal::Portal(system::Files& files, Folder folder, PortalOptions options, HandI
       folder_(folder),
       options_(std::move(options)),
       costs_(files, folder),
+      staff_(files, folder, options_.now),
       friendlies_(std::move(friendlies)),
       book_(std::move(book)),
       doorkeeper_(files, std::move(folder), options_.proxy) {}
@@ -151,6 +160,8 @@ std::optional<web::Reply> Portal::answer(const web::Request& request, const web:
   if (path.starts_with("/api/")) return api(request, body);
   if (path == "/hand-in/log-in" && request.method == "POST") return log_in(request, body);
   if (path == "/hand-in/log-out" && request.method == "POST") return log_out(request);
+  if (path == "/hand-in/staff" || path == "/hand-in/grades.csv") return staff(request, body);
+  if (path.starts_with(own_replays_path)) return own_replay(request);
   const bool is_replay = path.starts_with(replays_path);
   const bool is_entry = path.starts_with(entry_pages_path);
   if ((path != "/hand-in" && !is_replay && !is_entry) ||
@@ -166,12 +177,49 @@ std::optional<web::Reply> Portal::answer(const web::Request& request, const web:
     return page_reply(refusal->status, log_in_page(error.value("error", "")));
   }
   const Visitor& known = std::get<Visitor>(who);
-  if (known.is_staff) return page_reply(200, staff_page());
+  if (known.is_staff) return staff_.page(number_of(request.asked("done")).value_or(0));
   if (is_replay)
     return friendlies_->show(known.team, std::string_view(path).substr(replays_path.size()));
   if (is_entry)
     return entry_reply(known.team, std::string_view(path).substr(entry_pages_path.size()));
   return team_page(known.team);
+}
+
+// What only the staff may ask for: the forms of its page, and the grades.
+web::Reply Portal::staff(const web::Request& request, const web::Body& body) {
+  const bool is_act = request.method == "POST";
+  const auto who = visitor(request, is_act ? Purpose::changing : Purpose::reading);
+  if (const auto* refusal = std::get_if<web::Reply>(&who)) return *refusal;
+  if (!std::get<Visitor>(who).is_staff) return problem_reply(403, "this is for the staff only");
+  if (!is_act) {
+    return request.path == "/hand-in/grades.csv" ? staff_.grades()
+                                                 : problem_reply(405, "a form is expected");
+  }
+  std::string form;
+  const bool is_whole = body([&form](std::string_view part) {
+    form += part;
+    return form.size() <= max_form;
+  });
+  if (!is_whole) return problem_reply(400, "the form was not sent to its end, or is too long");
+  web::Reply reply = staff_.act(form);
+  ++version_;
+  return reply;
+}
+
+// A leg of a team may be shown to it before the public sees it.
+web::Reply Portal::own_replay(const web::Request& request) {
+  const auto who = visitor(request, Purpose::reading);
+  if (const auto* refusal = std::get_if<web::Reply>(&who)) return *refusal;
+  const Visitor& known = std::get<Visitor>(who);
+  for (const OwnLeg& leg : options_.legs(known.team)) {
+    if (leg.record.empty() || !options_.replay ||
+        request.path != std::string(own_replays_path) + name_of_leg(leg) + ".html")
+      continue;
+    auto page = options_.replay(name_of_leg(leg));
+    if (!page) break;
+    return {.status = 200, .type = "text/html; charset=utf-8", .bytes = std::move(*page)};
+  }
+  return problem_reply(404, "there is no leg of yours of this name");
 }
 
 // `rest` is what follows the path of all pages of entries.
@@ -199,7 +247,8 @@ web::Reply Portal::team_page(const std::string& team) {
   const auto known = read_hand_ins(files_, folder_, team);
   desk.is_pinned = known && known->pinned > 0 && known->pinned == desk.playing;
   desk.statistics = options_.statistics(team);
-  return page_reply(200, team_desk_page(desk));
+  return page_reply(200,
+                    with_card(team_desk_page(desk), options_.digest ? options_.digest(team) : ""));
 }
 
 // A team may choose one of its accepted versions, as long as it may hand in.

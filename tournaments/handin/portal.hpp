@@ -12,6 +12,7 @@
 #include "tournaments/handin/entry_report.hpp"
 #include "tournaments/handin/friendly_desk.hpp"
 #include "tournaments/handin/own_legs.hpp"
+#include "tournaments/handin/staff_desk.hpp"
 #include "tournaments/league/hand_ins.hpp"
 
 #include <atomic>
@@ -30,6 +31,10 @@ struct PortalOptions {
   std::function<std::string(const std::string& team, const std::string& now)> why_not;
   // Returns the decided legs of a team.
   std::function<std::vector<OwnLeg>(const std::string& team)> legs;
+  // Returns what the last night changed for a team, as the inside of a page; "" if it may not know.
+  std::function<std::string(const std::string& team)> digest = {};
+  // Returns the replay page of a leg, by the name of its record; nothing if there is none.
+  std::function<std::optional<std::string>(const std::string& name)> replay = {};
   // Returns the part of a page with the football statistics of a team, HTML; "" if there are none.
   std::function<std::string(const std::string& team)> statistics;
   FriendlyOptions friendlies;
@@ -70,6 +75,8 @@ class Portal {
   web::Reply api(const web::Request& request, const web::Body& body);
   web::Reply log_in(const web::Request& request, const web::Body& body);
   web::Reply log_out(const web::Request& request);
+  web::Reply staff(const web::Request& request, const web::Body& body);
+  web::Reply own_replay(const web::Request& request);
   web::Reply take(const web::Request& request, const web::Body& body, const Visitor& visitor);
   web::Reply keep(const Visitor& visitor, const std::string& name, system::IncomingFile& file,
                   const std::string& sha256);
@@ -88,6 +95,7 @@ class Portal {
   const Folder folder_;
   const PortalOptions options_;
   LegCosts costs_;
+  const StaffDesk staff_;
   const std::unique_ptr<FriendlyDesk> friendlies_;
   std::atomic<std::uint64_t> version_{1};  // grows with each change that a team may see
 

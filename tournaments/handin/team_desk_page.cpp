@@ -278,11 +278,4 @@ std::string team_desk_page(const TeamDesk& desk) {
   return desk_page(desk.team, html);
 }
 
-std::string staff_page() {
-  Html html;
-  html.raw(log_out_form);
-  html.cell("p", "With this token, entries of all teams can be read: /api/v1/entries?team=NAME.");
-  return desk_page("Staff", html);
-}
-
 }  // namespace mirocup::league

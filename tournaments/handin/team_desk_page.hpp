@@ -34,7 +34,4 @@ std::string team_desk_page(const TeamDesk& desk);
 // The answer to one entry, with what `mirocup check` reports: entry_report().
 std::string entry_page(const Json& entry);
 
-// Whoever logs in with the token of the staff.
-std::string staff_page();
-
 }  // namespace mirocup::league

@@ -78,6 +78,52 @@ struct Validator {
     return {};
   }
 
+  Result<void> operator()(const NightBegan& e) const {
+    if (auto open = is_open(); !open) return open;
+    if (e.number != static_cast<int>(state.nights.size()) + 1)
+      return fail(Errc::input, "night " + std::to_string(e.number) + " does not follow night " +
+                                   std::to_string(state.nights.size()));
+    if (state.file.format.kind != FormatKind::nightly && !e.entries.empty())
+      return fail(Errc::input, "entries of a night are for nightly leagues");
+    std::set<std::string> teams;
+    for (const EntryBooked& entry : e.entries) {
+      if (auto valid = (*this)(entry); !valid) return valid;
+      if (!teams.insert(entry.team).second)
+        return fail(Errc::input, entry.team + " has two entries in a night");
+    }
+    return {};
+  }
+
+  Result<void> operator()(const Frozen& e) const {
+    if (!e.from.empty() && !is_time(e.from)) return fail(Errc::input, e.from + " is no time");
+    return is_open();
+  }
+
+  Result<void> operator()(const Closed&) const { return is_open(); }
+
+  Result<void> operator()(const Released&) const { return {}; }
+
+  Result<void> operator()(const ProgramChosen&) const { return {}; }
+
+  Result<void> operator()(const Undone& e) const {
+    for (const Decision& decision : state.decisions) {
+      if (decision.line != e.line) continue;
+      if (std::holds_alternative<Undone>(decision.event))
+        return fail(Errc::input, "an undoing cannot be undone: decide anew");
+      if (!decision.undone_by ||
+          !std::holds_alternative<Undone>(state.decisions[*decision.undone_by].event))
+        return {};
+      return fail(Errc::input, "that decision is undone already");
+    }
+    return fail(Errc::input, "there is no decision in line " + std::to_string(e.line));
+  }
+
+  Result<void> is_open() const {
+    if (!state.is_closed) return {};
+    return fail(Errc::input,
+                "the league is closed: undo that first (league decisions, league undo)");
+  }
+
   Result<void> operator()(const LegPlayed& e) const {
     const auto at = find_leg(state, e.fixture, e.leg);
     if (!at) return tl::unexpected(at.error());
@@ -101,7 +147,8 @@ struct Validator {
       return fail(Errc::input, e.fixture + " leg " + std::to_string(e.leg) +
                                    (is_decided ? " is decided already" : " is not decided yet"));
     }
-    return by_person ? nothing_follows(state, at->fixture) : Result<void>();
+    if (!by_person) return {};
+    return is_open().and_then([&] { return nothing_follows(state, at->fixture); });
   }
 
   Result<void> operator()(const Ruled& e) const {
@@ -113,13 +160,13 @@ struct Validator {
     if (e.score.home > max_count || e.score.away > max_count) {
       return fail(Errc::input, "a score has at most " + std::to_string(max_count) + " goals");
     }
-    return nothing_follows(state, at->fixture);
+    return is_open().and_then([&] { return nothing_follows(state, at->fixture); });
   }
 
   Result<void> operator()(const Withdrawn& e) const {
     const auto team = find_present_team(state, e.team);
     if (!team) return tl::unexpected(team.error());
-    return {};
+    return is_open();
   }
 
   Result<void> operator()(const Paused& e) const {
@@ -169,7 +216,24 @@ struct Applier {
     state.is_started = true;
     state.config_sha256 = e.config_sha256;
     state.conditions = e.conditions;
+    state.program = {.version = e.version, .build = e.build, .game = e.game};
   }
+
+  void operator()(const NightBegan& e) const {
+    for (const EntryBooked& entry : e.entries) (*this)(entry);
+    state.nights.push_back(e);
+    ScheduleGrowth(state).night_began(e.number);
+  }
+
+  void operator()(const Frozen& e) const { state.freeze = e.from; }
+
+  void operator()(const Closed&) const { state.is_closed = true; }
+
+  void operator()(const Released& e) const { state.release = e; }
+
+  void operator()(const Undone&) const {}
+
+  void operator()(const ProgramChosen& e) const { state.program = e; }
 
   void operator()(const EntryBooked& e) const {
     const int index = *state.find_team(e.team);
@@ -282,9 +346,9 @@ Result<void> validate(const LeagueState& state, const Event& event) {
   return fail(Errc::input, "the league has not started");
 }
 
-void apply(LeagueState& state, const Event& event) {
+void apply(LeagueState& state, const Event& event, int line) {
   MIROCUP_ASSERT(validate(state, event));
-  note_decision(state, event);
+  note_decision(state, event, line);
   std::visit(Applier{state}, event);
 }
 
@@ -295,18 +359,45 @@ Result<void> apply_line(LeagueState& state, const Json& line, const std::string&
     return fail(Errc::damaged, journal_path + ": line " + record::json_text(line["n"]) +
                                    " does not fit the league: " + valid.error().what);
   }
-  apply(state, *event);
+  apply(state, *event, line.value("n", 0));
   return {};
 }
 
 Result<LeagueState> state_from_journal(LeagueFile file, const Journal& journal) {
+  return state_from_lines(std::move(file), journal, journal.lines().size());
+}
+
+Result<LeagueState> state_from_lines(LeagueFile file, const Journal& journal, std::size_t count,
+                                     int undoing) {
+  std::set<int> undone = undone_lines(journal, count);
+  undone.insert(undoing);
   LeagueState state = new_league(std::move(file));
-  for (const Json& line : journal.lines()) {
-    if (auto applied = apply_line(state, line, journal.path()); !applied) {
-      return tl::unexpected(applied.error());
+  for (std::size_t i = 0; i < count; ++i) {
+    const Json& line = journal.lines()[i];
+    const int number = static_cast<int>(i) + 1;
+    if (undone.contains(number)) {
+      const auto event = read_event(line);
+      if (!event) return fail(Errc::damaged, journal.path() + ": " + event.error().what);
+      if (is_of_person(*event)) {
+        note_undone_decision(state, *event, number);
+        continue;
+      }
     }
+    if (auto applied = apply_line(state, line, journal.path()); !applied)
+      return tl::unexpected(applied.error());
   }
   return state;
+}
+
+std::set<int> undone_lines(const Journal& journal, std::size_t count) {
+  std::set<int> undone;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Json& line = journal.lines()[i];
+    if (line.value("kind", Json()) != Undone::kind) continue;
+    const auto event = read_event(line);
+    if (const auto* e = event ? std::get_if<Undone>(&*event) : nullptr) undone.insert(e->line);
+  }
+  return undone;
 }
 
 }  // namespace mirocup::league

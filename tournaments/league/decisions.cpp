@@ -7,16 +7,6 @@ namespace mirocup::league {
 
 namespace {
 
-bool is_of_person(const Event& event) {
-  if (const auto* voided = std::get_if<LegVoided>(&event))
-    return voided->cause == VoidCause::ruling;
-  // The program pauses teams, too, but signs nothing.
-  if (const auto* paused = std::get_if<Paused>(&event))
-    return !paused->by.empty() || !paused->at.empty();
-  return std::holds_alternative<Ruled>(event) || std::holds_alternative<Withdrawn>(event) ||
-         std::holds_alternative<Resumed>(event);
-}
-
 bool is_pause_of(const std::string& team, const Event& event) {
   const auto* paused = std::get_if<Paused>(&event);
   return paused != nullptr && paused->team == team;
@@ -69,22 +59,64 @@ struct Undoes {
 
   bool operator()(const Resumed& e) const { return is_pause_of(e.team, earlier); }
 
+  bool operator()(const Frozen&) const { return std::holds_alternative<Frozen>(earlier); }
+
+  bool operator()(const Released&) const { return std::holds_alternative<Released>(earlier); }
+
+  bool operator()(const Undone& e) const { return state.decisions[decision].line == e.line; }
+
   template <class NoDecision>
   bool operator()(const NoDecision&) const {
     return false;
   }
 };
 
+// Returns the score of a leg before it was decided, as the list of decisions has it.
+std::string before_in_words(const LeagueState& state, const std::string& fixture, int leg) {
+  const auto index = state.find_fixture(fixture);
+  if (!index || leg < 1 || leg > max_legs) return "";
+  const auto& played = state.fixtures[*index].legs[leg - 1].played;
+  if (!played) return "was not decided";
+  return "was " + std::to_string(played->result.home_goals) + ":" +
+         std::to_string(played->result.away_goals);
+}
+
+std::string before_in_words(const LeagueState& state, const Event& event) {
+  if (const auto* ruled = std::get_if<Ruled>(&event))
+    return before_in_words(state, ruled->fixture, ruled->leg);
+  if (const auto* voided = std::get_if<LegVoided>(&event))
+    return before_in_words(state, voided->fixture, voided->leg);
+  return "";
+}
+
 }  // namespace
 
-void note_decision(LeagueState& state, const Event& event) {
+bool is_of_person(const Event& event) {
+  if (const auto* voided = std::get_if<LegVoided>(&event))
+    return voided->cause == VoidCause::ruling;
+  // The program pauses teams, too. Earlier versions wrote no time then.
+  if (const auto* paused = std::get_if<Paused>(&event))
+    return !paused->is_by_program && (!paused->by.empty() || !paused->at.empty());
+  return std::holds_alternative<Ruled>(event) || std::holds_alternative<Withdrawn>(event) ||
+         std::holds_alternative<Resumed>(event) || std::holds_alternative<Frozen>(event) ||
+         std::holds_alternative<Closed>(event) || std::holds_alternative<Released>(event) ||
+         std::holds_alternative<Undone>(event);
+}
+
+void note_decision(LeagueState& state, const Event& event, int line) {
   if (!is_of_person(event)) return;
   const std::size_t count = state.decisions.size();
   for (std::size_t i = 0; i < count; ++i) {
     Decision& decision = state.decisions[i];
     if (!decision.undone_by && std::visit(Undoes{state, i}, event)) decision.undone_by = count;
   }
-  state.decisions.push_back({.event = event, .undone_by = {}});
+  note_undone_decision(state, event, line);
+}
+
+void note_undone_decision(LeagueState& state, const Event& event, int line) {
+  if (!is_of_person(event)) return;
+  state.decisions.push_back(
+      {.event = event, .line = line, .what = before_in_words(state, event), .undone_by = {}});
 }
 
 }  // namespace mirocup::league

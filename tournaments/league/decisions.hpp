@@ -9,7 +9,14 @@
 namespace mirocup::league {
 
 // Appends the event to the list if it is a decision of a person, and marks those that it undoes.
-// `state` is the state before the event, which validate() accepts.
-void note_decision(LeagueState& state, const Event& event);
+// `state` is the state before the event, which validate() accepts. `line` is the number of its
+// line.
+void note_decision(LeagueState& state, const Event& event, int line);
+
+// The same for a decision that a later line undoes: it is listed, and changes nothing.
+void note_undone_decision(LeagueState& state, const Event& event, int line);
+
+// True if the event is a decision of a person.
+bool is_of_person(const Event& event);
 
 }  // namespace mirocup::league

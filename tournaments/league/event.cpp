@@ -15,6 +15,9 @@ namespace {
 
 using record::JsonReader;
 
+constexpr std::size_t max_entries = 1000;        // of a night
+constexpr std::string_view strikes = "strikes";  // the cause of a pause by the program
+
 // Keys that were added to the format later have defaults, because old lines lack them.
 template <class T>
 T value_or(const JsonReader& object, const std::string& key, T fallback) {
@@ -39,7 +42,9 @@ Event read_started(const JsonReader& line) {
   return Started{
       .config_sha256 = line.at("config_sha256").text(),
       .version = value_or<std::string>(line, "version", ""),
-      .conditions = conditions ? record::read_conditions(*conditions) : match::Conditions{}};
+      .conditions = conditions ? record::read_conditions(*conditions) : match::Conditions{},
+      .build = value_or<std::string>(line, "build", ""),
+      .game = value_or<std::string>(line, "game", "")};
 }
 
 Event read_entry(const JsonReader& line) {
@@ -94,12 +99,65 @@ Event read_withdrawal(const JsonReader& line) {
                    .at = value_or<std::string>(line, "at", "")};
 }
 
-template <class PausedOrResumed>
 Event read_pause(const JsonReader& line) {
-  return PausedOrResumed{.team = line.at("team").text(),
-                         .why = line.at("why").text(),
-                         .by = value_or<std::string>(line, "by", ""),
-                         .at = value_or<std::string>(line, "at", "")};
+  return Paused{.team = line.at("team").text(),
+                .why = line.at("why").text(),
+                .by = value_or<std::string>(line, "by", ""),
+                .at = value_or<std::string>(line, "at", ""),
+                .is_by_program = value_or<std::string>(line, "cause", "") == strikes};
+}
+
+Event read_resume(const JsonReader& line) {
+  return Resumed{.team = line.at("team").text(),
+                 .why = line.at("why").text(),
+                 .by = value_or<std::string>(line, "by", ""),
+                 .at = value_or<std::string>(line, "at", "")};
+}
+
+Event read_night(const JsonReader& line) {
+  NightBegan night{.number = line.at("number").integer(1, max_count),
+                   .at = value_or<std::string>(line, "at", "")};
+  for (const JsonReader& entry : line.at("entries").elements(0, max_entries)) {
+    night.entries.push_back({.team = entry.at("team").text(),
+                             .entry = entry.at("entry").integer<int>(),
+                             .sha256 = entry.at("sha256").text()});
+  }
+  return night;
+}
+
+Event read_freeze(const JsonReader& line) {
+  return Frozen{.from = line.at("from").text(),
+                .why = line.at("why").text(),
+                .by = value_or<std::string>(line, "by", ""),
+                .at = value_or<std::string>(line, "at", "")};
+}
+
+Event read_close(const JsonReader& line) {
+  return Closed{.why = line.at("why").text(),
+                .by = value_or<std::string>(line, "by", ""),
+                .at = value_or<std::string>(line, "at", "")};
+}
+
+Event read_release(const JsonReader& line) {
+  return Released{.level = line.at("level").name<ReleaseLevel>(),
+                  .through = line.at("through").text(),
+                  .why = line.at("why").text(),
+                  .by = value_or<std::string>(line, "by", ""),
+                  .at = value_or<std::string>(line, "at", "")};
+}
+
+Event read_undo(const JsonReader& line) {
+  return Undone{.line = line.at("line").integer<int>(),
+                .why = line.at("why").text(),
+                .by = value_or<std::string>(line, "by", ""),
+                .at = value_or<std::string>(line, "at", "")};
+}
+
+Event read_program(const JsonReader& line) {
+  return ProgramChosen{.version = line.at("version").text(),
+                       .build = line.at("build").text(),
+                       .game = line.at("game").text(),
+                       .at = value_or<std::string>(line, "at", "")};
 }
 
 struct Kind {
@@ -108,10 +166,13 @@ struct Kind {
 };
 
 constexpr Kind kinds[] = {
-    {Started::kind, read_started},      {EntryBooked::kind, read_entry},
-    {LegPlayed::kind, read_leg},        {LegVoided::kind, read_void},
-    {Ruled::kind, read_ruling},         {Withdrawn::kind, read_withdrawal},
-    {Paused::kind, read_pause<Paused>}, {Resumed::kind, read_pause<Resumed>},
+    {Started::kind, read_started},  {EntryBooked::kind, read_entry},
+    {LegPlayed::kind, read_leg},    {LegVoided::kind, read_void},
+    {Ruled::kind, read_ruling},     {Withdrawn::kind, read_withdrawal},
+    {Paused::kind, read_pause},     {Resumed::kind, read_resume},
+    {NightBegan::kind, read_night}, {Frozen::kind, read_freeze},
+    {Closed::kind, read_close},     {Released::kind, read_release},
+    {Undone::kind, read_undo},      {ProgramChosen::kind, read_program},
 };
 static_assert(std::size(kinds) == std::variant_size_v<Event>, "every kind of event can be read");
 
@@ -143,9 +204,11 @@ Json signed_by(Json fields, const Decision& e) {
 }
 
 Json fields(const Started& e) {
-  return {{"config_sha256", e.config_sha256},
-          {"version", e.version},
-          {"conditions", record::to_json(e.conditions)}};
+  Json json{{"config_sha256", e.config_sha256}, {"version", e.version}};
+  if (!e.build.empty()) json["build"] = e.build;
+  if (!e.game.empty()) json["game"] = e.game;
+  json["conditions"] = record::to_json(e.conditions);
+  return json;
 }
 
 Json fields(const EntryBooked& e) {
@@ -187,7 +250,39 @@ Json fields(const Withdrawn& e) {
 }
 
 Json fields(const Paused& e) {
-  return signed_by({{"team", e.team}}, e);
+  Json json{{"team", e.team}};
+  if (e.is_by_program) json["cause"] = strikes;
+  return signed_by(json, e);
+}
+
+Json fields(const NightBegan& e) {
+  Json entries = Json::array();
+  for (const EntryBooked& entry : e.entries) entries.push_back(fields(entry));
+  Json json{{"number", e.number}, {"entries", entries}};
+  if (!e.at.empty()) json["at"] = e.at;
+  return json;
+}
+
+Json fields(const Frozen& e) {
+  return signed_by({{"from", e.from}}, e);
+}
+
+Json fields(const Closed& e) {
+  return signed_by(Json::object(), e);
+}
+
+Json fields(const Released& e) {
+  return signed_by({{"level", to_string(e.level)}, {"through", e.through}}, e);
+}
+
+Json fields(const Undone& e) {
+  return signed_by({{"line", e.line}}, e);
+}
+
+Json fields(const ProgramChosen& e) {
+  Json json{{"version", e.version}, {"build", e.build}, {"game", e.game}};
+  if (!e.at.empty()) json["at"] = e.at;
+  return json;
 }
 
 Json fields(const Resumed& e) {

@@ -19,6 +19,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 namespace mirocup::league {
 
@@ -66,6 +67,8 @@ struct Started {
   std::string config_sha256;
   std::string version;                // version of the program; "" if the line has none
   match::Conditions conditions = {};  // of all legs; exact if the line has none
+  std::string build = {};             // of the program; "" in lines of earlier versions
+  std::string game = {};              // the hash of its behaviour, likewise
 
   bool operator==(const Started&) const = default;
 };
@@ -157,8 +160,8 @@ struct Withdrawn {
   bool operator==(const Withdrawn&) const = default;
 };
 
-// No leg of the team is started until it is resumed. The program pauses teams, too; then `by` and
-// `at` are empty.
+// No leg of the team is started until it is resumed. The program pauses teams, too; then `by` is
+// empty, and `is_by_program` or, in lines of earlier versions, no `at` tells.
 struct Paused {
   static constexpr std::string_view kind = "pause";
 
@@ -166,6 +169,7 @@ struct Paused {
   std::string why;
   std::string by;
   std::string at = {};
+  bool is_by_program = false;
 
   bool operator==(const Paused&) const = default;
 };
@@ -181,8 +185,88 @@ struct Resumed {
   bool operator==(const Resumed&) const = default;
 };
 
-using Event =
-    std::variant<Started, EntryBooked, LegPlayed, LegVoided, Ruled, Withdrawn, Paused, Resumed>;
+// A night begins. In a nightly league these entries, the last accepted ones of teams that have a
+// new one, play from here on, and fixtures follow; in the other formats there are none, and the
+// line marks the time from which on there is news.
+struct NightBegan {
+  static constexpr std::string_view kind = "night";
+
+  int number = 1;  // from 1
+  std::vector<EntryBooked> entries = {};
+  std::string at = {};
+
+  bool operator==(const NightBegan&) const = default;
+};
+
+// From a time on no entry is taken.
+struct Frozen {
+  static constexpr std::string_view kind = "freeze";
+
+  std::string from;  // UTC; "": entries are taken again
+  std::string why;
+  std::string by;
+  std::string at = {};
+
+  bool operator==(const Frozen&) const = default;
+};
+
+// The league is over: no night follows, and no entry is taken.
+struct Closed {
+  static constexpr std::string_view kind = "close";
+
+  std::string why;
+  std::string by;
+  std::string at = {};
+
+  bool operator==(const Closed&) const = default;
+};
+
+// Who may see what was played last.
+enum class ReleaseLevel {
+  all,     // everybody
+  teams,   // the pages end with the released round; each team reads its own digest
+  hidden,  // the pages end with the released round
+};
+
+// The rounds that the pages show.
+struct Released {
+  static constexpr std::string_view kind = "release";
+
+  ReleaseLevel level = ReleaseLevel::all;
+  std::string through;  // the last round, "r3"; "": with `all` every round, otherwise none
+  std::string why;
+  std::string by;
+  std::string at = {};
+
+  bool operator==(const Released&) const = default;
+};
+
+// A decision of a person is taken back: the league is as if it had never been made.
+struct Undone {
+  static constexpr std::string_view kind = "undo";
+
+  int line = 0;  // the number of the decision's line
+  std::string why;
+  std::string by;
+  std::string at = {};
+
+  bool operator==(const Undone&) const = default;
+};
+
+// From here on another program plays the league than before.
+struct ProgramChosen {
+  static constexpr std::string_view kind = "program";
+
+  std::string version;
+  std::string build;
+  std::string game;  // the hash of its behaviour, as records have it
+  std::string at = {};
+
+  bool operator==(const ProgramChosen&) const = default;
+};
+
+using Event = std::variant<Started, EntryBooked, LegPlayed, LegVoided, Ruled, Withdrawn, Paused,
+                           Resumed, NightBegan, Frozen, Closed, Released, Undone, ProgramChosen>;
 
 // Decodes a line of a journal. Keys that a later version may have added are ignored. The error
 // (Errc::damaged) names the line's number, the key and the reason: "line 7: /score/home: missing".
@@ -212,6 +296,11 @@ template <>
 inline constexpr std::array<std::string_view, 3> enum_names<league::VoidCause>{"host", "confirm",
                                                                                "ruling"};
 static_assert(to_string(league::VoidCause::ruling) == "ruling");
+
+template <>
+inline constexpr std::array<std::string_view, 3> enum_names<league::ReleaseLevel>{"all", "teams",
+                                                                                  "hidden"};
+static_assert(to_string(league::ReleaseLevel::hidden) == "hidden");
 
 template <>
 inline constexpr std::array<std::string_view, 2> enum_names<league::WithdrawnResults>{"keep",

@@ -33,13 +33,16 @@ std::vector<int> numbers_in(system::Files& files, const Folder& folder, const st
 
 }  // namespace
 
-Result<std::string> library_of(system::Files& files, const TeamConfig& team) {
+Result<std::string> library_of(system::Files& files, const TeamConfig& team,
+                               const std::string& base) {
   std::string path = team.source;
   if (path.rfind(house_prefix, 0) == 0) {
     const std::string name = path.substr(house_prefix.size());
     path = system::house_team(name);
     if (path.empty())
       return fail(Errc::input, team.name + ": there is no house team \"" + name + "\"");
+  } else if (!base.empty() && !path.starts_with('/')) {
+    path = base + "/" + path;
   }
   return files.read(path, {.max_size = system::size_limit::entry});
 }
@@ -110,6 +113,28 @@ int last_accepted_entry(system::Files& files, const Folder& folder, const std::s
   return last == numbers.rend() ? 0 : *last;
 }
 
+Result<std::vector<std::string>> adopt_libraries(system::Files& files, const Folder& folder,
+                                                 const LeagueFile& file) {
+  std::vector<std::string> adopted;
+  for (const TeamConfig& team : file.teams) {
+    if (team.hands_in()) continue;
+    const int last = last_entry(files, folder, team.name);
+    if (last > 0 && (!team.is_house() || files.exists(folder.verdict(team.name, last)))) continue;
+    const auto library = library_of(files, team, folder.path);
+    if (!library) return tl::unexpected(library.error());
+    if (last > 0) {
+      const auto before =
+          files.read(folder.library(team.name, last), {.max_size = system::size_limit::entry});
+      if (before && *before == *library) continue;
+    }
+    const int number = next_entry(files, folder, team.name);
+    if (auto added = add_entry(files, folder, team.name, number, *library); !added)
+      return tl::unexpected(added.error());
+    adopted.push_back(team.name);
+  }
+  return adopted;
+}
+
 Result<void> init_folder(system::Files& files, const Folder& folder, const LeagueFile& file) {
   if (files.exists(folder.config())) {
     return fail(Errc::input, folder.path + " is a league already");
@@ -120,6 +145,7 @@ Result<void> init_folder(system::Files& files, const Folder& folder, const Leagu
   }
   if (auto made = files.make_folder(folder.path + "/records"); !made) return made;
   for (const TeamConfig& team : file.teams) {
+    if (team.hands_in()) continue;
     const auto library = library_of(files, team);
     if (!library) return tl::unexpected(library.error());
     if (auto added = add_entry(files, folder, team.name, 1, *library); !added) return added;

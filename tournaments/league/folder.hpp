@@ -19,6 +19,14 @@ struct Folder {
   std::string journal() const { return path + "/journal.jsonl"; }
   std::string lock() const { return path + "/.lock"; }  // held while an event is written
 
+  std::string people() const { return path + "/teams.json"; }  // people.hpp
+
+  // The programs that have played the league, one folder for each (play/program.hpp).
+  std::string programs() const { return path + "/programs"; }
+
+  // What each night tells the teams and the host (publish/digest.hpp); only the host reads it.
+  std::string nights() const { return path + "/nights"; }
+
   // What came in over the network, and the answers (handin/book.hpp).
   std::string hand_in_book() const { return path + "/hand-ins.jsonl"; }
 
@@ -91,8 +99,16 @@ struct Folder {
 Result<void> init_folder(system::Files& files, const Folder& folder, const LeagueFile& file);
 
 // Returns the bytes of the library that a team names: a file, or that of a house team. As in
-// `mirocup check` and `match`, a library is no link.
-Result<std::string> library_of(system::Files& files, const TeamConfig& team);
+// `mirocup check` and `match`, a library is no link. A relative path begins at `base` ("": the
+// working folder).
+Result<std::string> library_of(system::Files& files, const TeamConfig& team,
+                               const std::string& base = "");
+
+// Stores the libraries of teams that league.json names, and that have no entry or, of a house team,
+// another one than that. So teams may be written into the file after `init`. Paths begin at the
+// league's folder. Returns the names of these teams.
+Result<std::vector<std::string>> adopt_libraries(system::Files& files, const Folder& folder,
+                                                 const LeagueFile& file);
 
 // Stores a library in the folder as the entry of that number, with the verdict of its check if it
 // was checked. Its files and folders are closed to other users. entry.json is written last: an

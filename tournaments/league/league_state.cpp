@@ -82,6 +82,7 @@ bool FixtureState::has_begun() const {
 }
 
 bool LeagueState::is_over() const {
+  if (file.format.kind == FormatKind::nightly && !is_closed) return false;
   return is_started && decided_ == needed_;
 }
 
@@ -117,7 +118,7 @@ std::vector<LegResult> LeagueState::results() const {
 
 std::vector<TableRow> LeagueState::table() const {
   TableRules rules = file.table_rules();
-  rules.by_points_per_leg = file.format.kind == FormatKind::ladder;
+  rules.by_points_per_leg = file.format.takes_entries();
   return make_table(all_teams(static_cast<int>(file.teams.size())), results(), rules,
                     stage_reached(*this));
 }

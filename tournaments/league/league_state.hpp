@@ -68,11 +68,14 @@ struct TeamState {
   int strikes = 0;     // number of legs in a row lost by its own faults
 };
 
-// A decision of a person: LegVoided, Ruled, Withdrawn, Paused or Resumed.
+// A decision of a person: LegVoided, Ruled, Withdrawn, Paused, Resumed, Frozen, Closed, Released or
+// Undone.
 struct Decision {
   Event event;
+  int line = 0;           // its number in the journal; 0: not known
+  std::string what = {};  // what it changed, as it was when it was made: "was 2:1"; may be ""
   // The later decision that ended its effect, as an index of LeagueState::decisions: one on the
-  // same leg, a withdrawal that leaves nothing of it, or the end of a pause.
+  // same leg, a withdrawal that leaves nothing of it, the end of a pause, or Undone.
   std::optional<std::size_t> undone_by;
 };
 
@@ -82,8 +85,19 @@ struct LeagueState {
   std::vector<TeamState> teams;        // as in the file
   std::vector<Decision> decisions;     // of persons, in the order of the journal
   bool is_started = false;
+  bool is_closed = false;
   std::string config_sha256;     // of league.json when the league was started
   match::Conditions conditions;  // of its legs, once it has started
+
+  // The program that plays the league, from the last line that names one.
+  ProgramChosen program;
+
+  std::vector<NightBegan> nights;
+  std::optional<std::string> freeze;  // Frozen::from of the last one; nothing: as league.json says
+  Released release;                   // the last one; by default everything is shown
+
+  // The names that pages show, in the order of the teams; empty: those of league.json.
+  std::vector<std::string> shown_names;
 
   // Numbers of the legs that the league needs by present results, and of those that are decided.
   int legs() const { return needed_; }
@@ -97,6 +111,11 @@ struct LeagueState {
   std::optional<int> find_fixture(const std::string& id) const;
   std::optional<int> find_team(const std::string& name) const;
   const std::string& name(int team) const { return file.teams[team].name; }
+
+  // The name by which people know the team.
+  const std::string& shown_name(int team) const {
+    return shown_names.empty() ? name(team) : shown_names[team];
+  }
 
   // All fixtures before this index are decided.
   int first_open() const { return first_open_; }

@@ -4,12 +4,14 @@
 #include "system/digest.hpp"
 #include "system/file_lock.hpp"
 #include "tournaments/league/apply.hpp"
+#include "tournaments/league/people.hpp"
 
 #include <nlohmann/json.hpp>
 
 namespace mirocup::league {
 
-Result<LeagueStore> LeagueStore::open(system::Files& files, Folder folder, std::string* notice) {
+Result<LeagueStore> LeagueStore::open(system::Files& files, Folder folder, std::string* notice,
+                                      Clock clock) {
   if (!files.exists(folder.config())) {
     return fail(Errc::input, folder.path + " is not a league: there is no league.json in it");
   }
@@ -31,14 +33,19 @@ Result<LeagueStore> LeagueStore::open(system::Files& files, Folder folder, std::
   }
   auto state = state_from_journal(std::move(*file), *journal);
   if (!state) return tl::unexpected(state.error());
-  LeagueStore store(std::move(folder), std::move(*journal), std::move(*state));
+  const auto people = read_people(files, folder);
+  if (!people) return tl::unexpected(people.error());
+  state->shown_names = shown_names(state->file, *people);
+  LeagueStore store(std::move(folder), std::move(*journal), std::move(*state), std::move(clock));
   store.applied_ = store.journal_.lines().size();
   return store;
 }
 
 Result<void> LeagueStore::refresh() {
   if (auto read = journal_.refresh(); !read) return read;
-  for (; applied_ < journal_.lines().size(); ++applied_) {
+  const std::size_t lines = journal_.lines().size();
+  if (undone_lines(journal_, lines) != undone_lines(journal_, applied_)) return rebuild();
+  for (; applied_ < lines; ++applied_) {
     const Json& line = journal_.lines()[applied_];
     if (auto applied = apply_line(state_, line, journal_.path()); !applied) return applied;
   }
@@ -50,9 +57,34 @@ Result<void> LeagueStore::write(const Event& event) {
   if (!lock) return tl::unexpected(lock.error());
   if (auto fresh = refresh(); !fresh) return fresh;
   if (auto valid = validate(state_, event); !valid) return valid;
-  const std::string kind(kind_of(event));
-  if (auto written = journal_.append(kind, fields_of(event)); !written) return written;
-  apply(state_, event);
+  if (const auto* undone = std::get_if<Undone>(&event)) {
+    // The league without that decision must be one in which all that followed is possible.
+    auto without = state_from_lines(state_.file, journal_, journal_.lines().size(), undone->line);
+    if (!without) {
+      return fail(Errc::input,
+                  "it cannot be undone, because of what followed: " + without.error().what);
+    }
+    if (auto written = write_line(event); !written) return written;
+    return rebuild();
+  }
+  if (auto written = write_line(event); !written) return written;
+  apply(state_, event, static_cast<int>(journal_.lines().size()));
+  applied_ = journal_.lines().size();
+  return {};
+}
+
+// Every line has the time at which it was written.
+Result<void> LeagueStore::write_line(const Event& event) {
+  Json fields = fields_of(event);
+  if (!fields.contains("at")) fields["at"] = utc_text(clock_());
+  return journal_.append(std::string(kind_of(event)), std::move(fields));
+}
+
+Result<void> LeagueStore::rebuild() {
+  auto state = state_from_journal(state_.file, journal_);
+  if (!state) return tl::unexpected(state.error());
+  state->shown_names = std::move(state_.shown_names);
+  state_ = std::move(*state);
   applied_ = journal_.lines().size();
   return {};
 }

@@ -7,18 +7,25 @@
 // Threads: one at a time.
 #pragma once
 
+#include "system/clock.hpp"
 #include "tournaments/journal/journal.hpp"
 #include "tournaments/league/folder.hpp"
+
+#include <cstdint>
+#include <functional>
 
 namespace mirocup::league {
 
 class LeagueStore {
  public:
+  using Clock = std::function<std::int64_t()>;
+
   // Opens the league in the folder. `notice` may get a sentence that the user should read. `files`
   // must outlive the store. Errors: Errc::input if there is no league, or league.json is wrong or
   // has changed since the start; Errc::damaged if the journal is damaged.
+  // Lines get the time of `clock`, in s since 1970.
   static Result<LeagueStore> open(system::Files& files, Folder folder,
-                                  std::string* notice = nullptr);
+                                  std::string* notice = nullptr, Clock clock = system::now_s);
 
   const LeagueState& state() const { return state_; }
   const Journal& journal() const { return journal_; }
@@ -35,12 +42,19 @@ class LeagueStore {
   Result<void> write(const Event& event);
 
  private:
-  LeagueStore(Folder folder, Journal journal, LeagueState state)
-      : folder_(std::move(folder)), journal_(std::move(journal)), state_(std::move(state)) {}
+  LeagueStore(Folder folder, Journal journal, LeagueState state, Clock clock)
+      : folder_(std::move(folder)),
+        journal_(std::move(journal)),
+        state_(std::move(state)),
+        clock_(std::move(clock)) {}
+
+  Result<void> write_line(const Event& event);
+  Result<void> rebuild();
 
   Folder folder_;
   Journal journal_;
   LeagueState state_;
+  Clock clock_;
   std::size_t applied_ = 0;  // lines
 };
 

@@ -169,7 +169,7 @@ void ScheduleGrowth::team_left(int team, bool annul) {
 }
 
 void ScheduleGrowth::entry_booked(int team) {
-  if (state_.file.format.kind != FormatKind::ladder) return;
+  if (!state_.file.format.takes_entries()) return;
   ++state_.entries_;
   std::vector<int> others;
   for (int other = 0; other < static_cast<int>(state_.teams.size()); ++other) {
@@ -194,7 +194,20 @@ void ScheduleGrowth::entry_booked(int team) {
     f.is_annulled = f.is_annulled || !is_played;
     count(i);
   }
-  add(ladder_fixtures(state_.entries_, team, others, state_.file.format.sample, state_.file.seed));
+  if (state_.file.format.kind == FormatKind::ladder)
+    add(ladder_fixtures(state_.entries_, team, others, state_.file.format.sample,
+                        state_.file.seed));
+  if (!state_.fixtures.empty()) fixture_changed(0);
+}
+
+void ScheduleGrowth::night_began(int number) {
+  if (state_.file.format.kind != FormatKind::nightly) return;
+  std::vector<int> teams;
+  for (int team = 0; team < static_cast<int>(state_.teams.size()); ++team) {
+    const TeamState& s = state_.teams[team];
+    if (s.entry > 0 && s.status == TeamStatus::playing) teams.push_back(team);
+  }
+  add(night_fixtures(number, teams, state_.file.format.opponents));
   if (!state_.fixtures.empty()) fixture_changed(0);
 }
 

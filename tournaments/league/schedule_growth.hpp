@@ -24,6 +24,9 @@ class ScheduleGrowth {
   void team_left(int team, bool annul);
   void entry_booked(int team);
 
+  // To be called when a night has begun, after its entries were booked.
+  void night_began(int number);
+
  private:
   void count(int fixture);
   void give_walkover(int fixture);

@@ -14,17 +14,29 @@ Result<void> write_start(system::Files& files, LeagueStore& store) {
   if (state.is_started) return {};
   const std::string why = objection(state.file.format, static_cast<int>(state.file.teams.size()));
   if (!why.empty()) return fail(Errc::input, store.folder().config() + ": " + why);
+  if (const auto adopted = adopt_libraries(files, store.folder(), state.file); !adopted)
+    return tl::unexpected(adopted.error());
+  const bool is_nightly = state.file.format.kind == FormatKind::nightly;
+  int ready = 0;
   for (const TeamConfig& team : state.file.teams) {
-    if (last_accepted_entry(files, store.folder(), team.name) == 0)
+    if (last_accepted_entry(files, store.folder(), team.name) > 0) {
+      ++ready;
+    } else if (!is_nightly) {
       return fail(Errc::input, team.name + " has no entry that was accepted");
+    }
   }
+  if (ready < 2)
+    return fail(Errc::input, "only " + std::to_string(ready) + " teams have an accepted entry");
   const auto config =
       files.read(store.folder().config(),
                  {.max_size = system::size_limit::league_file, .links = system::Links::followed});
   if (!config) return tl::unexpected(config.error());
+  const record::Software program = record::this_software();
   return store.write(Started{.config_sha256 = system::sha256(*config),
-                             .version = record::software_version(),
-                             .conditions = state.file.conditions.value_or(default_conditions())});
+                             .version = program.version,
+                             .conditions = state.file.conditions.value_or(default_conditions()),
+                             .build = program.build,
+                             .game = program.behaviour_hash});
 }
 
 // Books the entry of each team that has none, and checks the libraries of the others against the
@@ -35,6 +47,8 @@ Result<void> book_entries(system::Files& files, LeagueStore& store) {
     const std::string& team = state.file.teams[i].name;
     const TeamState& booked = state.teams[i];
     if (booked.status == TeamStatus::withdrawn) continue;
+    // A night books the entries of a nightly league.
+    if (booked.entry == 0 && state.file.format.kind == FormatKind::nightly) continue;
     const int number = booked.entry > 0 ? booked.entry : playing_entry(files, store.folder(), team);
     const std::string path = store.folder().library(team, number);
     const auto library = files.read(path, {.max_size = system::size_limit::entry});

@@ -59,11 +59,15 @@ Result<Json> check(system::Files& files, const std::string& library, const Leagu
 
 std::string objection_to(const LeagueState& state, const std::string& team,
                          const std::string& now) {
-  const bool is_ladder = state.file.format.kind == FormatKind::ladder;
+  const bool takes_more = state.file.format.takes_entries();
   const auto known = state.find_team(team);
-  if (!state.file.freeze.empty() && now >= state.file.freeze)
-    return "entries are frozen since " + state.file.freeze;
-  if (state.is_started && !is_ladder) return "entries are frozen: the league has started";
+  // A decision takes the place of what league.json says.
+  if (!state.freeze && !state.file.freeze.empty() && now >= state.file.freeze)
+    return "entries are frozen since " + shown_time(state.file, state.file.freeze);
+  if (state.is_closed) return "the league is closed";
+  if (state.freeze && !state.freeze->empty() && now >= *state.freeze)
+    return "entries are frozen since " + shown_time(state.file, *state.freeze);
+  if (state.is_started && !takes_more) return "entries are frozen: the league has started";
   if (state.is_started && !known) return "there is no team " + team + " in this league";
   if (known && state.teams[*known].status == TeamStatus::withdrawn) return team + " has withdrawn";
   return "";
@@ -105,6 +109,11 @@ std::vector<int> played_entries(const LeagueStore& store, const std::string& tea
     const auto event = read_event(line);
     const auto* booked = event ? std::get_if<EntryBooked>(&*event) : nullptr;
     if (booked != nullptr && booked->team == team) numbers.push_back(booked->entry);
+    const auto* night = event ? std::get_if<NightBegan>(&*event) : nullptr;
+    if (night == nullptr) continue;
+    for (const EntryBooked& entry : night->entries) {
+      if (entry.team == team) numbers.push_back(entry.entry);
+    }
   }
   return numbers;
 }
@@ -237,6 +246,7 @@ Result<void> let_play(system::Files& files, LeagueStore& store, const std::strin
       return added;
   }
   if (!store.state().is_started) return {};
+  if (store.state().file.format.kind == FormatKind::nightly) return {};  // the next night takes it
   // A later one may have been quicker, or this one was booked by a process that died.
   if (store.state().teams[*store.state().find_team(team)].entry >= number) return {};
   // A team that has pinned a version plays on with that.
@@ -495,6 +505,7 @@ Result<std::string> pin_entry(system::Files& files, const Folder& folder, const 
   const int playing = playing_entry(files, folder, team);
   const LeagueState& state = store->state();
   if (!state.is_started || playing == 0) return "";
+  if (state.file.format.kind == FormatKind::nightly) return "";  // the next night takes it
   if (state.teams[*state.find_team(team)].entry == playing) return "";
   const auto library =
       files.read(folder.library(team, playing), {.max_size = system::size_limit::entry});

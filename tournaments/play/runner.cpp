@@ -7,6 +7,9 @@
 #include "system/memory.hpp"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
 
 namespace mirocup::league {
 
@@ -14,6 +17,19 @@ namespace {
 
 // The exits of joiners are ignored: the match server reports the fate of their team.
 constexpr int joiner_tag = -1;
+
+// Free bytes below which nothing can be written any more, not even why.
+constexpr std::uintmax_t least_room = 64u << 10;
+
+// True if a match server has failed because there is no room for its record.
+bool is_disk_full(const std::string& folder, const std::string& said) {
+  for (const int number : {ENOSPC, EDQUOT}) {
+    if (said.find(std::strerror(number)) != std::string::npos) return true;
+  }
+  std::error_code unknown;
+  const auto space = std::filesystem::space(folder, unknown);
+  return !unknown && space.available < least_room;
+}
 
 }  // namespace
 
@@ -191,6 +207,13 @@ Result<void> Runner::finish(Worker& worker, const system::Exit& exit) {
   const LegId leg = *worker.playing;
   worker.playing.reset();
   const std::string record = recorder_.folder().record(leg.fixture, leg.leg, leg.version);
+  const bool has_failed = exit.signal != 0 || exit.code != exit_yes;
+  if (has_failed && is_disk_full(recorder_.folder().path, recorder_.last_output_line(leg))) {
+    // Another attempt would fail as well, and so would the journal's next line.
+    return fail(Errc::unavailable, "the disk is full: " + std::to_string(state().played()) +
+                                       " of " + std::to_string(state().legs()) +
+                                       " legs are played; make room, and the same command goes on");
+  }
   if (exit.signal != 0) {
     return recorder_.book_void(leg,
                                "the match server died of signal " + std::to_string(exit.signal));

@@ -39,7 +39,7 @@ std::string page_of(const LegView& leg, double at = -1.0) {
 }
 
 std::string pair(const Overview& o, const LegView& leg) {
-  return o.state.name(leg.home) + " – " + o.state.name(leg.away);
+  return o.state.shown_name(leg.home) + " – " + o.state.shown_name(leg.away);
 }
 
 std::string score(const LegView& leg) {
@@ -83,7 +83,7 @@ class BestFinder {
 
   std::string team_of(const Goal& goal) const {
     const int team = goal.second->is_home ? goal.first->home : goal.first->away;
-    std::string who = o_.state.name(team);
+    std::string who = o_.state.shown_name(team);
     if (goal.second->is_own_goal) return who + ", own goal of the other team";
     return goal.second->scorer < 0 ? who : who + ", robot " + std::to_string(goal.second->scorer);
   }
@@ -136,7 +136,7 @@ class BestFinder {
     const auto [leg, team] = *best.what;
     bests_.push_back(
         {"Biggest upset", score(*leg),
-         o_.state.name(team) + ", weaker by " + std::to_string(std::lround(best.value)),
+         o_.state.shown_name(team) + ", weaker by " + std::to_string(std::lround(best.value)),
          pair(o_, *leg) + ", " + place_of(*leg), page_of(*leg)});
   }
 
@@ -159,9 +159,9 @@ class BestFinder {
       }
     }
     if (!best.what) return;
-    const std::string& name = o_.state.name(*best.what);
-    bests_.push_back(
-        {title, std::to_string(std::lround(best.value)), name, unit, team_page_of(name)});
+    const std::string& name = o_.state.shown_name(*best.what);
+    bests_.push_back({title, std::to_string(std::lround(best.value)), name, unit,
+                      team_page_of(o_.state.name(*best.what))});
   }
 
   void top_scorer() {
@@ -175,10 +175,10 @@ class BestFinder {
     Largest<std::pair<int, int>> best;
     for (const auto& [robot, count] : goals) best.offer(count, robot);
     if (!best.what) return;
-    const std::string& name = o_.state.name(best.what->first);
+    const std::string& name = o_.state.shown_name(best.what->first);
     bests_.push_back({"Top scorer", std::to_string(std::lround(best.value)) + " goals",
                       name + ", robot " + std::to_string(best.what->second), "",
-                      team_page_of(name)});
+                      team_page_of(o_.state.name(best.what->first))});
   }
 
   void cleanest_team() {
@@ -197,9 +197,9 @@ class BestFinder {
       if (legs[team] > 0) best.offer(-double(fouls[team]) / legs[team], static_cast<int>(team));
     }
     if (!best.what) return;
-    const std::string& name = o_.state.name(*best.what);
+    const std::string& name = o_.state.shown_name(*best.what);
     bests_.push_back({"Cleanest team", one_digit(std::abs(best.value)), name, "fouls a leg",
-                      team_page_of(name)});
+                      team_page_of(o_.state.name(*best.what))});
   }
 
   const Overview& o_;
@@ -263,7 +263,7 @@ Excitement excitement(const Overview& o, const LegView& leg) {
     const int other = team == leg.home ? leg.away : leg.home;
     const double weaker = o.ratings.strengths[other].value - o.ratings.strengths[team].value;
     if (leg.letter(team) == 'W' && weaker >= upset)
-      e.add(static_cast<int>(weaker / upset), o.state.name(team) + " was the weaker team");
+      e.add(static_cast<int>(weaker / upset), o.state.shown_name(team) + " was the weaker team");
   }
   if (goals >= 4) e.add(0, std::to_string(goals) + " goals");
   if (e.why.empty()) e.why = apart == 0 ? "a draw" : "a close leg";

@@ -90,7 +90,7 @@ class BracketPicture {
   }
 
   std::string name_of(int team) const {
-    return team >= 0 ? state_.name(team) : team == unknown_team ? "" : "–";
+    return team >= 0 ? state_.shown_name(team) : team == unknown_team ? "" : "–";
   }
 
   static const char* style_of(int team, const TieOutcome& o) {

@@ -12,7 +12,8 @@ std::string leg_in_words(const LeagueState& state, const OfLeg& e) {
   const auto index = state.find_fixture(e.fixture);
   if (!index) return words;
   const Fixture& f = state.fixtures[*index].fixture;
-  return f.has_both() ? words + ", " + state.name(f.home) + " – " + state.name(f.away) : words;
+  return f.has_both() ? words + ", " + state.shown_name(f.home) + " – " + state.shown_name(f.away)
+                      : words;
 }
 
 struct DecisionWriter {
@@ -34,6 +35,28 @@ struct DecisionWriter {
   }
 
   DecisionView operator()(const Paused& e) const { return signed_by(e, e.team + " paused"); }
+
+  DecisionView operator()(const Frozen& e) const {
+    return signed_by(e, e.from.empty()
+                            ? "entries are taken again"
+                            : "no entry is taken from " + shown_time(state.file, e.from));
+  }
+
+  DecisionView operator()(const Closed& e) const { return signed_by(e, "the league is closed"); }
+
+  DecisionView operator()(const Released& e) const {
+    return signed_by(e, "pages show " + (!e.through.empty() ? "the rounds through " + e.through
+                                         : e.level == ReleaseLevel::all ? "every round"
+                                                                        : "no round"));
+  }
+
+  DecisionView operator()(const Undone& e) const {
+    for (std::size_t i = 0; i < state.decisions.size(); ++i) {
+      if (state.decisions[i].line == e.line)
+        return signed_by(e, "decision " + std::to_string(i + 1) + " is undone");
+    }
+    return signed_by(e, "a decision is undone");
+  }
 
   DecisionView operator()(const Resumed& e) const { return signed_by(e, e.team + " plays on"); }
 
@@ -58,6 +81,7 @@ std::string undoing_in_words(const Event& by, int number) {
   const std::string which = " by " + std::to_string(number);
   if (const auto* left = std::get_if<Withdrawn>(&by))
     return "covered" + which + ", " + left->team + " has withdrawn";
+  if (std::holds_alternative<Undone>(by)) return "undone" + which;
   return (std::holds_alternative<Resumed>(by) ? "ended" : "overruled") + which;
 }
 
@@ -68,6 +92,7 @@ std::vector<DecisionView> decision_views(const LeagueState& state) {
   for (const Decision& decision : state.decisions) {
     DecisionView view = std::visit(DecisionWriter{state}, decision.event);
     view.number = static_cast<int>(views.size()) + 1;
+    if (!decision.what.empty()) view.what += " (" + decision.what + ")";
     if (decision.undone_by) {
       view.undone_by = static_cast<int>(*decision.undone_by) + 1;
       view.undoing = undoing_in_words(state.decisions[*decision.undone_by].event, view.undone_by);

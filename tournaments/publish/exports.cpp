@@ -107,20 +107,6 @@ std::string decisions_csv(const LeagueState& state) {
   return text;
 }
 
-Json decisions_json(const LeagueState& state) {
-  Json decisions = Json::array();
-  for (const DecisionView& d : decision_views(state)) {
-    decisions.push_back({{"number", d.number},
-                         {"at", or_null(d.at)},
-                         {"by", or_null(d.by)},
-                         {"kind", d.kind},
-                         {"what", d.what},
-                         {"why", d.why},
-                         {"undone_by", d.undone_by == 0 ? Json() : Json(d.undone_by)}});
-  }
-  return {{"title", state.file.title}, {"decisions", decisions}};
-}
-
 Json crosstable_json(const Overview& o) {
   const Meetings met = meetings(o);
   Json teams = Json::array();
@@ -135,6 +121,20 @@ Json crosstable_json(const Overview& o) {
 }
 
 }  // namespace
+
+std::string decisions_json(const LeagueState& state) {
+  Json decisions = Json::array();
+  for (const DecisionView& d : decision_views(state)) {
+    decisions.push_back({{"number", d.number},
+                         {"at", or_null(d.at)},
+                         {"by", or_null(d.by)},
+                         {"kind", d.kind},
+                         {"what", d.what},
+                         {"why", d.why},
+                         {"undone_by", d.undone_by == 0 ? Json() : Json(d.undone_by)}});
+  }
+  return record::json_text(Json{{"title", state.file.title}, {"decisions", decisions}}, 1);
+}
 
 Meetings meetings(const Overview& o) {
   const std::size_t teams = o.state.file.teams.size();
@@ -188,7 +188,7 @@ std::vector<SiteFile> exports(const Overview& o) {
           {"crosstable.json", record::json_text(crosstable_json(o), 1) + "\n"},
           {"bracket.json", record::json_text(bracket_json(o.state), 1) + "\n"},
           {"legs.json", record::json_text(legs_json(o), 1) + "\n"},
-          {"decisions.json", record::json_text(decisions_json(o.state), 1) + "\n"},
+          {"decisions.json", decisions_json(o.state) + "\n"},
           {"table.csv", table_csv(o)},
           {"legs.csv", legs_csv(o)},
           {"decisions.csv", decisions_csv(o.state)}};

@@ -15,6 +15,9 @@ namespace mirocup::league {
 // decisions.csv.
 std::vector<SiteFile> exports(const Overview& overview);
 
+// The content of decisions.json, as text.
+std::string decisions_json(const LeagueState& state);
+
 // The content of table.json.
 Json table_json(const Overview& overview);
 

@@ -155,7 +155,7 @@ Json decisions_values(const LeagueState& state) {
   Json decisions = Json::array();
   for (const DecisionView& d : decision_views(state)) {
     decisions.push_back({{"number", d.number},
-                         {"at", d.at},
+                         {"at", d.at.empty() ? "" : shown_time(state.file, d.at)},
                          {"by", d.by},
                          {"what", d.what},
                          {"why", d.why},
@@ -234,6 +234,7 @@ std::string front_html(const SiteContent& c) {
   values["has_crosstable_page"] =
       teams > max_front_crosstable_teams && teams <= max_crosstable_teams;
   values["decisions"] = decisions_values(o.state);
+  values["night"] = c.has_night;
   return filled_page("index.html", values);
 }
 

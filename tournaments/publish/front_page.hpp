@@ -18,6 +18,7 @@ struct SiteContent {
   const LegReports& reports;
   std::vector<RoundView> rounds;
   StrengthHistory history;
+  bool has_night = false;  // true: night.html and feed.xml are made
 };
 
 std::string front_html(const SiteContent& content);

@@ -48,20 +48,59 @@ Result<Marks> read_marks(std::string_view text, const std::string& path) {
   return marks;
 }
 
+// Returns the house teams that a team has beaten, in the order of the league.
+std::string house_teams_beaten(const Overview& o, int team) {
+  std::string names;
+  for (int other = 0; other < static_cast<int>(o.state.file.teams.size()); ++other) {
+    if (other == team || !o.state.file.teams[other].is_house()) continue;
+    int ahead = 0;
+    for (const LegView& leg : o.legs) {
+      if (!leg.is_of(team) || !leg.is_of(other) || leg.played == nullptr || leg.is_annulled)
+        continue;
+      const LegResult& result = leg.played->result;
+      if (leg.home == team ? !result.counts_for_home : !result.counts_for_away) continue;
+      const char letter = leg.letter(team);
+      ahead += letter == 'W' ? 1 : letter == 'L' ? -1 : 0;
+    }
+    if (ahead > 0) names += (names.empty() ? "" : " ") + o.state.name(other);
+  }
+  return names;
+}
+
+std::string joined(const std::vector<std::string>& members) {
+  std::string text;
+  for (const std::string& member : members) text += (text.empty() ? "" : "; ") + member;
+  return text;
+}
+
 }  // namespace
 
-Result<SiteFile> grades(const Overview& o, std::string_view drills_csv, const std::string& path) {
-  const auto marks = read_marks(drills_csv, path);
+Result<SiteFile> grades(const Overview& o, const PeopleOfTeams& people, std::string_view drills_csv,
+                        const std::string& path) {
+  const auto marks = path.empty() ? Result<Marks>(Marks{}) : read_marks(drills_csv, path);
   if (!marks) return tl::unexpected(marks.error());
-  std::vector<std::string> cells{"rank", "team", "points", "strength"};
+  std::vector<std::string> cells{"rank",     "team",         "points",        "played",
+                                 "strength", "strength_low", "strength_high", "house_beaten",
+                                 "display",  "members"};
   cells.insert(cells.end(), marks->drills.begin(), marks->drills.end());
   std::string text = system::csv_line(cells);
-  bool any_is_known = false;
+  bool any_is_known = path.empty();
   for (std::size_t i = 0; i < o.table.size(); ++i) {
     const TableRow& row = o.table[i];
     const std::string& team = o.state.name(row.team);
-    cells = {std::to_string(i + 1), team, std::to_string(row.points),
-             std::to_string(std::lround(o.ratings.strengths[row.team].value))};
+    const Strength& strength = o.ratings.strengths[row.team];
+    const auto known = people.find(team);
+    const People who = known != people.end() ? known->second : People();
+    cells = {std::to_string(i + 1),
+             team,
+             std::to_string(row.points),
+             std::to_string(row.played),
+             std::to_string(std::lround(strength.value)),
+             std::to_string(std::lround(strength.low)),
+             std::to_string(std::lround(strength.high)),
+             house_teams_beaten(o, row.team),
+             who.display,
+             joined(who.members)};
     const auto of_team = marks->of_team.find(team);
     any_is_known = any_is_known || of_team != marks->of_team.end();
     for (const std::string& drill : marks->drills) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/error.hpp"
+#include "tournaments/league/people.hpp"
 #include "tournaments/publish/leg_view.hpp"
 #include "tournaments/publish/site_file.hpp"
 
@@ -12,11 +13,17 @@
 
 namespace mirocup::league {
 
-// Returns grades.csv: a line for each team of the table, with its score in each drill and in all of
-// them. `drills_csv` is the output of `mirocup drill … --csv`, read from `path`; a team is found by
-// its name, and has empty cells where there is no mark. An error is Errc::input: a text that is not
-// such an output, or one in which no team of the league is named.
-Result<SiteFile> grades(const Overview& overview, std::string_view drills_csv,
-                        const std::string& path);
+// Returns grades.csv, a line for each team of the table:
+//   rank, team, points, played           as in table.csv
+//   strength, strength_low, strength_high  with the ends of the interval
+//   house_beaten                         the house teams against which it has won more legs than
+//                                        it has lost, of those that count
+//   display, members                     the names in teams.json; members are separated by "; "
+// and then its score in each drill and in all of them. `drills_csv` is the output of `mirocup drill
+// … --csv`, read from `path`, "" for none; a team is found by its name, and has empty cells where
+// there is no mark. An error is Errc::input: a text that is not such an output, or one in which no
+// team of the league is named.
+Result<SiteFile> grades(const Overview& overview, const PeopleOfTeams& people,
+                        std::string_view drills_csv, const std::string& path);
 
 }  // namespace mirocup::league

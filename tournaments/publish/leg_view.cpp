@@ -71,6 +71,31 @@ char LegView::letter(int team) const {
   return goals(team) == goals_against(team) ? 'D' : 'W';
 }
 
+namespace {
+
+// Fits the strengths. Where entries are replaced, the legs of the former ones of a team are those
+// of another player, so that a strength is that of the entry that plays now.
+Ratings rate_present(const LeagueState& state, std::vector<FixtureResults> fixtures) {
+  const int teams = static_cast<int>(state.file.teams.size());
+  bool any_is_past = false;
+  for (FixtureResults& legs : fixtures) {
+    for (LegResult& leg : legs) {
+      any_is_past = any_is_past || !leg.counts_for_home || !leg.counts_for_away;
+      if (!leg.counts_for_home) leg.home += teams;
+      if (!leg.counts_for_away) leg.away += teams;
+    }
+  }
+  if (!any_is_past) return rate(teams, fixtures);
+  Ratings all = rate(2 * teams, fixtures);
+  all.strengths.resize(teams);
+  double mean = 0.0;
+  for (const Strength& s : all.strengths) mean += s.value / teams;
+  for (Strength& s : all.strengths) s = {s.value - mean, s.low - mean, s.high - mean};
+  return all;
+}
+
+}  // namespace
+
 Overview overview(const LeagueState& state, const FactsOfLegs& facts) {
   Overview o{state, state.table(), {}, {}};
   std::vector<FixtureResults> results;
@@ -94,12 +119,14 @@ Overview overview(const LeagueState& state, const FactsOfLegs& facts) {
     }
     if (!fixture.empty()) results.push_back(std::move(fixture));
   }
-  o.ratings = rate(static_cast<int>(state.file.teams.size()), results);
+  o.ratings = rate_present(state, std::move(results));
   return o;
 }
 
 std::string round_in_words(const LeagueState& state, const Fixture& fixture) {
   const std::string round = "round " + std::to_string(fixture.round);
+  if (state.file.format.kind == FormatKind::nightly)
+    return "Night " + std::to_string(fixture.round);
   if (fixture.part == Part::table) return "R" + round.substr(1);
   if (fixture.part == Part::group) return "Group " + std::to_string(fixture.group) + ", " + round;
   const int left = last_knockout_round(state) - fixture.round;
@@ -113,7 +140,7 @@ std::string round_in_words(const LeagueState& state, const Fixture& fixture) {
 std::string end_in_words(const LeagueState& state, const PlayedLeg& leg) {
   std::string words(end_words[static_cast<std::size_t>(leg.end)]);
   if (leg.end == LegEnd::shoot_out && leg.winner >= 0) {
-    words += ", won by " + state.name(leg.winner);
+    words += ", won by " + state.shown_name(leg.winner);
   }
   if (leg.fault) words += ": " + leg.fault->summary();
   if (!leg.ruling.empty()) words += "; ruling: " + leg.ruling;

@@ -69,7 +69,7 @@ Json page_values(const Overview& o, const std::string& root, const std::string& 
 }
 
 Json team_values(const Overview& o, int team, const std::string& root) {
-  return {{"name", o.state.name(team)},
+  return {{"name", o.state.shown_name(team)},
           {"page", root + team_page_of(o.state.name(team))},
           {"index", team}};
 }
@@ -129,8 +129,8 @@ Json leg_values(const Overview& o, const LegView& leg, const std::string& root,
                 const std::string& why) {
   return {{"score", score_text(leg, leg.home)},
           {"page", leg.has_replay() ? root + replay_page_of(leg.played->record) : ""},
-          {"home", o.state.name(leg.home)},
-          {"away", o.state.name(leg.away)},
+          {"home", o.state.shown_name(leg.home)},
+          {"away", o.state.shown_name(leg.away)},
           {"where", leg.round + ", leg " + std::to_string(leg.leg)},
           {"why", why}};
 }
@@ -159,9 +159,10 @@ Json strength_values(const Overview& o, int team) {
 Json filter_values(const Overview& o) {
   std::vector<int> teams = all_teams(static_cast<int>(o.state.file.teams.size()));
   std::sort(teams.begin(), teams.end(),
-            [&o](int a, int b) { return o.state.name(a) < o.state.name(b); });
+            [&o](int a, int b) { return o.state.shown_name(a) < o.state.shown_name(b); });
   Json names = Json::array();
-  for (const int team : teams) names.push_back({{"name", o.state.name(team)}, {"index", team}});
+  for (const int team : teams)
+    names.push_back({{"name", o.state.shown_name(team)}, {"index", team}});
   return names;
 }
 

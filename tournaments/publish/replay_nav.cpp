@@ -18,7 +18,7 @@ constexpr std::string_view end_mark = "<!--/league-->";
 Json link_to(const Overview& o, const LegView* leg) {
   if (leg == nullptr) return false;
   return {{"page", "../" + replay_page_of(leg->played->record)},
-          {"pair", o.state.name(leg->home) + " – " + o.state.name(leg->away)}};
+          {"pair", o.state.shown_name(leg->home) + " – " + o.state.shown_name(leg->away)}};
 }
 
 // The fixture of a record, "records/r1-f2-1-1.json" of "r1-f2", also of an attempt that is void.

@@ -4,6 +4,7 @@
 #include "server/web/design/template.hpp"
 #include "tournaments/publish/exports.hpp"
 #include "tournaments/publish/front_page.hpp"
+#include "tournaments/publish/night_pages.hpp"
 #include "tournaments/publish/page_values.hpp"
 #include "tournaments/publish/team_page.hpp"
 
@@ -37,10 +38,12 @@ std::string table_text(const LeagueState& state) {
 }
 
 std::vector<SiteFile> make_site(const LeagueState& state, const LegReports& reports,
-                                const FactsOfLegs& facts) {
+                                const FactsOfLegs& facts, const Night* night,
+                                const std::string& feed) {
   const Overview o = overview(state, facts);
   SiteContent content{o, reports, rounds_of(o), {}};
   content.history = strength_history(o, content.rounds);
+  content.has_night = night != nullptr;
   std::vector<SiteFile> files{{"index.html", front_html(content)}};
   files.push_back({"style.css", std::string(web::design_file("design.css")) +
                                     std::string(page_file("site.css"))});
@@ -53,6 +56,10 @@ std::vector<SiteFile> make_site(const LeagueState& state, const LegReports& repo
     files.push_back({"crosstable.html", std::move(crosstable)});
   for (int team = 0; team < static_cast<int>(state.file.teams.size()); ++team)
     files.push_back({team_page_of(state.name(team)), team_html(content, team)});
+  if (night != nullptr) {
+    for (SiteFile& file : night_pages(o, *night)) files.push_back(std::move(file));
+  }
+  if (!feed.empty()) files.push_back({"feed.xml", feed});
   return files;
 }
 

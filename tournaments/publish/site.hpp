@@ -7,6 +7,7 @@
 
 #include "tournaments/publish/league_statistics.hpp"
 #include "tournaments/publish/leg_view.hpp"
+#include "tournaments/publish/night.hpp"
 #include "tournaments/publish/site_file.hpp"
 
 #include <string>
@@ -19,8 +20,10 @@ namespace mirocup::league {
 // statistics_exports(). `reports` and `facts` are of the legs that were played; pages say less
 // without them. Replay pages, and with them the statistics of each leg, are made by
 // make_replay_pages().
+// `night`, if not null, adds night.html and digests/; `feed`, if not "", is feed.xml.
 std::vector<SiteFile> make_site(const LeagueState& state, const LegReports& reports = {},
-                                const FactsOfLegs& facts = no_facts);
+                                const FactsOfLegs& facts = no_facts, const Night* night = nullptr,
+                                const std::string& feed = "");
 
 // Returns the table as lines of text for a terminal.
 std::string table_text(const LeagueState& state);

@@ -3,6 +3,7 @@
 
 #include "server/record/match_record.hpp"
 #include "tournaments/league/apply.hpp"
+#include "tournaments/league/decisions.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -49,32 +50,52 @@ int leg_of(const Event& event) {
       event);
 }
 
+// Returns the round of a league with that name.
+Result<Round> find_round(const LeagueState& whole, const std::string& name) {
+  const auto round = round_named(name);
+  const bool exists =
+      round && std::any_of(whole.fixtures.begin(), whole.fixtures.end(),
+                           [&](const FixtureState& f) { return Round::of(f.fixture) == *round; });
+  if (exists) return *round;
+  return fail(Errc::input, "there is no round " + name + "; r3-f1 is a fixture of round r3");
+}
+
 // Returns the state after the rounds before `last` and those legs of it for which shows(fixture,
 // leg) is true.
 template <class Shows>
-Result<LeagueState> state_up_to(const LeagueState& whole, const Journal& journal,
-                                const std::string& round, Shows shows) {
-  const auto last = round_named(round);
-  const bool exists =
-      last && std::any_of(whole.fixtures.begin(), whole.fixtures.end(),
-                          [&](const FixtureState& f) { return Round::of(f.fixture) == *last; });
-  if (!exists)
-    return fail(Errc::input, "there is no round " + round + "; r3-f1 is a fixture of round r3");
+Result<LeagueState> state_up_to(const LeagueState& whole, const Journal& journal, Round last,
+                                Shows shows) {
   LeagueState state = new_league(whole.file);
+  state.shown_names = whole.shown_names;
+  const std::set<int> undone = undone_lines(journal, journal.lines().size());
   for (const Json& line : journal.lines()) {
     const auto event = read_event(line);
     if (!event) return fail(Errc::damaged, journal.path() + ": " + event.error().what);
+    if (const auto* night = std::get_if<NightBegan>(&*event)) {
+      const bool is_nightly = whole.file.format.kind == FormatKind::nightly;
+      if (is_nightly && night->number > last.number) continue;
+    }
+    const int number = line.value("n", 0);
     if (const std::string* id = fixture_of(*event); id != nullptr) {
       // An unknown fixture follows from one that is left out.
       const auto index = state.find_fixture(*id);
       if (!index) continue;
       const Round of = Round::of(state.fixtures[*index].fixture);
-      if (of.is_after(*last) || (of == *last && !shows(*id, leg_of(*event)))) continue;
+      if (of.is_after(last) || (of == last && !shows(*id, leg_of(*event)))) continue;
+    }
+    if (undone.contains(number) && is_of_person(*event)) {
+      note_undone_decision(state, *event, number);
+      continue;
+    }
+    if (const auto* e = std::get_if<Undone>(&*event)) {
+      const bool is_known = std::any_of(state.decisions.begin(), state.decisions.end(),
+                                        [e](const Decision& d) { return d.line == e->line; });
+      if (!is_known) continue;  // a decision on a later round
     }
     if (const auto valid = validate(state, *event); !valid) {
-      return fail(Errc::input, round + " cannot be shown alone: " + valid.error().what);
+      return fail(Errc::input, "the rounds cannot be shown alone: " + valid.error().what);
     }
-    apply(state, *event);
+    apply(state, *event, number);
   }
   return state;
 }
@@ -83,13 +104,21 @@ Result<LeagueState> state_up_to(const LeagueState& whole, const Journal& journal
 
 Result<LeagueState> state_through(const LeagueState& whole, const Journal& journal,
                                   const std::string& round) {
-  return state_up_to(whole, journal, round, [](const std::string&, int) { return true; });
+  return find_round(whole, round).and_then([&](Round last) {
+    return state_up_to(whole, journal, last, [](const std::string&, int) { return true; });
+  });
+}
+
+Result<LeagueState> state_before_rounds(const LeagueState& whole, const Journal& journal) {
+  return state_up_to(whole, journal, {}, [](const std::string&, int) { return false; });
 }
 
 Result<LeagueState> state_with_legs(const LeagueState& whole, const Journal& journal,
                                     const std::string& round, const std::set<LegName>& legs) {
-  return state_up_to(whole, journal, round, [&legs](const std::string& fixture, int leg) {
-    return legs.contains({fixture, leg});
+  return find_round(whole, round).and_then([&](Round last) {
+    return state_up_to(whole, journal, last, [&legs](const std::string& fixture, int leg) {
+      return legs.contains({fixture, leg});
+    });
   });
 }
 

@@ -19,6 +19,9 @@ namespace mirocup::league {
 Result<LeagueState> state_through(const LeagueState& whole, const Journal& journal,
                                   const std::string& round);
 
+// The same without any round.
+Result<LeagueState> state_before_rounds(const LeagueState& whole, const Journal& journal);
+
 // A leg of the league: the id of its fixture and its number, from 1.
 using LegName = std::pair<std::string, int>;
 

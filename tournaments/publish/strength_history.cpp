@@ -69,9 +69,10 @@ class Chart {
 
  private:
   std::string label() const {
-    return highlighted_ >= 0 ? "Strength of " + system::html_escaped(o_.state.name(highlighted_)) +
-                                   " after each round, with its 95 % interval"
-                             : std::string("Strength of each team after each round");
+    return highlighted_ >= 0
+               ? "Strength of " + system::html_escaped(o_.state.shown_name(highlighted_)) +
+                     " after each round, with its 95 % interval"
+               : std::string("Strength of each team after each round");
   }
 
   int x(std::size_t round) const {
@@ -112,7 +113,7 @@ class Chart {
     for (std::size_t round = 0; round < history_.after.size(); ++round)
       path += (round == 0 ? "M" : "L") + point(round, value(round, team));
     return "<path class=\"" + css + "\" d=\"" + path + "\"><title>" +
-           system::html_escaped(o_.state.name(team)) + "</title></path>\n";
+           system::html_escaped(o_.state.shown_name(team)) + "</title></path>\n";
   }
 
   std::string band(int team) const {
@@ -151,7 +152,7 @@ class Chart {
     for (const Label& label : labels) {
       const std::string css = "c" + std::to_string(label.rank);
       const int team = o_.table[label.rank].team;
-      std::string name = o_.state.name(team);
+      std::string name = o_.state.shown_name(team);
       if (name.size() > 16) name = name.substr(0, 15) + "…";
       svg += "<circle class=\"" + css + "\" cx=\"" + std::to_string(width - right + 12) +
              "\" cy=\"" + std::to_string(label.y) + "\" r=\"4\"/><text x=\"" +

@@ -151,7 +151,7 @@ std::string team_html(const SiteContent& c, int team) {
   const auto row = std::find_if(o.table.begin(), o.table.end(),
                                 [team](const TableRow& r) { return r.team == team; });
   const TeamState& now = o.state.teams[team];
-  Json values = page_values(o, "../", o.state.name(team));
+  Json values = page_values(o, "../", o.state.shown_name(team));
   values["rank"] = row - o.table.begin() + 1;
   values["teams"] = o.table.size();
   values["points"] = row->points;

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <map>
 #include <set>
@@ -56,6 +57,32 @@ TEST(FixtureSeed, DependsOnTheLeagueAndWhoPlays) {
   EXPECT_NE(fixture_seed(5, f), fixture_seed(5, Fixture{1, 1, 1, 0}));
   EXPECT_NE(fixture_seed(5, f), fixture_seed(5, Fixture{2, 1, 0, 1}));
   EXPECT_LT(fixture_seed(5, f), 1ULL << 53);
+}
+
+// Catches a pair that never meets in the nights, a team that plays twice as often as another, and
+// two fixtures of a night with one number.
+TEST(Night, LetsEveryPairMeetEquallyOften) {
+  const std::vector<int> teams{1, 3, 4, 6, 7, 9};
+  for (const int opponents : {0, 1, 2, 5, 50}) {
+    std::map<std::pair<int, int>, int> met;
+    const int nights = 5;  // a multiple of all cycles
+    for (int night = 1; night <= nights; ++night) {
+      std::map<int, int> played;
+      std::set<std::string> ids;
+      for (const Fixture& f : night_fixtures(night, teams, opponents)) {
+        EXPECT_TRUE(ids.insert(f.id()).second);
+        EXPECT_EQ(f.round, night);
+        ++played[f.home];
+        ++played[f.away];
+        ++met[std::minmax(f.home, f.away)];
+      }
+      for (const int team : teams)
+        EXPECT_EQ(played[team], opponents == 0 ? 5 : std::min(opponents, 5)) << opponents;
+    }
+    EXPECT_EQ(met.size(), 15u) << opponents;
+    for (const auto& [pair, count] : met) EXPECT_EQ(count, met.begin()->second) << opponents;
+  }
+  EXPECT_TRUE(night_fixtures(1, {4}, 0).empty());
 }
 
 }  // namespace

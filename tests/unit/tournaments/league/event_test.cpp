@@ -40,7 +40,15 @@ const std::vector<const char*> line_texts{
     R"({"n":1,"kind":"withdraw","results":"keep","team":"a","why":"left",)"
     R"("at":"2026-11-30T18:00:00Z"})",
     R"({"n":1,"kind":"pause","team":"a","why":"w","at":"2026-11-30T18:00:00Z"})",
-    R"({"n":1,"kind":"resume","team":"a","why":"","at":"2026-11-30T18:00:00Z"})"};
+    R"({"n":1,"kind":"resume","team":"a","why":"","at":"2026-11-30T18:00:00Z"})",
+    R"({"n":1,"kind":"pause","team":"a","cause":"strikes","why":"w"})",
+    R"({"n":1,"kind":"night","number":2,"entries":[{"team":"a","entry":2,"sha256":"9f"}],)"
+    R"("at":"2026-11-30T18:00:00Z"})",
+    R"({"n":1,"kind":"freeze","from":"2026-11-30T18:00:00Z","why":"w","by":"H"})",
+    R"({"n":1,"kind":"close","why":"w","by":"H"})",
+    R"({"n":1,"kind":"release","level":"teams","through":"r3","why":"w"})",
+    R"({"n":1,"kind":"undo","line":7,"why":"w","by":"H"})",
+    R"({"n":1,"kind":"program","version":"0.2.0","build":"g++","game":"5f"})"};
 
 std::string error_of_line(const Json& line) {
   const auto event = read_event(line);

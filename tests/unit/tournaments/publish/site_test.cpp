@@ -194,11 +194,11 @@ TEST(Decisions, AreListedWithWhatBecameOfThem) {
   const std::vector<std::string> lines{
       "number,at,by,kind,what,why,undone_by",
       "1," + at + ",<i>H</i>,ruling,\"" + leg + "2" + teams +
-          "999999:0\",\"<b>too much</b>, \"\"quoted\"\"\",2",
-      "2,,,ruling,\"" + leg + "2" + teams + "0:0\",a typing error,",
-      "3," + at + ",H,void,\"" + leg + "1" + teams + again + "\",cable fault,",
-      "4," + at + ",H,void,\"" + leg + "1" + teams + again + "\",oops,",
-      "5," + at + ",H,void,\"" + other + again + "\",a person on the field,8",
+          "999999:0 (was 2:2)\",\"<b>too much</b>, \"\"quoted\"\"\",2",
+      "2,,,ruling,\"" + leg + "2" + teams + "0:0 (was 999999:0)\",a typing error,",
+      "3," + at + ",H,void,\"" + leg + "1" + teams + again + " (was 2:1)\",cable fault,",
+      "4," + at + ",H,void,\"" + leg + "1" + teams + again + " (was 1:0)\",oops,",
+      "5," + at + ",H,void,\"" + other + again + " (was 3:1)\",a person on the field,8",
       "6," + at + ",,resume," + leaver + " plays on,,",
       "7," + at + ",,pause," + leaver + " paused,asked,8",
       "8,,,withdraw,\"" + leaver + " withdrawn, its results stay\",left,"};

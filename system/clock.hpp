@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+//
+// The wall clock, and times as texts in UTC and in a time zone.
+#pragma once
+
+#include "core/base/error.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace mirocup::system {
+
+// Returns the time in seconds since 1970. The environment variable MIROCUP_CLOCK_OFFSET moves it by
+// that number of seconds, so that a term can be rehearsed in minutes.
+std::int64_t now_s();
+
+// Returns a time, in seconds since 1970, as "2026-11-30T18:00:00Z".
+std::string utc_text(std::int64_t at);
+
+// Reads a date and a time: "2026-11-30T18:00:00Z", or with an offset in place of the Z,
+// "2026-11-30T19:00:00+01:00". Without either, `is_local` is true and the number is as if it were
+// UTC. Returns nothing if it is no such text, or no day of the calendar.
+struct ParsedTime {
+  std::int64_t at = 0;  // s since 1970
+  bool is_local = false;
+};
+std::optional<ParsedTime> parse_time(std::string_view text);
+
+// A time zone of the computer's database (tzdata). A copy is cheap.
+class TimeZone {
+ public:
+  TimeZone() = default;  // UTC
+
+  // Finds a zone by its name, "Europe/Berlin". Errors: Errc::input if the computer has none of that
+  // name.
+  static Result<TimeZone> find(const std::string& name);
+
+  // Returns the seconds by which local time is ahead of UTC at a time, and what that is called:
+  // "CET".
+  struct Offset {
+    int seconds = 0;
+    std::string name = "UTC";
+  };
+  Offset at(std::int64_t time) const;
+
+  // Returns "2026-11-30 19:00 CET".
+  std::string text(std::int64_t time) const;
+  std::string date(std::int64_t time) const;  // "2026-11-30"
+
+  // Returns the time at which clocks in the zone show that: of two, the first; in a gap, the time
+  // after it.
+  std::int64_t from_local(std::int64_t shown) const;
+
+ private:
+  struct Table;
+  std::shared_ptr<const Table> table_;  // null: UTC
+};
+
+// Returns a time of the journal as people of the zone read it: "2026-11-30 19:00 CET"; what is no
+// time stays as it is.
+std::string in_zone(const TimeZone& zone, const std::string& utc);
+
+}  // namespace mirocup::system

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+//
+// Copies of a league that is being played, a disk that is full, and teams that are written into
+// league.json by hand. MIROCUP_BACKUPS=50 build/league_tests --gtest_filter='Backup.*' takes many
+// copies. Catches a copy whose journal names what it does not have, a league that tries each leg
+// again on a full disk, a house team that cannot be added.
+#include "tests/programs/league/league_command.hpp"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <random>
+#include <sys/mount.h>
+#include <unistd.h>
+
+namespace mirocup {
+namespace {
+
+namespace fs = std::filesystem;
+
+using test_support::count_kind;
+using test_support::expect_same_site;
+using test_support::house;
+using test_support::init_league;
+using test_support::league;
+using test_support::Outcome;
+using test_support::program;
+using test_support::read_file;
+using test_support::read_json;
+using test_support::run;
+using test_support::Running;
+using test_support::TemporaryFolder;
+using test_support::write_file;
+
+const std::vector<std::string> backup_teams{"a=house:chaser", "b=house:keeper", "c=house:striker",
+                                            "d=house:idle"};
+
+TEST(Backup, OfALeagueThatIsPlayedEndsWithTheSamePages) {
+  const char* wanted = std::getenv("MIROCUP_BACKUPS");
+  const int most = wanted != nullptr ? std::atoi(wanted) : 3;
+  const TemporaryFolder temporary;
+  const std::string whole = temporary / "whole/l";
+  init_league(whole, backup_teams, "10");
+  std::mt19937 random(5);
+  int taken = 0;
+  // Each play gives some moments; the copies of one are updates of the copy before.
+  for (int play = 0; taken < most; ++play) {
+    const std::string folder = temporary / ("play" + std::to_string(play) + "/l");
+    const std::string copy = temporary / ("copy" + std::to_string(play) + "/l");
+    init_league(folder, backup_teams, "10");
+    Running running(league("start", folder, {"--jobs", "2"}));
+    ASSERT_TRUE(test_support::wait_until_it_plays(folder));
+    for (int i = 0; i < 3 && taken < most; ++i, ++taken) {
+      usleep(static_cast<useconds_t>(random() % 700'000));
+      const Outcome backup = run(league("backup", folder, {copy}));
+      ASSERT_EQ(backup.exit_code, 0) << backup.err;
+      const std::string restored =
+          temporary / ("restored" + std::to_string(play) + std::to_string(i) + "/l");
+      fs::create_directories(fs::path(restored).parent_path());
+      fs::copy(copy, restored, fs::copy_options::recursive);
+      const Outcome resumed = run(league("start", restored));
+      ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
+      if (!fs::exists(whole + "/site")) {
+        ASSERT_EQ(run(league("start", whole)).exit_code, 0);
+      }
+      expect_same_site(restored, whole);
+      EXPECT_EQ(count_kind(restored, "leg"), 12);
+      EXPECT_EQ(run(league("verify", restored)).exit_code, 0);
+      fs::remove_all(fs::path(restored).parent_path());
+    }
+    running.signal(SIGTERM);
+    running.wait();
+  }
+  std::printf("%d copies of a league that is played were restored\n", taken);
+}
+
+TEST(Backup, GoesNowhereElse) {
+  const TemporaryFolder temporary;
+  init_league(temporary / "l", {"a=house:chaser", "b=house:keeper"});
+  fs::create_directory(temporary / "other");
+  write_file(temporary / "other/thesis.txt", "mine");
+  EXPECT_EQ(run(league("backup", temporary / "l", {temporary / "other"})).exit_code, 2);
+  EXPECT_EQ(read_file(temporary / "other/thesis.txt"), "mine");
+}
+
+TEST(Verify, NamesARecordThatWasChangedOrIsGone) {
+  const TemporaryFolder temporary;
+  const std::string folder = temporary / "l";
+  init_league(folder, {"a=house:chaser", "b=house:keeper"});
+  ASSERT_EQ(run(league("start", folder)).exit_code, 0);
+  EXPECT_EQ(run(league("verify", folder)).exit_code, 0);
+  const std::string record = folder + "/records/r1-f1-1-1.json";
+  const std::string text = read_file(record);
+  write_file(record, text.substr(0, text.size() / 2));
+  Outcome outcome = run(league("verify", folder));
+  EXPECT_EQ(outcome.exit_code, 4) << outcome.out;
+  EXPECT_NE(outcome.out.find("records/r1-f1-1-1.json: "), std::string::npos) << outcome.out;
+  fs::remove(record);
+  outcome = run(league("verify", folder));
+  EXPECT_EQ(outcome.exit_code, 4);
+  EXPECT_NE(outcome.out.find("the journal names it"), std::string::npos) << outcome.out;
+}
+
+// Needs the right to mount, as the tests of full disks of the match server do.
+TEST(FullDisk, StopsALeagueAtOnceAndSaysSo) {
+  const TemporaryFolder temporary;
+  const std::string disk = temporary / "disk";
+  fs::create_directory(disk);
+  if (mount("none", disk.c_str(), "tmpfs", 0, "size=6m") != 0)
+    GTEST_SKIP() << "this user may not mount";
+  const std::string folder = disk + "/l";
+  init_league(folder, backup_teams, "10");
+  const Outcome first = run(league("start", folder, {"--jobs", "1"}));
+  EXPECT_EQ(first.exit_code, 0) << first.err;  // there is room: the program is kept, too
+  fs::remove_all(folder + "/site");
+  // The next league finds no room for its records.
+  const std::string other = disk + "/other";
+  init_league(other, backup_teams, "10");
+  fs::create_directory(other + "/programs");
+  for (const auto& kept : fs::directory_iterator(folder + "/programs"))
+    fs::create_directory_symlink(kept.path(),
+                                 other + "/programs/" + kept.path().filename().string());
+  std::string filling(64 << 10, 'x');
+  const std::string filler = disk + "/filler";
+  write_file(filler, "");
+  while (fs::space(disk).available > filling.size()) {
+    const std::string all = read_file(filler) + filling;
+    write_file(filler, all);
+  }
+  const Outcome full = run(league("start", other, {"--jobs", "1"}));
+  EXPECT_EQ(full.exit_code, 3) << full.err;
+  EXPECT_NE(full.err.find("full"), std::string::npos) << full.err;
+  EXPECT_EQ(count_kind(other, "void"), 0) << "no leg is tried again";
+  fs::remove(filler);
+  EXPECT_EQ(run(league("start", other)).exit_code, 0);
+  EXPECT_EQ(count_kind(other, "leg"), 12);
+  EXPECT_EQ(umount(disk.c_str()), 0);
+}
+
+TEST(Teams, MayBeAddedAfterInit) {
+  const TemporaryFolder temporary;
+  const std::string folder = temporary / "l";
+  init_league(folder, {"a=house:chaser"});
+  EXPECT_EQ(run(league("submit", folder, {"striker", "house:striker"})).out,
+            "striker: entry 1 was accepted\n");
+  EXPECT_EQ(run(league("submit", folder, {"x", "house:nobody"})).exit_code, 2);
+  auto config = read_json(folder + "/league.json");
+  config["teams"].push_back({{"name", "keeper"}, {"entry", "house:keeper"}});
+  config["teams"].push_back({{"name", "own"}, {"entry", "own.so"}});
+  config["freeze"] = "2126-11-30T19:00:00+01:00";
+  write_file(folder + "/league.json", config.dump());
+  fs::copy_file(house("idle"), folder + "/own.so");
+  const Outcome started = run(league("start", folder));
+  EXPECT_EQ(started.exit_code, 0) << started.err;
+  EXPECT_EQ(count_kind(folder, "entry"), 4);
+}
+
+}  // namespace
+}  // namespace mirocup

@@ -1,0 +1,409 @@
+// SPDX-License-Identifier: MIT
+//
+// A term of a class of eight teams, rehearsed with a clock that is moved: nights, a bad entry, an
+// appeal, a program that is replaced in the middle, release, grades. The numbers of digests and
+// grades are computed again from the journal alone, by the few lines of Tally. Catches a night that
+// plays what was not accepted, a result that pages tell before it is released, an old record that
+// no program verifies any more, a grade that is not what was played.
+#include "tests/programs/league/league_command.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <map>
+#include <set>
+
+namespace mirocup {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Json = nlohmann::ordered_json;
+using test_support::count_kind;
+using test_support::house;
+using test_support::journal_of;
+using test_support::league;
+using test_support::Outcome;
+using test_support::program;
+using test_support::read_file;
+using test_support::read_json;
+using test_support::run;
+using test_support::TemporaryFolder;
+using test_support::write_file;
+
+const std::vector<std::string> class_teams{"alpha", "beta", "gamma", "delta", "epsilon", "zeta"};
+
+// Sets the clock of all programs that are started from now on to noon (UTC) of a day of the term.
+void go_to_day(int day) {
+  constexpr long day_s = 86'400;
+  const long now = std::time(nullptr);
+  const long offset = day * day_s + day_s / 2 - now % day_s;
+  setenv("MIROCUP_CLOCK_OFFSET", std::to_string(offset).c_str(), 1);
+}
+
+class Term : public testing::Test {
+ protected:
+  ~Term() override { unsetenv("MIROCUP_CLOCK_OFFSET"); }
+
+  void init() {
+    std::string teams;
+    for (const std::string& team : class_teams)
+      teams += R"({"name": ")" + team + R"(", "entry": "submitted"}, )";
+    write_file(temporary_ / "league.json",
+               R"({"schema": "mirocup/league/1", "title": "Term", "zone": "Europe/Berlin",
+  "format": {"kind": "nightly", "opponents": 2}, "rules": {"half_s": 4}, "seed": 9,
+  "teams": [)" + teams +
+                   R"({"name": "striker", "entry": "house:striker"},
+            {"name": "idle", "entry": "house:idle"}]})");
+    const Outcome made = run(league("init", folder_, {"--config", temporary_ / "league.json"}));
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+  }
+
+  // The answer to a command, which must end with that code.
+  Outcome ask(const std::string& command, const std::vector<std::string>& more = {},
+              int exit_code = 0) const {
+    const Outcome outcome = run(league(command, folder_, more));
+    EXPECT_EQ(outcome.exit_code, exit_code) << command << ": " << outcome.out << outcome.err;
+    return outcome;
+  }
+
+  std::string page(const std::string& name) const { return read_file(folder_ + "/site/" + name); }
+
+  // Copies the programs of the build, with another hash of their behaviour: what a new version is
+  // to a league. Returns the folder.
+  std::string upgraded(const std::string& game, const std::string& other) const {
+    const std::string home = temporary_ / "upgraded";
+    fs::create_directory(home);
+    for (const char* name : {"mirocup", "mirocup-league", "mirocup-plugin-host"}) {
+      std::string bytes = read_file(program(name));
+      for (std::size_t at = bytes.find(game); at != std::string::npos;
+           at = bytes.find(game, at + 1))
+        bytes.replace(at, game.size(), other);
+      const std::string path = home + "/" + name;
+      write_file(path, bytes);
+      // The processes of teams run as another user.
+      fs::permissions(path, fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec,
+                      fs::perm_options::add);
+    }
+    fs::create_directory_symlink(program("house"), home + "/house");
+    return home;
+  }
+
+  const TemporaryFolder temporary_;
+  const std::string folder_ = temporary_ / "term";
+};
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+// The league as the lines of its journal make it, without any of the program's own code.
+struct Tally {
+  struct Leg {
+    std::string home, away;
+    int home_goals, away_goals;
+    int home_entry, away_entry;
+    int night;
+    bool is_played;
+  };
+  struct Player {
+    int points = 0;
+    int legs = 0;
+    double strength = 0.0;
+  };
+
+  explicit Tally(const std::string& folder, std::size_t lines = 1'000'000) {
+    const auto all = journal_of(folder);
+    const Json config = read_json(folder + "/league.json");
+    for (const auto& team : config["teams"]) teams.push_back(team["name"].get<std::string>());
+    std::set<int> undone;
+    for (std::size_t i = 0; i < std::min(lines, all.size()); ++i) {
+      if (all[i]["kind"] == "undo") undone.insert(all[i]["line"].get<int>());
+    }
+    for (std::size_t i = 0; i < std::min(lines, all.size()); ++i) {
+      const auto& line = all[i];
+      const std::string kind = line["kind"];
+      if (kind == "night") {
+        ++nights;
+        for (const auto& entry : line["entries"]) entries[entry["team"]] = entry["entry"];
+      }
+      if (kind != "leg" && kind != "ruling") continue;
+      const std::string id = line["fixture"].get<std::string>() + "/" + line["leg"].dump();
+      if (kind == "leg") {
+        legs[id] = {line["home"],
+                    line["away"],
+                    line["score"]["home"],
+                    line["score"]["away"],
+                    entries[line["home"]],
+                    entries[line["away"]],
+                    nights,
+                    true};
+      } else if (!undone.contains(line["n"].get<int>())) {
+        legs[id].home_goals = line["score"]["home"];
+        legs[id].away_goals = line["score"]["away"];
+      }
+    }
+    for (const auto& [id, leg] : legs) {
+      count(leg.home, leg.home_entry, leg.home_goals - leg.away_goals);
+      count(leg.away, leg.away_entry, leg.away_goals - leg.home_goals);
+    }
+    fit();
+  }
+
+  void count(const std::string& team, int entry, int ahead) {
+    if (entry != entries[team]) return;
+    players[team].legs += 1;
+    players[team].points += ahead > 0 ? 3 : ahead == 0 ? 1 : 0;
+  }
+
+  // Bradley and Terry with Davidson's draws, by gradient ascent: each entry that plays is a player,
+  // and so are all former ones of a team together.
+  void fit() {
+    constexpr double virtual_legs = 0.5;
+    std::map<std::string, double> x;
+    for (const std::string& team : teams) x[team] = 0.0;
+    const auto name = [this](const std::string& team, int entry) {
+      return entry == entries[team] ? team : team + " before";
+    };
+    for (const auto& [id, leg] : legs) {
+      x.emplace(name(leg.home, leg.home_entry), 0.0);
+      x.emplace(name(leg.away, leg.away_entry), 0.0);
+    }
+    double v = 0.0;
+    constexpr int steps = 2000;
+    constexpr double step = 0.05;
+    for (int i = 0; i < steps; ++i) {
+      std::map<std::string, double> slope;
+      double slope_v = virtual_legs * (1.0 - 2.0 / (1.0 + std::exp(std::log(2.0) - v)));
+      for (const auto& [player, value] : x)
+        slope[player] = virtual_legs - 2.0 * virtual_legs / (1.0 + std::exp(-value));
+      for (const auto& [id, leg] : legs) {
+        const std::string home = name(leg.home, leg.home_entry);
+        const std::string away = name(leg.away, leg.away_entry);
+        const double wins = std::exp(x[home]);
+        const double losses = std::exp(x[away]);
+        const double draws = std::exp(v + 0.5 * (x[home] + x[away]));
+        const double sum = wins + losses + draws;
+        const int ahead = leg.home_goals - leg.away_goals;
+        const double score = ahead > 0 ? 1.0 : ahead == 0 ? 0.5 : 0.0;
+        const double expected = (wins + 0.5 * draws) / sum;
+        slope[home] += score - expected;
+        slope[away] -= score - expected;
+        slope_v += (ahead == 0 ? 1.0 : 0.0) - draws / sum;
+      }
+      for (auto& [player, value] : x) value += step * slope[player];
+      v += step * slope_v;
+    }
+    double mean = 0.0;
+    for (const std::string& team : teams) mean += x[team] / double(teams.size());
+    for (const std::string& team : teams)
+      players[team].strength = 400.0 * (x[team] - mean) / std::log(10.0);
+  }
+
+  std::vector<std::string> teams;   // of the league, with those that have not handed in yet
+  std::map<std::string, Leg> legs;  // by fixture and number
+  std::map<std::string, int> entries;
+  std::map<std::string, Player> players;
+  int nights = 0;
+};
+
+// Compares what teams were told of the last night with the journal.
+void expect_digests(const std::string& folder) {
+  const auto lines = journal_of(folder);
+  std::size_t begin = lines.size();
+  while (lines[--begin]["kind"] != "night") {
+  }
+  const Tally before(folder, begin);
+  const Tally now(folder);
+  std::vector<int> ranks;
+  for (const auto& [team, entry] : now.entries) {
+    const Json told =
+        read_json(folder + "/nights/" + std::to_string(now.nights) + "/" + team + ".json");
+    int won = 0;
+    int drawn = 0;
+    std::multiset<std::string> lost_to;
+    for (const auto& [id, leg] : now.legs) {
+      if (leg.night != now.nights || (leg.home != team && leg.away != team)) continue;
+      const int ahead = (leg.home == team ? 1 : -1) * (leg.home_goals - leg.away_goals);
+      won += ahead > 0 ? 1 : 0;
+      drawn += ahead == 0 ? 1 : 0;
+      if (ahead < 0) lost_to.insert(leg.home == team ? leg.away : leg.home);
+    }
+    std::multiset<std::string> told_lost;
+    for (const auto& loss : told["losses"]) told_lost.insert(loss["to"].get<std::string>());
+    EXPECT_EQ(told["won"], won) << team;
+    EXPECT_EQ(told["drawn"], drawn) << team;
+    EXPECT_EQ(told_lost, lost_to) << team;
+    EXPECT_LE(told["moments"].size(), 3u);
+    EXPECT_EQ(told["entry"], entry);
+    EXPECT_NEAR(told["strength"].get<double>(), now.players.at(team).strength, 1.0) << team;
+    if (!told["strength_before"].is_null()) {
+      EXPECT_NEAR(told["strength_before"].get<double>(), before.players.at(team).strength, 1.0)
+          << team;
+    }
+    for (const auto& other : now.entries) {
+      const Tally::Player& one = now.players.at(team);
+      const Tally::Player& two = now.players.at(other.first);
+      const Json told_other =
+          read_json(folder + "/nights/" + std::to_string(now.nights) + "/" + other.first + ".json");
+      if (one.legs == 0 || two.legs == 0 || told["rank"] >= told_other["rank"]) continue;
+      EXPECT_GE(one.points * two.legs, two.points * one.legs)
+          << team << " ranks before " << other.first;
+    }
+  }
+}
+
+void expect_grades(const std::string& folder, const std::string& csv) {
+  const Tally tally(folder);
+  std::istringstream text(csv);
+  std::string line;
+  std::getline(text, line);
+  EXPECT_EQ(line.rfind("rank,team,points,played,strength,strength_low,strength_high,house_beaten,"
+                       "display,members",
+                       0),
+            0u)
+      << line;
+  int rows = 0;
+  while (std::getline(text, line)) {
+    ++rows;
+    std::vector<std::string> cells;
+    std::istringstream row(line);
+    for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
+    const std::string& team = cells[1];
+    const Tally::Player& player = tally.players.at(team);
+    EXPECT_EQ(cells[2], std::to_string(player.points)) << team;
+    EXPECT_EQ(cells[3], std::to_string(player.legs)) << team;
+    EXPECT_NEAR(std::stod(cells[4]), player.strength, 1.0) << team;
+    EXPECT_LT(std::stod(cells[5]), std::stod(cells[4]));
+    EXPECT_GT(std::stod(cells[6]), std::stod(cells[4]));
+    for (const char* opponent : {"striker", "idle"}) {
+      int ahead = 0;
+      for (const auto& [id, leg] : tally.legs) {
+        const bool is_home = leg.home == team && leg.away == opponent;
+        const bool is_away = leg.away == team && leg.home == opponent;
+        if (!is_home && !is_away) continue;
+        if ((is_home ? leg.home_entry : leg.away_entry) != tally.entries.at(team)) continue;
+        const int difference = (is_home ? 1 : -1) * (leg.home_goals - leg.away_goals);
+        ahead += difference > 0 ? 1 : difference < 0 ? -1 : 0;
+      }
+      const bool is_told = contains(" " + cells[7] + " ", " " + std::string(opponent) + " ");
+      EXPECT_EQ(is_told, ahead > 0) << team << " against " << opponent;
+    }
+  }
+  EXPECT_EQ(rows, static_cast<int>(tally.entries.size()));
+}
+
+TEST_F(Term, OfThreeWeeks) {
+  // Day 0: hand-ins. One of them copied, one is broken, one is not there.
+  go_to_day(0);
+  init();
+  write_file(temporary_ / "class.csv",
+             "team,display,members\nalpha,Zoë & Co,Zoë; Max\nbeta,Löwen,Ada\n");
+  ask("team", {"--csv", temporary_ / "class.csv"});
+  ask("submit", {"alpha", house("chaser")});
+  ask("submit", {"beta", house("keeper")});
+  ask("submit", {"gamma", house("navigator")});
+  ask("submit", {"delta", "house:idle"});
+  ask("submit", {"epsilon", house("chaser")});
+  const std::string bad = temporary_ / "bad.so";
+  write_file(bad, read_file(house("chaser")).substr(0, 3000));
+  ask("submit", {"gamma", bad}, 1);
+  const std::string entries = ask("status", {"--entries"}).out;
+  EXPECT_TRUE(contains(entries, "zeta: nothing handed in")) << entries;
+  EXPECT_TRUE(contains(entries, "gamma: refused")) << entries;
+  EXPECT_TRUE(contains(entries, "the same file as epsilon")) << entries;
+  EXPECT_TRUE(contains(entries, "alpha \"Zoë & Co\": accepted")) << entries;
+
+  const std::string first = ask("nightly").out;
+  EXPECT_TRUE(contains(first, "zeta has not handed in")) << first;
+  EXPECT_TRUE(contains(first, "alpha and epsilon handed in the same file")) << first;
+  EXPECT_TRUE(contains(first, "gamma: entry 2 was not accepted")) << first;
+  EXPECT_TRUE(contains(page("index.html"), "Zoë &amp; Co"));
+  EXPECT_TRUE(contains(page("feed.xml"), "<title>Night 1: "));
+  expect_digests(folder_);
+  const int legs = count_kind(folder_, "leg");
+  EXPECT_TRUE(contains(ask("nightly").err, "night 1 goes on"));
+  EXPECT_EQ(count_kind(folder_, "leg"), legs) << "the same night again plays nothing";
+
+  // Day 7: zeta joins in, alpha has a new entry.
+  go_to_day(7);
+  ask("submit", {"zeta", house("tactician")});
+  ask("submit", {"alpha", house("navigator")});
+  EXPECT_EQ(count_kind(folder_, "night"), 1) << "an entry plays from the next night on";
+  ask("nightly");
+  expect_digests(folder_);
+  EXPECT_EQ(read_json(folder_ + "/nights/2/alpha.json")["new_entry"], true);
+
+  // An appeal, decided wrongly, taken back, and decided again.
+  std::string fixture;
+  for (const auto& line : journal_of(folder_)) {
+    if (line["kind"] == "leg") fixture = line["fixture"];
+  }
+  const std::vector<std::string> rule{fixture, "--score", "2:1", "--reason", "the goal was valid"};
+  ask("rule", rule, 2);
+  auto of_leg = rule;
+  of_leg.insert(of_leg.end(), {"--leg", "1"});
+  auto dry = of_leg;
+  dry.emplace_back("--dry-run");
+  EXPECT_TRUE(contains(ask("rule", dry).out, "(was "));
+  EXPECT_EQ(count_kind(folder_, "ruling"), 0) << "a dry run writes nothing";
+  ask("rule", of_leg);
+  ask("undo", {"1", "--reason", "the wrong leg", "--by", "A. Host"});
+  of_leg.back() = "2";
+  ask("rule", of_leg);
+  ask("rule", {fixture, "--leg", "1", "--score", "101:0", "--reason", "x"}, 2);
+  ask("rule", {fixture, "--leg", "1", "--score", "1:0", "--reason", " - "}, 2);
+  const Json decisions = Json::parse(ask("decisions", {"--json"}).out)["decisions"];
+  ASSERT_EQ(decisions.size(), 3u);
+  EXPECT_EQ(decisions[0]["undone_by"], 2);
+  EXPECT_TRUE(decisions[2]["undone_by"].is_null());
+
+  // Day 14: a new version of the program. It goes on only if it is told to.
+  go_to_day(14);
+  const std::string game = journal_of(folder_).front()["game"];
+  const std::string home = upgraded(game, "0123456789abcdef");
+  const auto by_new = [&](const std::string& command, const std::vector<std::string>& more) {
+    std::vector<std::string> words{home + "/mirocup", "league", command, folder_};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(words);
+  };
+  const Outcome refused = by_new("nightly", {});
+  EXPECT_EQ(refused.exit_code, 2) << refused.err;
+  EXPECT_TRUE(contains(refused.err, "--other-program")) << refused.err;
+  EXPECT_EQ(count_kind(folder_, "night"), 2);
+  ask("release",
+      {"--level", "teams", "--through", "r2", "--reason", "the final is shown on Friday"});
+  const Outcome third = by_new("nightly", {"--other-program"});
+  EXPECT_EQ(third.exit_code, 0) << third.err;
+  expect_digests(folder_);
+  EXPECT_FALSE(fs::exists(folder_ + "/site/rounds/r3.html")) << "night 3 is not released";
+  EXPECT_TRUE(contains(page("night.html"), "Night 2"));
+  EXPECT_TRUE(fs::exists(folder_ + "/nights/3/alpha.txt")) << "the teams' digests are there";
+
+  const Outcome verified = by_new("verify", {});
+  EXPECT_EQ(verified.exit_code, 0) << verified.out << verified.err;
+  EXPECT_TRUE(contains(verified.out, "programs/" + game + "/mirocup")) << verified.out;
+  EXPECT_TRUE(contains(verified.out, "(game 0123456789abcdef), verified by " + home));
+
+  // Day 21: everything is shown, and the league ends.
+  go_to_day(21);
+  const Outcome shown = by_new("release", {"--level", "all", "--reason", "it is Friday"});
+  EXPECT_EQ(shown.exit_code, 0) << shown.err;
+  EXPECT_EQ(by_new("close", {"--reason", "the term is over"}).exit_code, 0);
+  EXPECT_EQ(by_new("nightly", {}).exit_code, 2) << "no night follows";
+  EXPECT_EQ(by_new("publish", {}).exit_code, 0);
+  EXPECT_TRUE(fs::exists(folder_ + "/site/rounds/r3.html"));
+  EXPECT_TRUE(contains(page("index.html"), "Champion"));
+  const Outcome refused_late = run(league("submit", folder_, {"beta", house("striker")}));
+  EXPECT_EQ(refused_late.exit_code, 1);
+  EXPECT_TRUE(contains(refused_late.out, "the league is closed")) << refused_late.out;
+  expect_grades(folder_, by_new("grades", {}).out);
+  for (const auto& line : journal_of(folder_)) EXPECT_TRUE(line.contains("at")) << line;
+}
+
+}  // namespace
+}  // namespace mirocup

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+//
+// Times in UTC and in zones. Catches an offset that is added where it must be taken off, a day that
+// no calendar has, a summer time that begins on another day, a zone that is read from another
+// folder.
+#include "system/clock.hpp"
+
+#include <gtest/gtest.h>
+
+namespace mirocup::system {
+namespace {
+
+std::int64_t utc(std::string_view text) {
+  const auto time = parse_time(text);
+  EXPECT_TRUE(time) << text;
+  return time ? time->at : 0;
+}
+
+TEST(Time, IsReadWithAnyOffset) {
+  EXPECT_EQ(utc("1970-01-01T00:00:00Z"), 0);
+  EXPECT_EQ(utc("2026-11-30T18:00:00Z"), 1'796'061'600);
+  EXPECT_EQ(utc("2026-11-30T19:00:00+01:00"), utc("2026-11-30T18:00:00Z"));
+  EXPECT_EQ(utc("2026-11-30T12:30:00-05:30"), utc("2026-11-30T18:00:00Z"));
+  EXPECT_TRUE(parse_time("2026-11-30T19:00:00")->is_local);
+  EXPECT_EQ(utc_text(utc("2024-02-29T23:59:59Z")), "2024-02-29T23:59:59Z");
+  for (const char* bad :
+       {"", "2026-02-29T00:00:00Z", "2026-13-01T00:00:00Z", "2026-11-30 18:00:00Z",
+        "2026-11-30T24:00:00Z", "2026-11-30T18:00:00z", "2026-11-30T18:00:00+1:00", "2026-11-30"})
+    EXPECT_FALSE(parse_time(bad)) << bad;
+}
+
+TEST(Zone, KnowsSummerAndWinter) {
+  const auto berlin = TimeZone::find("Europe/Berlin");
+  ASSERT_TRUE(berlin) << berlin.error().what;
+  EXPECT_EQ(berlin->text(utc("2026-11-30T18:00:00Z")), "2026-11-30 19:00 CET");
+  EXPECT_EQ(berlin->text(utc("2026-07-01T18:00:00Z")), "2026-07-01 20:00 CEST");
+  EXPECT_EQ(berlin->text(utc("2026-10-25T00:59:59Z")), "2026-10-25 02:59 CEST");
+  EXPECT_EQ(berlin->text(utc("2026-10-25T01:00:00Z")), "2026-10-25 02:00 CET");
+  EXPECT_EQ(berlin->date(utc("2026-11-30T23:30:00Z")), "2026-12-01");
+  for (const char* shown : {"2026-11-30T19:00:00", "2026-07-01T20:00:00", "2026-10-25T12:00:00"}) {
+    const std::int64_t at = berlin->from_local(utc(shown));
+    EXPECT_EQ(at + berlin->at(at).seconds, utc(shown)) << shown;
+  }
+  EXPECT_EQ(TimeZone().text(0), "1970-01-01 00:00 UTC");
+  EXPECT_EQ(in_zone(*berlin, "yesterday"), "yesterday");
+}
+
+TEST(Zone, IsNoPath) {
+  for (const char* bad : {"", "../../../etc/passwd", "/etc/localtime", "Europe", "Nowhere/Land"})
+    EXPECT_FALSE(TimeZone::find(bad)) << bad;
+}
+
+}  // namespace
+}  // namespace mirocup::system

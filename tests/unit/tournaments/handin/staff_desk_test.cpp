@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+//
+// The page of the staff, through the desk. Catches a form that a team or a foreign page may send, a
+// decision without a reason, one that is written although it was only tried, names of people that
+// become markup, an act that the page offers and the desk does not know.
+#include "tests/support/temporary_folder.hpp"
+#include "tournaments/handin/portal.hpp"
+#include "tournaments/league/acts.hpp"
+#include "tournaments/league/people.hpp"
+
+#include <gtest/gtest.h>
+
+namespace mirocup::league {
+namespace {
+
+constexpr std::int64_t moment = 1'796'061'600;  // 2026-11-30T18:00:00Z
+
+class StaffPage : public testing::Test {
+ protected:
+  StaffPage() {
+    LeagueFile file;
+    file.title = "Spring";
+    file.zone = "Europe/Berlin";
+    file.time_zone = system::TimeZone::find(file.zone).value();
+    for (const char* name : {"alpha", "beta"})
+      file.teams.push_back(
+          {.name = name, .source = std::string(TeamConfig::submitted), .over_dds = false});
+    EXPECT_TRUE(init_folder(disk_, folder_, file));
+    auto store = LeagueStore::open(disk_, folder_);
+    EXPECT_TRUE(store);
+    const std::string config =
+        disk_.read(folder_.config(), {.max_size = system::size_limit::league_file}).value();
+    EXPECT_TRUE(store->write(Started{.config_sha256 = system::sha256(config), .version = "0.1.0"}));
+    fixture_ = store->state().fixtures[0].fixture.id();
+    TokenList list;
+    alpha_ = list.add("alpha", utc_text(moment), "");
+    staff_ = list.add_for_staff(utc_text(moment), "");
+    EXPECT_TRUE(write_tokens(disk_, folder_, list));
+    PortalOptions options;
+    options.now = [] { return moment; };
+    options.legs = [](const std::string&) { return std::vector<OwnLeg>(); };
+    options.why_not = [](const std::string&, const std::string&) { return std::string(); };
+    portal_ = std::move(*Portal::open(disk_, folder_, std::move(options), nullptr));
+  }
+
+  web::Reply ask(const std::string& method, const std::string& path, const std::string& token,
+                 const std::string& form = "", const std::string& query = "") {
+    web::Request request{.method = method, .path = path, .address = "10.0.0.1"};
+    request.headers.emplace("host", "league.example");
+    request.headers.emplace("authorization", "Bearer " + token);
+    if (!query.empty()) request.query.emplace("done", query);
+    const auto reply =
+        portal_->answer(request, [&](const auto& take) { return take(std::string_view(form)); });
+    return reply.value_or(web::Reply{.status = 404});
+  }
+
+  web::Reply act(const std::string& form) { return ask("POST", "/hand-in/staff", staff_, form); }
+
+  std::vector<Decision> decisions() {
+    return LeagueStore::open(disk_, folder_).value().state().decisions;
+  }
+
+  test_support::TemporaryFolder temporary_;
+  system::Disk disk_;
+  Folder folder_{temporary_ / "l"};
+  std::string alpha_, staff_, fixture_;
+  std::unique_ptr<Portal> portal_;
+};
+
+TEST_F(StaffPage, IsForTheStaffOnly) {
+  EXPECT_EQ(ask("POST", "/hand-in/staff", alpha_, "act=close&reason=over&go=do").status, 403);
+  EXPECT_EQ(ask("GET", "/hand-in/grades.csv", alpha_).status, 403);
+  EXPECT_EQ(ask("POST", "/hand-in/staff", "", "act=close&reason=over&go=do").status, 401);
+  EXPECT_EQ(ask("GET", "/hand-in/staff", staff_).status, 405);
+  EXPECT_TRUE(decisions().empty());
+  const web::Reply grades = ask("GET", "/hand-in/grades.csv", staff_);
+  EXPECT_EQ(grades.status, 200);
+  EXPECT_TRUE(grades.bytes.starts_with("rank,team,points,")) << grades.bytes;
+}
+
+TEST_F(StaffPage, DecidesWithAReasonAndTakesBack) {
+  const std::string rule = "act=rule&fixture=" + fixture_ + "&leg=1&score=2%3A1&by=A.+Host&reason=";
+  EXPECT_EQ(act(rule + "+-+&go=do").status, 400);
+  const web::Reply tried = act(rule + "it+was+valid&go=try");
+  EXPECT_EQ(tried.status, 200);
+  EXPECT_NE(tried.bytes.find("2 : 1"), std::string::npos);
+  EXPECT_NE(tried.bytes.find("(was not decided)"), std::string::npos);
+  EXPECT_TRUE(decisions().empty()) << "it was only tried";
+  EXPECT_EQ(act(rule + "it+was+valid&go=do").status, 303);
+  ASSERT_EQ(decisions().size(), 1u);
+  const web::Reply page = ask("GET", "/hand-in", staff_, "", "1");
+  EXPECT_NE(page.bytes.find("Decision 1 is written"), std::string::npos);
+  EXPECT_NE(page.bytes.find("2026-11-30 19:00 CET (18:00 UTC)"), std::string::npos);
+  EXPECT_NE(page.bytes.find("Not handed in: alpha, beta"), std::string::npos);
+  EXPECT_EQ(act("act=undo&decision=1&reason=the+wrong+leg&go=do").status, 303);
+  EXPECT_EQ(decisions()[0].undone_by, 1u);
+  EXPECT_EQ(act("act=undo&decision=1&reason=again&go=do").status, 400);
+  const auto state = LeagueStore::open(disk_, folder_).value().state();
+  EXPECT_FALSE(state.fixtures[0].legs[0].played);
+}
+
+TEST_F(StaffPage, KnowsEachActThatItOffers) {
+  const std::string page = ask("GET", "/hand-in", staff_).bytes;
+  const std::string leg = "&fixture=" + fixture_ + "&leg=all";
+  for (const std::string& form :
+       {"rule" + leg + "&score=1:1", "award" + leg + "&team=alpha", "void" + leg,
+        std::string("pause&team=alpha"), std::string("resume&team=alpha"),
+        std::string("freeze&from=2026-12-18T18:00:00"), std::string("freeze&lift=yes"),
+        std::string("release&level=hidden&through=r1"),
+        std::string("withdraw&team=beta&results=keep"), std::string("close")}) {
+    const std::string name = form.substr(0, form.find('&'));
+    EXPECT_NE(page.find("value=\"" + name + "\""), std::string::npos) << name;
+    EXPECT_EQ(act("act=" + form + "&reason=because&go=do").status, 303) << form;
+  }
+  EXPECT_EQ(act("act=pause&team=alpha&reason=because&go=do").status, 303)
+      << "also when it is closed";
+  EXPECT_EQ(act("act=rule&reason=because").status, 400);
+  EXPECT_EQ(act("act=nonsense&reason=because").status, 400);
+}
+
+TEST_F(StaffPage, NamesPeopleInAnyLettersAndEscapesThem) {
+  EXPECT_EQ(act("act=people&team=alpha&display=Zo%C3%AB+%26+%3Cb%3E&members=Ada%3B+Max").status,
+            303);
+  const web::Reply page = ask("GET", "/hand-in", staff_);
+  EXPECT_NE(page.bytes.find("Zoë &amp; &lt;b&gt;"), std::string::npos);
+  EXPECT_EQ(page.bytes.find("<b>"), std::string::npos);
+  const auto people = read_people(disk_, folder_);
+  ASSERT_TRUE(people);
+  EXPECT_EQ(people->at("alpha").members, (std::vector<std::string>{"Ada", "Max"}));
+  EXPECT_EQ(act("act=people&team=alpha&display=%0A").status, 400);
+  EXPECT_EQ(act("act=people&team=nobody&display=x").status, 400);
+}
+
+// Catches display names on the pages of an anonymous league, and two teams of one name.
+TEST(People, AreShownUnlessTheLeagueIsAnonymous) {
+  LeagueFile file;
+  for (const char* name : {"a", "b", "c"})
+    file.teams.push_back({.name = name, .source = "x", .over_dds = false});
+  const PeopleOfTeams people{{"a", {.display = "Löwen", .members = {}}},
+                             {"b", {.display = "Löwen", .members = {}}}};
+  EXPECT_EQ(shown_names(file, people), (std::vector<std::string>{"Löwen (a)", "Löwen (b)", "c"}));
+  file.is_anonymous = true;
+  EXPECT_TRUE(shown_names(file, people).empty());
+}
+
+}  // namespace
+}  // namespace mirocup::league

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+//
+// The subcommands verify, backup, grades and team.
+#include "server/record/json_reader.hpp"
+#include "system/csv.hpp"
+#include "system/file_lock.hpp"
+#include "system/printable.hpp"
+#include "tournaments/app/commands.hpp"
+#include "tournaments/league/people.hpp"
+#include "tournaments/play/backup.hpp"
+#include "tournaments/play/program.hpp"
+#include "tournaments/publish/grades.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <iostream>
+
+namespace mirocup::league {
+
+Result<int> run_verify_league(const LeagueOptions& options) {
+  system::Disk disk;
+  const auto store = LeagueStore::open(disk, Folder{options.folder});
+  if (!store) return tl::unexpected(store.error());
+  const auto done = verify_records(disk, *store, options.jobs);
+  if (!done) return tl::unexpected(done.error());
+  int result = exit_yes;
+  for (const auto& problem : done->problems) result = std::max(result, problem.code);
+  if (options.json) {
+    Json problems = Json::array();
+    for (const auto& p : done->problems)
+      problems.push_back({{"record", p.record}, {"code", p.code}, {"what", p.text}});
+    std::cout << record::json_text({{"records", done->records},
+                                    {"reproduced", done->reproduced},
+                                    {"programs", done->programs},
+                                    {"problems", problems}})
+              << '\n';
+    return result;
+  }
+  for (const auto& problem : done->problems)
+    std::cout << system::printable(problem.record) << ": " << system::printable(problem.text)
+              << '\n';
+  for (const std::string& program : done->programs) std::cout << system::printable(program) << '\n';
+  std::cout << done->reproduced << " of " << done->records << " records reproduced\n";
+  return result;
+}
+
+Result<int> run_backup(const BackupOptions& options) {
+  system::Disk disk;
+  // Is it a league?
+  const auto store = LeagueStore::open(disk, Folder{options.folder});
+  if (!store) return tl::unexpected(store.error());
+  const auto done = back_up(disk, Folder{options.folder}, Folder{options.to});
+  if (!done) return tl::unexpected(done.error());
+  std::cout << options.to << ": " << done->copied << " files copied, " << done->known
+            << " records were there\n";
+  return exit_yes;
+}
+
+Result<int> run_grades(const LeagueOptions& options) {
+  system::Disk disk;
+  const Folder folder{options.folder};
+  const auto store = LeagueStore::open(disk, folder);
+  if (!store) return tl::unexpected(store.error());
+  std::string drills;
+  if (!options.drills.empty()) {
+    auto text = disk.read(options.drills,
+                          {.max_size = system::size_limit::note, .links = system::Links::followed});
+    if (!text) return tl::unexpected(text.error());
+    drills = std::move(*text);
+  }
+  const auto people = read_people(disk, folder);
+  if (!people) return tl::unexpected(people.error());
+  const auto file = grades(overview(store->state()), *people, drills, options.drills);
+  if (!file) return tl::unexpected(file.error());
+  if (options.output.empty()) {
+    std::cout << file->bytes;
+    return exit_yes;
+  }
+  if (auto written = disk.write(options.output, file->bytes, system::Readers::owner); !written)
+    return tl::unexpected(written.error());
+  std::cout << options.output << '\n';
+  return exit_yes;
+}
+
+namespace {
+
+Result<void> set_display(PeopleOfTeams& people, const std::string& team,
+                         const std::string& display) {
+  if (const std::string why = display.empty() ? "" : objection_to_display(display); !why.empty())
+    return fail(Errc::input, team + ": " + why);
+  people[team].display = display;
+  return {};
+}
+
+Result<void> set_members(PeopleOfTeams& people, const std::string& team,
+                         const std::vector<std::string>& members) {
+  for (const std::string& member : members) {
+    if (const std::string why = objection_to_display(member); !why.empty())
+      return fail(Errc::input, team + ": " + why);
+  }
+  people[team].members = members;
+  return {};
+}
+
+// Reads lines of team, display name, members with semicolons between them; the first line names the
+// columns.
+Result<void> read_class_list(const std::string& text, const std::string& path,
+                             PeopleOfTeams& people) {
+  std::size_t begin = 0;
+  for (int number = 1; begin < text.size(); ++number) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    std::string line = text.substr(begin, end - begin);
+    begin = end + 1;
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    const std::vector<std::string> cells = system::csv_cells(line);
+    const std::string where = path + ": line " + std::to_string(number);
+    if (number == 1) {
+      if (cells != std::vector<std::string>{"team", "display", "members"})
+        return fail(Errc::input, where + ": \"team,display,members\" is expected");
+      continue;
+    }
+    if (line.empty()) continue;
+    if (cells.size() != 3 || !is_good_name(cells[0]))
+      return fail(Errc::input, where + ": a team, its display name and its members are expected");
+    std::vector<std::string> members;
+    for (std::size_t at = 0; at < cells[2].size();) {
+      const std::size_t stop = std::min(cells[2].find(';', at), cells[2].size());
+      std::string member = cells[2].substr(at, stop - at);
+      member.erase(0, member.find_first_not_of(' '));
+      if (!member.empty()) members.push_back(member);
+      at = stop + 1;
+    }
+    auto set = set_display(people, cells[0], cells[1]).and_then([&] {
+      return set_members(people, cells[0], members);
+    });
+    if (!set) return fail(Errc::input, where + ": " + set.error().what);
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<int> run_team(const TeamOptions& options) {
+  system::Disk disk;
+  const Folder folder{options.folder};
+  const auto store = LeagueStore::open(disk, folder);
+  if (!store) return tl::unexpected(store.error());
+  const auto lock = system::FileLock::acquire(folder.lock());
+  if (!lock) return tl::unexpected(lock.error());
+  auto people = read_people(disk, folder);
+  if (!people) return tl::unexpected(people.error());
+  Result<void> set;
+  if (!options.csv.empty()) {
+    if (!options.team.empty()) return fail(Errc::input, "TEAM and --csv exclude each other");
+    const auto text = disk.read(options.csv, {.max_size = system::size_limit::league_file,
+                                              .links = system::Links::followed});
+    if (!text) return tl::unexpected(text.error());
+    set = read_class_list(*text, options.csv, *people);
+  } else {
+    if (!is_good_name(options.team)) return fail(Errc::input, "TEAM or --csv FILE is expected");
+    if (!store->state().find_team(options.team))
+      return fail(Errc::input, "there is no team " + options.team);
+    if (options.display) set = set_display(*people, options.team, *options.display);
+    if (set && !options.members.empty()) set = set_members(*people, options.team, options.members);
+  }
+  if (!set) return tl::unexpected(set.error());
+  if (auto written = write_people(disk, folder, *people); !written)
+    return tl::unexpected(written.error());
+  for (const auto& [team, one] : *people) {
+    std::cout << team << ": " << (one.display.empty() ? team : one.display);
+    for (std::size_t i = 0; i < one.members.size(); ++i)
+      std::cout << (i == 0 ? " (" : "; ") << one.members[i];
+    std::cout << (one.members.empty() ? "" : ")") << '\n';
+  }
+  return exit_yes;
+}
+
+}  // namespace mirocup::league

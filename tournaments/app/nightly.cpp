@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+//
+// The subcommand nightly: what is accepted now plays, every team hears what has changed.
+#include "server/record/json_reader.hpp"
+#include "system/clock.hpp"
+#include "system/file_lock.hpp"
+#include "system/printable.hpp"
+#include "tournaments/app/commands.hpp"
+#include "tournaments/app/progress_bar.hpp"
+#include "tournaments/app/publishing.hpp"
+#include "tournaments/league/hand_ins.hpp"
+#include "tournaments/league/roster.hpp"
+#include "tournaments/league/start.hpp"
+#include "tournaments/play/leg_command.hpp"
+#include "tournaments/play/program.hpp"
+#include "tournaments/publish/night_pages.hpp"
+#include "tournaments/publish/site.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <iostream>
+#include <sstream>
+
+namespace mirocup::league {
+
+namespace {
+
+// Returns for each team its last accepted entry, or the one that it has pinned, unless it plays
+// with that already.
+Result<std::vector<EntryBooked>> new_entries(system::Files& files, const LeagueStore& store) {
+  std::vector<EntryBooked> entries;
+  const LeagueState& state = store.state();
+  if (state.file.format.kind != FormatKind::nightly) return entries;
+  for (std::size_t i = 0; i < state.teams.size(); ++i) {
+    const std::string& team = state.file.teams[i].name;
+    if (state.teams[i].status == TeamStatus::withdrawn) continue;
+    const int number = playing_entry(files, store.folder(), team);
+    if (number == 0 || number == state.teams[i].entry) continue;
+    const auto library =
+        files.read(store.folder().library(team, number), {.max_size = system::size_limit::entry});
+    if (!library) return tl::unexpected(library.error());
+    entries.push_back({.team = team, .entry = number, .sha256 = system::sha256(*library)});
+  }
+  return entries;
+}
+
+// True if the last night began on the day that it is in the league's zone, or has legs to play:
+// then the command goes on with it.
+bool goes_on(const LeagueState& state, std::int64_t now) {
+  if (state.nights.empty()) return false;
+  if (state.played() < state.legs() && state.file.format.kind == FormatKind::nightly) {
+    // Legs of paused teams stay open for longer than a night.
+    for (const FixtureState& f : state.fixtures) {
+      if (!open_legs(state, f).empty() && f.fixture.round == static_cast<int>(state.nights.size()))
+        return true;
+    }
+  }
+  const auto began = system::parse_time(state.nights.back().at);
+  return began && state.file.time_zone.date(began->at) == state.file.time_zone.date(now);
+}
+
+// Begins a night, or goes on with the one that was interrupted.
+Result<void> begin_night(system::Files& files, LeagueStore& store, const LeagueOptions& options,
+                         std::int64_t now) {
+  if (store.state().is_closed) return fail(Errc::input, "the league is closed: no night follows");
+  if (auto started = start_league(files, store); !started) return started;
+  if (!options.another && goes_on(store.state(), now)) {
+    std::cerr << "mirocup: night " << store.state().nights.size()
+              << " goes on; --another begins one more on the same day\n";
+    return {};
+  }
+  // Hand-ins that are being checked count from the next night on.
+  const auto lock = system::FileLock::acquire(store.folder().submitting());
+  if (!lock) return tl::unexpected(lock.error());
+  const auto entries = new_entries(files, store);
+  if (!entries) return tl::unexpected(entries.error());
+  return store.write(NightBegan{.number = static_cast<int>(store.state().nights.size()) + 1,
+                                .entries = *entries,
+                                .at = utc_text(now)});
+}
+
+// Writes what each team is told to nights/N, which only the host can read.
+Result<void> write_digests(system::Files& files, const Folder& folder, const Overview& o,
+                           const Night& night) {
+  const std::string home = folder.nights() + "/" + std::to_string(night.number);
+  if (auto made = files.make_folder(folder.nights(), system::Readers::owner).and_then([&] {
+        return files.make_folder(home, system::Readers::owner);
+      });
+      !made)
+    return made;
+  for (const TeamDigest& digest : digests(night, o)) {
+    const std::string path = home + "/" + o.state.name(digest.team);
+    auto written = files.write(path + ".txt", digest_text(o, night, digest), system::Readers::owner)
+                       .and_then([&] {
+                         return files.write(path + ".json",
+                                            record::json_text(digest_json(o, digest), 1) + "\n",
+                                            system::Readers::owner);
+                       });
+    if (!written) return written;
+  }
+  return {};
+}
+
+// Returns what the host reads in the morning.
+Result<std::string> report(system::Files& files, const LeagueStore& store, const Night& night) {
+  const LeagueState& state = store.state();
+  std::ostringstream text;
+  text << system::printable(state.file.title) << ", night " << night.number << ", "
+       << shown_time(state.file, night.at) << '\n';
+  text << night.records.size() << " legs played in this night; " << state.legs() - state.played()
+       << " are not decided\n\n"
+       << table_text(state) << '\n';
+  const auto rows = roster(files, store);
+  if (!rows) return tl::unexpected(rows.error());
+  for (const RosterRow& row : *rows) {
+    if (row.status == TeamStatus::withdrawn) continue;
+    const int before = [&] {
+      const auto team = night.before.find_team(row.team);
+      return team ? night.before.teams[*team].entry : 0;
+    }();
+    if (row.playing_entry != before)
+      text << row.team << " plays with entry " << row.playing_entry << " from this night on\n";
+    if (row.last_entry == 0) text << row.team << " has not handed in\n";
+    if (!row.handed_in.empty() && !row.was_accepted)
+      text << system::printable(row.message) << " (" << shown_time(state.file, row.handed_in)
+           << ")\n";
+    if (row.status == TeamStatus::paused)
+      text << row.team << " is paused: " << system::printable(row.why) << '\n';
+    for (const std::string& other : row.same_as) {
+      if (row.team < other) text << row.team << " and " << other << " handed in the same file\n";
+    }
+  }
+  for (const FixtureState& f : state.fixtures) {
+    for (const LegState& leg : f.legs) {
+      if (leg.played && leg.played->fault && night.records.contains(leg.played->record))
+        text << f.fixture.id() << ": " << system::printable(leg.played->fault->summary()) << '\n';
+    }
+  }
+  return text.str();
+}
+
+}  // namespace
+
+Result<int> run_nightly(const LeagueOptions& options) {
+  system::Disk disk;
+  const Folder folder{options.folder};
+  std::string notice;
+  auto store = LeagueStore::open(disk, folder, &notice);
+  if (!store) return tl::unexpected(store.error());
+  if (!notice.empty()) std::cerr << "mirocup: " << notice << '\n';
+  const auto mine = system::FileLock::try_acquire(folder.running());
+  if (!mine) return tl::unexpected(mine.error());
+  if (!*mine)
+    return fail(Errc::unavailable,
+                folder.path + " is being played already: this night is left out");
+  const std::int64_t now = system::now_s();
+  if (auto same = expect_program(*store, record::this_software(), options.accepts_other_program);
+      !same)
+    return tl::unexpected(same.error());
+  if (auto begun = begin_night(disk, *store, options, now); !begun)
+    return tl::unexpected(begun.error());
+
+  auto progress = make_progress_reporter();
+  const auto played = play_league(disk, std::move(*store), *progress, options);
+  if (!played) return tl::unexpected(played.error());
+  progress->say("making pages");
+  if (auto published = publish_league(disk, folder, options.jobs); !published)
+    return tl::unexpected(published.error());
+  progress.reset();
+
+  const auto after = LeagueStore::open(disk, folder);
+  if (!after) return tl::unexpected(after.error());
+  const auto night = last_night(after->state(), after->journal());
+  if (!night) return tl::unexpected(night.error());
+  const FactsOfLegs facts = read_facts(disk, folder, after->state());
+  const Overview o = overview(after->state(), facts);
+  if (auto written = write_digests(disk, folder, o, **night); !written)
+    return tl::unexpected(written.error());
+  const auto text = report(disk, *after, **night);
+  if (!text) return tl::unexpected(text.error());
+  if (auto written =
+          disk.write(folder.nights() + "/" + std::to_string((*night)->number) + "/report.txt",
+                     *text, system::Readers::owner);
+      !written)
+    return tl::unexpected(written.error());
+  std::cout << *text;
+  if (after->state().played() == after->state().legs()) return exit_yes;
+  say_what_is_left(after->state());
+  return exit_no;
+}
+
+}  // namespace mirocup::league

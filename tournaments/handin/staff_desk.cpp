@@ -1,0 +1,388 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/handin/staff_desk.hpp"
+
+#include "system/file_lock.hpp"
+#include "system/markup.hpp"
+#include "tournaments/handin/desk_html.hpp"
+#include "tournaments/league/acts.hpp"
+#include "tournaments/league/roster.hpp"
+#include "tournaments/publish/decision_view.hpp"
+#include "tournaments/publish/grades.hpp"
+
+#include <charconv>
+#include <map>
+
+namespace mirocup::league {
+
+namespace {
+
+constexpr const char* staff_policy =
+    "default-src 'none'; style-src 'self'; script-src 'self'; form-action 'self'; base-uri 'none'; "
+    "frame-ancestors 'none'";
+
+using Form = std::map<std::string, std::string>;
+
+// Decodes the values of a form (application/x-www-form-urlencoded).
+Form decoded_form(std::string_view form) {
+  const auto decoded = [](std::string_view coded) {
+    std::string value;
+    for (std::size_t i = 0; i < coded.size(); ++i) {
+      unsigned code = 0;
+      if (coded[i] == '%' && i + 2 < coded.size() &&
+          std::from_chars(coded.data() + i + 1, coded.data() + i + 3, code, 16).ptr ==
+              coded.data() + i + 3) {
+        value += static_cast<char>(code);
+        i += 2;
+      } else {
+        value += coded[i] == '+' ? ' ' : coded[i];
+      }
+    }
+    return value;
+  };
+  Form values;
+  while (!form.empty()) {
+    const std::size_t end = std::min(form.find('&'), form.size());
+    const std::string_view part = form.substr(0, end);
+    form.remove_prefix(std::min(end + 1, form.size()));
+    const std::size_t equals = std::min(part.find('='), part.size());
+    values[decoded(part.substr(0, equals))] =
+        decoded(part.substr(std::min(equals + 1, part.size())));
+  }
+  return values;
+}
+
+std::string value_of(const Form& form, const std::string& key) {
+  const auto found = form.find(key);
+  return found == form.end() ? "" : found->second;
+}
+
+int number_in(const Form& form, const std::string& key) {
+  const std::string text = value_of(form, key);
+  int number = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+  return read.ec == std::errc() && read.ptr == text.data() + text.size() ? number : 0;
+}
+
+// Returns the act that a form asks for; nothing if it names none.
+std::optional<Act> act_of(const Form& form) {
+  const auto kind = from_string<ActKind>(value_of(form, "act"));
+  if (!kind) return std::nullopt;
+  return Act{.kind = *kind,
+             .fixture = value_of(form, "fixture"),
+             .leg = number_in(form, "leg"),
+             .has_all_legs = value_of(form, "leg") == "all",
+             .team = value_of(form, "team"),
+             .score = value_of(form, "score"),
+             .results = value_of(form, "results"),
+             .from = value_of(form, "from"),
+             .is_lifted = !value_of(form, "lift").empty(),
+             .level = value_of(form, "level"),
+             .through = value_of(form, "through"),
+             .decision = number_in(form, "decision"),
+             .reason = value_of(form, "reason"),
+             .by = value_of(form, "by"),
+             .is_dry_run = value_of(form, "go") == "try"};
+}
+
+std::string attribute(std::string_view name, const std::string& value) {
+  return " " + std::string(name) + "=\"" + system::html_escaped(value) + "\"";
+}
+
+// A text field with its label.
+void field(Html& html, const std::string& act, const std::string& name, const std::string& label,
+           bool is_needed, const std::string& more = "") {
+  const std::string id = act + "-" + name;
+  html.raw("<p><label" + attribute("for", id) + ">" + system::html_escaped(label) +
+           "</label> <input" + attribute("id", id) + attribute("name", name) +
+           (is_needed ? " required" : "") + more + "></p>\n");
+}
+
+void choice(Html& html, const std::string& act, const std::string& name, const std::string& label,
+            const std::vector<std::pair<std::string, std::string>>& options) {
+  const std::string id = act + "-" + name;
+  html.raw("<p><label" + attribute("for", id) + ">" + system::html_escaped(label) +
+           "</label> <select" + attribute("id", id) + attribute("name", name) + ">");
+  for (const auto& [value, text] : options)
+    html.raw("<option" + attribute("value", value) + ">" + system::html_escaped(text) +
+             "</option>");
+  html.raw("</select></p>\n");
+}
+
+// The forms of the acts, each with its reason.
+class Forms {
+ public:
+  Forms(Html& html, const LeagueState& state) : html_(html) {
+    for (int i = 0; i < static_cast<int>(state.teams.size()); ++i)
+      teams_.emplace_back(state.name(i), state.shown_name(i));
+    html_.raw("<datalist id=\"fixtures\">");
+    for (const FixtureState& f : state.fixtures) {
+      if (!f.fixture.has_both()) continue;
+      html_.raw("<option" + attribute("value", f.fixture.id()) + ">" +
+                system::html_escaped(state.shown_name(f.fixture.home) + " – " +
+                                     state.shown_name(f.fixture.away)) +
+                "</option>");
+    }
+    html_.raw("</datalist>\n");
+  }
+
+  void all() {
+    open("rule", "Decide the score of a leg");
+    fixture("rule");
+    field(html_, "rule", "score", "Score, home:away", true, " placeholder=\"2:1\" size=\"8\"");
+    close("rule");
+    open("award", "Give a leg to a team, as by a forfeit");
+    fixture("award");
+    choice(html_, "award", "team", "Team", teams_);
+    close("award");
+    open("void", "Declare a leg void: it is played again with the same seed");
+    fixture("void");
+    close("void");
+    open("pause", "Pause a team: no leg of it is started");
+    choice(html_, "pause", "team", "Team", teams_);
+    close("pause");
+    open("resume", "Let a paused team play on");
+    choice(html_, "resume", "team", "Team", teams_);
+    close("resume");
+    open("withdraw", "Take a team out of the league");
+    choice(html_, "withdraw", "team", "Team", teams_);
+    choice(html_, "withdraw", "results", "Its results",
+           {{"keep", "stay; the others win what is left"}, {"annul", "count for nothing"}});
+    close("withdraw");
+    open("freeze", "Take no entries from a time on");
+    field(html_, "freeze", "from", "Time, empty for now", false,
+          " placeholder=\"2026-11-30T18:00:00\"");
+    html_.raw(
+        "<p><label><input type=\"checkbox\" name=\"lift\" value=\"yes\"> take entries again"
+        "</label></p>\n");
+    close("freeze");
+    open("release", "Say which rounds the pages show");
+    choice(html_, "release", "level", "For",
+           {{"all", "everybody"}, {"teams", "teams: each its own digest"}, {"hidden", "nobody"}});
+    field(html_, "release", "through", "The last round that is shown", false,
+          " placeholder=\"r3\" size=\"8\"");
+    close("release");
+    open("close", "End the league: no night follows, no entry is taken");
+    close("close");
+    open("undo", "Take a decision back");
+    field(html_, "undo", "decision", "Its number in the list", true, " type=\"number\" min=\"1\"");
+    close("undo");
+    open("people", "Say by what name people know a team, and who is in it");
+    choice(html_, "people", "team", "Team", teams_);
+    field(html_, "people", "display", "Name", false);
+    field(html_, "people", "members", "Members, with ; between them", false, " size=\"50\"");
+    html_.raw("<p><button name=\"go\" value=\"do\">Write</button></p></form></details>\n");
+  }
+
+ private:
+  void open(const std::string& act, const std::string& title) {
+    html_.raw("<details class=\"act\"><summary>" + system::html_escaped(title) +
+              "</summary>\n<form method=\"post\" action=\"/hand-in/staff\"><input type=\"hidden\" "
+              "name=\"act\"" +
+              attribute("value", act) + ">\n");
+  }
+
+  void fixture(const std::string& act) {
+    field(html_, act, "fixture", "Fixture", true,
+          " list=\"fixtures\" placeholder=\"r3-f1\" size=\"12\"");
+    choice(html_, act, "leg", "Leg", {{"1", "1"}, {"2", "2"}, {"3", "3"}, {"all", "all legs"}});
+  }
+
+  void close(const std::string& act) {
+    field(html_, act, "reason", "Reason, which is published", true,
+          " size=\"50\" maxlength=\"300\"");
+    field(html_, act, "by", "Who decides", false);
+    html_.raw(
+        "<p><button name=\"go\" value=\"try\">Try: what would change</button> <button "
+        "name=\"go\" value=\"do\">Decide</button></p></form></details>\n");
+  }
+
+  Html& html_;
+  std::vector<std::pair<std::string, std::string>> teams_;
+};
+
+std::string joined_with(const std::vector<std::string>& words, const char* between) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
+  return text;
+}
+
+void teams_table(Html& html, const LeagueFile& file, const std::vector<RosterRow>& rows) {
+  html.open_table();
+  html.row("th", {"Team", "Name", "Members", "Handed in", "State", "Plays with", "Answer"});
+  for (const RosterRow& row : rows) {
+    html.open("tr");
+    html.cell("th", row.team);
+    html.cell("td", row.people.display);
+    html.cell_of("small", joined_with(row.people.members, "; "));
+    html.cell("td", row.handed_in.empty() ? "" : shown_time(file, row.handed_in));
+    std::string state = row.state();
+    if (row.status == TeamStatus::paused) state += ", paused: " + row.why;
+    if (row.status == TeamStatus::withdrawn) state += ", has withdrawn";
+    if (!row.has_joined) state += ", not in the league";
+    html.cell("td", state);
+    html.cell("td", row.playing_entry > 0 ? "entry " + std::to_string(row.playing_entry)
+                    : row.last_accepted > 0
+                        ? "entry " + std::to_string(row.last_accepted) + ", next"
+                        : "");
+    std::string answer = row.was_accepted ? "" : row.message;
+    if (!row.same_as.empty())
+      answer += (answer.empty() ? "" : " ") + std::string("The same file as ") +
+                joined_with(row.same_as, ", ") + ".";
+    html.cell_of("words", answer);
+    html.close("tr");
+  }
+  html.close_table();
+}
+
+void attention(Html& html, const std::vector<RosterRow>& rows) {
+  std::vector<std::string> missing;
+  std::vector<std::string> refused;
+  std::vector<std::string> same;
+  for (const RosterRow& row : rows) {
+    if (row.status == TeamStatus::withdrawn) continue;
+    if (row.last_entry == 0 && row.handed_in.empty()) missing.push_back(row.team);
+    if (!row.handed_in.empty() && !row.was_accepted) refused.push_back(row.team);
+    for (const std::string& other : row.same_as) {
+      if (row.team < other) same.push_back(row.team + " and " + other);
+    }
+  }
+  html.open("ul");
+  html.cell("li", "Not handed in: " + (missing.empty() ? "nobody" : joined_with(missing, ", ")));
+  html.cell("li",
+            "Last hand-in refused: " + (refused.empty() ? "nobody" : joined_with(refused, ", ")));
+  html.cell("li", "The same file: " + (same.empty() ? "nobody" : joined_with(same, ", ")));
+  html.close("ul");
+}
+
+void decisions_list(Html& html, const LeagueState& state, int done) {
+  const auto views = decision_views(state);
+  if (views.empty()) {
+    html.cell("p", "Nothing was decided yet.");
+    return;
+  }
+  html.open_table();
+  html.row("th", {"No.", "When", "Who", "What", "Why", ""});
+  for (const DecisionView& d : views) {
+    html.open(d.number == done ? "tr class=\"chosen\"" : "tr");
+    html.cell_of("number", std::to_string(d.number));
+    html.cell("td", d.at.empty() ? "" : shown_time(state.file, d.at));
+    html.cell("td", d.by);
+    html.cell("td", d.what);
+    html.cell("td", d.why);
+    html.cell_of("small", d.undoing);
+    html.close("tr");
+  }
+  html.close_table();
+}
+
+web::Reply staff_reply(int status, std::string html) {
+  return {.status = status,
+          .type = "text/html; charset=utf-8",
+          .bytes = std::move(html),
+          .headers = {{"Content-Security-Policy", staff_policy}, {"Cache-Control", "no-store"}}};
+}
+
+// The host is told the reason, so the staff is, too.
+web::Reply broken(const Error& error) {
+  return {.status = 503, .bytes = error.what + "\n"};
+}
+
+Result<void> set_people(system::Files& files, const LeagueStore& store, const Form& form) {
+  const std::string team = value_of(form, "team");
+  if (!store.state().find_team(team)) return fail(Errc::input, "there is no team " + team);
+  const auto lock = system::FileLock::acquire(store.folder().lock());
+  if (!lock) return tl::unexpected(lock.error());
+  auto people = read_people(files, store.folder());
+  if (!people) return tl::unexpected(people.error());
+  People& one = (*people)[team];
+  one.display = value_of(form, "display");
+  one.members.clear();
+  std::string rest = value_of(form, "members");
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find(';'), rest.size());
+    std::string member = rest.substr(0, end);
+    rest.erase(0, end + 1);
+    member.erase(0, std::min(member.find_first_not_of(' '), member.size()));
+    if (!member.empty()) one.members.push_back(member);
+  }
+  std::vector<std::string> names = one.members;
+  if (!one.display.empty()) names.push_back(one.display);
+  for (const std::string& name : names) {
+    if (const std::string why = objection_to_display(name); !why.empty())
+      return fail(Errc::input, why);
+  }
+  return write_people(files, store.folder(), *people);
+}
+
+}  // namespace
+
+web::Reply StaffDesk::page(int done, const std::string& said, int status) const {
+  const auto store = LeagueStore::open(files_, folder_);
+  if (!store) return broken(store.error());
+  const auto rows = roster(files_, *store);
+  if (!rows) return broken(rows.error());
+  const LeagueState& state = store->state();
+  Html html;
+  html.raw(
+      "<form method=\"post\" action=\"/hand-in/log-out\"><p><button>Log out</button></p></form>"
+      "\n");
+  if (!said.empty()) html.raw("<p role=\"alert\">" + system::html_escaped(said) + "</p>\n");
+  if (done > 0)
+    html.raw("<p role=\"status\">Decision " + std::to_string(done) + " is written.</p>\n");
+  html.open("ul");
+  html.cell("li", std::to_string(state.played()) + " of " + std::to_string(state.legs()) +
+                      " legs are decided, " + std::to_string(state.nights.size()) + " nights");
+  if (const std::string at = last_leg_at(store->journal()); !at.empty())
+    html.cell("li", "The last leg was played at " + shown_time(state.file, at));
+  const std::string frozen = state.freeze ? *state.freeze : state.file.freeze;
+  html.cell("li", frozen.empty() ? "Entries are taken as the format allows"
+                                 : "No entry is taken from " + shown_time(state.file, frozen));
+  if (state.is_closed) html.cell("li", "The league is closed");
+  html.close("ul");
+  next_card(html, "To look at");
+  attention(html, *rows);
+  next_card(html, "Teams");
+  teams_table(html, state.file, *rows);
+  html.raw("<p><a href=\"/hand-in/grades.csv\">Grades (CSV)</a></p>\n");
+  next_card(html, "Decide");
+  Forms(html, state).all();
+  next_card(html, "Decisions");
+  decisions_list(html, state, done);
+  return staff_reply(status, desk_page("Staff", html));
+}
+
+web::Reply StaffDesk::act(const std::string& form) const {
+  const Form values = decoded_form(form);
+  auto store = LeagueStore::open(files_, folder_);
+  if (!store) return broken(store.error());
+  if (value_of(values, "act") == "people") {
+    if (const auto set = set_people(files_, *store, values); !set)
+      return page(0, set.error().what, 400);
+    return {.status = 303, .bytes = "", .headers = {{"Location", "/hand-in"}}};
+  }
+  const auto wanted = act_of(values);
+  if (!wanted) return page(0, "The form names no act.", 400);
+  const auto lines = perform(files_, *store, *wanted, now_());
+  if (!lines) return page(0, lines.error().what, 400);
+  if (wanted->is_dry_run) return page(0, joined_with(*lines, "; "));
+  return {.status = 303,
+          .bytes = "",
+          .headers = {
+              {"Location", "/hand-in?done=" + std::to_string(store->state().decisions.size())}}};
+}
+
+web::Reply StaffDesk::grades() const {
+  const auto store = LeagueStore::open(files_, folder_);
+  if (!store) return broken(store.error());
+  const auto people = read_people(files_, folder_);
+  if (!people) return broken(people.error());
+  auto file = league::grades(overview(store->state()), *people, "", "");
+  if (!file) return broken(file.error());
+  return {.status = 200,
+          .type = "text/csv; charset=utf-8",
+          .bytes = std::move(file->bytes),
+          .headers = {{"Content-Disposition", "attachment; filename=\"grades.csv\""},
+                      {"Cache-Control", "no-store"}}};
+}
+
+}  // namespace mirocup::league

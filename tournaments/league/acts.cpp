@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/league/acts.hpp"
+
+#include "system/file_lock.hpp"
+#include "system/printable.hpp"
+#include "tournaments/league/apply.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+namespace mirocup::league {
+
+namespace {
+
+constexpr std::size_t max_reason = 500;  // bytes
+constexpr std::size_t max_by = 60;       // bytes
+
+using Lines = std::vector<std::string>;
+
+// Returns the legs that an act on a fixture is about.
+Result<std::vector<int>> legs_of(const LeagueState& state, const Act& act) {
+  const auto index = state.find_fixture(act.fixture);
+  if (!index) return fail(Errc::input, "there is no fixture " + act.fixture);
+  const int needed = state.fixtures[*index].needed();
+  if (act.leg > 0) {
+    if (act.has_all_legs) return fail(Errc::input, "one leg and all legs exclude each other");
+    return std::vector<int>{act.leg};
+  }
+  if (!act.has_all_legs && needed > 1) {
+    return fail(Errc::input, act.fixture + " has " + std::to_string(needed) +
+                                 " legs: say which one (--leg N), or --all-legs");
+  }
+  std::vector<int> legs;
+  for (int leg = 1; leg <= needed; ++leg) legs.push_back(leg);
+  if (legs.empty()) return fail(Errc::input, act.fixture + " has no leg to be decided");
+  return legs;
+}
+
+std::string score_in_words(const HomeAway& score) {
+  return std::to_string(score.home) + " : " + std::to_string(score.away);
+}
+
+std::string before_in_words(const FixtureState& f, int leg) {
+  if (leg < 1 || leg > max_legs || !f.legs[leg - 1].played) return "was not decided";
+  const LegResult& result = f.legs[leg - 1].played->result;
+  return "was " + score_in_words({result.home_goals, result.away_goals});
+}
+
+// Reads "2:1".
+Result<HomeAway> score_of(const std::string& text) {
+  HomeAway score;
+  const std::size_t colon = text.find(':');
+  const auto read = [&text](std::size_t begin, std::size_t end, int& number) {
+    while (begin < end && text[begin] == ' ') ++begin;
+    while (end > begin && text[end - 1] == ' ') --end;
+    const auto done = std::from_chars(text.data() + begin, text.data() + end, number);
+    return begin < end && done.ec == std::errc() && done.ptr == text.data() + end && number >= 0;
+  };
+  if (colon == std::string::npos || !read(0, colon, score.home) ||
+      !read(colon + 1, text.size(), score.away))
+    return fail(Errc::input, text + " is no score: HOME:AWAY is expected, as in 2:1");
+  if (std::max(score.home, score.away) > max_ruled_goals) {
+    return fail(Errc::input, text + ": a person gives a team at most " +
+                                 std::to_string(max_ruled_goals) + " goals in a leg");
+  }
+  return score;
+}
+
+// Returns the score by which a leg is given to a team.
+Result<HomeAway> awarded_to(const LeagueState& state, const Act& act) {
+  const auto index = state.find_fixture(act.fixture);
+  if (!index) return fail(Errc::input, "there is no fixture " + act.fixture);
+  const Fixture& fixture = state.fixtures[*index].fixture;
+  const auto team = state.find_team(act.team);
+  if (!team || (*team != fixture.home && *team != fixture.away))
+    return fail(Errc::input, act.team + " does not play in " + act.fixture);
+  const int goals = state.file.rules.forfeit_goals;
+  return *team == fixture.home ? HomeAway{goals, 0} : HomeAway{0, goals};
+}
+
+// One act, with the time at which it is done.
+class Deciding {
+ public:
+  Deciding(system::Files& files, LeagueStore& store, const Act& act, std::int64_t now)
+      : files_(files), store_(store), act_(act), now_(now) {}
+
+  Result<Lines> perform() {
+    switch (act_.kind) {
+      case ActKind::rule:
+        return score_of(act_.score).and_then([&](const HomeAway& s) { return rule(s); });
+      case ActKind::award:
+        return awarded_to(state(), act_).and_then([&](const HomeAway& s) { return rule(s); });
+      case ActKind::void_:
+        return annul();
+      case ActKind::withdraw:
+        return withdraw();
+      case ActKind::pause:
+        return write(signed_as(Paused{.team = act_.team, .why = {}, .by = {}}),
+                     act_.team + " is paused: no leg of it is started");
+      case ActKind::resume:
+        return write(signed_as(Resumed{.team = act_.team, .why = {}, .by = {}}),
+                     act_.team + " plays on");
+      case ActKind::freeze:
+        return freeze();
+      case ActKind::release:
+        return release();
+      case ActKind::close:
+        return write(signed_as(Closed{}),
+                     "the league is closed: no night follows, and no entry is "
+                     "taken");
+      case ActKind::undo:
+        return undo();
+    }
+    return Lines{};
+  }
+
+ private:
+  const LeagueState& state() const { return store_.state(); }
+
+  template <class Decided>
+  Decided signed_as(Decided event) const {
+    event.why = act_.reason;
+    event.by = act_.by;
+    event.at = utc_text(now_);
+    return event;
+  }
+
+  Result<Lines> write(const Event& event, const std::string& line) {
+    if (auto valid = validate(state(), event); !valid) return tl::unexpected(valid.error());
+    if (act_.is_dry_run) return Lines{line + " (not written: a dry run)"};
+    if (auto written = store_.write(event); !written) return tl::unexpected(written.error());
+    return Lines{line};
+  }
+
+  Result<Lines> each_leg(const std::function<std::pair<Event, std::string>(int leg)>& decide) {
+    const auto legs = legs_of(state(), act_);
+    if (!legs) return tl::unexpected(legs.error());
+    // All or none: the first that cannot be decided stops it before a line is written.
+    for (const int leg : *legs) {
+      if (auto valid = validate(state(), decide(leg).first); !valid)
+        return tl::unexpected(valid.error());
+    }
+    Lines lines;
+    for (const int leg : *legs) {
+      const auto [event, words] = decide(leg);
+      const auto index = state().find_fixture(act_.fixture);
+      const std::string before =
+          index ? before_in_words(state().fixtures[*index], leg) : std::string();
+      auto written = write(
+          event, act_.fixture + " leg " + std::to_string(leg) + ": " + words + " (" + before + ")");
+      if (!written) return written;
+      lines.insert(lines.end(), written->begin(), written->end());
+    }
+    return lines;
+  }
+
+  Result<Lines> rule(const HomeAway& score) {
+    return each_leg([&](int leg) -> std::pair<Event, std::string> {
+      const auto index = state().find_fixture(act_.fixture);
+      const Fixture& f = state().fixtures[*index].fixture;
+      const std::string words = f.has_both() ? state().name(f.home) + " " + score_in_words(score) +
+                                                   " " + state().name(f.away)
+                                             : score_in_words(score);
+      return {signed_as(
+                  Ruled{.fixture = act_.fixture, .leg = leg, .score = score, .why = {}, .by = {}}),
+              words};
+    });
+  }
+
+  Result<Lines> annul() {
+    return each_leg([&](int leg) -> std::pair<Event, std::string> {
+      const auto index = state().find_fixture(act_.fixture);
+      const int attempt = leg <= max_legs ? state().fixtures[*index].legs[leg - 1].voids + 1 : 1;
+      return {signed_as(LegVoided{.fixture = act_.fixture,
+                                  .leg = leg,
+                                  .attempt = attempt,
+                                  .cause = VoidCause::ruling,
+                                  .why = {},
+                                  .by = {}}),
+              "void; league start plays it again"};
+    });
+  }
+
+  Result<Lines> withdraw() {
+    const auto results = from_string<WithdrawnResults>(act_.results);
+    if (!results) return fail(Errc::input, "keep or annul is expected, for its results");
+    return write(
+        signed_as(Withdrawn{.team = act_.team, .results = *results, .why = {}, .by = {}}),
+        act_.team + " has withdrawn; " +
+            (*results == WithdrawnResults::keep ? "its results stay, the others win what is left"
+                                                : "its results count for nothing"));
+  }
+
+  Result<Lines> freeze() {
+    std::string from;
+    if (!act_.is_lifted) {
+      const auto time =
+          act_.from.empty() ? Result<std::string>(utc_text(now_)) : utc_of(act_.from, state().file);
+      if (!time) return tl::unexpected(time.error());
+      from = *time;
+    }
+    const std::string line = from.empty()
+                                 ? "entries are taken again"
+                                 : "no entry is taken from " + shown_time(state().file, from);
+    if (state().is_started) {
+      Frozen frozen;
+      frozen.from = from;
+      return write(signed_as(frozen), line);
+    }
+    if (act_.is_dry_run) return Lines{line + " (not written: a dry run)"};
+    const auto lock = system::FileLock::acquire(store_.folder().submitting());
+    if (!lock) return tl::unexpected(lock.error());
+    LeagueFile file = state().file;
+    file.freeze = from;
+    if (auto written = files_.write(store_.folder().config(), print_league_file(file)); !written)
+      return tl::unexpected(written.error());
+    return Lines{line};
+  }
+
+  Result<Lines> release() {
+    const auto level = from_string<ReleaseLevel>(act_.level);
+    if (!level) return fail(Errc::input, "all, teams or hidden is expected");
+    const auto& fixtures = state().fixtures;
+    const std::string& round = act_.through;
+    const bool exists =
+        round.empty() ||
+        std::any_of(fixtures.begin(), fixtures.end(), [&round](const FixtureState& f) {
+          return (f.fixture.part == Part::knockout ? "k" : "r") + std::to_string(f.fixture.round) ==
+                 round;
+        });
+    if (!exists) return fail(Errc::input, "there is no round " + round);
+    Released released;
+    released.level = *level;
+    released.through = round;
+    const std::string shown = !round.empty()                ? "the rounds through " + round
+                              : *level == ReleaseLevel::all ? "every round"
+                                                            : "no round";
+    return write(signed_as(released),
+                 "the pages show " + shown +
+                     (*level == ReleaseLevel::teams ? "; teams read their own digests" : ""));
+  }
+
+  Result<Lines> undo() {
+    const auto& decisions = state().decisions;
+    if (act_.decision < 1 || act_.decision > static_cast<int>(decisions.size())) {
+      return fail(Errc::input, "there is no decision " + std::to_string(act_.decision) +
+                                   "; league decisions lists them");
+    }
+    const int line = decisions[static_cast<std::size_t>(act_.decision) - 1].line;
+    Undone undone;
+    undone.line = line;
+    return write(signed_as(undone), "decision " + std::to_string(act_.decision) +
+                                        " is undone: the league is as if it "
+                                        "had not been made");
+  }
+
+  system::Files& files_;
+  LeagueStore& store_;
+  const Act& act_;
+  std::int64_t now_;
+};
+
+}  // namespace
+
+std::string objection_to_reason(const std::string& text) {
+  const bool has_word = std::any_of(text.begin(), text.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           static_cast<unsigned char>(c) >= 0x80;
+  });
+  if (!has_word) return "a reason is expected, in words: it is published";
+  if (text.size() > max_reason)
+    return "a reason has at most " + std::to_string(max_reason) + " bytes";
+  if (system::printable(text) != text) return "a reason is one line of text in UTF-8";
+  return "";
+}
+
+Result<std::vector<std::string>> perform(system::Files& files, LeagueStore& store, const Act& act,
+                                         std::int64_t now) {
+  if (const std::string why = objection_to_reason(act.reason); !why.empty())
+    return fail(Errc::input, why);
+  if (act.by.size() > max_by || system::printable(act.by) != act.by) {
+    return fail(Errc::input, "the name of who decides is one line of text, of at most " +
+                                 std::to_string(max_by) + " bytes");
+  }
+  if (auto fresh = store.refresh(); !fresh) return tl::unexpected(fresh.error());
+  return Deciding(files, store, act, now).perform();
+}
+
+}  // namespace mirocup::league

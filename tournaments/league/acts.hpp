@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+//
+// What the staff of a league decides, the same from a terminal and from the staff page. Each act
+// becomes lines of the journal, or says in a sentence why it cannot.
+#pragma once
+
+#include "core/base/names.hpp"
+#include "tournaments/league/league_store.hpp"
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mirocup::league {
+
+enum class ActKind { rule, award, void_, withdraw, pause, resume, freeze, release, close, undo };
+
+struct Act {
+  ActKind kind = ActKind::rule;
+  std::string fixture = {};   // rule, award, void
+  int leg = 0;                // likewise; 0: not said, which is enough for a fixture of one leg
+  bool has_all_legs = false;  // likewise: said so
+  std::string team = {};      // award, withdraw, pause, resume
+  std::string score = {};     // rule: "2:1", home before away
+  std::string results = {};   // withdraw: "keep" or "annul"
+  std::string from = {};      // freeze: a time; "": now
+  bool is_lifted = false;     // freeze: entries are taken again
+  std::string level = {};     // release: "all", "teams" or "hidden"
+  std::string through = {};   // release: a round; "": as Released::through says
+  int decision = 0;           // undo: its number in the list of decisions
+  std::string reason = {};    // of all
+  std::string by = {};        // who decides; "": nobody is named
+  bool is_dry_run = false;    // says what would happen and writes nothing
+};
+
+// The most goals that a person can give a team in a leg.
+inline constexpr int max_ruled_goals = 100;
+
+// Returns why a text is no reason that can be published: it has a letter or a digit, is one line,
+// and at most 500 bytes. "": it is one.
+std::string objection_to_reason(const std::string& text);
+
+// Performs an act. `files` is for league.json, which has the time of a freeze before the start.
+// Returns lines for the person who acts, with what was before: "r1-f1 leg 2: a 2 : 1 b (was 0 :
+// 3)". Errors: Errc::input; then nothing is written.
+Result<std::vector<std::string>> perform(system::Files& files, LeagueStore& store, const Act& act,
+                                         std::int64_t now);
+
+}  // namespace mirocup::league
+
+namespace mirocup {
+
+template <>
+inline constexpr std::array<std::string_view, 10> enum_names<league::ActKind>{
+    "rule", "award", "void", "withdraw", "pause", "resume", "freeze", "release", "close", "undo"};
+static_assert(to_string(league::ActKind::undo) == "undo");
+
+}  // namespace mirocup

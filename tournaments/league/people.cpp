@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/league/people.hpp"
+
+#include "server/record/json_reader.hpp"
+#include "system/printable.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <set>
+
+namespace mirocup::league {
+
+namespace {
+
+constexpr std::string_view people_schema = "mirocup/teams/1";
+constexpr std::size_t max_display = 60;  // bytes
+constexpr std::size_t max_members = 20;
+
+std::string read_name(const record::JsonReader& json) {
+  const std::string text = json.text();
+  if (const std::string why = objection_to_display(text); !why.empty()) json.complain(why);
+  return text;
+}
+
+PeopleOfTeams read_teams_file(const record::JsonReader& json) {
+  json.expect_object({"schema", "teams"});
+  json.expect_schema(people_schema);
+  PeopleOfTeams people;
+  for (const record::JsonReader& team : json.at("teams").elements(0, 1000)) {
+    team.expect_object({"team", "display", "members"});
+    People& one = people[team.at("team").text()];
+    if (team.has("display")) one.display = read_name(team.at("display"));
+    if (!team.has("members")) continue;
+    for (const record::JsonReader& member : team.at("members").elements(0, max_members))
+      one.members.push_back(read_name(member));
+  }
+  return people;
+}
+
+}  // namespace
+
+std::string objection_to_display(const std::string& text) {
+  if (text.empty() || text.find_first_not_of(' ') == std::string::npos) return "a name is empty";
+  if (text.size() > max_display)
+    return "a name has at most " + std::to_string(max_display) + " bytes";
+  if (system::printable(text) != text) return "a name is one line of text in UTF-8";
+  return "";
+}
+
+Result<PeopleOfTeams> read_people(system::Files& files, const Folder& folder) {
+  if (!files.exists(folder.people())) return PeopleOfTeams{};
+  const auto text = files.read(folder.people(), {.max_size = system::size_limit::league_file});
+  if (!text) return tl::unexpected(text.error());
+  return record::read_json<PeopleOfTeams>(*text, folder.people(), Errc::input, read_teams_file);
+}
+
+Result<void> write_people(system::Files& files, const Folder& folder, const PeopleOfTeams& people) {
+  Json teams = Json::array();
+  for (const auto& [team, one] : people) {
+    Json json{{"team", team}};
+    if (!one.display.empty()) json["display"] = one.display;
+    if (!one.members.empty()) json["members"] = one.members;
+    teams.push_back(json);
+  }
+  const Json json{{"schema", people_schema}, {"teams", teams}};
+  return files.write(folder.people(), record::json_text(json, 1) + "\n", system::Readers::owner);
+}
+
+// Two teams of one name could not be told apart: then it is followed by their own.
+std::vector<std::string> shown_names(const LeagueFile& file, const PeopleOfTeams& people) {
+  if (file.is_anonymous || people.empty()) return {};
+  std::vector<std::string> names;
+  std::multiset<std::string> all;
+  for (const TeamConfig& team : file.teams) {
+    const auto known = people.find(team.name);
+    const bool has = known != people.end() && !known->second.display.empty();
+    all.insert(names.emplace_back(has ? known->second.display : team.name));
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (all.count(names[i]) > 1) names[i] += " (" + file.teams[i].name + ")";
+  }
+  return names;
+}
+
+}  // namespace mirocup::league

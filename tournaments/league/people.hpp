@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+//
+// teams.json: by what names people know the teams of a league, and who is in them. It decides
+// nothing, may change at any time, and is closed to other users. In an anonymous league only the
+// staff reads the names; pages have those of league.json, the aliases.
+#pragma once
+
+#include "tournaments/league/folder.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace mirocup::league {
+
+struct People {
+  std::string display;               // any letters: "Zoë & Co"; "": the team's name
+  std::vector<std::string> members;  // names or matriculation numbers
+
+  bool operator==(const People&) const = default;
+};
+using PeopleOfTeams = std::map<std::string, People>;  // by the team's name
+
+// Returns why a text is no name for people; "" if it is one: UTF-8 that can be printed in a line,
+// at most 60 bytes.
+std::string objection_to_display(const std::string& text);
+
+// Reads and writes the file; a league without it has no such names. Errors: Errc::input.
+Result<PeopleOfTeams> read_people(system::Files& files, const Folder& folder);
+Result<void> write_people(system::Files& files, const Folder& folder, const PeopleOfTeams& people);
+
+// Returns the names that pages show, in the order of the teams; empty if they are the teams' own.
+std::vector<std::string> shown_names(const LeagueFile& file, const PeopleOfTeams& people);
+
+}  // namespace mirocup::league

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/league/roster.hpp"
+
+#include "server/record/json_reader.hpp"
+#include "tournaments/league/hand_ins.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <map>
+
+namespace mirocup::league {
+
+namespace {
+
+std::string sha256_of_entry(system::Files& files, const Folder& folder, const std::string& team,
+                            int number) {
+  if (number == 0) return "";
+  const std::string path = folder.entry_file(team, number);
+  const auto text = files.read(path, {.max_size = system::size_limit::note});
+  if (!text) return "";
+  return record::read_json<std::string>(
+             *text, path, Errc::damaged,
+             [](const record::JsonReader& json) { return json.at("sha256").text(); })
+      .value_or("");
+}
+
+}  // namespace
+
+std::string RosterRow::state() const {
+  if (handed_in.empty()) return last_entry > 0 ? "given by the host" : "nothing handed in";
+  return was_accepted ? "accepted" : "refused";
+}
+
+Result<std::vector<RosterRow>> roster(system::Files& files, const LeagueStore& store) {
+  const Folder& folder = store.folder();
+  const LeagueState& state = store.state();
+  const auto people = read_people(files, folder);
+  if (!people) return tl::unexpected(people.error());
+  std::vector<RosterRow> rows;
+  for (std::size_t i = 0; i < state.teams.size(); ++i) {
+    RosterRow row;
+    row.team = state.file.teams[i].name;
+    row.is_house = state.file.teams[i].is_house();
+    row.status = state.teams[i].status;
+    row.why = state.teams[i].why;
+    row.playing_entry = state.teams[i].entry;
+    rows.push_back(std::move(row));
+  }
+  for (const std::string& name :
+       files.names_in(folder.entries()).value_or(std::vector<std::string>())) {
+    if (!is_good_name(name) || state.find_team(name)) continue;
+    RosterRow row;
+    row.team = name;
+    row.has_joined = false;
+    rows.push_back(std::move(row));
+  }
+  std::map<std::string, std::vector<std::size_t>> by_file;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    RosterRow& row = rows[i];
+    if (const auto known = people->find(row.team); known != people->end())
+      row.people = known->second;
+    row.last_entry = last_entry(files, folder, row.team);
+    row.last_accepted = league::playing_entry(files, folder, row.team);
+    row.sha256 = sha256_of_entry(files, folder, row.team, row.last_accepted);
+    if (!row.sha256.empty()) by_file[row.sha256].push_back(i);
+    const auto known = read_hand_ins(files, folder, row.team);
+    if (!known) return tl::unexpected(known.error());
+    if (known->tries.empty()) continue;
+    const Try& last = known->tries.back();
+    row.handed_in = utc_text(last.at);
+    row.was_accepted = last.is_accepted;
+    row.message = last.message;
+  }
+  for (const auto& [sha256, same] : by_file) {
+    for (const std::size_t one : same) {
+      for (const std::size_t other : same) {
+        if (one != other) rows[one].same_as.push_back(rows[other].team);
+      }
+    }
+  }
+  return rows;
+}
+
+std::string last_leg_at(const Journal& journal) {
+  for (std::size_t i = journal.lines().size(); i-- > 0;) {
+    const Json& line = journal.lines()[i];
+    if (line.value("kind", Json()) != LegPlayed::kind) continue;
+    const auto at = line.find("at");
+    return at != line.end() && at->is_string() ? at->get<std::string>() : "";
+  }
+  return "";
+}
+
+Json roster_json(const std::vector<RosterRow>& rows) {
+  Json teams = Json::array();
+  const auto or_null = [](const std::string& text) { return text.empty() ? Json() : Json(text); };
+  for (const RosterRow& row : rows) {
+    teams.push_back({{"team", row.team},
+                     {"display", or_null(row.people.display)},
+                     {"members", row.people.members},
+                     {"house", row.is_house},
+                     {"joined", row.has_joined},
+                     {"status", row.status == TeamStatus::playing  ? "playing"
+                                : row.status == TeamStatus::paused ? "paused"
+                                                                   : "withdrawn"},
+                     {"plays_with", row.playing_entry > 0 ? Json(row.playing_entry) : Json()},
+                     {"last_accepted", row.last_accepted > 0 ? Json(row.last_accepted) : Json()},
+                     {"state", row.state()},
+                     {"handed_in", or_null(row.handed_in)},
+                     {"message", or_null(row.message)},
+                     {"sha256", or_null(row.sha256)},
+                     {"same_file_as", row.same_as}});
+  }
+  return teams;
+}
+
+}  // namespace mirocup::league

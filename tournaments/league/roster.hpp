@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+//
+// What the staff wants to know of each team: who is in it, what it has handed in, what became of
+// that, and who has handed in the same file.
+#pragma once
+
+#include "tournaments/league/league_store.hpp"
+#include "tournaments/league/people.hpp"
+
+#include <string>
+#include <vector>
+
+namespace mirocup::league {
+
+struct RosterRow {
+  std::string team;
+  People people;
+  bool is_house = false;
+  bool has_joined = true;  // false: a name that has handed in, but is not in the league
+  TeamStatus status = TeamStatus::playing;
+  std::string why;        // it is paused, or has withdrawn
+  int playing_entry = 0;  // that the journal lets play; 0: none yet
+  int last_accepted = 0;  // the last entry that was accepted, or the pinned one; 0: none
+  int last_entry = 0;     // of the last entry that is kept
+  std::string handed_in;  // when it last handed in, UTC; "": never, or the host gave the library
+  bool was_accepted = false;         // the last try
+  std::string message;               // what was answered to it
+  std::string sha256;                // of that entry; ""
+  std::vector<std::string> same_as;  // other teams whose entry is the same file
+
+  // One word: "nothing handed in", "accepted", "refused" or "given by the host".
+  std::string state() const;
+};
+
+// Returns a row for each team of the league, and for each other name that has handed in.
+Result<std::vector<RosterRow>> roster(system::Files& files, const LeagueStore& store);
+
+// Returns the time of the last line of the journal about a leg that was played, UTC; "" if there is
+// none or it has no time.
+std::string last_leg_at(const Journal& journal);
+
+// The roster as JSON, for `status --entries --json`.
+Json roster_json(const std::vector<RosterRow>& rows);
+
+}  // namespace mirocup::league

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/play/program.hpp"
+
+#include "server/record/json_reader.hpp"
+#include "system/locations.hpp"
+#include "system/process_set.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+
+namespace mirocup::league {
+
+namespace {
+
+constexpr std::string_view match_program = "mirocup";
+
+std::string in_words(const std::string& version, const std::string& game) {
+  return "mirocup " + version + (game.empty() ? "" : " (game " + game + ")");
+}
+
+std::string kept_program(const Folder& folder, const std::string& game) {
+  return folder.programs() + "/" + game + "/" + std::string(match_program);
+}
+
+// A hash of hexadecimal digits; anything else in a record names no folder.
+bool is_game(const std::string& game) {
+  return !game.empty() && game.size() <= 64 &&
+         game.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+// What is needed of a record before it is verified.
+struct RecordedLeg {
+  std::string path;  // inside the league
+  std::string version;
+  std::string game;
+  std::string state_hash;
+};
+
+Result<RecordedLeg> read_leg(system::Files& files, const Folder& folder, const std::string& path) {
+  const std::string file = folder.path + "/" + path;
+  const auto text = files.read(file, {.max_size = system::size_limit::record});
+  if (!text) return tl::unexpected(text.error());
+  return record::read_json<RecordedLeg>(
+      *text, file, Errc::damaged, [&path](const record::JsonReader& json) {
+        const record::JsonReader software = json.at("software");
+        RecordedLeg leg{.path = path,
+                        .version = software.at("version").text(),
+                        .game = "",
+                        .state_hash = json.at("state_hash").text()};
+        software.read_if_present("game", leg.game);
+        return leg;
+      });
+}
+
+// A folder for the output of children, which its destructor removes.
+class OutputFolder {
+ public:
+  OutputFolder() {
+    std::string path = std::filesystem::temp_directory_path() / "mirocup-verify-XXXXXX";
+    if (mkdtemp(path.data()) != nullptr) path_ = path;
+  }
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+  ~OutputFolder() {
+    std::error_code ignored;
+    if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
+  }
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;  // "": it could not be made
+};
+
+std::string last_line_of(std::string text) {
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  const std::size_t line = text.rfind('\n');
+  return line == std::string::npos ? text : text.substr(line + 1);
+}
+
+// Notes what the journal says of records: those that it names must be there, as it means them.
+void compare_with_journal(const LeagueStore& store, const std::map<std::string, RecordedLeg>& legs,
+                          VerifiedRecords& done) {
+  for (const Json& line : store.journal().lines()) {
+    const auto event = read_event(line);
+    const auto* played = event ? std::get_if<LegPlayed>(&*event) : nullptr;
+    if (played == nullptr) continue;
+    const auto found = legs.find(played->record);
+    if (found == legs.end()) {
+      done.problems.push_back(
+          {played->record, "is not there, or cannot be read, and the journal names it", 4});
+    } else if (found->second.state_hash != played->state_hash) {
+      done.problems.push_back({played->record, "is of another leg than the journal means", 4});
+    }
+  }
+}
+
+}  // namespace
+
+Result<void> expect_program(LeagueStore& store, const record::Software& program,
+                            bool accepts_other) {
+  const LeagueState& state = store.state();
+  const ProgramChosen& before = state.program;
+  if (!state.is_started) return {};
+  // Journals of earlier versions name the version only.
+  const bool is_same = before.version == program.version &&
+                       (before.game.empty() || before.game == program.behaviour_hash);
+  if (is_same) return {};
+  if (!accepts_other) {
+    return fail(Errc::input,
+                store.folder().path + " is played with " + in_words(before.version, before.game) +
+                    "; this is " + in_words(program.version, program.behaviour_hash) +
+                    ", which may play other legs from the same seeds. Play on with the program of "
+                    "before, or with this one from here on: --other-program");
+  }
+  return store.write(ProgramChosen{
+      .version = program.version, .build = program.build, .game = program.behaviour_hash});
+}
+
+Result<void> keep_program(system::Files& files, const Folder& folder,
+                          const record::Software& program) {
+  const std::string kept = kept_program(folder, program.behaviour_hash);
+  if (files.exists(kept)) return {};
+  const auto bytes = files.read(
+      system::sibling_program(std::string(match_program)),
+      {.max_size = 4 * system::size_limit::system_file, .links = system::Links::followed});
+  if (!bytes) return tl::unexpected(bytes.error());
+  const Json about{{"version", program.version},
+                   {"build", program.build},
+                   {"game", program.behaviour_hash},
+                   {"sha256", system::sha256(*bytes)}};
+  const std::string home = folder.programs() + "/" + program.behaviour_hash;
+  auto written =
+      files.make_folder(home)
+          .and_then([&] {
+            return files.write(home + "/program.json", record::json_text(about, 1) + "\n");
+          })
+          .and_then([&] { return files.write(kept, *bytes); });
+  if (!written) return written;
+  std::error_code failed;
+  namespace fs = std::filesystem;
+  fs::permissions(kept, fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec,
+                  fs::perm_options::add, failed);
+  if (failed) return fail(Errc::unavailable, kept + ": " + failed.message());
+  return {};
+}
+
+std::string verifier_of(system::Files& files, const Folder& folder, const std::string& game) {
+  const bool is_other = game != record::this_software().behaviour_hash;
+  const std::string kept = is_game(game) ? kept_program(folder, game) : "";
+  if (is_other && !kept.empty() && files.exists(kept)) return kept;
+  return system::sibling_program(std::string(match_program));
+}
+
+Result<VerifiedRecords> verify_records(system::Files& files, const LeagueStore& store, int jobs) {
+  const Folder& folder = store.folder();
+  const auto names = files.names_in(folder.path + "/records");
+  if (!names) return tl::unexpected(names.error());
+  VerifiedRecords done;
+  std::map<std::string, RecordedLeg> legs;
+  std::vector<const RecordedLeg*> waiting;
+  for (const std::string& name : *names) {
+    const std::string path = "records/" + name;
+    if (!name.ends_with(".json") || name.starts_with('.')) continue;
+    ++done.records;
+    auto leg = read_leg(files, folder, path);
+    if (leg) {
+      waiting.push_back(&legs.emplace(path, std::move(*leg)).first->second);
+    } else {
+      done.problems.push_back({path, leg.error().what, exit_code(leg.error().code)});
+    }
+  }
+  compare_with_journal(store, legs, done);
+
+  const OutputFolder output;
+  if (output.path().empty()) return fail(Errc::unavailable, "no temporary folder can be made");
+  system::ProcessSet processes;
+  if (jobs <= 0) jobs = static_cast<int>(system::processors().size());
+  std::map<std::string, int> by_program;
+  const auto output_of = [&output](int tag) { return output.path() + "/" + std::to_string(tag); };
+  for (std::size_t next = 0; next < waiting.size() || processes.running() > 0;) {
+    if (next < waiting.size() && static_cast<int>(processes.running()) < jobs) {
+      const RecordedLeg& leg = *waiting[next];
+      const std::string program = verifier_of(files, folder, leg.game);
+      ++by_program[in_words(leg.version, leg.game) + ", verified by " + program];
+      const int tag = static_cast<int>(next++);
+      const auto started = processes.start({program, "verify", folder.path + "/" + leg.path}, tag,
+                                           -1, output_of(tag));
+      if (!started) return tl::unexpected(started.error());
+      continue;
+    }
+    const auto exit = processes.wait();
+    if (!exit) return fail(Errc::interrupted, "interrupted");
+    if (exit->signal == 0 && exit->code == exit_yes) {
+      ++done.reproduced;
+    } else {
+      const std::string said =
+          files.read(output_of(exit->tag), {.max_size = system::size_limit::log}).value_or("");
+      done.problems.push_back({waiting[static_cast<std::size_t>(exit->tag)]->path,
+                               last_line_of(said),
+                               exit->signal != 0 ? exit_code(Errc::host) : exit->code});
+    }
+    (void)files.remove(output_of(exit->tag));
+  }
+  for (const auto& [program, count] : by_program)
+    done.programs.push_back(std::to_string(count) + " records of " + program);
+  return done;
+}
+
+}  // namespace mirocup::league

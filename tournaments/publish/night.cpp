@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/publish/night.hpp"
+
+#include "tournaments/league/apply.hpp"
+#include "tournaments/publish/page_values.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace mirocup::league {
+
+namespace {
+
+constexpr std::size_t most_moments = 3;
+
+// The weights of moments: a leg that was given away by an own fault, an own goal, the goal after
+// which a team stayed behind, any other goal against it.
+constexpr int fault_weight = 4;
+constexpr int own_goal_weight = 3;
+constexpr int decisive_weight = 2;
+constexpr int goal_weight = 1;
+
+int rank_of(const Overview& o, int team) {
+  const auto row = std::find_if(o.table.begin(), o.table.end(),
+                                [team](const TableRow& r) { return r.team == team; });
+  return row == o.table.end() || row->played == 0 ? 0 : static_cast<int>(row - o.table.begin()) + 1;
+}
+
+std::string score_so_far(int own, int other) {
+  return std::to_string(own) + ":" + std::to_string(other);
+}
+
+// Adds the moments of a leg that were bad for a team.
+void add_moments(const Overview& o, const LegView& leg, int team,
+                 std::vector<WorstMoment>& moments) {
+  const PlayedLeg& played = *leg.played;
+  const int opponent = leg.home == team ? leg.away : leg.home;
+  const std::string against = " against " + o.state.shown_name(opponent);
+  if (played.fault && played.fault->team == o.state.name(team)) {
+    moments.push_back(
+        {.what = "leg lost by its own fault" + against + ": " + fault_in_words(*played.fault),
+         .record = played.record,
+         .at = leg.facts != nullptr ? leg.facts->length : -1.0,
+         .weight = fault_weight});
+  }
+  if (leg.facts == nullptr) return;
+  // The last goal by which the team fell behind, if it stayed so.
+  int ahead = 0;
+  std::size_t decisive = leg.facts->goals.size();
+  for (std::size_t i = 0; i < leg.facts->goals.size(); ++i) {
+    const int before = ahead;
+    ahead += leg.facts->goals[i].is_home == (leg.home == team) ? 1 : -1;
+    if (before == 0 && ahead == -1) decisive = i;
+    if (ahead >= 0) decisive = leg.facts->goals.size();
+  }
+  int own = 0;
+  int other = 0;
+  for (std::size_t i = 0; i < leg.facts->goals.size(); ++i) {
+    const GoalFact& goal = leg.facts->goals[i];
+    const bool is_own_side = goal.is_home == (leg.home == team);
+    ++(is_own_side ? own : other);
+    if (is_own_side) continue;
+    const std::string score = score_so_far(own, other) + against;
+    moments.push_back({.what = goal.is_own_goal ? "own goal, " + score
+                               : i == decisive  ? "the goal that decided, " + score
+                                                : "goal, " + score,
+                       .record = played.record,
+                       .at = goal.at,
+                       .weight = goal.is_own_goal ? own_goal_weight
+                                 : i == decisive  ? decisive_weight
+                                                  : goal_weight});
+  }
+}
+
+}  // namespace
+
+Result<std::optional<Night>> last_night(const LeagueState& shown, const Journal& journal) {
+  if (shown.nights.empty()) return std::optional<Night>();
+  Night night;
+  night.number = shown.nights.back().number;
+  night.at = shown.nights.back().at;
+  const std::vector<Json>& lines = journal.lines();
+  std::size_t begin = 0;
+  for (; begin < lines.size(); ++begin) {
+    if (lines[begin].value("kind", Json()) == NightBegan::kind &&
+        lines[begin].value("number", Json()) == night.number)
+      break;
+  }
+  auto before = state_from_lines(shown.file, journal, begin);
+  if (!before) return tl::unexpected(before.error());
+  before->shown_names = shown.shown_names;
+  night.before = std::move(*before);
+  for (std::size_t i = begin + 1; i < lines.size(); ++i) {
+    if (lines[i].value("kind", Json()) == NightBegan::kind) break;
+    if (lines[i].value("kind", Json()) != LegPlayed::kind) continue;
+    const auto event = read_event(lines[i]);
+    if (!event) return fail(Errc::damaged, journal.path() + ": " + event.error().what);
+    night.records.insert(std::get<LegPlayed>(*event).record);
+  }
+  return std::optional(std::move(night));
+}
+
+std::vector<TeamDigest> digests(const Night& night, const Overview& now) {
+  const Overview before = overview(night.before);
+  std::vector<TeamDigest> all;
+  for (const TableRow& row : now.table) {
+    const int team = row.team;
+    TeamDigest digest;
+    digest.team = team;
+    digest.rank = rank_of(now, team);
+    digest.rank_before = rank_of(before, team);
+    digest.strength = now.ratings.strengths[team];
+    if (digest.rank_before > 0) digest.strength_before = before.ratings.strengths[team];
+    digest.entry = now.state.teams[team].entry;
+    digest.has_new_entry = digest.entry != night.before.teams[team].entry;
+    for (const LegView& leg : now.legs) {
+      if (!leg.is_of(team) || leg.played == nullptr || !night.records.contains(leg.played->record))
+        continue;
+      const char letter = leg.letter(team);
+      ++(letter == 'W' ? digest.won : letter == 'D' ? digest.drawn : digest.lost);
+      if (letter == 'L') {
+        digest.losses.push_back({.opponent = leg.home == team ? leg.away : leg.home,
+                                 .score = score_text(leg, team),
+                                 .record = leg.played->record,
+                                 .fixture = leg.fixture,
+                                 .leg = leg.leg});
+      }
+      add_moments(now, leg, team, digest.moments);
+    }
+    std::stable_sort(
+        digest.moments.begin(), digest.moments.end(),
+        [](const WorstMoment& a, const WorstMoment& b) { return a.weight > b.weight; });
+    if (digest.moments.size() > most_moments) digest.moments.resize(most_moments);
+    all.push_back(std::move(digest));
+  }
+  return all;
+}
+
+}  // namespace mirocup::league

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+//
+// What a night has changed: for each team its rank and strength since the night before, to whom it
+// lost, and its worst moments. A pure function of the journal, the state and the facts of its legs.
+#pragma once
+
+#include "tournaments/journal/journal.hpp"
+#include "tournaments/publish/leg_view.hpp"
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace mirocup::league {
+
+// A night of the journal: from its line to that of the next night, or to the end.
+struct Night {
+  int number = 0;
+  std::string at;                 // when it began, UTC; "" if the line does not say
+  LeagueState before;             // the league before its line
+  std::set<std::string> records;  // of the legs that were played in it: paths inside the league
+};
+
+// Returns the last night of a league; nothing if there was none. `shown` is the league as it is
+// told, of which `journal` may have later nights than it shows. Errors: Errc::damaged.
+Result<std::optional<Night>> last_night(const LeagueState& shown, const Journal& journal);
+
+// A leg as its loser sees it.
+struct LostLeg {
+  int opponent = 0;
+  std::string score;  // "1:3", the own goals first
+  std::string record;
+  std::string fixture;
+  int leg = 1;
+};
+
+// A moment that a team should look at.
+struct WorstMoment {
+  std::string what;  // "own goal of robot 0, 1:2 against tiger"
+  std::string record;
+  double at = -1.0;  // s since the leg began; below 0: not known
+  int weight = 0;    // the worst has the highest
+};
+
+struct TeamDigest {
+  int team = 0;
+  int rank = 0;
+  int rank_before = 0;  // 0: it had not played
+  Strength strength;
+  std::optional<Strength> strength_before;  // nothing: it had not played
+  int entry = 0;                            // that plays; 0: none
+  bool has_new_entry = false;               // since the night before
+  int won = 0;                              // legs of the night
+  int drawn = 0;
+  int lost = 0;
+  std::vector<LostLeg> losses;
+  std::vector<WorstMoment> moments;  // at most three, the worst first
+};
+
+// Returns the digests of all teams, in the order of the table. `now` has the facts of the legs.
+std::vector<TeamDigest> digests(const Night& night, const Overview& now);
+
+}  // namespace mirocup::league

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/publish/night_pages.hpp"
+
+#include "server/record/json_reader.hpp"
+#include "system/markup.hpp"
+#include "tournaments/league/apply.hpp"
+#include "tournaments/publish/html.hpp"
+#include "tournaments/publish/page_values.hpp"
+#include "tournaments/publish/replay_pages.hpp"
+#include "tournaments/publish/site.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace mirocup::league {
+
+namespace {
+
+constexpr std::size_t nights_in_feed = 10;
+constexpr double run_up_s = 3.0;  // a moment is shown from a little before
+
+std::string page_of_moment(const WorstMoment& moment) {
+  std::string page = replay_page_of(moment.record);
+  if (moment.at < 0.0) return page;
+  char time[32];
+  std::snprintf(time, sizeof time, "#t=%.1f", std::max(0.0, moment.at - run_up_s));
+  return page + time;
+}
+
+std::string time_text(double at) {
+  if (at < 0.0) return "";
+  const int s = static_cast<int>(at);
+  char text[24];
+  std::snprintf(text, sizeof text, "%d:%02d", s / 60, s % 60);
+  return text;
+}
+
+// "3 (yesterday 5)", or "3 (new)".
+std::string rank_in_words(const TeamDigest& d) {
+  if (d.rank == 0) return "has not played";
+  if (d.rank_before == 0) return std::to_string(d.rank) + " (new)";
+  return std::to_string(d.rank) + " (yesterday " + std::to_string(d.rank_before) + ")";
+}
+
+std::string strength_in_words(const TeamDigest& d) {
+  const auto rounded = [](double value) { return std::to_string(std::lround(value)); };
+  std::string words = rounded(d.strength.value) + " (95 %: " + rounded(d.strength.low) + " to " +
+                      rounded(d.strength.high) + ")";
+  if (!d.strength_before) return words;
+  const long change = std::lround(d.strength.value) - std::lround(d.strength_before->value);
+  return words + ", " + (change >= 0 ? "+" : "") + std::to_string(change) + " since yesterday";
+}
+
+std::string legs_in_words(const TeamDigest& d) {
+  return std::to_string(d.won) + " won, " + std::to_string(d.drawn) + " drawn, " +
+         std::to_string(d.lost) + " lost";
+}
+
+std::string page_of_digest(const LeagueState& state, int team) {
+  return "digests/" + state.name(team) + ".html";
+}
+
+std::string title_of(const Night& night) {
+  return "Night " + std::to_string(night.number);
+}
+
+std::string when(const LeagueState& state, const std::string& at) {
+  return at.empty() ? "" : shown_time(state.file, at);
+}
+
+// A page with the usual head around its content.
+SiteFile plain_page(const Overview& o, const std::string& name, const std::string& root,
+                    const std::string& title, const std::string& lead, const Html& content) {
+  Json values = page_values(o, root, title);
+  values["lead"] = lead;
+  values["content"] = content.text();
+  return {name, filled_page("plain.html", values)};
+}
+
+SiteFile night_page(const Overview& o, const Night& night, const std::vector<TeamDigest>& all) {
+  Html html;
+  html.open_table();
+  html.row("th", {"Rank", "Yesterday", "Team", "Last night", "Strength", "Since yesterday", ""});
+  for (const TeamDigest& d : all) {
+    html.open("tr");
+    html.cell_of("number", d.rank > 0 ? std::to_string(d.rank) : "–");
+    html.cell_of("number", d.rank_before > 0 ? std::to_string(d.rank_before) : "–");
+    html.link_cell("teams/" + o.state.name(d.team) + ".html", o.state.shown_name(d.team));
+    html.cell("td", legs_in_words(d));
+    html.cell_of("number", std::to_string(std::lround(d.strength.value)));
+    const long change = d.strength_before
+                            ? std::lround(d.strength.value) - std::lround(d.strength_before->value)
+                            : 0;
+    html.cell_of("number",
+                 !d.strength_before ? "new" : (change >= 0 ? "+" : "") + std::to_string(change));
+    html.link_cell(page_of_digest(o.state, d.team),
+                   d.has_new_entry ? "digest, new entry" : "digest");
+    html.close("tr");
+  }
+  html.close_table();
+  html.raw("<p class=\"small\"><a href=\"feed.xml\">Feed of all nights (Atom)</a></p>\n");
+  return plain_page(o, "night.html", "", title_of(night), when(o.state, night.at), html);
+}
+
+std::string tag_of(const LeagueState& state) {
+  return "urn:sha256:" + state.config_sha256;
+}
+
+}  // namespace
+
+std::string digest_html(const Overview& o, const Night& night, const TeamDigest& d,
+                        const std::string& root) {
+  Html html;
+  html.cell("h2", title_of(night));
+  html.open("ul");
+  html.cell("li", "Rank " + rank_in_words(d));
+  html.cell("li", "Strength " + strength_in_words(d));
+  html.cell("li", "Legs of the night: " + legs_in_words(d));
+  if (d.entry > 0) {
+    html.cell("li", "Played with entry " + std::to_string(d.entry) +
+                        (d.has_new_entry ? ", new since yesterday" : ""));
+  }
+  html.close("ul");
+  html.cell("h3", "Lost to");
+  if (d.losses.empty()) html.cell("p", "Nobody.");
+  html.open("ul");
+  for (const LostLeg& leg : d.losses) {
+    html.open("li");
+    html.link(root + replay_page_of(leg.record),
+              o.state.shown_name(leg.opponent) + " " + leg.score);
+    html.cell("small", " " + leg.fixture + " leg " + std::to_string(leg.leg));
+    html.close("li");
+  }
+  html.close("ul");
+  html.cell("h3", "Worst moments");
+  if (d.moments.empty()) html.cell("p", "None.");
+  html.open("ol");
+  for (const WorstMoment& moment : d.moments) {
+    html.open("li");
+    html.link(root + page_of_moment(moment),
+              (moment.at >= 0.0 ? time_text(moment.at) + " " : "") + moment.what);
+    html.close("li");
+  }
+  html.close("ol");
+  return html.text();
+}
+
+std::string digest_text(const Overview& o, const Night& night, const TeamDigest& d,
+                        const std::string& address) {
+  std::string text = o.state.file.title + ", " + title_of(night);
+  if (const std::string at = when(o.state, night.at); !at.empty()) text += ", " + at;
+  text += "\n\n" + o.state.shown_name(d.team) + "\nRank:     " + rank_in_words(d) +
+          "\nStrength: " + strength_in_words(d) + "\nLegs:     " + legs_in_words(d) + "\n";
+  if (d.entry > 0) {
+    text += "Entry:    " + std::to_string(d.entry) +
+            (d.has_new_entry ? ", new since yesterday" : "") + "\n";
+  }
+  text += "\nLost to:\n";
+  if (d.losses.empty()) text += "  nobody\n";
+  for (const LostLeg& leg : d.losses) {
+    text += "  " + o.state.shown_name(leg.opponent) + " " + leg.score + "  " + address +
+            replay_page_of(leg.record) + "\n";
+  }
+  text += "\nWorst moments:\n";
+  if (d.moments.empty()) text += "  none\n";
+  for (const WorstMoment& moment : d.moments) {
+    text += "  " + (moment.at >= 0.0 ? time_text(moment.at) + " " : "") + moment.what + "  " +
+            address + page_of_moment(moment) + "\n";
+  }
+  return text;
+}
+
+Json digest_json(const Overview& o, const TeamDigest& d) {
+  Json losses = Json::array();
+  for (const LostLeg& leg : d.losses) {
+    losses.push_back({{"to", o.state.name(leg.opponent)},
+                      {"score", leg.score},
+                      {"fixture", leg.fixture},
+                      {"leg", leg.leg},
+                      {"replay", replay_page_of(leg.record)}});
+  }
+  Json moments = Json::array();
+  for (const WorstMoment& moment : d.moments) {
+    moments.push_back({{"what", moment.what},
+                       {"at", moment.at >= 0.0 ? Json(moment.at) : Json()},
+                       {"replay", page_of_moment(moment)}});
+  }
+  return {
+      {"team", o.state.name(d.team)},
+      {"rank", d.rank > 0 ? Json(d.rank) : Json()},
+      {"rank_before", d.rank_before > 0 ? Json(d.rank_before) : Json()},
+      {"strength", std::lround(d.strength.value)},
+      {"strength_before", d.strength_before ? Json(std::lround(d.strength_before->value)) : Json()},
+      {"entry", d.entry > 0 ? Json(d.entry) : Json()},
+      {"new_entry", d.has_new_entry},
+      {"won", d.won},
+      {"drawn", d.drawn},
+      {"lost", d.lost},
+      {"losses", losses},
+      {"moments", moments}};
+}
+
+std::vector<SiteFile> night_pages(const Overview& o, const Night& night) {
+  const std::vector<TeamDigest> all = digests(night, o);
+  std::vector<SiteFile> files{night_page(o, night, all)};
+  for (const TeamDigest& d : all) {
+    Html html;
+    html.raw(digest_html(o, night, d, "../"));
+    files.push_back(plain_page(o, page_of_digest(o.state, d.team), "../",
+                               o.state.shown_name(d.team), when(o.state, night.at), html));
+  }
+  return files;
+}
+
+Result<std::string> feed_xml(const LeagueState& shown, const Journal& journal) {
+  // The line after which each night ends.
+  std::vector<std::pair<int, std::size_t>> ends;
+  const std::vector<Json>& lines = journal.lines();
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (lines[i].value("kind", Json()) != NightBegan::kind) continue;
+    if (!ends.empty()) ends.back().second = i;
+    ends.emplace_back(lines[i].value("number", 0), lines.size());
+  }
+  std::string entries;
+  const std::size_t count = shown.nights.size();
+  for (std::size_t i = count; i-- > count - std::min(count, nights_in_feed);) {
+    const NightBegan& night = shown.nights[i];
+    const auto end = std::find_if(ends.begin(), ends.end(),
+                                  [&](const auto& e) { return e.first == night.number; });
+    if (end == ends.end()) continue;
+    auto state = state_from_lines(shown.file, journal, end->second);
+    if (!state) return tl::unexpected(state.error());
+    state->shown_names = shown.shown_names;
+    const auto table = state->table();
+    const std::string leader = table.empty() ? "" : state->shown_name(table.front().team);
+    entries += "<entry>\n<id>" + tag_of(shown) + ":night:" + std::to_string(night.number) +
+               "</id>\n<title>Night " + std::to_string(night.number) + ": " +
+               system::html_escaped(leader) + " leads</title>\n<updated>" + night.at +
+               "</updated>\n<link href=\"night.html\"/>\n<content type=\"html\">" +
+               system::html_escaped("<pre>" + system::html_escaped(table_text(*state)) + "</pre>") +
+               "</content>\n</entry>\n";
+  }
+  return "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<feed "
+         "xmlns=\"http://www.w3.org/2005/Atom\">\n"
+         "<id>" +
+         tag_of(shown) + "</id>\n<title>" + system::html_escaped(shown.file.title) +
+         "</title>\n<updated>" + (count > 0 ? shown.nights.back().at : "1970-01-01T00:00:00Z") +
+         "</updated>\n<author><name>" + system::html_escaped(shown.file.title) +
+         "</name></author>\n<link href=\"index.html\"/>\n<link rel=\"self\" href=\"feed.xml\"/>\n" +
+         entries + "</feed>\n";
+}
+
+}  // namespace mirocup::league

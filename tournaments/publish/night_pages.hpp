@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+//
+// A night as pages, as text for a mail, as JSON, and as an Atom feed (RFC 4287).
+#pragma once
+
+#include "tournaments/publish/night.hpp"
+#include "tournaments/publish/site_file.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+#include <vector>
+
+namespace mirocup::league {
+
+// Returns night.html, what has changed for all teams, and digests/TEAM.html for each team.
+std::vector<SiteFile> night_pages(const Overview& overview, const Night& night);
+
+// Returns the digest of a team as the inside of a page. `root` leads to the top of the site.
+std::string digest_html(const Overview& overview, const Night& night, const TeamDigest& digest,
+                        const std::string& root);
+
+// Returns the digest of a team as lines for a mail. Links begin with `address` ("": as paths).
+std::string digest_text(const Overview& overview, const Night& night, const TeamDigest& digest,
+                        const std::string& address = "");
+
+nlohmann::ordered_json digest_json(const Overview& overview, const TeamDigest& digest);
+
+// Returns feed.xml of a league that has nights: the last of them, the latest first. The tables are
+// those after each night.
+Result<std::string> feed_xml(const LeagueState& shown, const Journal& journal);
+
+}  // namespace mirocup::league
