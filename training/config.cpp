@@ -3,6 +3,7 @@
 
 #include "server/record/conditions_json.hpp"
 #include "server/record/json_reader.hpp"
+#include "server/record/pitch_json.hpp"
 #include "server/record/rules_json.hpp"
 #include "server/record/team_parameters_json.hpp"
 #include "system/locations.hpp"
@@ -137,6 +138,7 @@ match::Setup read_setup(const JsonReader& json, bool ends_at_goal) {
   // The law that ends a lopsided leg ends an episode, too.
   if (ends_at_goal) setup.rules.mercy_goal_diff = 1;
   if (setup.rules.preset == referee::Preset::simurosot) setup.control_period = 1.0 / 60.0;
+  if (json.has("pitch")) match::set_pitch(setup, record::read_pitch(json.at("pitch")));
   if (const auto period = json.find("control_period")) {
     setup.control_period = period->number(min_period, max_period);
   }
@@ -157,7 +159,7 @@ void read_episode(const JsonReader& json, Config& config) {
 Config read_config(const JsonReader& json, const std::string& folder) {
   Config config;
   json.expect_object({"matches", "threads", "league", "rules", "referee", "control_period",
-                      "conditions", "blue", "yellow", "agents", "observation", "action",
+                      "conditions", "pitch", "blue", "yellow", "agents", "observation", "action",
                       "ticks_per_step", "skip_stops", "episode", "rewards", "autoreset"});
   if (json.has("matches")) config.matches = json.at("matches").integer<int>(1, max_matches);
   if (json.has("threads")) config.threads = json.at("threads").integer<int>(0, max_threads);

@@ -50,6 +50,7 @@ may server/record 'core/|system/|server/record/|server/pace/(absence|durations)\
 may server/statistics 'core/|system/|server/(record|statistics)/'
 may server/traces 'core/|system/|server/(record|traces)/'
 may server/drills 'core/|system/|server/(record|drills)/'
+may server/pitch 'core/|system/|server/(record|pitch)/|server/web/design/'
 may server/dds 'core/|system/|idl/|server/dds/|server/pace/(absence|durations)\.hpp"|plugins/abi/|mirocup/'
 may server/web/design 'system/|server/web/design/'
 may server/web 'core/|system/|server/(record|statistics|web)/'
@@ -75,7 +76,7 @@ only() {
 }
 
 only 'dds/|mirocup\.h>' server/dds
-only 'nlohmann/' server/record server/statistics server/traces server/drills server/web server/app training tournaments
+only 'nlohmann/' server/record server/pitch server/statistics server/traces server/drills server/web server/app training tournaments
 only 'dlfcn\.h' plugins/host training
 only 'httplib' server/web
 only 'kainjow/' server/web/design

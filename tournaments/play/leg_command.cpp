@@ -4,6 +4,7 @@
 #include "core/base/random.hpp"
 #include "server/record/conditions_json.hpp"
 #include "server/record/json_reader.hpp"
+#include "server/record/pitch_json.hpp"
 #include "server/record/rules_json.hpp"
 #include "server/record/team_parameters_json.hpp"
 #include "system/locations.hpp"
@@ -93,6 +94,9 @@ std::vector<std::string> leg_command(const Folder& folder, const LeagueState& st
   arguments.insert(arguments.end(), rules.begin(), rules.end());
   const std::vector<std::string> conditions = condition_options(state.conditions);
   arguments.insert(arguments.end(), conditions.begin(), conditions.end());
+  if (file.pitch) {
+    arguments.insert(arguments.end(), {"--pitch", record::json_text(record::to_json(*file.pitch))});
+  }
   for (const auto& words : {seat_parameters(file.teams[blue], "--blue-param"),
                             seat_parameters(file.teams[yellow], "--yellow-param")}) {
     arguments.insert(arguments.end(), words.begin(), words.end());
