@@ -25,20 +25,24 @@ constexpr int pictures_of_start = 8;  // for the first guess of a state
 constexpr int most_rounds = 40;
 constexpr double huber = 2.5;          // [standard deviations]
 constexpr double outlier_square = 25;  // of two or three coordinates together
-constexpr double unexplained = 4.0;    // mean square of a window's residuals
+constexpr double unexplained = 4.0;    // mean square of a window's residuals, at first
+constexpr double too_far = 4.5;        // the same in the end: standard deviations of a mean square
+constexpr double slides_from = 0.2;    // m/s sideways: then that speed is unknown, too
 constexpr double z95 = 1.959964;
 constexpr double difference_step = 1e-5;
 
-// What a window's bodies have as unknowns: a robot x, y, heading, forward, turn; the ball x, y, vx,
-// vy. Wheels that slide at the start of a window are not among them.
-int states_of(bool is_ball) {
-  return is_ball ? 4 : 5;
+// What a window's bodies have as unknowns: the ball x, y, vx, vy; a robot x, y, heading, forward,
+// turn and, if its wheels slide at the start, the speed to the left.
+enum class Start { ball, robot, sliding_robot };
+
+int states_of(Start kind) {
+  return kind == Start::ball ? 4 : kind == Start::robot ? 5 : 6;
 }
 
-void shift(BodyState& state, bool is_ball, int which, double by) {
+void shift(BodyState& state, Start kind, int which, double by) {
   if (which == 0) state.position.x() += by;
   if (which == 1) state.position.y() += by;
-  if (is_ball) {
+  if (kind == Start::ball) {
     if (which == 2) state.twist.forward += by;
     if (which == 3) state.twist.left += by;
     return;
@@ -46,6 +50,7 @@ void shift(BodyState& state, bool is_ball, int which, double by) {
   if (which == 2) state.heading = Heading::from_angle(state.heading.angle() + by);
   if (which == 3) state.twist.forward += by;
   if (which == 4) state.twist.omega += by;
+  if (which == 5) state.twist.left += by;
 }
 
 // A window in the fit.
@@ -53,11 +58,11 @@ struct Piece {
   const Footage* footage = nullptr;
   Window window;
   std::vector<BodyState> start;
-  int states = 0;       // unknowns of the starts
-  int rows = 0;         // residuals: two or three for each sight
-  double square = 0.0;  // of its residuals, weighted
-  double mean_square = 0.0;
-  bool counts = true;  // explained by some start
+  std::vector<Start> kinds;  // of the starts
+  int states = 0;            // unknowns of the starts
+  int rows = 0;              // residuals: two or three for each sight
+  double square = 0.0;       // of its residuals, weighted
+  bool counts = true;        // explained by some start
   std::vector<BodyState> trial;
   MatrixXd gain;  // of the starts on the pitch: A^-1 B
   VectorXd own;   // A^-1 a
@@ -111,6 +116,7 @@ class Fit {
   double cost_of_trial(const Guess& guess, const VectorXd& step);
   void estimate_noise();
   std::vector<int> free_unknowns() const;
+  bool is_explained(const Piece& piece, const VectorXd& r, const VectorXd& weight) const;
 
   std::vector<const Footage*> footages_;
   std::vector<Piece> pieces_;
@@ -133,10 +139,15 @@ void Fit::add(const Footage& footage, Window window) {
   piece.window = std::move(window);
   for (std::size_t i = 0; i < piece.window.bodies.size(); ++i) {
     const int body = piece.window.bodies[i];
-    const auto state = footage.state_at(body, piece.window.first, pictures_of_start);
-    if (!state) return;
-    piece.start.push_back(*state);
-    piece.states += states_of(piece.is_ball(i));
+    const auto fitted = footage.state_at(body, piece.window.first, pictures_of_start, 2);
+    if (!fitted) return;
+    const bool slides = std::abs(fitted->state.twist.left) > slides_from;
+    piece.start.push_back(fitted->state);
+    if (!piece.is_ball(i) && !slides) piece.start.back().twist.left = 0.0;
+    piece.kinds.push_back(piece.is_ball(i) ? Start::ball
+                          : slides         ? Start::sliding_robot
+                                           : Start::robot);
+    piece.states += states_of(piece.kinds[i]);
     for (int f = piece.window.first; f <= piece.window.last; ++f) {
       if (footage.sight(body, f).is_seen) piece.rows += piece.is_ball(i) ? 2 : 3;
     }
@@ -228,6 +239,16 @@ double difference_of(const Guess& guess, int unknown) {
   return value_of(guess, unknown) + difference_step > most ? -difference_step : difference_step;
 }
 
+// True if the residuals of a window are the camera's noise. At first that is judged leniently.
+bool Fit::is_explained(const Piece& piece, const VectorXd& r, const VectorXd& weight) const {
+  const double kept = hard_ ? (weight.array() > 0.0).cast<double>().sum() : weight.sum();
+  if (kept < (hard_ ? 0.85 : 0.6) * piece.rows) return false;
+  if (!hard_) return piece.square < unexplained * std::max(1, piece.rows - piece.states);
+  const double freedom = std::max(1.0, kept - piece.states);
+  const double mean_square = r.cwiseAbs2().dot(weight) / freedom;
+  return mean_square < 1.0 + too_far * std::sqrt(2.0 / freedom);
+}
+
 // Computes the equations of all windows at the present guess.
 void Fit::linearise() {
   const std::vector<int> free = free_unknowns();
@@ -248,15 +269,13 @@ void Fit::linearise() {
   for (Piece& piece : pieces_) {
     residuals(base, piece, piece.start, r);
     piece.square = weigh(piece, r, weight);
-    const double kept = weight.sum();
-    piece.mean_square = piece.square / std::max(1.0, static_cast<double>(r.size() - piece.states));
-    piece.counts = piece.mean_square < unexplained && kept > 0.6 * piece.rows;
+    piece.counts = is_explained(piece, r, weight);
     MatrixXd by_start(r.size(), piece.states), by_pitch(r.size(), n);
     int column = 0;
     for (std::size_t i = 0; i < piece.start.size(); ++i) {
-      for (int s = 0; s < states_of(piece.is_ball(i)); ++s) {
+      for (int s = 0; s < states_of(piece.kinds[i]); ++s) {
         std::vector<BodyState> start = piece.start;
-        shift(start[i], piece.is_ball(i), s, difference_step);
+        shift(start[i], piece.kinds[i], s, difference_step);
         residuals(base, piece, start, other);
         by_start.col(column++) = (other - r) / difference_step;
       }
@@ -292,8 +311,8 @@ double Fit::cost_of_trial(const Guess& guess, const VectorXd& step) {
     piece.trial = piece.start;
     int k = 0;
     for (std::size_t i = 0; i < piece.trial.size(); ++i) {
-      for (int s = 0; s < states_of(piece.is_ball(i)); ++s)
-        shift(piece.trial[i], piece.is_ball(i), s, std::clamp(move[k++], -1.0, 1.0));
+      for (int s = 0; s < states_of(piece.kinds[i]); ++s)
+        shift(piece.trial[i], piece.kinds[i], s, std::clamp(move[k++], -1.0, 1.0));
     }
     residuals(v, piece, piece.trial, r);
     double square = weigh(piece, r, weight);

@@ -4,11 +4,10 @@
 #include "core/simulator/trajectory/segment.hpp"
 #include "server/pitch/windows.hpp"
 
-#include <Eigen/Dense>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace mirocup::pitch {
 
@@ -19,8 +18,12 @@ using simulator::BodyState;
 constexpr int pictures_before = 8;   // from which a start is estimated
 constexpr int pictures_between = 5;  // two starts
 constexpr int longest = horizons.back();
-constexpr double slides_from = 1e-4;  // m/s sideways
-constexpr int least_count = 20;       // errors from which a cell says anything
+constexpr double fits_noise = 1.6;     // times the noise: pictures lie on the curve of a start
+constexpr double slides_fast = 0.3;    // m/s sideways at a start; slower is noise
+constexpr double slides_shown = 1e-4;  // m/s sideways in a prediction
+constexpr int least_count = 20;        // errors from which a cell says anything
+constexpr double worse_by = 1.02;      // a smaller difference is none
+constexpr double least_worse = 1e-4;   // m
 
 // The errors of one cell before they are summed up: squares, m^2, without the mean of the noise.
 struct Sums {
@@ -44,6 +47,7 @@ Guess paper_guess(const Guess& pitch) {
 struct Prediction {
   Window window;
   std::vector<BodyState> start;
+  std::vector<Footage::FittedState> fitted;  // the same with what is known of it
   // [predictor][place in window.bodies][picture ahead - 1]
   std::array<std::vector<std::vector<Vec2>>, predictors> at;
   std::vector<std::vector<char>> slides;  // [place][picture ahead - 1]
@@ -51,17 +55,29 @@ struct Prediction {
 };
 
 // Returns how much the noise adds to the square of an error at `ahead` s, m^2: that of the picture
-// there, and that of a start from `pictures_before` pictures with a parabola.
-double noise_square(double sigma, double period, double ahead) {
-  Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
-  for (int i = 0; i < pictures_before; ++i) {
-    const double t = -period * i;
-    const Eigen::Vector3d powers{1.0, t, t * t};
-    a += powers * powers.transpose();
+// there, and that of the start.
+double noise_square(const Footage::FittedState& start, double sigma, double ahead) {
+  const double of_start =
+      start.position + 2.0 * ahead * start.both + ahead * ahead * start.velocity;
+  return 2.0 * sigma * sigma * (1.0 + of_start);
+}
+
+// Returns the start from the longest curve on which the pictures lie: a line, else a parabola. One
+// whose misfit is too large says that the body has just hit something: it is not judged.
+std::optional<Footage::FittedState> start_of(const Footage& footage, int body, int frame,
+                                             double sigma) {
+  constexpr std::array<std::pair<int, int>, 5> choices{
+      std::pair{8, 1}, std::pair{6, 1}, std::pair{8, 2}, std::pair{6, 2}, std::pair{4, 1}};
+  std::optional<Footage::FittedState> last;
+  for (const auto& [count, degree] : choices) {
+    if (auto fitted = footage.state_at(body, frame, -count, degree)) {
+      double& left = fitted->state.twist.left;
+      if (body != footage.ball() && std::abs(left) < slides_fast) left = 0.0;
+      last = fitted;
+      if (fitted->misfit < fits_noise * sigma) return fitted;
+    }
   }
-  const Eigen::Matrix3d inverse = a.inverse();
-  const double start = inverse(0, 0) + 2.0 * ahead * inverse(0, 1) + ahead * ahead * inverse(1, 1);
-  return 2.0 * sigma * sigma * (1.0 + start);
+  return last;
 }
 
 EventKind kind_of_event(const Prediction& p, const Footage& footage, std::size_t place,
@@ -95,13 +111,15 @@ EventKind kind_of_event(const Prediction& p, const Footage& footage, std::size_t
   return slid ? EventKind::slide : EventKind::drive;
 }
 
-std::optional<Prediction> predict(const Footage& footage, Rerun& own, Rerun& paper, int first) {
+std::optional<Prediction> predict(const Footage& footage, Rerun& own, Rerun& paper, int first,
+                                  double sigma) {
   Prediction p;
   p.window = {first, std::min(first + longest, footage.frames() - 1), {}};
   for (int body = 0; body < footage.bodies(); ++body) {
-    if (const auto state = footage.state_at(body, first, -pictures_before)) {
+    if (const auto fitted = start_of(footage, body, first, sigma)) {
       p.window.bodies.push_back(body);
-      p.start.push_back(*state);
+      p.start.push_back(fitted->state);
+      p.fitted.push_back(*fitted);
     }
   }
   if (p.window.bodies.empty()) return std::nullopt;
@@ -113,7 +131,7 @@ std::optional<Prediction> predict(const Footage& footage, Rerun& own, Rerun& pap
       [&](int frame, std::size_t i, const BodyState& state) {
         p.at[0][i].push_back(state.position);
         const bool is_ball = p.window.bodies[i] == footage.ball();
-        p.slides[i].push_back(!is_ball && std::abs(state.twist.left) > slides_from ? 1 : 0);
+        p.slides[i].push_back(!is_ball && std::abs(state.twist.left) > slides_shown ? 1 : 0);
         const double span = footage.time(frame) - footage.time(first);
         p.at[1][i].push_back(simulator::trajectory::along_arc(p.start[i], span).position);
       },
@@ -134,6 +152,7 @@ void add_prediction(const Recording& recording, const Footage& footage, const Pr
                     double sigma, SumTable& sums, std::vector<Track>& tracks) {
   for (std::size_t i = 0; i < p.window.bodies.size(); ++i) {
     const int body = p.window.bodies[i];
+    if (p.fitted[i].misfit > fits_noise * sigma) continue;
     for (std::size_t h = 0; h < horizons.size(); ++h) {
       const int frame = p.window.first + horizons[h];
       if (frame > p.window.last || !footage.sight(body, frame).is_seen) continue;
@@ -144,7 +163,7 @@ void add_prediction(const Recording& recording, const Footage& footage, const Pr
       for (int k = 0; k < predictors; ++k) {
         cell.squares[k].push_back((p.at[k][i][horizons[h] - 1] - seen).squaredNorm());
       }
-      cell.noise.push_back(noise_square(sigma, footage.usual_period(), ahead));
+      cell.noise.push_back(noise_square(p.fitted[i], sigma, ahead));
       if (horizons[h] != longest) continue;
       Track track{kind,
                   body == footage.ball(),
@@ -184,7 +203,8 @@ ErrorCell cell_of(const Sums& sums) {
       square += d * d / cell.count;
     }
     const double error = std::sqrt(std::max(0.0, square - mean * mean) / cell.count);
-    cell.beats_simulator[k] = mean > 2.0 * error && mean > 1e-9;
+    cell.beats_simulator[k] =
+        mean > 2.0 * error && cell.rms[0] > worse_by * cell.rms[k] + least_worse;
   }
   return cell;
 }
@@ -215,7 +235,7 @@ Validation validate(const std::vector<Recording>& recordings, const Guess& pitch
     for (int f = pictures_before; f + 1 < footage.frames(); f += pictures_between) {
       const int last = std::min(f + longest, footage.frames() - 1);
       if (footage.is_broken(f - pictures_before, last)) continue;
-      if (const auto p = predict(footage, own, paper, f))
+      if (const auto p = predict(footage, own, paper, f, sigma))
         add_prediction(recording, footage, *p, sigma, sums, tracks);
     }
   }

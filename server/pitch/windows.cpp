@@ -125,39 +125,56 @@ void Footage::leave_out_outliers(int body) {
   }
 }
 
-std::optional<simulator::BodyState> Footage::state_at(int body, int frame, int count) const {
+std::optional<Footage::FittedState> Footage::state_at(int body, int frame, int count,
+                                                      int degree) const {
   const int wanted = std::abs(count);
   const int step = count < 0 ? -1 : 1;
   Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d b = Eigen::Matrix3d::Zero();
-  int seen = 0;
+  if (degree == 1) a(2, 2) = 1.0;  // no curvature
+  const auto powers_at = [&](int f) {
+    const double t = times_[f] - times_[frame];
+    return Eigen::Vector3d{1.0, t, degree == 1 ? 0.0 : t * t};
+  };
+  std::vector<int> used;
   double reference = 0.0;
   for (int i = 0; i < wanted; ++i) {
     const int f = frame + step * i;
     if (f < 0 || f >= frames()) break;
     const Sight& s = sights_[body][f];
     if (!s.is_seen) continue;
-    if (seen == 0) reference = s.heading;
-    ++seen;
-    const double t = times_[f] - times_[frame];
-    const Eigen::Vector3d powers{1.0, t, t * t};
-    // An outlier of the heading alone is brought no nearer than pi; the fit's weights see to it.
+    if (used.empty()) reference = s.heading;
+    used.push_back(f);
+    const Eigen::Vector3d powers = powers_at(f);
     const double heading = std::remainder(s.heading - reference, 2.0 * std::numbers::pi);
     a += powers * powers.transpose();
     b += powers * Eigen::RowVector3d{s.position.x(), s.position.y(), heading};
   }
-  if (seen < 4 || 2 * seen < wanted) return std::nullopt;
-  const Eigen::Matrix3d fit = a.ldlt().solve(b);
-  const Vec2 velocity{fit(1, 0), fit(1, 1)};
-  simulator::BodyState state;
+  const int seen = static_cast<int>(used.size());
+  if (seen < degree + 2 || 2 * seen < wanted) return std::nullopt;
+  const Eigen::Matrix3d inverse = a.inverse();
+  const Eigen::Matrix3d fit = inverse * b;
+  FittedState fitted;
+  fitted.position = inverse(0, 0);
+  fitted.both = inverse(0, 1);
+  fitted.velocity = inverse(1, 1);
+  double square = 0.0;
+  for (const int f : used) {
+    const Eigen::Vector3d at = fit.transpose() * powers_at(f);
+    square += (sights_[body][f].position - Vec2{at.x(), at.y()}).squaredNorm();
+  }
+  fitted.misfit = std::sqrt(square / (2.0 * (seen - degree - 1)));
+  simulator::BodyState& state = fitted.state;
   state.position = {fit(0, 0), fit(0, 1)};
+  const Vec2 velocity{fit(1, 0), fit(1, 1)};
   if (body == ball()) {
     state.twist = {velocity.x(), velocity.y(), 0.0};
-    return state;
+    return fitted;
   }
   state.heading = Heading::from_angle(fit(0, 2) + reference);
-  state.twist = {state.heading.to_body(velocity).x(), 0.0, fit(1, 2)};
-  return state;
+  const Vec2 own = state.heading.to_body(velocity);
+  state.twist = {own.x(), own.y(), fit(1, 2)};
+  return fitted;
 }
 
 namespace {

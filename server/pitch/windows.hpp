@@ -51,10 +51,18 @@ class Footage {
   const field::Field& field() const { return field_; }
   double usual_period() const { return period_; }
 
-  // Returns a body's state at a frame from the `count` pictures from there on (or, with a negative
-  // count, up to there): position and velocity of a parabola through them. Nothing if less than
-  // half of them see it.
-  std::optional<simulator::BodyState> state_at(int body, int frame, int count) const;
+  // A body's state at a frame, from pictures near it: position and velocity of a line or a parabola
+  // through them.
+  struct FittedState {
+    simulator::BodyState state;
+    double misfit = 0.0;  // m: root mean square of what the pictures are off, for their freedom
+    // Variances of a coordinate and of its velocity, and their covariance, for a noise of 1 m.
+    double position = 0.0, both = 0.0, velocity = 0.0;
+  };
+  // Fits the `count` pictures from the frame on or, with a negative count, up to it. `degree` is 1
+  // for a line, 2 for a parabola. Nothing if less than half of them see the body, or less than
+  // degree + 2.
+  std::optional<FittedState> state_at(int body, int frame, int count, int degree) const;
 
   // True if a body is moved by hand between two frames of the range: no robot is that fast.
   bool is_broken(int first, int last) const;
