@@ -20,14 +20,17 @@ using Eigen::VectorXd;
 using simulator::BodyState;
 
 constexpr double window_seconds = 0.5;
+constexpr double clear_gap = 0.006;  // m, at the start of a window
+constexpr int pictures_between_starts = 3;
 constexpr int most_bodies = 3;        // of a window
 constexpr int pictures_of_start = 8;  // for the first guess of a state
 constexpr int most_rounds = 40;
-constexpr double huber = 2.5;          // [standard deviations]
-constexpr double outlier_square = 25;  // of two or three coordinates together
-constexpr double unexplained = 4.0;    // mean square of a window's residuals, at first
-constexpr double too_far = 4.5;        // the same in the end: standard deviations of a mean square
-constexpr double slides_from = 0.2;    // m/s sideways: then that speed is unknown, too
+constexpr std::array<int, 2> between_bodies{9, 11};  // restitutions of ball and robot, of robots
+constexpr double huber = 2.5;                        // [standard deviations]
+constexpr double outlier_square = 25;                // of two or three coordinates together
+constexpr double unexplained = 2.5;   // mean square of a window's residuals, at first
+constexpr double too_far = 4.5;       // the same in the end: standard deviations of a mean square
+constexpr double slides_from = 0.12;  // m/s sideways: then that speed is unknown, too
 constexpr double z95 = 1.959964;
 constexpr double difference_step = 1e-5;
 
@@ -70,6 +73,24 @@ struct Piece {
   bool is_ball(std::size_t i) const { return window.bodies[i] == footage->ball(); }
 };
 
+// Sets the first guess of the starts. Returns false if a body is not seen well enough.
+bool find_starts(Piece& piece) {
+  piece.start.clear();
+  piece.kinds.clear();
+  for (std::size_t i = 0; i < piece.window.bodies.size(); ++i) {
+    const auto fitted =
+        piece.footage->state_at(piece.window.bodies[i], piece.window.first, pictures_of_start, 2);
+    if (!fitted) return false;
+    const bool slides = std::abs(fitted->state.twist.left) > slides_from;
+    piece.start.push_back(fitted->state);
+    if (!piece.is_ball(i) && !slides) piece.start.back().twist.left = 0.0;
+    piece.kinds.push_back(piece.is_ball(i) ? Start::ball
+                          : slides         ? Start::sliding_robot
+                                           : Start::robot);
+  }
+  return true;
+}
+
 // The fit of all windows.
 class Fit {
  public:
@@ -96,6 +117,8 @@ class Fit {
 
   // Steps until the cost falls no more. `hard`: outliers are left out rather than weighed down.
   void run(int rounds, bool hard);
+  // While only bodies that are alone count: they move smoothly, so they have few minima.
+  void count_alone_only(bool alone) { alone_ = alone; }
   // Looks for the delay of commands among a few values first: the cost has several minima in it.
   void scan_delay();
   void describe(Identified& result) const;
@@ -116,6 +139,7 @@ class Fit {
   double cost_of_trial(const Guess& guess, const VectorXd& step);
   void estimate_noise();
   std::vector<int> free_unknowns() const;
+  bool is_left_out(const Piece& piece) const { return alone_ && piece.window.bodies.size() > 1; }
   bool is_explained(const Piece& piece, const VectorXd& r, const VectorXd& weight) const;
 
   std::vector<const Footage*> footages_;
@@ -125,6 +149,7 @@ class Fit {
   bool turn_is_tied_ = false;
   bool brake_is_tied_ = false;
   bool hard_ = false;
+  bool alone_ = false;
   double position_sigma_ = 0.005;
   double heading_sigma_ = 0.05;
   MatrixXd information_;  // of the free unknowns
@@ -137,22 +162,21 @@ void Fit::add(const Footage& footage, Window window) {
   Piece piece;
   piece.footage = &footage;
   piece.window = std::move(window);
-  for (std::size_t i = 0; i < piece.window.bodies.size(); ++i) {
-    const int body = piece.window.bodies[i];
-    const auto fitted = footage.state_at(body, piece.window.first, pictures_of_start, 2);
-    if (!fitted) return;
-    const bool slides = std::abs(fitted->state.twist.left) > slides_from;
-    piece.start.push_back(fitted->state);
-    if (!piece.is_ball(i) && !slides) piece.start.back().twist.left = 0.0;
-    piece.kinds.push_back(piece.is_ball(i) ? Start::ball
-                          : slides         ? Start::sliding_robot
-                                           : Start::robot);
+  Window& w = piece.window;
+  // It begins where nothing touches.
+  const int latest = w.first + (w.last - w.first) / 2;
+  for (; w.first <= latest; w.first += pictures_between_starts) {
+    if (!find_starts(piece)) return;
+    if (stand_clear(footage, guess_.parameters, w, piece.start, clear_gap)) break;
+  }
+  if (w.first > latest) return;
+  for (std::size_t i = 0; i < w.bodies.size(); ++i) {
     piece.states += states_of(piece.kinds[i]);
-    for (int f = piece.window.first; f <= piece.window.last; ++f) {
-      if (footage.sight(body, f).is_seen) piece.rows += piece.is_ball(i) ? 2 : 3;
+    for (int f = w.first; f <= w.last; ++f) {
+      if (footage.sight(w.bodies[i], f).is_seen) piece.rows += piece.is_ball(i) ? 2 : 3;
     }
   }
-  pieces_.push_back(std::move(piece));
+  if (piece.rows > piece.states) pieces_.push_back(std::move(piece));
 }
 
 Guess Fit::tied(Guess guess) const {
@@ -267,6 +291,8 @@ void Fit::linearise() {
   cost_ = 0.0;
   VectorXd r, other, weight;
   for (Piece& piece : pieces_) {
+    piece.counts = false;
+    if (is_left_out(piece)) continue;
     residuals(base, piece, piece.start, r);
     piece.square = weigh(piece, r, weight);
     piece.counts = is_explained(piece, r, weight);
@@ -306,9 +332,10 @@ double Fit::cost_of_trial(const Guess& guess, const VectorXd& step) {
   double cost = 0.0;
   VectorXd r, weight;
   for (Piece& piece : pieces_) {
+    piece.trial = piece.start;
+    if (is_left_out(piece)) continue;
     VectorXd move = -piece.own - piece.gain * step;
     if (!move.allFinite()) move.setZero();
-    piece.trial = piece.start;
     int k = 0;
     for (std::size_t i = 0; i < piece.trial.size(); ++i) {
       for (int s = 0; s < states_of(piece.kinds[i]); ++s)
@@ -502,6 +529,7 @@ void Fit::describe(Identified& result) const {
     };
     result.known[free[j]] = Estimate{plain(value), plain(value - half), plain(value + half)};
   }
+  if (!is_free_[6] || !is_free_[7]) return;
   const int rolling = place(6), viscous = place(7);
   const simulator::Parameters& p = result.guess.parameters;
   Eigen::Vector2d slope{simulator::gravity / 1.4, 0.5 / (1.4 * p.ball_mass)};
@@ -544,6 +572,31 @@ bool differs_from_motor_lag(const Identified& now, int lag) {
   return std::abs(std::log(a.value / b.value)) > 1.5 * half;
 }
 
+// What happens between bodies, with everything else as it was found: hits multiply small errors, so
+// windows with them would spoil the rest more than they tell about it.
+void identify_hits(Fit& fit, Identified& result) {
+  fit.count_alone_only(false);
+  std::array<bool, unknown_count> were_free{};
+  for (int u = 0; u < unknown_count; ++u) {
+    were_free[u] = fit.is_free(u);
+    const bool is_hit =
+        std::find(between_bodies.begin(), between_bodies.end(), u) != between_bodies.end();
+    fit.set_free(u, is_hit);
+  }
+  fit.run(most_rounds, false);
+  fit.run(most_rounds, true);
+  Identified hits;
+  fit.describe(hits);
+  for (const int u : between_bodies) {
+    result.known[u] = hits.known[u];
+    result.why_not[u] = hits.why_not[u];
+    set_value(result.guess, u, value_of(hits.guess, u));
+  }
+  result.windows = hits.windows;
+  result.unexplained = hits.unexplained;
+  for (int u = 0; u < unknown_count; ++u) fit.set_free(u, were_free[u]);
+}
+
 }  // namespace
 
 Result<Identified> identify(const std::vector<Recording>& recordings, const Guess& start) {
@@ -559,6 +612,9 @@ Result<Identified> identify(const std::vector<Recording>& recordings, const Gues
                                  ": no half second of it shows a ball that rolls, or a robot whose "
                                  "commands are known");
   }
+  // Bodies that are alone first: they tell everything but what happens between bodies.
+  fit.count_alone_only(true);
+  for (const int u : between_bodies) fit.set_free(u, false);
   // One lag first: it finds the neighbourhood, and is enough for most pitches.
   fit.tie_turn_lag(true);
   fit.tie_brake_lag(true);
@@ -584,6 +640,7 @@ Result<Identified> identify(const std::vector<Recording>& recordings, const Gues
     if (one_lag) result.why_not[turn_lag] = same;
     if (no_brake) result.why_not[brake_lag] = same;
   }
+  identify_hits(fit, result);
   for (int u = 0; u < unknown_count; ++u) {
     if (result.known[u] || !result.why_not[u].empty()) continue;
     result.why_not[u] = fit.is_free(u) ? "it takes " + std::string(unknowns()[u].needs)

@@ -24,6 +24,8 @@ constexpr double hand_move = 0.05;      // m
 // Bodies this close to touching share a window, m: the camera's noise, and motion between pictures.
 constexpr double near_gap = 0.02;
 
+constexpr double longest_roll = 2.05;  // s, of joined windows
+
 // Commands are looked up this long before they are used, s.
 constexpr double least_step = 1e-9;
 
@@ -221,6 +223,27 @@ bool is_usable(const Footage& footage, const Window& window) {
   return true;
 }
 
+// Joins windows in which the ball is alone, one after the other: its slowing down shows best in long
+// ones.
+void join_rolls(const Footage& footage, std::vector<Window>& windows) {
+  std::vector<Window> joined;
+  std::ptrdiff_t roll = -1;  // index of the last roll
+  for (Window& window : windows) {
+    const bool is_roll = window.bodies.size() == 1 && window.bodies[0] == footage.ball();
+    if (is_roll && roll >= 0) {
+      Window& before = joined[static_cast<std::size_t>(roll)];
+      if (before.last + 1 == window.first && !footage.is_broken(before.first, window.last) &&
+          footage.time(window.last) - footage.time(before.first) < longest_roll) {
+        before.last = window.last;
+        continue;
+      }
+    }
+    if (is_roll) roll = static_cast<std::ptrdiff_t>(joined.size());
+    joined.push_back(std::move(window));
+  }
+  windows = std::move(joined);
+}
+
 }  // namespace
 
 std::vector<Window> cut(const Footage& footage, const simulator::Parameters& parameters,
@@ -251,7 +274,28 @@ std::vector<Window> cut(const Footage& footage, const simulator::Parameters& par
       if (is_usable(footage, window)) windows.push_back(std::move(window));
     }
   }
+  join_rolls(footage, windows);
   return windows;
+}
+
+bool stand_clear(const Footage& footage, const simulator::Parameters& parameters,
+                 const Window& window, const std::vector<simulator::BodyState>& states,
+                 double clearance) {
+  const bool has_ball = window.bodies.back() == footage.ball();
+  const int count = static_cast<int>(window.bodies.size());
+  const auto world = simulator::collision::make_static_world(
+      &footage.field(), parameters, simulator::Tolerances{}, count - (has_ball ? 1 : 0), has_ball);
+  for (int i = 0; i < count; ++i) {
+    for (int j = 0; j < i; ++j) {
+      if (gap(world, {i, j}, states[i], states[j]) < clearance) return false;
+    }
+    for (int k = 0; k < simulator::plane_walls + simulator::end_walls; ++k) {
+      const double to_wall =
+          gap(world, simulator::pair_with_obstacle(i, k), states[i], simulator::BodyState{});
+      if (to_wall < clearance) return false;
+    }
+  }
+  return true;
 }
 
 simulator::World& Rerun::world_for(const Window& window) {

@@ -89,6 +89,11 @@ class Footage {
 std::vector<Window> cut(const Footage& footage, const simulator::Parameters& parameters,
                         double seconds, int most_bodies);
 
+// True if no two bodies, and no body and a wall, are nearer than `gap`, m, at these states. A window
+// whose bodies touch at its start has forces at its start that no state tells.
+bool stand_clear(const Footage& footage, const simulator::Parameters& parameters,
+                 const Window& window, const std::vector<simulator::BodyState>& states, double gap);
+
 // Simulates windows under one guess. Keeps a world for each kind of window.
 class Rerun {
  public:

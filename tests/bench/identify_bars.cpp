@@ -57,7 +57,8 @@ int main(int argc, char** argv) {
     driven.seed = static_cast<std::uint64_t>(i);
     const auto recording = test_support::recording_of(driven);
     const std::clock_t begin = std::clock();
-    const auto found = pitch::identify({recording}, {});
+    const auto found =
+        pitch::identify({recording}, {});
     if (!found) return EXIT_FAILURE;
     const double took = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     std::printf("pitch %d: %.1f s, %d windows, %d left out, noise %.2f mm;", i, took,
