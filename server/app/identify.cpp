@@ -4,6 +4,7 @@
 // and how far the simulator is from it.
 #include "server/pitch/identify.hpp"
 
+#include "core/base/math.hpp"
 #include "server/app/commands.hpp"
 #include "server/pitch/as_seen.hpp"
 #include "server/pitch/page.hpp"
@@ -45,7 +46,7 @@ Result<int> run_record_as_seen(const RecordAsSeenOptions& options) {
   auto recording = pitch::as_seen(record->recording, options.record);
   if (!recording) return tl::unexpected(recording.error());
   pitch::look_through({.position = 1e-3 * options.noise_mm,
-                       .heading = options.noise_deg * 3.14159265358979323846 / 180.0,
+                       .heading = options.noise_deg * pi / 180.0,
                        .gaps = options.gaps,
                        .outliers = options.outliers,
                        .seed = options.seed},
@@ -73,7 +74,7 @@ Result<int> run_identify(const IdentifyOptions& options) {
   if (auto written = write_page(options.page, pitch::page_of(*found, "The pitch " + name));
       !written)
     return tl::unexpected(written.error());
-  std::cout << (options.json ? record::json_text(json) + "\n" : pitch::table_of(*found));
+  std::cout << (options.json ? record::json_text(json) + "\n" : pitch::text_of_result(*found));
   return exit_yes;
 }
 
@@ -87,7 +88,7 @@ Result<int> run_validate(const ValidateOptions& options) {
   if (auto written = write_page(options.page, pitch::page_of(result, title)); !written)
     return tl::unexpected(written.error());
   std::cout << (options.json ? record::json_text(pitch::to_json(result)) + "\n"
-                             : pitch::table_of(result));
+                             : pitch::text_of_result(result));
   return result.objections.empty() ? exit_yes : exit_no;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/pitch/identify.hpp"
 
+#include "core/base/math.hpp"
 #include "server/pitch/windows.hpp"
 
 #include <Eigen/Dense>
@@ -22,14 +23,16 @@ using simulator::BodyState;
 constexpr double window_seconds = 0.5;
 constexpr double clear_gap = 0.006;  // m, at the start of a window
 constexpr int pictures_between_starts = 3;
-constexpr int most_bodies = 3;        // of a window
-constexpr int pictures_of_start = 8;  // for the first guess of a state
+constexpr int most_bodies = 3;         // of a window
+constexpr int pictures_of_start = 8;   // for the first guess of a state
+constexpr double median_share = 0.37;  // what a median of n sizes tells, in squares
 constexpr int most_rounds = 40;
 constexpr std::array<int, 2> between_bodies{9, 11};  // restitutions of ball and robot, of robots
 constexpr double huber = 2.5;                        // [standard deviations]
 constexpr double outlier_square = 25;                // of two or three coordinates together
-constexpr double unexplained = 2.5;   // mean square of a window's residuals, at first
-constexpr double too_far = 4.5;       // the same in the end: standard deviations of a mean square
+constexpr double unexplained = 2.5;  // mean square of a window's residuals, at first
+constexpr double most_deviations =
+    4.5;                              // the same in the end: standard deviations of a mean square
 constexpr double slides_from = 0.12;  // m/s sideways: then that speed is unknown, too
 constexpr double z95 = 1.959964;
 constexpr double difference_step = 1e-5;
@@ -207,7 +210,7 @@ void Fit::residuals(Variant& v, const Piece& piece, const std::vector<BodyState>
     r[row++] = (state.position.y() - seen.position.y()) / position_sigma_;
     if (piece.is_ball(i)) return;
     const double turned = state.heading.angle() - seen.heading;
-    r[row++] = std::remainder(turned, 2.0 * 3.14159265358979323846) / heading_sigma_;
+    r[row++] = std::remainder(turned, 2.0 * pi) / heading_sigma_;
   };
   for (std::size_t i = 0; i < start.size(); ++i) compare(piece.window.first, i, start[i]);
   v.reruns[static_cast<std::size_t>(which)]->play(piece.window, start, compare);
@@ -270,7 +273,7 @@ bool Fit::is_explained(const Piece& piece, const VectorXd& r, const VectorXd& we
   if (!hard_) return piece.square < unexplained * std::max(1, piece.rows - piece.states);
   const double freedom = std::max(1.0, kept - piece.states);
   const double mean_square = r.cwiseAbs2().dot(weight) / freedom;
-  return mean_square < 1.0 + too_far * std::sqrt(2.0 / freedom);
+  return mean_square < 1.0 + most_deviations * std::sqrt(2.0 / freedom);
 }
 
 // Computes the equations of all windows at the present guess.
@@ -481,7 +484,7 @@ void Fit::describe(Identified& result) const {
   result.guess = tied(guess_);
   result.has_one_lag = turn_is_tied_;
   result.has_brake = !brake_is_tied_ && is_free_[brake_lag];
-  double positions = 0.0, headings = 0.0, all = 0.0, left_out = 0.0;
+  double positions = 0.0, headings = 0.0;
   for (const Piece& piece : pieces_) {
     if (!piece.counts) {
       ++result.unexplained;
@@ -491,20 +494,17 @@ void Fit::describe(Identified& result) const {
     for (std::size_t i = 0; i < piece.window.bodies.size(); ++i) {
       for (int f = piece.window.first; f <= piece.window.last; ++f) {
         if (!piece.footage->sight(piece.window.bodies[i], f).is_seen) continue;
-        all += 1.0;
         positions += 2.0;
         headings += piece.is_ball(i) ? 0.0 : 1.0;
       }
     }
   }
-  (void)all;
-  (void)left_out;
   const auto noise = [](double sigma, double n) {
     const double half = n > 1.0 ? z95 / std::sqrt(2.0 * n) : 1.0;
     return Estimate{sigma, sigma / (1.0 + half), sigma * (1.0 + half)};
   };
-  result.position_noise = noise(position_sigma_, 0.37 * positions);
-  result.heading_noise = noise(heading_sigma_, 0.37 * headings);
+  result.position_noise = noise(position_sigma_, median_share * positions);
+  result.heading_noise = noise(heading_sigma_, median_share * headings);
 
   const std::vector<int> free = free_unknowns();
   if (free.empty()) return;

@@ -147,7 +147,7 @@ std::string page_of(const Identified& r, const std::string& title) {
   return page_with(title, body + "</table>\n");
 }
 
-std::string table_of(const Identified& r) {
+std::string text_of_result(const Identified& r) {
   std::string text;
   for_each_result(
       r, [&](const std::string& name, const std::optional<Estimate>& e, const std::string& why) {
@@ -191,7 +191,7 @@ std::string page_of(const Validation& v, const std::string& title) {
   return page_with(title, body + "</div>\n");
 }
 
-std::string table_of(const Validation& v) {
+std::string text_of_result(const Validation& v) {
   std::string text = text_of(
       "errors in mm, without the camera's noise of %.2f mm; pictures of %.4g "
       "s ahead: ",

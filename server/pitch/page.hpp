@@ -15,7 +15,7 @@ std::string page_of(const Identified& identified, const std::string& title);
 std::string page_of(const Validation& validation, const std::string& title);
 
 // The same as text for a terminal.
-std::string table_of(const Identified& identified);
-std::string table_of(const Validation& validation);
+std::string text_of_result(const Identified& identified);
+std::string text_of_result(const Validation& validation);
 
 }  // namespace mirocup::pitch

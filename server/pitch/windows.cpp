@@ -223,8 +223,8 @@ bool is_usable(const Footage& footage, const Window& window) {
   return true;
 }
 
-// Joins windows in which the ball is alone, one after the other: its slowing down shows best in long
-// ones.
+// Joins windows in which the ball is alone, one after the other: its slowing down shows best in
+// long ones.
 void join_rolls(const Footage& footage, std::vector<Window>& windows) {
   std::vector<Window> joined;
   std::ptrdiff_t roll = -1;  // index of the last roll

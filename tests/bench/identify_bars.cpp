@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// identify_bars [PITCHES] [SECONDS] [FIRST]: identifies random pitches from recordings of 60 s, with
-// a noise of 2 mm and 1 degree, 60 pictures a second, 2 % gaps and 1 % outliers, and prints for each
-// number how often its interval of 95 % holds the truth, and its mean half-width.
+// identify_bars [PITCHES] [SECONDS] [FIRST]: identifies random pitches from recordings of 60 s,
+// with a noise of 2 mm and 1 degree, 60 pictures a second, 2 % gaps and 1 % outliers. Prints for
+// each number how often its interval of 95 % holds the truth, and its mean half-width.
 #include "server/pitch/identify.hpp"
 #include "tests/support/driven_pitch.hpp"
 
@@ -57,8 +57,7 @@ int main(int argc, char** argv) {
     driven.seed = static_cast<std::uint64_t>(i);
     const auto recording = test_support::recording_of(driven);
     const std::clock_t begin = std::clock();
-    const auto found =
-        pitch::identify({recording}, {});
+    const auto found = pitch::identify({recording}, {});
     if (!found) return EXIT_FAILURE;
     const double took = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     std::printf("pitch %d: %.1f s, %d windows, %d left out, noise %.2f mm;", i, took,

@@ -62,11 +62,11 @@ WheelState wheel_state(const Parameters& p, const BodyState& robot, const DriveR
 
 void extend_twist_on_ground(const Parameters& p, const DriveReference& drive, double slide, int k,
                             Segment& s) {
-  const double turn_rate = 1.0 / drive.turn_lag;
+  const double omega_rate = 1.0 / drive.turn_lag;
   const double forward_rate = 1.0 / drive.forward_lag;
   const double next = k + 1;
   const double aim = k == 0 ? 1.0 : 0.0;
-  s.omega[k + 1] = turn_rate * (aim * drive.omega - s.omega[k]) / next;
+  s.omega[k + 1] = omega_rate * (aim * drive.omega - s.omega[k]) / next;
   s.forward[k + 1] = forward_rate * (aim * drive.forward - s.forward[k]) / next;
   if (slide == 0.0) return;
   s.forward[k + 1] += product_term(s.omega, s.left, k) / next;
