@@ -13,7 +13,7 @@ TEST(PitchSpec, PresetsPlayLegs) {
   EXPECT_EQ(pitch_of(PitchPreset::mirosot).parameters.wheel_radius, 0.0225);
   for (const PitchPreset preset :
        {PitchPreset::mirosot, PitchPreset::vsss, PitchPreset::simurosot}) {
-    Setup setup;
+    match::Setup setup;  // a test has a member of that name
     setup.league = preset == PitchPreset::simurosot ? League::middle : League::small;
     setup.rules.half_s = 5.0;
     set_pitch(setup, pitch_of(preset));
