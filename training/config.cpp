@@ -4,8 +4,9 @@
 #include "server/record/conditions_json.hpp"
 #include "server/record/drawn_situation.hpp"
 #include "server/record/json_reader.hpp"
+#include "server/record/parameters_json.hpp"
+#include "server/record/pitch_json.hpp"
 #include "server/record/rules_json.hpp"
-#include "server/record/scene_json.hpp"
 #include "server/record/team_parameters_json.hpp"
 #include "system/locations.hpp"
 
@@ -139,6 +140,9 @@ match::Setup read_setup(const JsonReader& json, bool ends_at_goal) {
   // The law that ends a lopsided leg ends an episode, too.
   if (ends_at_goal) setup.rules.mercy_goal_diff = 1;
   setup.control_period = match::control_period_of(setup.rules.preset);
+  if (json.has("pitch") && json.at("pitch").is_string()) {
+    match::set_pitch(setup, record::read_pitch(json.at("pitch")));
+  }
   if (const auto period = json.find("control_period")) {
     setup.control_period = period->number(min_period, max_period);
   }
@@ -174,7 +178,7 @@ nlohmann::ordered_json read_pitch(const JsonReader& json) {
     const nlohmann::ordered_json numbers = end_of(json.json(), end);
     std::optional<record::JsonProblem> problem;
     simulator::Parameters parameters;
-    record::read_parameters(JsonReader(numbers, "", problem), parameters);
+    record::read_physics(JsonReader(numbers, "", problem), parameters);
     if (problem) json.complain(problem->pointer + ": " + problem->reason);
   }
   return json.json();
@@ -192,7 +196,8 @@ Config read_config(const JsonReader& json, const std::string& folder) {
   if (const auto start = json.find("start")) {
     config.starts = read_starts(*start, config.setup.league, config.ends_at_goal, folder);
   }
-  if (const auto pitch = json.find("pitch")) config.pitch = read_pitch(*pitch);
+  const auto pitch = json.find("pitch");
+  if (pitch && !pitch->is_string()) config.pitch = read_pitch(*pitch);
   json.read_if_present("agents", config.agents);
   json.read_if_present("observation", config.observation);
   json.read_if_present("action", config.action);
@@ -252,7 +257,7 @@ Result<match::Setup> setup_of(const Config& config, std::uint64_t seed) {
   if (!config.pitch.is_null()) {
     const nlohmann::ordered_json numbers = record::drawn(config.pitch, random);
     std::optional<record::JsonProblem> none;
-    record::read_parameters(JsonReader(numbers, "", none), setup.parameters);
+    record::read_physics(JsonReader(numbers, "", none), setup.parameters);
   }
   return setup;
 }

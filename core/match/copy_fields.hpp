@@ -23,6 +23,24 @@ void copy_bodies(const From& from, To& to) {
   to.ball_mass = from.ball_mass;
 }
 
+// Calls visit(name, member) for what a team receives of a simulator::Parameters besides the sizes
+// above: the motors' other lags (0: none), the floor and the contacts.
+template <class P, class Visit>
+void for_each_physics(P& p, Visit visit) {
+  visit("turn_time_constant", p.turn_time_constant);
+  visit("brake_time_constant", p.brake_time_constant);
+  visit("rolling_resistance", p.rolling_resistance);
+  visit("viscous_friction", p.viscous_friction);
+  visit("ball_wall_restitution", p.restitution.ball_wall);
+  visit("ball_robot_restitution", p.restitution.ball_robot);
+  visit("robot_wall_restitution", p.restitution.robot_wall);
+  visit("robot_robot_restitution", p.restitution.robot_robot);
+  visit("ball_wall_friction", p.contact_friction.ball_wall);
+  visit("ball_robot_friction", p.contact_friction.ball_robot);
+  visit("robot_wall_friction", p.contact_friction.robot_wall);
+  visit("robot_robot_friction", p.contact_friction.robot_robot);
+}
+
 // Copies the sizes of a field::Field that a team receives.
 template <class To>
 void copy_field(const field::Field& field, To& to) {

@@ -41,6 +41,12 @@ referee::LegProgress progress_at(const Start& start, const referee::LegProgress&
 
 }  // namespace
 
+void set_pitch(Setup& setup, const PitchSpec& pitch) {
+  setup.pitch_name = pitch.name;
+  setup.parameters = pitch.parameters;
+  if (pitch.control_period) setup.control_period = *pitch.control_period;
+}
+
 Leg::Leg(const Setup& setup, TickLogs tick_logs) : Leg(setup, tick_logs, nullptr) {}
 
 Leg::Leg(const Setup& setup, TickLogs tick_logs, simulator::World& shared)

@@ -23,6 +23,7 @@
 #include "core/match/gain.hpp"
 #include "core/match/goal_credit.hpp"
 #include "core/match/observation.hpp"
+#include "core/match/pitch_spec.hpp"
 #include "core/match/put_down.hpp"
 #include "core/match/snapshot.hpp"
 #include "core/match/start.hpp"
@@ -31,6 +32,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace mirocup::match {
@@ -55,7 +57,8 @@ struct Setup {
   referee::Rules rules;
   referee::Stage stage = referee::Stage::group;
   std::uint64_t seed = 1;
-  double control_period = 0.033;  // s
+  double control_period = 0.033;      // s
+  std::string pitch_name{"mirosot"};  // of the parameters below
   simulator::Parameters parameters;
   simulator::Tolerances tolerances;
   Conditions conditions;
@@ -64,6 +67,10 @@ struct Setup {
   // millimetre, and with a restart everything stands where the law allows it. Its `left` counts.
   std::optional<Start> start;
 };
+
+// Gives the setup the name, the parameters and the control period of a pitch. A pitch without a
+// period leaves that of the rules.
+void set_pitch(Setup& setup, const PitchSpec& pitch);
 
 // The ways in which a leg can end.
 enum class OutcomeKind { full_time, golden_goal, shoot_out, forfeit, double_forfeit, mercy, void_ };

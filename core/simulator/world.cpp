@@ -16,6 +16,15 @@
 
 namespace mirocup::simulator {
 
+namespace {
+
+void renew(trajectory::MotorDecay& decay, double time_constant, double span) {
+  if (span == decay.span && time_constant == decay.time_constant) return;
+  decay = trajectory::motor_decay(time_constant, span);
+}
+
+}  // namespace
+
 World::World(const field::Field* field, const Parameters& parameters, const Tolerances& tolerances,
              int robots, bool has_ball)
     : static_world_(collision::make_static_world(field, parameters, tolerances, robots, has_ball)),
@@ -389,11 +398,16 @@ void World::start_closed_form(int body, double t, double tick_end) {
   segments_[body].begin = t;
   segments_[body].end = tick_end;
   const double span = tick_end - t;
-  trajectory::MotorDecay& decay = t == 0.0 ? whole_decay_ : rest_decay_;
-  if (span != decay.span) decay = trajectory::motor_decay(static_world_.parameters, span);
-  closed_form_end_[body] = closed_form_state(bodies_[body], drives_[body], decay);
-  boxes_[body] = closed_form_box(bodies_[body], closed_form_end_[body], drives_[body], decay);
-  bounds_[body] = closed_form_bound(bodies_[body], closed_form_end_[body], drives_[body], decay, t);
+  const trajectory::DriveReference& drive = drives_[body];
+  KnownDecay& known = t == 0.0 ? whole_decay_ : rest_decay_;
+  renew(known.forward, drive.forward_lag, span);
+  const bool has_two_lags = drive.turn_lag != drive.forward_lag;
+  if (has_two_lags) renew(known.turn, drive.turn_lag, span);
+  const trajectory::MotorDecay& decay = known.forward;
+  closed_form_end_[body] =
+      closed_form_state(bodies_[body], drive, {decay, has_two_lags ? known.turn : decay});
+  boxes_[body] = closed_form_box(bodies_[body], closed_form_end_[body], drive, decay);
+  bounds_[body] = closed_form_bound(bodies_[body], closed_form_end_[body], drive, decay, t);
 }
 
 // Replaces a closed form, or the rest of a step, by a segment with series.
@@ -422,8 +436,7 @@ BodyState World::state_at(int body, double t) const {
   if (t == segments_[body].end) return closed_form_end_[body];
   const double span = t - segments_[body].begin;
   if (span == 0.0) return bodies_[body];
-  return closed_form_state(bodies_[body], drives_[body],
-                           trajectory::motor_decay(static_world_.parameters, span));
+  return closed_form_state(bodies_[body], drives_[body], span);
 }
 
 Pose World::pose_of(int body, double t) const {

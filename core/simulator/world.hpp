@@ -150,7 +150,11 @@ class World {
   std::array<trajectory::Segment, max_bodies> segments_{};
   BodySet closed_form_;                                // bodies without series
   std::array<BodyState, max_bodies> closed_form_end_;  // of each in closed form, not in a step
-  trajectory::MotorDecay whole_decay_, rest_decay_;    // over a whole tick, over the rest of one
+  // The decays last used over a whole tick, and over the rest of one.
+  struct KnownDecay {
+    trajectory::MotorDecay forward, turn;  // `turn` only for motors with two lags
+  };
+  KnownDecay whole_decay_, rest_decay_;
   stepping::StepIslands step_islands_;
   std::array<trajectory::Box, max_bodies> boxes_{};
   std::array<trajectory::MotionBound, max_bodies> bounds_{};

@@ -25,6 +25,28 @@ mirocup_robot to_robot(const match::ObservedRobot& robot) {
           robot.velocity.x(), robot.velocity.y(), robot.turn};
 }
 
+static_assert(geometry::max_corners == 8);
+
+void copy_physics(const simulator::Parameters& p, mirocup_setup& s) {
+  s.turn_time_constant = p.turn_lag();
+  s.brake_time_constant = p.brake_lag();
+  s.rolling_resistance = p.rolling_resistance;
+  s.viscous_friction = p.viscous_friction;
+  s.ball_wall_restitution = p.restitution.ball_wall;
+  s.ball_robot_restitution = p.restitution.ball_robot;
+  s.robot_wall_restitution = p.restitution.robot_wall;
+  s.robot_robot_restitution = p.restitution.robot_robot;
+  s.ball_wall_friction = p.contact_friction.ball_wall;
+  s.ball_robot_friction = p.contact_friction.ball_robot;
+  s.robot_wall_friction = p.contact_friction.robot_wall;
+  s.robot_robot_friction = p.contact_friction.robot_robot;
+  s.corners = p.robot_corners.corners;
+  for (int c = 0; c < s.corners; ++c) {
+    s.corner_x[c] = p.robot_corners.x[c];
+    s.corner_y[c] = p.robot_corners.y[c];
+  }
+}
+
 }  // namespace
 
 mirocup_setup to_setup(const match::Briefing& briefing) {
@@ -39,6 +61,7 @@ mirocup_setup to_setup(const match::Briefing& briefing) {
   s.half_seconds = briefing.rules->half_s;
   match::copy_field(field, s);
   match::copy_bodies(*briefing.parameters, s);
+  copy_physics(*briefing.parameters, s);
   return s;
 }
 

@@ -54,8 +54,8 @@ Robot turned(const Body& body) {
       core::match::team_frame(core::End::right, core::match::observed(to_state(body))));
 }
 
-// The model of a match, with the numbers of this leg. The setup leaves some out, which no leg
-// changes.
+// The model of a match, with the numbers of this leg. An older host leaves some out, which it does
+// not change.
 simulator::Parameters parameters_of(const Setup& setup) {
   simulator::Parameters p;
   p.robot_side = setup.robot_side;
@@ -67,6 +67,23 @@ simulator::Parameters parameters_of(const Setup& setup) {
   p.grip = setup.grip;
   p.ball_radius = setup.ball_radius;
   p.ball_mass = setup.ball_mass;
+  if (setup.size < offsetof(Setup, reserved_corners)) return p;
+  p.turn_time_constant = setup.turn_time_constant;
+  p.brake_time_constant = setup.brake_time_constant;
+  p.rolling_resistance = setup.rolling_resistance;
+  p.viscous_friction = setup.viscous_friction;
+  p.restitution = {.ball_wall = setup.ball_wall_restitution,
+                   .ball_robot = setup.ball_robot_restitution,
+                   .robot_wall = setup.robot_wall_restitution,
+                   .robot_robot = setup.robot_robot_restitution};
+  p.contact_friction = {.ball_wall = setup.ball_wall_friction,
+                        .ball_robot = setup.ball_robot_friction,
+                        .robot_wall = setup.robot_wall_friction,
+                        .robot_robot = setup.robot_robot_friction};
+  if (setup.size < sizeof(Setup)) return p;
+  p.robot_corners.corners = std::min<int>(setup.corners, geometry::max_corners);
+  std::copy_n(setup.corner_x, geometry::max_corners, p.robot_corners.x.begin());
+  std::copy_n(setup.corner_y, geometry::max_corners, p.robot_corners.y.begin());
   return p;
 }
 
@@ -146,7 +163,7 @@ Body robot_after(const Setup& setup, const Body& robot, Wheels wheels, double se
     // As long as the ticks for which the simulator uses its closed form.
     const double end = std::min(seconds, t + setup.control_period);
     if (has_closed_form(parameters, state, drive, end - t)) {
-      state = closed_form_state(state, drive, trajectory::motor_decay(parameters, end - t));
+      state = closed_form_state(state, drive, end - t);
       t = end;
     } else {
       const trajectory::Segment segment =
@@ -162,8 +179,11 @@ Wheels driven_wheels(const Setup& setup, const Robot& before, const Robot& after
   const Body a = body_of(before);
   const Body b = body_of(after);
   const double left = core::exp(-setup.control_period / setup.motor_time_constant);
+  const double turn_lag = parameters_of(setup).turn_lag();
+  const double turn_left = core::exp(-setup.control_period / turn_lag);
   const double forward = (b.forward - left * a.forward) / (1.0 - left);
-  const double side = (b.turn - left * a.turn) / (1.0 - left) * setup.wheel_distance / 2.0;
+  const double side =
+      (b.turn - turn_left * a.turn) / (1.0 - turn_left) * setup.wheel_distance / 2.0;
   const double limit = setup.wheel_speed_limit;
   return {std::clamp((forward - side) / setup.wheel_radius, -limit, limit),
           std::clamp((forward + side) / setup.wheel_radius, -limit, limit)};

@@ -158,9 +158,16 @@ void add_match(CLI::App& app, Run& run) {
   command
       ->add_option("--conditions", o.conditions,
                    "What disturbs the leg: nothing (exact), placing by hand, wheels and floor "
-                   "(hall), also a camera and a radio (camera)")
+                   "(hall), also a camera and a radio (camera); default: those of the pitch, if it "
+                   "has any, or " +
+                       std::string(to_string(match::default_preset)))
       ->check(one_of<match::ConditionsPreset>())
-      ->capture_default_str()
+      ->excludes(from);
+  command
+      ->add_option("--pitch", o.pitch,
+                   "Robots, ball and floor: mirosot (default), vsss, simurosot, or a file "
+                   "(mirocup/pitch/1), for example of mirocup identify")
+      ->type_name("NAME|FILE")
       ->excludes(from);
   command
       ->add_option("--condition", o.condition_changes,
@@ -434,6 +441,67 @@ void add_stats(CLI::App& app, Run& run) {
   command->add_flag("--json", o.json, "Everything as one JSON object")->excludes(csv);
 }
 
+void add_record_as_seen(CLI::App& app, Run& run) {
+  Subcommand<RecordAsSeenOptions> command(
+      app, run, "record-as-seen",
+      "Write what a camera would have seen of a played match, as a recording", run_record_as_seen);
+  RecordAsSeenOptions& o = *command.options;
+  command->add_option("RECORD", o.record, "Match record, written by --record")->required();
+  command->add_option("-o", o.output, "The recording (mirocup/recording/1)")
+      ->type_name("FILE")
+      ->required();
+  command->add_option("--noise-mm", o.noise_mm, "Standard deviation of a position, mm")
+      ->check(CLI::Range(0.0, 100.0))
+      ->capture_default_str();
+  command->add_option("--noise-deg", o.noise_deg, "Standard deviation of a heading, degrees")
+      ->check(CLI::Range(0.0, 90.0))
+      ->capture_default_str();
+  command->add_option("--gaps", o.gaps, "Share of bodies that a picture misses")
+      ->check(CLI::Range(0.0, 0.9))
+      ->capture_default_str();
+  command->add_option("--outliers", o.outliers, "Share of bodies that are seen anywhere")
+      ->check(CLI::Range(0.0, 0.5))
+      ->capture_default_str();
+  command->add_option("--seed", o.seed, "Seed of the noise")
+      ->check(CLI::Validator(system::problem_with_seed, "SEED"))
+      ->capture_default_str();
+}
+
+void add_identify(CLI::App& app, Run& run) {
+  Subcommand<IdentifyOptions> command(
+      app, run, "identify",
+      "Find the numbers of a pitch from recordings: floor, walls, motors, camera", run_identify);
+  IdentifyOptions& o = *command.options;
+  command
+      ->add_option("RECORDING", o.recordings,
+                   "Recordings (mirocup/recording/1, or .csv) of one pitch")
+      ->required();
+  command->add_option("-o", o.output, "The pitch (mirocup/pitch/1)")->type_name("FILE")->required();
+  command
+      ->add_option("--pitch", o.pitch,
+                   "What is known: sizes and masses, and what recordings do not tell")
+      ->type_name("NAME|FILE")
+      ->capture_default_str();
+  command->add_option("--page", o.page, "A page with the intervals")->type_name("FILE");
+  command->add_flag("--json", o.json, "Print the pitch as one JSON object");
+}
+
+void add_validate(CLI::App& app, Run& run) {
+  Subcommand<ValidateOptions> command(
+      app, run, "validate",
+      "Say how far the simulator is from recordings, 1 to 30 pictures ahead, beside yardsticks; "
+      "exits with 1 where it is worse than one",
+      run_validate);
+  ValidateOptions& o = *command.options;
+  command->add_option("RECORDING", o.recordings, "Recordings (mirocup/recording/1, or .csv)")
+      ->required();
+  command->add_option("--pitch", o.pitch, "The pitch to simulate with")
+      ->type_name("NAME|FILE")
+      ->capture_default_str();
+  command->add_option("-o,--page", o.page, "A page with pictures")->type_name("FILE");
+  command->add_flag("--json", o.json, "Print one JSON object");
+}
+
 void add_scene(CLI::App& app, Run& run) {
   Subcommand<SceneOptions> command(
       app, run, "scene", "Simulate a scene: bodies and wheel commands, without teams and laws",
@@ -570,6 +638,9 @@ std::optional<int> read_command_line(int argc, char** argv, Run& run) {
   add_replay(cli, run);
   add_stats(cli, run);
   add_league(cli);
+  add_record_as_seen(cli, run);
+  add_identify(cli, run);
+  add_validate(cli, run);
   add_scene(cli, run);
   add_referee(cli, run);
   add_tune(cli);

@@ -30,10 +30,11 @@ struct MatchOptions {
   std::optional<std::uint32_t> tick;  // of that record
   bool calls = false;                 // print them
   std::optional<double> half_s;
-  std::vector<std::string> rule_changes;  // KEY=VALUE
-  std::string conditions{to_string(match::default_preset)};
-  std::vector<std::string> condition_changes;              // KEY=VALUE
-  std::vector<std::string> parameters;                     // of both teams, KEY=VALUE
+  std::vector<std::string> rule_changes;       // KEY=VALUE
+  std::string conditions;                      // a preset; "": those of the pitch, or the default
+  std::string pitch;                           // --pitch; "": mirosot
+  std::vector<std::string> condition_changes;  // KEY=VALUE
+  std::vector<std::string> parameters;         // of both teams, KEY=VALUE
   match::ByTeam<std::vector<std::string>> own_parameters;  // of one team; they win
   std::string record_path;
   bool thoughts = false;  // keep what the teams draw
@@ -163,6 +164,34 @@ struct StatsOptions {
   bool json = false;
 };
 Result<int> run_stats(const StatsOptions& options);
+
+struct RecordAsSeenOptions {
+  std::string record;
+  std::string output;
+  double noise_mm = 2.0;
+  double noise_deg = 1.0;
+  double gaps = 0.02;  // shares
+  double outliers = 0.01;
+  std::uint64_t seed = 1;
+};
+Result<int> run_record_as_seen(const RecordAsSeenOptions& options);
+
+struct IdentifyOptions {
+  std::vector<std::string> recordings;
+  std::string pitch = "mirosot";  // from which the search begins
+  std::string output;
+  std::string page;  // "": none
+  bool json = false;
+};
+Result<int> run_identify(const IdentifyOptions& options);
+
+struct ValidateOptions {
+  std::vector<std::string> recordings;
+  std::string pitch = "mirosot";
+  std::string page;  // "": none
+  bool json = false;
+};
+Result<int> run_validate(const ValidateOptions& options);
 
 struct SceneOptions {
   std::string path;

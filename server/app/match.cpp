@@ -10,6 +10,7 @@
 #include "server/pace/pacer.hpp"
 #include "server/record/conditions_json.hpp"
 #include "server/record/json_reader.hpp"
+#include "server/record/pitch_json.hpp"
 #include "server/record/rules_json.hpp"
 #include "server/record/situation_json.hpp"
 #include "server/record/team_parameters_json.hpp"
@@ -73,8 +74,17 @@ Result<match::Setup> setup_of(const MatchOptions& options) {
   setup.seed = options.seed;
   setup.control_period = match::control_period_of(setup.rules.preset);
   if (options.half_s) setup.rules.half_s = *options.half_s;
+  const auto pitch = record::pitch_of_option(options.pitch.empty() ? "mirosot" : options.pitch);
+  if (!pitch) return tl::unexpected(pitch.error());
+  match::set_pitch(setup, *pitch);
+  if (pitch->conditions && options.conditions.empty() && options.condition_changes.empty()) {
+    setup.conditions = *pitch->conditions;
+    return setup;
+  }
   const auto conditions = record::conditions_with_changes(
-      *from_string<match::ConditionsPreset>(options.conditions), options.condition_changes);
+      options.conditions.empty() ? match::default_preset
+                                 : *from_string<match::ConditionsPreset>(options.conditions),
+      options.condition_changes);
   if (!conditions) return tl::unexpected(conditions.error());
   setup.conditions = *conditions;
   return setup;

@@ -64,6 +64,11 @@ mirocup_v3_Facts facts_of(const match::Briefing& briefing) {
   facts.half_seconds = briefing.rules->half_s;
   match::copy_field(*briefing.field, facts);
   match::copy_bodies(*briefing.parameters, facts);
+  match::for_each_physics(*briefing.parameters, [&](const char* name, double value) {
+    mirocup_v3_NamedNumber& number = facts.numbers[facts.named++];
+    copy_text(number.name, name);
+    number.value = value;
+  });
   return facts;
 }
 
@@ -167,6 +172,12 @@ bool from_sample(const mirocup_v3_Welcome& w, OwnedBriefing& owned) {
   if (w.facts.league > mirocup_v3_LARGE || w.team > mirocup_v3_YELLOW) return false;
   owned.field = field::make_field(static_cast<League>(w.facts.league));
   match::copy_bodies(w.facts, owned.parameters);
+  const std::size_t named = std::min<std::size_t>(w.facts.named, mirocup_v3_MAX_NUMBERS);
+  match::for_each_physics(owned.parameters, [&](std::string_view name, double& member) {
+    for (std::size_t i = 0; i < named; ++i) {
+      if (name == w.facts.numbers[i].name) member = w.facts.numbers[i].value;
+    }
+  });
   owned.rules.half_s = w.facts.half_seconds;
   owned.briefing = {.field = &owned.field,
                     .parameters = &owned.parameters,

@@ -3,6 +3,7 @@
 
 #include "server/record/conditions_json.hpp"
 #include "server/record/json_reader.hpp"
+#include "server/record/pitch_json.hpp"
 #include "server/record/replay_file.hpp"
 #include "server/record/rules_json.hpp"
 #include "server/record/situation_json.hpp"
@@ -37,9 +38,7 @@ static_assert(has_names_up_to(referee::Law::forfeit, "forfeit"));
 static_assert(has_names_up_to(referee::Restart::FREE_KICK, "FREE_KICK"));
 static_assert(has_names_up_to(match::FaultCode::disconnected, "disconnected"));
 
-// The ranges of the times with which a leg can be played, s.
-constexpr double min_period = 1e-3;
-constexpr double max_period = 1.0;
+// The longest half with which a leg can be played, s.
 constexpr double max_half = 36000.0;
 
 Json score_json(const match::ByTeam<int>& score) {
@@ -282,9 +281,15 @@ match::Setup read_setup(const JsonReader& json) {
   }
   setup.stage = json.at("stage").name<referee::Stage>();
   setup.seed = json.at("seed").as<std::uint64_t>();
-  setup.control_period = json.at("control_period").number(min_period, max_period);
+  setup.control_period = json.at("control_period").number(min_control_period, max_control_period);
   // Records without this key are of exact legs.
   if (json.has("conditions")) setup.conditions = read_conditions(json.at("conditions"));
+  // Records without this key are of legs on the pitch mirosot.
+  if (json.has("pitch")) {
+    const match::PitchSpec pitch = read_pitch(json.at("pitch"));
+    setup.pitch_name = pitch.name;
+    setup.parameters = pitch.parameters;
+  }
   if (const auto given = json.find("situation")) {
     const Situation situation = read_situation(*given);
     if (situation.league != setup.league)
@@ -429,7 +434,12 @@ Json to_json(const MatchRecord& record) {
             {"stage", to_string(r.setup.stage)},
             {"seed", r.setup.seed},
             {"control_period", r.setup.control_period},
-            {"conditions", to_json(r.setup.conditions)}};
+            {"conditions", to_json(r.setup.conditions)},
+            {"pitch", to_json(match::PitchSpec{.name = r.setup.pitch_name,
+                                               .source = "",
+                                               .parameters = r.setup.parameters,
+                                               .control_period = {},
+                                               .conditions = {}})}};
   if (r.setup.start) json["situation"] = to_json(Situation{r.setup.league, *r.setup.start});
   if (record.from) {
     json["from"] = {{"tick", record.from->tick},

@@ -4,6 +4,7 @@
 #include "core/base/math.hpp"
 #include "server/record/heading_json.hpp"
 #include "server/record/json_reader.hpp"
+#include "server/record/parameters_json.hpp"
 
 #include <algorithm>
 #include <set>
@@ -20,58 +21,13 @@ constexpr std::string_view result_schema = "mirocup/scene-result/1";
 
 // What a scene may ask for, so that every scene ends and its result fits into memory. scene.md
 // gives the reasons.
-constexpr double max_duration = 3600.0;  // s
-constexpr double min_grip = 1e-6;
-constexpr double max_size = 1e6;  // of positions, m, speeds, m/s and rad/s
-constexpr double min_parameter = 1e-9;
-constexpr double max_parameter = 1e9;
+constexpr double max_duration = 3600.0;              // s
+constexpr double max_size = 1e6;                     // of positions, m, speeds, m/s and rad/s
 constexpr std::size_t max_sampled_states = 250'000;  // of all bodies in all samples
 
 Vec2 read_vector(const JsonReader& json) {
   if (!json.expect_array(2, 2)) return {0.0, 0.0};
   return {json.at(0).number(-max_size, max_size), json.at(1).number(-max_size, max_size)};
-}
-
-void read_per_pair(const JsonReader& json, double max, PerPair& value) {
-  if (!json.expect_object({"ball_wall", "ball_robot", "robot_wall", "robot_robot"})) return;
-  const auto read = [&](const char* key, double& member) {
-    if (json.has(key)) member = json.at(key).number(0.0, max);
-  };
-  read("ball_wall", value.ball_wall);
-  read("ball_robot", value.ball_robot);
-  read("robot_wall", value.robot_wall);
-  read("robot_robot", value.robot_robot);
-}
-
-// A convex polygon around the origin, with its corners in either direction.
-geometry::OutlineCorners read_outline(const JsonReader& json) {
-  geometry::OutlineCorners outline;
-  if (!json.expect_array(3, geometry::max_corners)) return outline;
-  const std::size_t n = json.size();
-  std::vector<Vec2> corners;
-  for (std::size_t i = 0; i < n; ++i) corners.push_back(read_vector(json.at(i)));
-  double area = 0.0;
-  for (std::size_t i = 0; i < n; ++i) area += cross(corners[i], corners[(i + 1) % n]);
-  if (area < 0.0) std::reverse(corners.begin(), corners.end());
-  for (std::size_t i = 0; i < n; ++i) {
-    const Vec2 edge = corners[(i + 1) % n] - corners[i];
-    const Vec2 next = corners[(i + 2) % n] - corners[(i + 1) % n];
-    if (!(cross(edge, next) > 0.0)) {
-      json.complain("the corners are not those of a convex polygon, one after the other");
-    } else if (!(cross(corners[i], corners[(i + 1) % n]) > 0.0)) {
-      json.complain("the centre of mass, [0, 0], is not inside");
-    }
-    outline.x[i] = corners[i].x();
-    outline.y[i] = corners[i].y();
-  }
-  outline.corners = static_cast<int>(n);
-  return outline;
-}
-
-double read_grip(const JsonReader& json) {
-  if (!json.is_string()) return json.number(min_grip);
-  if (json.text() != "infinite") json.complain("a number or \"infinite\" is expected");
-  return infinite_grip;
 }
 
 void read_wheels(const JsonReader& json, SceneRobot& robot) {
@@ -137,7 +93,7 @@ Scene read_scene(const JsonReader& json) {
   }
   json.expect_schema(scene_schema);
   json.read_if_present("league", scene.league);
-  if (json.has("parameters")) read_parameters(json.at("parameters"), scene.parameters);
+  if (json.has("parameters")) read_physics(json.at("parameters"), scene.parameters);
   json.read_if_present("walls", scene.has_walls);
   scene.duration = json.at("duration").number(0.0, max_duration);
   if (json.has("ball")) {
@@ -202,42 +158,6 @@ Json to_json(const Scene& scene, const Impact& impact) {
 }
 
 }  // namespace
-
-void read_parameters(const JsonReader& json, Parameters& p) {
-  if (!json.expect_object({"robot_side", "robot_mass", "wheel_distance", "wheel_radius",
-                           "motor_time_constant", "wheel_speed_limit", "grip", "ball_radius",
-                           "ball_mass", "rolling_resistance", "viscous_friction",
-                           "rolling_friction", "k", "restitution", "contact_friction", "shape"})) {
-    return;
-  }
-  const auto positive = [&](const char* key, double& member) {
-    if (!json.has(key)) return;
-    const JsonReader value = json.at(key);
-    member = value.positive_number();
-    if (member > 0.0) member = value.number(min_parameter, max_parameter);
-  };
-  const auto not_negative = [&](const char* key, double& member) {
-    if (json.has(key)) member = json.at(key).number(0.0, max_parameter);
-  };
-  positive("robot_side", p.robot_side);
-  positive("robot_mass", p.robot_mass);
-  positive("wheel_distance", p.wheel_distance);
-  positive("wheel_radius", p.wheel_radius);
-  positive("motor_time_constant", p.motor_time_constant);
-  not_negative("wheel_speed_limit", p.wheel_speed_limit);
-  if (json.has("grip")) p.grip = read_grip(json.at("grip"));
-  positive("ball_radius", p.ball_radius);
-  positive("ball_mass", p.ball_mass);
-  not_negative("rolling_resistance", p.rolling_resistance);
-  not_negative("viscous_friction", p.viscous_friction);
-  json.read_if_present("rolling_friction", p.rolling_friction);
-  positive("k", p.k);
-  if (json.has("restitution")) read_per_pair(json.at("restitution"), 1.0, p.restitution);
-  if (json.has("contact_friction")) {
-    read_per_pair(json.at("contact_friction"), infinite_grip, p.contact_friction);
-  }
-  if (json.has("shape")) p.robot_corners = read_outline(json.at("shape"));
-}
 
 Result<Scene> parse_scene(std::string_view text, const std::string& path) {
   auto scene = read_json<Scene>(text, path, Errc::input, read_scene);

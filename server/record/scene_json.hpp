@@ -18,11 +18,6 @@ namespace mirocup::record {
 // names the file `path`, the JSON pointer and the reason.
 Result<simulator::Scene> parse_scene(std::string_view text, const std::string& path);
 
-class JsonReader;
-
-// Reads the object "parameters" of a scene: what it does not name stays as it is.
-void read_parameters(const JsonReader& json, simulator::Parameters& parameters);
-
 // `cpu_seconds`: processor time of the simulation.
 nlohmann::ordered_json to_json(const simulator::Scene& scene, const simulator::SceneResult& result,
                                double cpu_seconds);

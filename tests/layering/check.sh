@@ -52,6 +52,7 @@ may server/record 'core/|system/|server/record/|server/pace/(absence|durations)\
 may server/statistics 'core/|system/|server/(record|statistics)/'
 may server/traces 'core/|system/|server/(record|traces)/'
 may server/drills 'core/|system/|server/(record|drills)/'
+may server/pitch 'core/|system/|server/(record|pitch)/|server/web/design/'
 may server/dds 'core/|system/|idl/|server/dds/|server/pace/(absence|durations)\.hpp"|plugins/abi/|mirocup/'
 may server/firasim 'core/|system/|server/firasim/|server/pace/(absence|durations)\.hpp"'
 may server/web/design 'system/|server/web/design/'
@@ -80,7 +81,7 @@ only() {
 }
 
 only 'dds/|mirocup\.h>' server/dds
-only 'nlohmann/' server/record server/statistics server/traces server/drills server/web server/app training tournaments
+only 'nlohmann/' server/record server/pitch server/statistics server/traces server/drills server/web server/app training tournaments
 only 'dlfcn\.h' plugins/host plugins/python training
 only 'httplib' server/web
 only 'kainjow/' server/web/design

@@ -3,6 +3,7 @@
 
 #include "server/record/conditions_json.hpp"
 #include "server/record/json_reader.hpp"
+#include "server/record/pitch_json.hpp"
 #include "server/record/rules_json.hpp"
 #include "server/record/team_parameters_json.hpp"
 
@@ -125,7 +126,7 @@ Points read_points(const JsonReader& json) {
 }
 
 LeagueFile read_league(const JsonReader& json) {
-  json.expect_object({"schema", "title", "format", "league", "rules", "conditions", "seed",
+  json.expect_object({"schema", "title", "format", "league", "rules", "conditions", "pitch", "seed",
                       "points", "tie_breaks", "zone", "freeze", "strikes", "anonymous", "teams"});
   json.expect_schema(schema);
   LeagueFile file;
@@ -134,6 +135,7 @@ LeagueFile read_league(const JsonReader& json) {
   json.read_if_present("league", file.league);
   if (json.has("rules")) file.rules = record::read_rules(json.at("rules"), file.league);
   if (json.has("conditions")) file.conditions = record::read_conditions(json.at("conditions"));
+  if (json.has("pitch")) file.pitch = record::read_pitch(json.at("pitch"));
   json.read_if_present("seed", file.seed);
   if (json.has("points")) file.points = read_points(json.at("points"));
   if (json.has("tie_breaks")) {
@@ -220,6 +222,7 @@ std::string print_league_file(const LeagueFile& file) {
             {"league", to_string(file.league)},
             {"rules", record::to_json(file.rules)}};
   if (file.conditions) json["conditions"] = record::to_json(*file.conditions);
+  if (file.pitch) json["pitch"] = record::to_json(*file.pitch);
   json.update({{"seed", file.seed},
                {"points",
                 {{"win", file.points.win}, {"draw", file.points.draw}, {"loss", file.points.loss}}},

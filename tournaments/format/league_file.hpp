@@ -6,6 +6,7 @@
 #include "core/base/error.hpp"
 #include "core/field/league.hpp"
 #include "core/match/conditions.hpp"
+#include "core/match/pitch_spec.hpp"
 #include "core/match/team_parameters.hpp"
 #include "core/referee/rules.hpp"
 #include "system/clock.hpp"
@@ -37,6 +38,7 @@ struct LeagueFile {
   League league = League::small;
   referee::Rules rules;
   std::optional<match::Conditions> conditions;  // nothing: `hall` for a league that starts now
+  std::optional<match::PitchSpec> pitch;        // nothing: mirosot
   std::uint64_t seed = 1;
   Points points;
   std::vector<TieBreak> tie_breaks{default_tie_breaks.begin(), default_tie_breaks.end()};

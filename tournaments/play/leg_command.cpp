@@ -4,6 +4,7 @@
 #include "core/base/random.hpp"
 #include "server/record/conditions_json.hpp"
 #include "server/record/json_reader.hpp"
+#include "server/record/pitch_json.hpp"
 #include "server/record/rules_json.hpp"
 #include "server/record/team_parameters_json.hpp"
 #include "system/locations.hpp"
@@ -88,6 +89,9 @@ std::vector<std::string> leg_command(const Folder& folder, const LeagueState& st
   if (id.leg > fixture.legs) {
     // With golden goal and shoot-out one team wins.
     arguments.insert(arguments.end(), {"--stage", "knockout"});
+  }
+  if (file.pitch) {
+    arguments.insert(arguments.end(), {"--pitch", record::json_text(record::to_json(*file.pitch))});
   }
   for (const auto& words :
        {rule_options(file.rules, file.league), condition_options(state.conditions),

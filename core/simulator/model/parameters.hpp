@@ -43,8 +43,12 @@ struct Parameters {
   double wheel_distance = 0.068;           // m: L in (1)
   double wheel_radius = 0.0225;            // m: r, which the paper leaves out of (1)
   double motor_time_constant = 0.06;       // s: T in (2)
-  double wheel_speed_limit = 80.0;         // rad/s: wheel speeds beyond +-limit are clamped
-  double grip = 0.8;                       // 1: lateral force of the wheels <= grip M g; see (3)
+  // s: T of the angular velocity, where it is not that of the forward speed. 0: the same.
+  double turn_time_constant = 0.0;
+  // s: T of the forward speed while both wheels are told to stand: motors that brake. 0: as ever.
+  double brake_time_constant = 0.0;
+  double wheel_speed_limit = 80.0;  // rad/s: wheel speeds beyond +-limit are clamped
+  double grip = 0.8;                // 1: lateral force of the wheels <= grip M g; see (3)
 
   // ---- ball
   double ball_radius = 0.02135;                                   // m: R
@@ -64,6 +68,16 @@ struct Parameters {
   // Returns the moment of inertia of a uniform robot about its centre of mass, kg m^2: M a^2 / 6
   // for a square of side a.
   double robot_inertia() const;
+
+  // Returns T of the angular velocity, s.
+  double turn_lag() const {
+    return turn_time_constant > 0.0 ? turn_time_constant : motor_time_constant;
+  }
+
+  // Returns T of the forward speed while both wheels are told to stand, s.
+  double brake_lag() const {
+    return brake_time_constant > 0.0 ? brake_time_constant : motor_time_constant;
+  }
 
   // Returns the effective mass of the ball, kg. A ball that rolls without slipping moves as if it
   // had the mass m' = m + J/R^2 = 7m/5.

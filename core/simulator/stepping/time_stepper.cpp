@@ -29,9 +29,11 @@ Twist unconstrained_robot_twist(const Parameters& p, const trajectory::DriveRefe
       rolls ? Vec2{v.forward, -v.forward * turned.sin} : turned.to_body({v.forward, v.left});
   Twist next{kept.x(), kept.y(), v.omega};
   if (!drive.wheels_on_ground) return next;
-  const double reached = -expm1(-step / p.motor_time_constant);
+  const double reached = -expm1(-step / drive.forward_lag);
+  const double turned_to =
+      drive.turn_lag == drive.forward_lag ? reached : -expm1(-step / drive.turn_lag);
   next.forward += reached * (drive.forward - v.forward);
-  next.omega += reached * (drive.omega - v.omega);
+  next.omega += turned_to * (drive.omega - v.omega);
   if (p.grip == infinite_grip) next.left = 0.0;
   return next;
 }

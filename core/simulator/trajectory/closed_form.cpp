@@ -35,11 +35,11 @@ SinCosOfSome headings(const std::array<double, gauss_nodes>& angle) {
 
 }  // namespace
 
-MotorDecay motor_decay(const Parameters& p, double span) {
+MotorDecay motor_decay(double time_constant, double span) {
   MotorDecay decay;
   decay.span = span;
-  decay.time_constant = p.motor_time_constant;
-  const double rate = span / p.motor_time_constant;
+  decay.time_constant = time_constant;
+  const double rate = span / time_constant;
   for (int i = 0; i < gauss_nodes; ++i) decay.at_node[i] = exp(-rate * node[i]);
   decay.at_end = exp(-rate);
   return decay;
@@ -51,32 +51,40 @@ bool has_closed_form(const Parameters& p, const BodyState& robot, const DriveRef
       std::abs(robot.twist.left) > settings::differential_drive.slip_round_off)
     return false;
   const double turn = fastest(robot.twist.omega, drive.omega);
-  if (span * (turn + 1.0 / p.motor_time_constant) > settings::closed_form.max_angle) return false;
+  if (span * (turn + drive.rate()) > settings::closed_form.max_angle) return false;
   return fastest(robot.twist.forward, drive.forward) * turn < p.grip * gravity;
 }
 
 BodyState closed_form_state(const BodyState& robot, const DriveReference& drive,
-                            const MotorDecay& decay) {
+                            const DriveDecay& decay) {
+  const double span = decay.forward.span;
   const double speed_to_lose = robot.twist.forward - drive.forward;
   const double turn_to_lose = robot.twist.omega - drive.omega;
-  const double turned_by_motor = turn_to_lose * decay.time_constant;
+  const double turned_by_motor = turn_to_lose * decay.turn.time_constant;
   std::array<double, gauss_nodes> angle;
   for (int i = 0; i < gauss_nodes; ++i) {
-    angle[i] = drive.omega * (decay.span * node[i]) + turned_by_motor * (1.0 - decay.at_node[i]);
+    angle[i] = drive.omega * (span * node[i]) + turned_by_motor * (1.0 - decay.turn.at_node[i]);
   }
   const SinCosOfSome heading = headings(angle);
   double along = 0.0;
   double across = 0.0;
   for (int i = 0; i < gauss_nodes; ++i) {
-    const double distance = weight[i] * (drive.forward + speed_to_lose * decay.at_node[i]);
+    const double distance = weight[i] * (drive.forward + speed_to_lose * decay.forward.at_node[i]);
     along += distance * heading.cos[i];
     across += distance * heading.sin[i];
   }
-  const double turned = drive.omega * decay.span + turned_by_motor * (1.0 - decay.at_end);
-  return {robot.position + robot.heading.to_world({along * decay.span, across * decay.span}),
+  const double turned = drive.omega * span + turned_by_motor * (1.0 - decay.turn.at_end);
+  return {robot.position + robot.heading.to_world({along * span, across * span}),
           robot.heading.turned(sincos(turned)),
-          {drive.forward + speed_to_lose * decay.at_end, 0.0,
-           drive.omega + turn_to_lose * decay.at_end}};
+          {drive.forward + speed_to_lose * decay.forward.at_end, 0.0,
+           drive.omega + turn_to_lose * decay.turn.at_end}};
+}
+
+BodyState closed_form_state(const BodyState& robot, const DriveReference& drive, double span) {
+  const MotorDecay forward = motor_decay(drive.forward_lag, span);
+  if (drive.turn_lag == drive.forward_lag)
+    return closed_form_state(robot, drive, {forward, forward});
+  return closed_form_state(robot, drive, {forward, motor_decay(drive.turn_lag, span)});
 }
 
 }  // namespace mirocup::simulator::trajectory

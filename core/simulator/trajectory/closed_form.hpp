@@ -21,24 +21,34 @@ namespace mirocup::simulator::trajectory {
 
 inline constexpr int gauss_nodes = angles_at_once;
 
-// e^(-t/T) at the nodes of the quadrature over [0, span] and at its end: the same for all robots.
+// e^(-t/T) at the nodes of the quadrature over [0, span] and at its end: the same for all robots
+// whose motors have that T.
 struct MotorDecay {
   double span = -1.0;          // s
   double time_constant = 0.0;  // T, s
   std::array<double, gauss_nodes> at_node;
   double at_end = 1.0;
 };
-// Returns the decay over `span` seconds.
-MotorDecay motor_decay(const Parameters& parameters, double span);
+// Returns the decay with that time constant, s, over `span` seconds.
+MotorDecay motor_decay(double time_constant, double span);
+
+// The decays of a robot's forward speed and of its angular velocity, over the same span. They are
+// the same object where the motors have one lag.
+struct DriveDecay {
+  const MotorDecay& forward;
+  const MotorDecay& turn;
+};
 
 // True if the closed form holds for a robot over `span` seconds: its wheels roll and will roll, and
 // it does not turn too far for the quadrature. Contacts are the caller's concern.
 bool has_closed_form(const Parameters& parameters, const BodyState& robot,
                      const DriveReference& drive, double span);
 
-// Returns the state of the robot after decay.span seconds. Precondition: has_closed_form().
+// Returns the state of the robot at the end of the decays' span. Precondition: has_closed_form().
 BodyState closed_form_state(const BodyState& robot, const DriveReference& drive,
-                            const MotorDecay& decay);
+                            const DriveDecay& decay);
+// The same after `span` seconds, for a caller who has no decays.
+BodyState closed_form_state(const BodyState& robot, const DriveReference& drive, double span);
 
 // Returns the largest magnitude of a speed on its way from `now` to `aim`, the speed that the
 // motors aim at. It changes monotonically, so this is the magnitude of one of the two.
@@ -51,6 +61,7 @@ inline double fastest(double now, double aim) {
 
 // Returns a box that holds the robot's centre from `robot` to `end`, the state that
 // closed_form_state() returned. A path of length l lies within l/2 of the middle between its ends.
+// `decay` is that of the forward speed.
 inline Box closed_form_box(const BodyState& robot, const BodyState& end,
                            const DriveReference& drive, const MotorDecay& decay) {
   const double now = robot.twist.forward;
@@ -65,7 +76,8 @@ inline Box closed_form_box(const BodyState& robot, const BodyState& end,
   return {middle.x() - reach, middle.x() + reach, middle.y() - reach, middle.y() + reach};
 }
 
-// Returns the motion bound of the same motion, which starts at `begin`, s of the tick.
+// Returns the motion bound of the same motion, which starts at `begin`, s of the tick. `decay` is
+// that of the forward speed.
 inline MotionBound closed_form_bound(const BodyState& robot, const BodyState& end,
                                      const DriveReference& drive, const MotorDecay& decay,
                                      double begin) {

@@ -39,7 +39,11 @@ DriveReference drive_reference(const Parameters& p, const WheelCommand& command)
   const double limit = p.wheel_speed_limit;
   const double left = std::clamp(command->left, -limit, limit);
   const double right = std::clamp(command->right, -limit, limit);
-  return {.forward = p.speed_reference(left, right), .omega = p.omega_reference(left, right)};
+  const bool brakes = p.brake_time_constant > 0.0 && left == 0.0 && right == 0.0;
+  return {.forward = p.speed_reference(left, right),
+          .omega = p.omega_reference(left, right),
+          .forward_lag = brakes ? p.brake_time_constant : p.motor_time_constant,
+          .turn_lag = p.turn_lag()};
 }
 
 WheelState wheel_state(const Parameters& p, const BodyState& robot, const DriveReference& drive) {
@@ -58,11 +62,12 @@ WheelState wheel_state(const Parameters& p, const BodyState& robot, const DriveR
 
 void extend_twist_on_ground(const Parameters& p, const DriveReference& drive, double slide, int k,
                             Segment& s) {
-  const double rate = 1.0 / p.motor_time_constant;
+  const double omega_rate = 1.0 / drive.turn_lag;
+  const double forward_rate = 1.0 / drive.forward_lag;
   const double next = k + 1;
   const double aim = k == 0 ? 1.0 : 0.0;
-  s.omega[k + 1] = rate * (aim * drive.omega - s.omega[k]) / next;
-  s.forward[k + 1] = rate * (aim * drive.forward - s.forward[k]) / next;
+  s.omega[k + 1] = omega_rate * (aim * drive.omega - s.omega[k]) / next;
+  s.forward[k + 1] = forward_rate * (aim * drive.forward - s.forward[k]) / next;
   if (slide == 0.0) return;
   s.forward[k + 1] += product_term(s.omega, s.left, k) / next;
   s.left[k + 1] = (-aim * slide * p.grip * gravity - product_term(s.omega, s.forward, k)) / next;
@@ -84,8 +89,7 @@ Segment drive(const Parameters& p, const BodyState& robot, const DriveReference&
               double begin, double horizon, double preferred_duration) {
   const WheelState wheels = wheel_state(p, robot, drive);
   const double quickest = std::max(std::abs(robot.twist.omega), std::abs(drive.omega));
-  const double rate =
-      wheels == WheelState::lifted ? quickest : quickest + 1.0 / p.motor_time_constant;
+  const double rate = wheels == WheelState::lifted ? quickest : quickest + drive.rate();
   double slide = 0.0;
   if (wheels == WheelState::sliding) {
     const bool starts = std::abs(robot.twist.left) <= settings::differential_drive.slip_round_off;

@@ -2,9 +2,12 @@
 //
 // A robot alone: differential drive with first-order motors, and wheels that can slide sideways.
 //
-//   dv_f/dt   = (v_ref - v_f)/T + omega v_l
-//   dv_l/dt   = f_g/M           - omega v_f
-//   domega/dt = (omega_ref - omega)/T             (1) to (3), errata in docs/model.md
+//   dv_f/dt   = (v_ref - v_f)/T_f + omega v_l
+//   dv_l/dt   = f_g/M             - omega v_f
+//   domega/dt = (omega_ref - omega)/T_w           (1) to (3), errata in docs/model.md
+//
+// T_f and T_w are one constant, as in the paper, unless the pitch has motors with two lags or a
+// brake; then they are those of the command. Both are constant until the next command.
 //
 // f_g is the ground's lateral force on the wheels, |f_g| <= grip M g. While the wheels roll, v_l
 // = 0 and f_g is the force that keeps it zero. While they slide, f_g is -grip M g sign(v_l). A
@@ -14,6 +17,8 @@
 #include "core/simulator/model/parameters.hpp"
 #include "core/simulator/trajectory/segment.hpp"
 
+#include <algorithm>
+
 namespace mirocup::simulator::trajectory {
 
 // The speeds that the motors aim at until the next command.
@@ -21,9 +26,15 @@ struct DriveReference {
   bool wheels_on_ground = true;  // false: a free body without motor and grip
   double forward = 0.0;          // v_ref, m/s
   double omega = 0.0;            // omega_ref, rad/s
+  double forward_lag = 1.0;      // T_f, s
+  double turn_lag = 1.0;         // T_w, s
+
+  // Returns the fastest rate at which a motor follows, 1/s.
+  double rate() const { return 1.0 / std::min(forward_lag, turn_lag); }
 };
 
-// Returns the drive reference of a command, whose speeds are clamped to the wheel speed limit.
+// Returns the drive reference of a command, whose speeds are clamped to the wheel speed limit. With
+// a brake, the forward lag of the command (0, 0) is the brake's.
 DriveReference drive_reference(const Parameters& parameters, const WheelCommand& command);
 
 // The contact of the wheels with the ground.

@@ -18,6 +18,8 @@
  *   the time constant motor_time_constant:
  *     forward speed aimed at    = wheel_radius * (right + left) / 2
  *     angular velocity aimed at = wheel_radius * (right - left) / wheel_distance
+ *   On some pitches turning has a lag of its own, and wheels that are told 0, 0 brake faster: see
+ *   turn_time_constant and brake_time_constant.
  *   Wheels slide sideways when |angular velocity * forward speed| exceeds grip * 9.81 m/s^2.
  *
  * Tick and delay
@@ -200,6 +202,21 @@ typedef struct mirocup_setup {
                        int32_t corners);
   void (*draw_text)(void* host, const char* layer, uint32_t colour, double x, double y,
                     const char* text);
+
+  /* What else moves robots and ball on this pitch (`mirocup match --pitch`). */
+  double turn_time_constant;  /* lag of the angular velocity */
+  double brake_time_constant; /* lag of the forward speed while both wheels are told 0 */
+  double rolling_resistance;  /* the ball slows down by (rolling_resistance * 9.81 +        */
+  double viscous_friction;    /* viscous_friction * speed / ball_mass) / 1.4, m/s^2         */
+  /* Part of the speed towards each other with which two things part; and Coulomb's friction. */
+  double ball_wall_restitution, ball_robot_restitution;
+  double robot_wall_restitution, robot_robot_restitution;
+  double ball_wall_friction, ball_robot_friction, robot_wall_friction, robot_robot_friction;
+  /* The outline of a robot that is no square, counter-clockwise in its own frame, m; 0: a square of
+     robot_side. */
+  int32_t corners;
+  int32_t reserved_corners;
+  double corner_x[8], corner_y[8];
 } mirocup_setup;
 
 /* The referee's counts about a team. A robot counts if more than half of its body is inside and it

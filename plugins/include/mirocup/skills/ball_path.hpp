@@ -27,6 +27,16 @@ struct Rolling {
   double bounce = 0.8;                   // part of the speed towards a wall that comes back
 };
 
+// Returns the floor and the walls of this leg. Hosts that do not tell have those above.
+inline Rolling rolling_of(const Setup& setup) {
+  if (setup.size < offsetof(Setup, corners)) return {};
+  // A ball that is slowed down by one of the two alone: the formulas below divide by both.
+  constexpr double least = 1e-5;
+  return {std::max(setup.rolling_resistance * 9.81 / 1.4, least),
+          std::max(setup.viscous_friction / (1.4 * setup.ball_mass), least),
+          setup.ball_wall_restitution};
+}
+
 // A ball that moves.
 struct MovingBall {
   Point at;        // m
@@ -83,9 +93,9 @@ inline WallAhead wall_ahead(const Setup& setup, Point at, Point along) {
   return first;
 }
 
-// Returns the ball after `seconds`. After eight rebounds it stays where it is.
+// Returns the ball after `seconds` on that floor. After eight rebounds it stays where it is.
 inline MovingBall rolled(const Setup& setup, MovingBall ball, double seconds,
-                         const Rolling& floor = {}) {
+                         const Rolling& floor) {
   for (int rebounds = 0; rebounds < 8; ++rebounds) {
     const double speed = length(ball.velocity);
     if (speed < 1e-6 || seconds <= 0.0) return ball;
@@ -117,10 +127,16 @@ inline MovingBall rolled(const Setup& setup, MovingBall ball, double seconds,
   return ball;
 }
 
+// The same on the floor of this leg.
+inline MovingBall rolled(const Setup& setup, const MovingBall& ball, double seconds) {
+  return rolled(setup, ball, seconds, rolling_of(setup));
+}
+
 // The path of a ball, up to its sixth wall.
 class BallPath {
  public:
-  BallPath(const Setup& setup, MovingBall ball, const Rolling& floor = {}) : floor_(floor) {
+  BallPath(const Setup& setup, const MovingBall& ball) : BallPath(setup, ball, rolling_of(setup)) {}
+  BallPath(const Setup& setup, MovingBall ball, const Rolling& floor) : floor_(floor) {
     double begin = 0.0;
     for (Piece& piece : pieces_) {
       const double speed = length(ball.velocity);

@@ -33,9 +33,9 @@ Moving random_robot(Random& random, bool as_series) {
   if (as_series) {
     m.bound = trajectory::bound_of_segment(m.segment);
   } else {
-    const trajectory::MotorDecay decay = trajectory::motor_decay(p, tick);
+    const trajectory::MotorDecay decay = trajectory::motor_decay(p.motor_time_constant, tick);
     m.bound = trajectory::closed_form_bound(
-        m.body, trajectory::closed_form_state(m.body, drive, decay), drive, decay, 0.0);
+        m.body, trajectory::closed_form_state(m.body, drive, {decay, decay}), drive, decay, 0.0);
   }
   return m;
 }

@@ -34,9 +34,9 @@ Moving random_robot(Random& random, bool as_series) {
   if (as_series) {
     m.way = bound_of_segment(m.segment);
   } else {
-    const MotorDecay decay = motor_decay(p, tick);
-    m.way =
-        closed_form_bound(m.body, closed_form_state(m.body, m.drive, decay), m.drive, decay, 0.0);
+    const MotorDecay decay = motor_decay(p.motor_time_constant, tick);
+    m.way = closed_form_bound(m.body, closed_form_state(m.body, m.drive, {decay, decay}), m.drive,
+                              decay, 0.0);
   }
   return m;
 }

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+//
+// A recording: what a camera saw of robots and ball, and what the robots were told. Schema
+// mirocup/recording/1, JSON lines, which docs/pitches.md describes with a camera program that
+// writes it.
+//
+// Metres, radians counter-clockwise, seconds, rad/s, in the field's frame. `t` is the time at which
+// a picture was taken, or a command was sent.
+#pragma once
+
+#include "core/base/error.hpp"
+#include "core/field/league.hpp"
+#include "core/match/snapshot.hpp"
+#include "core/simulator/model/state.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mirocup::pitch {
+
+// A robot as it was seen.
+struct SeenPose {
+  Vec2 position{0.0, 0.0};
+  double heading = 0.0;
+};
+
+// One line: a picture, a command, or both. What was not seen or not known is empty.
+struct Frame {
+  double t = 0.0;
+  std::optional<Vec2> ball;
+  match::ByTeam<std::vector<std::optional<SeenPose>>> robots;
+  match::ByTeam<std::vector<simulator::WheelSpeeds>> commands;  // empty: none was sent to that team
+};
+
+struct Recording {
+  std::string path;  // for messages
+  League league = League::small;
+  int robots = 0;                // of each team that are listed
+  std::optional<double> period;  // s between two pictures; nothing: irregular
+  std::string pitch;             // the name of the pitch; "": not known
+  std::vector<Frame> frames;     // in the order of their times
+
+  // Returns the index of a robot among all: blue from 0, yellow from `robots`.
+  int body_of(Team team, int robot) const { return index_of(team) * robots + robot; }
+  const std::optional<SeenPose>& robot(const Frame& frame, int body) const {
+    return frame.robots[body / robots][body % robots];
+  }
+  // Returns the usual time between two pictures, s: the median. Precondition: two frames.
+  double usual_period() const;
+};
+
+// Reads a recording. The error, Errc::input, names the file, the line, the key and the reason.
+Result<Recording> parse_recording(std::string_view text, const std::string& path);
+Result<Recording> read_recording(const std::string& path);
+
+// The same from a table with commas and a first line of names: t, ball_x, ball_y, blue0_x, blue0_y,
+// blue0_heading, blue0_left, blue0_right, blue1_x, …, yellow0_x, …, in any order. An empty field is
+// a thing that was not seen. read_recording() reads files that end in ".csv" this way.
+Result<Recording> parse_csv(std::string_view text, const std::string& path);
+
+std::string print_recording(const Recording& recording);
+
+// What a camera does to pictures.
+struct CameraNoise {
+  double position = 0.002;     // m, standard deviation of each coordinate
+  double heading = 0.0174533;  // rad
+  double gaps = 0.02;          // share of bodies that are not seen in a picture
+  double outliers = 0.01;      // share of bodies that are seen anywhere on the field
+  std::uint64_t seed = 1;
+};
+
+// Adds noise, gaps and outliers to every pose of the recording.
+void look_through(const CameraNoise& noise, Recording& recording);
+
+}  // namespace mirocup::pitch

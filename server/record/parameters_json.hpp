@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+//
+// The parameters of the model as JSON: in scenes, whose page scene.md lists them, and in pitches.
+#pragma once
+
+#include "core/simulator/model/parameters.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace mirocup::record {
+
+class JsonReader;
+
+// Applies the keys of the object to `parameters`; what is missing stays. Complains about an unknown
+// key, a wrong type and a number without meaning. A number may also be {"value", "low", "high"}, as
+// `mirocup identify` writes it: then its value counts.
+void read_physics(const JsonReader& json, simulator::Parameters& parameters);
+
+// Reads the corners of a convex polygon around [0, 0], m.
+geometry::OutlineCorners read_outline(const JsonReader& json);
+
+// Returns all parameters but the outline; two-lag motors and the brake only if there are any.
+nlohmann::ordered_json to_json(const simulator::Parameters& parameters);
+
+// Returns the corners of the outline; an empty list for the square.
+nlohmann::ordered_json outline_json(const simulator::Parameters& parameters);
+
+}  // namespace mirocup::record

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+//
+// Recordings of a pitch whose numbers are known: two robots that chase the ball, spin and rush
+// about, seen by a camera. For tests of identification, and for its bars.
+#pragma once
+
+#include "server/pitch/recording.hpp"
+#include "server/pitch/unknowns.hpp"
+
+namespace mirocup::test_support {
+
+struct DrivenPitch {
+  pitch::Guess truth;
+  double seconds = 60.0;
+  double period = 1.0 / 60.0;  // s, between two pictures
+  pitch::CameraNoise noise;
+  bool has_walls = true;  // false: the ball is put down in the middle and hits nothing
+  std::uint64_t seed = 1;
+};
+
+// Draws numbers of a pitch: lags of 0.03 to 0.2 s, restitutions of 0.2 to 0.9, and so on; every
+// second one with two lags, every third with a brake.
+pitch::Guess random_pitch(std::uint64_t seed);
+
+pitch::Recording recording_of(const DrivenPitch& driven);
+
+}  // namespace mirocup::test_support

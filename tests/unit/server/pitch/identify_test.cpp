@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "server/pitch/identify.hpp"
+
+#include "server/pitch/validate.hpp"
+#include "tests/support/driven_pitch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace mirocup::pitch {
+namespace {
+
+// Catches an identification that is off by more than its intervals say, or whose intervals are too
+// wide to be of use: build/identify_bars has 200 pitches.
+TEST(Identify, FindsThePitchOfARecording) {
+  test_support::DrivenPitch driven;
+  driven.truth = test_support::random_pitch(6);
+  driven.seconds = 20.0;
+  const auto found = identify({test_support::recording_of(driven)}, {});
+  ASSERT_TRUE(found) << found.error().what;
+  for (const int u : {0, 1, 2}) {
+    ASSERT_TRUE(found->known[u]) << unknowns()[u].name;
+    const Estimate& e = *found->known[u];
+    Guess plain = driven.truth;
+    const double truth = std::exp(value_of(plain, u));
+    EXPECT_NEAR(e.value, truth, 1.5 * (e.high - e.low)) << unknowns()[u].name;
+    EXPECT_LT(e.high - e.low, 0.2 * truth) << unknowns()[u].name;
+  }
+  EXPECT_NEAR(found->position_noise.value, 0.002, 0.0003);
+}
+
+// Catches a number that the recording does not carry: of a ball that touches nothing.
+TEST(Identify, SaysWhatARecordingDoesNotTell) {
+  Recording recording;
+  recording.path = "roll";
+  recording.robots = 1;
+  const double a = 0.2;  // m/s^2
+  for (int i = 0; i < 90; ++i) {
+    const double t = i / 60.0;
+    Frame frame;
+    frame.t = t;
+    frame.ball = Vec2{-0.6 + 0.8 * t - 0.5 * a * t * t, 0.1};
+    for (auto& team : frame.robots) team.resize(1);
+    recording.frames.push_back(frame);
+  }
+  look_through({.position = 0.001, .heading = 0.0, .gaps = 0.0, .outliers = 0.0, .seed = 3},
+               recording);
+  const auto found = identify({recording}, {});
+  ASSERT_TRUE(found) << found.error().what;
+  EXPECT_FALSE(found->known[8]);
+  EXPECT_EQ(found->why_not[8], "it takes a ball that hits a wall");
+  EXPECT_FALSE(found->known[0]);
+  ASSERT_TRUE(found->has_deceleration);
+  EXPECT_NEAR(found->deceleration.value, a, 0.02);
+}
+
+// Catches a validation that cannot fail: of a pitch that is wrong.
+TEST(Validate, SaysWhereTheSimulatorIsWorseThanGoingStraightOn) {
+  test_support::DrivenPitch driven;
+  driven.seconds = 15.0;
+  const Recording recording = test_support::recording_of(driven);
+  const Validation right = validate({recording}, driven.truth);
+  const ErrorCell& drives = right.cells[static_cast<std::size_t>(EventKind::drive)][4];
+  ASSERT_GT(drives.count, 20);
+  EXPECT_LT(drives.rms[0], 0.5 * drives.rms[1]);
+  Guess wrong = driven.truth;
+  wrong.parameters.wheel_radius *= 3.0;
+  EXPECT_FALSE(validate({recording}, wrong).objections.empty());
+}
+
+}  // namespace
+}  // namespace mirocup::pitch
