@@ -48,6 +48,11 @@ std::vector<std::string> seat_parameters(const TeamConfig& team, const std::stri
                        : record::parameter_options(team.parameters, option);
 }
 
+std::vector<std::string> pitch_option(const LeagueFile& file) {
+  if (!file.pitch) return {};
+  return {"--pitch", record::json_text(record::to_json(*file.pitch))};
+}
+
 }  // namespace
 
 std::vector<int> open_legs(const LeagueState& state, const FixtureState& f) {
@@ -90,12 +95,9 @@ std::vector<std::string> leg_command(const Folder& folder, const LeagueState& st
     // With golden goal and shoot-out one team wins.
     arguments.insert(arguments.end(), {"--stage", "knockout"});
   }
-  if (file.pitch) {
-    arguments.insert(arguments.end(), {"--pitch", record::json_text(record::to_json(*file.pitch))});
-  }
   for (const auto& words :
        {rule_options(file.rules, file.league), condition_options(state.conditions),
-        seat_parameters(file.teams[blue], "--blue-param"),
+        pitch_option(file), seat_parameters(file.teams[blue], "--blue-param"),
         seat_parameters(file.teams[yellow], "--yellow-param")}) {
     arguments.insert(arguments.end(), words.begin(), words.end());
   }
@@ -122,7 +124,8 @@ std::vector<std::string> friendly_command(const LeagueState& state, const Friend
                                      terms.record};
   const match::Conditions conditions =
       state.is_started ? state.conditions : file.conditions.value_or(default_conditions());
-  for (const auto& words : {rule_options(file.rules, file.league), condition_options(conditions)})
+  for (const auto& words :
+       {rule_options(file.rules, file.league), condition_options(conditions), pitch_option(file)})
     arguments.insert(arguments.end(), words.begin(), words.end());
   const auto add_parameters = [&](const std::string& name, const std::string& option) {
     const auto team = state.find_team(name);
