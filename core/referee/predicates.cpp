@@ -17,6 +17,11 @@ bool ball_in_half(const Situation& s, End end) {
 
 bool ball_in_zone(const Pitch& pitch, const Situation& s, End end) {
   const field::Field& field = pitch.field;
+  if (pitch.rules.zone_depth_m > 0.0) {
+    const double from_line = field.half_length + attack_sign(end) * s.ball.x();
+    return from_line <= pitch.rules.zone_depth_m &&
+           std::abs(s.ball.y()) <= pitch.rules.zone_half_width_m;
+  }
   if (field.penalty_area) return field.inside(*field.penalty_area, end, s.ball);
   return field.inside(field.goal_area, end, s.ball, pitch.rules.zone_margin_m);
 }

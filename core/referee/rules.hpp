@@ -53,8 +53,13 @@ struct Rules {
   double drive_mps = 0.05;      // commanding this speed towards a robot is driving at it
   double contested_m = 0.1125;  // an opponent's centre this near to the ball contests it
   double zone_margin_m = 0.05;  // small league: a goal's zone reaches this far beyond its goal area
-  double shoved_s = 1.0;        // how long a robot is excused after it was pushed
-  double advantage_s = 0.5;     // how long a foul of the defenders waits for a goal
+  // The zone of a goal where crowds and charges count: the ball is this near to the goal line, and
+  // this near to the long axis. A depth of 0: the zone is the penalty area, or in the small league
+  // the goal area and its margin; charges then count in the whole half.
+  double zone_depth_m = 0.0;
+  double zone_half_width_m = off;
+  double shoved_s = 1.0;     // how long a robot is excused after it was pushed
+  double advantage_s = 0.5;  // how long a foul of the defenders waits for a goal
 
   // Kick-off.
   bool kickoff_backward_required = true;  // the ball goes towards the taker's own side first
@@ -63,13 +68,15 @@ struct Rules {
   bool kickoff_behind = false;            // the kicker stands on its own side of the ball
 
   // Crowded areas.
-  int def_max = 1;           // robots of the defenders allowed in their goal area
-  int pa_def_max = 3;        // and in their penalty area
-  double def_dwell_s = 0.5;  // how long more than that is forgiven
-  int att_max = 1;           // robots of the attackers allowed in the goal area
-  int pa_att_max = 0;        // and in the penalty area
-  double att_dwell_s =
-      0.33;  // how long one more is forgiven; two more in the goal area: not at all
+  int def_max = 1;                // robots of the defenders allowed in their goal area
+  int pa_def_max = 3;             // and in their penalty area
+  double def_dwell_s = 0.5;       // how long more than that is forgiven
+  bool def_at_once = false;       // two more are not forgiven at all
+  int att_max = 1;                // robots of the attackers allowed in the goal area
+  int pa_att_max = 0;             // and in the penalty area
+  double att_dwell_s = 0.33;      // how long one more is forgiven
+  bool att_at_once = true;        // two more in the goal area are not forgiven at all
+  bool att_cancels_goal = false;  // no goal counts while one more is there, however short
 
   // The keeper.
   double keeper_hold_s = 10.0;    // the ball stays uncontested in a goal area for this time
@@ -84,6 +91,11 @@ struct Rules {
   // Play that gets nowhere.
   double stalemate_s = 10.0;          // the ball stays within the radius for this time
   double stalemate_radius_m = 0.075;  // one robot side
+  // Above 0: the ball gets nowhere while it is no faster than this, wherever it goes; no radius.
+  double stalemate_speed_mps = 0.0;
+  // In a goal area: a free ball if both teams have a robot at the ball (contested_m), otherwise a
+  // penalty kick. False: a goal kick.
+  bool stalemate_penalty = false;
 
   // Pushing and holding.
   double push_dist_m = 0.10;          // an opponent is moved this far

@@ -116,7 +116,6 @@ Result<OldSources> find_old_sources(const std::string& folder) {
   OldSources team;
   bool has_v5 = false, has_restart = false, is_modern = false;
   std::map<std::string, int> included;  // by how many files
-  std::vector<std::string> included_sources;
   for (const auto& [path, code] : *all) {
     team.files.push_back(path);
     has_v5 = has_v5 || (is_source(path) && has_word(code, "GetInstruction"));
@@ -129,12 +128,13 @@ Result<OldSources> find_old_sources(const std::string& folder) {
   team.style = has_v5 ? "v5" : has_restart ? "restart" : "classic";
   team.standard = has_v5 ? "gnu++17" : is_modern ? "gnu++14" : "gnu++98";
 
-  const std::string member = has_v5 ? "selfRobots" : "currentBall";
+  const auto defines = [](const std::string& path, const std::string& code) {
+    return is_header(path) && (has_word(code, "selfRobots") || has_word(code, "currentBall")) &&
+           (has_word(code, "struct") || has_word(code, "class"));
+  };
   std::vector<std::string> headers;
   for (const auto& [path, code] : *all) {
-    const bool defines =
-        has_word(code, member) && (has_word(code, "struct") || has_word(code, "class"));
-    if (is_header(path) && defines) headers.push_back(path);
+    if (defines(path, code)) headers.push_back(path);
     const bool is_included = included[lower(fs::path(path).filename().string())] > 0;
     if (is_source(path) && !is_included) team.sources.push_back(path);
   }
@@ -144,14 +144,16 @@ Result<OldSources> find_old_sources(const std::string& folder) {
   std::stable_sort(headers.begin(), headers.end(),
                    [&](const auto& a, const auto& b) { return uses(a) > uses(b); });
   if (headers.empty() || team.sources.empty()) {
-    return fail(Errc::input, folder + ": no header here defines a structure with \"" + member +
-                                 "\", or there is no source; name the folder of the sources of a "
-                                 "team for SimuroSot");
+    return fail(Errc::input,
+                folder +
+                    ": no header here defines a structure with \"currentBall\" or "
+                    "\"selfRobots\", or there is no source; name the folder of the sources "
+                    "of a team for SimuroSot");
   }
-  if (headers.size() > 1 &&
-      fs::path(headers[0]).parent_path() != fs::path(headers[1]).parent_path()) {
-    return fail(Errc::input, folder + ": more than one team, with " + headers[0] + " and " +
-                                 headers[1] + "; name the folder of one of them");
+  for (const std::string& other : headers) {
+    if (fs::path(other).parent_path() == fs::path(headers.front()).parent_path()) continue;
+    return fail(Errc::input, folder + ": more than one team, with " + headers.front() + " and " +
+                                 other + "; name the folder of one of them");
   }
   team.header = headers.front();
   return team;

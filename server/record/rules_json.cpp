@@ -41,6 +41,8 @@ void for_each_parameter(R& rules, Visit visit) {
   visit("drive_mps", rules.drive_mps);
   visit("contested_m", rules.contested_m);
   visit("zone_margin_m", rules.zone_margin_m);
+  visit("zone_depth_m", rules.zone_depth_m);
+  visit("zone_half_width_m", rules.zone_half_width_m);
   visit("shoved_s", rules.shoved_s);
   visit("advantage_s", rules.advantage_s);
   visit("kickoff_backward_required", rules.kickoff_backward_required);
@@ -50,9 +52,12 @@ void for_each_parameter(R& rules, Visit visit) {
   visit("def_max", rules.def_max);
   visit("pa_def_max", rules.pa_def_max);
   visit("def_dwell_s", rules.def_dwell_s);
+  visit("def_at_once", rules.def_at_once);
   visit("att_max", rules.att_max);
   visit("pa_att_max", rules.pa_att_max);
   visit("att_dwell_s", rules.att_dwell_s);
+  visit("att_at_once", rules.att_at_once);
+  visit("att_cancels_goal", rules.att_cancels_goal);
   visit("keeper_hold_s", rules.keeper_hold_s);
   visit("charge_s", rules.charge_s);
   visit("charge_speed_mps", rules.charge_speed_mps);
@@ -63,6 +68,8 @@ void for_each_parameter(R& rules, Visit visit) {
   visit("block_ball_m", rules.block_ball_m);
   visit("stalemate_s", rules.stalemate_s);
   visit("stalemate_radius_m", rules.stalemate_radius_m);
+  visit("stalemate_speed_mps", rules.stalemate_speed_mps);
+  visit("stalemate_penalty", rules.stalemate_penalty);
   visit("push_dist_m", rules.push_dist_m);
   visit("push_angle_rad", rules.push_angle_rad);
   visit("cooldown_s", rules.cooldown_s);
@@ -125,10 +132,28 @@ void read_parameters(const JsonReader& json, Rules& rules) {
   }
 }
 
+namespace {
+
+void be_without_newer_parameters(Rules& rules) {
+  const Rules without;
+  rules.zone_depth_m = without.zone_depth_m;
+  rules.zone_half_width_m = without.zone_half_width_m;
+  rules.def_at_once = without.def_at_once;
+  rules.att_at_once = without.att_at_once;
+  rules.att_cancels_goal = without.att_cancels_goal;
+  rules.stalemate_speed_mps = without.stalemate_speed_mps;
+  rules.stalemate_penalty = without.stalemate_penalty;
+}
+
+}  // namespace
+
 Rules read_rules(const JsonReader& json, League league) {
   auto preset = referee::Preset::mirosot;
   if (json.expect_object()) json.read_if_present("preset", preset);
   Rules rules = referee::make_rules(preset, league);
+  // A record has all parameters. One of before some existed was played without them.
+  const bool is_older = json.has("half_s") && json.has("hand_penalty") && !json.has("zone_depth_m");
+  if (is_older) be_without_newer_parameters(rules);
   read_parameters(json, rules);
   return rules;
 }

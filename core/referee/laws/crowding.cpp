@@ -14,10 +14,10 @@ struct Row {
   CrowdingLaw which;
   Law law;
   ByEnd<ByEnd<RobotSet>> Occupancy::*area;
-  bool by_owner;              // the robots are those of the team whose area it is
-  int Rules::*max_robots;     // 0: any number
-  double Rules::*max_s;       // how long one robot too many may stay
-  bool two_too_many_at_once;  // two robots too many may not stay at all
+  bool by_owner;           // the robots are those of the team whose area it is
+  int Rules::*max_robots;  // 0: any number
+  double Rules::*max_s;    // how long one robot too many may stay
+  bool Rules::*at_once;    // two robots too many may not stay at all; null: they may
   Verdict verdict;
   Restart restart;
   const char* text;  // of the reason, after the number of robots
@@ -31,7 +31,7 @@ constexpr std::array<Row, 4> rows{{
      .by_owner = true,
      .max_robots = &Rules::def_max,
      .max_s = &Rules::def_dwell_s,
-     .two_too_many_at_once = false,
+     .at_once = &Rules::def_at_once,
      .verdict = Verdict::PENALTY_KICK,
      .restart = Restart::PENALTY_KICK,
      .text = " defenders in their goal area for ",
@@ -42,7 +42,7 @@ constexpr std::array<Row, 4> rows{{
      .by_owner = true,
      .max_robots = &Rules::pa_def_max,
      .max_s = &Rules::def_dwell_s,
-     .two_too_many_at_once = false,
+     .at_once = &Rules::def_at_once,
      .verdict = Verdict::PENALTY_KICK,
      .restart = Restart::PENALTY_KICK,
      .text = " defenders in their penalty area for ",
@@ -53,7 +53,7 @@ constexpr std::array<Row, 4> rows{{
      .by_owner = false,
      .max_robots = &Rules::att_max,
      .max_s = &Rules::att_dwell_s,
-     .two_too_many_at_once = true,
+     .at_once = &Rules::att_at_once,
      .verdict = Verdict::GOAL_KICK,
      .restart = Restart::GOAL_KICK,
      .text = " attackers in the goal area for ",
@@ -64,7 +64,7 @@ constexpr std::array<Row, 4> rows{{
      .by_owner = false,
      .max_robots = &Rules::pa_att_max,
      .max_s = &Rules::att_dwell_s,
-     .two_too_many_at_once = false,
+     .at_once = nullptr,
      .verdict = Verdict::GOAL_KICK,
      .restart = Restart::GOAL_KICK,
      .text = " attackers in the penalty area for ",
@@ -93,10 +93,12 @@ std::optional<Decision> judge_crowding(CrowdingLaw law, const Pitch& pitch, cons
     const RobotSet robots = not_pushed(occupancy, occupancy.*row.area, owner, team);
     const int count = static_cast<int>(robots.count());
     crowded.sample(max_robots > 0 && count > max_robots, s.duration);
-    const bool at_once = row.two_too_many_at_once && count > max_robots + 1;
+    const bool goal_counts = !row.by_owner && goal_at == owner;
+    const bool at_once =
+        (row.at_once != nullptr && pitch.rules.*row.at_once && count > max_robots + 1) ||
+        (goal_counts && pitch.rules.att_cancels_goal && law == CrowdingLaw::two_attackers);
     const double max_s = at_once ? 0.0 : pitch.rules.*row.max_s;
     if (called || !crowded.reached(max_s, s.duration)) continue;
-    const bool goal_counts = !row.by_owner && goal_at == owner;
     if (!ball_in_zone(pitch, s, owner) && !goal_counts) continue;
     Decision d = decide(row.verdict, row.law, s, reason_of(row, s, robots, crowded.for_s));
     d.robots[index_of(team)] = robots;

@@ -20,6 +20,10 @@ bool ball_is_between(const Pitch& pitch, const Situation& s, const RobotId& a, c
   return (s.ball - nearest).squaredNorm() <= reach * reach;
 }
 
+bool is_near_enough(const Pitch& pitch, const Situation& s, End end) {
+  return pitch.rules.zone_depth_m > 0.0 ? ball_in_zone(pitch, s, end) : ball_in_half(s, end);
+}
+
 // Returns the closing speed along the line of centres, m/s; 0 if the keeper came at the attacker
 // faster than the attacker at the keeper.
 double closing_speed(const Situation& s, const RobotId& attacker, const RobotId& keeper) {
@@ -50,7 +54,7 @@ std::optional<Decision> judge_keeper_charge(const Pitch& pitch, const Situation&
       const bool is_first = touches && !touched;
       touched = touches;
       const bool is_foul =
-          touches && ball_in_half(s, end) && !ball_is_between(pitch, s, attacker, *keeper);
+          touches && is_near_enough(pitch, s, end) && !ball_is_between(pitch, s, attacker, *keeper);
       driven.sample(is_foul && drives_at(pitch, s, attacker, *keeper), s.duration);
       if (called || !is_foul) continue;
 

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+//
+// Teams that were written for SimuroSot: the samples play, and the adapter shows them the field of
+// their platform.
+#include "mirocup/strategy.h"
+#include "tests/support/program.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <dlfcn.h>
+#include <limits>
+
+namespace mirocup {
+namespace {
+
+using namespace test_support;
+using Json = nlohmann::ordered_json;
+
+const std::vector<std::string> samples{"classic", "classic_b", "restart", "v5"};
+
+std::string library(const std::string& sample) {
+  return program("simurosot/" + sample + ".so");
+}
+
+// Catches a team that sees the other side, in other units or in another order: it then drives the
+// ball into its own goal, or nowhere.
+TEST(Simurosot, SamplesPlayWholeLegsInBothColours) {
+  const TemporaryFolder folder;
+  for (const std::string& sample : samples) {
+    for (const bool is_blue : {true, false}) {
+      const Outcome played =
+          run({program("mirocup"), "match", "--blue", is_blue ? library(sample) : "idle",
+               "--yellow", is_blue ? "idle" : library(sample), "--league", "middle", "--rules",
+               "simurosot", "--half", "40", "--record", folder / "leg.json"});
+      ASSERT_EQ(played.exit_code, 0) << played.err;
+      const Json record = read_json(folder / "leg.json");
+      const char* own = is_blue ? "blue" : "yellow";
+      const char* other = is_blue ? "yellow" : "blue";
+      EXPECT_EQ(record["result"]["end"], "full_time") << sample << record["result"].dump();
+      EXPECT_GT(record["result"]["score"][own], 0) << sample << " as " << own;
+      EXPECT_EQ(record["result"]["score"][other], 0) << sample << " as " << own;
+      EXPECT_EQ(record["budget"][own]["bad_commands"], 0) << sample;
+      EXPECT_EQ(run({program("mirocup"), "verify", folder / "leg.json"}).exit_code, 0);
+    }
+  }
+}
+
+// A sample in this process, without a match around it.
+class Loaded {
+ public:
+  Loaded(const std::string& sample, mirocup_team colour) {
+    handle_ = dlopen(library(sample).c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (handle_ == nullptr) throw std::runtime_error(dlerror());
+    using Entry = const mirocup_strategy* (*)();
+    entry_ = reinterpret_cast<Entry>(dlsym(handle_, "mirocup_entry"))();
+    setup_.size = sizeof setup_;
+    setup_.team = colour;
+    setup_.robots = 5;
+    setup_.control_period = 1.0 / 60.0;
+    setup_.half_length = 1.1;
+    setup_.half_width = 0.9;
+    setup_.wheel_distance = 0.068;
+    setup_.wheel_radius = 0.0225;
+    setup_.wheel_speed_limit = 80.0;
+    setup_.motor_time_constant = 0.05;
+    team_ = entry_->create(&setup_);
+  }
+  ~Loaded() { dlclose(handle_); }
+
+  mirocup_command decide(const mirocup_observation& now) const {
+    mirocup_command command{};
+    entry_->decide(team_, &now, &command);
+    return command;
+  }
+  mirocup_placement place(const mirocup_observation& now) const {
+    mirocup_placement placement{};
+    placement.ball_x = now.ball_x;
+    placement.ball_y = now.ball_y;
+    for (int i = 0; i < now.robots; ++i) {
+      placement.robots[i] = {now.own[i].x, now.own[i].y, now.own[i].heading};
+    }
+    entry_->place(team_, &now, &placement);
+    return placement;
+  }
+  const mirocup_strategy& entry() const { return *entry_; }
+
+ private:
+  void* handle_ = nullptr;
+  const mirocup_strategy* entry_ = nullptr;
+  mirocup_setup setup_{};
+  void* team_ = nullptr;
+};
+
+// Both teams in their own halves, the ball in the middle.
+mirocup_observation kick_off() {
+  mirocup_observation now{};
+  now.size = sizeof now;
+  now.state = MIROCUP_READY;
+  now.restart = MIROCUP_KICK_OFF;
+  now.own_restart = 1;
+  now.robots = 5;
+  const double x[5] = {-1.05, -0.2, -0.6, -0.6, -0.8};
+  const double y[5] = {0.0, 0.0, 0.4, -0.4, 0.0};
+  for (int i = 0; i < 5; ++i) {
+    now.own[i] = {x[i], y[i], 0.0, 0.0, 0.0, 0.0};
+    now.opponent[i] = {-x[i], -y[i], 3.14, 0.0, 0.0, 0.0};
+  }
+  return now;
+}
+
+// Catches a side that is turned for one colour only: seen from the team, both colours are alike.
+TEST(Simurosot, BothColoursDriveAlike) {
+  for (const std::string& sample : samples) {
+    mirocup_command commands[2];
+    for (const mirocup_team colour : {MIROCUP_BLUE, MIROCUP_YELLOW}) {
+      const Loaded team(sample, colour);
+      mirocup_observation now = kick_off();
+      team.decide(now);
+      now.state = MIROCUP_PLAY;
+      now.tick = 1;
+      commands[colour] = team.decide(now);
+    }
+    double most = 0.0;
+    for (int i = 0; i < 5; ++i) {
+      // A team that is not symmetric by itself may differ a little in which way it waits.
+      if (sample == "classic" || sample == "restart") continue;
+      EXPECT_NEAR(commands[0].wheels[i].left, commands[1].wheels[i].left, 1e-3) << sample << i;
+      EXPECT_NEAR(commands[0].wheels[i].right, commands[1].wheels[i].right, 1e-3) << sample << i;
+    }
+    // Robot 1 is nearest, behind the ball and looks at it: both of its wheels drive forwards.
+    for (const mirocup_command& command : commands) {
+      most = std::max(most, command.wheels[1].left);
+      EXPECT_GT(command.wheels[1].left + command.wheels[1].right, 1.0) << sample;
+      for (const mirocup_wheels& wheels : command.wheels) {
+        EXPECT_LE(std::abs(wheels.left), 80.0);
+        EXPECT_LE(std::abs(wheels.right), 80.0);
+      }
+    }
+    EXPECT_GT(most, 5.0) << sample;
+  }
+}
+
+// Catches centimetres taken for inches, another origin, a heading in radians, and places that are
+// asked for in the other turn.
+TEST(Simurosot, PlacesWhereTheTeamsCodeSays) {
+  for (const mirocup_team colour : {MIROCUP_BLUE, MIROCUP_YELLOW}) {
+    const Loaded restart("restart", colour);
+    mirocup_placement placement = restart.place(kick_off());
+    EXPECT_NEAR(placement.robots[1].x, -0.10, 1e-9);  // (100, 90) of 220 by 180
+    EXPECT_NEAR(placement.robots[1].y, 0.0, 1e-9);
+    EXPECT_NEAR(std::remainder(placement.robots[1].heading, 2 * M_PI), 0.0, 1e-9);
+    EXPECT_NEAR(placement.robots[2].y, 0.40, 1e-9);
+
+    mirocup_observation second = kick_off();
+    second.own_restart = 0;
+    placement = restart.place(second);
+    EXPECT_NEAR(placement.robots[1].x, -0.35, 1e-9);
+
+    mirocup_observation goal_kick = kick_off();
+    goal_kick.restart = MIROCUP_GOAL_KICK;
+    goal_kick.ball_x = -1.0;
+    placement = restart.place(goal_kick);
+    EXPECT_NEAR(placement.ball_x, -1.0, 1e-9);
+    EXPECT_GE(placement.ball_y, -0.101);
+    EXPECT_LE(placement.ball_y, 0.101);
+
+    // It says nothing about a free ball: all stay where they are, to the last bit.
+    mirocup_observation free_ball = kick_off();
+    free_ball.restart = MIROCUP_FREE_BALL;
+    free_ball.ball_x = 0.55;
+    free_ball.ball_y = 0.6;
+    placement = restart.place(free_ball);
+    for (int i = 0; i < 5; ++i) EXPECT_EQ(placement.robots[i].x, free_ball.own[i].x);
+
+    const Loaded v5("v5", colour);
+    v5.decide(second);  // the restart is told before the places are asked for
+    placement = v5.place(second);
+    EXPECT_NEAR(placement.robots[1].x, -0.35, 1e-6);
+    EXPECT_NEAR(std::remainder(placement.robots[1].heading, 2 * M_PI), 0.0, 1e-6);
+  }
+  EXPECT_EQ(Loaded("classic", MIROCUP_BLUE).entry().place, nullptr);
+}
+
+// Catches a folder that is taken for another style, sources that are forgotten, and old files that
+// are changed or written over.
+TEST(Simurosot, FindsWhatAnOldFolderHolds) {
+  const TemporaryFolder folder;
+  const std::string old = MIROCUP_SOURCE_FOLDER "/plugins/simurosot/samples/";
+  const std::vector<std::string> styles{"classic", "classic", "restart", "v5"};
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const std::string made = folder / samples[i];
+    const Outcome outcome =
+        run({program("mirocup"), "new", made, "--from-simurosot", old + samples[i]});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(read_file(made + "/CMakeLists.txt").find("STYLE " + styles[i]), std::string::npos);
+    EXPECT_NE(read_file(made + "/CMakePresets.json").find("CMAKE_PREFIX_PATH"), std::string::npos);
+  }
+  const std::string cmake = read_file(folder / "classic_b/CMakeLists.txt");
+  EXPECT_NE(cmake.find("src/Estrategia.h"), std::string::npos);
+  EXPECT_NE(cmake.find("src/Movimiento.cpp"), std::string::npos);
+  EXPECT_EQ(read_file(folder / "classic_b/src/Movimiento.cpp"),
+            read_file(old + "classic_b/Movimiento.cpp"));
+
+  const Outcome none = run({program("mirocup"), "new", folder / "x", "--from-simurosot",
+                            MIROCUP_SOURCE_FOLDER "/plugins/house"});
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_NE(none.err.find("no header here defines"), std::string::npos) << none.err;
+  const Outcome many = run(
+      {program("mirocup"), "new", folder / "x", "--from-simurosot", old.substr(0, old.size() - 1)});
+  EXPECT_EQ(many.exit_code, 2) << many.out;
+}
+
+// Catches an error message of g++ that a student of today cannot connect to the code of 2003.
+TEST(Simurosot, NamesTheTwoOldIdioms) {
+  const TemporaryFolder folder;
+  write_file(folder / "old.cpp",
+             "int f() {\n  for (int k = 0; k < 5; k++)\n    if (k > 2) break;\n  return k;\n}\n"
+             "static count = 0;\n");
+  const Outcome outcome =
+      run({MIROCUP_SOURCE_FOLDER "/plugins/simurosot/compile.sh", "g++", "-fpermissive", "-w", "-c",
+           folder / "old.cpp", "-o", folder / "old.o"});
+  EXPECT_NE(outcome.exit_code, 0);
+  EXPECT_NE(outcome.err.find("old.cpp:4: \"k\" is the variable of the loop in line 2"),
+            std::string::npos)
+      << outcome.err;
+  EXPECT_NE(outcome.err.find("write \"int k;\" before line 2"), std::string::npos);
+  EXPECT_NE(outcome.err.find("old.cpp:6: \"count\" has no type"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace mirocup
