@@ -81,7 +81,7 @@ double limited(double command) {
 }
 
 // Turns the platform's commands into wheel speeds of this simulator, both scaled down together.
-mirocup_wheels wheels_of(const mirocup_setup& setup, const mirocup_robot& robot, double left_units,
+mirocup_wheels wheels_for(const mirocup_setup& setup, const mirocup_robot& robot, double left_units,
                          double right_units) {
   const double l = limited(left_units), r = limited(right_units);
   mirocup_wheels wheels{wheel_per_unit * l, wheel_per_unit * r};
@@ -196,7 +196,7 @@ class OldTeam {
                                            : call(strategy_c, strategy_cpp, &environment_);
     if (!is_asked) return;
     for (int i = 0; i < std::min<int>(now.robots, robots); ++i) {
-      command.wheels[i] = wheels_of(setup_, now.own[i], environment_.home[i].velocityLeft,
+      command.wheels[i] = wheels_for(setup_, now.own[i], environment_.home[i].velocityLeft,
                                     environment_.home[i].velocityRight);
     }
   }
@@ -368,7 +368,7 @@ class OldTeam {
     call(instruct_c, instruct_cpp, &field_);
     for (int i = 0; i < std::min<int>(now.robots, robots); ++i) {
       const auto& wheel = field_.selfRobots[i].wheel;
-      command.wheels[i] = wheels_of(setup_, now.own[i], wheel.leftSpeed, wheel.rightSpeed);
+      command.wheels[i] = wheels_for(setup_, now.own[i], wheel.leftSpeed, wheel.rightSpeed);
     }
   }
 
@@ -412,12 +412,12 @@ class OldTeam {
 
   // Tells of the match, of a half and of a restart when they begin.
   void tell(const mirocup_observation& now) {
-    if (!has_begun_) event(1);
-    if (!has_begun_ || now.phase != phase_) {
+    if (!was_told_) event(1);
+    if (!was_told_ || now.phase != phase_) {
       constexpr int starts[] = {3, 4, 5, 6};  // first half, second half, overtime, shoot-out
       event(starts[now.phase & 3]);
     }
-    has_begun_ = true;
+    was_told_ = true;
     phase_ = now.phase;
     const bool is_ready = now.state == MIROCUP_READY;
     if (is_ready && !was_ready_) tell_restart(now);
@@ -455,7 +455,7 @@ class OldTeam {
   mirocup_setup setup_;
   Field field_;
   Frame frame_{-1.0, 0.0, 0.0, 0.01};
-  bool has_begun_ = false;
+  bool was_told_ = false;
   bool was_ready_ = false;
   int phase_ = 0;
 };

@@ -21,8 +21,9 @@
  *   Wheels slide sideways when |angular velocity * forward speed| exceeds grip * 9.81 m/s^2.
  *
  * Tick and delay
- *   One tick is control_period: 33 ms of simulated time, 1/60 s under SimuroSot rules, 16 ms under VSSS rules. The answer
- *   to the observation of tick t is driven in tick t + 1, for both teams alike.
+ *   One tick is control_period: 33 ms of simulated time, 1/60 s under SimuroSot rules, 16 ms under
+ *   those of VSSS. The answer to the observation of tick t is driven in tick t + 1, for both teams
+ *   alike.
  *
  * Play
  *   At restarts robot 0 is placed as the keeper and robot 1 as the kicker. While play is stopped

@@ -50,7 +50,7 @@ typedef float FLOAT;
 #define DLL_PROCESS_ATTACH 1
 #define DLL_THREAD_ATTACH 2
 #define DLL_THREAD_DETACH 3
-#define INVALID_HANDLE_VALUE ((HANDLE)(intptr_t) - 1)
+#define INVALID_HANDLE_VALUE ((HANDLE)(intptr_t)-1)
 #define INFINITE 0xffffffffu
 #define MB_OK 0
 #define WM_COPYDATA 0x004A
@@ -78,8 +78,12 @@ typedef BOOL (*WNDENUMPROC)(HWND, LPARAM);
 /* Milliseconds of simulated time: runtime.cpp. */
 DWORD mirocup_simurosot_ms(void);
 
-static inline DWORD GetTickCount(void) { return mirocup_simurosot_ms(); }
-static inline DWORD timeGetTime(void) { return mirocup_simurosot_ms(); }
+static inline DWORD GetTickCount(void) {
+  return mirocup_simurosot_ms();
+}
+static inline DWORD timeGetTime(void) {
+  return mirocup_simurosot_ms();
+}
 static inline BOOL QueryPerformanceCounter(LARGE_INTEGER* count) {
   count->QuadPart = mirocup_simurosot_ms();
   return TRUE;
@@ -95,15 +99,24 @@ static inline void GetLocalTime(SYSTEMTIME* now) {
   now->wSecond = (WORD)(mirocup_simurosot_ms() / 1000 % 60);
   now->wMilliseconds = (WORD)(mirocup_simurosot_ms() % 1000);
 }
-static inline void GetSystemTime(SYSTEMTIME* now) { GetLocalTime(now); }
-static inline void Sleep(DWORD ms) { (void)ms; }
+static inline void GetSystemTime(SYSTEMTIME* now) {
+  GetLocalTime(now);
+}
+static inline void Sleep(DWORD ms) {
+  (void)ms;
+}
 static inline HANDLE CreateThread(void* a, size_t b, LPTHREAD_START_ROUTINE c, LPVOID d, DWORD e,
                                   DWORD* f) {
   (void)a, (void)b, (void)c, (void)d, (void)e, (void)f;
   return 0;
 }
-static inline BOOL CloseHandle(HANDLE handle) { (void)handle; return TRUE; }
-static inline DWORD GetLastError(void) { return 0; }
+static inline BOOL CloseHandle(HANDLE handle) {
+  (void)handle;
+  return TRUE;
+}
+static inline DWORD GetLastError(void) {
+  return 0;
+}
 static inline BOOL EnumWindows(WNDENUMPROC each, LPARAM value) {
   (void)each, (void)value;
   return TRUE;
@@ -113,8 +126,14 @@ static inline int GetWindowTextW(HWND window, LPWSTR text, int size) {
   text[0] = 0;
   return 0;
 }
-static inline HWND FindWindowA(LPCSTR a, LPCSTR b) { (void)a, (void)b; return 0; }
-static inline HWND FindWindowW(LPCWSTR a, LPCWSTR b) { (void)a, (void)b; return 0; }
+static inline HWND FindWindowA(LPCSTR a, LPCSTR b) {
+  (void)a, (void)b;
+  return 0;
+}
+static inline HWND FindWindowW(LPCWSTR a, LPCWSTR b) {
+  (void)a, (void)b;
+  return 0;
+}
 static inline LRESULT SendMessageA(HWND a, UINT b, WPARAM c, LPARAM d) {
   (void)a, (void)b, (void)c, (void)d;
   return 0;
@@ -131,8 +150,12 @@ static inline int MessageBoxW(HWND a, LPCWSTR b, LPCWSTR c, UINT d) {
   (void)a, (void)b, (void)c, (void)d;
   return 1;
 }
-static inline void OutputDebugStringA(LPCSTR text) { (void)text; }
-static inline void OutputDebugStringW(LPCWSTR text) { (void)text; }
+static inline void OutputDebugStringA(LPCSTR text) {
+  (void)text;
+}
+static inline void OutputDebugStringW(LPCWSTR text) {
+  (void)text;
+}
 #define FindWindow FindWindowA
 #define SendMessage SendMessageA
 #define MessageBox MessageBoxA

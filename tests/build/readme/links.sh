@@ -41,7 +41,7 @@ while IFS= read -r page; do
       target=$(realpath -m --relative-to=. "$folder/$file")
       [[ -e $target ]] || { complain "$page: no file $link"; continue; }
     fi
-    [[ $link != *'#'* || $target != *.md ]] || anchors "$target" | grep -qxF -- "${link#*#}" ||
+    [[ $link != *'#'* || $target != *.md ]] || anchors "$target" | grep -xF -- "${link#*#}" >/dev/null ||
       complain "$page: no heading for $link"
   done < <(prose "$page" | grep -oE '\]\([^) ]+' | sed 's/^](//' || true)
   [[ $page == docs/README.md ]] || prose docs/README.md | grep -F "]($(realpath -m --relative-to=docs "$page"))" >/dev/null ||

@@ -14,6 +14,9 @@ struct Field {
 };
 struct TeamInfo { wchar_t teamName[128]; };
 enum class EventType { JudgeResult = 0, MatchStart, MatchStop, FirstHalfStart, SecondHalfStart, OvertimeStart, PenaltyShootoutStart };
-enum class JudgeType { PlaceKick = 0, GoalKick, PenaltyKick, FreeKickRightTop, FreeKickRightBot, FreeKickLeftTop, FreeKickLeftBot };
+enum class JudgeType {
+  PlaceKick = 0, GoalKick, PenaltyKick,
+  FreeKickRightTop, FreeKickRightBot, FreeKickLeftTop, FreeKickLeftBot
+};
 enum class Team { Self = 0, Opponent, None };
 struct JudgeResultEvent { JudgeType type; Team actor; wchar_t reason[128]; };

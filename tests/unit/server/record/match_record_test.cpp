@@ -99,7 +99,8 @@ TEST(MatchRecord, NamesTheKeyThatIsWrong) {
   EXPECT_EQ(error_with("/decisions/0/robots/blue", Json::array({11})),
             "leg.json: /decisions/0/robots/blue/0: 11 is not at most 10");
   EXPECT_EQ(error_with("/teams/blue/kind", "human"),
-            "leg.json: /teams/blue/kind: one of plugin, house, dds, firasim is expected, not \"human\"");
+            "leg.json: /teams/blue/kind: one of plugin, house, dds, firasim is expected, "
+            "not \"human\"");
 }
 
 TEST(MatchRecord, HasTheKeysThatOthersRelyOn) {
