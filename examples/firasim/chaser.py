@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""A team for FIRASim, and for `mirocup match --blue firasim:NAME`: its robots chase the ball, its
-keeper stays on the line. Ends when the referee says HALT, or after SECONDS of silence.
+"""A team for FIRASim, and for `mirocup match --blue firasim:NAME`: the nearest robot chases the
+ball, the keeper stays on the line, the others wait behind the ball. Ends when the referee says HALT, or after SECONDS of silence.
 
 chaser.py blue|yellow [--vision ADDR:PORT] [--command ADDR:PORT] [--referee ADDR:PORT]
           [--placement ADDR:PORT] [--instance K] [--no-echo] [--patience SECONDS]
@@ -34,16 +34,21 @@ def decide(picture, is_yellow):
     ball = picture.ball
     half_length = picture.field.get(2, 1.5) / 2
     half_goal = picture.field.get(3, 0.4) / 2
+    chaser = min(own[1:], key=lambda robot: math.hypot(robot.x - ball.x, robot.y - ball.y))
     wheels = []
     for robot in own:
         if robot.id == 0:
             y = max(-half_goal, min(half_goal, ball.y))
             wheels.append(towards(robot, side * (0.05 - half_length), y))
             continue
+        if robot is not chaser:  # two of a team in the other goal area are one too many
+            x = side * min(side * ball.x - 0.35, half_length - 0.45)
+            wheels.append(towards(robot, x, -ball.y / 2))
+            continue
         behind = side * (ball.x - robot.x) > 0.05
         x = ball.x if behind else ball.x - side * 0.2
         y = ball.y if behind else ball.y + math.copysign(0.12, robot.y - ball.y)
-        wheels.append(towards(robot, x, y + 0.15 * (robot.id - 1) * (not behind)))
+        wheels.append(towards(robot, x, y))
     return wheels
 
 

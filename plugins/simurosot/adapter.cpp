@@ -82,7 +82,7 @@ double limited(double command) {
 
 // Turns the platform's commands into wheel speeds of this simulator, both scaled down together.
 mirocup_wheels wheels_for(const mirocup_setup& setup, const mirocup_robot& robot, double left_units,
-                         double right_units) {
+                          double right_units) {
   const double l = limited(left_units), r = limited(right_units);
   mirocup_wheels wheels{wheel_per_unit * l, wheel_per_unit * r};
   if (MIROCUP_SIMUROSOT_WHEELS != plain) {
@@ -197,7 +197,7 @@ class OldTeam {
     if (!is_asked) return;
     for (int i = 0; i < std::min<int>(now.robots, robots); ++i) {
       command.wheels[i] = wheels_for(setup_, now.own[i], environment_.home[i].velocityLeft,
-                                    environment_.home[i].velocityRight);
+                                     environment_.home[i].velocityRight);
     }
   }
 

@@ -51,7 +51,7 @@ TEST(Firasim, InLockstepTheSameSeedIsTheSameLeg) {
       const bool is_blue = colour == "blue";
       const Outcome played =
           match(is_blue ? "firasim:py" : "idle", is_blue ? "idle" : "firasim:py",
-                folder / "leg.json", {"--lockstep", "--half", "8", "--rule", "ready_s=0.33"});
+                folder / "leg.json", {"--lockstep", "--half", "15", "--rule", "ready_s=0.33"});
       ASSERT_EQ(played.exit_code, 0) << played.err;
       EXPECT_EQ(team.wait().exit_code, 0);
       const Json record = read_json(folder / "leg.json");
