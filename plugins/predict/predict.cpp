@@ -81,9 +81,9 @@ simulator::Parameters parameters_of(const Setup& setup) {
                         .robot_wall = setup.robot_wall_friction,
                         .robot_robot = setup.robot_robot_friction};
   if (setup.size < sizeof(Setup)) return p;
-  p.robot_corners.corners = std::min<int>(setup.corners, geometry::max_corners);
-  std::copy_n(setup.corner_x, geometry::max_corners, p.robot_corners.x.begin());
-  std::copy_n(setup.corner_y, geometry::max_corners, p.robot_corners.y.begin());
+  p.robot_corners.corners = std::min<int>(setup.corners, core::geometry::max_corners);
+  std::copy_n(setup.corner_x, core::geometry::max_corners, p.robot_corners.x.begin());
+  std::copy_n(setup.corner_y, core::geometry::max_corners, p.robot_corners.y.begin());
   return p;
 }
 
