@@ -200,8 +200,8 @@ inline Point keep_out(const Setup& setup, int i, Point p) {
   return p;
 }
 
-// Returns a place for a robot that waits, moved aside if it is before the own goal while the ball is
-// still nearer to that goal: a ball that the keeper clears would come back from the robot.
+// Returns a place for a robot that waits, moved aside if it is before the own goal while the ball
+// is still nearer to that goal: a ball that the keeper clears would come back from the robot.
 inline Point make_way(const Setup& setup, const Observation& now, Point p) {
   const bool is_in_front = now.ball_x < -setup.half_length + setup.goal_area_depth + 0.15 &&
                            p.x > now.ball_x + 0.02 && p.x < now.ball_x + 0.5;

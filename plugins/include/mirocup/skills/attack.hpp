@@ -74,8 +74,8 @@ struct Attack {
   double lead_s = 0.08;  // s: the field is read where the robot will be then
 };
 
-// Shoots the ball that robot `me` meets at `at` to `aim`: comes in along a field of directions round
-// all other robots, and drives through it.
+// Shoots the ball that robot `me` meets at `at` to `aim`: comes in along a field of directions
+// round all other robots, and drives through it.
 inline Wheels attack_ball_at(const Setup& setup, const Observation& now, int me, Point at,
                              Point aim, const Attack& how = {}) {
   const Robot& robot = now.own[me];

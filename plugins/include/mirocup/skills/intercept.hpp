@@ -54,8 +54,8 @@ inline Interception intercept(const Setup& setup, const Observation& now, const 
   return intercept(BallPath(setup, moving_ball(now)), robot, pace, most_s);
 }
 
-// Returns about where a robot that drives at `pace` m/s meets the ball, with at most one rebound from
-// a side wall; for teams that ask hundreds of times in a tick.
+// Returns about where a robot that drives at `pace` m/s meets the ball, with at most one rebound
+// from a side wall; for teams that ask hundreds of times in a tick.
 inline Point rough_meeting(const Setup& setup, const Observation& now, const Robot& robot,
                            double pace = 1.2) {
   const double width = setup.half_width - setup.ball_radius;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Penalties. A good keeper reads the run-up: it stands where a shot along the kicker's heading would
-// arrive. So the kicker runs up to one corner, looks where the keeper goes, and if the keeper goes
-// there, too, turns to the other corner just before the ball.
+// Penalties. A good keeper reads the run-up: it stands where a shot along the kicker's heading
+// would arrive. So the kicker runs up to one corner, looks where the keeper goes, and if the keeper
+// goes there, too, turns to the other corner just before the ball.
 //
 //        keeper goes along ->  K
 //   post ----------------------+--- post
@@ -36,8 +36,8 @@ class PenaltyTaker {
  public:
   explicit PenaltyTaker(const PenaltyHabits& habits = {}) : habits_(habits) {}
 
-  // Returns the pose of the kicker. `y_bias`: as in open_corner(); draw it at random, so that nobody
-  // knows the corner of the run-up.
+  // Returns the pose of the kicker. `y_bias`: as in open_corner(); draw it at random, so that
+  // nobody knows the corner of the run-up.
   mirocup_pose stand(const Setup& setup, const Observation& now, double y_bias) {
     aim_ = open_corner(setup, now, habits_.margin, y_bias);
     return run_up(ball(now), aim_, habits_.run_up);

@@ -33,8 +33,8 @@ int cheapest_robot(const Observation& now, int first, int last, double bonus, co
   return best;
 }
 
-// Returns how soon a robot meets the ball on its path, s, and `round_s` more if it has to drive round
-// it.
+// Returns how soon a robot meets the ball on its path, s, and `round_s` more if it has to drive
+// round it.
 inline double time_behind(const BallPath& path, const Robot& robot, double round_s = 0.35) {
   const Interception meet = intercept(path, robot);
   return meet.seconds + (robot.x > meet.ball.at.x - 0.03 ? round_s : 0.0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a scene is worth to a team that tries moves before it makes them: where the ball is and where
-// it goes, and who is first behind it. About 1 is a goal, -1 a goal against.
+// What a scene is worth to a team that tries moves before it makes them: where the ball is and
+// where it goes, and who is first behind it. About 1 is a goal, -1 a goal against.
 //
 //   worth_of             of a scene in play
 //   time_to_get_behind   how soon a robot is behind the ball, about
