@@ -121,8 +121,8 @@ class Fit {
   void run(int rounds, bool hard);
   // While only bodies that are alone count: they move smoothly, so they have few minima.
   void count_alone_only(bool alone) { alone_ = alone; }
-  // Begins from a few delays of commands and lags of motors, and keeps the best: the cost has several
-  // minima in them.
+  // Begins from a few delays of commands and lags of motors, and keeps the best: the cost has
+  // several minima in them.
   void scan_delay();
   void describe(Identified& result) const;
 
