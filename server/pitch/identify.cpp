@@ -109,7 +109,6 @@ class Fit {
   }
 
   bool is_empty() const { return pieces_.empty(); }
-  Guess& guess() { return guess_; }
   const MatrixXd& information() const { return information_; }
   bool is_free(int unknown) const { return is_free_[unknown]; }
   void set_free(int unknown, bool free) { is_free_[unknown] = free; }
@@ -122,7 +121,8 @@ class Fit {
   void run(int rounds, bool hard);
   // While only bodies that are alone count: they move smoothly, so they have few minima.
   void count_alone_only(bool alone) { alone_ = alone; }
-  // Looks for the delay of commands among a few values first: the cost has several minima in it.
+  // Begins from a few delays of commands and lags of motors, and keeps the best: the cost has
+  // several minima in them.
   void scan_delay();
   void describe(Identified& result) const;
 
@@ -440,16 +440,21 @@ void Fit::scan_delay() {
   std::vector<Piece> best_pieces = pieces;
   // A few windows suffice for that.
   const std::size_t every = std::max<std::size_t>(1, pieces.size() / 150);
-  for (const double delay : {0.0, 0.02, 0.04, 0.07, 0.11, 0.16}) {
+  using DelayAndLag = std::pair<double, double>;  // s
+  for (const auto& [delay, lag] :
+       {DelayAndLag{0.0, 0.05}, DelayAndLag{0.03, 0.05}, DelayAndLag{0.06, 0.05},
+        DelayAndLag{0.1, 0.05}, DelayAndLag{0.16, 0.05}, DelayAndLag{0.0, 0.15},
+        DelayAndLag{0.04, 0.15}, DelayAndLag{0.1, 0.15}}) {
     pieces_.clear();
     for (std::size_t i = 0; i < pieces.size(); i += every) pieces_.push_back(pieces[i]);
     guess_ = start;
     guess_.command_delay = delay;
+    for (const int u : {motor_lag, turn_lag, brake_lag}) set_value(guess_, u, std::log(lag));
     position_sigma_ = 0.005;
     heading_sigma_ = 0.05;
     damping_ = 1e-3;
     hard_ = false;
-    for (int round = 0; round < 4; ++round) {
+    for (int round = 0; round < 6; ++round) {
       linearise();
       const std::vector<int> free = free_unknowns();
       MatrixXd damped = information_;
@@ -615,15 +620,7 @@ Result<Identified> identify(const std::vector<Recording>& recordings, const Gues
   // Bodies that are alone first: they tell everything but what happens between bodies.
   fit.count_alone_only(true);
   for (const int u : between_bodies) fit.set_free(u, false);
-  // One lag first: it finds the neighbourhood, and is enough for most pitches.
-  fit.tie_turn_lag(true);
-  fit.tie_brake_lag(true);
   fit.scan_delay();
-  fit.run(most_rounds, false);
-  fit.tie_turn_lag(false);
-  fit.tie_brake_lag(false);
-  fit.guess().parameters.turn_time_constant = fit.guess().parameters.motor_time_constant;
-  fit.guess().parameters.brake_time_constant = fit.guess().parameters.motor_time_constant;
   fit.run(most_rounds, false);
   fit.run(most_rounds, true);
   Identified result;
