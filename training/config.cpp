@@ -173,7 +173,7 @@ nlohmann::ordered_json end_of(const nlohmann::ordered_json& json, const char* en
 }
 
 // Both ends of all ranges have to be parameters of the physics.
-nlohmann::ordered_json read_pitch(const JsonReader& json) {
+nlohmann::ordered_json read_pitch_ranges(const JsonReader& json) {
   for (const char* end : {"from", "to"}) {
     const nlohmann::ordered_json numbers = end_of(json.json(), end);
     std::optional<record::JsonProblem> problem;
@@ -197,7 +197,7 @@ Config read_config(const JsonReader& json, const std::string& folder) {
     config.starts = read_starts(*start, config.setup.league, config.ends_at_goal, folder);
   }
   const auto pitch = json.find("pitch");
-  if (pitch && !pitch->is_string()) config.pitch = read_pitch(*pitch);
+  if (pitch && !pitch->is_string()) config.pitch = read_pitch_ranges(*pitch);
   json.read_if_present("agents", config.agents);
   json.read_if_present("observation", config.observation);
   json.read_if_present("action", config.action);
