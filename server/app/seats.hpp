@@ -27,8 +27,8 @@ struct TeamChoice {
   std::optional<match::Fault> fault;          // of a file that cannot be loaded as a library
 };
 
-// `text` is "dds:NAME", "firasim:NAME", the path of a library or of a file of Python, or the name of
-// a house team. One that cannot be loaded is a fault of the team, not an error.
+// `text` is "dds:NAME", "firasim:NAME", the path of a library or of a file of Python, or the name
+// of a house team. One that cannot be loaded is a fault of the team, not an error.
 Result<TeamChoice> choose_team(const std::string& text);
 
 // The place of one team in a leg: starts the team and asks it, whatever kind it is.
