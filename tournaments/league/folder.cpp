@@ -141,6 +141,7 @@ Result<void> init_folder(system::Files& files, const Folder& folder, const Leagu
   }
   // Looked at before anything is written, so that nothing is left of a league without a team.
   for (const TeamConfig& team : file.teams) {
+    if (team.hands_in()) continue;
     if (auto library = library_of(files, team); !library) return tl::unexpected(library.error());
   }
   if (auto made = files.make_folder(folder.path + "/records"); !made) return made;

@@ -108,7 +108,7 @@ TEST(FullDisk, StopsALeagueAtOnceAndSaysSo) {
   const TemporaryFolder temporary;
   const std::string disk = temporary / "disk";
   fs::create_directory(disk);
-  if (mount("none", disk.c_str(), "tmpfs", 0, "size=6m") != 0)
+  if (mount("none", disk.c_str(), "tmpfs", 0, "size=16m") != 0)
     GTEST_SKIP() << "this user may not mount";
   const std::string folder = disk + "/l";
   init_league(folder, backup_teams, "10");
@@ -122,18 +122,16 @@ TEST(FullDisk, StopsALeagueAtOnceAndSaysSo) {
   for (const auto& kept : fs::directory_iterator(folder + "/programs"))
     fs::create_directory_symlink(kept.path(),
                                  other + "/programs/" + kept.path().filename().string());
-  std::string filling(64 << 10, 'x');
+  const std::string filling(64 << 10, 'x');
   const std::string filler = disk + "/filler";
-  write_file(filler, "");
-  while (fs::space(disk).available > filling.size()) {
-    const std::string all = read_file(filler) + filling;
-    write_file(filler, all);
-  }
+  fs::create_directory(filler);
+  for (int i = 0; fs::space(disk).available > filling.size(); ++i)
+    write_file(filler + "/" + std::to_string(i), filling);
   const Outcome full = run(league("start", other, {"--jobs", "1"}));
   EXPECT_EQ(full.exit_code, 3) << full.err;
   EXPECT_NE(full.err.find("full"), std::string::npos) << full.err;
   EXPECT_EQ(count_kind(other, "void"), 0) << "no leg is tried again";
-  fs::remove(filler);
+  fs::remove_all(filler);
   EXPECT_EQ(run(league("start", other)).exit_code, 0);
   EXPECT_EQ(count_kind(other, "leg"), 12);
   EXPECT_EQ(umount(disk.c_str()), 0);
