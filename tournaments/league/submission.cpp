@@ -10,12 +10,23 @@
 #include "system/users.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <strings.h>
 #include <utility>
 
 namespace mirocup::league {
 
 namespace {
+
+// The check writes its leg for everybody, but the folder of entries is read by the host alone.
+void close_to_others(const std::string& record) {
+  namespace fs = std::filesystem;
+  for (const fs::path& path :
+       {fs::path(record), fs::path(record).replace_extension(".replay.zst")}) {
+    std::error_code none;  // an entry that is refused early has no leg
+    fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write, none);
+  }
+}
 
 // Returns the answer of `mirocup check --json` about a library of the team. Any exit code but yes
 // and no is an error of the host.
@@ -41,6 +52,7 @@ Result<Json> check(system::Files& files, const std::string& library, const Leagu
   const auto started = processes.start(command, 0, -1, log);
   if (!started) return tl::unexpected(started.error());
   const auto exit = processes.wait();
+  close_to_others(gate_leg);
   if (!exit) return fail(Errc::interrupted, "interrupted while an entry was checked");
   const auto text = files.read(log, {.max_size = system::size_limit::log});
   if (!text) return tl::unexpected(text.error());

@@ -30,14 +30,15 @@ inline bool is_observation_page(const ObservationPage* page) {
 // The two pages were mapped one after the other, so they are neighbours. Null if none was found.
 inline std::pair<const ObservationPage*, CommandPage*> find_mailbox() {
   constexpr std::uintptr_t page = 4096;
+  constexpr std::uintptr_t command_size = (sizeof(CommandPage) + page - 1) / page * page;
   const auto* stack = static_cast<const std::uintptr_t*>(__builtin_frame_address(0));
   for (; is_readable(stack); ++stack) {
     if (*stack < 0x10000 || *stack % page != 0) continue;
-    for (const std::uintptr_t address : {*stack, *stack + page, *stack - page}) {
+    for (const std::uintptr_t address : {*stack, *stack + command_size, *stack - command_size}) {
       const auto* in = reinterpret_cast<const ObservationPage*>(address);
       if (!is_observation_page(in)) continue;
       // mmap() goes downwards.
-      return {in, reinterpret_cast<CommandPage*>(address - page)};
+      return {in, reinterpret_cast<CommandPage*>(address - command_size)};
     }
   }
   return {};
