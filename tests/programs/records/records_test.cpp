@@ -115,7 +115,8 @@ TEST(Records, LoseNothingWhenTheyAreMadeFlat) {
     auto recording = test_support::recording_from(flat);
     ASSERT_TRUE(recording);
     EXPECT_FALSE(replay::verify(*recording));
-    EXPECT_EQ(test_support::flat(*recording).size(),
+    // Bytes between members may differ.
+    EXPECT_EQ(test_support::flat(*recording).size(), flat.size());
               flat.size());  // the bytes between members differ
     recording->decisions.back().decision.reason += "!";
     EXPECT_TRUE(replay::verify(*recording));
