@@ -117,7 +117,6 @@ TEST(Records, LoseNothingWhenTheyAreMadeFlat) {
     EXPECT_FALSE(replay::verify(*recording));
     // Bytes between members may differ.
     EXPECT_EQ(test_support::flat(*recording).size(), flat.size());
-              flat.size());  // the bytes between members differ
     recording->decisions.back().decision.reason += "!";
     EXPECT_TRUE(replay::verify(*recording));
     EXPECT_FALSE(test_support::recording_from(flat.substr(0, flat.size() - 1)));
