@@ -241,7 +241,7 @@ TEST_F(Desk, GivesNoRouteToTheWrongVisitor) {
     bool may_read = false;  // the right one, but a change comes from another site
     bool is_other_team = false;
   };
-  const auto bearer = [this](const std::string& token) {
+  const auto bearer = [](const std::string& token) {
     return
         [token](web::Request r) { return with(std::move(r), "authorization", "Bearer " + token); };
   };
