@@ -6,6 +6,7 @@
 #include "server/record/json_reader.hpp"
 #include "system/printable.hpp"
 #include "tournaments/app/commands.hpp"
+#include "tournaments/app/publishing.hpp"
 #include "tournaments/league/league_store.hpp"
 #include "tournaments/publish/decision_view.hpp"
 #include "tournaments/publish/exports.hpp"
@@ -21,6 +22,12 @@ Result<int> run_act(const ActOptions& options) {
   const auto lines = perform(disk, *store, options.act, system::now_s());
   if (!lines) return tl::unexpected(lines.error());
   for (const std::string& line : *lines) std::cout << system::printable(line) << '\n';
+  // What is held back must not stay on the pages, and what is released is looked for there.
+  const Folder folder{options.folder};
+  if (options.act.kind == ActKind::release && !options.act.is_dry_run &&
+      disk.exists(folder.site())) {
+    if (auto shown = publish_league(disk, folder); !shown) return tl::unexpected(shown.error());
+  }
   return exit_yes;
 }
 
