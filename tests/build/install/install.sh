@@ -72,7 +72,8 @@ if [[ -e $folder/prefix/libexec/mirocup/mirocup-python-host ]]; then
   mirocup new "$folder/in Python" --language python
   mirocup match --blue "$folder/in Python/team.py" --yellow idle --half 5
   # The interpreter keeps memory until its process ends, which is no leak.
-  ASAN_OPTIONS=detect_leaks=0 mirocup match --blue "$folder/in Python/team.py" --yellow idle --half 5 --trusted
+  env -i PATH=/usr/bin:/bin HOME=/ ASAN_OPTIONS=detect_leaks=0 \
+    "$folder/prefix/bin/mirocup" match --blue "$folder/in Python/team.py" --yellow idle --half 5 --trusted
 fi
 
 mirocup new "$folder/team" && exit 1  # does not write over a team
