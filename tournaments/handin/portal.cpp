@@ -3,6 +3,7 @@
 
 #include "server/record/json_reader.hpp"
 #include "system/printable.hpp"
+#include "tournaments/handin/form.hpp"
 #include "tournaments/handin/replies.hpp"
 #include "tournaments/handin/team_desk_page.hpp"
 #include "tournaments/league/submission.hpp"
@@ -80,20 +81,7 @@ std::string form_value(const std::string& form, std::string_view key) {
     const std::string_view part = std::string_view(form).substr(begin, end - begin);
     begin = end + 1;
     if (!part.starts_with(key) || part.size() <= key.size() || part[key.size()] != '=') continue;
-    std::string value;
-    const std::string_view coded = part.substr(key.size() + 1);
-    for (std::size_t i = 0; i < coded.size(); ++i) {
-      unsigned code = 0;
-      if (coded[i] == '%' && i + 2 < coded.size() &&
-          std::from_chars(coded.data() + i + 1, coded.data() + i + 3, code, 16).ptr ==
-              coded.data() + i + 3) {
-        value += static_cast<char>(code);
-        i += 2;
-      } else {
-        value += coded[i] == '+' ? ' ' : coded[i];
-      }
-    }
-    return value;
+    return decoded_form_text(part.substr(key.size() + 1));
   }
   return "";
 }

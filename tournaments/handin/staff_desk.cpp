@@ -4,11 +4,13 @@
 #include "system/file_lock.hpp"
 #include "system/markup.hpp"
 #include "tournaments/handin/desk_html.hpp"
+#include "tournaments/handin/form.hpp"
 #include "tournaments/league/acts.hpp"
 #include "tournaments/league/roster.hpp"
 #include "tournaments/publish/decision_view.hpp"
 #include "tournaments/publish/grades.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <map>
 
@@ -24,29 +26,14 @@ using Form = std::map<std::string, std::string>;
 
 // Decodes the values of a form (application/x-www-form-urlencoded).
 Form decoded_form(std::string_view form) {
-  const auto decoded = [](std::string_view coded) {
-    std::string value;
-    for (std::size_t i = 0; i < coded.size(); ++i) {
-      unsigned code = 0;
-      if (coded[i] == '%' && i + 2 < coded.size() &&
-          std::from_chars(coded.data() + i + 1, coded.data() + i + 3, code, 16).ptr ==
-              coded.data() + i + 3) {
-        value += static_cast<char>(code);
-        i += 2;
-      } else {
-        value += coded[i] == '+' ? ' ' : coded[i];
-      }
-    }
-    return value;
-  };
   Form values;
   while (!form.empty()) {
     const std::size_t end = std::min(form.find('&'), form.size());
     const std::string_view part = form.substr(0, end);
     form.remove_prefix(std::min(end + 1, form.size()));
     const std::size_t equals = std::min(part.find('='), part.size());
-    values[decoded(part.substr(0, equals))] =
-        decoded(part.substr(std::min(equals + 1, part.size())));
+    values[decoded_form_text(part.substr(0, equals))] =
+        decoded_form_text(part.substr(std::min(equals + 1, part.size())));
   }
   return values;
 }

@@ -9,10 +9,10 @@ namespace mirocup::league {
 
 namespace {
 
-constexpr double left = 70.0;  // px, of the plots
-constexpr double width = 520.0;
-constexpr double height = 110.0;
-constexpr double gap = 50.0;
+constexpr double plot_left = 70.0;  // px, of the plots
+constexpr double plot_width = 520.0;
+constexpr double plot_height = 110.0;
+constexpr double plot_gap = 50.0;
 
 std::string digits_of(double number) {
   std::array<char, 32> text;
@@ -44,8 +44,9 @@ std::string plot_svg(const Plot& plot, double top) {
   const double last = std::max<double>(static_cast<double>(plot.values.size()) - 1.0, 1.0);
   const double range = plot.high > plot.low ? plot.high - plot.low : 1.0;
   const auto point = [&](std::size_t i, double value) {
-    const double y = height * (plot.high - std::clamp(value, plot.low, plot.high)) / range;
-    return pixel(left + width * static_cast<double>(i) / last) + "," + pixel(top + y) + " ";
+    const double y = plot_height * (plot.high - std::clamp(value, plot.low, plot.high)) / range;
+    return pixel(plot_left + plot_width * static_cast<double>(i) / last) + "," + pixel(top + y) +
+           " ";
   };
   std::string line;
   std::string band;
@@ -56,12 +57,12 @@ std::string plot_svg(const Plot& plot, double top) {
   for (std::size_t i = plot.values.size(); i-- > 0;) {
     band += point(i, plot.values[i] - plot.half_width[i]);
   }
-  return text_at(left, top - 8.0, "start", plot.title) +
-         text_at(left - 6.0, top + 10.0, "end", digits_of(plot.high)) +
-         text_at(left - 6.0, top + height, "end", digits_of(plot.low)) + "<path d=\"M" +
-         pixel(left) + "," + pixel(top) + " v" + pixel(height) + " h" + pixel(width) +
-         "\" class=\"axis\"/>\n<polygon points=\"" + band + "\" class=\"band\"/>\n" +
-         "<polyline points=\"" + line + "\" class=\"line\"/>\n";
+  return text_at(plot_left, top - 8.0, "start", plot.title) +
+         text_at(plot_left - 6.0, top + 10.0, "end", digits_of(plot.high)) +
+         text_at(plot_left - 6.0, top + plot_height, "end", digits_of(plot.low)) + "<path d=\"M" +
+         pixel(plot_left) + "," + pixel(top) + " v" + pixel(plot_height) + " h" +
+         pixel(plot_width) + "\" class=\"axis\"/>\n<polygon points=\"" + band +
+         "\" class=\"band\"/>\n" + "<polyline points=\"" + line + "\" class=\"line\"/>\n";
 }
 
 std::vector<Plot> plots_of(const TuningOptions& options, const std::vector<Generation>& course) {
@@ -92,20 +93,20 @@ std::vector<Plot> plots_of(const TuningOptions& options, const std::vector<Gener
 
 std::string course_svg(const TuningOptions& options, const std::vector<Generation>& course) {
   const std::vector<Plot> plots = plots_of(options, course);
-  const double total = static_cast<double>(plots.size()) * (height + gap) + gap;
+  const double total = static_cast<double>(plots.size()) * (plot_height + plot_gap) + plot_gap;
   std::string svg =
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + pixel(left + width + 30.0) +
-      " " + pixel(total) +
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " +
+      pixel(plot_left + plot_width + 30.0) + " " + pixel(total) +
       "\" font-family=\"sans-serif\" font-size=\"12\">\n<style>.axis{fill:none;stroke:#888}"
       ".band{fill:#06c;opacity:.2}.line{fill:none;stroke:#06c;stroke-width:2}</style>\n"
       "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
-  double top = gap * 0.7;
+  double top = plot_gap * 0.7;
   for (const Plot& plot : plots) {
     svg += plot_svg(plot, top);
-    top += height + gap;
+    top += plot_height + plot_gap;
   }
   return svg +
-         text_at(left + width, top - gap + 18.0, "end",
+         text_at(plot_left + plot_width, top - plot_gap + 18.0, "end",
                  std::to_string(course.size()) + " generations") +
          "</svg>\n";
 }
