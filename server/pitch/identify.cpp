@@ -139,6 +139,7 @@ class Fit {
                  VectorXd& r) const;
   double weigh(const Piece& piece, const VectorXd& r, VectorXd& weight) const;
   void linearise();
+  Guess stepped(const std::vector<int>& free, VectorXd& step, double most) const;
   double cost_of_trial(const Guess& guess, const VectorXd& step);
   void estimate_noise();
   std::vector<int> free_unknowns() const;
@@ -329,6 +330,19 @@ void Fit::linearise() {
   }
 }
 
+// Returns the guess after a step of the free unknowns. A ratio moves by 0.5 at most, the others by
+// `most`; `step` becomes what was really gone.
+Guess Fit::stepped(const std::vector<int>& free, VectorXd& step, double most) const {
+  Guess trial = guess_;
+  for (std::size_t j = 0; j < free.size(); ++j) {
+    const double bound = unknowns()[free[j]].is_ratio ? 0.5 : most;
+    const double before = value_of(trial, free[j]);
+    set_value(trial, free[j], before + std::clamp(step[j], -bound, bound));
+    step[j] = value_of(trial, free[j]) - before;
+  }
+  return trial;
+}
+
 // Sets the trial starts of a step of the pitch, and returns the cost there.
 double Fit::cost_of_trial(const Guess& guess, const VectorXd& step) {
   Variant v = variant(guess);
@@ -404,13 +418,7 @@ void Fit::run(int rounds, bool hard) {
       damped.diagonal().array() += 1e-6;  // what no window tells stays where it is
       VectorXd step = damped.ldlt().solve(-gradient_);
       if (!step.allFinite()) step.setZero();
-      Guess trial = guess_;
-      for (std::size_t j = 0; j < free.size(); ++j) {
-        const double most = unknowns()[free[j]].is_ratio ? 0.5 : 0.1;
-        const double before = value_of(trial, free[j]);
-        set_value(trial, free[j], before + std::clamp(step[j], -most, most));
-        step[j] = value_of(trial, free[j]) - before;
-      }
+      const Guess trial = stepped(free, step, 0.1);
       const double cost = cost_of_trial(trial, step);
       if (cost < cost_) {
         is_better = true;
@@ -461,13 +469,7 @@ void Fit::scan_delay() {
       damped.diagonal() *= 1.001;
       damped.diagonal().array() += 1e-3;
       VectorXd step = damped.ldlt().solve(-gradient_);
-      Guess trial = guess_;
-      for (std::size_t j = 0; j < free.size(); ++j) {
-        const double most = unknowns()[free[j]].is_ratio ? 0.5 : 0.03;
-        const double before = value_of(trial, free[j]);
-        set_value(trial, free[j], before + std::clamp(step[j], -most, most));
-        step[j] = value_of(trial, free[j]) - before;
-      }
+      const Guess trial = stepped(free, step, 0.03);
       const double cost = cost_of_trial(trial, step);
       if (cost < cost_) {
         guess_ = trial;
