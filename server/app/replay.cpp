@@ -133,7 +133,8 @@ Result<int> run_replay(const ReplayOptions& options) {
   system::Disk disk;
   const auto record = record::load(disk, options.record);
   if (!record) return tl::unexpected(record.error());
-  const auto own = options.public_page ? web::OwnTexts() : own_texts(disk, options.record);
+  const bool shows_own = !options.svg && !options.public_page;
+  const auto own = shows_own ? own_texts(disk, options.record) : web::OwnTexts();
   if (!own) return tl::unexpected(own.error());
   const web::Times times = options.no_times ? web::Times::left_out : web::Times::shown;
   std::optional<statistics::LegStatistics> counted;
