@@ -16,10 +16,15 @@ namespace {
 
 using match::ThoughtKind;
 
-// Puts a shape on the page of the host, if it keeps what is drawn.
+// Returns the page of the host; null if it keeps nothing of what is drawn.
+ThoughtsPage* page_of(void* host) {
+  return host == nullptr ? nullptr : static_cast<const TeamHost*>(host)->thoughts;
+}
+
+// Puts a shape on the page of the host, if there is one.
 void draw(void* host, ThoughtKind kind, const char* layer, std::uint32_t colour,
           std::span<const double> numbers, std::string_view text = {}) {
-  ThoughtsPage* page = host == nullptr ? nullptr : static_cast<const TeamHost*>(host)->thoughts;
+  ThoughtsPage* page = page_of(host);
   if (page == nullptr) return;
   const bool has_room = page->shapes < page->shape.size() &&
                         page->numbers + numbers.size() <= page->number.size() &&
@@ -81,8 +86,8 @@ void draw_polygon(void* host, const char* layer, std::uint32_t colour, const dou
                   std::int32_t corners) {
   constexpr auto most = static_cast<std::int32_t>(match::max_polygon_corners);
   if (points == nullptr || corners < 3 || corners > most) {
-    const double nothing[] = {NAN};
-    return draw(host, ThoughtKind::polygon, layer, colour, nothing);  // is counted as left out
+    if (ThoughtsPage* page = page_of(host)) ++page->left_out;
+    return;
   }
   draw(host, ThoughtKind::polygon, layer, colour, {points, 2 * static_cast<std::size_t>(corners)});
 }
