@@ -16,7 +16,7 @@ namespace mirocup::match {
 
 enum class ThoughtKind { line, circle, polygon, text };
 
-// One shape of one tick, in the team's own frame. It refers to memory of whoever hands it over.
+// One shape of one tick, in the team's own frame. It refers to memory of its giver.
 struct Thought {
   ThoughtKind kind = ThoughtKind::line;
   std::uint32_t colour = 0;  // 0xRRGGBBAA

@@ -79,8 +79,8 @@
  *   Points are in your own frame; a colour is 0xRRGGBBAA; a layer is a name of at most 31 bytes,
  *   which the page switches on and off. A text of the form "name = 1.5" is shown as a curve, too. A
  *   tick has room for 200 shapes, 2000 numbers and 4 KiB of text, a leg for 32 MiB; what is more is
- *   counted and left out. Drawing has no effect on the leg but the time that it takes you; when
- *   nobody asked for thoughts, the calls return at once.
+ *   counted and left out. Drawing has no effect on the leg but the time that it takes you; without
+ *   `--thoughts` the calls return at once.
  *
  * Parameters
  *   A number that you would like to try out need not be a constant of your code:
