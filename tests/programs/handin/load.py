@@ -67,6 +67,7 @@ class Server:
     def __init__(self):
         self.starts = 0
         self.peak = 0
+        self.cpu_s = 0.0  # of the server that runs now, without the programs that it starts
         self.lock = threading.Lock()
         self.start()
 
@@ -92,6 +93,9 @@ class Server:
                 for line in status:
                     if line.startswith("VmHWM"):
                         self.peak = max(self.peak, int(line.split()[1]))
+            with open(f"/proc/{self.process.pid}/stat") as stat:
+                fields = stat.read().rsplit(")", 1)[1].split()
+            self.cpu_s = (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
         except OSError:
             pass
 
@@ -150,6 +154,7 @@ if options.alone:
 
 server = Server()
 begun = time.monotonic()
+own_cpu_s = time.process_time()
 over = threading.Event()
 taken = {}    # (team, entry): the verdict that it should get
 latency = []  # s
@@ -270,6 +275,7 @@ report.update({
     "page_ms": {"median": round(1e3 * statistics.median(latency), 1),
                 "p95": round(1e3 * sorted(latency)[int(0.95 * len(latency))], 1),
                 "most": round(1e3 * max(latency), 1)} if latency else None,
+    "cpu_s": {"server": round(server.cpu_s, 1), "clients": round(time.process_time() - own_cpu_s, 1)},
     "server_peak_mib": round(server.peak / 1024, 1)})
 print(json.dumps(report, indent=1))
 bad = bool(wrong or lost or more or len(taken) != options.teams or len(verdicts) != options.teams)
