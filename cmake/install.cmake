@@ -65,7 +65,8 @@ install(FILES server/record/schema.md server/record/scene.md DESTINATION ${doc_f
 install(FILES server/dds/README.md DESTINATION ${doc_folder}/server/dds COMPONENT mirocup-doc)
 install(FILES tournaments/README.md DESTINATION ${doc_folder}/tournaments COMPONENT mirocup-doc)
 install(FILES tournaments/journal/format.md DESTINATION ${doc_folder}/tournaments/journal COMPONENT mirocup-doc)
-install(DIRECTORY tournaments/examples DESTINATION ${doc_folder}/tournaments COMPONENT mirocup-doc)
+# platforms: its teams are in the build tree.
+install(DIRECTORY tournaments/examples DESTINATION ${doc_folder}/tournaments COMPONENT mirocup-doc PATTERN platforms EXCLUDE)
 if(EXISTS ${PROJECT_SOURCE_DIR}/tournaments/units)
   install(DIRECTORY tournaments/units/ DESTINATION ${doc_folder}/systemd COMPONENT mirocup-doc)
 endif()

@@ -73,9 +73,14 @@ void add_firasim(CLI::App& command, MatchOptions& o) {
   command
       .add_option("--firasim-instance", o.firasim_instance,
                   "Number of this match on this host; above 0 each has ports of its own: 10002+K, "
-                  "20011+K, 40000+K, 50000+K")
-      ->check(CLI::Range(0, 9999))
+                  "20011+K, 40000+K, 50000+K; auto: the first from 1000 on that is free")
+      ->check(CLI::Range(0, 9999) | CLI::IsMember({"auto"}))
+      ->type_name("K|auto")
       ->group(group);
+  add("--blue-program", o.programs[0], "COMMAND",
+      "Start the blue team by this command of the shell, which finds its colour and addresses in "
+      "MIROCUP_COLOUR, MIROCUP_INSTANCE and others (docs/firasim.md)");
+  add("--yellow-program", o.programs[1], "COMMAND", "Start the yellow team in the same way");
   command
       .add_flag("--lockstep", o.lockstep,
                 "Wait in each tick until these teams have commanded all their robots (--speed max "

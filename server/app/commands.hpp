@@ -49,7 +49,8 @@ struct MatchOptions {
   bool hash = false;  // print the state hash, too
   // Addresses of firasim teams; "": those of the instance.
   std::string firasim_vision, firasim_command, firasim_referee, firasim_placement;
-  int firasim_instance = 0;
+  std::string firasim_instance = "0";   // a number, or "auto"
+  match::ByTeam<std::string> programs;  // commands that start firasim teams; "": people do
   bool lockstep = false;  // firasim teams are waited for even where real time is asked for
   bool json = false;
 };

@@ -7,6 +7,7 @@
 #include "server/app/commands.hpp"
 #include "server/app/interrupt.hpp"
 #include "server/app/seats.hpp"
+#include "server/app/team_program.hpp"
 #include "server/pace/pacer.hpp"
 #include "server/record/conditions_json.hpp"
 #include "server/record/json_reader.hpp"
@@ -144,6 +145,10 @@ Result<void> give_parameters(const MatchOptions& options, std::vector<TeamChoice
                                ": both teams play over the network; give it to mirocup join");
 }
 
+// The numbers of matches on this host that find ports of their own (--firasim-instance auto).
+constexpr int first_free_instance = 1000;
+constexpr int most_instances = 1000;
+
 // At full speed a match polls for an interrupt only this often, because polling is a system call.
 constexpr std::uint32_t ticks_between_polls = 16;
 
@@ -174,11 +179,16 @@ class Session {
   Result<TeamSeat> take_seat(const TeamChoice& choice, Team team);
   void use_own_names();
   dds::JoinTerms patience();
-  firasim::Terms firasim_terms();
+  firasim::Terms firasim_terms(Team team);
+  Result<void> start_program(Team team);
+  Result<void> open_firasim();
   Result<void> open_network(const std::vector<TeamChoice>& choices);
   Result<plugins::ProcessTerms> process_terms() const;
   void keep_thoughts(std::uint32_t tick);
   Result<void> write_thoughts(Team team);
+  std::string log_path(Team team) const {
+    return options_.record_path + "." + std::string(to_string(team)) + ".log";
+  }
   double longest_play() const;
   record::MatchRecord record() const;
 
@@ -193,7 +203,10 @@ class Session {
   pace::Pacer pacer_;
   std::unique_ptr<dds::MatchServer> network_;  // null unless a team plays over it
   std::unique_ptr<firasim::Server> firasim_;   // likewise
-  std::unique_ptr<web::LiveServer> live_;      // null unless the leg is watched
+  firasim::Addresses firasim_addresses_;
+  int firasim_instance_ = 0;
+  match::ByTeam<std::optional<TeamProgram>> programs_;  // those that this match has started
+  std::unique_ptr<web::LiveServer> live_;               // null unless the leg is watched
   std::shared_ptr<plugins::Doorbell> bell_ = std::make_shared<plugins::Doorbell>();
   std::shared_ptr<plugins::MemoryWitness> memory_ = std::make_shared<plugins::MemoryWitness>();
   std::vector<TeamSeat> seats_;  // blue, yellow
@@ -276,18 +289,47 @@ Result<void> Session::open_network(const std::vector<TeamChoice>& choices) {
     if (!server) return tl::unexpected(server.error());
     network_ = std::move(*server);
   }
-  if (any(record::TeamKind::firasim)) {
-    const auto addresses =
-        firasim::addresses_of(options_.firasim_instance, {.vision = options_.firasim_vision,
-                                                          .referee = options_.firasim_referee,
-                                                          .command = options_.firasim_command,
-                                                          .placement = options_.firasim_placement,
-                                                          .interface = options_.interface});
+  for (const Team team : both_teams) {
+    const bool is_firasim = choices[index_of(team)].info.kind == record::TeamKind::firasim;
+    if (options_.programs[index_of(team)].empty() || is_firasim) continue;
+    return fail(Errc::input, "--" + std::string(to_string(team)) +
+                                 "-program: the team is not firasim:NAME, so it needs no program");
+  }
+  return any(record::TeamKind::firasim) ? open_firasim() : Result<void>();
+}
+
+Result<void> Session::open_firasim() {
+  const bool takes_a_free_one = options_.firasim_instance == "auto";
+  const int first = takes_a_free_one ? first_free_instance : std::stoi(options_.firasim_instance);
+  const int last = takes_a_free_one ? first + most_instances - 1 : first;
+  std::optional<Error> why_not;
+  for (int instance = first; instance <= last; ++instance) {
+    const auto addresses = firasim::addresses_of(instance, {.vision = options_.firasim_vision,
+                                                            .referee = options_.firasim_referee,
+                                                            .command = options_.firasim_command,
+                                                            .placement = options_.firasim_placement,
+                                                            .interface = options_.interface});
     if (!addresses) return tl::unexpected(addresses.error());
     auto server = firasim::Server::open(*addresses);
-    if (!server) return tl::unexpected(server.error());
-    firasim_ = std::move(*server);
+    if (server) {
+      firasim_ = std::move(*server);
+      firasim_addresses_ = *addresses;
+      firasim_instance_ = instance;
+      return {};
+    }
+    if (!why_not) why_not = server.error();
+    if (server.error().code != Errc::unavailable) break;  // other ports do not help
   }
+  return tl::unexpected(*why_not);
+}
+
+Result<void> Session::start_program(Team team) {
+  const std::string& command = options_.programs[index_of(team)];
+  if (command.empty()) return {};
+  const std::string log = options_.record_path.empty() ? "/dev/null" : log_path(team);
+  auto program = TeamProgram::start(command, team, firasim_instance_, firasim_addresses_, log);
+  if (!program) return tl::unexpected(program.error());
+  programs_[index_of(team)].emplace(std::move(*program));
   return {};
 }
 
@@ -297,7 +339,8 @@ Result<TeamSeat> Session::take_seat(const TeamChoice& choice, Team team) {
     return TeamSeat::take_on_network(choice, briefing, *network_, patience());
   }
   if (choice.info.kind == record::TeamKind::firasim) {
-    return TeamSeat::take_at_firasim(choice, match_, team, *firasim_, firasim_terms());
+    if (auto started = start_program(team); !started) return tl::unexpected(started.error());
+    return TeamSeat::take_at_firasim(choice, match_, team, *firasim_, firasim_terms(team));
   }
   if (options_.trusted) {
     isolation_ = to_string(plugins::Isolation::none);
@@ -347,11 +390,15 @@ dds::JoinTerms Session::patience() {
   return patience;
 }
 
-firasim::Terms Session::firasim_terms() {
+firasim::Terms Session::firasim_terms(Team team) {
   firasim::Terms terms;
   terms.to_join = options_.join_within;
   terms.away = options_.away_limit;
   terms.interrupted = [this] { return interrupt_.is_asked_for(); };
+  terms.why_gone = [this, team]() -> std::optional<match::Answer> {
+    auto& program = programs_[index_of(team)];
+    return program ? program->why_gone() : std::nullopt;
+  };
   terms.tell = [](const std::string& text) {
     std::cerr << "mirocup: " << system::printable(text) << '\n';
   };
@@ -404,6 +451,9 @@ Result<void> Session::play() {
   }
   if (network_) network_->close(match_);
   if (firasim_) firasim_->close(match_);
+  for (auto& program : programs_) {
+    if (program) program->let_end();
+  }
   if (is_void() && interrupt_.is_asked_for()) {
     return fail(Errc::interrupted, "interrupted; nothing was decided");
   }
@@ -447,8 +497,7 @@ Result<void> Session::write_record() {
     if (auto written = write_thoughts(team); !written) return written;
     const std::string text = seats_[index_of(team)].output();
     if (text.empty()) continue;
-    const std::string path = options_.record_path + "." + std::string(to_string(team)) + ".log";
-    if (auto written = disk_.write(path, text); !written) return written;
+    if (auto written = disk_.write(log_path(team), text); !written) return written;
   }
   return {};
 }

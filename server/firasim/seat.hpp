@@ -31,6 +31,8 @@ struct Terms {
   std::optional<double> tick;
   double away = 10.0;  // silent for so long while play is on: the team has lost
   std::function<bool()> interrupted = [] { return false; };
+  // Says why the team will never be heard; nothing as long as it may come.
+  std::function<std::optional<match::Answer>()> why_gone = [] { return std::nullopt; };
   std::function<void(const std::string&)> tell = [](auto&) {};  // gets a sentence for the host
 };
 

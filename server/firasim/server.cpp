@@ -107,6 +107,7 @@ tl::expected<void, match::Answer> Server::wait_until_ready(const Seat& seat,
       return tl::unexpected<match::Answer>(
           match::HostFailure{"interrupted while a team was awaited"});
     }
+    if (auto why = terms.why_gone()) return tl::unexpected(std::move(*why));
     if (now - begun > terms.to_join) {
       return tl::unexpected<match::Answer>(
           match::Fault{match::FaultCode::start_timeout,

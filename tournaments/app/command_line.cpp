@@ -49,7 +49,8 @@ void add_init(CLI::App& app, Action& action) {
   command->add_option("--config", o.config, "a league.json to start from");
   command
       ->add_option("--team", o.teams,
-                   "NAME=house:TEAM, NAME=FILE.so, NAME=FILE.py, or NAME=submitted: it hands in "
+                   "NAME=house:TEAM, NAME=FILE.so, NAME=FILE.py, NAME=firasim:NAME (people start "
+                   "it), or NAME=submitted: it hands in "
                    "later; once for each team")
       ->type_name("NAME=TEAM")
       ->excludes("--config");
@@ -73,12 +74,29 @@ void add_submit(CLI::App& app, Action& action) {
   add_folder(command);
   CLI::Option* team = command->add_option("TEAM", o.team, "its name");
   CLI::Option* file =
-      command->add_option("FILE", o.file, "its library (.so), or its file of Python (.py)");
+      command->add_option("FILE", o.file,
+                          "its library (.so), its file of Python (.py), house:TEAM, or "
+                          "firasim:NAME for a program that speaks FIRASim's protocol");
+  CLI::Option* inbox =
+      command
+          ->add_option("--inbox", o.inbox,
+                       "a folder: hand in each TEAM.so and TEAM.py in it that is new")
+          ->excludes(team)
+          ->excludes(file);
+  CLI::Option* run =
+      command
+          ->add_option("--run", o.run,
+                       "the command that starts a program for FIRASim in each leg; without it, "
+                       "people start it")
+          ->type_name("COMMAND")
+          ->excludes(inbox);
+  command->add_option("--folder", o.run_folder, "the folder in which it runs (default: this one)")
+      ->type_name("DIR")
+      ->needs(run);
   command
-      ->add_option("--inbox", o.inbox,
-                   "a folder: hand in each TEAM.so and TEAM.py in it that is new")
-      ->excludes(team)
-      ->excludes(file);
+      ->add_flag("--lockstep", o.lockstep,
+                 "the legs of that program wait for its answers, not for the clock")
+      ->excludes(inbox);
   command->add_flag("--json", o.json, "one JSON object for each entry on standard output");
 }
 

@@ -39,7 +39,12 @@ Result<LeagueFile> file_from(system::Files& files, const LeagueOptions& options)
     // Paths of libraries are relative to the folder of the file.
     const std::filesystem::path base = std::filesystem::path(options.config).parent_path();
     for (TeamConfig& team : file->teams) {
-      if (!team.is_house() && !team.hands_in()) team.source = (base / team.source).string();
+      if (team.is_firasim()) {
+        team.program.folder =
+            std::filesystem::absolute(base / team.program.folder).lexically_normal().string();
+      } else if (!team.is_house() && !team.hands_in()) {
+        team.source = (base / team.source).string();
+      }
     }
     if (!file->conditions) file->conditions = default_conditions();
     return file;
@@ -56,8 +61,8 @@ Result<LeagueFile> file_from(system::Files& files, const LeagueOptions& options)
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos) {
       return fail(Errc::input, "--team " + text +
-                                   ": NAME=house:TEAM, NAME=FILE.so, NAME=FILE.py or, if it hands "
-                                   "in later, NAME=submitted is "
+                                   ": NAME=house:TEAM, NAME=FILE.so, NAME=FILE.py, "
+                                   "NAME=firasim:NAME or, if it hands in later, NAME=submitted is "
                                    "expected");
     }
     file.teams.push_back(
@@ -145,7 +150,8 @@ Result<int> run_start(const LeagueOptions& options) {
   if (played->legs() == played->played()) return exit_yes;
   say_what_is_left(*played);
   if (options.engine != "local")
-    std::cerr << "mirocup: what teams over DDS play is left to league start without --engine\n";
+    std::cerr << "mirocup: what teams over the network play is left to league start without "
+                 "--engine\n";
   return exit_no;
 }
 

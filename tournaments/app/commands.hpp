@@ -137,6 +137,9 @@ struct SubmitOptions {
   std::string team;
   std::string file;
   std::string inbox;
+  std::string run;  // the command of a firasim team; "": people start it
+  std::string run_folder = ".";
+  bool lockstep = false;  // of a firasim team
   bool json = false;
 };
 Result<int> run_submit(const SubmitOptions& options);

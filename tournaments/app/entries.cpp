@@ -8,10 +8,12 @@
 #include "system/printable.hpp"
 #include "system/users.hpp"
 #include "tournaments/app/commands.hpp"
+#include "tournaments/league/firasim_team.hpp"
 #include "tournaments/league/inbox.hpp"
 
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <iostream>
 
 namespace mirocup::league {
@@ -62,12 +64,38 @@ Result<int> collect(system::Files& files, const SubmitOptions& options) {
   return result;
 }
 
+// A program for FIRASim is no file to be checked: the team joins at once.
+Result<int> enter_program(system::Files& files, const SubmitOptions& options) {
+  TeamConfig team;
+  team.name = options.team;
+  team.source = options.file;
+  team.program.run = options.run;
+  if (!options.run.empty())
+    team.program.folder = std::filesystem::absolute(options.run_folder).lexically_normal().string();
+  team.program.lockstep = options.lockstep;
+  const auto why = enter_firasim_team(files, Folder{options.folder}, team, system::now_s());
+  if (!why) return tl::unexpected(why.error());
+  Submission done;
+  done.is_accepted = why->empty();
+  done.message = team.name + (!done.is_accepted ? ": not taken: " + *why
+                              : team.is_started_by_people()
+                                  ? ": its program is waited for at the start of each leg"
+                                  : ": each leg starts its program: " + team.program.run);
+  print(options.file, options.team, done, options.json);
+  return done.is_accepted ? exit_yes : exit_no;
+}
+
 }  // namespace
 
 Result<int> run_submit(const SubmitOptions& options) {
   system::Disk disk;
   if (!options.inbox.empty()) return collect(disk, options);
   if (options.file.empty()) return fail(Errc::input, "TEAM and FILE are expected, or --inbox DIR");
+  if (options.file.starts_with("firasim:")) return enter_program(disk, options);
+  if (!options.run.empty() || options.lockstep) {
+    return fail(Errc::input, std::string(options.run.empty() ? "--lockstep" : "--run") +
+                                 " is of a team that is entered as firasim:NAME");
+  }
   HandIn handed;
   handed.team = options.team;
   handed.path = options.file;

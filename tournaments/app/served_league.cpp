@@ -276,7 +276,7 @@ std::map<std::string, int> ServedLeague::entries_that_play() {
   const LeagueState& state = store_.state();
   for (std::size_t i = 0; i < state.teams.size(); ++i) {
     const TeamConfig& team = state.file.teams[i];
-    if (state.teams[i].status == TeamStatus::withdrawn || team.over_dds) continue;
+    if (state.teams[i].status == TeamStatus::withdrawn || team.is_on_network()) continue;
     const int booked = state.teams[i].entry;
     const int entry = booked > 0 ? booked : playing_entry(files_, store_.folder(), team.name);
     if (entry > 0) entries_that_play_[team.name] = entry;

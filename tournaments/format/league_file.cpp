@@ -23,9 +23,15 @@ constexpr std::string_view schema = "mirocup/league/1";
 constexpr int max_name_length = 40;
 // A round robin of so many teams is half a million fixtures.
 constexpr std::size_t max_teams = 1000;
+constexpr std::string_view firasim_prefix = "firasim:";
+
+// Sets `count` to the member of that key, if there is one; it must be in [min, max].
+void read_count(const JsonReader& json, const std::string& key, int min, int max, int& count) {
+  if (json.has(key)) count = json.at(key).integer(min, max);
+}
 
 TeamConfig read_team(const JsonReader& json) {
-  json.expect_object({"name", "entry", "dds", "parameters"});
+  json.expect_object({"name", "entry", "dds", "parameters", "run", "folder", "lockstep"});
   TeamConfig team;
   json.read_if_present("name", team.name);
   json.read_if_present("entry", team.source);
@@ -37,10 +43,60 @@ TeamConfig read_team(const JsonReader& json) {
     json.at("name").complain("a name of letters, digits, '-', '_' and '.' is expected, at most " +
                              std::to_string(max_name_length));
   }
-  if (team.source.empty()) {
-    json.at("entry").complain("\"house:NAME\", the path of a library or \"submitted\" is expected");
+  json.read_if_present("run", team.program.run);
+  json.read_if_present("folder", team.program.folder);
+  json.read_if_present("lockstep", team.program.lockstep);
+  if (team.source.empty() || team.source == firasim_prefix) {
+    json.at("entry").complain(
+        "\"house:NAME\", the path of a library, \"submitted\" or \"firasim:NAME\" is expected");
+  }
+  for (const char* key : {"run", "folder", "lockstep"}) {
+    if (json.has(key) && !team.is_firasim())
+      json.at(key).complain("only a team whose entry is \"firasim:NAME\" has it");
+  }
+  for (const char* key : {"dds", "parameters"}) {
+    if (json.has(key) && team.is_firasim())
+      json.at(key).complain("a team whose entry is \"firasim:NAME\" has none");
   }
   return team;
+}
+
+FirasimPlace read_firasim(const JsonReader& json) {
+  json.expect_object(
+      {"instance", "interface", "vision", "command", "referee", "placement", "join_within"});
+  FirasimPlace place;
+  read_count(json, "instance", 0, 9999, place.instance);
+  json.read_if_present("interface", place.interface);
+  json.read_if_present("vision", place.vision);
+  json.read_if_present("command", place.command);
+  json.read_if_present("referee", place.referee);
+  json.read_if_present("placement", place.placement);
+  if (json.has("join_within")) place.join_within = json.at("join_within").number(0.0, 1e6);
+  return place;
+}
+
+// Writes the settings that differ from the defaults.
+Json firasim_json(const FirasimPlace& place) {
+  const FirasimPlace plain;
+  Json json = Json::object();
+  if (place.instance != plain.instance) json["instance"] = place.instance;
+  if (place.interface != plain.interface) json["interface"] = place.interface;
+  if (!place.vision.empty()) json["vision"] = place.vision;
+  if (!place.command.empty()) json["command"] = place.command;
+  if (!place.referee.empty()) json["referee"] = place.referee;
+  if (!place.placement.empty()) json["placement"] = place.placement;
+  if (place.join_within != plain.join_within) json["join_within"] = place.join_within;
+  return json;
+}
+
+Json team_json(const TeamConfig& team) {
+  Json json{{"name", team.name}, {"entry", team.source}};
+  if (team.over_dds) json["dds"] = true;
+  if (!team.parameters.empty()) json["parameters"] = record::to_json(team.parameters);
+  if (!team.program.run.empty()) json["run"] = team.program.run;
+  if (!team.program.folder.empty()) json["folder"] = team.program.folder;
+  if (team.program.lockstep) json["lockstep"] = true;
+  return json;
 }
 
 // Reads the teams; their names must differ.
@@ -54,11 +110,6 @@ std::vector<TeamConfig> read_teams(const JsonReader& json) {
     }
   }
   return teams;
-}
-
-// Sets `count` to the member of that key, if there is one; it must be in [min, max].
-void read_count(const JsonReader& json, const std::string& key, int min, int max, int& count) {
-  if (json.has(key)) count = json.at(key).integer(min, max);
 }
 
 // Reads a format, which is a name or an object with settings.
@@ -127,7 +178,8 @@ Points read_points(const JsonReader& json) {
 
 LeagueFile read_league(const JsonReader& json) {
   json.expect_object({"schema", "title", "format", "league", "rules", "conditions", "pitch", "seed",
-                      "points", "tie_breaks", "zone", "freeze", "strikes", "anonymous", "teams"});
+                      "points", "tie_breaks", "zone", "freeze", "strikes", "anonymous", "firasim",
+                      "teams"});
   json.expect_schema(schema);
   LeagueFile file;
   json.read_if_present("title", file.title);
@@ -151,6 +203,7 @@ LeagueFile read_league(const JsonReader& json) {
   if (json.has("freeze")) file.freeze = read_time(json.at("freeze"), file);
   json.read_if_present("anonymous", file.is_anonymous);
   read_count(json, "strikes", 0, 1000, file.strikes);
+  if (json.has("firasim")) file.firasim = read_firasim(json.at("firasim"));
   if (json.has("teams")) file.teams = read_teams(json.at("teams"));
   return file;
 }
@@ -206,16 +259,15 @@ Result<LeagueFile> parse_league_file(const std::string& text, const std::string&
   return record::read_json<LeagueFile>(text, path, Errc::input, read_league);
 }
 
+std::string print_firasim_team(const TeamConfig& team) {
+  return record::json_text(team_json(team), 2) + "\n";
+}
+
 std::string print_league_file(const LeagueFile& file) {
   Json tie_breaks = Json::array();
   for (const TieBreak rule : file.tie_breaks) tie_breaks.push_back(to_string(rule));
   Json teams = Json::array();
-  for (const TeamConfig& team : file.teams) {
-    Json json{{"name", team.name}, {"entry", team.source}};
-    if (team.over_dds) json["dds"] = true;
-    if (!team.parameters.empty()) json["parameters"] = record::to_json(team.parameters);
-    teams.push_back(json);
-  }
+  for (const TeamConfig& team : file.teams) teams.push_back(team_json(team));
   Json json{{"schema", schema},
             {"title", file.title},
             {"format", format_json(file.format)},
@@ -231,6 +283,7 @@ std::string print_league_file(const LeagueFile& file) {
   if (!file.zone.empty()) json["zone"] = file.zone;
   if (!file.freeze.empty()) json["freeze"] = file.freeze;
   if (file.is_anonymous) json["anonymous"] = true;
+  if (const Json firasim = firasim_json(file.firasim); !firasim.empty()) json["firasim"] = firasim;
   json["teams"] = teams;
   return record::json_text(json, 2) + "\n";
 }

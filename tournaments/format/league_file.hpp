@@ -20,16 +20,39 @@
 
 namespace mirocup::league {
 
+// How a team takes part that speaks FIRASim's protocol (docs/firasim.md).
+struct FirasimProgram {
+  // The command of the shell that starts it for a leg, in `folder` (of the league, unless it is
+  // absolute). "": people start it, at the addresses of the league's FirasimPlace.
+  std::string run;
+  std::string folder;
+  // Its legs wait for its answers instead of the clock, unless the opponent lives by the clock.
+  bool lockstep = false;
+};
+
 // A team of the file: where its library comes from, and how it plays.
 struct TeamConfig {
   std::string name;
-  std::string source;     // as written: "house:NAME", a path, or "submitted": it hands in later
+  // As written: "house:NAME", a path, "submitted" (it hands in later), or "firasim:NAME".
+  std::string source;
   bool over_dds = false;  // true: it joins over the network (mirocup join); else the server runs it
   match::TeamParameters parameters = {};  // what each of its legs gives its library
+  FirasimProgram program = {};            // of "firasim:NAME"
 
   bool is_house() const { return source.starts_with("house:"); }
   bool hands_in() const { return source == submitted; }  // the host gives no library
+  bool is_firasim() const { return source.starts_with("firasim:"); }
+  bool is_on_network() const { return over_dds || is_firasim(); }
+  bool is_started_by_people() const { return is_firasim() && program.run.empty(); }
   static constexpr std::string_view submitted = "submitted";
+};
+
+// Where the programs of teams find their match that people start: options of `mirocup match`.
+struct FirasimPlace {
+  int instance = 0;
+  std::string interface = "lo";
+  std::string vision, command, referee, placement;  // "": those of the instance
+  double join_within = 60.0;                        // s
 };
 
 struct LeagueFile {
@@ -57,6 +80,7 @@ struct LeagueFile {
 
   // Number of legs in a row, lost by its own faults, that pauses a team; 0: no number does.
   int strikes = 3;
+  FirasimPlace firasim;
   std::vector<TeamConfig> teams;
 
   TableRules table_rules() const { return {points, tie_breaks, seed}; }
@@ -84,6 +108,10 @@ std::string shown_time(const LeagueFile& file, const std::string& utc);
 
 // Reads a league file. The error (Errc::input) names `path`, the JSON pointer and the reason.
 Result<LeagueFile> parse_league_file(const std::string& text, const std::string& path);
+
+// Returns what league.json says of a team that speaks FIRASim's protocol. It is kept as the team's
+// entry, in the place of a library.
+std::string print_firasim_team(const TeamConfig& team);
 
 // Returns the text of the file: every setting, also those that have their default.
 std::string print_league_file(const LeagueFile& league);

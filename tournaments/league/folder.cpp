@@ -35,6 +35,7 @@ std::vector<int> numbers_in(system::Files& files, const Folder& folder, const st
 
 Result<std::string> library_of(system::Files& files, const TeamConfig& team,
                                const std::string& base) {
+  if (team.is_firasim()) return print_firasim_team(team);
   std::string path = team.source;
   if (path.rfind(house_prefix, 0) == 0) {
     const std::string name = path.substr(house_prefix.size());
@@ -119,7 +120,8 @@ Result<std::vector<std::string>> adopt_libraries(system::Files& files, const Fol
   for (const TeamConfig& team : file.teams) {
     if (team.hands_in()) continue;
     const int last = last_entry(files, folder, team.name);
-    if (last > 0 && (!team.is_house() || files.exists(folder.verdict(team.name, last)))) continue;
+    const bool may_change = team.is_house() || team.is_firasim();
+    if (last > 0 && (!may_change || files.exists(folder.verdict(team.name, last)))) continue;
     const auto library = library_of(files, team, folder.path);
     if (!library) return tl::unexpected(library.error());
     if (last > 0) {

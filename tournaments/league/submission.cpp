@@ -82,6 +82,8 @@ std::string objection_to(const LeagueState& state, const std::string& team,
   if (state.is_started && !takes_more) return "entries are frozen: the league has started";
   if (state.is_started && !known) return "there is no team " + team + " in this league";
   if (known && state.teams[*known].status == TeamStatus::withdrawn) return team + " has withdrawn";
+  if (known && state.file.teams[*known].is_firasim())
+    return team + " plays with a program for FIRASim, not with a library";
   return "";
 }
 

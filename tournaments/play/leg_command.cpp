@@ -11,6 +11,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
+
 namespace mirocup::league {
 
 namespace {
@@ -39,13 +41,58 @@ std::vector<std::string> condition_options(const match::Conditions& conditions) 
 
 std::string seat_of(const Folder& folder, const LeagueState& state, int team) {
   const TeamConfig& entry = state.file.teams[team];
+  if (entry.is_firasim()) return entry.source;
   return entry.over_dds ? "dds:" + entry.name : folder.library(entry.name, state.teams[team].entry);
 }
 
 // A team that joins over the network gets its parameters from `mirocup join`.
 std::vector<std::string> seat_parameters(const TeamConfig& team, const std::string& option) {
-  return team.over_dds ? std::vector<std::string>()
-                       : record::parameter_options(team.parameters, option);
+  return team.is_on_network() ? std::vector<std::string>()
+                              : record::parameter_options(team.parameters, option);
+}
+
+// Returns a word of a command of the shell that stands for that text.
+std::string quoted(const std::string& text) {
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
+}
+
+// Returns the options of a team that speaks FIRASim's protocol; none for others.
+std::vector<std::string> program_options(const Folder& folder, const TeamConfig& team,
+                                         const std::string& option) {
+  if (team.program.run.empty()) return {};
+  const std::filesystem::path place = std::filesystem::path(folder.path) / team.program.folder;
+  return {option, "cd " + quoted(std::filesystem::absolute(place).lexically_normal().string()) +
+                      " && " + team.program.run};
+}
+
+// Returns where such teams find their match. One that people start looks for it at the addresses of
+// the league; those that the match starts are told any that are free.
+std::vector<std::string> firasim_options(const LeagueFile& file, const TeamConfig& blue,
+                                         const TeamConfig& yellow) {
+  if (!blue.is_firasim() && !yellow.is_firasim()) return {};
+  const FirasimPlace& place = file.firasim;
+  std::vector<std::string> options;
+  if (blue.is_started_by_people() || yellow.is_started_by_people()) {
+    options = {"--firasim-instance", std::to_string(place.instance),
+               "--interface",        place.interface,
+               "--join-within",      record::json_text(place.join_within)};
+    const auto add = [&](const char* option, const std::string& address) {
+      if (!address.empty()) options.insert(options.end(), {option, address});
+    };
+    add("--firasim-vision", place.vision);
+    add("--firasim-command", place.command);
+    add("--firasim-referee", place.referee);
+    add("--firasim-placement", place.placement);
+  } else {
+    options = {"--firasim-instance", "auto"};
+  }
+  const auto waits = [](const TeamConfig& team) {
+    return !team.is_firasim() || team.program.lockstep;
+  };
+  if (waits(blue) && waits(yellow)) options.push_back("--lockstep");
+  return options;
 }
 
 std::vector<std::string> pitch_option(const LeagueFile& file) {
@@ -98,7 +145,10 @@ std::vector<std::string> leg_command(const Folder& folder, const LeagueState& st
   for (const auto& words :
        {rule_options(file.rules, file.league), condition_options(state.conditions),
         pitch_option(file), seat_parameters(file.teams[blue], "--blue-param"),
-        seat_parameters(file.teams[yellow], "--yellow-param")}) {
+        seat_parameters(file.teams[yellow], "--yellow-param"),
+        program_options(folder, file.teams[blue], "--blue-program"),
+        program_options(folder, file.teams[yellow], "--yellow-program"),
+        firasim_options(file, file.teams[blue], file.teams[yellow])}) {
     arguments.insert(arguments.end(), words.begin(), words.end());
   }
   return arguments;

@@ -83,8 +83,8 @@ void expect_same_leg(const LeagueState& state, const LegId& id, const JsonReader
     const int team = colour == Team::blue ? blue : yellow;
     const JsonReader seat = record.at("teams").at(std::string(to_string(colour)));
     if (seat.at("name").text() != state.name(team)) seat.complain("another team");
-    // A team over DDS loads its library itself, so the record has no hash of it.
-    if (state.file.teams[team].over_dds) continue;
+    // A team over the network loads its library itself, so the record has no hash of it.
+    if (state.file.teams[team].is_on_network()) continue;
     if (seat.at("sha256").text() != state.teams[team].sha256) seat.complain("another entry");
     match::TeamParameters parameters;
     if (seat.has("parameters")) {

@@ -31,6 +31,11 @@ bool is_disk_full(const std::string& folder, const std::string& said) {
   return !unknown && space.available < least_room;
 }
 
+bool lives_by_the_clock(const TeamConfig& blue, const TeamConfig& yellow) {
+  return (blue.is_firasim() && !blue.program.lockstep) ||
+         (yellow.is_firasim() && !yellow.program.lockstep);
+}
+
 }  // namespace
 
 std::string memory_warning(std::optional<std::size_t> available, int jobs) {
@@ -109,10 +114,29 @@ const FixtureState* Runner::next_fixture(const Worker& worker) const {
   const auto& fixtures = state().fixtures;
   for (std::size_t i = state().first_open(); i < fixtures.size(); ++i) {
     const std::string id = fixtures[i].fixture.id();
-    if (recorder_.next_leg(fixtures[i]) && (id == worker.fixture || !is_taken(id)))
+    if (recorder_.next_leg(fixtures[i]) && (id == worker.fixture || !is_taken(id)) &&
+        may_play(worker, fixtures[i]))
       return &fixtures[i];
   }
   return nullptr;
+}
+
+// Programs that people start look for their match at the same addresses each time, so their legs
+// are played one after the other, by the first worker.
+bool Runner::may_play(const Worker& worker, const FixtureState& fixture) const {
+  const auto& teams = state().file.teams;
+  const bool waits_for_people = teams[fixture.fixture.home].is_started_by_people() ||
+                                teams[fixture.fixture.away].is_started_by_people();
+  return !waits_for_people || &worker == workers_.data();
+}
+
+void Runner::tell_people(const LegId& leg, int blue, int yellow) const {
+  for (const int team : {blue, yellow}) {
+    const TeamConfig& entry = state().file.teams[team];
+    if (!entry.is_started_by_people()) continue;
+    progress_.say(leg.fixture.id() + " leg " + std::to_string(leg.leg) + ": " + entry.name +
+                  " plays " + (team == blue ? "blue" : "yellow") + ", its program is waited for");
+  }
 }
 
 // Starts the next leg of a free worker. False if there is none.
@@ -161,7 +185,12 @@ Result<void> Runner::start_leg(Worker& worker) {
   command.insert(command.end(), credentials.begin(), credentials.end());
   const std::vector<std::string> domain = dds_domain_of_legs();
   command.insert(command.end(), domain.begin(), domain.end());
-  if (options_.watched) command.insert(command.end(), {"--watch", "127.0.0.1:0", "--speed", "max"});
+  if (options_.watched) {
+    command.insert(command.end(), {"--watch", "127.0.0.1:0"});
+    if (!lives_by_the_clock(state().file.teams[blue], state().file.teams[yellow]))
+      command.insert(command.end(), {"--speed", "max"});
+  }
+  tell_people(leg, blue, yellow);
   if (auto started =
           processes_.start(command, tag, worker.cpu, leg_output(recorder_.folder(), leg));
       !started)

@@ -54,6 +54,8 @@ class Runner {
   Result<bool> start_next_leg(Worker& worker);
   bool is_taken(const std::string& id) const;
   const FixtureState* next_fixture(const Worker& worker) const;
+  bool may_play(const Worker& worker, const FixtureState& fixture) const;
+  void tell_people(const LegId& leg, int blue, int yellow) const;
   Result<void> start_leg(Worker& worker);
   std::vector<std::string> dds_domain_of_legs() const;
   std::vector<std::string> credentials_of(const std::string& whose) const;

@@ -9,8 +9,13 @@ namespace mirocup::league {
 
 namespace {
 
-bool is_over_dds(const LeagueState& state, const Fixture& fixture) {
-  return state.file.teams[fixture.home].over_dds || state.file.teams[fixture.away].over_dds;
+// True if a team joins what `league start` or people have started on this host.
+bool joins_from_outside(const LeagueState& state, const Fixture& fixture) {
+  const auto joins = [&](int team) {
+    const TeamConfig& config = state.file.teams[team];
+    return config.over_dds || config.is_started_by_people();
+  };
+  return joins(fixture.home) || joins(fixture.away);
 }
 
 // Plays legs one after the other until an interrupt.
@@ -52,7 +57,7 @@ class Shard {
 std::vector<std::string> open_shards(const LeagueState& state) {
   std::vector<std::string> ids;
   for (const FixtureState& f : state.fixtures) {
-    if (!open_legs(state, f).empty() && !is_over_dds(state, f.fixture))
+    if (!open_legs(state, f).empty() && !joins_from_outside(state, f.fixture))
       ids.push_back(f.fixture.id());
   }
   return ids;
@@ -71,8 +76,8 @@ Result<int> play_shards(system::Files& files, const LeagueStore& store,
     const auto index = state.find_fixture(id);
     if (!index) return fail(Errc::input, "there is no fixture " + id);
     const FixtureState& f = state.fixtures[*index];
-    if (f.fixture.has_both() && is_over_dds(state, f.fixture))
-      return fail(Errc::input, id + " has a team over DDS: league start plays it");
+    if (f.fixture.has_both() && joins_from_outside(state, f.fixture))
+      return fail(Errc::input, id + " has a team over the network: league start plays it");
     for (const int leg : open_legs(state, f)) {
       const auto played = shard.play({f.fixture, leg, f.legs[leg - 1].version});
       if (!played) return tl::unexpected(played.error());

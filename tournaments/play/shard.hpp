@@ -13,7 +13,7 @@
 namespace mirocup::league {
 
 // Returns the ids of the fixtures that can be played now, in the order of the schedule, without
-// those of teams over DDS, which only one host can play.
+// those of teams over DDS or that people start, which only one host can play.
 std::vector<std::string> open_shards(const LeagueState& state);
 
 // Plays the legs of these fixtures that are not decided and have no record, one after the other.

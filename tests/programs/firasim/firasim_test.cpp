@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 // Ports of its own for each test process, because tests run at the same time.
 std::string instance() {
-  return std::to_string(1 + getpid() % 9000);
+  return std::to_string(2000 + getpid() % 7000);
 }
 
 std::vector<std::string> python_team(const std::string& colour,

@@ -44,5 +44,37 @@ TEST(LeagueFile, KeepsTheParametersOfATeam) {
   EXPECT_EQ(again->teams[0].parameters, file->teams[0].parameters);
 }
 
+// Catches settings of a program for FIRASim that are lost on the way, or that a library has.
+TEST(LeagueFile, KeepsHowAProgramForFirasimPlays) {
+  const auto parse = [](const std::string& team) {
+    return parse_league_file(R"({"schema": "mirocup/league/1", "firasim": {"instance": 3,
+        "referee": "127.0.0.1:9"}, "teams": [{"name": "a", )" +
+                                 team + "}]}",
+                             "f");
+  };
+  const auto file = parse(R"("entry": "firasim:b", "run": "./b", "folder": "c", "lockstep": true)");
+  ASSERT_TRUE(file) << file.error().what;
+  const auto again = parse_league_file(print_league_file(*file), "f");
+  ASSERT_TRUE(again) << again.error().what;
+  for (const LeagueFile& read : {*file, *again}) {
+    EXPECT_TRUE(read.teams[0].is_firasim());
+    EXPECT_EQ(read.teams[0].program.run, "./b");
+    EXPECT_EQ(read.teams[0].program.folder, "c");
+    EXPECT_TRUE(read.teams[0].program.lockstep);
+    EXPECT_EQ(read.firasim.instance, 3);
+    EXPECT_EQ(read.firasim.referee, "127.0.0.1:9");
+  }
+  EXPECT_TRUE(parse(R"("entry": "firasim:b")")->teams[0].is_started_by_people());
+  const auto refusal = [&](const std::string& team) {
+    const auto refused = parse(team);
+    return refused ? "" : refused.error().what;
+  };
+  EXPECT_NE(refusal(R"("entry": "house:idle", "run": "./b")").find("/teams/0/run"),
+            std::string::npos);
+  EXPECT_NE(refusal(R"("entry": "firasim:b", "dds": true)").find("/teams/0/dds"),
+            std::string::npos);
+  EXPECT_NE(refusal(R"("entry": "firasim:")").find("/teams/0/entry"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace mirocup::league

@@ -64,6 +64,28 @@ TEST(LegCommand, GivesATeamItsParametersInBothColours) {
   EXPECT_EQ(value_of(remote, "--blue-param"), "");
 }
 
+// Catches two legs of started programs at one address, one of people's programs at an address that
+// they do not know, and lock-step for a program that lives by the clock.
+TEST(LegCommand, TellsProgramsForFirasimWhereTheyMeet) {
+  LeagueState state = league_of_two(FormatKind::double_round_robin);
+  const LegId leg{.fixture = state.fixtures[0].fixture};
+  TeamConfig& blue = state.file.teams[leg.fixture.home];
+  blue.source = "firasim:it";
+  blue.program = {.run = "./it's", .folder = "/its place", .lockstep = true};
+  auto command = leg_command(Folder{"l"}, state, leg, "m");
+  EXPECT_EQ(value_of(command, "--blue"), "firasim:it");
+  EXPECT_EQ(value_of(command, "--blue-program"), "cd '/its place' && ./it's");
+  EXPECT_EQ(value_of(command, "--firasim-instance"), "auto");
+  EXPECT_NE(std::find(command.begin(), command.end(), "--lockstep"), command.end());
+  state.file.firasim.instance = 7;
+  state.file.firasim.vision = "127.0.0.1:1";
+  state.file.teams[leg.fixture.away].source = "firasim:other";
+  command = leg_command(Folder{"l"}, state, leg, "m");
+  EXPECT_EQ(value_of(command, "--firasim-instance"), "7");
+  EXPECT_EQ(value_of(command, "--firasim-vision"), "127.0.0.1:1");
+  EXPECT_EQ(std::find(command.begin(), command.end(), "--lockstep"), command.end());
+}
+
 TEST(LegCommand, NamesTheConditionsOfTheLeague) {
   LeagueState state = league_of_two(FormatKind::double_round_robin);
   const LegId leg{.fixture = state.fixtures[0].fixture, .leg = 1};
