@@ -22,7 +22,6 @@ using Json = JsonReader::Json;
 constexpr std::string_view schema = "mirocup/league/1";
 constexpr int max_name_length = 40;
 // A round robin of so many teams is half a million fixtures.
-constexpr std::size_t max_teams = 1000;
 
 TeamConfig read_team(const JsonReader& json) {
   json.expect_object({"name", "entry", "dds", "parameters"});
