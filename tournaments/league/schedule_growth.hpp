@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Keeps the schedule of a league up to date while it is played: teams that take their places in the
-// knockout, the next round of a Swiss tournament, the fixtures of a new entry of a ladder, teams that join. It also
-// keeps the counts of LeagueState, so every change of a result must be reported to it.
+// knockout, the next round of a Swiss tournament, the fixtures of a new entry of a ladder, teams
+// that join. It also keeps the counts of LeagueState, so every change of a result must be reported
+// to it.
 #pragma once
 
 #include "tournaments/league/league_state.hpp"
