@@ -141,8 +141,8 @@ double cpu_seconds_a_step(Environment& environment, int steps) {
 }
 
 // Processes that divide the matches among themselves and start and end together, each with a number
-// of threads. All play the same steps of the same episodes, however many processes and threads they
-// are: a step from a kick-off costs less than one in a crowd.
+// of threads. All play the same steps of the same episodes, however many processes and threads
+// there are: a step from a kick-off costs less than one in a crowd.
 double wall_seconds_of_processes(int processes, int threads, int matches, int steps) {
   int ready[2], go[2], done[2];
   if (pipe(ready) != 0 || pipe(go) != 0 || pipe(done) != 0) std::exit(5);

@@ -104,6 +104,7 @@ Result<int> run_submit(const SubmitOptions& options) {
     const std::string name = options.file.substr(house.size());
     handed.path = system::house_team(name);
     handed.name = options.file;
+    handed.is_house = true;
     if (handed.path.empty()) return fail(Errc::input, "there is no house team \"" + name + "\"");
   }
   handed.at = system::now_s();

@@ -79,9 +79,9 @@ std::string with_script(std::string html, bool takes_hand_ins) {
 
 }  // namespace
 
-// Requires mutex_. Until the league starts, teams join and league.json may be edited; what people
-// are called may change at any time.
-void ServedLeague::reopen() {
+// Requires mutex_. Until the league starts, league.json may be edited; what people are called may
+// change at any time.
+void ServedLeague::notice_edits() {
   std::string people =
       files_.read(store_.folder().people(), {.max_size = system::size_limit::league_file})
           .value_or("");
@@ -91,13 +91,19 @@ void ServedLeague::reopen() {
       files_.read(store_.folder().config(),
                   {.max_size = system::size_limit::league_file, .links = system::Links::followed});
   if (!config || (*config == config_ && !has_new_names)) return;
-  auto fresh = LeagueStore::open(files_, store_.folder());
-  if (!fresh) return;
-  store_ = std::move(*fresh);
+  if (!open_again()) return;
   config_ = *config;
   people_ = std::move(people);
+}
+
+// Requires mutex_.
+bool ServedLeague::open_again() {
+  auto fresh = LeagueStore::open(files_, store_.folder());
+  if (!fresh) return false;
+  store_ = std::move(*fresh);
   ++teams_version_;
   version_ = version_ > 0 ? version_ + 1 : 0;
+  return true;
 }
 
 // Requires mutex_. A file that cannot be read leaves the state as it was.
@@ -105,8 +111,10 @@ void ServedLeague::poll() {
   const auto now = std::chrono::steady_clock::now();
   if (version_ > 0 && now - polled_at_ < poll_interval) return;
   polled_at_ = now;
-  reopen();
+  notice_edits();
+  const std::size_t teams = store_.state().teams.size();
   (void)store_.refresh();
+  if (store_.state().teams.size() != teams) open_again();  // with what people call the new ones
   std::vector<LiveLeg> playing = find_live_legs();
   if (version_ > 0 && store_.lines() == lines_ && playing == live_legs_) return;
   lines_ = store_.lines();

@@ -71,7 +71,8 @@ class ServedLeague {
   };
 
   void poll();
-  void reopen();
+  void notice_edits();
+  bool open_again();
   std::vector<LiveLeg> find_live_legs() const;
   void make_pages();
   const LeagueState& shown() const { return shown_ ? *shown_ : store_.state(); }
@@ -88,7 +89,7 @@ class ServedLeague {
   std::uint64_t version_ = 0;  // grows with each change of the journal or of the live legs
   std::size_t lines_ = 0;      // of the journal
   std::vector<LiveLeg> live_legs_;
-  std::uint64_t teams_version_ = 0;     // grows when league.json changes
+  std::uint64_t teams_version_ = 0;     // grows when teams or their names change
   std::uint64_t version_of_pages_ = 0;  // teams_version_ when the pages were made
   std::size_t lines_of_pages_ = 0;      // lines_ then
   std::chrono::steady_clock::time_point pages_rest_until_{};  // before the start of the league

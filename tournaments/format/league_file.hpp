@@ -13,6 +13,7 @@
 #include "tournaments/format/format.hpp"
 #include "tournaments/table/table.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -38,6 +39,7 @@ struct TeamConfig {
   bool over_dds = false;  // true: it joins over the network (mirocup join); else the server runs it
   match::TeamParameters parameters = {};  // what each of its legs gives its library
   FirasimProgram program = {};            // of "firasim:NAME"
+  bool has_joined = false;  // true: by a line of the journal, after the start; not in the file
 
   bool is_house() const { return source.starts_with("house:"); }
   bool hands_in() const { return source == submitted; }  // the host gives no library
@@ -85,6 +87,8 @@ struct LeagueFile {
 
   TableRules table_rules() const { return {points, tie_breaks, seed}; }
 };
+
+inline constexpr std::size_t max_teams = 1000;
 
 // Returns the conditions of a league that does not choose any.
 match::Conditions default_conditions();

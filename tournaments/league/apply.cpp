@@ -78,6 +78,16 @@ struct Validator {
     return {};
   }
 
+  Result<void> operator()(const TeamJoined& e) const {
+    if (!state.file.format.takes_entries())
+      return fail(Errc::input, "no team joins a league of this format after its start");
+    if (!is_good_name(e.team)) return fail(Errc::input, "\"" + e.team + "\" is no name of a team");
+    if (state.find_team(e.team)) return fail(Errc::input, e.team + " is in the league already");
+    if (state.teams.size() >= max_teams)
+      return fail(Errc::input, "a league has at most " + std::to_string(max_teams) + " teams");
+    return is_open();
+  }
+
   Result<void> operator()(const NightBegan& e) const {
     if (auto open = is_open(); !open) return open;
     if (e.number != static_cast<int>(state.nights.size()) + 1)
@@ -244,6 +254,8 @@ struct Applier {
     ScheduleGrowth(state).entry_booked(index);
   }
 
+  void operator()(const TeamJoined& e) const { ScheduleGrowth(state).team_joined(e); }
+
   void operator()(const LegPlayed& e) const {
     const LegPosition at = *find_leg(state, e.fixture, e.leg);
     FixtureState& f = state.fixtures[at.fixture];
@@ -326,6 +338,7 @@ struct Applier {
 LeagueState new_league(LeagueFile file) {
   LeagueState state;
   state.file = std::move(file);
+  std::erase_if(state.file.teams, [](const TeamConfig& team) { return team.has_joined; });
   const int teams = static_cast<int>(state.file.teams.size());
   state.teams.resize(teams);
   for (int i = 0; i < teams; ++i) state.index_of_team_[state.file.teams[i].name] = i;

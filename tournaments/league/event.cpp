@@ -53,6 +53,10 @@ Event read_entry(const JsonReader& line) {
                      .sha256 = line.at("sha256").text()};
 }
 
+Event read_join(const JsonReader& line) {
+  return TeamJoined{.team = line.at("team").text(), .source = line.at("source").text()};
+}
+
 Event read_leg(const JsonReader& line) {
   const JsonReader winner = line.at("winner");
   return LegPlayed{
@@ -173,6 +177,7 @@ constexpr Kind kinds[] = {
     {NightBegan::kind, read_night}, {Frozen::kind, read_freeze},
     {Closed::kind, read_close},     {Released::kind, read_release},
     {Undone::kind, read_undo},      {ProgramChosen::kind, read_program},
+    {TeamJoined::kind, read_join},
 };
 static_assert(std::size(kinds) == std::variant_size_v<Event>, "every kind of event can be read");
 
@@ -213,6 +218,10 @@ Json fields(const Started& e) {
 
 Json fields(const EntryBooked& e) {
   return {{"team", e.team}, {"entry", e.entry}, {"sha256", e.sha256}};
+}
+
+Json fields(const TeamJoined& e) {
+  return {{"team", e.team}, {"source", e.source}};
 }
 
 Json fields(const LegPlayed& e) {

@@ -84,6 +84,16 @@ struct EntryBooked {
   bool operator==(const EntryBooked&) const = default;
 };
 
+// A team joined a league that takes entries after its start. It plays from its first entry on.
+struct TeamJoined {
+  static constexpr std::string_view kind = "join";
+
+  std::string team;
+  std::string source;  // TeamConfig::source: "submitted" or "house:NAME"
+
+  bool operator==(const TeamJoined&) const = default;
+};
+
 // A leg was played, and its result counts.
 struct LegPlayed {
   static constexpr std::string_view kind = "leg";
@@ -265,8 +275,9 @@ struct ProgramChosen {
   bool operator==(const ProgramChosen&) const = default;
 };
 
-using Event = std::variant<Started, EntryBooked, LegPlayed, LegVoided, Ruled, Withdrawn, Paused,
-                           Resumed, NightBegan, Frozen, Closed, Released, Undone, ProgramChosen>;
+using Event =
+    std::variant<Started, EntryBooked, LegPlayed, LegVoided, Ruled, Withdrawn, Paused, Resumed,
+                 NightBegan, Frozen, Closed, Released, Undone, ProgramChosen, TeamJoined>;
 
 // Decodes a line of a journal. Keys that a later version may have added are ignored. The error
 // (Errc::damaged) names the line's number, the key and the reason: "line 7: /score/home: missing".

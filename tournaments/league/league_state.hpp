@@ -82,7 +82,7 @@ struct Decision {
 struct LeagueState {
   LeagueFile file;
   std::vector<FixtureState> fixtures;  // in the order of the schedule
-  std::vector<TeamState> teams;        // as in the file
+  std::vector<TeamState> teams;        // in the order of file.teams: those that joined come last
   std::vector<Decision> decisions;     // of persons, in the order of the journal
   bool is_started = false;
   bool is_closed = false;

@@ -168,6 +168,14 @@ void ScheduleGrowth::team_left(int team, bool annul) {
   if (!state_.fixtures.empty()) fixture_changed(0);
 }
 
+void ScheduleGrowth::team_joined(const TeamJoined& joined) {
+  state_.index_of_team_[joined.team] = static_cast<int>(state_.teams.size());
+  state_.file.teams.push_back({.name = joined.team, .source = joined.source, .has_joined = true});
+  state_.teams.emplace_back();
+  std::vector<std::string>& names = state_.shown_names;
+  if (!names.empty() && names.size() < state_.teams.size()) names.push_back(joined.team);
+}
+
 void ScheduleGrowth::entry_booked(int team) {
   if (!state_.file.format.takes_entries()) return;
   ++state_.entries_;

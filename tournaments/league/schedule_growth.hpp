@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Keeps the schedule of a league up to date while it is played: teams that take their places in the
-// knockout, the next round of a Swiss tournament, the fixtures of a new entry of a ladder. It also
-// keeps the counts of LeagueState, so every change of a result must be reported to it.
+// knockout, the next round of a Swiss tournament, the fixtures of a new entry of a ladder, teams
+// that join. It also keeps the counts of LeagueState, so every change of a result must be reported
+// to it.
 #pragma once
 
 #include "tournaments/league/league_state.hpp"
@@ -18,6 +19,9 @@ class ScheduleGrowth {
 
   // To be called after a leg of the fixture with that index has changed.
   void fixture_changed(int fixture);
+
+  // Appends a team, which has no entry yet.
+  void team_joined(const TeamJoined& joined);
 
   // To be called after a team has withdrawn, and after a new entry of a team was booked. `annul`:
   // the legs of the team outside a knockout count for nothing.

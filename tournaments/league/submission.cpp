@@ -80,7 +80,6 @@ std::string objection_to(const LeagueState& state, const std::string& team,
   if (state.freeze && !state.freeze->empty() && now >= *state.freeze)
     return "entries are frozen since " + shown_time(state.file, *state.freeze);
   if (state.is_started && !takes_more) return "entries are frozen: the league has started";
-  if (state.is_started && !known) return "there is no team " + team + " in this league";
   if (known && state.teams[*known].status == TeamStatus::withdrawn) return team + " has withdrawn";
   if (known && state.file.teams[*known].is_firasim())
     return team + " plays with a program for FIRASim, not with a library";
@@ -96,11 +95,14 @@ std::string twin_of(const LeagueState& state, const std::string& team) {
   return "";
 }
 
-// Adds a team to league.json of a league that has not started.
-Result<void> add_team(system::Files& files, const Folder& folder, LeagueFile file,
-                      const std::string& team) {
-  file.teams.push_back({.name = team, .source = "submitted", .over_dds = false});
-  return files.write(folder.config(), print_league_file(file));
+// Adds a team: before the start to league.json, then to the journal.
+Result<void> add_team(system::Files& files, LeagueStore& store, const HandIn& handed) {
+  const std::string source = handed.is_house ? handed.name : std::string(TeamConfig::submitted);
+  if (store.state().is_started)
+    return store.write(TeamJoined{.team = handed.team, .source = source});
+  LeagueFile file = store.state().file;
+  file.teams.push_back({.name = handed.team, .source = source, .over_dds = false});
+  return files.write(store.folder().config(), print_league_file(file));
 }
 
 // Returns the SHA-256 of a kept entry; "" if there is none.
@@ -251,13 +253,13 @@ Result<Json> read_verdict(system::Files& files, const Folder& folder, const std:
   return std::move(parsed.value);
 }
 
-// Makes an accepted entry the one that plays: before the start a new team joins the league, after
-// the start the entry is booked.
-Result<void> let_play(system::Files& files, LeagueStore& store, const std::string& team, int number,
+// Makes an accepted entry the one that plays: a new team joins the league, and after the start the
+// entry is booked.
+Result<void> let_play(system::Files& files, LeagueStore& store, const HandIn& handed, int number,
                       const std::string& library) {
+  const std::string& team = handed.team;
   if (!store.state().find_team(team)) {
-    if (auto added = add_team(files, store.folder(), store.state().file, team); !added)
-      return added;
+    if (auto added = add_team(files, store, handed); !added) return added;
   }
   if (!store.state().is_started) return {};
   if (store.state().file.format.kind == FormatKind::nightly) return {};  // the next night takes it
@@ -481,7 +483,7 @@ Result<Submission> Desk::conclude(const Found& found, Json verdict) {
       write_hand_ins(files_, folder(), team(), known_)
           .and_then([&]() -> Result<void> {
             if (!result.is_accepted) return {};
-            return let_play(files_, store_, team(), result.entry, library_);
+            return let_play(files_, store_, handed_, result.entry, library_);
           })
           .and_then([&] {
             return prune_versions(files_, folder(), team(), played_entries(store_, team()), quota_);

@@ -30,6 +30,7 @@ struct HandIn {
   std::string source = {};
   std::string language = {};  // of the source: "c", "c++", or "project", which is an archive
   std::string name = {};      // what its team calls the file, for its verdict; "": the path
+  bool is_house = false;      // the host hands in the house team `name`, "house:NAME"
 
   // In an inbox that several users can write to, the users whose files are the host's own word.
   // Files of others count for the teams of their owners only, and a file with a second name (hard

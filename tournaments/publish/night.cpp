@@ -113,7 +113,9 @@ std::vector<TeamDigest> digests(const Night& night, const Overview& now) {
     digest.strength = now.ratings.strengths[team];
     if (digest.rank_before > 0) digest.strength_before = before.ratings.strengths[team];
     digest.entry = now.state.teams[team].entry;
-    digest.has_new_entry = digest.entry != night.before.teams[team].entry;
+    // A team that joined in the night is not in the league before.
+    const auto known = night.before.find_team(now.state.name(team));
+    digest.has_new_entry = digest.entry != (known ? night.before.teams[*known].entry : 0);
     for (const LegView& leg : now.legs) {
       if (!leg.is_of(team) || leg.played == nullptr || !night.records.contains(leg.played->record))
         continue;

@@ -221,7 +221,12 @@ Result<std::string> feed_xml(const LeagueState& shown, const Journal& journal) {
   const std::vector<Json>& lines = journal.lines();
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (lines[i].value("kind", Json()) != NightBegan::kind) continue;
-    if (!ends.empty()) ends.back().second = i;
+    if (!ends.empty()) {
+      // Teams that join before the next night change nothing in the table of this one.
+      std::size_t end = i;
+      while (lines[end - 1].value("kind", Json()) == TeamJoined::kind) --end;
+      ends.back().second = end;
+    }
     ends.emplace_back(lines[i].value("number", 0), lines.size());
   }
   std::string entries;

@@ -50,6 +50,19 @@ int leg_of(const Event& event) {
       event);
 }
 
+// The team that joined, handed in, paused or left; null if the event is about none.
+const std::string* team_of(const Event& event) {
+  return std::visit(
+      [](const auto& e) -> const std::string* {
+        if constexpr (requires { e.team; }) {
+          return &e.team;
+        } else {
+          return nullptr;
+        }
+      },
+      event);
+}
+
 // Returns the round of a league with that name.
 Result<Round> find_round(const LeagueState& whole, const std::string& name) {
   const auto round = round_named(name);
@@ -68,12 +81,19 @@ Result<LeagueState> state_up_to(const LeagueState& whole, const Journal& journal
   LeagueState state = new_league(whole.file);
   state.shown_names = whole.shown_names;
   const std::set<int> undone = undone_lines(journal, journal.lines().size());
+  const bool is_nightly = whole.file.format.kind == FormatKind::nightly;
+  bool has_last_begun = false;  // the last night; teams that join later are not in its pages
   for (const Json& line : journal.lines()) {
     const auto event = read_event(line);
     if (!event) return fail(Errc::damaged, journal.path() + ": " + event.error().what);
     if (const auto* night = std::get_if<NightBegan>(&*event)) {
-      const bool is_nightly = whole.file.format.kind == FormatKind::nightly;
+      has_last_begun = is_nightly && night->number >= last.number;
       if (is_nightly && night->number > last.number) continue;
+    }
+    if (std::holds_alternative<TeamJoined>(*event)) {
+      if (has_last_begun) continue;
+    } else if (const std::string* team = team_of(*event); team != nullptr) {
+      if (!state.find_team(*team)) continue;  // it is to join later
     }
     const int number = line.value("n", 0);
     if (const std::string* id = fixture_of(*event); id != nullptr) {

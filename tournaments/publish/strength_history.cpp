@@ -11,7 +11,7 @@ namespace mirocup::league {
 namespace {
 
 constexpr std::size_t max_rounds = 24;
-constexpr std::size_t max_teams = 64;
+constexpr std::size_t max_curves = 64;  // teams
 
 // In pixels.
 constexpr int width = 720;
@@ -178,7 +178,7 @@ class Chart {
 StrengthHistory strength_history(const Overview& o, const std::vector<RoundView>& rounds) {
   StrengthHistory history;
   const std::size_t teams = o.state.file.teams.size();
-  if (teams > max_teams) return history;
+  if (teams > max_curves) return history;
   std::size_t played = 0;
   for (const RoundView& round : rounds) played += round.decided > 0 ? 1 : 0;
   const std::size_t step = (played + max_rounds - 1) / max_rounds;

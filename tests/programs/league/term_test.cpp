@@ -127,6 +127,7 @@ struct Tally {
     for (std::size_t i = 0; i < std::min(lines, all.size()); ++i) {
       const auto& line = all[i];
       const std::string kind = line["kind"];
+      if (kind == "join") teams.push_back(line["team"]);
       if (kind == "night") {
         ++nights;
         for (const auto& entry : line["entries"]) entries[entry["team"]] = entry["entry"];
@@ -325,18 +326,32 @@ TEST_F(Term, OfThreeWeeks) {
   EXPECT_TRUE(contains(page("index.html"), "Zoë &amp; Co"));
   EXPECT_TRUE(contains(page("feed.xml"), "<title>Night 1: "));
   expect_digests(folder_);
+  ask("publish", {"--through", "r1", "-o", temporary_ / "first"});
   const int legs = count_kind(folder_, "leg");
   EXPECT_TRUE(contains(ask("nightly").err, "night 1 goes on"));
   EXPECT_EQ(count_kind(folder_, "leg"), legs) << "the same night again plays nothing";
 
-  // Day 7: zeta joins in, alpha has a new entry.
+  // Day 7: zeta hands in for the first time, alpha has a new entry, and a student who has come to
+  // the course is a team of its own.
   go_to_day(7);
+  ask("submit", {"eta", house("keeper")});
+  ask("team", {"eta", "--display", "Étoile"});
+  EXPECT_TRUE(contains(ask("status", {"--entries"}).out, "eta \"Étoile\": accepted"));
+  const Outcome twin = ask("submit", {"ETA", house("keeper")}, 1);
+  EXPECT_TRUE(contains(twin.out, "the league has a team eta")) << twin.out;
   ask("submit", {"zeta", house("tactician")});
   ask("submit", {"alpha", house("navigator")});
   EXPECT_EQ(count_kind(folder_, "night"), 1) << "an entry plays from the next night on";
   ask("nightly");
   expect_digests(folder_);
   EXPECT_EQ(read_json(folder_ + "/nights/2/alpha.json")["new_entry"], true);
+  EXPECT_EQ(count_kind(folder_, "join"), 1);
+  const Json of_eta = read_json(folder_ + "/nights/2/eta.json");
+  EXPECT_EQ(of_eta["new_entry"], true);
+  EXPECT_TRUE(of_eta["strength_before"].is_null());
+  EXPECT_TRUE(contains(page("index.html"), "Étoile"));
+  ask("publish", {"--through", "r1", "-o", temporary_ / "again"});
+  test_support::expect_same_site(temporary_ / "again", temporary_ / "first");
 
   // An appeal, decided wrongly, taken back, and decided again.
   std::string fixture;

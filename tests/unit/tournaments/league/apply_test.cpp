@@ -48,6 +48,33 @@ TEST(Apply, OnlyOtherEntriesOfPresentTeams) {
   EXPECT_TRUE(validate(state, EntryBooked{.team = "a", .entry = 1, .sha256 = "t"})) << "pinned";
 }
 
+// Catches a team that joins a round robin whose schedule it is not in, one that joins twice, and a
+// state that is made again with two of it.
+TEST(Apply, ATeamJoinsALeagueThatTakesEntries) {
+  EXPECT_FALSE(validate(started_pair(), TeamJoined{.team = "c", .source = "submitted"}));
+  LeagueFile file = started_pair().file;
+  file.format.kind = FormatKind::nightly;
+  LeagueState state = new_league(file);
+  apply(state, Started{.config_sha256 = "x", .version = ""});
+  const auto night = [&state](int number, const std::vector<EntryBooked>& entries) {
+    const NightBegan began{.number = number, .entries = entries};
+    ASSERT_TRUE(validate(state, began));
+    apply(state, began);
+  };
+  night(1, {{.team = "a", .entry = 1, .sha256 = "s"}, {.team = "b", .entry = 1, .sha256 = "t"}});
+  ASSERT_EQ(state.fixtures.size(), 1u);
+  EXPECT_FALSE(validate(state, TeamJoined{.team = "../c", .source = "submitted"}));
+  EXPECT_FALSE(validate(state, TeamJoined{.team = "a", .source = "submitted"}));
+  state.shown_names = {"Team A", "Team B"};
+  apply(state, TeamJoined{.team = "c", .source = "submitted"});
+  EXPECT_EQ(state.find_team("c"), 2);
+  EXPECT_EQ(state.shown_name(2), "c");
+  EXPECT_EQ(state.fixtures.size(), 1u) << "the night that was played stays";
+  night(2, {{.team = "c", .entry = 1, .sha256 = "u"}});
+  EXPECT_EQ(state.fixtures.size(), 4u);
+  EXPECT_EQ(new_league(state.file).teams.size(), 2u) << "those of league.json";
+}
+
 TEST(Apply, ARulingReplacesTheScoreAndKeepsTheRecord) {
   LeagueState state = started_pair();
   const Fixture& fixture = state.fixtures[0].fixture;

@@ -71,6 +71,24 @@ TEST_F(LeagueStoreTest, AppliesTheEventsOfOthersBeforeItsOwn) {
   EXPECT_EQ(other.lines(), 2u);
 }
 
+// Catches a team that joined twice because the state was made again from the journal.
+TEST_F(LeagueStoreTest, KeepsATeamThatJoinedWhenADecisionIsUndone) {
+  LeagueFile file;
+  file.format.kind = FormatKind::nightly;
+  for (const char* name : {"a", "b"}) file.teams.push_back({.name = name, .source = "submitted"});
+  ASSERT_TRUE(files_.write(folder_.config(), print_league_file(file)));
+  LeagueStore store = open();
+  ASSERT_TRUE(store.write(start_event()));
+  ASSERT_TRUE(store.write(TeamJoined{.team = "c", .source = "submitted"}));
+  ASSERT_TRUE(store.write(Paused{.team = "c", .why = "w", .by = "H"}));
+  ASSERT_TRUE(store.write(Undone{.line = 3, .why = "w", .by = "H"}));
+  for (const LeagueState& state : {store.state(), open().state()}) {
+    ASSERT_EQ(state.teams.size(), 3u);
+    EXPECT_EQ(state.file.teams.size(), 3u);
+    EXPECT_EQ(state.teams[2].status, TeamStatus::playing);
+  }
+}
+
 TEST_F(LeagueStoreTest, RefusesALeagueFileThatChangedAfterTheStart) {
   ASSERT_TRUE(open().write(start_event()));
   LeagueFile changed;

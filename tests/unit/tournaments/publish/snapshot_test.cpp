@@ -126,6 +126,40 @@ TEST(Snapshot, ShowsARoundLegByLeg) {
   }
 }
 
+// Catches a team that joins in the second week and stands in the table of the first.
+TEST(Snapshot, ShowsANightWithoutTheTeamsThatJoinedAfterIt) {
+  LeagueFile file;
+  file.format.kind = FormatKind::nightly;
+  for (const char* name : {"a", "b"}) file.teams.push_back({.name = name, .source = "submitted"});
+  Season season(file, false);
+  const auto play_night = [&season](int number, const std::vector<EntryBooked>& entries) {
+    season.write(NightBegan{.number = number, .entries = entries});
+    for (std::size_t i = 0; i < season.state.fixtures.size(); ++i) {
+      const Fixture fixture = season.state.fixtures[i].fixture;
+      for (int leg = 1; leg <= season.state.fixtures[i].needed(); ++leg) {
+        if (!season.state.fixtures[i].legs[leg - 1].played)
+          season.write(made_up_leg(season.state, fixture, leg));
+      }
+    }
+  };
+  play_night(1, {});
+  const auto first = make_site(season.state);
+  season.write(TeamJoined{.team = "c", .source = "submitted"});
+  season.write(Paused{.team = "c", .why = "w", .by = "H"});
+  season.write(Resumed{.team = "c", .why = "w", .by = "H"});
+  play_night(2, {{.team = "c", .entry = 1, .sha256 = "u"}});
+  const auto shown = state_through(season.state, season.journal, "r1");
+  ASSERT_TRUE(shown) << shown.error().what;
+  EXPECT_EQ(shown->teams.size(), 2u);
+  const auto again = make_site(*shown);
+  ASSERT_EQ(again.size(), first.size());
+  for (std::size_t i = 0; i < first.size(); ++i)
+    EXPECT_EQ(again[i].bytes, first[i].bytes) << first[i].name;
+  const auto second = state_through(season.state, season.journal, "r2");
+  ASSERT_TRUE(second) << second.error().what;
+  EXPECT_EQ(second->fixtures.size(), 4u);
+}
+
 TEST(Snapshot, KnowsWhichRoundsThereAre) {
   const Season season(nine_teams(FormatKind::knockout));
   for (const char* round : {"", "k", "k0", "k9", "r1", "k1x", "k-1", "x1"}) {
