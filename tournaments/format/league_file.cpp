@@ -21,7 +21,6 @@ using Json = JsonReader::Json;
 
 constexpr std::string_view schema = "mirocup/league/1";
 constexpr int max_name_length = 40;
-// A round robin of so many teams is half a million fixtures.
 constexpr std::string_view firasim_prefix = "firasim:";
 
 // Sets `count` to the member of that key, if there is one; it must be in [min, max].

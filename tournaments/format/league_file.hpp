@@ -88,7 +88,7 @@ struct LeagueFile {
   TableRules table_rules() const { return {points, tie_breaks, seed}; }
 };
 
-inline constexpr std::size_t max_teams = 1000;
+inline constexpr std::size_t max_teams = 1000;  // whose round robin is half a million fixtures
 
 // Returns the conditions of a league that does not choose any.
 match::Conditions default_conditions();
