@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "training/observations.hpp"
 
+#include "training/behind_ball.hpp"
+
 #include <algorithm>
 
 namespace mirocup::training {
@@ -8,6 +10,18 @@ namespace mirocup::training {
 namespace {
 
 constexpr double max_stalemate = 10.0;  // s, of an observed 1
+constexpr double near_m = 0.1;          // m: at this distance, nearness is 1/2
+
+// Returns the direction of a vector; that of none is forward.
+Vec2 direction(const Vec2& v) {
+  const double length = v.norm();
+  return length > 0.0 ? Vec2(v / length) : Vec2(1.0, 0.0);
+}
+
+// Tells small distances apart: 1 at the place, 0 far away.
+double nearness(const Vec2& v) {
+  return near_m / (near_m + v.norm());
+}
 
 // A body as it is seen, in the team's frame.
 struct Seen {
@@ -40,6 +54,7 @@ Observer::Observer(const Config& config, const field::Field& field) : kind_(conf
   speed_ = p.wheel_speed_limit * p.wheel_radius;
   metre_ = field.half_length + field.goal_depth;
   goal_x_ = field.half_length;
+  gap_ = pushing_gap(p);
   if (kind_ == ObservationKind::relative) {
     turn_ = 2.0 * speed_ / p.wheel_distance;
     bound_ = 2.5;
@@ -107,6 +122,15 @@ void Observer::add_relative(int robots) {
   add_place("self_field");
   add_heading("self_field");
   add_place("ball_field");
+  const auto add_direction = [&](const std::string& name) { add_heading(name + "_direction"); };
+  const auto add_nearness = [&](const std::string& name) { add(name + "_near", "1", 1.0, 1.0); };
+  add_direction("ball");
+  add_nearness("ball");
+  add_direction("goal");
+  add_direction("shot");
+  add("shot_length", "m", metre_, bound_);
+  add_direction("behind");
+  add_nearness("behind");
   for (int i = 1; i < 2 * robots; ++i) {
     const std::string name =
         i < robots ? "mate_" + std::to_string(i) : "opponent_" + std::to_string(i - robots);
@@ -150,6 +174,18 @@ void Observer::write_relative(const match::Leg& leg, const std::optional<match::
   put_vector(me.position, 1.0 / metre_, bound_);
   put_vector({me.heading.cos, me.heading.sin}, 1.0, 1.0);
   put_vector(ball_at, 1.0 / metre_, bound_);
+  const Vec2 goal{goal_x_, 0.0};
+  const auto seen_from_me = [&](const Vec2& v) { return me.heading.to_body(v); };
+  const auto put_direction = [&](const Vec2& v) { put_vector(direction(v), 1.0, 1.0); };
+  const Vec2 to_ball = seen_from_me(ball_at - me.position);
+  const Vec2 to_behind = seen_from_me(behind_ball(ball_at, goal, gap_) - me.position);
+  put_direction(to_ball);
+  put(nearness(to_ball), 1.0);
+  put_direction(seen_from_me(goal - me.position));
+  put_direction(seen_from_me(goal - ball_at));
+  put((goal - ball_at).norm() / metre_, bound_);
+  put_direction(to_behind);
+  put(nearness(to_behind), 1.0);
   for (const Team whose : {team, opponent_of(team)}) {
     for (int i = 0; i < leg.field().robots_per_team; ++i) {
       if (whose == team && i == self) continue;

@@ -9,6 +9,8 @@
 //
 // `relative`: the same in the frame of the one robot that learns, whose x points forward: the ball;
 // its own velocity and turn; the middle of both goals; then where it and the ball are on the field;
+// the directions of the ball, of the goal, and of the place behind the ball
+// (training/behind_ball.hpp), and how near ball and place are; the shot from the ball to the goal;
 // then each mate and each opponent: x, y, velocity, and cosine and sine of its heading, all as seen
 // by the robot; restart and stalemate.
 //
@@ -56,6 +58,7 @@ class Observer {
 
   ObservationKind kind_;
   double goal_x_ = 1.0;  // m, of the opponents' goal
+  double gap_ = 0.0;     // m, from the ball to the middle of a robot that pushes it
   double metre_ = 1.0;   // m, of an observed 1
   double speed_ = 1.0;   // m/s
   double turn_ = 1.0;    // rad/s

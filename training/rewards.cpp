@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "training/rewards.hpp"
 
+#include "training/behind_ball.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -39,6 +41,8 @@ TermText text_of(Term term) {
       return {"m", "way of the ball towards the middle of the opponents' goal"};
     case Term::robot_to_ball:
       return {"m", "way of the learner's nearest robot towards the ball"};
+    case Term::behind_ball:
+      return {"m", "way of the learner's nearest robot to the place behind the ball"};
     case Term::touch:
       return {"1", "ticks in which a robot of the learner touched the ball last"};
     case Term::foul:
@@ -60,38 +64,42 @@ TermText text_of(Term term) {
   return {};
 }
 
-double RewardMeter::distance_to_ball(const match::Leg& leg, const Learner& learner) const {
-  const Vec2 ball = leg.ball().position;
-  double nearest = infinity;
+RewardMeter::Ways RewardMeter::ways(const match::Leg& leg, const Learner& learner) {
+  const End end = leg.end_of(learner.team);
+  const Vec2 goal{leg.field().half_length, 0.0};
+  const Vec2 ball = team_frame(end, leg.ball().position);
+  const Vec2 behind = behind_ball(ball, goal, pushing_gap(leg.setup().parameters));
+  double to_ball = infinity;
+  double to_behind = infinity;
   for (int i = 0; i < leg.field().robots_per_team; ++i) {
     if (!learner.robots[static_cast<std::size_t>(i)]) continue;
-    nearest = std::min(nearest, (leg.robot(learner.team, i).position - ball).squaredNorm());
+    const Vec2 robot = team_frame(end, leg.robot(learner.team, i).position);
+    to_ball = std::min(to_ball, (robot - ball).squaredNorm());
+    to_behind = std::min(to_behind, (robot - behind).squaredNorm());
   }
-  return std::sqrt(nearest);
+  return {.ball_to_goal = (goal - ball).norm(),
+          .robot_to_ball = std::sqrt(to_ball),
+          .behind_ball = std::sqrt(to_behind)};
 }
 
 void RewardMeter::start(const match::Leg& leg, const Learner& learner) {
   *this = {};
-  const Vec2 ball = team_frame(leg.end_of(learner.team), leg.ball().position);
-  ball_distance_ = (Vec2{leg.field().half_length, 0.0} - ball).norm();
-  robot_distance_ = distance_to_ball(leg, learner);
+  ways_ = ways(leg, learner);
 }
 
 void RewardMeter::add_tick(const match::Leg& leg, const Learner& learner,
                            const std::array<simulator::WheelSpeeds, max_robots_per_team>& command,
                            std::size_t decisions) {
   const double period = leg.setup().control_period;
-  const Vec2 ball = team_frame(leg.end_of(learner.team), leg.ball().position);
-  const double ball_distance = (Vec2{leg.field().half_length, 0.0} - ball).norm();
-  const double robot_distance = distance_to_ball(leg, learner);
+  const Ways now = ways(leg, learner);
   if (leg.state() == match::State::READY) {
     has_potential_ = false;  // the bodies have just been placed
   } else {
-    of(now_, Term::ball_to_goal) += ball_distance_ - ball_distance;
-    of(now_, Term::robot_to_ball) += robot_distance_ - robot_distance;
+    of(now_, Term::ball_to_goal) += ways_.ball_to_goal - now.ball_to_goal;
+    of(now_, Term::robot_to_ball) += ways_.robot_to_ball - now.robot_to_ball;
+    of(now_, Term::behind_ball) += ways_.behind_ball - now.behind_ball;
   }
-  ball_distance_ = ball_distance;
-  robot_distance_ = robot_distance;
+  ways_ = now;
 
   for (std::size_t i = decisions; i < leg.decisions().size(); ++i) {
     const match::LoggedDecision& d = leg.decisions()[i];

@@ -18,6 +18,7 @@ enum class Term {
   goal,           // 1: goals of the own team minus those of the opponents
   ball_to_goal,   // m: by how much the ball came nearer to the middle of the opponents' goal
   robot_to_ball,  // m: by how much the nearest robot of the learner came nearer to the ball
+  behind_ball,    // m: by how much the nearest robot came nearer to the place behind the ball
   touch,          // 1: ticks in which a robot of the learner was the last to touch the ball
   foul,           // 1: decisions against the opponents minus those against the own team
   energy,         // s: minus the mean share of the wheel speed limit, times the time
@@ -28,7 +29,7 @@ enum class Term {
   vss_move,
   vss_energy,
 };
-inline constexpr int terms = 11;
+inline constexpr int terms = 12;
 
 using Terms = std::array<double, terms>;
 using Weights = Terms;
@@ -70,12 +71,17 @@ class RewardMeter {
   Terms take_step(const match::Leg& leg, const Learner& learner, double step_s);
 
  private:
-  double distance_to_ball(const match::Leg& leg, const Learner& learner) const;
+  // Distances between bodies, m, in the frame of the learner's team.
+  struct Ways {
+    double ball_to_goal = 0.0;
+    double robot_to_ball = 0.0;  // of the nearest robot
+    double behind_ball = 0.0;    // of the robot that is nearest to the place behind the ball
+  };
+  static Ways ways(const match::Leg& leg, const Learner& learner);
 
   Terms now_{};
-  double ball_distance_ = 0.0;   // m, from ball to goal
-  double robot_distance_ = 0.0;  // m, from the nearest robot to the ball
-  double potential_ = 0.0;       // of the ball, as rSoccer has it
+  Ways ways_;               // at the end of the last tick
+  double potential_ = 0.0;  // of the ball, as rSoccer has it
   bool has_potential_ = false;
   double wheel_sum_ = 0.0;  // rad/s, of the learner's first robot
 };
@@ -85,8 +91,8 @@ class RewardMeter {
 namespace mirocup {
 
 template <>
-inline constexpr std::array<std::string_view, 11> enum_names<training::Term>{
-    "goal", "ball_to_goal", "robot_to_ball", "touch",    "foul",      "energy",
-    "time", "vss_goal",     "vss_ball_grad", "vss_move", "vss_energy"};
+inline constexpr std::array<std::string_view, 12> enum_names<training::Term>{
+    "goal",   "ball_to_goal", "robot_to_ball", "behind_ball",   "touch",    "foul",
+    "energy", "time",         "vss_goal",      "vss_ball_grad", "vss_move", "vss_energy"};
 
 }  // namespace mirocup

@@ -39,7 +39,7 @@ SCORE_START = {
     "blue": [{"pose": [-0.7, 0.0, 1.57]}, {"pose": [*ANYWHERE, TURNED]}],
     "yellow": [{"pose": [0.7, 0.0, 1.57]}],
 }
-# The robot is behind the ball already. Half of the episodes start so: they show early what a goal is worth.
+# The robot is behind the ball already. Half of the episodes of training start so: they show early what a goal is worth.
 EASY_START = {
     **SCORE_START,
     "ball": {"position": [{"from": 0.1, "to": 0.6}, {"from": -0.3, "to": 0.3}]},
@@ -55,16 +55,18 @@ COMMON = {"agents": "robot", "observation": "relative", "ticks_per_step": 2, "au
 TASKS: dict[str, dict[str, Any]] = {
     "score": {**COMMON, "learners": [1], "opponent": "idle", "referee": "goals",
               "start": [SCORE_START, EASY_START], "episode_seconds": 10.0,
-              "rewards": {"goal": 10.0, "ball_to_goal": 3.0, "robot_to_ball": 1.0, "time": 0.1}},
+              "rewards": {"goal": 4.0, "ball_to_goal": 2.0, "behind_ball": 1.0, "time": 0.05}},
     "play": {**COMMON, "opponent": "self", "start": [PLAY_START, {}], "episode_seconds": 20.0,
-             "rewards": {"goal": 10.0, "ball_to_goal": 2.0, "robot_to_ball": 0.2, "foul": 1.0}},
+             "rewards": {"goal": 4.0, "ball_to_goal": 2.0, "behind_ball": 0.2, "foul": 0.4}},
 }
 
-ENVIRONMENTS = 384      # rows: learners that act at once
-STEPS = 64              # of each environment between two updates
-EPOCHS, MINIBATCHES = 4, 16
-GAMMA, LAMBDA = 0.975, 0.9
-CLIP, ENTROPY, VALUE = 0.2, 0.001, 0.5
+ENVIRONMENTS = 576      # rows: learners that act at once
+STEPS = 56              # of each environment between two updates
+# Few uses of a step waste it: 3 epochs of 8 minibatches scored in 70 % of episodes after six minutes, these in 85 %
+# after four.
+EPOCHS, MINIBATCHES = 6, 16
+GAMMA, LAMBDA = 0.985, 0.95
+CLIP, ENTROPY = 0.2, 0.002
 LEARNING_RATE = 1e-3    # falls to a tenth of it over the run
 HIDDEN = 64
 # What is drawn is forward and turn; wheels of full speed against each other turn so fast that a robot which tries them out
@@ -93,7 +95,7 @@ class Learner(nn.Module):
         super().__init__()
         self.mean = layers(observation, action, 0.01)
         self.value = layers(observation, 1, 1.0)
-        self.log_std = nn.Parameter(torch.full((action,), -0.7))
+        self.log_std = nn.Parameter(torch.full((action,), -0.5))
 
     def distribution(self, observations: torch.Tensor) -> torch.distributions.Normal:
         return torch.distributions.Normal(self.mean(observations), self.log_std.exp())
@@ -205,10 +207,11 @@ def update(learner: Learner, optimizer: torch.optim.Optimizer, batch: dict[str, 
             a = advantage[part]
             objective = torch.min(ratio * a, ratio.clamp(1.0 - CLIP, 1.0 + CLIP) * a).mean()
             error = (learner.value(batch["seen"][part])[:, 0] - batch["target"][part]).square().mean()
-            loss = -objective + VALUE * error - ENTROPY * distribution.entropy().sum(1).mean()
             optimizer.zero_grad()
-            loss.backward()
-            nn.utils.clip_grad_norm_(learner.parameters(), 0.5)
+            (error / 2.0 - objective - ENTROPY * learner.log_std.sum()).backward()
+            # Apart, so that a large error of the value does not hide what the actions learn.
+            nn.utils.clip_grad_norm_([*learner.mean.parameters(), learner.log_std], 0.5)
+            nn.utils.clip_grad_norm_(learner.value.parameters(), 1.0)
             optimizer.step()
 
 
@@ -304,7 +307,8 @@ class Run:
         if episodes:
             row |= {name: float(np.mean([e[name] for e in episodes])) for name in ("goal", "return")}
         self.course.append(row)
-        print(f"{row['minutes']:6.1f} min  {self.steps / 1e6:7.2f} M steps  {rate:7.0f}/s  "
+        print(f"{row['minutes']:6.1f} min ({row['cpu_minutes']:.1f} of processors)  {self.steps / 1e6:7.2f} M steps  "
+              f"{rate:7.0f}/s  "
               f"goals {row.get('goal', np.nan):5.2f}  return {row.get('return', np.nan):6.2f}  "
               f"spread {row['spread']:.2f}  {left / 60.0:.1f} min left", flush=True)
 

@@ -142,7 +142,7 @@ Result<void> read_layers(const Arrays& arrays, const std::string& path, Policy& 
 std::size_t numbers_of(Sight sight, int robots) {
   const auto n = static_cast<std::size_t>(robots);
   if (sight == Sight::standard) return 4 + 14 * n + 2;
-  if (sight == Sight::relative) return 17 + 6 * (2 * n - 1) + 2;
+  if (sight == Sight::relative) return 28 + 6 * (2 * n - 1) + 2;
   return 4 + 12 * n;
 }
 

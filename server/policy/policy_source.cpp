@@ -138,6 +138,29 @@ void observe(const mirocup_setup& setup, const mirocup_observation& now, int sel
   to.put(me.x, me.y);
   to.put(c, s);
   to.put(now.ball_x, now.ball_y);
+  // Directions have the length 1; that of nothing is forward. Nearness is 1/2 at 0.1 m.
+  const auto length = [](double x, double y) { return std::sqrt(x * x + y * y); };
+  const auto put_direction = [&](double x, double y) {
+    const double d = length(x, y);
+    if (d > 0.0) {
+      put_vector(x / d, y / d);
+    } else {
+      to.put(1.0, 0.0);
+    }
+  };
+  const auto put_nearness = [&](double x, double y) { to.put(0.1 / (0.1 + length(x, y))); };
+  const double ball_x = now.ball_x - me.x, ball_y = now.ball_y - me.y;
+  const double shot_x = setup.half_length - now.ball_x, shot_y = -now.ball_y;
+  const double shot = length(shot_x, shot_y);
+  const double gap = shot > 0.0 ? (setup.robot_side / 2.0 + setup.ball_radius) / shot : 0.0;
+  const double behind_x = ball_x - gap * shot_x, behind_y = ball_y - gap * shot_y;
+  put_direction(ball_x, ball_y);
+  put_nearness(ball_x, ball_y);
+  put_direction(setup.half_length - me.x, -me.y);
+  put_direction(shot_x, shot_y);
+  to.put(shot);
+  put_direction(behind_x, behind_y);
+  put_nearness(behind_x, behind_y);
   const auto put_robot = [&](const mirocup_robot& r) {
     put_place(r.x, r.y);
     put_vector(r.vx, r.vy);

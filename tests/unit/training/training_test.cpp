@@ -287,6 +287,7 @@ TEST(Training, TermsSayWhatTheirNamesSay) {
   const double half_length = spec["field"]["half_length"];
   const int goal = column(batch, "rewards", "goal");
   const int ball_to_goal = column(batch, "rewards", "ball_to_goal");
+  const int time = column(batch, "rewards", "time");
   const auto at = [&](const std::vector<float>& values, int row, int width, int k) {
     return static_cast<double>(values[static_cast<std::size_t>(row * width + k)]);
   };
@@ -312,7 +313,7 @@ TEST(Training, TermsSayWhatTheirNamesSay) {
       }
       const double way = at(batch.terms, i, batch.size.terms, ball_to_goal);
       const double scored = at(batch.terms, i, batch.size.terms, goal);
-      const double seconds = at(batch.terms, i, batch.size.terms, 6);
+      const double seconds = at(batch.terms, i, batch.size.terms, time);
       EXPECT_NEAR(batch.rewards[row], 2.0 * scored + 3.0 * way + 0.5 * seconds, 1e-5);
       sums[row] += batch.rewards[row];
       if (std::abs(seconds + 0.033) < 1e-6) {  // no restart in this step
@@ -336,6 +337,54 @@ TEST(Training, TermsSayWhatTheirNamesSay) {
   }
   EXPECT_GT(compared, 10000);
   EXPECT_GT(goals, 5) << "chaser scores against random robots";
+}
+
+// Catches a place behind the ball that is on its wrong side or at another distance than that of a
+// robot which touches it, a direction of another body, and a reward for another way.
+TEST(Training, TheWayBehindTheBallIsSeenAndRewarded) {
+  json configuration = kind("starts", 8, 1);
+  configuration["blue"] = {{"learners", {0}}};
+  configuration["start"] = anywhere();
+  configuration["episode"] = {{"seconds", 30.0}};
+  BatchOfMatches batch(configuration);
+  ASSERT_EQ(batch.reset(1), 0);
+  const json spec = json::parse(mirocup_training_spec(batch.get()));
+  const double metre = spec["observation"][0]["scale"];
+  const double half_length = spec["field"]["half_length"];
+  const double gap =
+      double(spec["bodies"]["robot_side"]) / 2.0 + double(spec["bodies"]["ball_radius"]);
+  const int term = column(batch, "rewards", "behind_ball");
+  std::map<std::string, int> columns;
+  for (const json& quantity : spec["observation"]) {
+    columns.emplace(quantity["name"], static_cast<int>(columns.size()));
+  }
+  const auto seen = [&](int row, const char* name) {
+    const int at = row * batch.size.observation + columns.at(name);
+    return static_cast<double>(batch.observations[static_cast<std::size_t>(at)]);
+  };
+  // From the robot, in the frame of the field, m.
+  const auto to_behind = [&](int row) {
+    const double x = metre * seen(row, "ball_field_x"), y = metre * seen(row, "ball_field_y");
+    const double shot = std::hypot(half_length - x, y);
+    EXPECT_NEAR(metre * seen(row, "shot_length"), shot, 1e-5);
+    return Vec2{x - gap * (half_length - x) / shot - metre * seen(row, "self_field_x"),
+                y + gap * y / shot - metre * seen(row, "self_field_y")};
+  };
+  std::vector<double> before(8);
+  for (int step = 0; step < 60; ++step) {
+    for (int i = 0; i < 8; ++i) before[static_cast<std::size_t>(i)] = to_behind(i).norm();
+    ASSERT_EQ(batch.step(1, step), 0);
+    for (int i = 0; i < 8; ++i) {
+      if (batch.terminations[static_cast<std::size_t>(i)] != 0) continue;
+      const Vec2 way = to_behind(i);
+      const double c = seen(i, "self_field_cos"), s = seen(i, "self_field_sin");
+      EXPECT_NEAR(seen(i, "behind_direction_cos"), (c * way.x() + s * way.y()) / way.norm(), 1e-3);
+      EXPECT_NEAR(seen(i, "behind_direction_sin"), (c * way.y() - s * way.x()) / way.norm(), 1e-3);
+      EXPECT_NEAR(seen(i, "behind_near"), 0.1 / (0.1 + way.norm()), 1e-4);
+      EXPECT_NEAR(batch.terms[static_cast<std::size_t>(i * batch.size.terms + term)],
+                  before[static_cast<std::size_t>(i)] - way.norm(), 1e-5);
+    }
+  }
 }
 
 // Catches ends that are told wrong: a goal that truncates, an end that is told twice, an
