@@ -7,6 +7,7 @@
 #include "system/files.hpp"
 #include "system/locations.hpp"
 #include "system/printable.hpp"
+#include "system/shell_word.hpp"
 
 #include <filesystem>
 #include <iostream>
@@ -25,14 +26,6 @@ std::string replaced(std::string text, const std::string& word, const std::strin
     text.replace(at, word.size(), by);
   }
   return text;
-}
-
-// A word that a shell reads as it is.
-std::string quoted_for_shell(const std::string& word) {
-  constexpr const char* plain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-+=@%";
-  if (word.find_first_not_of(plain) == std::string::npos) return word;
-  return "'" + replaced(word, "'", "'\\''") + "'";
 }
 
 // A program that every shell finds is called by its name, so that the files outlive a move.
@@ -109,7 +102,7 @@ Result<int> run_new(const NewOptions& options) {
   if (!old) return tl::unexpected(old.error());
   if (auto made = disk.make_folder(folder); !made) return tl::unexpected(made.error());
 
-  const Words words{{"@MIROCUP@", quoted_for_shell(called_as(kit.program))},
+  const Words words{{"@MIROCUP@", system::shell_word(called_as(kit.program))},
                     {"@MIROCUP_PREFIX@", kit.prefix},
                     {"@MIROCUP_HEADERS@", kit.headers},
                     {"@MIROCUP_PYTHON@", kit.python}};
@@ -126,7 +119,7 @@ Result<int> run_new(const NewOptions& options) {
   }
   std::cout << system::printable(folder) << ": a team. "
             << (options.language == "python" ? "Test" : "Build, test") << " and check it: cd "
-            << quoted_for_shell(folder)
+            << system::shell_word(folder)
             << (options.language == "python" ? " && ./test\n"
                                              : " && cmake --workflow --preset team\n");
   return exit_yes;

@@ -17,7 +17,7 @@ namespace {
 constexpr double patience = 0.2;
 constexpr double interval = 0.01;
 
-// Exit codes of a shell: the file is no program, or there is none.
+// Exit code of a shell where the file is no program; where there is none, it is system::not_found.
 constexpr int not_executable = 126;
 
 }  // namespace

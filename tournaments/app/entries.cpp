@@ -91,7 +91,7 @@ Result<int> run_submit(const SubmitOptions& options) {
   system::Disk disk;
   if (!options.inbox.empty()) return collect(disk, options);
   if (options.file.empty()) return fail(Errc::input, "TEAM and FILE are expected, or --inbox DIR");
-  if (options.file.starts_with("firasim:")) return enter_program(disk, options);
+  if (options.file.starts_with(TeamConfig::firasim_prefix)) return enter_program(disk, options);
   if (!options.run.empty() || options.lockstep) {
     return fail(Errc::input, std::string(options.run.empty() ? "--lockstep" : "--run") +
                                  " is of a team that is entered as firasim:NAME");

@@ -21,7 +21,6 @@ using Json = JsonReader::Json;
 
 constexpr std::string_view schema = "mirocup/league/1";
 constexpr int max_name_length = 40;
-constexpr std::string_view firasim_prefix = "firasim:";
 
 // Sets `count` to the member of that key, if there is one; it must be in [min, max].
 void read_count(const JsonReader& json, const std::string& key, int min, int max, int& count) {
@@ -44,7 +43,7 @@ TeamConfig read_team(const JsonReader& json) {
   json.read_if_present("run", team.program.run);
   json.read_if_present("folder", team.program.folder);
   json.read_if_present("lockstep", team.program.lockstep);
-  if (team.source.empty() || team.source == firasim_prefix) {
+  if (team.source.empty() || team.source == TeamConfig::firasim_prefix) {
     json.at("entry").complain(
         "\"house:NAME\", the path of a library, \"submitted\" or \"firasim:NAME\" is expected");
   }

@@ -43,10 +43,12 @@ struct TeamConfig {
 
   bool is_house() const { return source.starts_with("house:"); }
   bool hands_in() const { return source == submitted; }  // the host gives no library
-  bool is_firasim() const { return source.starts_with("firasim:"); }
+  bool is_firasim() const { return source.starts_with(firasim_prefix); }
   bool is_on_network() const { return over_dds || is_firasim(); }
   bool is_started_by_people() const { return is_firasim() && program.run.empty(); }
+  bool lives_by_the_clock() const { return is_firasim() && !program.lockstep; }
   static constexpr std::string_view submitted = "submitted";
+  static constexpr std::string_view firasim_prefix = "firasim:";
 };
 
 // Where the programs of teams find their match that people start: options of `mirocup match`.

@@ -95,7 +95,7 @@ std::string twin_of(const LeagueState& state, const std::string& team) {
   return "";
 }
 
-// Adds a team: before the start to league.json, then to the journal.
+// Adds a team: before the start to league.json, after it to the journal.
 Result<void> add_team(system::Files& files, LeagueStore& store, const HandIn& handed) {
   const std::string source = handed.is_house ? handed.name : std::string(TeamConfig::submitted);
   if (store.state().is_started)

@@ -8,6 +8,7 @@
 #include "server/record/rules_json.hpp"
 #include "server/record/team_parameters_json.hpp"
 #include "system/locations.hpp"
+#include "system/shell_word.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -51,20 +52,14 @@ std::vector<std::string> seat_parameters(const TeamConfig& team, const std::stri
                               : record::parameter_options(team.parameters, option);
 }
 
-// Returns a word of a command of the shell that stands for that text.
-std::string quoted(const std::string& text) {
-  std::string word = "'";
-  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return word + "'";
-}
-
 // Returns the options of a team that speaks FIRASim's protocol; none for others.
 std::vector<std::string> program_options(const Folder& folder, const TeamConfig& team,
                                          const std::string& option) {
   if (team.program.run.empty()) return {};
   const std::filesystem::path place = std::filesystem::path(folder.path) / team.program.folder;
-  return {option, "cd " + quoted(std::filesystem::absolute(place).lexically_normal().string()) +
-                      " && " + team.program.run};
+  return {option,
+          "cd " + system::shell_word(std::filesystem::absolute(place).lexically_normal().string()) +
+              " && " + team.program.run};
 }
 
 // Returns where such teams find their match. One that people start looks for it at the addresses of
@@ -88,10 +83,7 @@ std::vector<std::string> firasim_options(const LeagueFile& file, const TeamConfi
   } else {
     options = {"--firasim-instance", "auto"};
   }
-  const auto waits = [](const TeamConfig& team) {
-    return !team.is_firasim() || team.program.lockstep;
-  };
-  if (waits(blue) && waits(yellow)) options.push_back("--lockstep");
+  if (!blue.lives_by_the_clock() && !yellow.lives_by_the_clock()) options.push_back("--lockstep");
   return options;
 }
 

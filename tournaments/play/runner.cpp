@@ -31,11 +31,6 @@ bool is_disk_full(const std::string& folder, const std::string& said) {
   return !unknown && space.available < least_room;
 }
 
-bool lives_by_the_clock(const TeamConfig& blue, const TeamConfig& yellow) {
-  return (blue.is_firasim() && !blue.program.lockstep) ||
-         (yellow.is_firasim() && !yellow.program.lockstep);
-}
-
 }  // namespace
 
 std::string memory_warning(std::optional<std::size_t> available, int jobs) {
@@ -187,7 +182,8 @@ Result<void> Runner::start_leg(Worker& worker) {
   command.insert(command.end(), domain.begin(), domain.end());
   if (options_.watched) {
     command.insert(command.end(), {"--watch", "127.0.0.1:0"});
-    if (!lives_by_the_clock(state().file.teams[blue], state().file.teams[yellow]))
+    const auto& teams = state().file.teams;
+    if (!teams[blue].lives_by_the_clock() && !teams[yellow].lives_by_the_clock())
       command.insert(command.end(), {"--speed", "max"});
   }
   tell_people(leg, blue, yellow);
