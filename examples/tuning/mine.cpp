@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // README's first team with five numbers to tune. With the defaults it plays as README's does, move
-// for move. docs/tuning.md makes it better.
+// for move. docs/tuning.md says how its numbers are tuned.
 #include "mirocup/skills/attack.hpp"
 #include "mirocup/strategy.hpp"
 
