@@ -31,7 +31,7 @@ constexpr auto entries_interval = 2s;  // between two looks at the entries of al
 
 // While a class joins, each new team changes league.json and with it all pages. Making them takes
 // at most one part in that many of the time.
-constexpr int rest_factor = 10;
+constexpr int rest_factor = 30;
 
 // The line that `mirocup match --watch` prints. Only matches of this host are passed on.
 constexpr std::string_view watched = "mirocup: watch at http://127.0.0.1:";
