@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
+#include <set>
 #include <sstream>
 
 namespace mirocup {
@@ -89,6 +91,37 @@ TEST(Thoughts, HaveABoundInEachTick) {
   std::size_t first_tick = 0;
   while (thoughts[first_tick]["tick"] == 0) ++first_tick;
   EXPECT_EQ(first_tick, match::max_thoughts);
+}
+
+// Catches a house team that draws nothing or too much, that names a robot's role twice or not at
+// all, and one that plays otherwise when it is watched.
+TEST(Thoughts, OfHouseTeamsTellTheirPlansAndChangeNothing) {
+  const std::map<std::string, std::set<std::string>> layers{
+      {"navigator", {"roles", "shots", "targets"}},
+      {"tactician", {"roles", "shots", "targets"}},
+      {"planner", {"expected attacker", "expected ball", "roles", "shots", "targets", "values"}}};
+  for (const auto& [team, expected] : layers) {
+    const TemporaryFolder folder;
+    std::vector<std::string> words{program("mirocup"), "match",   "--blue",   team,
+                                   "--yellow",         "striker", "--league", "large",
+                                   "--half",           "4",       "--record", folder / "leg.json"};
+    ASSERT_EQ(run(words).exit_code, 0);
+    const auto hash = test_support::read_json(folder / "leg.json")["state_hash"];
+    words.emplace_back("--thoughts");
+    const auto outcome = run(words);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err.find("left out"), std::string::npos) << team;
+    EXPECT_EQ(test_support::read_json(folder / "leg.json")["state_hash"], hash) << team;
+    std::set<std::string> drawn;
+    std::map<std::size_t, std::size_t> roles;  // by tick
+    for (const ThoughtJson& thought : thoughts_in(folder / "leg.blue.thoughts.zst")) {
+      drawn.insert(thought["layer"]);
+      if (thought["layer"] == "roles") ++roles[thought["tick"]];
+    }
+    EXPECT_EQ(drawn, expected) << team;
+    const std::size_t told = team == "planner" ? 2 : 11;  // robots in a tick
+    for (const auto& [tick, count] : roles) ASSERT_EQ(count, told) << team << ", tick " << tick;
+  }
 }
 
 // Catches a page for others with what only the team may see, and a page of its own without it.
