@@ -100,7 +100,8 @@ inline Wheels attack_ball_at(const Setup& setup, const Observation& now, int me,
   return follow_field(setup, robot, target, how.speed, {obstacles.data(), count}, {}, how.lead_s);
 }
 
-// Shoots the ball of robot `me` to `aim`, where the robot meets it on its way. Draws that (draw.hpp).
+// Shoots the ball of robot `me` to `aim`, where the robot meets it on its way. Draws both points
+// (draw.hpp).
 inline Wheels attack_ball(const Setup& setup, const Observation& now, int me, Point aim,
                           const Attack& how = {}) {
   const Point meet = intercept(setup, now, now.own[me]).ball.at;
