@@ -133,7 +133,7 @@ class Draws(Team):
         self.draw_line("plan", 0xff8000ff, position(now.own[1]), Point(0.1, self.setup.team))
         self.draw_circle("target", 0xffffffff, (0.5, 0.25), 0.03)
         self.draw_polygon("zone", 0xff000080, [(0.2, 0.2), (0.4, 0.2), (0.3, 0.4)])
-        self.draw_text("Rolle, l\u00e4nger als einunddrei\u00dfig Bytes", 0xffffffff, (0.0, 0.5), "h\u00e4lt")
+        self.draw_text("R\u00f6lle" + 40 * "e", 0xffffffff, (0.0, 0.5), "h\u00e4lt")
         self.draw_value("distance", length(position(now.own[1])))
         self.draw_line("nowhere", 0, (0.0, 0.0), (math.inf, 0.0))
         self.draw_polygon("zone", 0, [(0.0, 0.0)] * 2)
@@ -173,7 +173,7 @@ TEST(Thoughts, OfTeamsInPython) {
       EXPECT_EQ(thoughts[0]["line"][3], team);
       EXPECT_EQ(thoughts[1]["circle"], ThoughtJson::parse("[0.5,0.25,0.03]"));
       EXPECT_EQ(thoughts[2]["polygon"], ThoughtJson::parse("[[0.2,0.2],[0.4,0.2],[0.3,0.4]]"));
-      EXPECT_EQ(thoughts[3]["layer"].get<std::string>().rfind("Rolle, l\u00e4nger als", 0), 0u);
+      EXPECT_EQ(thoughts[3]["layer"].get<std::string>().rfind("R\u00f6lleee", 0), 0u);
       EXPECT_EQ(thoughts[3]["text"][2], "h\u00e4lt");
       EXPECT_EQ(thoughts[4]["text"][2].get<std::string>().rfind("distance = ", 0), 0u);
       EXPECT_EQ(thoughts.back()["text"][2],
