@@ -21,6 +21,7 @@ class Navigator : public Team {
 
   void decide(const Observation& now, Command& command) override {
     command.wheels[0] = guard_goal(setup(), now, now.own[0]);
+    draw_role(setup(), now.own[0], "keeps");
     // The kicker of a kick-off stands before the ball, and takes it.
     attacker_ = must_kick_off(now) ? 1 : cheapest_robot(now, 1, attacker_, 0.2, [&](int i) {
       return time_behind(setup(), now, i);
@@ -48,13 +49,17 @@ class Navigator : public Team {
 
  private:
   Wheels attack(const Observation& now, int i) {
+    draw_role(setup(), now.own[i], "attacks");
     if (must_kick_off(now)) return kick_off(setup(), now.own[i]);
     if (is_stuck(now)) return free_ball(setup(), now, now.own[i]);
     return attack_ball(setup(), now, i, shooting_aim(setup(), now, ball(now)));
   }
 
   Wheels support(const Observation& now, int i, int rank) {
-    return drive_clear(setup(), now, now.own[i], supporting_place(setup(), now, i, rank));
+    const Point place = supporting_place(setup(), now, i, rank);
+    draw_role(setup(), now.own[i], "supports");
+    draw_target(setup(), now.own[i], place);
+    return drive_clear(setup(), now, now.own[i], place);
   }
 
   Point spot_{10.0, 0.0};  // of the ball at the last kick of this team, m

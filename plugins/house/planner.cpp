@@ -31,6 +31,20 @@ struct Plan {
   int age = 0;           // ticks since it was chosen
 };
 
+// Where the ball and the attacker are in a scene that is rolled forward; what is drawn of it.
+struct Rollout {
+  static constexpr int most = 32;
+  std::array<Point, most> ball{};
+  std::array<Point, most> attacker{};
+  int count = 0;
+
+  void add(const Scene& scene, int robot) {
+    if (count == most) return;
+    ball[count] = scene.ball.at;
+    attacker[count++] = scene.own[robot].at;
+  }
+};
+
 constexpr std::array bursts{Wheels{80, 80},   Wheels{80, 50},   Wheels{50, 80}, Wheels{80, -80},
                             Wheels{-80, 80},  Wheels{-80, -80}, Wheels{80, 20}, Wheels{20, 80},
                             Wheels{-80, -40}, Wheels{-40, -80}};
@@ -48,6 +62,7 @@ class Planner : public Team {
       simulator_.advance(start, tracker_.in_flight(), tracker_.opponents());
     Observation then = now;
     show(start, then);
+    rollout_.count = 0;
     if (now.state == MIROCUP_PLAY && !must_kick_off(now)) {
       effort_ = std::min(effort_ + effort_per_tick_, 10.0 * effort_per_tick_);
       if (effort_ > 0.0) choose(then, start);
@@ -64,6 +79,7 @@ class Planner : public Team {
                               ? penalty_.drive(setup(), now, then.own[1])
                               : shoot(setup(), now.own[1], ball(now), aim_);
     }
+    draw_plan(then);
     ++plan_.age;
     tracker_.sent(command);
   }
@@ -85,22 +101,27 @@ class Planner : public Team {
   // Sets plan_ to the best of itself, the usual plan and the next few.
   void choose(const Observation& now, const Scene& start) {
     double best = value_of(now, start, plan_) + stay_;
+    rollout_ = tried_;
     const auto consider = [&](const Plan& plan) {
       const double value = value_of(now, start, plan);
       if (value <= best) return;
       best = value;
       plan_ = plan;
+      rollout_ = tried_;
     };
     const Plan usual = usual_plan(now);
     consider(usual);
     for (int i = 0; i < tries_; ++i) consider(next_plan(now, usual));
+    draw_value("worth of the plan", best);
   }
 
-  // Returns what comes of a plan: about 1 for a goal, -1 for one against.
+  // Returns what comes of a plan: about 1 for a goal, -1 for one against. Leaves the way in tried_.
   double value_of(const Observation& now, const Scene& start, const Plan& plan) {
     Scene scene = start;
     Observation seen = now;
     double cost = 0.0;
+    tried_.count = 0;
+    tried_.add(scene, plan.attacker);
     for (int t = 0; t < horizon_; t += step_) {
       show_to_opponents(scene, seen);
       const Command theirs = t == 0 ? tracker_.opponents() : act(seen, usual_plan(seen), 0);
@@ -111,6 +132,7 @@ class Planner : public Team {
       if (setup().control_period < 0.02) spare_keeper(setup(), seen, mine);
       const PredictedTick tick = simulator_.advance(scene, mine, theirs, step_);
       effort_ -= (1.0 + tick.events) * std::max(1.0, now.robots / 4.0);
+      tried_.add(scene, plan.attacker);
       if (std::abs(scene.ball.at.x) > setup().half_length)
         return (scene.ball.at.x > 0.0 ? 1.2 : -1.2) * (1.0 - 0.3 * t / horizon_) - cost;
       for (int i = 1; i < now.robots; ++i) {
@@ -230,6 +252,19 @@ class Planner : public Team {
     return drive(now, i, supporting_place(setup(), now, i, rank));
   }
 
+  // Draws what the attacker does, and what the planner expects of it.
+  void draw_plan(const Observation& now) const {
+    constexpr std::array names{"shoots", "pushes", "spins", "spins", "holds", "bursts"};
+    const Robot& attacker = now.own[plan_.attacker];
+    draw_role(setup(), now.own[0], "keeps");
+    draw_role(setup(), attacker, names[static_cast<std::size_t>(plan_.move)]);
+    const bool aims = plan_.move == Move::shoot || plan_.move == Move::push;
+    if (aims) draw_line("shots", shot_colour, ball(now), plan_.aim);
+    const auto count = static_cast<std::size_t>(rollout_.count);
+    draw_path(setup(), "expected ball", path_colour, {rollout_.ball.data(), count});
+    draw_path(setup(), "expected attacker", target_colour, {rollout_.attacker.data(), count});
+  }
+
   // Returns a time in ticks, at least one.
   int ticks_in(double seconds) const {
     return std::max(1, static_cast<int>(std::lround(seconds / setup().control_period)));
@@ -249,6 +284,8 @@ class Planner : public Team {
   Simulator simulator_;
   Tracker tracker_;
   Plan plan_;
+  Rollout tried_;          // of the plan that was looked at last
+  Rollout rollout_;        // of plan_; empty if nothing was tried in this tick
   int count_ = 0;          // plans tried
   double effort_ = 0.0;    // steps and their events that it may predict
   Point spot_{10.0, 0.0};  // of the ball at the last kick of this team, m

@@ -25,6 +25,7 @@ class Tactician : public Team {
     predict_bodies(now);
     const BallPath path(setup(), moving_ball(now));
     command.wheels[0] = hold_goal(setup(), now, path, soon_[0]);
+    draw_role(setup(), now.own[0], "keeps");
     attacker_ = must_kick_off(now) ? 1 : cheapest_robot(now, 1, attacker_, 0.2, [&](int i) {
       return time_behind(path, now.own[i]);
     });
@@ -64,11 +65,14 @@ class Tactician : public Team {
   }
 
   Wheels attack(const Observation& now, const BallPath& path, int i) {
+    draw_role(setup(), now.own[i], "attacks");
     if (must_kick_off(now)) return kick_off(setup(), now.own[i]);
     if (is_stuck(now)) return free_ball(setup(), now, soon_[i]);
 
     const Point meet = intercept(path, now.own[i]).ball.at;
-    const Shot shot = shot_of(now.own[i], meet, shooting_aim(setup(), now, ball(now)));
+    const Point aim = shooting_aim(setup(), now, ball(now));
+    draw_shot(setup(), now.own[i], meet, aim);
+    const Shot shot = shot_of(now.own[i], meet, aim);
     if (shot.is_on_line) {
       return drive_quickly(setup(), soon_[i], keep_out(setup(), i, through(shot)), 1.8);
     }
@@ -80,6 +84,8 @@ class Tactician : public Team {
 
   Wheels support(const Observation& now, int i, int rank) {
     const Point place = supporting_place(setup(), now, i, rank);
+    draw_role(setup(), now.own[i], "supports");
+    draw_target(setup(), now.own[i], place);
     const Point to = place - position(soon_[i]);
     if (length(to) < 0.02) return turn_quickly(setup(), soon_[i], squared(soon_[i].heading));
     const double course = round_others(now, i, soon_[i], place, std::atan2(to.y, to.x));

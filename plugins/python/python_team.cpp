@@ -9,6 +9,7 @@
 #include <memory>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 namespace mirocup::python {
 
@@ -53,17 +54,105 @@ std::string take_error(PyObject* module, const std::string& name) {
   return sentence;
 }
 
-// _parameter(name, default) of mirocup.team: asks the host.
-PyObject* parameter_of_host(PyObject* self, PyObject* arguments) {
+// ---- the functions of the setup, as `_host` of mirocup.team has them: `self` holds the setup
+
+const mirocup_setup& setup_in(PyObject* self) {
+  return *static_cast<const mirocup_setup*>(PyCapsule_GetPointer(self, nullptr));
+}
+
+// Reads a colour, 0xRRGGBBAA, as PyArg_ParseTuple() asks with "O&".
+int read_colour(PyObject* number, void* colour) {
+  const unsigned long value = PyLong_Check(number) != 0 ? PyLong_AsUnsignedLong(number) : ~0UL;
+  PyErr_Clear();
+  if (value > 0xffffffffUL) {
+    PyErr_SetString(PyExc_ValueError, "a colour is a whole number, 0xRRGGBBAA");
+    return 0;
+  }
+  *static_cast<std::uint32_t*>(colour) = static_cast<std::uint32_t>(value);
+  return 1;
+}
+
+PyObject* host_parameter(PyObject* self, PyObject* arguments) {
   const char* name = nullptr;
   double fallback = 0.0;
   if (PyArg_ParseTuple(arguments, "sd", &name, &fallback) == 0) return nullptr;
-  const auto* setup = static_cast<const mirocup_setup*>(PyCapsule_GetPointer(self, nullptr));
-  if (setup == nullptr) return nullptr;
-  return PyFloat_FromDouble(setup->parameter(setup->host, name, fallback));
+  const mirocup_setup& setup = setup_in(self);
+  return PyFloat_FromDouble(setup.parameter(setup.host, name, fallback));
 }
 
-PyMethodDef parameter_method = {"parameter", parameter_of_host, METH_VARARGS, nullptr};
+PyObject* host_draw_line(PyObject* self, PyObject* arguments) {
+  const char* layer = nullptr;
+  std::uint32_t colour = 0;
+  double x1 = 0.0, y1 = 0.0, x2 = 0.0, y2 = 0.0;
+  if (PyArg_ParseTuple(arguments, "sO&dddd:draw_line", &layer, read_colour, &colour, &x1, &y1, &x2,
+                       &y2) == 0)
+    return nullptr;
+  const mirocup_setup& setup = setup_in(self);
+  setup.draw_line(setup.host, layer, colour, x1, y1, x2, y2);
+  Py_RETURN_NONE;
+}
+
+PyObject* host_draw_circle(PyObject* self, PyObject* arguments) {
+  const char* layer = nullptr;
+  std::uint32_t colour = 0;
+  double x = 0.0, y = 0.0, radius = 0.0;
+  if (PyArg_ParseTuple(arguments, "sO&ddd:draw_circle", &layer, read_colour, &colour, &x, &y,
+                       &radius) == 0)
+    return nullptr;
+  const mirocup_setup& setup = setup_in(self);
+  setup.draw_circle(setup.host, layer, colour, x, y, radius);
+  Py_RETURN_NONE;
+}
+
+// The corners come as the bytes of doubles.
+PyObject* host_draw_polygon(PyObject* self, PyObject* arguments) {
+  const char* layer = nullptr;
+  std::uint32_t colour = 0;
+  const char* bytes = nullptr;
+  Py_ssize_t size = 0;
+  if (PyArg_ParseTuple(arguments, "sO&y#:draw_polygon", &layer, read_colour, &colour, &bytes,
+                       &size) == 0)
+    return nullptr;
+  std::vector<double> points(static_cast<std::size_t>(size) / sizeof(double));
+  std::memcpy(points.data(), bytes, points.size() * sizeof(double));
+  const mirocup_setup& setup = setup_in(self);
+  setup.draw_polygon(setup.host, layer, colour, points.data(),
+                     static_cast<std::int32_t>(points.size() / 2));
+  Py_RETURN_NONE;
+}
+
+PyObject* host_draw_text(PyObject* self, PyObject* arguments) {
+  const char* layer = nullptr;
+  std::uint32_t colour = 0;
+  double x = 0.0, y = 0.0;
+  const char* text = nullptr;
+  if (PyArg_ParseTuple(arguments, "sO&dds:draw_text", &layer, read_colour, &colour, &x, &y,
+                       &text) == 0)
+    return nullptr;
+  const mirocup_setup& setup = setup_in(self);
+  setup.draw_text(setup.host, layer, colour, x, y, text);
+  Py_RETURN_NONE;
+}
+
+PyMethodDef host_methods[] = {{"parameter", host_parameter, METH_VARARGS, nullptr},
+                              {"draw_line", host_draw_line, METH_VARARGS, nullptr},
+                              {"draw_circle", host_draw_circle, METH_VARARGS, nullptr},
+                              {"draw_polygon", host_draw_polygon, METH_VARARGS, nullptr},
+                              {"draw_text", host_draw_text, METH_VARARGS, nullptr}};
+
+// Returns these functions by name, for this setup; null: an exception is set.
+Object host_of(const mirocup_setup& setup) {
+  const Object handle(PyCapsule_New(const_cast<mirocup_setup*>(&setup), nullptr, nullptr));
+  Object functions(PyDict_New());
+  if (handle == nullptr || functions == nullptr) return nullptr;
+  for (PyMethodDef& method : host_methods) {
+    const Object function(PyCFunction_New(&method, handle.get()));
+    if (function == nullptr ||
+        PyDict_SetItemString(functions.get(), method.ml_name, function.get()) != 0)
+      return nullptr;
+  }
+  return functions;
+}
 
 // Lets a method of the team answer an observation and copies its bytes into `answer`.
 template <class Answer>
@@ -189,13 +278,11 @@ tl::expected<LoadedTeam, Fault> load_team(const std::string& text, const std::st
   const Object team_class =
       call(module, "_load", "y#s", text.data(), static_cast<Py_ssize_t>(text.size()), name.c_str());
   if (team_class == nullptr) return fault(FaultCode::no_load, take_error(module, name));
-  const Object handle(PyCapsule_New(const_cast<mirocup_setup*>(&setup), nullptr, nullptr));
-  const Object parameter(handle == nullptr ? nullptr
-                                           : PyCFunction_New(&parameter_method, handle.get()));
-  if (parameter != nullptr) {
+  const Object host = host_of(setup);
+  if (host != nullptr) {
     team->runner =
         call(module, "_create", "Oy#O", team_class.get(), reinterpret_cast<const char*>(&setup),
-             static_cast<Py_ssize_t>(sizeof setup), parameter.get());
+             static_cast<Py_ssize_t>(sizeof setup), host.get());
   }
   if (team->runner == nullptr)
     return fault(FaultCode::crash, "__init__() raised " + take_error(module, name));

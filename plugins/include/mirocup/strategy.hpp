@@ -505,6 +505,32 @@ inline double parameter(const Setup& setup, const char* name, double fallback) {
   return setup.parameter(setup.host, name, fallback);
 }
 
+// Draw into the replay of `mirocup match --thoughts`; nothing on older hosts. `setup` is that of a
+// Team. See "Thoughts" in strategy.h: own frame, m; colours are 0xRRGGBBAA; a layer can be switched
+// off in the page. mirocup/skills/draw.hpp draws targets, roles and shots with them.
+inline void draw_line(const Setup& setup, const char* layer, std::uint32_t colour, Point from,
+                      Point to) {
+  if (setup.draw_line == nullptr) return;
+  setup.draw_line(setup.host, layer, colour, from.x, from.y, to.x, to.y);
+}
+inline void draw_circle(const Setup& setup, const char* layer, std::uint32_t colour, Point centre,
+                        double radius) {
+  if (setup.draw_circle == nullptr) return;
+  setup.draw_circle(setup.host, layer, colour, centre.x, centre.y, radius);
+}
+inline void draw_polygon(const Setup& setup, const char* layer, std::uint32_t colour,
+                         std::initializer_list<Point> corners) {
+  static_assert(sizeof(Point) == 2 * sizeof(double));
+  if (setup.draw_polygon == nullptr || corners.size() == 0) return;
+  setup.draw_polygon(setup.host, layer, colour, &corners.begin()->x,
+                     static_cast<std::int32_t>(corners.size()));
+}
+inline void draw_text(const Setup& setup, const char* layer, std::uint32_t colour, Point at,
+                      const char* text) {
+  if (setup.draw_text == nullptr) return;
+  setup.draw_text(setup.host, layer, colour, at.x, at.y, text);
+}
+
 // Returns a copy of the setup, which ends after `size` bytes. Every host has the members up to
 // `log`.
 inline Setup copy_of(const Setup& setup) {
@@ -556,26 +582,19 @@ class Team {
     setup_.log(line);
   }
 
-  // Draw into the replay of `mirocup match --thoughts`; nothing on older hosts. See "Thoughts" in
-  // strategy.h: own frame, m; colours are 0xRRGGBBAA; a layer can be switched off in the page.
+  // The functions above that draw, with the setup of this team.
   void draw_line(const char* layer, std::uint32_t colour, Point from, Point to) const {
-    if (setup_.draw_line == nullptr) return;
-    setup_.draw_line(setup_.host, layer, colour, from.x, from.y, to.x, to.y);
+    strategy::draw_line(setup_, layer, colour, from, to);
   }
   void draw_circle(const char* layer, std::uint32_t colour, Point centre, double radius) const {
-    if (setup_.draw_circle == nullptr) return;
-    setup_.draw_circle(setup_.host, layer, colour, centre.x, centre.y, radius);
+    strategy::draw_circle(setup_, layer, colour, centre, radius);
   }
   void draw_polygon(const char* layer, std::uint32_t colour,
                     std::initializer_list<Point> corners) const {
-    static_assert(sizeof(Point) == 2 * sizeof(double));
-    if (setup_.draw_polygon == nullptr || corners.size() == 0) return;
-    setup_.draw_polygon(setup_.host, layer, colour, &corners.begin()->x,
-                        static_cast<std::int32_t>(corners.size()));
+    strategy::draw_polygon(setup_, layer, colour, corners);
   }
   void draw_text(const char* layer, std::uint32_t colour, Point at, const char* text) const {
-    if (setup_.draw_text == nullptr) return;
-    setup_.draw_text(setup_.host, layer, colour, at.x, at.y, text);
+    strategy::draw_text(setup_, layer, colour, at, text);
   }
   // The page shows a curve of the value over time. The name has at most 31 bytes.
   void draw_value(const char* name, double value) const {

@@ -86,6 +86,7 @@ class ThoughtsCanvas {
     this.perMetre = 1000 * map.a * scale;
     this.context.lineWidth = 2 * scale;
     this.context.font = `${13 * scale}px sans-serif`;
+    this.context.textAlign = 'center';
   }
 
   draw(one, isTurned) {

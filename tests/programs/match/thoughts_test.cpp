@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
+#include <set>
 #include <sstream>
 
 namespace mirocup {
@@ -89,6 +91,119 @@ TEST(Thoughts, HaveABoundInEachTick) {
   std::size_t first_tick = 0;
   while (thoughts[first_tick]["tick"] == 0) ++first_tick;
   EXPECT_EQ(first_tick, match::max_thoughts);
+}
+
+// Catches a house team that draws nothing or too much, that names a robot's role twice or not at
+// all, and one that plays otherwise when it is watched.
+TEST(Thoughts, OfHouseTeamsTellTheirPlansAndChangeNothing) {
+  const std::map<std::string, std::set<std::string>> layers{
+      {"navigator", {"roles", "shots", "targets"}},
+      {"tactician", {"roles", "shots", "targets"}},
+      {"planner", {"expected attacker", "expected ball", "roles", "shots", "targets", "values"}}};
+  for (const auto& [team, expected] : layers) {
+    const TemporaryFolder folder;
+    std::vector<std::string> words{program("mirocup"), "match",   "--blue",   team,
+                                   "--yellow",         "striker", "--league", "large",
+                                   "--half",           "4",       "--record", folder / "leg.json"};
+    ASSERT_EQ(run(words).exit_code, 0);
+    const auto hash = test_support::read_json(folder / "leg.json")["state_hash"];
+    words.emplace_back("--thoughts");
+    const auto outcome = run(words);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err.find("left out"), std::string::npos) << team;
+    EXPECT_EQ(test_support::read_json(folder / "leg.json")["state_hash"], hash) << team;
+    std::set<std::string> drawn;
+    std::map<std::size_t, std::size_t> roles;  // by tick
+    for (const ThoughtJson& thought : thoughts_in(folder / "leg.blue.thoughts.zst")) {
+      drawn.insert(thought["layer"]);
+      if (thought["layer"] == "roles") ++roles[thought["tick"]];
+    }
+    EXPECT_EQ(drawn, expected) << team;
+    const std::size_t told = team == "planner" ? 2 : 11;  // robots in a tick
+    for (const auto& [tick, count] : roles) ASSERT_EQ(count, told) << team << ", tick " << tick;
+  }
+}
+
+// A team in Python that stands, and draws shapes which tell its colour.
+constexpr const char* python_team = R"py(
+from mirocup.team import *
+
+class Draws(Team):
+    def decide(self, now):
+        self.draw_line("plan", 0xff8000ff, position(now.own[1]), Point(0.1, self.setup.team))
+        self.draw_circle("target", 0xffffffff, (0.5, 0.25), 0.03)
+        self.draw_polygon("zone", 0xff000080, [(0.2, 0.2), (0.4, 0.2), (0.3, 0.4)])
+        self.draw_text("R\u00f6lle" + 40 * "e", 0xffffffff, (0.0, 0.5), "h\u00e4lt")
+        self.draw_value("distance", length(position(now.own[1])))
+        self.draw_line("nowhere", 0, (0.0, 0.0), (math.inf, 0.0))
+        self.draw_polygon("zone", 0, [(0.0, 0.0)] * 2)
+        return []
+)py";
+
+// Catches a shape of a team in Python that is lost, is another one than a library's, or lands among
+// those of the other team where both play in one process.
+TEST(Thoughts, OfTeamsInPython) {
+  if (!std::filesystem::exists(program("mirocup-python-host"))) GTEST_SKIP() << "not built";
+  const TemporaryFolder folder;
+  test_support::write_file(folder / "team.py", "import math" + std::string(python_team));
+  std::string hash;
+  for (const std::vector<std::string>& how :
+       {std::vector<std::string>{}, {"--thoughts"}, {"--thoughts", "--trusted"}}) {
+#ifdef MIROCUP_SANITIZED
+    if (how.size() == 2) continue;  // Python leaks what it never ends
+#endif
+    std::vector<std::string> words{
+        program("mirocup"), "match",  "--blue", folder / "team.py", "--yellow",
+        folder / "team.py", "--half", "2",      "--record",         folder / "leg.json"};
+    words.insert(words.end(), how.begin(), how.end());
+    const auto outcome = run(words);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const auto record = test_support::read_json(folder / "leg.json");
+    EXPECT_EQ(record["result"]["end"], "full_time") << record["result"];
+    if (hash.empty()) hash = record["state_hash"];
+    EXPECT_EQ(record["state_hash"], hash);
+    if (how.empty()) continue;
+    for (const int team : {0, 1}) {
+      const auto thoughts =
+          thoughts_in(folder / (team == 0 ? "leg.blue.thoughts.zst" : "leg.yellow.thoughts.zst"));
+      const std::size_t ticks = record["ticks"].get<std::size_t>();
+      ASSERT_EQ(thoughts.size(), 5 * ticks + 1);
+      EXPECT_EQ(thoughts[0]["layer"], "plan");
+      EXPECT_EQ(thoughts[0]["colour"], "#ff8000ff");
+      EXPECT_EQ(thoughts[0]["line"][3], team);
+      EXPECT_EQ(thoughts[1]["circle"], ThoughtJson::parse("[0.5,0.25,0.03]"));
+      EXPECT_EQ(thoughts[2]["polygon"], ThoughtJson::parse("[[0.2,0.2],[0.4,0.2],[0.3,0.4]]"));
+      EXPECT_EQ(thoughts[3]["layer"].get<std::string>().rfind("R\u00f6lleee", 0), 0u);
+      EXPECT_EQ(thoughts[3]["text"][2], "h\u00e4lt");
+      EXPECT_EQ(thoughts[4]["text"][2].get<std::string>().rfind("distance = ", 0), 0u);
+      EXPECT_EQ(thoughts.back()["text"][2],
+                std::to_string(2 * ticks) + " shapes of the leg were left out");
+    }
+  }
+}
+
+// Catches a colour that is none and goes by unseen, or plays on with --thoughts only.
+TEST(Thoughts, OfTeamsInPythonHaveColours) {
+  if (!std::filesystem::exists(program("mirocup-python-host"))) GTEST_SKIP() << "not built";
+  const TemporaryFolder folder;
+  test_support::write_file(folder / "team.py",
+                           "from mirocup.team import *\n"
+                           "class Draws(Team):\n"
+                           "    def decide(self, now):\n"
+                           "        self.draw_circle('target', 'red', (0.0, 0.0), 0.1)\n"
+                           "        return []\n");
+  for (const std::vector<std::string>& how : {std::vector<std::string>{}, {"--thoughts"}}) {
+    std::vector<std::string> words{
+        program("mirocup"), "match", "--blue",   folder / "team.py", "--yellow", "idle",
+        "--half",           "2",     "--record", folder / "leg.json"};
+    words.insert(words.end(), how.begin(), how.end());
+    ASSERT_EQ(run(words).exit_code, 0);
+    const auto fault = test_support::read_json(folder / "leg.json")["result"]["fault"];
+    ASSERT_FALSE(fault.is_null());
+    EXPECT_NE(fault["text"].get<std::string>().find("a colour is a whole number, 0xRRGGBBAA"),
+              std::string::npos)
+        << fault;
+  }
 }
 
 // Catches a page for others with what only the team may see, and a page of its own without it.

@@ -15,7 +15,8 @@ for each tick in the mean of a leg. Python reads files only while it loads the t
 modules at the top of the file. `random` is seeded with setup.seed.
 
 Frames, units, delays and limits are those of mirocup/strategy.h: metres, radians, seconds; the team
-always attacks +x; its goal is at -setup.half_length. The functions below are those of
+always attacks +x; its goal is at -setup.half_length. `self.draw_line` and its neighbours draw into the
+replay, as in docs/thoughts.md. The functions below are those of
 mirocup/strategy.hpp under the same names. Needs nothing but the standard library.
 """
 
@@ -62,6 +63,7 @@ class Team:
 
     def __init__(self, setup):
         self.setup = setup
+        self.__host = _host
 
     def decide(self, now):
         """Returns the wheel speeds (left, right) of each robot, rad/s. None lets a robot stand."""
@@ -72,7 +74,28 @@ class Team:
 
     def parameter(self, name, default):
         """Returns the parameter that the leg gives this team (--param NAME=VALUE), or the default."""
-        return _parameter(name, float(default))
+        return self.__host.parameter(name, float(default))
+
+    # Draw into the replay of `mirocup match --thoughts`; without it, nothing. Points are (x, y) in
+    # the own frame, m; a colour is 0xRRGGBBAA; a layer is a name that the page switches on and off.
+    # The limits are those of "Thoughts" in mirocup/strategy.h.
+
+    def draw_line(self, layer, colour, start, end):
+        self.__host.draw_line(layer, colour, *start, *end)
+
+    def draw_circle(self, layer, colour, centre, radius):
+        self.__host.draw_circle(layer, colour, *centre, radius)
+
+    def draw_polygon(self, layer, colour, corners):
+        numbers = [number for x, y in corners for number in (x, y)]
+        self.__host.draw_polygon(layer, colour, struct.pack(f"@{len(numbers)}d", *numbers))
+
+    def draw_text(self, layer, colour, at, text):
+        self.__host.draw_text(layer, colour, *at, text)
+
+    def draw_value(self, name, value):
+        """The page shows a curve of the value over time. The name has at most 31 bytes."""
+        self.draw_text("values", 0, (0.0, 0.0), f"{name} = {value:.6g}")
 
 
 class Placement:
@@ -396,8 +419,14 @@ _PLACEMENT = struct.Struct(f"@2d {3 * MAX_ROBOTS}d")
 _ZEROS = [0.0] * (3 * MAX_ROBOTS)
 
 
-def _parameter(name, default):  # the program that plays the team puts its own in place of this
-    return default
+class _host:  # the program that plays a team puts its own functions in place of these
+    def parameter(name, default):
+        return default
+
+    def draw_line(*shape):
+        pass
+
+    draw_circle = draw_polygon = draw_text = draw_line
 
 
 def _setup_of(data):
@@ -532,12 +561,13 @@ def _load(source, name):
     return leaves[0]
 
 
-def _create(team_class, data, parameter):
+def _create(team_class, data, host):
     import gc
     import random
     import sys
-    global _parameter
-    _parameter = parameter
+    import types
+    global _host
+    _host = types.SimpleNamespace(**host)
     setup = _setup_of(data)
     random.seed(setup.seed)
     numpy = sys.modules.get("numpy")

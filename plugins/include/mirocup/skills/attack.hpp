@@ -19,6 +19,7 @@
 // Frames and units are those of strategy.h.
 #pragma once
 
+#include "mirocup/skills/draw.hpp"
 #include "mirocup/skills/intercept.hpp"
 #include "mirocup/skills/shoot.hpp"
 #include "mirocup/skills/univector_field.hpp"
@@ -99,10 +100,13 @@ inline Wheels attack_ball_at(const Setup& setup, const Observation& now, int me,
   return follow_field(setup, robot, target, how.speed, {obstacles.data(), count}, {}, how.lead_s);
 }
 
-// Shoots the ball of robot `me` to `aim`, where the robot meets it on its way.
+// Shoots the ball of robot `me` to `aim`, where the robot meets it on its way. Draws both points
+// (draw.hpp).
 inline Wheels attack_ball(const Setup& setup, const Observation& now, int me, Point aim,
                           const Attack& how = {}) {
-  return attack_ball_at(setup, now, me, intercept(setup, now, now.own[me]).ball.at, aim, how);
+  const Point meet = intercept(setup, now, now.own[me]).ball.at;
+  draw_shot(setup, now.own[me], meet, aim);
+  return attack_ball_at(setup, now, me, meet, aim, how);
 }
 
 // Returns the place of a robot that does not attack: between the ball and the own goal. `rank`: 0

@@ -17,6 +17,7 @@
 #pragma once
 
 #include "mirocup/skills/ball_path.hpp"
+#include "mirocup/skills/draw.hpp"
 #include "mirocup/skills/drive.hpp"
 #include "mirocup/skills/keeper.hpp"
 
@@ -122,7 +123,7 @@ inline Wheels return_to(const Setup& setup, const Robot& robot, Point post, Poin
   return drive_quickly(setup, robot, inside(setup, beside), 0.5);
 }
 
-// Guards the goal.
+// Guards the goal, and draws where it stands (draw.hpp).
 inline Wheels hold_goal(const Setup& setup, const Observation& now, const BallPath& path,
                         const Robot& robot, const GoalHolding& how = {}) {
   const Point here = position(robot);
@@ -148,6 +149,7 @@ inline Wheels hold_goal(const Setup& setup, const Observation& now, const BallPa
     }
   }
   const Point post{-setup.half_length + how.line, holding_y(setup, now, path, how)};
+  draw_target(setup, robot, post);
   const bool is_beside = soon.x < -setup.half_length + 0.045 && std::abs(soon.y) > width - 0.07 &&
                          std::abs(soon.y) < width + 0.22;
   const double gap = outwards * to_ball.y;

@@ -11,6 +11,7 @@
 #pragma once
 
 #include "mirocup/skills/ball_path.hpp"
+#include "mirocup/skills/draw.hpp"
 #include "mirocup/skills/shoot.hpp"
 
 namespace mirocup::strategy {
@@ -65,7 +66,7 @@ inline Point cover_point(const Setup& setup, const Observation& now,
   return at(middle + part * (where.y - middle));
 }
 
-// Guards the goal.
+// Guards the goal, and draws where it stands (draw.hpp).
 inline Wheels guard_goal(const Setup& setup, const Observation& now, const Robot& robot,
                          const KeeperHabits& habits = {}) {
   const Point here = position(robot);
@@ -92,6 +93,7 @@ inline Wheels guard_goal(const Setup& setup, const Observation& now, const Robot
   }
 
   const Point post = cover_point(setup, now, habits);
+  draw_target(setup, robot, post);
   const Point to = post - here;
   if (std::abs(to.x) > 0.05 || std::abs(here.y) > setup.goal_half_width + 0.08) {
     return drive_round(setup, robot, post, ball(now), 0.0, 1.5);

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+//
+// Drawing what a team plans, into the replay of `mirocup match --thoughts`. The skills and the
+// house teams use the same layers and colours, so that the page shows every team alike.
+//
+//   draw_role     what a robot does, a word beside it        layer "roles"
+//   draw_target   where it drives to                         layer "targets"
+//   draw_shot     where the ball is met, where it shall go   layer "shots"
+//   draw_path     a path through some points                 layer of the caller
+//
+// They have no effect on the leg and return at once where thoughts are off. attack_ball(),
+// guard_goal() and hold_goal() draw by themselves; what is meant for predictions (attack_ball_at(),
+// rough_guard()) does not. Frames and units are those of strategy.h.
+#pragma once
+
+#include "mirocup/strategy.hpp"
+
+#include <span>
+
+namespace mirocup::strategy {
+
+// Colours, 0xRRGGBBAA, that stand out from the field, the ball and both teams.
+inline constexpr std::uint32_t target_colour = 0xffffffd0;
+inline constexpr std::uint32_t shot_colour = 0xff8cf0ff;
+inline constexpr std::uint32_t path_colour = 0x7df9ffff;
+
+inline void draw_role(const Setup& setup, const Robot& robot, const char* role) {
+  draw_text(setup, "roles", target_colour, position(robot) + Point{0.0, 0.055}, role);
+}
+
+inline void draw_target(const Setup& setup, const Robot& robot, Point target) {
+  draw_line(setup, "targets", target_colour, position(robot), target);
+  draw_circle(setup, "targets", target_colour, target, 0.015);
+}
+
+// `meet`: where the robot meets the ball. `aim`: where the ball shall go from there.
+inline void draw_shot(const Setup& setup, const Robot& robot, Point meet, Point aim) {
+  draw_target(setup, robot, meet);
+  draw_circle(setup, "shots", shot_colour, meet, setup.ball_radius);
+  draw_line(setup, "shots", shot_colour, meet, aim);
+}
+
+inline void draw_path(const Setup& setup, const char* layer, std::uint32_t colour,
+                      std::span<const Point> points) {
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    draw_line(setup, layer, colour, points[i - 1], points[i]);
+  }
+}
+
+}  // namespace mirocup::strategy
