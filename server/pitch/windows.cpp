@@ -4,7 +4,6 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -20,11 +19,6 @@ constexpr int neighbours = 3;  // on each side
 // A body that is seen farther away than this allows was put there by hand.
 constexpr double max_body_speed = 6.0;  // m/s
 constexpr double hand_move = 0.05;      // m
-
-// Bodies this close to touching share a window, m: the camera's noise, and motion between pictures.
-constexpr double near_gap = 0.02;
-
-constexpr double longest_roll = 2.05;  // s, of joined windows
 
 // Commands are looked up this long before they are used, s.
 constexpr double least_step = 1e-9;
@@ -177,125 +171,6 @@ std::optional<Footage::FittedState> Footage::state_at(int body, int frame, int c
   const Vec2 own = state.heading.to_body(velocity);
   state.twist = {own.x(), own.y(), fit(1, 2)};
   return fitted;
-}
-
-namespace {
-
-// Groups bodies that come near each other in the frames.
-class Groups {
- public:
-  explicit Groups(int bodies) : parent_(static_cast<std::size_t>(bodies)) {
-    for (int i = 0; i < bodies; ++i) parent_[i] = i;
-  }
-  int root(int i) const { return parent_[i] == i ? i : root(parent_[i]); }
-  void join(int i, int j) { parent_[root(i)] = root(j); }
-
- private:
-  std::vector<int> parent_;
-};
-
-double radius_of(const Footage& footage, const simulator::Parameters& p, int body) {
-  return body == footage.ball() ? p.ball_radius : robot_outline(p).radius;
-}
-
-bool come_near(const Footage& footage, const simulator::Parameters& p, const Window& all, int i,
-               int j) {
-  const double reach = radius_of(footage, p, i) + radius_of(footage, p, j) + near_gap;
-  for (int f = all.first; f <= all.last; ++f) {
-    const Footage::Sight& a = footage.sight(i, f);
-    const Footage::Sight& b = footage.sight(j, f);
-    if (a.is_seen && b.is_seen && (a.position - b.position).norm() < reach) return true;
-  }
-  return false;
-}
-
-// True if the bodies can be simulated: each is seen often enough, and robots have commands.
-bool is_usable(const Footage& footage, const Window& window) {
-  for (const int body : window.bodies) {
-    if (body != footage.ball() &&
-        (footage.told(body).empty() || footage.told(body).front().t > footage.time(window.first)))
-      return false;
-    int seen = 0;
-    for (int f = window.first; f <= window.last; ++f)
-      seen += footage.sight(body, f).is_seen ? 1 : 0;
-    if (3 * seen < 2 * (window.last - window.first + 1) || seen < 6) return false;
-  }
-  return true;
-}
-
-// Joins windows in which the ball is alone, one after the other: its slowing down shows best in
-// long ones.
-void join_rolls(const Footage& footage, std::vector<Window>& windows) {
-  std::vector<Window> joined;
-  std::ptrdiff_t roll = -1;  // index of the last roll
-  for (Window& window : windows) {
-    const bool is_roll = window.bodies.size() == 1 && window.bodies[0] == footage.ball();
-    if (is_roll && roll >= 0) {
-      Window& before = joined[static_cast<std::size_t>(roll)];
-      if (before.last + 1 == window.first && !footage.is_broken(before.first, window.last) &&
-          footage.time(window.last) - footage.time(before.first) < longest_roll) {
-        before.last = window.last;
-        continue;
-      }
-    }
-    if (is_roll) roll = static_cast<std::ptrdiff_t>(joined.size());
-    joined.push_back(std::move(window));
-  }
-  windows = std::move(joined);
-}
-
-}  // namespace
-
-std::vector<Window> cut(const Footage& footage, const simulator::Parameters& parameters,
-                        double seconds, int most_bodies) {
-  std::vector<Window> windows;
-  int first = 0;
-  while (first < footage.frames()) {
-    int last = first;
-    while (last + 1 < footage.frames() && footage.time(last + 1) - footage.time(first) < seconds &&
-           footage.time(last + 1) - footage.time(last) < 5.0 * footage.usual_period())
-      ++last;
-    const Window all{first, last, {}};
-    first = last + 1;
-    if (footage.is_broken(all.first, all.last)) continue;
-    Groups groups(footage.bodies());
-    for (int i = 0; i < footage.bodies(); ++i) {
-      for (int j = 0; j < i; ++j) {
-        if (groups.root(i) != groups.root(j) && come_near(footage, parameters, all, i, j))
-          groups.join(i, j);
-      }
-    }
-    for (int root = 0; root < footage.bodies(); ++root) {
-      Window window = all;
-      for (int body = 0; body < footage.bodies(); ++body) {
-        if (groups.root(body) == root) window.bodies.push_back(body);
-      }
-      if (window.bodies.empty() || static_cast<int>(window.bodies.size()) > most_bodies) continue;
-      if (is_usable(footage, window)) windows.push_back(std::move(window));
-    }
-  }
-  join_rolls(footage, windows);
-  return windows;
-}
-
-bool stand_clear(const Footage& footage, const simulator::Parameters& parameters,
-                 const Window& window, const std::vector<simulator::BodyState>& states,
-                 double clearance) {
-  const bool has_ball = window.bodies.back() == footage.ball();
-  const int count = static_cast<int>(window.bodies.size());
-  const auto world = simulator::collision::make_static_world(
-      &footage.field(), parameters, simulator::Tolerances{}, count - (has_ball ? 1 : 0), has_ball);
-  for (int i = 0; i < count; ++i) {
-    for (int j = 0; j < i; ++j) {
-      if (gap(world, {i, j}, states[i], states[j]) < clearance) return false;
-    }
-    for (int k = 0; k < simulator::plane_walls + simulator::end_walls; ++k) {
-      const double to_wall =
-          gap(world, simulator::pair_with_obstacle(i, k), states[i], simulator::BodyState{});
-      if (to_wall < clearance) return false;
-    }
-  }
-  return true;
 }
 
 simulator::World& Rerun::world_for(const Window& window) {

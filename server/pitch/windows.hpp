@@ -83,17 +83,6 @@ class Footage {
   std::vector<int> breaks_;                 // breaks_[f]: their number before frame f
 };
 
-// Cuts the footage into windows of `seconds`; rolls of the ball alone are up to four times as long.
-// Bodies that come near each other share a window. Left out are windows of more than `most_bodies`,
-// those with a robot whose commands are not known, and those with a body that is hardly seen.
-std::vector<Window> cut(const Footage& footage, const simulator::Parameters& parameters,
-                        double seconds, int most_bodies);
-
-// True if no two bodies, and no body and a wall, are nearer than `gap`, m, at these states. A
-// window whose bodies touch at its start has forces at its start that no state tells.
-bool stand_clear(const Footage& footage, const simulator::Parameters& parameters,
-                 const Window& window, const std::vector<simulator::BodyState>& states, double gap);
-
 // Simulates windows under one guess. Keeps a world for each kind of window.
 class Rerun {
  public:

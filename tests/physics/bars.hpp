@@ -29,12 +29,16 @@ inline int cases(Size size, int small, int full) {
 Bars free_ball(Size size);
 Bars bounce_trains(Size size);
 Bars robot_alone(Size size);
+Bars motors_alone(Size size);  // other motors than the default's, here and below
 Bars single_impacts(Size size);
+Bars motors_in_impacts(Size size);
 Bars conserved_in_impacts(Size size);
 Bars shots(Size size);
 Bars lasting_pushes(Size size);
+Bars motors_pushing(Size size);
 Bars scrums(Size size);
 Bars snippets(Size size);
+Bars motors_in_crowds(Size size);
 Bars newtons_cradle(Size size);
 Bars symmetric_hits(Size size);
 Bars corner_on_corner(Size size);

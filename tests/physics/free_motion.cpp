@@ -52,16 +52,16 @@ ExactBall bounce_exactly(const Parameters& p, double half_width, ExactBall ball,
 }
 
 // The largest error of a robot's pose after `ticks` random commands.
-double error_alone(double grip, std::uint64_t seed, int ticks) {
+double error_alone(const Parameters& parameters, std::uint64_t seed, int ticks) {
   Random random(seed);
   Start start;
-  start.parameters.grip = grip;
+  start.parameters = parameters;
   start.robots.push_back({{0.0, 0.0}, random_heading(random), {}});
   const auto world = world_of(start);
   ExactRobot exact = exactly(start.robots[0]);
   double worst = 0.0;
   for (int i = 0; i < ticks; ++i) {
-    const WheelCommand command = random_wheels(random, 80.0);
+    const WheelCommand command = random_wheels(random, 80.0, start.parameters);
     world->advance({&command, 1}, tick);
     exact = drive_exactly(start.parameters, exact, command, tick);
     worst = std::max(worst, difference(world->robot(0), rounded(exact)));
@@ -107,18 +107,36 @@ Bars bounce_trains(Size size) {
   return {{"wall-bounce trains, 2 s, ticks 1 ms to 2 s", "position error, m", worst, 1e-12}};
 }
 
-Bars robot_alone(Size size) {
-  const int seeds = cases(size, 1, 20);
+namespace {
+
+void add_alone(const std::string& scene, Parameters p, Size size, Bars& bars) {
   constexpr int ticks = 303;  // 10 s
   double infinite = 0.0;
   double finite = 0.0;
-  for (int seed = 1; seed <= seeds; ++seed) {
-    infinite = std::max(infinite, error_alone(simulator::infinite_grip, seed, ticks));
-    finite = std::max(finite, error_alone(0.8, seed, ticks));
+  for (int seed = 1; seed <= cases(size, 1, 20); ++seed) {
+    p.grip = simulator::infinite_grip;
+    infinite = std::max(infinite, error_alone(p, seed, ticks));
+    p.grip = 0.8;
+    finite = std::max(finite, error_alone(p, seed, ticks));
   }
-  return {
-      {"robot alone, random wheels, 10 s", "infinite grip: pose error, m and rad", infinite, 1e-10},
-      {"robot alone, random wheels, 10 s", "finite grip: pose error, m and rad", finite, 1e-8}};
+  bars.push_back({scene, "infinite grip: pose error, m and rad", infinite, 1e-10});
+  bars.push_back({scene, "finite grip: pose error, m and rad", finite, 1e-8});
+}
+
+}  // namespace
+
+Bars robot_alone(Size size) {
+  Bars bars;
+  add_alone("robot alone, random wheels, 10 s", {}, size, bars);
+  return bars;
+}
+
+Bars motors_alone(Size size) {
+  Bars bars;
+  for (const Motors& motors : other_motors) {
+    add_alone(std::string(motors.name) + ", alone, 10 s", with(motors), size, bars);
+  }
+  return bars;
 }
 
 }  // namespace mirocup::scenes

@@ -137,7 +137,41 @@ Vec2 pushing_velocity(const Push& push) {
   return push.start.robots[0].heading.to_world({speed, 0.0});
 }
 
+// One pushes another that is told to stand. Both motors act on the mass of two:
+// M (v_ref - v)/T - M v/T_brake = 0.
+Push against_brake(const Motors& motors) {
+  Push p = head_on(0.0, 0.0);
+  p.start.parameters = with(motors);
+  p.commands[1] = WheelSpeeds{0.0, 0.0};
+  const double drives = p.start.parameters.motor_time_constant;
+  const double holds = motors.brake > 0.0 ? motors.brake : drives;
+  p.moving = {p.start.parameters.wheel_radius * u * holds / (drives + holds), 0.0};
+  return p;
+}
+
+void add_named(const std::string& name, Push push, double duration, Bars& bars) {
+  push.name = name.c_str();
+  add_bars(push, duration, bars);
+}
+
 }  // namespace
+
+Bars motors_pushing(Size size) {
+  const double duration = cases(size, 5, 60);
+  Bars bars;
+  for (const Motors& motors : other_motors) {
+    const std::string name = std::string(motors.name) + ": ";
+    Push push = head_on(0.0, 0.0);
+    push.start.parameters = with(motors);
+    add_named(name + "head-on push", push, duration, bars);
+    push = pushed_ball(0.0);
+    push.start.parameters = with(motors);
+    push.moving = pushing_velocity(push);
+    add_named(name + "pushed ball", push, duration, bars);
+    add_named(name + "push against one that stands", against_brake(motors), duration, bars);
+  }
+  return bars;
+}
 
 Bars lasting_pushes(Size size) {
   const double duration = cases(size, 10, 60);
@@ -153,10 +187,7 @@ Bars lasting_pushes(Size size) {
   for (Push& push : pushes) {
     if (push.name == std::string("pushed ball")) push.moving = pushing_velocity(push);
     if (push.start.robots[0].heading.sin > 0.0 && push.start.robots[0].heading.cos > 0.1) {
-      const std::string turned = push.name + std::string(", turned by 0.7 rad");
-      Push named = push;
-      named.name = turned.c_str();
-      add_bars(named, duration, bars);
+      add_named(push.name + std::string(", turned by 0.7 rad"), push, duration, bars);
     } else {
       add_bars(push, duration, bars);
     }

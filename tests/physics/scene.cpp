@@ -31,6 +31,17 @@ WheelCommand random_wheels(Random& random, double fastest) {
   return WheelSpeeds{random.uniform(-fastest, fastest), random.uniform(-fastest, fastest)};
 }
 
+WheelCommand random_wheels(Random& random, double fastest, const Parameters& p) {
+  if (p.brake_time_constant > 0.0 && random.below(3) == 0) return WheelSpeeds{0.0, 0.0};
+  return random_wheels(random, fastest);
+}
+
+Parameters with(const Motors& motors, Parameters p) {
+  p.turn_time_constant = motors.turn;
+  p.brake_time_constant = motors.brake;
+  return p;
+}
+
 Heading random_heading(Random& random) {
   return Heading::from_angle(random.uniform(-pi, pi));
 }

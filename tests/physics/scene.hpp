@@ -34,6 +34,21 @@ std::unique_ptr<World> world_of(const Start& start);
 Parameters without_rolling_friction();
 
 WheelCommand random_wheels(Random& random, double fastest);
+
+// The same, but robots whose motors brake are told to stand in a third of the cases.
+WheelCommand random_wheels(Random& random, double fastest, const Parameters& parameters);
+
+// Motors other than the default's, which have one lag.
+struct Motors {
+  const char* name;
+  double turn;   // s: lag of turning; 0: that of driving
+  double brake;  // s: lag of driving while the robot is told to stand; 0: that of driving
+};
+inline constexpr Motors other_motors[] = {{"motors that turn faster", 0.025, 0.0},
+                                          {"motors that turn slower", 0.13, 0.0},
+                                          {"motors with a brake", 0.0, 0.0145},
+                                          {"two lags and a brake", 0.025, 0.0145}};
+Parameters with(const Motors& motors, Parameters parameters = {});
 Heading random_heading(Random& random);
 Vec2 random_in(Random& random, double half_x, double half_y);
 

@@ -41,8 +41,8 @@ BodyState random_robot(Random& random, const Parameters& p, const Vec2& at, cons
   return r;
 }
 
-WheelCommand random_command(Random& random) {
-  return random.coin() ? random_wheels(random, 80.0) : WheelCommand{};
+WheelCommand random_command(Random& random, const Parameters& p) {
+  return random.coin() ? random_wheels(random, 80.0, p) : WheelCommand{};
 }
 
 // A body a little away from its target, on its way to it.
@@ -52,7 +52,7 @@ Scene random_scene(Random& random, bool ball, Target target, const field::Field&
   s.start.parameters = parameters;
   Vec2 aim{0.0, 0.0};
   if (target == Target::robot) {
-    const WheelCommand command = random_command(random);
+    const WheelCommand command = random_command(random, parameters);
     const BodyState other =
         random_robot(random, parameters, {0.0, 0.0}, random_in(random, 0.5, 0.5), command);
     s.start.robots.push_back(other);
@@ -72,7 +72,7 @@ Scene random_scene(Random& random, bool ball, Target target, const field::Field&
     s.a.ball = exactly(s.start.ball[0]);
     return s;
   }
-  const WheelCommand command = random_command(random);
+  const WheelCommand command = random_command(random, parameters);
   s.start.robots.push_back(random_robot(random, parameters, from, 0.3 * velocity, command));
   s.commands.push_back(command);
   s.a = {.robot = exactly(s.start.robots.back()), .ball = {}, .command = command, .solid = {}};
@@ -86,8 +86,7 @@ bool can_be_reached(const Scene& s, const field::Field& field, const Encounter& 
   return e.touch.point.y() > field.half_width - 1e-6 || (e.touch.point - post).norm() < 0.05;
 }
 
-Parameters random_parameters(Random& random) {
-  Parameters p;
+Parameters random_parameters(Random& random, Parameters p) {
   if (random.coin()) p.grip = simulator::infinite_grip;
   const double e = random.uniform();
   p.restitution = {e, e, e, e};
@@ -174,7 +173,8 @@ constexpr PairKind pair_kinds[] = {
     {"ball on robot", true, Target::robot},      {"robot on wall", false, Target::wall},
     {"robot on goal post", false, Target::post}, {"robot on robot", false, Target::robot}};
 
-void add_bars(const PairKind& kind, int wanted, Bars& bars) {
+void add_bars(const PairKind& kind, const std::string& scene, const Parameters& base, int wanted,
+              Bars& bars) {
   // From coarse to fine: the last one in which the impact is found bounds the error of its time.
   constexpr double windows[] = {1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14};
   const field::Field field = field::make_field(League::small);
@@ -185,7 +185,7 @@ void add_bars(const PairKind& kind, int wanted, Bars& bars) {
   int missed = 0;
   int several = 0;
   for (int found = 0; found < wanted;) {
-    const Parameters p = random_parameters(random);
+    const Parameters p = random_parameters(random, base);
     const Scene s = random_scene(random, kind.ball, kind.target, field, p);
     if (overlap(s.start)) continue;
     MovingOutline a = s.a;
@@ -211,7 +211,6 @@ void add_bars(const PairKind& kind, int wanted, Bars& bars) {
     }
     worst_time = std::max(worst_time, bound);
   }
-  const std::string scene = std::string("single impacts: ") + kind.name;
   bars.push_back({scene, "impacts not found within 1e-9 s", static_cast<double>(missed), 0.0});
   bars.push_back({scene, "share with several impacts within 2e-6 s, not compared",
                   several / static_cast<double>(wanted), 0.01});
@@ -250,7 +249,20 @@ Momentum momentum_of(const World& world) {
 
 Bars single_impacts(Size size) {
   Bars bars;
-  for (const PairKind& kind : pair_kinds) add_bars(kind, cases(size, 60, 10000), bars);
+  for (const PairKind& kind : pair_kinds) {
+    add_bars(kind, std::string("single impacts: ") + kind.name, {}, cases(size, 60, 10000), bars);
+  }
+  return bars;
+}
+
+Bars motors_in_impacts(Size size) {
+  Bars bars;
+  const Motors& motors = other_motors[std::size(other_motors) - 1];
+  for (const PairKind& kind : pair_kinds) {
+    if (kind.ball && kind.target != Target::robot) continue;  // no motor takes part
+    add_bars(kind, std::string(motors.name) + ": " + kind.name, with(motors),
+             cases(size, 30, 10000), bars);
+  }
   return bars;
 }
 

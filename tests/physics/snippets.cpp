@@ -22,12 +22,12 @@ struct Snippet {
 };
 
 // Six robots and the ball within 0.6 m, anywhere on the field.
-Snippet random_snippet(Random& random, const field::Field& field) {
+Snippet random_snippet(Random& random, const field::Field& field, const Parameters& parameters) {
   constexpr int robots = 6;
   constexpr double half_crowd = 0.3;
   Snippet s;
   do {
-    s.start = {.field = &field, .parameters = {}, .robots = {}, .ball = {}};
+    s.start = {.field = &field, .parameters = parameters, .robots = {}, .ball = {}};
     const Vec2 centre = random_in(random, 0.5, 0.4);
     for (int i = 0; i < robots; ++i) {
       BodyState r{centre + random_in(random, half_crowd, half_crowd), random_heading(random), {}};
@@ -40,7 +40,9 @@ Snippet random_snippet(Random& random, const field::Field& field) {
   } while (overlap(s.start));
   for (int i = 0; i < ticks; ++i) {
     s.commands.emplace_back();
-    for (int k = 0; k < robots; ++k) s.commands[i].push_back(random_wheels(random, 80.0));
+    for (int k = 0; k < robots; ++k) {
+      s.commands[i].push_back(random_wheels(random, 80.0, parameters));
+    }
   }
   return s;
 }
@@ -84,11 +86,9 @@ double share(std::vector<double> values, double part) {
   return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
 }
 
-}  // namespace
-
-Bars snippets(Size size) {
+void add_crowds(const std::string& scene, const Parameters& parameters, Size size, int count,
+                Bars& bars) {
   const double step = size == Size::small ? 2e-5 : 5e-6;
-  const int count = cases(size, 20, 200);
   Random random(5);
   const field::Field field = field::make_field(League::small);
   struct Errors {
@@ -96,7 +96,7 @@ Bars snippets(Size size) {
   };
   Errors one, five;
   for (int i = 0; i < count; ++i) {
-    const Snippet s = random_snippet(random, field);
+    const Snippet s = random_snippet(random, field, parameters);
     const auto world = world_of(s.start);
     const Positions simulated = play(s, *world);
     const Positions coarse = play_in_tiny_steps(s, 2.0 * step);
@@ -106,9 +106,8 @@ Bars snippets(Size size) {
     five.simulator.push_back(largest(simulated[4], fine[4]));
     five.reference.push_back(largest(coarse[4], fine[4]));
   }
-  const std::string scene = "crowded 3-on-3 snippets";
   const double any = HUGE_VAL;
-  return {
+  const Bars measured{
       {scene, "p50 position error after 1 tick, m", share(one.simulator, 0.5), any},
       {scene, "p90 position error after 1 tick, m", share(one.simulator, 0.9), 1e-6},
       {scene, "p90 after 1 tick, tiny steps halved, m", share(one.reference, 0.9), any},
@@ -116,6 +115,24 @@ Bars snippets(Size size) {
       {scene, "p90 position error after 5 ticks, m", share(five.simulator, 0.9), 2e-5},
       {scene, "p90 after 5 ticks, tiny steps halved, m", share(five.reference, 0.9), any},
   };
+  bars.insert(bars.end(), measured.begin(), measured.end());
+}
+
+}  // namespace
+
+Bars snippets(Size size) {
+  Bars bars;
+  add_crowds("crowded 3-on-3 snippets", {}, size, cases(size, 20, 200), bars);
+  return bars;
+}
+
+Bars motors_in_crowds(Size size) {
+  Bars bars;
+  for (const Motors& motors : other_motors) {
+    add_crowds(std::string(motors.name) + ", crowded", with(motors), size, cases(size, 6, 60),
+               bars);
+  }
+  return bars;
 }
 
 }  // namespace mirocup::scenes

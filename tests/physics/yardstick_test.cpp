@@ -29,6 +29,27 @@ TEST(ExactMotion, StraightOnIsTheExponential) {
   EXPECT_NEAR(static_cast<double>(r.x - v * (0.5L - T * (1 - rest))), 0.0, 1e-16);
 }
 
+// Told to stand, a robot whose motors brake goes on by v T_brake, and turns by omega T_turn.
+TEST(ExactMotion, EachLagHasItsOwnWay) {
+  Parameters p;
+  p.grip = simulator::infinite_grip;
+  p.turn_time_constant = 0.13;
+  p.brake_time_constant = 0.0145;
+  ExactRobot straight;
+  straight.forward = 1.2L;
+  straight = drive_exactly(p, straight, WheelSpeeds{0.0, 0.0}, 2.0L);
+  EXPECT_NEAR(static_cast<double>(straight.x), 1.2 * 0.0145, 1e-16);
+  ExactRobot spinning;
+  spinning.turn = 9.0L;
+  spinning = drive_exactly(p, spinning, WheelSpeeds{0.0, 0.0}, 5.0L);
+  EXPECT_NEAR(static_cast<double>(spinning.angle), 9.0 * 0.13, 1e-15);
+  ExactRobot drives;
+  drives = drive_exactly(p, drives, WheelSpeeds{40.0, 40.0}, 0.5L);
+  const long double rest = std::exp(-0.5L / p.motor_time_constant);
+  EXPECT_NEAR(static_cast<double>(drives.forward - p.wheel_radius * 40.0L * (1 - rest)), 0.0, 1e-16)
+      << "the brake acts at zero command only";
+}
+
 // At constant speeds the robot goes round a circle.
 TEST(ExactMotion, ConstantSpeedsAreACircle) {
   Parameters p;
@@ -63,6 +84,20 @@ double error_alone(double step) {
   world.advance({&command, 1}, 0.1);
   return difference(world.robot(0),
                     test_support::rounded(drive_exactly(p, exactly(start), command, 0.1L)));
+}
+
+// The tiny steps know the same motors.
+TEST(TinyWorld, BrakesAndTurnsWithLagsOfTheirOwn) {
+  const Parameters p = with(other_motors[std::size(other_motors) - 1]);
+  const BodyState start{{0.0, 0.0}, {}, {0.8, 0.0, 5.0}};
+  for (const WheelCommand& command : {WheelSpeeds{0.0, 0.0}, WheelSpeeds{10.0, 20.0}}) {
+    TinyWorld world(nullptr, p, 1, false, 2e-5);
+    world.set_robot(0, start);
+    world.advance({&command, 1}, 0.1);
+    const BodyState exact = test_support::rounded(drive_exactly(p, exactly(start), command, 0.1L));
+    EXPECT_LT(difference(world.robot(0), exact), 1e-7);
+    EXPECT_LT(velocity_difference(world.robot(0), exact), 1e-6);
+  }
 }
 
 TEST(TinyWorld, HalvingTheStepQuartersTheErrorOfAFreeRobot) {

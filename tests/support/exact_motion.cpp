@@ -12,7 +12,8 @@ namespace {
 constexpr Real g = 9.81L;
 
 struct Model {
-  Real speed_reference = 0, turn_reference = 0, time_constant = 1, lateral_acceleration_limit = 0;
+  Real speed_reference = 0, turn_reference = 0, lateral_acceleration_limit = 0;
+  Real forward_lag = 1, turn_lag = 1;
   bool wheels_on_ground = true;
   int slide = 0;  // sign of the sideways speed, 0: the wheels hold
 };
@@ -27,8 +28,8 @@ ExactRobot derivative(const Model& m, const ExactRobot& s) {
     d.left = -s.turn * s.forward;
     return d;
   }
-  d.turn = (m.turn_reference - s.turn) / m.time_constant;
-  d.forward = (m.speed_reference - s.forward) / m.time_constant + s.turn * s.left;
+  d.turn = (m.turn_reference - s.turn) / m.turn_lag;
+  d.forward = (m.speed_reference - s.forward) / m.forward_lag + s.turn * s.left;
   d.left = m.slide == 0 ? 0 : -m.slide * m.lateral_acceleration_limit - s.turn * s.forward;
   return d;
 }
@@ -91,7 +92,10 @@ Model model_of(const simulator::Parameters& p, const simulator::WheelCommand& co
   const Real right = std::clamp<Real>(command->right, -limit, limit);
   m.speed_reference = p.wheel_radius * (left + right) / 2;
   m.turn_reference = p.wheel_radius * (right - left) / p.wheel_distance;
-  m.time_constant = p.motor_time_constant;
+  m.forward_lag = p.motor_time_constant;
+  m.turn_lag = p.turn_time_constant > 0 ? p.turn_time_constant : p.motor_time_constant;
+  const bool stops = left == 0 && right == 0;
+  if (stops && p.brake_time_constant > 0) m.forward_lag = p.brake_time_constant;
   m.lateral_acceleration_limit = p.grip * g;
   return m;
 }

@@ -106,8 +106,8 @@ Eigen::Vector3d TinyWorld::force(const Body& middle, int index) const {
   if (!drive.wheels_on_ground) return Eigen::Vector3d::Zero();
   const Vec2 forward = forward_of(middle.angle);
   const double speed = forward.dot(middle.velocity.head<2>());
-  const Vec2 push = m[0] * (drive.forward - speed) / p_.motor_time_constant * forward;
-  return {push.x(), push.y(), m[2] * (drive.turn - middle.velocity[2]) / p_.motor_time_constant};
+  const Vec2 push = m[0] * (drive.forward - speed) / drive.forward_lag * forward;
+  return {push.x(), push.y(), m[2] * (drive.turn - middle.velocity[2]) / drive.turn_lag};
 }
 
 double TinyWorld::kinetic_energy() const {
@@ -315,6 +315,10 @@ void TinyWorld::advance(std::span<const simulator::WheelCommand> commands, doubl
         std::clamp(commands[i]->right, -p_.wheel_speed_limit, p_.wheel_speed_limit);
     drives_[i].forward = p_.wheel_radius * (right + left) / 2.0;
     drives_[i].turn = p_.wheel_radius * (right - left) / p_.wheel_distance;
+    const double lag = p_.motor_time_constant;
+    const bool brakes = p_.brake_time_constant > 0.0 && left == 0.0 && right == 0.0;
+    drives_[i].forward_lag = brakes ? p_.brake_time_constant : lag;
+    drives_[i].turn_lag = p_.turn_time_constant > 0.0 ? p_.turn_time_constant : lag;
   }
   const int steps = static_cast<int>(std::ceil(duration / step_ - 1e-9));
   const double margin = touch_speed * step_;

@@ -57,6 +57,7 @@ class TinyWorld {
   struct DriveReference {
     bool wheels_on_ground = true;
     double forward = 0.0, turn = 0.0;
+    double forward_lag = 1.0, turn_lag = 1.0;  // s
   };
   // A velocity that a contact or wheels keep at zero or above: along_a . velocity of a +
   // along_b . velocity of b.

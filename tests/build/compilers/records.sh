@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# Bit for bit, with legs of real teams: records of the release build, under each preset of the rules and of the conditions, must be
+# Bit for bit, with legs of real teams: records of the release build, under each preset of the rules, the conditions and the pitch, must be
 # reproduced by core as other compilers, other levels and arm64 build it. Takes some minutes, so it is a command of its own.
-# Usage: records.sh BUILD [RECORD...]; without records it plays thirteen. arm64 is left out where check_arm64.sh cannot run.
+# Usage: records.sh BUILD [RECORD...]; without records it plays sixteen. arm64 is left out where check_arm64.sh cannot run.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 build=$(cd "$1" && pwd)
@@ -32,6 +32,9 @@ if [[ ${#records[@]} -eq 0 ]]; then
   play small-exact navigator striker --conditions exact --half 20 --seed 11
   play small-camera striker navigator --conditions camera --half 20 --seed 12
   play middle-camera navigator chaser --conditions camera --league middle --half 10 --seed 13
+  play pitch-mirosot striker navigator --pitch mirosot --half 10 --seed 14
+  play pitch-vsss striker chaser --pitch vsss --rules vsss --half 10 --seed 15
+  play pitch-simurosot chaser striker --pitch simurosot --rules simurosot --half 10 --seed 16
   records=("$folder"/*.json)
 fi
 flat=()
