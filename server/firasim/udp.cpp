@@ -124,7 +124,12 @@ Result<Receiver> Receiver::open(const Endpoint& at, const std::string& interface
     return fail(Errc::unavailable, option + " " + to_text(at) + ": " + std::strerror(errno) +
                                        (errno == EADDRINUSE ? " (by another match?)" : ""));
   }
-  if (!at.is_group()) return receiver;
+  if (!at.is_group()) {
+    // From now on, for only_from(). A match that opens the same address does not ask to share it,
+    // and is refused.
+    set(socket, SOL_SOCKET, SO_REUSEADDR, 1);
+    return receiver;
+  }
   const auto indexes = indexes_of(interface);
   if (!indexes) return tl::unexpected(indexes.error());
   bool has_joined = false;
@@ -136,6 +141,23 @@ Result<Receiver> Receiver::open(const Endpoint& at, const std::string& interface
   if (!has_joined) {
     return fail(Errc::unavailable, option + " " + to_text(at) +
                                        ": the group cannot be joined: " + std::strerror(errno));
+  }
+  return receiver;
+}
+
+Result<Receiver> Receiver::only_from(const Endpoint& peer) const {
+  sockaddr_in own{};
+  socklen_t length = sizeof own;
+  const sockaddr_in other = to_sockaddr(peer);
+  Receiver receiver;
+  receiver.socket_.reset(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+  const int socket = receiver.socket_.get();
+  set(socket, SOL_SOCKET, SO_REUSEADDR, 1);
+  set(socket, SOL_SOCKET, SO_RCVBUF, 1 << 20);
+  if (getsockname(descriptor(), reinterpret_cast<sockaddr*>(&own), &length) != 0 ||
+      bind(socket, reinterpret_cast<const sockaddr*>(&own), sizeof own) != 0 ||
+      connect(socket, reinterpret_cast<const sockaddr*>(&other), sizeof other) != 0) {
+    return fail(Errc::unavailable, "no socket for " + to_text(peer) + ": " + std::strerror(errno));
   }
   return receiver;
 }

@@ -48,6 +48,10 @@ class Receiver {
   // Address 0 is any address of the host. A group is joined on the interface, and on lo.
   static Result<Receiver> open(const Endpoint& at, const std::string& interface,
                                const std::string& option);
+  // Opens one at the same address that gets only what `peer` sends, into a buffer of its own: what
+  // others send cannot crowd it out. This one no longer gets that, unless it is a group's.
+  // Errc::unavailable.
+  Result<Receiver> only_from(const Endpoint& peer) const;
 
   struct Datagram {
     Endpoint from;
