@@ -86,16 +86,21 @@ Result<Sender> Sender::open(std::vector<Endpoint> to, const std::string& interfa
   if (!indexes) return tl::unexpected(indexes.error());
   Sender sender;
   sender.to_ = std::move(to);
-  for (const int index : *indexes) {
-    system::Descriptor socket(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
-    if (!socket.is_open()) {
-      return fail(Errc::unavailable, std::string("no UDP socket: ") + std::strerror(errno));
-    }
-    const ip_mreqn way{.imr_multiaddr = {}, .imr_address = {}, .imr_ifindex = index};
-    const int ttl = interface == this_host ? 0 : 1;
-    set(socket.get(), IPPROTO_IP, IP_MULTICAST_TTL, ttl);
-    if (index != 0) set(socket.get(), IPPROTO_IP, IP_MULTICAST_IF, way);
-    sender.sockets_.push_back(std::move(socket));
+  sender.socket_.reset(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+  if (!sender.socket_.is_open()) {
+    return fail(Errc::unavailable, std::string("no UDP socket: ") + std::strerror(errno));
+  }
+  const int socket = sender.socket_.get();
+  const int index = indexes->front();
+  const int ttl = interface == this_host ? 0 : 1;
+  set(socket, IPPROTO_IP, IP_MULTICAST_TTL, ttl);
+  const ip_mreqn way{.imr_multiaddr = {}, .imr_address = {}, .imr_ifindex = index};
+  set(socket, IPPROTO_IP, IP_MULTICAST_IF, way);
+  for (const Endpoint& endpoint : sender.to_) {
+    if (!endpoint.is_group()) continue;
+    const ip_mreqn group{
+        .imr_multiaddr = to_sockaddr(endpoint).sin_addr, .imr_address = {}, .imr_ifindex = index};
+    set(socket, IPPROTO_IP, IP_ADD_MEMBERSHIP, group);
   }
   return sender;
 }
@@ -103,11 +108,8 @@ Result<Sender> Sender::open(std::vector<Endpoint> to, const std::string& interfa
 void Sender::send(const std::string& bytes) const {
   for (const Endpoint& endpoint : to_) {
     const sockaddr_in address = to_sockaddr(endpoint);
-    for (const system::Descriptor& socket : sockets_) {
-      sendto(socket.get(), bytes.data(), bytes.size(), 0,
-             reinterpret_cast<const sockaddr*>(&address), sizeof address);
-      if (!endpoint.is_group()) break;
-    }
+    sendto(socket_.get(), bytes.data(), bytes.size(), 0,
+           reinterpret_cast<const sockaddr*>(&address), sizeof address);
   }
 }
 
