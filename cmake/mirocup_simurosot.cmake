@@ -132,7 +132,8 @@ function(mirocup_simurosot_team)
     MIROCUP_SIMUROSOT_STICKY=${number_STATE} MIROCUP_SIMUROSOT_PLACING=${placing})
 
   add_library(${team_NAME} MODULE ${kit}/runtime.cpp $<TARGET_OBJECTS:${old}> $<TARGET_OBJECTS:${adapter}>)
-  target_link_options(${team_NAME} PRIVATE LINKER:--version-script=${kit}/exports.map LINKER:--allow-multiple-definition
+  # An old team is never told that the match is over, so what it has opened and registered outlives it: it stays loaded.
+  target_link_options(${team_NAME} PRIVATE LINKER:-z,nodelete LINKER:--version-script=${kit}/exports.map LINKER:--allow-multiple-definition
     LINKER:--wrap=malloc LINKER:--wrap=fopen LINKER:--wrap=fclose LINKER:--wrap=time LINKER:--wrap=clock LINKER:-z,defs)
   set_target_properties(${team_NAME} PROPERTIES PREFIX "" CXX_STANDARD 20 UNITY_BUILD OFF MIROCUP_NOT_SANITIZED ON)
 endfunction()

@@ -8,9 +8,6 @@ namespace mirocup::firasim {
 
 namespace {
 
-// A sender that has been silent for so long may be replaced by another one, s.
-constexpr double seat_is_free_after = 1.0;
-
 // In lock-step: how long a team that has commanded some robots is waited for, until it is taken for
 // one that leaves the others out; and how long one that stands still before the whistle, s.
 constexpr double partial_patience = 0.5;
@@ -34,10 +31,13 @@ Seat::Seat(const match::Briefing& briefing, std::string name, const Terms& terms
            std::function<void()> settle)
     : briefing_(briefing), name_(std::move(name)), terms_(terms), settle_(std::move(settle)) {}
 
+bool Seat::may_be_replaced(double now) const {
+  return heard_at_ && now - *heard_at_ >= terms_.away / 2.0;
+}
+
 bool Seat::let_in(const Endpoint& sender, double now) {
   if (sender_ == sender) return true;
-  const bool is_free = !sender_ || (heard_at_ && now - *heard_at_ >= seat_is_free_after);
-  if (!is_free) return false;
+  if (sender_ && !may_be_replaced(now)) return false;
   terms_.tell(std::string(to_string(team())) + " \"" + name_ + "\" is steered from " +
               to_text(sender));
   sender_ = sender;
@@ -83,19 +83,19 @@ void Seat::note_answer(double now) {
   if (asked_at_ > 0.0) answers_.add(now - asked_at_);
 }
 
-void Seat::take(const TeamPlacement& placement, const Endpoint& sender, double now) {
+bool Seat::take(const TeamPlacement& placement, const Endpoint& sender, double now) {
   const bool is_of_another_host = sender_ && sender_->address != sender.address;
-  const bool is_another =
-      placer_ && *placer_ != sender && heard_at_ && now - *heard_at_ < seat_is_free_after;
+  const bool is_another = placer_ && *placer_ != sender && !may_be_replaced(now);
   if (is_of_another_host || is_another) {
     ++counts_.foreign;
-    return;
+    return false;
   }
   placer_ = sender;
   ++counts_.placements;
   missing_placements_ = 0;
   placement_ = placement;  // the last one counts
   heard(now);
+  return true;
 }
 
 void Seat::ask(std::uint32_t step, bool restart, double now) {

@@ -4,8 +4,8 @@
 //
 // FIRASim asks nobody: every process may steer both colours. Here a colour belongs to the first
 // address and port that sends commands for it. Another one may take it over only after the first
-// has been silent for a while. Placements come from a socket of their own, which is bound in the
-// same way and must be of the same host.
+// has been silent for half of the time after which the team is lost. Placements come from a socket
+// of their own, which is bound in the same way and must be of the same host.
 //
 // As in FIRASim, the last command of a robot holds until there is a newer one. At a restart all
 // robots of the team stop.
@@ -64,10 +64,12 @@ class Seat final : public match::Controller {
 
   // For the server, which receives for both seats. `now`: wall time, s.
   bool belongs_to(const Endpoint& sender) const { return sender_ == sender; }
+  bool is_placed_by(const Endpoint& sender) const { return placer_ == sender; }
   // True if the sender steers the team, or does so from now on.
   bool let_in(const Endpoint& sender, double now);
   void take(const Packet& packet, double now);
-  void take(const TeamPlacement& placement, const Endpoint& sender, double now);
+  // False if the sender may not place the team.
+  bool take(const TeamPlacement& placement, const Endpoint& sender, double now);
   Counts& counts() { return counts_; }
   const Counts& counts() const { return counts_; }
 
@@ -75,6 +77,7 @@ class Seat final : public match::Controller {
   void ask(std::uint32_t step, bool restart, double now);
   bool was_heard() const { return heard_at_.has_value(); }
   bool is_satisfied() const { return !awaits_placement() && !awaits_commands(); }
+  bool awaits_placement() const;
   // Wall time at which the tick is no longer waited for.
   double deadline() const;
   // Ends the wait for this tick.
@@ -91,7 +94,7 @@ class Seat final : public match::Controller {
 
  private:
   bool awaits_commands() const;
-  bool awaits_placement() const;
+  bool may_be_replaced(double now) const;
   void heard(double now);
   void note_answer(double now);
 

@@ -10,8 +10,10 @@ namespace mirocup::firasim {
 
 namespace {
 
-// A flood must not keep the server from its tick.
-constexpr int most_datagrams_at_once = 4096;
+// A flood must not keep the server from its tick: so many datagrams of a team are read at once, and
+// so many of all others.
+constexpr int most_of_a_team = 4096;
+constexpr int most_of_others = 512;
 
 // A vision that nobody has answered is sent again after this, s: it may be lost.
 constexpr double resend_after = 0.25;
@@ -85,13 +87,14 @@ Server::Server(Sender vision, Sender referee, Receiver commands, Receiver placem
 
 Seat* Server::add_seat(const match::Briefing& briefing, const std::string& name,
                        const Terms& terms) {
-  seats_.push_back(std::make_unique<Seat>(briefing, name, terms, [this] { settle(); }));
-  return seats_.back().get();
+  auto seat = std::make_unique<Seat>(briefing, name, terms, [this] { settle(); });
+  places_.push_back({.seat = std::move(seat), .commands = {}, .placements = {}});
+  return places_.back().seat.get();
 }
 
-Seat* Server::seat_of(Team team) {
-  for (const auto& seat : seats_) {
-    if (seat->team() == team) return seat.get();
+Server::Place* Server::place_of(Team team) {
+  for (Place& place : places_) {
+    if (place.seat->team() == team) return &place;
   }
   return nullptr;
 }
@@ -133,7 +136,7 @@ void Server::publish(const match::Leg& leg) {
   const double now = now_s();
   call(leg);
   const Vision vision = to_vision(leg);
-  for (const auto& seat : seats_) seat->ask(vision.step, is_new_call_, now);
+  for (const Place& place : places_) place.seat->ask(vision.step, is_new_call_, now);
   is_new_call_ = false;
   sent_vision_ = encode(vision);
   vision_.send(sent_vision_);
@@ -178,66 +181,99 @@ void Server::close(const match::Leg& leg) {
 }
 
 void Server::wait(double seconds) const {
-  pollfd sockets[2] = {{commands_.descriptor(), POLLIN, 0}, {placements_.descriptor(), POLLIN, 0}};
+  std::vector<pollfd> sockets{{commands_.descriptor(), POLLIN, 0},
+                              {placements_.descriptor(), POLLIN, 0}};
+  for (const Place& place : places_) {
+    for (const auto& line : {&place.commands, &place.placements}) {
+      if (*line) sockets.push_back({(*line)->descriptor(), POLLIN, 0});
+    }
+  }
   timespec limit{};
   limit.tv_sec = static_cast<time_t>(std::max(0.0, seconds));
   limit.tv_nsec =
       static_cast<long>(1e9 * (std::max(0.0, seconds) - static_cast<double>(limit.tv_sec)));
-  ppoll(sockets, 2, &limit, nullptr);
+  ppoll(sockets.data(), sockets.size(), &limit, nullptr);
 }
 
-// Returns true if anything has come.
+// Returns true if a team has sent anything.
 bool Server::receive(double now) {
+  bool any = false;
   Receiver::Datagram datagram;
-  int count = 0;
-  while (count < most_datagrams_at_once && placements_.receive(datagram)) {
-    take_placement(datagram, now);
-    ++count;
+  for (Place& place : places_) {
+    // The line is looked at anew each time: another sender may have taken the seat.
+    for (int i = 0; i < most_of_a_team && place.placements; ++i) {
+      if (!place.placements->receive(datagram)) break;
+      any = take_placement(datagram, now) || any;
+    }
+    for (int i = 0; i < most_of_a_team && place.commands; ++i) {
+      if (!place.commands->receive(datagram)) break;
+      any = take_packet(datagram, now) || any;
+    }
   }
-  while (count < most_datagrams_at_once && commands_.receive(datagram)) {
-    take_packet(datagram, now);
-    ++count;
+  for (int i = 0; i < most_of_others && placements_.receive(datagram); ++i) {
+    if (!has_own_line(datagram.from)) any = take_placement(datagram, now) || any;
   }
-  return count > 0;
+  for (int i = 0; i < most_of_others && commands_.receive(datagram); ++i) {
+    any = take_packet(datagram, now) || any;
+  }
+  return any;
 }
 
-// The datagram counts for the seat of its sender, and otherwise for nobody's.
-void Server::take_packet(const Receiver::Datagram& datagram, double now) {
+// What is sent to a group arrives at all sockets.
+bool Server::has_own_line(const Endpoint& placer) const {
+  return std::any_of(places_.begin(), places_.end(), [&](const Place& place) {
+    return place.placements && place.seat->is_placed_by(placer);
+  });
+}
+
+// The datagram counts for the seat of its sender, and otherwise for nobody's. Returns true if it is
+// a seat's.
+bool Server::take_packet(const Receiver::Datagram& datagram, double now) {
   Seat* owner = nullptr;
-  for (const auto& seat : seats_) {
-    if (seat->belongs_to(datagram.from)) owner = seat.get();
+  for (const Place& place : places_) {
+    if (place.seat->belongs_to(datagram.from)) owner = place.seat.get();
   }
   const auto packet = decode_packet(datagram.bytes);
   if (!packet) {
     ++(owner != nullptr ? owner->counts() : strangers_).malformed;
-    return;
+    return owner != nullptr;
   }
   if (owner == nullptr && !packet->commands.empty()) {
-    Seat* wanted = seat_of(packet->commands.front().team);
-    if (wanted != nullptr && wanted->let_in(datagram.from, now)) owner = wanted;
+    Place* wanted = place_of(packet->commands.front().team);
+    if (wanted != nullptr && wanted->seat->let_in(datagram.from, now)) {
+      owner = wanted->seat.get();
+      wanted->commands.reset();
+      if (auto line = commands_.only_from(datagram.from)) wanted->commands = std::move(*line);
+    }
   }
   Counts& counts = owner != nullptr ? owner->counts() : strangers_;
   if (packet->has_replacement) ++counts.replacements;
   if (owner == nullptr) {
     ++counts.foreign;
-    return;
+    return false;
   }
   ++counts.datagrams;
   if (!packet->commands.empty()) owner->take(*packet, now);
+  return true;
 }
 
-void Server::take_placement(const Receiver::Datagram& datagram, double now) {
+bool Server::take_placement(const Receiver::Datagram& datagram, double now) {
   const auto placement = decode_placement(datagram.bytes);
   if (!placement) {
     ++strangers_.malformed;
-    return;
+    return false;
   }
-  Seat* seat = seat_of(placement->team);
-  if (seat == nullptr) {
+  Place* place = place_of(placement->team);
+  if (place == nullptr) {
     ++strangers_.foreign;
-    return;
+    return false;
   }
-  seat->take(*placement, datagram.from, now);
+  const bool is_known = place->seat->is_placed_by(datagram.from);
+  if (!place->seat->take(*placement, datagram.from, now)) return false;
+  if (is_known && place->placements) return true;
+  place->placements.reset();
+  if (auto line = placements_.only_from(datagram.from)) place->placements = std::move(*line);
+  return true;
 }
 
 // Commands that came too late for the last vision would be taken for answers to the next one. In
@@ -246,10 +282,21 @@ void Server::drain() {
   const double begun = now_s();
   receive(begun);
   if (!std::exchange(was_sent_again_, false)) return;
-  while (now_s() - begun < longest_drain) {
-    wait(quiet);
-    if (!receive(now_s())) return;
+  double heard = begun;
+  for (double now = begun; now - begun < longest_drain && now - heard < quiet; now = now_s()) {
+    wait(heard + quiet - now);
+    if (receive(now_s())) heard = now_s();
   }
+}
+
+// A team that is waited for may not have got the vision, or the call that its placement answers.
+void Server::send_again() {
+  vision_.send(sent_vision_);
+  was_sent_again_ = true;
+  const bool places = std::any_of(places_.begin(), places_.end(), [](const Place& place) {
+    return place.seat->awaits_placement();
+  });
+  if (places) referee_.send(sent_call_);
 }
 
 void Server::settle() {
@@ -261,23 +308,23 @@ void Server::settle() {
     end_the_lost(now);
     double until = now + interrupt_poll;
     bool all = true;
-    for (const auto& seat : seats_) {
-      if (!seat->is_satisfied() && now >= seat->deadline()) seat->give_up(now);
-      if (seat->is_satisfied()) continue;
+    for (const Place& place : places_) {
+      Seat& seat = *place.seat;
+      if (!seat.is_satisfied() && now >= seat.deadline()) seat.give_up(now);
+      if (seat.is_satisfied()) continue;
       all = false;
-      until = std::min(until, seat->deadline());
+      until = std::min(until, seat.deadline());
     }
     if (all) return;
-    const Terms& terms = seats_.front()->terms();
+    const Terms& terms = places_.front().seat->terms();
     if (terms.interrupted()) {
-      for (const auto& seat : seats_) {
-        seat->end(match::HostFailure{"interrupted while a team was awaited"});
+      for (const Place& place : places_) {
+        place.seat->end(match::HostFailure{"interrupted while a team was awaited"});
       }
       return;
     }
     if (!terms.tick && now - sent >= resend_after) {
-      vision_.send(sent_vision_);
-      was_sent_again_ = true;
+      send_again();
       sent = now;
     }
     wait(until - now);
@@ -287,11 +334,12 @@ void Server::settle() {
 // A team is lost when it has been silent for too long in play. Nobody wins who is not there
 // either: the other one is lost with it if it has been silent for half as long.
 void Server::end_the_lost(double now) {
-  const bool any = std::any_of(seats_.begin(), seats_.end(),
-                               [&](const auto& seat) { return seat->is_lost(now); });
+  const bool any = std::any_of(places_.begin(), places_.end(),
+                               [&](const Place& place) { return place.seat->is_lost(now); });
   if (!any) return;
-  for (const auto& seat : seats_) {
-    if (seat->silent_for(now) >= seat->terms().away / 2.0) seat->end(seat->disconnected());
+  for (const Place& place : places_) {
+    Seat& seat = *place.seat;
+    if (seat.silent_for(now) >= seat.terms().away / 2.0) seat.end(seat.disconnected());
   }
 }
 

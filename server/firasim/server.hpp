@@ -10,6 +10,7 @@
 #include "server/firasim/seat.hpp"
 
 #include <memory>
+#include <optional>
 
 namespace mirocup::firasim {
 
@@ -50,20 +51,28 @@ class Server {
 
  private:
   Server(Sender vision, Sender referee, Receiver commands, Receiver placements);
+  // A seat, and what its senders send, apart from what all others do.
+  struct Place {
+    std::unique_ptr<Seat> seat;
+    std::optional<Receiver> commands, placements;
+  };
+
   void settle();
   void end_the_lost(double now);
+  void send_again();
   bool receive(double now);
-  void take_packet(const Receiver::Datagram& datagram, double now);
-  void take_placement(const Receiver::Datagram& datagram, double now);
+  bool take_packet(const Receiver::Datagram& datagram, double now);
+  bool take_placement(const Receiver::Datagram& datagram, double now);
+  bool has_own_line(const Endpoint& placer) const;
   void drain();
   void wait(double seconds) const;
   void call(const match::Leg& leg);
   void send_call(const RefereeCommand& command);
-  Seat* seat_of(Team team);
+  Place* place_of(Team team);
 
   Sender vision_, referee_;
   Receiver commands_, placements_;
-  std::vector<std::unique_ptr<Seat>> seats_;
+  std::vector<Place> places_;
   std::string sent_vision_, sent_call_;
   std::optional<Foul> called_;
   std::size_t decisions_ = 0;  // number that was called already

@@ -86,16 +86,21 @@ Result<Sender> Sender::open(std::vector<Endpoint> to, const std::string& interfa
   if (!indexes) return tl::unexpected(indexes.error());
   Sender sender;
   sender.to_ = std::move(to);
-  for (const int index : *indexes) {
-    system::Descriptor socket(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
-    if (!socket.is_open()) {
-      return fail(Errc::unavailable, std::string("no UDP socket: ") + std::strerror(errno));
-    }
-    const ip_mreqn way{.imr_multiaddr = {}, .imr_address = {}, .imr_ifindex = index};
-    const int ttl = interface == this_host ? 0 : 1;
-    set(socket.get(), IPPROTO_IP, IP_MULTICAST_TTL, ttl);
-    if (index != 0) set(socket.get(), IPPROTO_IP, IP_MULTICAST_IF, way);
-    sender.sockets_.push_back(std::move(socket));
+  sender.socket_.reset(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+  if (!sender.socket_.is_open()) {
+    return fail(Errc::unavailable, std::string("no UDP socket: ") + std::strerror(errno));
+  }
+  const int socket = sender.socket_.get();
+  const int index = indexes->front();
+  const int ttl = interface == this_host ? 0 : 1;
+  set(socket, IPPROTO_IP, IP_MULTICAST_TTL, ttl);
+  const ip_mreqn way{.imr_multiaddr = {}, .imr_address = {}, .imr_ifindex = index};
+  set(socket, IPPROTO_IP, IP_MULTICAST_IF, way);
+  for (const Endpoint& endpoint : sender.to_) {
+    if (!endpoint.is_group()) continue;
+    const ip_mreqn group{
+        .imr_multiaddr = to_sockaddr(endpoint).sin_addr, .imr_address = {}, .imr_ifindex = index};
+    set(socket, IPPROTO_IP, IP_ADD_MEMBERSHIP, group);
   }
   return sender;
 }
@@ -103,11 +108,8 @@ Result<Sender> Sender::open(std::vector<Endpoint> to, const std::string& interfa
 void Sender::send(const std::string& bytes) const {
   for (const Endpoint& endpoint : to_) {
     const sockaddr_in address = to_sockaddr(endpoint);
-    for (const system::Descriptor& socket : sockets_) {
-      sendto(socket.get(), bytes.data(), bytes.size(), 0,
-             reinterpret_cast<const sockaddr*>(&address), sizeof address);
-      if (!endpoint.is_group()) break;
-    }
+    sendto(socket_.get(), bytes.data(), bytes.size(), 0,
+           reinterpret_cast<const sockaddr*>(&address), sizeof address);
   }
 }
 
@@ -124,7 +126,12 @@ Result<Receiver> Receiver::open(const Endpoint& at, const std::string& interface
     return fail(Errc::unavailable, option + " " + to_text(at) + ": " + std::strerror(errno) +
                                        (errno == EADDRINUSE ? " (by another match?)" : ""));
   }
-  if (!at.is_group()) return receiver;
+  if (!at.is_group()) {
+    // From now on, for only_from(). A match that opens the same address does not ask to share it,
+    // and is refused.
+    set(socket, SOL_SOCKET, SO_REUSEADDR, 1);
+    return receiver;
+  }
   const auto indexes = indexes_of(interface);
   if (!indexes) return tl::unexpected(indexes.error());
   bool has_joined = false;
@@ -136,6 +143,23 @@ Result<Receiver> Receiver::open(const Endpoint& at, const std::string& interface
   if (!has_joined) {
     return fail(Errc::unavailable, option + " " + to_text(at) +
                                        ": the group cannot be joined: " + std::strerror(errno));
+  }
+  return receiver;
+}
+
+Result<Receiver> Receiver::only_from(const Endpoint& peer) const {
+  sockaddr_in own{};
+  socklen_t length = sizeof own;
+  const sockaddr_in other = to_sockaddr(peer);
+  Receiver receiver;
+  receiver.socket_.reset(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+  const int socket = receiver.socket_.get();
+  set(socket, SOL_SOCKET, SO_REUSEADDR, 1);
+  set(socket, SOL_SOCKET, SO_RCVBUF, 1 << 20);
+  if (getsockname(descriptor(), reinterpret_cast<sockaddr*>(&own), &length) != 0 ||
+      bind(socket, reinterpret_cast<const sockaddr*>(&own), sizeof own) != 0 ||
+      connect(socket, reinterpret_cast<const sockaddr*>(&other), sizeof other) != 0) {
+    return fail(Errc::unavailable, "no socket for " + to_text(peer) + ": " + std::strerror(errno));
   }
   return receiver;
 }

@@ -26,11 +26,15 @@ std::string to_text(const Endpoint& endpoint);
 Result<Endpoint> parse_endpoint(const std::string& text, const std::string& option);
 Result<std::vector<Endpoint>> parse_endpoints(const std::string& text, const std::string& option);
 
-// The interface "lo" means this host only: what is sent to a group also goes to the sockets of this
-// host that joined it on the interface of the default route, but leaves the host on none.
+// The interface "lo" means this host only: what is sent to a group leaves the host on none.
 inline constexpr const char* this_host = "lo";
 
 // Sends datagrams to a list of addresses.
+//
+// A socket of this host that listens to a group gets each datagram once, on whichever interface it
+// joined: Linux delivers what arrives on an interface where anybody has joined, and the sender has.
+// A client that got two copies would answer twice, and the second answer would look like that to
+// the next vision.
 class Sender {
  public:
   static Result<Sender> open(std::vector<Endpoint> to, const std::string& interface);
@@ -39,7 +43,7 @@ class Sender {
 
  private:
   std::vector<Endpoint> to_;
-  std::vector<system::Descriptor> sockets_;  // one for each interface; the first also for unicast
+  system::Descriptor socket_;
 };
 
 // Receives datagrams at one address, without waiting.
@@ -48,6 +52,10 @@ class Receiver {
   // Address 0 is any address of the host. A group is joined on the interface, and on lo.
   static Result<Receiver> open(const Endpoint& at, const std::string& interface,
                                const std::string& option);
+  // Opens one at the same address that gets only what `peer` sends, into a buffer of its own: what
+  // others send cannot crowd it out. This one no longer gets that, unless it is a group's.
+  // Errc::unavailable.
+  Result<Receiver> only_from(const Endpoint& peer) const;
 
   struct Datagram {
     Endpoint from;

@@ -54,6 +54,37 @@ TEST(Simurosot, SamplesPlayWholeLegsInBothColours) {
   }
 }
 
+// Catches a sample that crowds its goal area or runs into the other keeper: it once gave away some
+// twenty penalties and fifty goal kicks in a leg, and a table of such legs says nothing.
+TEST(Simurosot, SamplesKeepTheLaws) {
+  const TemporaryFolder folder;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const std::string& other = samples[(i + 1) % samples.size()];
+    const Outcome played = run({program("mirocup"), "match", "--blue", library(samples[i]),
+                                "--yellow", library(other), "--league", "middle", "--rules",
+                                "simurosot", "--half", "100", "--record", folder / "leg.json"});
+    ASSERT_EQ(played.exit_code, 0) << played.err;
+    int fouls = 0;
+    const Json record = read_json(folder / "leg.json");
+    for (const Json& decision : record["decisions"]) {
+      const std::string law = decision["law"];
+      if (law == "two_defenders" || law == "four_defenders" || law == "keeper_charge") ++fouls;
+    }
+    EXPECT_LE(fouls, 4) << samples[i] << " against " << other;
+  }
+}
+
+// Catches a library that is unloaded while the old team still has files open and functions
+// registered for the end of the program, which then run in memory that is gone.
+TEST(Simurosot, MayBeLoadedIntoTheMatchItself) {
+  for (const std::string& sample : samples) {
+    const Outcome played =
+        run({program("mirocup"), "match", "--blue", library(sample), "--yellow", "idle", "--league",
+             "middle", "--rules", "simurosot", "--half", "2", "--trusted"});
+    EXPECT_EQ(played.exit_code, 0) << sample << played.err;
+  }
+}
+
 // A sample in this process, without a match around it.
 class Loaded {
  public:

@@ -75,6 +75,17 @@ static void go(Robot &r, double x, double y, double most)
   r.velocityRight = v + 0.45 * a;
 }
 
+// more than a robot around the goal areas of 15 by 50
+static bool in_area(double x, double y) { return (x < 26 || x > 194) && y > 58 && y < 122; }
+
+// the areas are for the goalies: a second robot of ours costs a penalty
+static void field(Robot &r, double x, double y, double most)
+{
+  if (in_area(r.pos.x, r.pos.y)) x = r.pos.x < 110 ? 45 : 175;
+  else if (in_area(x, y)) x = x < 110 ? 28 : 192;
+  go(r, x, y, most);
+}
+
 void RunStrategy(Environment *env)
 {
   blue = env->home[0].pos.x > 110;
@@ -89,8 +100,9 @@ void RunStrategy(Environment *env)
         hypot(env->home[first].pos.x - ball.x, env->home[first].pos.y - ball.y)) first = i;
   for (int i = 1; i < 5; i++) {
     Robot &r = env->home[i];
-    if (i != first) go(r, own + to * (45 + 12 * i), 30 + 26 * i, 70);
-    else if (to * (ball.x - r.pos.x) > 5) go(r, ball.x + 4 * vx + to * 12, ball.y + 4 * vy, 120);
-    else go(r, ball.x - to * 25, ball.y + (r.pos.y > ball.y ? 16 : -16), 110);
+    if (i != first) field(r, own + to * (45 + 12 * i), 30 + 26 * i, 70);
+    else if (in_area(ball.x, ball.y)) field(r, ball.x < 110 ? 33 : 187, ball.y, 90);
+    else if (to * (ball.x - r.pos.x) > 5) field(r, ball.x + 4 * vx + to * 12, ball.y + 4 * vy, 120);
+    else field(r, ball.x - to * 25, ball.y + (r.pos.y > ball.y ? 16 : -16), 110);
   }
 }

@@ -54,6 +54,17 @@ static void go(Robot &r, float x, float y, float most)
   r.wheel.rightSpeed = v + 0.45f * a;
 }
 
+// more than a robot around the goal areas of 15 by 50
+static bool in_area(const Vector2 &p) { return std::fabs(p.x) > 84 && std::fabs(p.y) < 32; }
+
+// the areas are for the keepers: a second robot of ours costs a penalty
+static void go_outside(Robot &r, float x, float y, float most)
+{
+  if (in_area(r.position)) x = std::copysign(65.f, r.position.x);
+  else if (in_area({x, y})) x = std::copysign(82.f, x);
+  go(r, x, y, most);
+}
+
 extern "C" void GetInstruction(Field *field)
 {
   const Vector2 ball = field->ball.position;
@@ -64,8 +75,9 @@ extern "C" void GetInstruction(Field *field)
     if (std::hypot(r[i].position.x - ball.x, r[i].position.y - ball.y) <
         std::hypot(r[first].position.x - ball.x, r[first].position.y - ball.y)) first = i;
   for (int i = 1; i < 5; i++) {
-    if (i != first) go(r[i], 70.f - 14.f * float(i), -65.f + 26.f * float(i), 70);
-    else if (r[i].position.x > ball.x + 5) go(r[i], ball.x - 14, ball.y, 120);
-    else go(r[i], ball.x + 25, ball.y + (r[i].position.y > ball.y ? 16.f : -16.f), 110);
+    if (i != first) go_outside(r[i], 70.f - 14.f * float(i), -65.f + 26.f * float(i), 70);
+    else if (in_area(ball)) go_outside(r[i], std::copysign(77.f, ball.x), ball.y, 90);
+    else if (r[i].position.x > ball.x + 5) go_outside(r[i], ball.x - 14, ball.y, 120);
+    else go_outside(r[i], ball.x + 25, ball.y + (r[i].position.y > ball.y ? 16.f : -16.f), 110);
   }
 }

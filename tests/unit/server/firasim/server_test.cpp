@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "server/firasim/server.hpp"
+
+#include <gtest/gtest.h>
+
+#include <arpa/inet.h>
+#include <array>
+#include <bit>
+#include <netinet/in.h>
+#include <sys/socket.h>
+
+namespace mirocup::firasim {
+namespace {
+
+// A socket of this host, as a client has one.
+class Peer {
+ public:
+  Peer() : socket_(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
+    const sockaddr_in any = at(0);
+    if (bind(socket_.get(), reinterpret_cast<const sockaddr*>(&any), sizeof any) != 0) abort();
+  }
+  int port() const {
+    sockaddr_in own{};
+    socklen_t length = sizeof own;
+    getsockname(socket_.get(), reinterpret_cast<sockaddr*>(&own), &length);
+    return ntohs(own.sin_port);
+  }
+  void send(const std::string& bytes, int port) const {
+    const sockaddr_in to = at(port);
+    sendto(socket_.get(), bytes.data(), bytes.size(), 0, reinterpret_cast<const sockaddr*>(&to),
+           sizeof to);
+  }
+
+ private:
+  static sockaddr_in at(int port) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(static_cast<std::uint16_t>(port));
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    return address;
+  }
+  system::Descriptor socket_;
+};
+
+void add_real(std::string& bytes, int tag, double value) {
+  bytes.push_back(static_cast<char>(tag));
+  for (int i = 0; i < 8; ++i) {
+    bytes.push_back(static_cast<char>(std::bit_cast<std::uint64_t>(value) >> (8 * i) & 0xff));
+  }
+}
+
+void add_message(std::string& bytes, int tag, const std::string& inner) {
+  bytes.push_back(static_cast<char>(tag));
+  bytes.push_back(static_cast<char>(inner.size()));
+  bytes += inner;
+}
+
+std::string number(int tag, int value) {
+  return {static_cast<char>(tag), static_cast<char>(value)};
+}
+
+// The same wheels for the three robots of a team, in one packet without a step.
+std::string drive_all(Team team, double left, double right) {
+  std::string commands, packet;
+  for (int i = 0; i < 3; ++i) {
+    std::string robot = number(0x08, i) + number(0x10, team == Team::yellow ? 1 : 0);
+    add_real(robot, 0x31, left);
+    add_real(robot, 0x39, right);
+    add_message(commands, 0x0A, robot);
+  }
+  add_message(packet, 0x0A, commands);
+  return packet;
+}
+
+// Robot 1 at (x, y).
+std::string place_one(Team team, double x, double y) {
+  std::string robot = number(0x08, 1), placement;
+  add_real(robot, 0x11, x);
+  add_real(robot, 0x19, y);
+  std::string world = number(0x08, team == Team::yellow ? 1 : 0);
+  add_message(world, 0x12, robot);
+  add_message(placement, 0x0A, world);
+  return placement;
+}
+
+// A match in lock-step with blue at the other end of a wire, and yellow standing still.
+class FirasimServer : public ::testing::Test {
+ protected:
+  FirasimServer() {
+    match::Setup setup;
+    setup.rules = referee::make_rules(referee::Preset::vsss);
+    setup.rules.ready_s = 0.33;
+    leg_ = std::make_unique<match::Leg>(setup);
+    {
+      const Peer first, second;  // ports that are free
+      commands_ = first.port();
+      placements_ = second.port();
+    }
+    auto server = Server::open({.vision = "127.0.0.1:" + std::to_string(sink_.port()),
+                                .referee = "127.0.0.1:" + std::to_string(sink_.port()),
+                                .command = std::to_string(commands_),
+                                .placement = "127.0.0.1:" + std::to_string(placements_),
+                                .interface = this_host});
+    if (!server) throw std::runtime_error(server.error().what);
+    server_ = std::move(*server);
+    Terms terms;
+    terms.away = 2.0;
+    seat_ = server_->add_seat(leg_->briefing(Team::blue), "blue", terms);
+    team_.send(drive_all(Team::blue, 1.0, 1.0), commands_);
+    if (!server_->wait_until_ready(*seat_, *leg_)) throw std::runtime_error("no team");
+  }
+
+  // Plays on until `holds` for what blue sees.
+  template <class F>
+  void play_until(F holds) {
+    while (!holds(seen())) leg_->advance({match::Command{}, match::Command{}});
+  }
+  match::Observation seen() const {
+    return match::observe(leg_->view(), Team::blue, leg_->field().robots_per_team);
+  }
+  void ask() {
+    server_->publish(*leg_);
+    seat_->post(seen());
+  }
+  // The wheels of robot 1 in the answer to what was asked, and what they should be.
+  void expect_wheels(double left, double right) {
+    const match::Answer answer = seat_->collect();
+    const auto* command = std::get_if<match::Command>(&answer);
+    ASSERT_NE(command, nullptr) << "nothing came";
+    const auto wanted = to_wheels(left, right, leg_->setup().parameters);
+    EXPECT_EQ(command->wheels[1].left, wanted.left);
+    EXPECT_EQ(command->wheels[1].right, wanted.right);
+  }
+
+  Peer team_, stranger_, sink_;
+  int commands_ = 0, placements_ = 0;
+  std::unique_ptr<match::Leg> leg_;
+  std::unique_ptr<Server> server_;
+  Seat* seat_ = nullptr;
+};
+
+// Catches one buffer for all senders: a flood then fills it, the team's commands are lost, and when
+// it has been silent for long enough the stranger has its seat.
+TEST_F(FirasimServer, AFloodCrowdsOutNoTeam) {
+  play_until([](const auto& now) { return now.state == match::State::PLAY; });
+  ask();
+  for (int i = 0; i < 20000; ++i) {
+    stranger_.send(drive_all(i % 2 == 0 ? Team::blue : Team::yellow, -50.0, 50.0), commands_);
+    stranger_.send("noise", placements_);
+  }
+  team_.send(drive_all(Team::blue, 20.0, 30.0), commands_);
+  expect_wheels(20.0, 30.0);
+  EXPECT_EQ(seat_->counts().senders, 1);
+  EXPECT_EQ(seat_->counts().foreign, 0U);
+  EXPECT_GT(server_->strangers().foreign + server_->strangers().malformed, 0U);
+}
+
+// The same for placements, which come from another socket of the team.
+TEST_F(FirasimServer, AFloodCrowdsOutNoPlacement) {
+  const Peer placer;
+  placer.send(place_one(Team::blue, -0.5, 0.1), placements_);
+  play_until([](const auto& now) { return now.placing; });
+  team_.send(drive_all(Team::blue, 0.0, 0.0), commands_);
+  ask();  // the team's first placement is read
+  for (int i = 0; i < 20000; ++i) stranger_.send(place_one(Team::blue, -0.1, 0.5), placements_);
+  team_.send(drive_all(Team::blue, 0.0, 0.0), commands_);
+  placer.send(place_one(Team::blue, -0.6, 0.2), placements_);
+  const match::Answer answer = seat_->collect();
+  const auto* command = std::get_if<match::Command>(&answer);
+  ASSERT_NE(command, nullptr);
+  ASSERT_TRUE(command->placement);
+  EXPECT_EQ(command->placement->robots[1].x, -0.6);
+  EXPECT_EQ(seat_->counts().placements, 2U);
+  EXPECT_GT(seat_->counts().foreign, 0U);
+}
+
+// Catches a command to an earlier vision that is taken for the answer to the next one, which is how
+// a client without a step in its packets falls behind by a tick and stays there.
+TEST_F(FirasimServer, StaleCommandsAreDrainedBeforeEachVision) {
+  play_until([](const auto& now) { return now.state == match::State::PLAY; });
+  ask();
+  team_.send(drive_all(Team::blue, 10.0, 20.0), commands_);
+  team_.send(drive_all(Team::blue, 1.0, 2.0), commands_);  // doubled: the first one counts
+  expect_wheels(10.0, 20.0);
+  EXPECT_EQ(seat_->counts().stale, 1U);
+  team_.send(drive_all(Team::blue, 3.0, 4.0), commands_);  // too late
+  ask();
+  EXPECT_EQ(seat_->counts().stale, 2U);
+  team_.send(drive_all(Team::blue, 30.0, 40.0), commands_);
+  expect_wheels(30.0, 40.0);
+}
+
+// Catches a colour that one who steers the other colour can steer.
+TEST_F(FirasimServer, AColourBelongsToItsSender) {
+  play_until([](const auto& now) { return now.state == match::State::PLAY; });
+  ask();
+  team_.send(drive_all(Team::yellow, 50.0, 50.0), commands_);
+  stranger_.send(drive_all(Team::blue, 50.0, 50.0), commands_);
+  team_.send(drive_all(Team::blue, 5.0, 6.0), commands_);
+  expect_wheels(5.0, 6.0);
+  EXPECT_EQ(seat_->counts().foreign, 3U);  // one for each robot that is not its own
+  EXPECT_EQ(server_->strangers().foreign, 1U);
+}
+
+// Catches a second match on the same port: half of the commands would go to the wrong one.
+TEST_F(FirasimServer, AnAddressIsOneMatchs) {
+  const auto second = Server::open({.vision = "127.0.0.1:9",
+                                    .referee = "127.0.0.1:9",
+                                    .command = std::to_string(commands_),
+                                    .placement = "224.5.23.2:50001",
+                                    .interface = this_host});
+  ASSERT_FALSE(second);
+  EXPECT_EQ(second.error().code, Errc::unavailable);
+}
+
+}  // namespace
+}  // namespace mirocup::firasim
