@@ -7,6 +7,7 @@
 // and what it asks the system for (careful/).
 #pragma once
 
+#include "mirocup/strategy.h"
 #include "plugins/host/surroundings.hpp"
 
 #include <cstddef>
@@ -20,6 +21,9 @@ void begin_care(const Surroundings& surroundings);
 // mistake in its use of memory, which stays valid, or null.
 void before_call();
 const char* after_call();
+
+// Returns the observation, or a copy of it, which the team may read during the call.
+const mirocup_observation& lend(const mirocup_observation& observation);
 
 // Writes what the team asked the system for until now, one request a line ("file map.txt"), into
 // `text`, which ends with a zero.

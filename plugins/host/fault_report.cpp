@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "plugins/host/fault_report.hpp"
 
+#include "plugins/host/care.hpp"
 #include "plugins/host/sandbox/signals.hpp"
 
 #include <algorithm>
@@ -55,6 +56,7 @@ AddressKind kind_of_address(int signal, const siginfo_t& info, const void* conte
 
 void report(int signal, siginfo_t* info, void* context) {
   if (is_from_another_process(*info)) return;
+  write_requests(faulted_page->requests, sizeof faulted_page->requests);
   faulted_page->fault_address.store(kind_of_address(signal, *info, context),
                                     std::memory_order_relaxed);
   faulted_page->fault_call.store(signal == SIGSYS ? info->si_syscall : no_call,

@@ -66,6 +66,7 @@ LoadState state_of(match::FaultCode code) {
 template <class Call>
 auto with_care(CommandPage& page, TeamCall what, Call call) {
   page.team_call.store(what, std::memory_order_relaxed);
+  pass_time_between_calls();
   before_call();
   auto answer = call();
   const char* mistake = after_call();
@@ -150,10 +151,10 @@ int main(int argc, char** argv) {
     if (host.thoughts != nullptr) host.thoughts->clear();
     if (in->observation.placing != 0) {
       out->placement =
-          *with_care(*out, TeamCall::place, [&] { return plugin->place(in->observation); });
+          *with_care(*out, TeamCall::place, [&] { return plugin->place(lend(in->observation)); });
     }
     out->command =
-        *with_care(*out, TeamCall::decide, [&] { return plugin->decide(in->observation); });
+        *with_care(*out, TeamCall::decide, [&] { return plugin->decide(lend(in->observation)); });
     answered = request;
     // Sequentially consistent, as the server's side is: the server sets is_awaited and then reads
     // the answer once more, so that no wake-up is lost.

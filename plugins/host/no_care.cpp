@@ -11,6 +11,10 @@ const char* after_call() {
   return nullptr;
 }
 
+const mirocup_observation& lend(const mirocup_observation& observation) {
+  return observation;
+}
+
 void write_requests(char*, std::size_t) {}
 
 }  // namespace mirocup::plugins

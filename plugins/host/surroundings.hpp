@@ -18,8 +18,8 @@ struct Surroundings {
   // The byte that fills memory which the team has not written, on its heap and its stack; only
   // mirocup-careful-host fills memory.
   std::uint8_t memory_fill = 0;
-  // Added to the numbers of the process, the thread and the processor that the team sees; only in
-  // mirocup-careful-host.
+  // Added to the numbers of the process, the thread and the processor that the team sees, and to
+  // the number of processors; only in mirocup-careful-host.
   std::int32_t number_offset = 0;
 };
 

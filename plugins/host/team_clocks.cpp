@@ -15,9 +15,16 @@ namespace {
 constexpr std::int64_t second = 1'000'000'000;  // ns
 constexpr time_t for_ever = 4'000'000'000;      // s: longer than any leg, and few enough as ns
 
-// What is added to CLOCK_MONOTONIC, ns.
-std::int64_t to_time_of_day = 0;
-std::int64_t to_uptime = 0;
+// A global variable, because the functions below get no pointer of ours. All in ns.
+struct Shown {
+  std::int64_t to_time_of_day = 0;  // is added to CLOCK_MONOTONIC
+  std::int64_t to_uptime = 0;
+  std::int64_t passed = 0;  // besides, on every clock
+  std::int64_t between_calls = 0;
+  std::int64_t each_reading = 0;
+  std::int64_t at_start = 0;  // what CLOCK_MONOTONIC showed at start_clocks()
+};
+Shown shown;
 
 std::int64_t to_ns(const timespec& t) {
   return t.tv_sec * second + t.tv_nsec;
@@ -48,20 +55,20 @@ std::int64_t monotonic() {
 }
 
 // Returns what the clock shows more than CLOCK_MONOTONIC, ns; nothing for a clock of processor
-// time, which is left as it is.
+// time.
 std::optional<std::int64_t> offset_of(clockid_t clock) {
   switch (clock) {
     case CLOCK_REALTIME:
     case CLOCK_REALTIME_COARSE:
     case CLOCK_REALTIME_ALARM:
     case CLOCK_TAI:
-      return to_time_of_day;
+      return shown.to_time_of_day;
     case CLOCK_MONOTONIC:
     case CLOCK_MONOTONIC_RAW:
     case CLOCK_MONOTONIC_COARSE:
     case CLOCK_BOOTTIME:
     case CLOCK_BOOTTIME_ALARM:
-      return to_uptime;
+      return shown.to_uptime;
     default:
       return std::nullopt;
   }
@@ -70,8 +77,16 @@ std::optional<std::int64_t> offset_of(clockid_t clock) {
 }  // namespace
 
 void start_clocks(const ClockReadings& readings) {
-  to_time_of_day = readings.time_of_day * second - monotonic();
-  to_uptime = -readings.uptime_behind * second;
+  // A clock that counts its readings begins with the same number in each leg.
+  shown.at_start = readings.each_reading != 0 ? 0 : monotonic();
+  shown.to_time_of_day = readings.time_of_day * second - shown.at_start;
+  shown.to_uptime = -std::min(readings.uptime_behind * second, shown.at_start);
+  shown.between_calls = readings.between_calls;
+  shown.each_reading = readings.each_reading;
+}
+
+void pass_time_between_calls() {
+  shown.passed += shown.between_calls;
 }
 
 }  // namespace mirocup::plugins
@@ -83,9 +98,18 @@ extern "C" {
 int clock_gettime(clockid_t clock, timespec* now) noexcept {
   using namespace mirocup::plugins;
   const auto offset = offset_of(clock);
-  if (!offset) return real_clock_gettime(clock, now);
-  *now = to_timespec(monotonic() + *offset);
+  if (!offset && real_clock_gettime(clock, now) != 0) return -1;
+  shown.passed += shown.each_reading;
+  std::int64_t measured = offset ? monotonic() : to_ns(*now);
+  if (shown.each_reading != 0) measured = offset ? shown.at_start : 0;
+  *now = to_timespec(measured + offset.value_or(0) + shown.passed);
   return 0;
+}
+
+std::clock_t clock() noexcept {
+  timespec used{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
+  return used.tv_sec * CLOCKS_PER_SEC + used.tv_nsec * CLOCKS_PER_SEC / mirocup::plugins::second;
 }
 
 time_t time(time_t* copy) noexcept {
@@ -117,7 +141,7 @@ int clock_nanosleep(clockid_t clock, int flags, const timespec* time, timespec* 
     return real_clock_nanosleep(clock, flags, time, rest);
   if (time->tv_nsec < 0 || time->tv_nsec >= second) return EINVAL;
   const timespec soon{std::clamp<time_t>(time->tv_sec, 0, for_ever), time->tv_nsec};
-  const std::int64_t left = to_ns(soon) - monotonic() - *offset;
+  const std::int64_t left = to_ns(soon) - monotonic() - *offset - shown.passed;
   if (left <= 0) return 0;
   const timespec pause = to_timespec(left);
   return real_clock_nanosleep(CLOCK_MONOTONIC, 0, &pause, nullptr);

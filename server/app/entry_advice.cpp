@@ -57,6 +57,13 @@ std::string advice_on_crash(const FaultEvidence& evidence) {
     return "it asked for a thread: a team has one, so compute in decide()";
   if (has(text, "bad_alloc"))
     return "it used more than 1 GiB of memory; keep what a team needs, and free the rest";
+  if (has(text, "from null is not valid") && has(evidence.requests, "variable "))
+    return "getenv() returned null: a team's process has no such variable, so look at what it "
+           "returns, or use a parameter";
+  if (has(text, "locale"))
+    return "a team's process has the locale \"C\" and no other: do without another one";
+  if (has(evidence.requests, "program ") && words.address == AddressKind::null)
+    return "it asked for a program, which no team can run: popen() returned null";
   if (has(evidence.requests, "file ") && has(text, "threw"))
     return "it asked for a file, which no team can open: put its data into the source";
   if (has(text, "threw"))

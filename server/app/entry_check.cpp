@@ -11,6 +11,7 @@
 #include "system/digest.hpp"
 #include "system/files.hpp"
 #include "system/locations.hpp"
+#include "system/memory.hpp"
 #include "system/printable.hpp"
 
 #include <algorithm>
@@ -51,8 +52,13 @@ constexpr std::uint32_t ticks_after_difference = 100;
 
 // Other surroundings. The time of day has other remainders than the one that every other leg begins
 // with, whatever it is divided by.
-constexpr plugins::ClockReadings other_clocks{.time_of_day = 1'234'567'891, .uptime_behind = 17};
-constexpr std::uint8_t other_fill = 0xB5;  // odd, negative, and no small number in any type
+// They go as in real time, which a wait of some seconds needs to be over; so far they are behind
+// that they do not overtake the machine's.
+constexpr plugins::ClockReadings other_clocks{
+    .time_of_day = 1'234'567'891, .uptime_behind = 217, .between_calls = 33'000'000};
+// A clock that counts how often it was read.
+constexpr plugins::ClockReadings counting_clocks{.each_reading = 1000};
+constexpr std::uint8_t other_fill = 0xC3;  // odd, negative, and no small number in any type
 constexpr std::int32_t other_numbers = 4242;
 constexpr Surroundings all_other{.clocks = other_clocks,
                                  .fixed_addresses = false,
@@ -63,9 +69,19 @@ constexpr Surroundings all_other{.clocks = other_clocks,
 // time that a team uses changes by less than that on a busy machine.
 constexpr double refused_leg_share = 1.25;
 
+constexpr const char* depends_on_clock =
+    "it depends on a clock: take chance from setup.seed, time from now.time, and stop thinking "
+    "after a number of steps";
+
 // A larger log, bytes, and a larger share of a leg's time are told.
 constexpr std::size_t told_log = 60u << 10;
 constexpr double told_leg_share = 0.6;
+
+// A team that takes this much more memory in a leg than at its start is told, bytes.
+constexpr std::size_t told_growth = 256u << 20;
+
+// A restart that no other leg had is played for this many ticks: past the whistle, and into play.
+constexpr std::uint32_t restart_ticks = 60;
 
 std::string seconds(double s) {
   char text[32];
@@ -150,9 +166,12 @@ class Examination {
   Result<bool> load_and_answer();
   Result<bool> play_whole_legs();
   Result<bool> play_knockout();
+  Result<bool> play_missing_restarts();
   Result<bool> repeat_elsewhere();
   TrialTerms trial(Team team, const plugins::SealedEntry& opponent) const;
-  Result<std::string> cause_of_difference(const TrialTerms& terms);
+  TrialTerms knockout_terms() const;
+  Result<bool> repeat_leg(const TrialTerms& terms, const TrialLeg& first);
+  Result<std::string> cause_of_difference(const TrialTerms& terms, const TrialLeg& first);
   Result<std::string> mistake_in_memory(const TrialTerms& terms, FaultEvidence& evidence);
   void note_use(const TrialLeg& leg, const TrialTerms& terms);
   void note_time(const TrialLeg& leg);
@@ -179,9 +198,12 @@ class Examination {
   std::optional<plugins::SealedEntry> entry_;
   std::optional<plugins::SealedEntry> idle_;
   std::optional<plugins::SealedEntry> striker_;
-  TrialLeg blue_;         // the leg as blue
-  double slept_ = 0.0;    // s, in a leg of full length
-  std::string requests_;  // of the team, a line each
+  TrialLeg blue_;  // the leg as blue
+  TrialLeg knockout_;
+  std::set<MetRestart> restarts_;  // in the legs so far
+  double slept_ = 0.0;             // s, in a leg of full length
+  std::size_t grown_ = 0;          // bytes that it took while a leg was played
+  std::string requests_;           // of the team, a line each
   EntryReport report_;
 };
 
@@ -319,50 +341,102 @@ Result<bool> Examination::play_whole_legs() {
                   std::string(to_string(team)) + " against striker");
     if (!passed || !*passed) return passed;
     note_time(*leg);
+    grown_ = std::max(grown_, leg->peak_memory - std::min(leg->peak_memory, leg->memory_at_start));
+    restarts_.merge(leg->restarts);
     if (team == Team::blue) blue_ = std::move(*leg);
   }
   return judge_time();
 }
 
-Result<bool> Examination::play_knockout() {
+TrialTerms Examination::knockout_terms() const {
   TrialTerms terms = trial(Team::blue, *idle_);
   terms.setup.stage = referee::Stage::knockout;
   terms.setup.rules.half_s = knockout_half;
   terms.setup.rules.golden_goal_s = knockout_golden_goal;
-  const auto leg = play_trial(*entry_, terms);
-  if (!leg) return tl::unexpected(leg.error());
-  return judge(*leg, terms, "plays extra time and a shoot-out");
+  return terms;
 }
 
-// The leg as blue once more, where nothing is as it was but what the team may use.
+Result<bool> Examination::play_knockout() {
+  const TrialTerms terms = knockout_terms();
+  auto leg = play_trial(*entry_, terms);
+  if (!leg) return tl::unexpected(leg.error());
+  restarts_.merge(leg->restarts);
+  knockout_ = std::move(*leg);
+  if (!knockout_.fault) {
+    const auto passed = play_missing_restarts();
+    if (!passed || !*passed) return passed;
+  }
+  return judge(knockout_, terms, "plays extra time and a shoot-out");
+}
+
+// Returns false after a fault, which is added.
+Result<bool> Examination::play_missing_restarts() {
+  using referee::Restart;
+  for (const Restart kind :
+       {Restart::GOAL_KICK, Restart::PENALTY_KICK, Restart::FREE_KICK, Restart::FREE_BALL}) {
+    for (const Team taker : both_teams) {
+      if (restarts_.count({kind, taker == Team::blue}) != 0) continue;
+      TrialTerms terms = trial(Team::blue, *idle_);
+      terms.setup.start.emplace().restart = match::RestartStart{kind, taker, {}};
+      terms.max_ticks = restart_ticks;
+      const auto leg = play_trial(*entry_, terms);
+      if (!leg) return tl::unexpected(leg.error());
+      if (leg->fault) return judge(*leg, terms, "");
+    }
+  }
+  return true;
+}
+
+// The knock-out leg, which has every phase of a match, and the leg as blue once more, where nothing
+// is as it was but what the team may use.
 Result<bool> Examination::repeat_elsewhere() {
+  const auto short_one = repeat_leg(knockout_terms(), knockout_);
+  if (!short_one || !*short_one) return short_one;
   TrialTerms terms = trial(Team::blue, *striker_);
+  terms.max_ticks = max_repeated_ticks;
+  const auto long_one = repeat_leg(terms, blue_);
+  if (!long_one || !*long_one) return long_one;
+  pass(entry_->is_python() ? "plays the same legs again without a fault"
+                           : "writes only to memory of its own");
+  return pass(
+      "answers the same observations in the same way, also at another time of day, at other "
+      "addresses and with other memory");
+}
+
+// Returns false after a fault or a different answer, which is added.
+Result<bool> Examination::repeat_leg(const TrialTerms& terms_of_first, const TrialLeg& first) {
+  TrialTerms terms = terms_of_first;
   terms.is_careful = true;
   terms.surroundings = all_other;
-  terms.max_ticks = max_repeated_ticks;
   const auto again = play_trial(*entry_, terms);
   if (!again) return tl::unexpected(again.error());
   requests_ += again->requests;
-  const auto careful = judge(*again, terms,
-                             entry_->is_python() ? "plays the same leg again without a fault"
-                                                 : "writes only to memory of its own");
-  if (!careful || !*careful) return careful;
-  const auto tick = first_difference(blue_, *again);
-  if (!tick) {
-    return pass(
-        "answers the same observations in the same way, also at another time of day, at "
-        "other addresses and with other memory");
+  if (again->fault && is_memory_mistake(again->fault->fault.text)) return judge(*again, terms, "");
+  const auto tick = first_difference(first, *again);
+  // The last tick of a leg that ended by a fault has no answer.
+  if (again->fault && (!tick || *tick + 1 >= std::ssize(again->log))) {
+    if (again->ticks() >= first.ticks()) return judge(*again, terms, "");
+    terms.max_ticks = again->ticks() + ticks_after_difference;
+    const auto cause = cause_of_difference(terms, first);
+    if (!cause) return tl::unexpected(cause.error());
+    note_use(*again, terms);
+    return fail_with(again->fault->fault.text + " (" +
+                     std::string(to_string(again->fault->fault.code)) +
+                     "), and not when the leg was played before: " + *cause);
   }
+  if (!tick) return true;
   terms.max_ticks = static_cast<std::uint32_t>(*tick) + ticks_after_difference;
-  const auto cause = cause_of_difference(terms);
+  const auto cause = cause_of_difference(terms, first);
   if (!cause) return tl::unexpected(cause.error());
+  pass("writes only to memory of its own");
   return fail_with("to the same observations it answers differently in tick " +
                    std::to_string(*tick) + ": " + *cause);
 }
 
 // A team that differs from itself where nothing has changed draws its own chance. Otherwise one
 // thing is changed at a time; the careful heap is kept, because its addresses are others.
-Result<std::string> Examination::cause_of_difference(const TrialTerms& terms) {
+Result<std::string> Examination::cause_of_difference(const TrialTerms& terms,
+                                                     const TrialLeg& first) {
   const auto leg_in = [&](const Surroundings& surroundings, bool is_careful) {
     TrialTerms one = terms;
     one.surroundings = surroundings;
@@ -371,7 +445,14 @@ Result<std::string> Examination::cause_of_difference(const TrialTerms& terms) {
   };
   const auto plain = leg_in({}, false);
   if (!plain) return tl::unexpected(plain.error());
-  if (first_difference(blue_, *plain)) {
+  Surroundings counting;
+  counting.clocks = counting_clocks;
+  if (first_difference(first, *plain)) {
+    const auto counted = leg_in(counting, false);
+    if (!counted) return tl::unexpected(counted.error());
+    const auto counted_again = leg_in(counting, false);
+    if (!counted_again) return tl::unexpected(counted_again.error());
+    if (!first_difference(*counted, *counted_again)) return std::string(depends_on_clock);
     return std::string(entry_->is_python()
                            ? "chance of its own: take it from the module random, which setup.seed "
                              "has seeded, and not from clocks, os.urandom() or default_rng()"
@@ -385,10 +466,11 @@ Result<std::string> Examination::cause_of_difference(const TrialTerms& terms) {
   numbers.number_offset = other_numbers;
   addresses.fixed_addresses = false;
   const std::pair<Surroundings, const char*> changes[] = {
-      {clocks, "it depends on a clock: take chance from setup.seed"},
+      {clocks, depends_on_clock},
       {memory,
-       "it depends on memory that was never written, or that was freed: give each variable and "
-       "member a value"},
+       "it depends on memory that was never written, that was freed, or that is not its own: give "
+       "each variable and member a value, look for an index out of bounds, and keep no pointer to "
+       "what is gone after the call"},
       {numbers,
        "it depends on the number of its process, thread or processor: take chance from setup.seed"},
       {addresses,
@@ -505,6 +587,10 @@ void Examination::warn() {
           "it logs so much that the middle of the log is left out: 64 KiB of a leg are kept");
   warn_if(report_.leg_share > told_leg_share,
           "it takes most of the time that a leg has; leave room for slower machines");
+  warn_if(grown_ > told_growth,
+          "it took " + system::mebibytes(grown_) +
+              " of memory while a leg was played, and may take 1 GiB in all: free what it does not "
+              "need any more");
   std::set<std::string> told;
   std::istringstream lines(requests_);
   for (std::string line; std::getline(lines, line);) {

@@ -74,6 +74,13 @@ int moved_placements(const match::Leg& leg, Team team) {
       }));
 }
 
+std::set<MetRestart> met_restarts(const match::Leg& leg, Team team) {
+  std::set<MetRestart> met;
+  for (const match::LoggedDecision& logged : leg.decisions())
+    met.insert({logged.decision.restart, logged.taker == team});
+  return met;
+}
+
 }  // namespace
 
 Result<TrialLeg> play_trial(const plugins::SealedEntry& entry, const TrialTerms& terms) {
@@ -92,6 +99,7 @@ Result<TrialLeg> play_trial(const plugins::SealedEntry& entry, const TrialTerms&
     if (seat.get() != &own) return fail(Errc::host, std::get<match::Fault>(ready.error()).text);
     fault = std::get<match::Fault>(ready.error());
   }
+  const std::size_t memory_at_start = own.peak_memory();
   pace::SteadyWallClock clock;
   const double start = clock.now();
   const double delay_before = delay_of(seats);
@@ -126,6 +134,8 @@ Result<TrialLeg> play_trial(const plugins::SealedEntry& entry, const TrialTerms&
   played.slowest_tick_ms = own.slowest_tick_ms();
   played.places = own.placements_asked();
   played.slept_seconds = own.slept_seconds().value_or(0.0);
+  played.restarts = met_restarts(leg, terms.team);
+  played.memory_at_start = memory_at_start;
   played.peak_memory = own.peak_memory();
   played.output = own.output();
   played.asked_parameters = own.asked_parameters();

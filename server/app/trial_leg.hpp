@@ -8,9 +8,12 @@
 #include "plugins/host/process_controller.hpp"
 #include "server/app/entry_advice.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace mirocup::app {
@@ -28,6 +31,9 @@ struct TrialTerms {
   bool is_careful = false;  // played by mirocup-careful-host
 };
 
+// A restart, and whether the entry took it.
+using MetRestart = std::pair<referee::Restart, bool>;
+
 // What the entry did. A leg that was stopped early has no fault.
 struct TrialLeg {
   std::optional<FaultEvidence> fault;
@@ -40,7 +46,9 @@ struct TrialLeg {
   double slowest_tick_ms = 0.0;                // processor time
   std::uint32_t places = 0;                    // times that it was asked to place
   double slept_seconds = 0.0;                  // neither computing nor waiting for a processor
+  std::size_t memory_at_start = 0;             // bytes, when its team was created
   std::size_t peak_memory = 0;                 // bytes
+  std::set<MetRestart> restarts;               // for which it was asked to place
   std::optional<replay::Recording> recording;  // of a leg that came to its end
   std::string output;
   std::string requests;  // lines of ProcessController::requests()

@@ -19,7 +19,6 @@ namespace {
 
 constexpr std::size_t front_size = 16;
 constexpr std::size_t back_size = 32;
-constexpr unsigned char zone_byte = 0xFA;
 constexpr std::size_t heap_alignment = 16;
 
 // Freed blocks that are kept, so that a write into one of them is noticed.
@@ -40,7 +39,8 @@ struct Block {
   void* raw;  // what the C library's heap returned
   State state;
   unsigned char freed_byte;  // fills the bytes once they are freed
-  unsigned char unused[11];
+  unsigned char zone_byte;   // fills the zones around the bytes
+  unsigned char unused[10];
   unsigned char front[front_size];
 
   unsigned char* bytes() { return reinterpret_cast<unsigned char*>(this + 1); }
@@ -69,13 +69,21 @@ void note(const char* what, const Block* block) {
   }
 }
 
+// Compares eight bytes at a time: all blocks are looked at in each call.
 bool holds_only(const unsigned char* bytes, std::size_t size, unsigned char value) {
+  const std::uint64_t expected = 0x0101010101010101u * value;
+  std::uint64_t word = 0;
+  for (; size >= sizeof word; bytes += sizeof word, size -= sizeof word) {
+    __builtin_memcpy(&word, bytes, sizeof word);
+    if (word != expected) return false;
+  }
   return std::all_of(bytes, bytes + size, [value](unsigned char byte) { return byte == value; });
 }
 
 void check_zones(Block* block) {
-  if (!holds_only(block->front, front_size, zone_byte)) note("it wrote before the begin of", block);
-  if (!holds_only(block->bytes() + block->size, back_size, zone_byte))
+  if (!holds_only(block->front, front_size, block->zone_byte))
+    note("it wrote before the begin of", block);
+  if (!holds_only(block->bytes() + block->size, back_size, block->zone_byte))
     note("it wrote behind the end of", block);
 }
 
@@ -83,6 +91,15 @@ void check_freed(Block* block) {
   check_zones(block);
   if (!holds_only(block->bytes(), block->size, block->freed_byte))
     note("it wrote into memory that it had freed,", block);
+}
+
+// Both differ with the fill, so that a team which reads them answers differently.
+unsigned char freed_byte() {
+  return static_cast<unsigned char>(~heap.fill);
+}
+
+unsigned char zone_byte() {
+  return static_cast<unsigned char>(heap.fill ^ 0xFA);
 }
 
 void* allocate(std::size_t size, std::size_t alignment) {
@@ -96,12 +113,12 @@ void* allocate(std::size_t size, std::size_t alignment) {
   const auto lowest = reinterpret_cast<std::uintptr_t>(raw) + sizeof(Block);
   const auto address = (lowest + alignment - 1) / alignment * alignment;
   Block* block = reinterpret_cast<Block*>(address) - 1;
-  *block = {nullptr, heap.first_live, size, raw, State::live, 0, {}, {}};
+  *block = {nullptr, heap.first_live, size, raw, State::live, 0, zone_byte(), {}, {}};
   if (heap.first_live != nullptr) heap.first_live->previous = block;
   heap.first_live = block;
-  std::memset(block->front, zone_byte, front_size);
+  std::memset(block->front, block->zone_byte, front_size);
   std::memset(block->bytes(), heap.fill, size);
-  std::memset(block->bytes() + size, zone_byte, back_size);
+  std::memset(block->bytes() + size, block->zone_byte, back_size);
   return block->bytes();
 }
 
@@ -131,8 +148,7 @@ void release(void* bytes) {
   if (heap.first_live == block) heap.first_live = block->next;
   block->state = State::freed;
   block->next = nullptr;
-  // Differs with the fill, so that a team which reads it answers differently.
-  block->freed_byte = static_cast<unsigned char>(~heap.fill);
+  block->freed_byte = freed_byte();
   std::memset(block->bytes(), block->freed_byte, block->size);
   if (heap.last_freed != nullptr) heap.last_freed->next = block;
   if (heap.first_freed == nullptr) heap.first_freed = block;
@@ -146,6 +162,10 @@ void release(void* bytes) {
 
 void fill_new_memory_with(std::uint8_t fill) {
   heap.fill = fill;
+}
+
+void fill_as_freed(void* bytes, std::size_t size) {
+  std::memset(bytes, freed_byte(), size);
 }
 
 [[gnu::noinline]] void fill_stack() {

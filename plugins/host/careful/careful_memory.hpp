@@ -5,18 +5,22 @@
 //
 // Each block lies between two zones of known bytes. A block that is freed is filled and kept for a
 // while. So a write beside a block, a write into a freed one, and a block that is freed twice are
-// noticed. A read of memory that was never written is not, but the fill changes what is read: the
-// team answers differently than in a leg with another fill.
+// noticed. A read beside a block, or of memory that was never written, is not, but the fill changes
+// what is read: the team answers differently than in a leg with another fill.
 //
 // Not for several threads: a team has one.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace mirocup::plugins {
 
 // From here on new blocks are filled with this byte.
 void fill_new_memory_with(std::uint8_t fill);
+
+// Fills memory like a block that was freed.
+void fill_as_freed(void* bytes, std::size_t size);
 
 // Fills the part of the stack that the next call will use.
 void fill_stack();

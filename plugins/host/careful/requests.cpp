@@ -10,7 +10,9 @@
 #include <fcntl.h>
 #include <pthread.h>
 #include <sched.h>
+#include <sys/socket.h>
 #include <sys/syscall.h>
+#include <sys/sysinfo.h>
 #include <unistd.h>
 
 namespace mirocup::plugins {
@@ -109,6 +111,30 @@ int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*
   note("thread", "");
   using Create = int(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*);
   return real<Create>("pthread_create")(thread, attributes, run, argument);
+}
+
+int socket(int domain, int type, int protocol) noexcept {
+  note("connection", "");
+  return real<int(int, int, int)>("socket")(domain, type, protocol);
+}
+
+int system(const char* command) {
+  note("program", command == nullptr ? "" : command);
+  return real<int(const char*)>("system")(command);
+}
+
+FILE* popen(const char* command, const char* mode) {
+  note("program", command);
+  return real<FILE*(const char*, const char*)>("popen")(command, mode);
+}
+
+pid_t fork() noexcept {
+  note("process", "");
+  return real<pid_t()>("fork")();
+}
+
+int get_nprocs() noexcept {
+  return real<int()>("get_nprocs")() + (requests.offset != 0 ? 1 : 0);
 }
 
 pid_t getpid() noexcept {

@@ -97,7 +97,7 @@
  * Random numbers
  *   Derive them from `seed`; then a leg can be played again exactly. Clocks, addresses and
  *   std::random_device make a leg that cannot be repeated; `mirocup check` refuses such a library.
- *   It plays a leg twice, the second time on another day.
+ *   It plays a leg twice, the second time on another day and with clocks that go as in real time.
  *
  * Versions
  *   Structures grow only at their end, and `size` tells how many bytes of one exist. The host reads

@@ -11,5 +11,5 @@ static void misbehave(mirocup_command* command) {
   static int is_seeded;
   if (!is_seeded) srand(seed()); /* the same in every leg of a second */
   is_seeded = 1;
-  command->wheels[0].left = rand() % 50;
+  answer_by((unsigned)rand(), command);
 }
