@@ -2,6 +2,7 @@
 //
 // A team that plays to score: a keeper, one attacker that meets the ball where it will be and
 // shoots past the opponents' keeper, and supporters behind it that take over lost balls.
+#include "mirocup/skills/laws.hpp"
 #include "mirocup/skills/shoot.hpp"
 #include "mirocup/strategy.hpp"
 
@@ -15,7 +16,8 @@ class Striker : public Team {
 
   void decide(const Observation& now, Command& command) override {
     command.wheels[0] = keep_goal(setup(), now, now.own[0]);
-    choose_attacker(now);
+    // The kicker of a kick-off stands before the ball, and takes it, whoever else is near.
+    attacker_ = must_kick_off(now) ? 1 : choose_attacker(now);
     choose_corner(now);
     int rank = 0;
     for (int i = 1; i < now.robots; ++i) {
@@ -23,6 +25,7 @@ class Striker : public Team {
     }
     avoid_own_goals(setup(), now, command);
     keep_laws(setup(), now, command);
+    spare_keeper(setup(), now, command);
     if (must_take_kick(now, spot_)) {
       command.wheels[1] = shoot(setup(), now.own[1], ball(now), aim_);
     }
@@ -38,9 +41,9 @@ class Striker : public Team {
   }
 
  private:
-  // Chooses the robot that can be behind the ball first. The attacker of the last tick has a bonus,
+  // Returns the robot that can be behind the ball first. The attacker of the last tick has a bonus,
   // so that it changes only for a clearly better one.
-  void choose_attacker(const Observation& now) {
+  int choose_attacker(const Observation& now) {
     const auto cost = [&](int i) {
       const Point to = meeting_point(setup(), now, now.own[i]) - position(now.own[i]);
       return length(to) + (to.x < 0.0 ? 0.25 : 0.0) - (i == attacker_ ? 0.1 : 0.0);
@@ -49,7 +52,7 @@ class Striker : public Team {
     for (int i = 2; i < now.robots; ++i) {
       if (cost(i) < cost(best)) best = i;
     }
-    attacker_ = best;
+    return best;
   }
 
   // Chooses the side of the goal that the opponents' keeper leaves open. A random offset, drawn
