@@ -90,7 +90,7 @@ double error_alone(double step) {
 TEST(TinyWorld, BrakesAndTurnsWithLagsOfTheirOwn) {
   const Parameters p = with(other_motors[std::size(other_motors) - 1]);
   const BodyState start{{0.0, 0.0}, {}, {0.8, 0.0, 5.0}};
-  for (const WheelCommand& command : {WheelSpeeds{0.0, 0.0}, WheelSpeeds{10.0, 20.0}}) {
+  for (const WheelCommand command : {WheelSpeeds{0.0, 0.0}, WheelSpeeds{10.0, 20.0}}) {
     TinyWorld world(nullptr, p, 1, false, 2e-5);
     world.set_robot(0, start);
     world.advance({&command, 1}, 0.1);
