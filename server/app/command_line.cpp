@@ -504,6 +504,11 @@ void add_validate(CLI::App& app, Run& run) {
       ->type_name("NAME|FILE")
       ->capture_default_str();
   command->add_option("-o,--page", o.page, "A page with pictures")->type_name("FILE");
+  command
+      ->add_option("--against", o.against,
+                   "Another engine as a further yardstick, where mirocup-bench is built with it: "
+                   "box2d, chipmunk or ode")
+      ->type_name("ENGINE");
   command->add_flag("--json", o.json, "Print one JSON object");
 }
 

@@ -189,7 +189,8 @@ Result<int> run_identify(const IdentifyOptions& options);
 struct ValidateOptions {
   std::vector<std::string> recordings;
   std::string pitch = "mirosot";
-  std::string page;  // "": none
+  std::string page;     // "": none
+  std::string against;  // another engine; "": none
   bool json = false;
 };
 Result<int> run_validate(const ValidateOptions& options);
@@ -211,7 +212,7 @@ struct RefereeOptions {
 Result<int> run_referee(const RefereeOptions& options);
 
 // `mirocup league …` and `mirocup tune …` are the program mirocup-league, and `mirocup bench …` is
-// mirocup-bench: runs the program of that name in the place of this process, with the arguments
+// mirocup-bench, as is `mirocup validate --against …`: runs the program of that name in the place of this process, with the arguments
 // from argv[first] on. Returns only if it cannot be run.
 Result<int> become_sibling_program(const std::string& name, int argc, char** argv, int first = 2);
 

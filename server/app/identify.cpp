@@ -9,6 +9,7 @@
 #include "server/pitch/as_seen.hpp"
 #include "server/pitch/page.hpp"
 #include "server/pitch/result_json.hpp"
+#include "server/pitch/validation_report.hpp"
 #include "server/record/json_reader.hpp"
 #include "server/record/match_record.hpp"
 #include "server/record/pitch_json.hpp"
@@ -20,16 +21,6 @@
 namespace mirocup::app {
 
 namespace {
-
-Result<std::vector<pitch::Recording>> read_recordings(const std::vector<std::string>& paths) {
-  std::vector<pitch::Recording> recordings;
-  for (const std::string& path : paths) {
-    auto recording = pitch::read_recording(path);
-    if (!recording) return tl::unexpected(recording.error());
-    recordings.push_back(std::move(*recording));
-  }
-  return recordings;
-}
 
 Result<void> write_page(const std::string& path, const std::string& page) {
   if (path.empty()) return {};
@@ -61,7 +52,7 @@ Result<int> run_record_as_seen(const RecordAsSeenOptions& options) {
 Result<int> run_identify(const IdentifyOptions& options) {
   const auto start = record::pitch_of_option(options.pitch);
   if (!start) return tl::unexpected(start.error());
-  const auto recordings = read_recordings(options.recordings);
+  const auto recordings = pitch::read_recordings(options.recordings);
   if (!recordings) return tl::unexpected(recordings.error());
   const auto found = pitch::identify(*recordings, {start->parameters, 0.0});
   if (!found) return tl::unexpected(found.error());
@@ -78,18 +69,26 @@ Result<int> run_identify(const IdentifyOptions& options) {
   return exit_yes;
 }
 
+// Only mirocup-bench is linked to other engines.
+Result<int> validate_against_peer(const ValidateOptions& options) {
+  std::vector<std::string> words{"mirocup-bench", "validate", "--against",
+                                 options.against, "--pitch",  options.pitch};
+  if (!options.page.empty()) words.insert(words.end(), {"-o", options.page});
+  if (options.json) words.push_back("--json");
+  words.push_back("--");
+  words.insert(words.end(), options.recordings.begin(), options.recordings.end());
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  return become_sibling_program(words[0], static_cast<int>(argv.size()), argv.data(), 1);
+}
+
 Result<int> run_validate(const ValidateOptions& options) {
-  const auto spec = record::pitch_of_option(options.pitch);
-  if (!spec) return tl::unexpected(spec.error());
-  const auto recordings = read_recordings(options.recordings);
-  if (!recordings) return tl::unexpected(recordings.error());
-  const auto result = pitch::validate(*recordings, {spec->parameters, spec->command_delay});
-  const std::string title = "The simulator with the pitch " + spec->name + " against recordings";
-  if (auto written = write_page(options.page, pitch::page_of(result, title)); !written)
-    return tl::unexpected(written.error());
-  std::cout << (options.json ? record::json_text(pitch::to_json(result)) + "\n"
-                             : pitch::text_of_result(result));
-  return result.objections.empty() ? exit_yes : exit_no;
+  if (!options.against.empty()) return validate_against_peer(options);
+  const auto report =
+      pitch::report_of({options.recordings, options.pitch, options.page, options.json}, nullptr);
+  if (!report) return tl::unexpected(report.error());
+  std::cout << report->text;
+  return report->is_worse ? exit_no : exit_yes;
 }
 
 }  // namespace mirocup::app

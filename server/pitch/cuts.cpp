@@ -22,10 +22,10 @@ constexpr int fewest_pictures = 10;       // of a window
 constexpr double apart = 0.02;            // m: a body this near may touch between two pictures
 constexpr double together = 0.006;        // m: it touches, as far as pictures tell
 constexpr double memory = 0.2;            // s, for which wheels may go on sliding
+constexpr double short_memory = 0.1;      // s: of meetings, which are few
 constexpr int pictures_of_state = 8;      // from which speeds are estimated
 constexpr double gentle_turn = 2.9;       // m/s^2: wheels of a grip of 0.3 hold
 constexpr double straight_enough = 0.25;  // m/s sideways: less is the camera's noise
-constexpr double longest_pause = 5.0;     // usual periods, between two pictures of a window
 constexpr std::array<double, 3> between{0.33, 0.67, 1.0};  // of the way from picture to picture
 
 class Cutter {
@@ -46,7 +46,7 @@ class Cutter {
   // True if no other body than those is near one of them.
   bool are_alone(const std::vector<int>& bodies, int frame) const;
   // True if the wheels of a robot hold at the start of a window, and have held for long enough.
-  bool holds(int robot, int frame) const;
+  bool holds(int robot, int frame, double seconds) const;
   // Returns the window from a picture on: it ends before another body comes near.
   Window grow(int first, std::vector<int> bodies, double seconds) const;
   // True if each body is seen often enough, and robots have commands.
@@ -60,10 +60,7 @@ class Cutter {
     return {s.position, Heading::from_angle(s.heading), {}};
   }
   double reach(int body) const { return is_ball(body) ? ball_radius_ : robot_radius_; }
-  bool follows(int frame) const {
-    const double step = footage_.time(frame) - footage_.time(frame - 1);
-    return step < longest_pause * footage_.usual_period() && !footage_.is_broken(frame - 1, frame);
-  }
+  bool follows(int frame) const { return !footage_.is_broken(frame - 1, frame); }
 
   const Footage& footage_;
   simulator::collision::StaticWorld world_;
@@ -118,15 +115,15 @@ bool Cutter::are_alone(const std::vector<int>& bodies, int frame) const {
   return true;
 }
 
-bool Cutter::holds(int robot, int frame) const {
+bool Cutter::holds(int robot, int frame, double seconds) const {
   if (!can_slide_) return true;
   const double period = footage_.usual_period();
-  const int past = static_cast<int>(std::ceil(memory / period));
+  const int past = static_cast<int>(std::ceil(seconds / period));
   if (frame <= past) return false;
   for (int f = frame - past; f < frame; ++f) {
     if (!follows(f + 1) || is_at_wall(robot, f, 0.0) || !are_alone({robot}, f)) return false;
   }
-  const int step = std::max(1, past / 4);
+  const int step = std::max(1, static_cast<int>(0.06 / period));
   for (int f = frame - 1; f >= frame - past; f -= step) {
     const auto before = footage_.state_at(robot, f, -pictures_of_state, 2);
     if (!before) return false;
@@ -223,8 +220,8 @@ std::vector<Window> drives(const Footage& footage, const simulator::Parameters& 
   for (int robot = 0; robot < footage.ball(); ++robot) {
     if (footage.told(robot).empty()) continue;
     cut_one(
-        cutter, footage, robot, longest_drive, [&](int f) { return cutter.holds(robot, f); },
-        windows);
+        cutter, footage, robot, longest_drive,
+        [&](int f) { return cutter.holds(robot, f, memory); }, windows);
   }
   return windows;
 }
@@ -238,7 +235,7 @@ std::vector<Window> meetings(const Footage& footage, const simulator::Parameters
       const bool begins = std::all_of(bodies.begin(), bodies.end(), [&](int body) {
         return free_from[body] <= f && footage.sight(body, f).is_seen &&
                !cutter.is_at_wall(body, f, together) && cutter.are_alone({body}, f) &&
-               (cutter.is_ball(body) || cutter.holds(body, f));
+               (cutter.is_ball(body) || cutter.holds(body, f, short_memory));
       });
       if (!begins) continue;
       Window window = cutter.grow(f, std::move(bodies), longest_drive);

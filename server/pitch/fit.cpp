@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 namespace mirocup::pitch {
@@ -32,6 +33,9 @@ constexpr double unexplained = 2.5;    // mean square of a window's residuals, a
 constexpr double most_deviations =
     4.5;  // the same in the end: standard deviations of a mean square
 constexpr double difference_step = 1e-5;
+constexpr int rounds_of_settling = 8;
+constexpr double settled = 0.02;  // the cost falls by less than this
+constexpr double same = 1e-9;     // of residuals
 
 int states_of(const Piece& piece, std::size_t i) {
   return piece.is_ball(i) ? 4 : 5;
@@ -48,6 +52,14 @@ void shift(BodyState& state, bool is_ball, int which, double by) {
   if (which == 2) state.heading = Heading::from_angle(state.heading.angle() + by);
   if (which == 3) state.twist.forward += by;
   if (which == 4) state.twist.omega += by;
+}
+
+void move_starts(const Piece& piece, const VectorXd& move, std::vector<BodyState>& starts) {
+  int k = 0;
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    for (int s = 0; s < states_of(piece, i); ++s)
+      shift(starts[i], piece.is_ball(i), s, std::clamp(move[k++], -1.0, 1.0));
+  }
 }
 
 // Sets the first guess of the starts. Returns false if a body is not seen well enough.
@@ -234,6 +246,22 @@ bool Fit::is_explained(const Piece& piece, const VectorXd& r, const VectorXd& we
   return mean_square < 1.0 + most_deviations * std::sqrt(2.0 / freedom);
 }
 
+// Returns the derivatives of the residuals by the starts.
+MatrixXd Fit::slopes_by_start(Variant& v, const Piece& piece, const VectorXd& r) const {
+  MatrixXd slopes(r.size(), piece.states);
+  VectorXd other;
+  int column = 0;
+  for (std::size_t i = 0; i < piece.start.size(); ++i) {
+    for (int s = 0; s < states_of(piece, i); ++s) {
+      std::vector<BodyState> start = piece.start;
+      shift(start[i], piece.is_ball(i), s, difference_step);
+      residuals(v, piece, start, other);
+      slopes.col(column++) = (other - r) / difference_step;
+    }
+  }
+  return slopes;
+}
+
 // Computes the equations of all windows at the present guess.
 void Fit::linearise() {
   const std::vector<int> free = free_unknowns();
@@ -255,16 +283,8 @@ void Fit::linearise() {
     residuals(base, piece, piece.start, r);
     piece.square = weigh(piece, r, weight);
     piece.counts = is_explained(piece, r, weight);
-    MatrixXd by_start(r.size(), piece.states), by_pitch(r.size(), n);
-    int column = 0;
-    for (std::size_t i = 0; i < piece.start.size(); ++i) {
-      for (int s = 0; s < states_of(piece, i); ++s) {
-        std::vector<BodyState> start = piece.start;
-        shift(start[i], piece.is_ball(i), s, difference_step);
-        residuals(base, piece, start, other);
-        by_start.col(column++) = (other - r) / difference_step;
-      }
-    }
+    const MatrixXd by_start = slopes_by_start(base, piece, r);
+    MatrixXd by_pitch(r.size(), n);
     for (int j = 0; j < n; ++j) {
       if (!piece.tells[free[j]]) {
         by_pitch.col(j).setZero();
@@ -311,11 +331,7 @@ double Fit::cost_of_trial(const Guess& guess, const VectorXd& step) {
     piece.trial = piece.start;
     VectorXd move = -piece.own - piece.gain * step;
     if (!move.allFinite()) move.setZero();
-    int k = 0;
-    for (std::size_t i = 0; i < piece.trial.size(); ++i) {
-      for (int s = 0; s < states_of(piece, i); ++s)
-        shift(piece.trial[i], piece.is_ball(i), s, std::clamp(move[k++], -1.0, 1.0));
-    }
+    move_starts(piece, move, piece.trial);
     residuals(v, piece, piece.trial, r);
     double square = weigh(piece, r, weight);
     // A start that explains less than before is not taken, whatever the pitch.
@@ -402,6 +418,99 @@ void Fit::run(bool hard) {
   damping_ = 0.0;
   linearise();
   damping_ = 1e-4;
+}
+
+// Steps of a window's starts alone.
+void Fit::settle(Variant& v, Piece& piece) {
+  VectorXd r, weight, other, other_weight;
+  residuals(v, piece, piece.start, r);
+  double cost = weigh(piece, r, weight);
+  double damping = 1e-4;
+  for (int round = 0; round < rounds_of_settling; ++round) {
+    const MatrixXd slopes = slopes_by_start(v, piece, r);
+    const MatrixXd weighted = weight.asDiagonal() * slopes;
+    MatrixXd a = slopes.transpose() * weighted;
+    a.diagonal() *= 1.0 + damping;
+    a.diagonal().array() += 1e-9;
+    const VectorXd move = -a.ldlt().solve(weighted.transpose() * r);
+    if (!move.allFinite()) return;
+    std::vector<BodyState> trial = piece.start;
+    move_starts(piece, move, trial);
+    residuals(v, piece, trial, other);
+    const double reached = weigh(piece, other, other_weight);
+    if (!(reached < cost)) {
+      damping = damping * 30.0 + 1e-4;
+      continue;
+    }
+    const bool is_settled = cost - reached < settled;
+    piece.start = std::move(trial);
+    std::swap(r, other);
+    std::swap(weight, other_weight);
+    cost = reached;
+    damping /= 10.0;
+    if (is_settled) return;
+  }
+}
+
+// Returns the cost of a window, no more than that of one which is just not explained.
+double Fit::capped_cost(Variant& v, const Piece& piece) {
+  VectorXd r, weight;
+  residuals(v, piece, piece.start, r);
+  const double freedom = std::max(1, piece.rows - piece.states);
+  return std::min(weigh(piece, r, weight), freedom + most_deviations * std::sqrt(2.0 * freedom));
+}
+
+// True if a window's motion is not the same under all variants.
+bool Fit::depends_on(std::span<Variant> variants, const Piece& piece) const {
+  VectorXd first, r;
+  residuals(variants.front(), piece, piece.start, first);
+  return std::any_of(variants.begin() + 1, variants.end(), [&](Variant& v) {
+    residuals(v, piece, piece.start, r);
+    return !((r - first).cwiseAbs().maxCoeff() < same);
+  });
+}
+
+Fit::Profile Fit::profile(int unknown, std::vector<double> values) {
+  const int count = static_cast<int>(values.size());
+  std::vector<Variant> variants;
+  for (const double value : values) {
+    Guess guess = guess_;
+    set_value(guess, unknown, value);
+    variants.push_back(variant(guess));
+  }
+  Variant now = variant(guess_);
+  Profile profile{std::move(values), std::vector<double>(static_cast<std::size_t>(count), 0.0), 0};
+  double present = 0.0;
+  std::vector<std::pair<Piece*, std::vector<std::vector<BodyState>>>> best_starts;
+  hard_ = false;
+  for (Piece& original : pieces_) {
+    if (!original.tells[unknown] || !depends_on(variants, original)) continue;
+    ++profile.windows;
+    std::vector<double> least(static_cast<std::size_t>(count),
+                              std::numeric_limits<double>::infinity());
+    auto& best = best_starts.emplace_back(&original, std::vector<std::vector<BodyState>>{}).second;
+    best.resize(static_cast<std::size_t>(count));
+    Piece piece = original;
+    for (int turn = 0; turn < 2 * count; ++turn) {
+      const int i = turn < count ? turn : 2 * count - 1 - turn;
+      settle(variants[i], piece);
+      const double cost = capped_cost(variants[i], piece);
+      if (cost < least[i]) {
+        least[i] = cost;
+        best[i] = piece.start;
+      }
+    }
+    for (int i = 0; i < count; ++i) profile.costs[i] += least[i];
+    piece.start = original.start;
+    settle(now, piece);
+    present += capped_cost(now, piece);
+  }
+  const auto lowest = std::min_element(profile.costs.begin(), profile.costs.end());
+  if (profile.windows == 0 || !(*lowest < present)) return profile;
+  const std::size_t at = static_cast<std::size_t>(lowest - profile.costs.begin());
+  set_value(guess_, unknown, profile.values[at]);
+  for (auto& [piece, starts] : best_starts) piece->start = starts[at];
+  return profile;
 }
 
 void Fit::choose(std::span<const Guess> guesses) {

@@ -71,6 +71,14 @@ class Fit {
   void choose(std::span<const Guess> guesses);
   // Steps until the cost falls no more. `hard`: outliers are left out rather than weighed down.
   void run(bool hard);
+  // The least cost at each of some values of an unknown, with the rest of the pitch as it is, and
+  // the number of windows that depend on it. Each window has the best starts that a sweep to and
+  // fro finds. Goes to the best value if that is better than the present one.
+  struct Profile {
+    std::vector<double> values, costs;
+    int windows = 0;
+  };
+  Profile profile(int unknown, std::vector<double> values);
   // Computes the equations of all windows at the present guess.
   void linearise();
   // Of the free unknowns, in their order: the inverse of the covariance.
@@ -89,6 +97,11 @@ class Fit {
   double weigh(const Piece& piece, const Eigen::VectorXd& r, Eigen::VectorXd& weight) const;
   bool is_explained(const Piece& piece, const Eigen::VectorXd& r,
                     const Eigen::VectorXd& weight) const;
+  Eigen::MatrixXd slopes_by_start(Variant& variant, const Piece& piece,
+                                  const Eigen::VectorXd& r) const;
+  bool depends_on(std::span<Variant> variants, const Piece& piece) const;
+  void settle(Variant& variant, Piece& piece);
+  double capped_cost(Variant& variant, const Piece& piece);
   bool step(double most);
   Guess stepped(const std::vector<int>& free, Eigen::VectorXd& step, double most) const;
   double cost_of_trial(const Guess& guess, const Eigen::VectorXd& step);

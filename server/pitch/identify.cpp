@@ -18,7 +18,9 @@ namespace {
 using Eigen::MatrixXd;
 
 constexpr double median_share = 0.37;  // what a median of n sizes tells, in squares
-constexpr std::array<double, 5> restitutions_tried{0.1, 0.3, 0.5, 0.7, 0.9};
+constexpr double rise95 = 3.841459;    // of a cost, at the ends of an interval
+constexpr int steps_of_profile = 10;   // to each side
+constexpr int fewest_windows = 2;      // from which a hit's restitution or a slide's grip is told
 constexpr double z95 = 1.959964;
 
 bool is_between_bodies(int unknown) {
@@ -73,9 +75,9 @@ void describe_deceleration(const std::vector<int>& free, const MatrixXd& covaria
 
 // Sets the estimates of the free unknowns, and the counts of windows.
 void describe(const Fit& fit, const MatrixXd& covariance, Identified& result) {
-  result.guess = fit.guess();
-  for (const Piece& piece : fit.pieces()) ++(piece.counts ? result.windows : result.unexplained);
   const std::vector<int> free = fit.free_unknowns();
+  for (const int u : free) set_value(result.guess, u, value_of(fit.guess(), u));
+  for (const Piece& piece : fit.pieces()) ++(piece.counts ? result.windows : result.unexplained);
   for (std::size_t j = 0; j < free.size(); ++j) {
     const Unknown& u = unknowns()[free[j]];
     const double half = z95 * std::sqrt(std::max(0.0, covariance(j, j)));
@@ -89,6 +91,105 @@ void describe(const Fit& fit, const MatrixXd& covariance, Identified& result) {
     };
     result.known[free[j]] = Estimate{plain(value), plain(value - half), plain(value + half)};
   }
+}
+
+// Values from `low` on, in units of value_of().
+std::vector<double> values_from(double low, double step, int count, int unknown) {
+  const Unknown& u = unknowns()[unknown];
+  const double least = u.is_ratio ? std::log(u.least) : u.least;
+  const double most = u.is_ratio ? std::log(u.most) : u.most;
+  std::vector<double> values;
+  for (int i = 0; i < count; ++i) {
+    const double value = low + step * i;
+    if (value >= least - 1e-12 && value <= most + 1e-12) values.push_back(value);
+  }
+  return values;
+}
+
+// Looks at all values of an unknown whose cost has several minima: windows with impacts or slides
+// have corners, where one more or less of them happens.
+void look_around(Fit& fit, int unknown) {
+  if (unknown == grip_limit) {
+    fit.profile(unknown, values_from(std::log(0.25), 0.2, 10, unknown));
+  } else {
+    fit.profile(unknown, values_from(0.0, 0.1, 11, unknown));
+  }
+}
+
+// Where the cost is least, and where it has risen by what 95 % allow.
+Estimate interval_of(const Fit::Profile& p) {
+  const auto& c = p.costs;
+  const auto& v = p.values;
+  const int last = static_cast<int>(c.size()) - 1;
+  const int at = static_cast<int>(std::min_element(c.begin(), c.end()) - c.begin());
+  double value = v[at], least = c[at];
+  if (at > 0 && at < last) {
+    const double bend = c[at - 1] - 2.0 * c[at] + c[at + 1];
+    const double way = bend > 0.0 ? 0.5 * (c[at - 1] - c[at + 1]) / bend : 0.0;
+    value += way * (v[at + 1] - v[at]);
+    least -= 0.25 * (c[at - 1] - c[at + 1]) * way;
+  }
+  // The root of the rise is linear where the cost is a parabola.
+  const auto rise = [&](int i, double sign) {
+    return std::copysign(std::sqrt(std::max(0.0, c[i] - least)), sign * (v[i] - value));
+  };
+  const auto end = [&](int from, int step) {
+    const double sign = -step;
+    int i = from;
+    while (i != at && c[i] > least + rise95) i += step;
+    if (i == from) return v[i];
+    const double inner = rise(i, sign), outer = rise(i - step, sign);
+    return v[i] + (z95 - inner) / (outer - inner) * (v[i - step] - v[i]);
+  };
+  return {value, end(0, 1), end(last, -1)};
+}
+
+// True if the interval reaches beyond the values, where the unknown could be, too.
+bool is_open(const Fit::Profile& p, int unknown, double step) {
+  const double limit = *std::min_element(p.costs.begin(), p.costs.end()) + 2.0 * rise95;
+  const bool is_lowest = values_from(p.values.front() - step, step, 1, unknown).empty();
+  const bool is_highest = values_from(p.values.back() + step, step, 1, unknown).empty();
+  return (!is_lowest && p.costs.front() < limit) || (!is_highest && p.costs.back() < limit);
+}
+
+// Replaces the estimate of an unknown by what its profile tells. `own` is the standard deviation if
+// the rest were known, and `others` is what the rest adds, in units of value_of().
+void sharpen(Fit& fit, int unknown, double own, double others, Identified& result) {
+  const Unknown& u = unknowns()[unknown];
+  result.known[unknown].reset();
+  result.why_not[unknown] = "it takes " + std::string(u.needs);
+  double step = std::clamp(own, 0.002, 0.03);
+  Fit::Profile profile;
+  for (int turn = 0; turn < 4; ++turn) {
+    const double middle = value_of(fit.guess(), unknown);
+    profile = fit.profile(unknown, values_from(middle - steps_of_profile * step, step,
+                                               2 * steps_of_profile + 1, unknown));
+    if (profile.windows < fewest_windows) return;
+    const double moved = std::abs(value_of(fit.guess(), unknown) - middle);
+    if (is_open(profile, unknown, step)) {
+      step *= 2.0;
+    } else if (moved < 0.7 * steps_of_profile * step) {
+      break;
+    }
+  }
+  const Estimate e = interval_of(profile);
+  const double low = e.value - std::hypot(e.value - e.low, z95 * others);
+  const double high = e.value + std::hypot(e.high - e.value, z95 * others);
+  if (!(high - low < 2.0 * u.widest)) return;
+  const auto plain = [&](double v) {
+    return std::clamp(u.is_ratio ? std::exp(v) : v, u.least, u.most);
+  };
+  result.known[unknown] = Estimate{plain(e.value), plain(low), plain(high)};
+  result.why_not[unknown].clear();
+  set_value(result.guess, unknown, e.value);
+}
+
+// The same with covariance and information of a fit's free unknowns.
+void sharpen(Fit& fit, int unknown, const MatrixXd& information, const MatrixXd& covariance,
+             Identified& result) {
+  const int j = place_of(fit.free_unknowns(), unknown);
+  const double own = 1.0 / std::max(1e-8, information(j, j));
+  sharpen(fit, unknown, std::sqrt(own), std::sqrt(std::max(0.0, covariance(j, j) - own)), result);
 }
 
 // Counts what cameras miss, and what is left out as an outlier before the fit.
@@ -150,6 +251,9 @@ Result<Fit> fit_alone(const std::vector<Footage>& footages, const Guess& start,
   }
   fit.choose(guesses);
   fit.run(false);
+  for (const int u : {grip_limit, robot_on_wall}) {
+    if (fit.is_free(u)) look_around(fit, u);
+  }
   fit.run(true);
   return fit;
 }
@@ -198,16 +302,13 @@ void identify_hits(const std::vector<Footage>& footages, const Fit& alone,
   fit.end_after_impacts();
   for (const int u : {ball_on_robot, robot_on_robot}) {
     fit.set_free(u, true);
-    std::vector<Guess> guesses;
-    for (const double restitution : restitutions_tried) {
-      guesses.push_back(fit.guess());
-      set_value(guesses.back(), u, restitution);
-    }
-    fit.choose(guesses);
+    look_around(fit, u);
   }
-  fit.run(false);
   fit.run(true);
-  describe(fit, covariance_of_second(fit, result, alone.free_unknowns(), covariance), result);
+  const MatrixXd information = fit.information();
+  const MatrixXd both = covariance_of_second(fit, result, alone.free_unknowns(), covariance);
+  describe(fit, both, result);
+  for (const int u : {ball_on_robot, robot_on_robot}) sharpen(fit, u, information, both, result);
 }
 
 }  // namespace
@@ -223,6 +324,7 @@ Result<Identified> identify(const std::vector<Recording>& recordings, const Gues
   if (!fit) return tl::unexpected(fit.error());
   MatrixXd covariance = covariance_of(fit->information());
   Identified result;
+  result.guess = fit->guess();
   describe(*fit, covariance, result);
   const bool one_lag = !differs_from_motor_lag(result, turn_lag);
   const bool no_brake = !differs_from_motor_lag(result, brake_lag);
@@ -232,6 +334,7 @@ Result<Identified> identify(const std::vector<Recording>& recordings, const Gues
     fit->run(true);
     covariance = covariance_of(fit->information());
     result = {};
+    result.guess = fit->guess();
     describe(*fit, covariance, result);
     const char* const same = "no difference from motor_time_constant shows";
     if (one_lag) result.why_not[turn_lag] = same;
@@ -241,6 +344,10 @@ Result<Identified> identify(const std::vector<Recording>& recordings, const Gues
   result.has_brake = !no_brake;
   describe_noise(*fit, result);
   describe_deceleration(fit->free_unknowns(), covariance, result);
+  const MatrixXd information = fit->information();
+  for (const int u : {grip_limit, robot_on_wall}) {
+    if (fit->is_free(u)) sharpen(*fit, u, information, covariance, result);
+  }
   identify_hits(footages, *fit, covariance, result);
   for (int u = 0; u < unknown_count; ++u) {
     if (result.known[u] || !result.why_not[u].empty()) continue;

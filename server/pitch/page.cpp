@@ -13,8 +13,15 @@ namespace mirocup::pitch {
 
 namespace {
 
-constexpr std::array<const char*, predictors> colours{"var(--c0)", "var(--c2)", "var(--c3)"};
-constexpr std::array<const char*, predictors> labels{"simulator", "straight on", "paper's model"};
+constexpr std::array<const char*, predictors> colours{"var(--c0)", "var(--c2)", "var(--c3)",
+                                                      "var(--c1)"};
+
+// Of the predictors of a validation: the last is missing without a peer.
+std::vector<std::string> labels_of(const Validation& v) {
+  std::vector<std::string> labels{"simulator", "straight on", "paper's model"};
+  if (!v.peer.empty()) labels.push_back(v.peer);
+  return labels;
+}
 
 template <class... Numbers>
 std::string text_of(const char* format, Numbers... numbers) {
@@ -99,11 +106,11 @@ std::string picture_of(const Track& track) {
          "</figcaption></figure>\n";
 }
 
-std::string colour_key() {
+std::string colour_key(const std::vector<std::string>& labels) {
   std::string text = "<p class=\"small\">Dots: recorded. ";
-  for (int k = 0; k < predictors; ++k) {
-    text +=
-        "<span style=\"color:" + std::string(colours[k]) + "\">&#9632;</span> " + labels[k] + " ";
+  for (std::size_t k = 0; k < labels.size(); ++k) {
+    text += "<span style=\"color:" + std::string(colours[k]) + "\">&#9632;</span> " +
+            system::html_escaped(labels[k]) + " ";
   }
   return text + "</p>\n";
 }
@@ -169,10 +176,13 @@ std::string page_of(const Validation& v, const std::string& title) {
             "</h2>\n<table><tr><th>pictures ahead</th>";
     for (const int h : horizons) body += text_of("<th>%d</th>", h);
     body += "</tr>\n";
-    for (int k = 0; k < predictors; ++k) {
-      body += "<tr><td>" + std::string(labels[k]) + "</td>";
+    const std::vector<std::string> labels = labels_of(v);
+    for (std::size_t k = 0; k < labels.size(); ++k) {
+      body += "<tr><td>" + system::html_escaped(labels[k]) + "</td>";
       for (const ErrorCell& cell : v.cells[kind]) {
-        const bool is_worse = k == 0 && (cell.beats_simulator[1] || cell.beats_simulator[2]);
+        const bool is_worse =
+            k == 0 && std::any_of(cell.beats_simulator.begin(), cell.beats_simulator.end(),
+                                  [](bool beats) { return beats; });
         body += is_worse ? "<td class=\"worse\">" : "<td>";
         body += cell.count == 0 ? "-" : text_of("%.1f", 1e3 * cell.rms[k]);
         body += "</td>";
@@ -186,7 +196,8 @@ std::string page_of(const Validation& v, const std::string& title) {
   body += "<h2>What the simulator is worse at</h2>\n<ul>\n";
   for (const std::string& o : v.objections) body += "<li>" + system::html_escaped(o) + "</li>\n";
   if (v.objections.empty()) body += "<li>nothing that the recording shows</li>\n";
-  body += "</ul>\n<h2>Recorded and predicted</h2>\n" + colour_key() + "<div class=\"row\">\n";
+  body += "</ul>\n<h2>Recorded and predicted</h2>\n" + colour_key(labels_of(v)) +
+          "<div class=\"row\">\n";
   for (const Track& track : v.examples) body += picture_of(track);
   return page_with(title, body + "</div>\n");
 }
@@ -200,9 +211,10 @@ std::string text_of_result(const Validation& v) {
   text += "\n";
   for (std::size_t kind = 0; kind < v.cells.size(); ++kind) {
     if (v.cells[kind].front().count + v.cells[kind].back().count == 0) continue;
-    for (int k = 0; k < predictors; ++k) {
+    const std::vector<std::string> labels = labels_of(v);
+    for (std::size_t k = 0; k < labels.size(); ++k) {
       text += text_of("%-18s%-14s", k == 0 ? kind_text(static_cast<EventKind>(kind)).c_str() : "",
-                      labels[k]);
+                      labels[k].c_str());
       for (const ErrorCell& cell : v.cells[kind]) {
         text += cell.count == 0 ? "        -" : text_of("%9.2f", 1e3 * cell.rms[k]);
       }

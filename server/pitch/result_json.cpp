@@ -79,7 +79,8 @@ Json to_json(const Validation& v) {
       if (cell.count == 0) continue;
       Json row{{"ahead", horizons[h]}, {"count", cell.count}};
       Json worse = Json::array();
-      for (int k = 0; k < predictors; ++k) {
+      const int count = v.peer.empty() ? predictors - 1 : predictors;
+      for (int k = 0; k < count; ++k) {
         row[std::string(to_string(static_cast<Predictor>(k)))] = cell.rms[k];
         if (cell.beats_simulator[k]) worse.push_back(to_string(static_cast<Predictor>(k)));
       }
@@ -88,7 +89,10 @@ Json to_json(const Validation& v) {
     }
     if (!rows.empty()) kinds[std::string(to_string(static_cast<EventKind>(kind)))] = rows;
   }
-  return {{"period", v.period}, {"noise", v.noise}, {"kinds", kinds}, {"objections", v.objections}};
+  Json json{
+      {"period", v.period}, {"noise", v.noise}, {"kinds", kinds}, {"objections", v.objections}};
+  if (!v.peer.empty()) json["peer"] = v.peer;
+  return json;
 }
 
 }  // namespace mirocup::pitch

@@ -31,7 +31,7 @@ inline constexpr int unknown_count = 13;
 // Indices of those that others refer to.
 inline constexpr int motor_lag = 2, turn_lag = 3, brake_lag = 4, grip_limit = 5;
 inline constexpr int rolling_resistance = 6, viscous_friction = 7;
-inline constexpr int ball_on_wall = 8, ball_on_robot = 9, robot_on_robot = 11;
+inline constexpr int ball_on_wall = 8, ball_on_robot = 9, robot_on_wall = 10, robot_on_robot = 11;
 
 const std::array<Unknown, unknown_count>& unknowns();
 

@@ -2,7 +2,6 @@
 #include "server/pitch/validate.hpp"
 
 #include "core/simulator/trajectory/segment.hpp"
-#include "server/pitch/windows.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -111,8 +110,25 @@ EventKind kind_of_event(const Prediction& p, const Footage& footage, std::size_t
   return slid ? EventKind::slide : EventKind::drive;
 }
 
-std::optional<Prediction> predict(const Footage& footage, Rerun& own, Rerun& paper, int first,
-                                  double sigma) {
+// What predicts in one recording.
+struct Predictors {
+  const Recording& recording;
+  const Footage& footage;
+  const Guess& pitch;
+  const Peer* peer;
+  Rerun own, paper;
+
+  Predictors(const Recording& r, const Footage& f, const Guess& guess, const Peer* other)
+      : recording(r),
+        footage(f),
+        pitch(guess),
+        peer(other),
+        own(f, guess),
+        paper(f, paper_guess(guess)) {}
+};
+
+std::optional<Prediction> predict(Predictors& by, int first, double sigma) {
+  const Footage& footage = by.footage;
   Prediction p;
   p.window = {first, std::min(first + longest, footage.frames() - 1), {}};
   for (int body = 0; body < footage.bodies(); ++body) {
@@ -126,7 +142,7 @@ std::optional<Prediction> predict(const Footage& footage, Rerun& own, Rerun& pap
   const std::size_t n = p.window.bodies.size();
   for (auto& of : p.at) of.resize(n);
   p.slides.resize(n);
-  own.play(
+  by.own.play(
       p.window, p.start,
       [&](int frame, std::size_t i, const BodyState& state) {
         p.at[0][i].push_back(state.position);
@@ -136,9 +152,13 @@ std::optional<Prediction> predict(const Footage& footage, Rerun& own, Rerun& pap
         p.at[1][i].push_back(simulator::trajectory::along_arc(p.start[i], span).position);
       },
       &p.statistics);
-  paper.play(p.window, p.start, [&](int, std::size_t i, const BodyState& state) {
+  by.paper.play(p.window, p.start, [&](int, std::size_t i, const BodyState& state) {
     p.at[2][i].push_back(state.position);
   });
+  if (by.peer != nullptr) {
+    by.peer->play(by.recording, footage, by.pitch, p.window, p.start,
+                  [&](int, std::size_t i, const Vec2& at) { p.at[3][i].push_back(at); });
+  }
   return p;
 }
 
@@ -161,6 +181,7 @@ void add_prediction(const Recording& recording, const Footage& footage, const Pr
       Sums& cell = sums[static_cast<std::size_t>(kind)][h];
       const Vec2 seen = footage.sight(body, frame).position;
       for (int k = 0; k < predictors; ++k) {
+        if (p.at[k][i].empty()) continue;  // no peer
         cell.squares[k].push_back((p.at[k][i][horizons[h] - 1] - seen).squaredNorm());
       }
       cell.noise.push_back(noise_square(p.fitted[i], sigma, ahead));
@@ -194,6 +215,7 @@ ErrorCell cell_of(const Sums& sums) {
   if (cell.count == 0) return cell;
   const double noise = mean_of(sums.noise);
   for (int k = 0; k < predictors; ++k) {
+    if (sums.squares[k].empty()) continue;
     cell.rms[k] = std::sqrt(std::max(0.0, mean_of(sums.squares[k]) - noise));
     if (k == 0 || cell.count < least_count) continue;
     double mean = 0.0, square = 0.0;
@@ -209,20 +231,24 @@ ErrorCell cell_of(const Sums& sums) {
   return cell;
 }
 
-std::string objection(EventKind kind, int horizon, Predictor yardstick, const ErrorCell& cell) {
+std::string objection(EventKind kind, int horizon, const std::string& yardstick, double error,
+                      const ErrorCell& cell) {
   char text[240];
   std::snprintf(text, sizeof text,
                 "%s, %d ahead: worse than %s: %.1f mm against %.1f mm in %d predictions",
-                std::string(to_string(kind)).c_str(), horizon,
-                yardstick == Predictor::straight ? "going on straight" : "the paper's own model",
-                1e3 * cell.rms[0], 1e3 * cell.rms[static_cast<std::size_t>(yardstick)], cell.count);
+                std::string(to_string(kind)).c_str(), horizon, yardstick.c_str(), 1e3 * cell.rms[0],
+                1e3 * error, cell.count);
   return text;
 }
 
 }  // namespace
 
-Validation validate(const std::vector<Recording>& recordings, const Guess& pitch) {
+Validation validate(const std::vector<Recording>& recordings, const Guess& pitch,
+                    const Peer* peer) {
   Validation result;
+  if (peer != nullptr) result.peer = peer->name;
+  const std::array<std::string, predictors> names{"", "going on straight", "the paper's own model",
+                                                  result.peer};
   SumTable sums;
   std::vector<Track> tracks;
   for (const Recording& recording : recordings) {
@@ -230,12 +256,11 @@ Validation validate(const std::vector<Recording>& recordings, const Guess& pitch
     const double sigma = footage.position_noise();
     result.noise = std::max(result.noise, sigma);
     result.period = footage.usual_period();
-    Rerun own(footage, pitch);
-    Rerun paper(footage, paper_guess(pitch));
+    Predictors by(recording, footage, pitch, peer);
     for (int f = pictures_before; f + 1 < footage.frames(); f += pictures_between) {
       const int last = std::min(f + longest, footage.frames() - 1);
       if (footage.is_broken(f - pictures_before, last)) continue;
-      if (const auto p = predict(footage, own, paper, f, sigma))
+      if (const auto p = predict(by, f, sigma))
         add_prediction(recording, footage, *p, sigma, sums, tracks);
     }
   }
@@ -244,8 +269,8 @@ Validation validate(const std::vector<Recording>& recordings, const Guess& pitch
       const ErrorCell cell = result.cells[kind][h] = cell_of(sums[kind][h]);
       for (int k = 1; k < predictors; ++k) {
         if (cell.beats_simulator[k]) {
-          result.objections.push_back(objection(static_cast<EventKind>(kind), horizons[h],
-                                                static_cast<Predictor>(k), cell));
+          result.objections.push_back(
+              objection(static_cast<EventKind>(kind), horizons[h], names[k], cell.rms[k], cell));
         }
       }
     }

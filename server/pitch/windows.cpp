@@ -19,6 +19,7 @@ constexpr int neighbours = 3;  // on each side
 // A body that is seen farther away than this allows was put there by hand.
 constexpr double max_body_speed = 6.0;  // m/s
 constexpr double hand_move = 0.05;      // m
+constexpr double longest_pause = 5.0;   // usual periods between two pictures
 
 // Commands are looked up this long before they are used, s.
 constexpr double least_step = 1e-9;
@@ -63,6 +64,7 @@ void Footage::find_breaks() {
   std::vector<int> latest(sights_.size(), -1);  // frame in which the body was seen last
   for (int f = 0; f < frames(); ++f) {
     if (f > 0) breaks_[f] = breaks_[f - 1];
+    if (f > 0 && times_[f] - times_[f - 1] > longest_pause * period_) ++breaks_[f];
     for (int body = 0; body < bodies(); ++body) {
       if (!sights_[body][f].is_seen) continue;
       const int before = latest[body];

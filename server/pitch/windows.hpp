@@ -64,7 +64,8 @@ class Footage {
   // degree + 2.
   std::optional<FittedState> state_at(int body, int frame, int count, int degree) const;
 
-  // True if a body is moved by hand between two frames of the range: no robot is that fast.
+  // True if a body is moved by hand between two frames of the range (no robot is that fast), or if
+  // the camera pauses between them.
   bool is_broken(int first, int last) const;
 
   // Returns the camera's noise of a coordinate, m: robustly, from third differences, which hardly

@@ -2,6 +2,7 @@
 //
 // mirocup-bench: speed against error of the simulator and of the engines that people would use
 // instead. `mirocup bench` runs it; docs/bench.md describes the comparison.
+#include "tests/bench/peer.hpp"
 #include "tests/bench/report.hpp"
 
 #include <algorithm>
@@ -138,6 +139,8 @@ int play_once(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc > 1 && std::strcmp(argv[1], "validate") == 0)
+    return run_validation({argv + 2, argv + argc});
   Options options;
   if (!parse(argc, argv, options)) {
     std::fputs(usage, stderr);

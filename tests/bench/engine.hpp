@@ -25,6 +25,7 @@ struct Start {
   simulator::Parameters parameters;
   std::vector<simulator::BodyState> robots;
   simulator::BallState ball;
+  double period = tick;  // s: what Engine::advance() plays
 };
 
 using Commands = std::vector<simulator::WheelCommand>;  // one for each robot
@@ -33,7 +34,7 @@ class Engine {
  public:
   virtual ~Engine() = default;
 
-  // Plays one tick.
+  // Plays one period of its start.
   virtual void advance(std::span<const simulator::WheelCommand> commands) = 0;
 
   virtual simulator::BodyState robot(int i) const = 0;

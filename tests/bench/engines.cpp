@@ -17,7 +17,8 @@ class Own final : public Engine {
   Own(const Start& start, Accuracy accuracy)
       : field_(field::make_field(start.league.value_or(League::small))),
         world_(start.league ? &field_ : nullptr, start.parameters,
-               simulator::tolerances_of(accuracy), static_cast<int>(start.robots.size()), true) {
+               simulator::tolerances_of(accuracy), static_cast<int>(start.robots.size()), true),
+        period_(start.period) {
     for (std::size_t i = 0; i < start.robots.size(); ++i) {
       world_.set_robot(static_cast<int>(i), start.robots[i]);
     }
@@ -25,7 +26,7 @@ class Own final : public Engine {
   }
 
   void advance(std::span<const simulator::WheelCommand> commands) override {
-    world_.advance(commands, tick);
+    world_.advance(commands, period_);
   }
   simulator::BodyState robot(int i) const override { return world_.robot(i); }
   simulator::BallState ball() const override { return world_.ball(); }
@@ -33,6 +34,7 @@ class Own final : public Engine {
  private:
   field::Field field_;
   simulator::World world_;
+  double period_;
 };
 
 }  // namespace

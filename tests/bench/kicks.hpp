@@ -31,8 +31,10 @@ class Kick {
       : approach_(1.0 - std::exp(-duration / p.motor_time_constant)),
         grip_(p.grip * simulator::gravity * duration),
         half_step_(0.5 * step),
-        decay_(std::exp(-duration * p.viscous_friction / p.effective_ball_mass())),
-        rest_(p.rolling_resistance * p.ball_mass * simulator::gravity / p.viscous_friction) {}
+        decay_(std::exp(-duration * std::max(p.viscous_friction, least_viscosity) /
+                        p.effective_ball_mass())),
+        rest_(p.rolling_resistance * p.ball_mass * simulator::gravity /
+              std::max(p.viscous_friction, least_viscosity)) {}
 
   void apply(double forward_aim, double turn_aim, RobotMotion& m) const {
     const Vec2 v = m.heading.to_body(m.velocity);
@@ -49,6 +51,8 @@ class Kick {
   }
 
  private:
+  static constexpr double least_viscosity = 1e-6;  // kg/s: the formula divides by it
+
   double approach_;
   double grip_;
   double half_step_;
@@ -66,10 +70,10 @@ class Stepped final : public Engine {
       : parameters_(start.parameters),
         robots_(static_cast<int>(start.robots.size())),
         steps_(steps),
-        first_(start.parameters, 0.5 * tick / steps, tick / steps),
-        whole_(start.parameters, tick / steps, tick / steps),
-        last_(start.parameters, 0.5 * tick / steps, 0.0),
-        physics_(start, tick / steps, options...) {}
+        first_(start.parameters, 0.5 * start.period / steps, start.period / steps),
+        whole_(start.parameters, start.period / steps, start.period / steps),
+        last_(start.parameters, 0.5 * start.period / steps, 0.0),
+        physics_(start, start.period / steps, options...) {}
 
   void advance(std::span<const simulator::WheelCommand> commands) override {
     for (int i = 0; i < robots_; ++i) {

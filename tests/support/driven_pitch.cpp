@@ -13,7 +13,6 @@ namespace mirocup::test_support {
 
 namespace {
 
-constexpr int driven_robots = 2;    // one of each team
 constexpr double hand_every = 4.0;  // s between two pushes of the ball by hand
 
 simulator::WheelSpeeds chase(const simulator::BodyState& robot, const Vec2& ball, double most) {
@@ -25,6 +24,22 @@ simulator::WheelSpeeds chase(const simulator::BodyState& robot, const Vec2& ball
 }
 
 }  // namespace
+
+DrivenWheels Driver::at(double t, const DrivenStates& robots, const Vec2& ball, Random& random) {
+  if (t >= until_) {
+    const auto mode = random.below(4);
+    until_ = t + random.uniform(0.2, 0.7);
+    for (simulator::WheelSpeeds& wheels : wheels_) {
+      wheels = {random.uniform(-fastest_, fastest_), random.uniform(-fastest_, fastest_)};
+      if (mode == 1) wheels = {0.0, 0.0};
+    }
+    is_chase_ = mode >= 2;
+  }
+  if (is_chase_) {
+    for (int i = 0; i < driven_robots; ++i) wheels_[i] = chase(robots[i], ball, fastest_);
+  }
+  return wheels_;
+}
 
 pitch::Guess random_pitch(std::uint64_t seed) {
   Random random(seed * 7919 + 17);
@@ -63,29 +78,15 @@ pitch::Recording recording_of(const DrivenPitch& driven) {
 
   struct Sent {
     double t;
-    std::array<simulator::WheelSpeeds, driven_robots> wheels;
+    DrivenWheels wheels;
   };
   std::deque<Sent> sent;
   Sent now{};
-  double until = 0.0;
-  int mode = 0;
   double next_hand = hand_every;
-  const double most = std::min(70.0, p.wheel_speed_limit);
+  Driver driver(std::min(70.0, p.wheel_speed_limit));
   for (double t = 0.0; t < driven.seconds; t += driven.period) {
     now.t = t;
-    if (t >= until) {
-      mode = static_cast<int>(random.below(4));
-      until = t + random.uniform(0.2, 0.7);
-      for (simulator::WheelSpeeds& wheels : now.wheels) {
-        wheels = {random.uniform(-most, most), random.uniform(-most, most)};
-        if (mode == 1) wheels = {0.0, 0.0};
-      }
-    }
-    if (mode >= 2) {
-      for (int i = 0; i < driven_robots; ++i) {
-        now.wheels[i] = chase(world.robot(i), world.ball().position, most);
-      }
-    }
+    now.wheels = driver.at(t, {world.robot(0), world.robot(1)}, world.ball().position, random);
     sent.push_back(now);
     pitch::Frame frame;
     frame.t = t;

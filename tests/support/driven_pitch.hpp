@@ -4,8 +4,11 @@
 // about, seen by a camera. For tests of identification, and for its bars.
 #pragma once
 
+#include "core/base/random.hpp"
 #include "server/pitch/recording.hpp"
 #include "server/pitch/unknowns.hpp"
+
+#include <array>
 
 namespace mirocup::test_support {
 
@@ -21,6 +24,24 @@ struct DrivenPitch {
 // Draws numbers of a pitch: lags of 0.03 to 0.2 s, restitutions of 0.2 to 0.9, and so on; every
 // second one with two lags, every third with a brake.
 pitch::Guess random_pitch(std::uint64_t seed);
+
+// The commands of two robots, one of each team.
+inline constexpr int driven_robots = 2;
+using DrivenWheels = std::array<simulator::WheelSpeeds, driven_robots>;
+using DrivenStates = std::array<simulator::BodyState, driven_robots>;
+
+class Driver {
+ public:
+  explicit Driver(double fastest) : fastest_(fastest) {}  // rad/s
+  // Returns the commands at t seconds, which never goes back.
+  DrivenWheels at(double t, const DrivenStates& robots, const Vec2& ball, Random& random);
+
+ private:
+  double fastest_;
+  double until_ = 0.0;  // s
+  bool is_chase_ = false;
+  DrivenWheels wheels_{};
+};
 
 pitch::Recording recording_of(const DrivenPitch& driven);
 

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace mirocup::pitch {
@@ -67,6 +68,35 @@ TEST(Validate, SaysWhereTheSimulatorIsWorseThanGoingStraightOn) {
   Guess wrong = driven.truth;
   wrong.parameters.wheel_radius *= 3.0;
   EXPECT_FALSE(validate({recording}, wrong).objections.empty());
+}
+
+// Catches a yardstick that is not compared: another engine that knows where everything goes.
+TEST(Validate, SaysWhereAnotherEngineIsBetter) {
+  test_support::DrivenPitch driven;
+  driven.seconds = 15.0;
+  const Recording recording = test_support::recording_of(driven);
+  const Peer peer{"oracle",
+                  [](const Recording&, const Footage& footage, const Guess&, const Window& window,
+                     const std::vector<simulator::BodyState>& start, const Peer::See& see) {
+                    std::vector<Vec2> at;
+                    for (const simulator::BodyState& s : start) at.push_back(s.position);
+                    for (int f = window.first + 1; f <= window.last; ++f) {
+                      for (std::size_t i = 0; i < at.size(); ++i) {
+                        const Footage::Sight& seen = footage.sight(window.bodies[i], f);
+                        if (seen.is_seen) at[i] = seen.position;
+                        see(f, i, at[i]);
+                      }
+                    }
+                  }};
+  Guess wrong = driven.truth;
+  wrong.parameters.wheel_radius *= 1.5;
+  const Validation found = validate({recording}, wrong, &peer);
+  EXPECT_EQ(found.peer, "oracle");
+  const ErrorCell& drives = found.cells[static_cast<std::size_t>(EventKind::drive)][4];
+  EXPECT_TRUE(drives.beats_simulator[static_cast<std::size_t>(Predictor::peer)]);
+  EXPECT_TRUE(std::any_of(
+      found.objections.begin(), found.objections.end(),
+      [](const std::string& o) { return o.find("worse than oracle") != std::string::npos; }));
 }
 
 }  // namespace
