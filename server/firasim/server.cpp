@@ -290,7 +290,7 @@ void Server::drain() {
 }
 
 // A team that is waited for may not have got the vision, or the call that its placement answers.
-void Server::send_again() {
+void Server::resend() {
   vision_.send(sent_vision_);
   was_sent_again_ = true;
   const bool places = std::any_of(places_.begin(), places_.end(), [](const Place& place) {
@@ -324,7 +324,7 @@ void Server::settle() {
       return;
     }
     if (!terms.tick && now - sent >= resend_after) {
-      send_again();
+      resend();
       sent = now;
     }
     wait(until - now);

@@ -59,7 +59,7 @@ class Server {
 
   void settle();
   void end_the_lost(double now);
-  void send_again();
+  void resend();
   bool receive(double now);
   bool take_packet(const Receiver::Datagram& datagram, double now);
   bool take_placement(const Receiver::Datagram& datagram, double now);
