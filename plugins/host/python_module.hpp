@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// What mirocup-python.so exports, for teams in Python that play in the server's process.
+// What mirocup-python.so exports, for teams in Python that play in the process that calls it: with
+// `mirocup match --trusted` and `mirocup join`.
 #pragma once
 
 #include "mirocup/strategy.h"
+#include "plugins/host/plugin.hpp"
+
+#include <string>
 
 namespace mirocup::plugins {
 
@@ -17,5 +21,10 @@ struct PythonLoaded {
 // thread that plays. The team's functions throw what a team in Python raises.
 extern "C" void mirocup_python_load(const char* path, const mirocup_setup* setup,
                                     PythonLoaded* loaded);
+
+// Loads mirocup-python.so at `module`, and with it the file of a team at `path`. `setup` must
+// outlive the plugin.
+tl::expected<Plugin, match::Fault> load_python(const std::string& path, const std::string& module,
+                                               const mirocup_setup& setup);
 
 }  // namespace mirocup::plugins

@@ -5,7 +5,6 @@
 #include "plugins/host/crash_notice.hpp"
 #include "plugins/host/python_module.hpp"
 
-#include <dlfcn.h>
 #include <optional>
 #include <utility>
 
@@ -36,20 +35,11 @@ tl::expected<std::unique_ptr<TrustedController>, match::Fault> TrustedController
 tl::expected<std::unique_ptr<TrustedController>, match::Fault> TrustedController::load_python(
     const std::string& path, const std::string& module, const match::Briefing& briefing,
     const match::TeamParameters& parameters, bool keeps_thoughts) {
-  const auto no_load = [](std::string why) {
-    return tl::unexpected(match::Fault{match::FaultCode::no_load, std::move(why)});
-  };
-  void* library = dlopen(module.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (library == nullptr) return no_load(std::string("Python is not here: ") + dlerror());
-  const auto load =
-      reinterpret_cast<decltype(&mirocup_python_load)>(dlsym(library, "mirocup_python_load"));
-  if (load == nullptr) return no_load(module + " is of another version");
   auto facts = facts_for(briefing, parameters, keeps_thoughts);
-  PythonLoaded loaded{};
-  load(path.c_str(), &facts->setup, &loaded);
-  if (loaded.team == nullptr) return no_load(loaded.why);
-  return std::unique_ptr<TrustedController>(new TrustedController(
-      briefing.team, std::move(facts), Plugin::adopt(*loaded.strategy, loaded.team)));
+  auto plugin = plugins::load_python(path, module, facts->setup);
+  if (!plugin) return tl::unexpected(plugin.error());
+  return std::unique_ptr<TrustedController>(
+      new TrustedController(briefing.team, std::move(facts), std::move(*plugin)));
 }
 
 TrustedController::TrustedController(Team team, std::unique_ptr<Facts> facts, Plugin plugin)

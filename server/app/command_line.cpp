@@ -329,7 +329,7 @@ void add_hand_in(CLI::App& app, Run& run) {
 }
 
 void add_join(CLI::App& app, Run& run) {
-  Subcommand<JoinOptions> command(app, run, "join", "Let a library play in a match on the network",
+  Subcommand<JoinOptions> command(app, run, "join", "Let a team play in a match on the network",
                                   run_join);
   JoinOptions& o = *command.options;
   command->add_option("--match", o.match_id, "ID of the match")->required();
@@ -348,7 +348,7 @@ void add_join(CLI::App& app, Run& run) {
                    "Folder with the team's credentials, for a match that asks for them")
       ->type_name("DIR");
   add_parameters(*command.sub, "--param", o.parameters, "the team");
-  command->add_option("FILE.so", o.library, "Library of the team")->required();
+  command->add_option("FILE", o.library, "Library or file in Python of the team")->required();
 }
 
 void add_new(CLI::App& app, Run& run) {

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup join: lets a library play in a match on the network.
+// mirocup join: lets a library, or a team in Python, play in a match on the network.
 #include "mirocup/team.hpp"
+#include "plugins/host/elf.hpp"
 #include "plugins/host/plugin.hpp"
+#include "plugins/host/python_module.hpp"
+#include "plugins/host/sealed_entry.hpp"
 #include "plugins/host/team_host.hpp"
 #include "server/app/commands.hpp"
+#include "server/app/entry_advice.hpp"
+#include "server/app/host_program.hpp"
 #include "server/app/interrupt.hpp"
 #include "server/dds/credentials.hpp"
 #include "server/record/team_parameters_json.hpp"
@@ -14,6 +19,8 @@
 #include <cstdint>
 #include <iostream>
 #include <optional>
+#include <string>
+#include <utility>
 
 namespace mirocup::app {
 
@@ -34,6 +41,21 @@ std::string library_path(const JoinOptions& options) {
   return is_bare ? "./" + options.library : options.library;
 }
 
+// Returns the path of mirocup-python.so if the file is a team in Python, and "" if it is a library
+// that can be loaded.
+Result<std::string> python_for(const JoinOptions& options) {
+  const std::string path = library_path(options);
+  if (const auto entry = plugins::SealedEntry::open(path)) {
+    if (entry->is_python()) return python_module();
+    const std::string known = advice_on_file(entry->bytes());
+    const bool is_library = plugins::read_shared_library(entry->bytes()).has_value();
+    if (!is_library && !known.empty()) return fail(Errc::input, options.library + ": " + known);
+  }
+  if (auto checked = plugins::Plugin::check(path); !checked)
+    return fail(Errc::input, options.library + ": " + checked.error().text);
+  return std::string();
+}
+
 // The match server refuses credentials that expire before the latest end of the leg.
 void warn_of_expiry(const std::string& credentials) {
   if (credentials.empty()) return;
@@ -44,12 +66,14 @@ void warn_of_expiry(const std::string& credentials) {
             << system::date_text(*end) << " only\n";
 }
 
-// A library that answers the ticks that come over a connection.
+// A team that answers the ticks that come over a connection.
 class RemoteTeam {
  public:
-  RemoteTeam(const JoinOptions& options, const match::TeamParameters& parameters,
-             Interrupt& interrupt, team::Connection& match)
+  // `python` is what python_for() returned.
+  RemoteTeam(const JoinOptions& options, std::string python,
+             const match::TeamParameters& parameters, Interrupt& interrupt, team::Connection& match)
       : options_(options),
+        python_(std::move(python)),
         given_(parameters),
         parameters_(plugins::parameter_table(parameters)),
         interrupt_(interrupt),
@@ -65,6 +89,7 @@ class RemoteTeam {
   int report() const;
 
   const JoinOptions& options_;
+  std::string python_;
   const match::TeamParameters& given_;
   plugins::ParameterTable parameters_;
   plugins::AskedRows asked_{0};
@@ -105,7 +130,9 @@ Result<void> RemoteTeam::take_seat() {
   plugin_.reset();
   setup_ = match_.setup();
   plugins::give_host(setup_, host_);
-  auto plugin = plugins::Plugin::load(library_path(options_), setup_);
+  const std::string path = library_path(options_);
+  auto plugin = python_.empty() ? plugins::Plugin::load(path, setup_)
+                                : plugins::load_python(path, python_, setup_);
   if (!plugin) return fail(Errc::input, options_.library + ": " + plugin.error().text);
   plugin_.emplace(std::move(*plugin));
   std::cerr << "mirocup: " << options_.name << " plays " << options_.team << " in match "
@@ -155,9 +182,8 @@ Result<int> run_join(const JoinOptions& options) {
   Interrupt interrupt;
   const auto parameters = record::parameters_with_changes({}, options.parameters, "--param");
   if (!parameters) return tl::unexpected(parameters.error());
-  if (auto checked = plugins::Plugin::check(library_path(options)); !checked) {
-    return fail(Errc::input, options.library + ": " + checked.error().text);
-  }
+  const auto python = python_for(options);
+  if (!python) return tl::unexpected(python.error());
   warn_of_expiry(options.credentials);
   team::Connection match({.match = options.match_id,
                           .team = index_of(*from_string<Team>(options.team)),
@@ -168,7 +194,7 @@ Result<int> run_join(const JoinOptions& options) {
   if (!match.is_open()) {
     return fail(match.is_wrong() ? Errc::input : Errc::unavailable, match.why());
   }
-  return RemoteTeam(options, *parameters, interrupt, match).play();
+  return RemoteTeam(options, *python, *parameters, interrupt, match).play();
 }
 
 }  // namespace mirocup::app

@@ -66,6 +66,44 @@ TEST(PythonTeam, SaysWhereItStands) {
   EXPECT_EQ(fixed, 2) << "one for each kick-off";
 }
 
+// Catches `mirocup join` that takes a file of Python for a library that does not load, and one that
+// plays it in another way than `mirocup match` does.
+TEST(PythonTeam, JoinsWithoutAProgramOfItsOwn) {
+#ifdef MIROCUP_SANITIZED
+  GTEST_SKIP() << "Python leaks what it never ends";
+#endif
+  if (!std::filesystem::exists(program("mirocup-python.so"))) GTEST_SKIP() << "not built";
+  const TemporaryFolder folder;
+  const std::string id = match_id("python-join");
+  write_file(folder / "team.py",
+             "from mirocup.team import *\n"
+             "class A(Team):\n"
+             "    def decide(self, now):\n"
+             "        return [drive_to(self.setup, r, ball(now)) for r in now.own]\n");
+  const auto play = [&](const std::string& blue, const char* record) {
+    const Outcome played = run({program("mirocup"), "match", "--blue", blue, "--yellow", "idle",
+                                "--half", "3", "--match", id, "--record", folder / record});
+    EXPECT_EQ(played.exit_code, 0) << played.err;
+    return read_json(folder / record)["state_hash"];
+  };
+  Running remote(join(id, "blue", "snake", folder / "team.py"));
+  const auto on_network = play("dds:snake", "dds.json");
+  const Outcome joined = remote.wait();
+  EXPECT_EQ(joined.exit_code, 0) << joined.err;
+  EXPECT_EQ(on_network, play(folder / "team.py", "py.json"));
+}
+
+// Catches the dynamic loader's own words about a file that is no library.
+TEST(Join, SaysWhatAFileIsThatIsNoTeam) {
+  const TemporaryFolder folder;
+  write_file(folder / "team.py", "import math\nprint(math.pi)\n");
+  const Outcome joined = run(join(match_id("no-team"), "blue", "snake", folder / "team.py"));
+  EXPECT_EQ(joined.exit_code, 2);
+  EXPECT_NE(joined.err.find("team.py: it is Python, but no team: write \"from mirocup.team import"),
+            std::string::npos)
+      << joined.err;
+}
+
 // Catches a traceback where a sentence says what to do.
 TEST(PythonTeam, SaysWhatBuildsTheLibrary) {
   const Outcome missing =
