@@ -10,8 +10,8 @@ namespace mirocup::training {
 
 namespace {
 
-// How often a thread looks for a change before it sleeps: some 50 µs. A step of many matches follows
-// the one before at once, and to be woken takes about as long.
+// How often a thread looks for a change before it sleeps: some 50 us. A step of many matches
+// follows the one before at once, and to be woken takes about as long.
 constexpr int looks_before_sleep = 2000;
 
 template <class T>

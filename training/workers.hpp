@@ -33,8 +33,8 @@ class Workers {
   void run(int pieces, const DoPiece& do_piece);
 
  private:
-  // The pieces that a thread begins with: from `next`, which counts on, to `end`. On a cache line of
-  // its own, because its thread counts in it all the time.
+  // The pieces that a thread begins with: from `next`, which counts on, to `end`. On a cache line
+  // of its own, because its thread counts in it all the time.
   struct alignas(64) Share {
     std::atomic<int> next{0};
     int end = 0;
