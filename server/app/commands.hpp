@@ -211,9 +211,9 @@ struct RefereeOptions {
 };
 Result<int> run_referee(const RefereeOptions& options);
 
-// `mirocup league …` and `mirocup tune …` are the program mirocup-league, and `mirocup bench …` is
-// mirocup-bench, as is `mirocup validate --against …`: runs the program of that name in the place of this process, with the arguments
-// from argv[first] on. Returns only if it cannot be run.
+// `mirocup league …` and `mirocup tune …` are the program mirocup-league, and `mirocup bench …` and
+// `mirocup validate --against …` are mirocup-bench: runs the program of that name in the place of
+// this process, with the arguments from argv[first] on. Returns only if it cannot be run.
 Result<int> become_sibling_program(const std::string& name, int argc, char** argv, int first = 2);
 
 }  // namespace mirocup::app

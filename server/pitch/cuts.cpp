@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "server/pitch/cuts.hpp"
 
+#include "core/base/math.hpp"
 #include "core/simulator/collision/collision_queries.hpp"
 #include "core/simulator/collision/static_world.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace mirocup::pitch {
 
@@ -25,8 +27,12 @@ constexpr double memory = 0.2;            // s, for which wheels may go on slidi
 constexpr double short_memory = 0.1;      // s: of meetings, which are few
 constexpr int pictures_of_state = 8;      // from which speeds are estimated
 constexpr double gentle_turn = 2.9;       // m/s^2: wheels of a grip of 0.3 hold
-constexpr double straight_enough = 0.25;  // m/s sideways: less is the camera's noise
+constexpr double straight_enough = 0.08;  // m/s sideways: less is the camera's noise
 constexpr std::array<double, 3> between{0.33, 0.67, 1.0};  // of the way from picture to picture
+
+bool turns_hard(const simulator::Twist& v) {
+  return std::abs(v.forward * v.omega) > gentle_turn;
+}
 
 class Cutter {
  public:
@@ -47,6 +53,7 @@ class Cutter {
   bool are_alone(const std::vector<int>& bodies, int frame) const;
   // True if the wheels of a robot hold at the start of a window, and have held for long enough.
   bool holds(int robot, int frame, double seconds) const;
+  std::optional<simulator::Twist> middle_twist(int robot, int first, int count) const;
   // Returns the window from a picture on: it ends before another body comes near.
   Window grow(int first, std::vector<int> bodies, double seconds) const;
   // True if each body is seen often enough, and robots have commands.
@@ -123,15 +130,36 @@ bool Cutter::holds(int robot, int frame, double seconds) const {
   for (int f = frame - past; f < frame; ++f) {
     if (!follows(f + 1) || is_at_wall(robot, f, 0.0) || !are_alone({robot}, f)) return false;
   }
-  const int step = std::max(1, static_cast<int>(0.06 / period));
-  for (int f = frame - 1; f >= frame - past; f -= step) {
-    const auto before = footage_.state_at(robot, f, -pictures_of_state, 2);
-    if (!before) return false;
-    const simulator::Twist& v = before->state.twist;
-    if (std::abs(v.forward * v.omega) > gentle_turn || std::abs(v.left) > straight_enough)
-      return false;
+  const int count = std::clamp(static_cast<int>(0.14 / period), 5, pictures_of_state);
+  const auto last = footage_.state_at(robot, frame - 1, -count, 2);
+  if (!last || turns_hard(last->state.twist)) return false;
+  for (int f = frame - count; f > 0 && f > frame - past - count; f -= count / 2) {
+    const auto middle = middle_twist(robot, f, count);
+    if (!middle || turns_hard(*middle)) return false;
+    // Wheels that hold then, and do not turn hard until the start, hold at the start.
+    if (f == frame - count && std::abs(middle->left) > straight_enough) return false;
   }
   return true;
+}
+
+// Returns the twist in the middle of some pictures: there a parabola through them tells speeds
+// several times as well as at its ends.
+std::optional<simulator::Twist> Cutter::middle_twist(int robot, int first, int count) const {
+  const int last = first + count - 1;
+  const auto a = footage_.state_at(robot, first, count, 2);
+  const auto b = footage_.state_at(robot, last, -count, 2);
+  if (!a || !b) return std::nullopt;
+  const double span = footage_.time(last) - footage_.time(first);
+  const double turned =
+      std::remainder(b->state.heading.angle() - a->state.heading.angle(), 2.0 * pi);
+  const double bend = (b->state.twist.omega - a->state.twist.omega) / (2.0 * span);
+  const Heading heading =
+      Heading::from_angle(a->state.heading.angle() + 0.5 * turned - 0.25 * bend * span * span);
+  const auto velocity = [](const BodyState& s) {
+    return s.heading.to_world({s.twist.forward, s.twist.left});
+  };
+  const Vec2 own = heading.to_body(0.5 * (velocity(a->state) + velocity(b->state)));
+  return simulator::Twist{own.x(), own.y(), 0.5 * (a->state.twist.omega + b->state.twist.omega)};
 }
 
 Window Cutter::grow(int first, std::vector<int> bodies, double seconds) const {
