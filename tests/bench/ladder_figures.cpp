@@ -12,6 +12,7 @@
 //   slow_s     the ball is slower than 0.03 m/s
 //   half_s     the ball is in the opponents' half
 //   behind     the mean share of the robots that are between the ball and their goal line
+//   fouls      calls against the team; `laws` says how many under each law
 #include "core/match/leg.hpp"
 #include "plugins/host/trusted_controller.hpp"
 
@@ -22,8 +23,10 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 
 namespace mirocup {
 namespace {
@@ -32,6 +35,7 @@ struct TeamFigures {
   int legs_won = 0, fixtures_won = 0, goals = 0, own_goals = 0, penalties = 0, penalty_goals = 0;
   int fouls = 0, passes = 0, shots = 0, saves = 0;
   double half_s = 0.0, behind_s = 0.0;
+  std::map<std::string_view, int> laws;  // how often it broke each
 };
 
 struct Figures {
@@ -130,7 +134,9 @@ class Counter {
       if (logged.credit->kind == match::GoalKind::penalty) ++scorer.penalty_goals;
       shooter_ = -1;
     } else if (logged.parties.offender && d.verdict != referee::Verdict::NONE) {
-      ++figures_.teams[index(*logged.parties.offender)].fouls;
+      TeamFigures& offender = figures_.teams[index(*logged.parties.offender)];
+      ++offender.fouls;
+      ++offender.laws[to_string(d.law)];
     }
     if (d.restart == referee::Restart::none) return;
     if (shooter_ >= 0) save();
@@ -179,12 +185,19 @@ int play_leg(const match::Setup& setup, const char* a, const char* b, bool swapp
 }
 
 nlohmann::json json_of(const TeamFigures& t) {
-  return {{"legs_won", t.legs_won},   {"fixtures_won", t.fixtures_won},
-          {"goals", t.goals},         {"own_goals", t.own_goals},
-          {"penalties", t.penalties}, {"penalty_goals", t.penalty_goals},
-          {"fouls", t.fouls},         {"passes", t.passes},
-          {"shots", t.shots},         {"saves", t.saves},
-          {"half_s", t.half_s},       {"behind_s", t.behind_s}};
+  return {{"legs_won", t.legs_won},
+          {"fixtures_won", t.fixtures_won},
+          {"goals", t.goals},
+          {"own_goals", t.own_goals},
+          {"penalties", t.penalties},
+          {"penalty_goals", t.penalty_goals},
+          {"fouls", t.fouls},
+          {"passes", t.passes},
+          {"shots", t.shots},
+          {"saves", t.saves},
+          {"half_s", t.half_s},
+          {"behind_s", t.behind_s},
+          {"laws", t.laws}};
 }
 
 }  // namespace
