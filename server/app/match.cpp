@@ -515,7 +515,7 @@ Result<void> Session::write_thoughts(Team team) {
     std::cerr << "mirocup: warning: " << writer.left_out() << " shapes of the " << to_string(team)
               << " team's thoughts were left out, see \"Thoughts\" in strategy.h\n";
   }
-  return disk_.write(path, writer.packed());
+  return disk_.write(path, writer.packed(), system::Readers::owner);
 }
 
 // A name with a slip in it would otherwise have no effect, silently.

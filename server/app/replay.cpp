@@ -4,7 +4,6 @@
 // video of a part.
 #include "server/app/clip.hpp"
 #include "server/app/commands.hpp"
-#include "server/record/thoughts_file.hpp"
 #include "server/statistics/statistics_json.hpp"
 #include "server/web/page.hpp"
 #include "server/web/picture.hpp"
@@ -76,31 +75,6 @@ Result<int> run_clip(const ReplayOptions& options) {
   return exit_yes;
 }
 
-// Reads what the teams drew and printed in the leg, as far as it is beside the record.
-Result<web::OwnTexts> own_texts(system::Disk& disk, const std::string& record_path) {
-  web::OwnTexts own;
-  std::error_code none;
-  for (const Team team : both_teams) {
-    const std::string thoughts = record::thoughts_path(record_path, team);
-    if (std::filesystem::exists(thoughts, none)) {
-      const auto bytes = disk.read(
-          thoughts, {.max_size = system::size_limit::replay, .links = system::Links::followed});
-      if (!bytes) return tl::unexpected(bytes.error());
-      auto lines = record::unpacked_thoughts(*bytes, thoughts);
-      if (!lines) return tl::unexpected(lines.error());
-      own.thoughts[index_of(team)] = std::move(*lines);
-    }
-    const std::string log = record_path + "." + std::string(to_string(team)) + ".log";
-    if (std::filesystem::exists(log, none)) {
-      auto text =
-          disk.read(log, {.max_size = system::size_limit::log, .links = system::Links::followed});
-      if (!text) return tl::unexpected(text.error());
-      own.logs[index_of(team)] = std::move(*text);
-    }
-  }
-  return own;
-}
-
 // Starts the desktop's program for the file and does not wait for it. Returns false if there is no
 // desktop.
 bool open_in_browser(const std::string& path) {
@@ -134,7 +108,9 @@ Result<int> run_replay(const ReplayOptions& options) {
   const auto record = record::load(disk, options.record);
   if (!record) return tl::unexpected(record.error());
   const bool shows_own = !options.svg && !options.public_page;
-  const auto own = shows_own ? own_texts(disk, options.record) : web::OwnTexts();
+  const auto own =
+      record::read_own_texts(disk, options.record, shows_own ? record::of_both : record::of_nobody,
+                             system::Links::followed);
   if (!own) return tl::unexpected(own.error());
   const web::Times times = options.no_times ? web::Times::left_out : web::Times::shown;
   std::optional<statistics::LegStatistics> counted;

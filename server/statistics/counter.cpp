@@ -95,17 +95,24 @@ void Counter::count_touch(const PlayTick& tick, Team team) {
   TeamStatistics& own = counted_.teams[index_of(team)];
   const bool was_shot_at =
       shot_ && shot_->team != team && shot_->on_goal && shot_->last_on_goal + 1 >= tick.tick;
+  const std::size_t mark = shot_ ? shot_->mark : 0;
   if (shot_ && shot_->team != team) shot_.reset();
   if (save_ && save_->team != team) {  // the ball came back to the attackers: it was kept out
     ++counted_.teams[index_of(save_->team)].saves;
     save_.reset();
   }
-  if (was_shot_at) save_ = Save{team, tick.tick};
+  if (was_shot_at) save_ = Save{team, tick.tick, mark};
 
   const bool flew =
       sender_ && last_touch_ + 1 < tick.tick && (tick.ball - ball_then_).norm() >= min_flight_m;
   const referee::RobotSet& robots = tick.touched[index_of(team)];
-  if (flew && sender_->team == team && (sender_->robots & robots).none()) ++own.passes;
+  if (flew && sender_->team == team && (sender_->robots & robots).none()) {
+    ++own.passes;
+    counted_.passes.push_back({.tick = tick.tick,
+                               .team = team,
+                               .from = last_place_[index_of(team)],
+                               .to = seen_by(tick, team, tick.ball)});
+  }
   const bool intercepts = flew && sender_->team != team && !was_shot_at;
   if (intercepts) ++own.interceptions;
   if (holder_ && *holder_ != team) {
@@ -155,6 +162,7 @@ void Counter::count_shot(const PlayTick& tick) {
   if (!shot_) {
     shot_ = Shot{};
     shot_->team = *holder_;
+    shot_->mark = mark_shot(tick.tick, *holder_);
     ++own.shots;
   }
   shot_->last = tick.tick;
@@ -162,6 +170,13 @@ void Counter::count_shot(const PlayTick& tick) {
   if (!shot_->on_goal) ++own.shots_on_goal;
   shot_->on_goal = true;
   shot_->last_on_goal = tick.tick;
+  counted_.shots[shot_->mark].on_goal = true;
+}
+
+// Returns the place of the new mark.
+std::size_t Counter::mark_shot(std::uint32_t tick, Team team) {
+  counted_.shots.push_back({.tick = tick, .team = team, .place = last_place_[index_of(team)]});
+  return counted_.shots.size() - 1;
 }
 
 void Counter::end_what_is_over(const PlayTick& tick) {
@@ -221,10 +236,15 @@ void Counter::count_goal(const match::LoggedDecision& d) {
                             .since_restart = rounded(seconds(play_ticks_ - restart_.play_ticks)),
                             .loss = last_loss_[index_of(opponent_of(team))]});
   // A ball that was pushed over the line slowly is a shot, too.
-  const bool was_shot = (shot_ && shot_->team == team) || (save_ && save_->team != team);
+  const bool is_shot_on = shot_ && shot_->team == team;
+  const bool was_shot = is_shot_on || (save_ && save_->team != team);
   if (origin != GoalOrigin::own_goal) {
     if (!was_shot) ++own.shots;
-    if (!was_shot || (shot_ && shot_->team == team && !shot_->on_goal)) ++own.shots_on_goal;
+    if (!was_shot || (is_shot_on && !shot_->on_goal)) ++own.shots_on_goal;
+    ShotMark& mark = counted_.shots[!was_shot    ? mark_shot(d.tick, team)
+                                    : is_shot_on ? shot_->mark
+                                                 : save_->mark];
+    mark.on_goal = mark.is_goal = true;
   }
   stop_play(team);
 }

@@ -40,6 +40,7 @@ class Counter {
   // A ball on its way to the other goal, which counts as one shot.
   struct Shot {
     Team team = Team::blue;
+    std::size_t mark = 0;            // its place in LegStatistics::shots
     bool on_goal = false;            // at any time
     std::uint32_t last = 0;          // tick in which it was on its way, past or into the goal
     std::uint32_t last_on_goal = 0;  // tick in which it was on its way into the goal
@@ -47,6 +48,7 @@ class Counter {
   struct Save {
     Team team;
     std::uint32_t tick;
+    std::size_t mark;  // of the shot
   };
   struct Restart {
     referee::Restart kind = referee::Restart::none;
@@ -61,6 +63,7 @@ class Counter {
   void count_touch(const PlayTick& tick, Team team);
   void count_contest(const PlayTick& tick);
   void count_shot(const PlayTick& tick);
+  std::size_t mark_shot(std::uint32_t tick, Team team);
   void end_what_is_over(const PlayTick& tick);
   void count_decisions(const PlayTick& tick);
   void count_goal(const match::LoggedDecision& goal);

@@ -115,6 +115,27 @@ struct Goal {
   std::optional<Loss> loss;
 };
 
+// A shot that is counted, with what became of it.
+struct ShotMark {
+  std::uint32_t tick = 0;  // in which it began
+  Team team = Team::blue;
+  Vec2 place{0.0, 0.0};  // where the team touched the ball before
+  bool on_goal = false;
+  bool is_goal = false;
+
+  bool operator==(const ShotMark&) const = default;
+};
+
+// A pass that is counted.
+struct PassMark {
+  std::uint32_t tick = 0;  // in which the mate touched the ball
+  Team team = Team::blue;
+  Vec2 from{0.0, 0.0};
+  Vec2 to{0.0, 0.0};
+
+  bool operator==(const PassMark&) const = default;
+};
+
 struct Foul {
   std::uint32_t tick = 0;
   Team team = Team::blue;  // that offended
@@ -130,6 +151,8 @@ struct LegStatistics {
   int duels = 0;             // those that no team won included
   std::vector<Goal> goals;   // in their order
   std::vector<Foul> fouls;   // in their order
+  std::vector<ShotMark> shots;
+  std::vector<PassMark> passes;
 };
 
 // Returns the share of `one` in `one + other`; nothing if both are 0.

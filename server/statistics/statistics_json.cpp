@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <charconv>
+#include <cmath>
 
 namespace mirocup::statistics {
 
@@ -74,6 +75,26 @@ Json goal_json(const Goal& goal) {
           {"loss", loss_json(goal.loss)}};
 }
 
+Json place_json(const Vec2& place) {
+  const auto millimetres = [](double m) { return std::round(m * 1e3) / 1e3; };
+  return {millimetres(place.x()), millimetres(place.y())};
+}
+
+Json shot_json(const ShotMark& shot) {
+  return {{"tick", shot.tick},
+          {"team", to_string(shot.team)},
+          {"place", place_json(shot.place)},
+          {"on_goal", shot.on_goal},
+          {"goal", shot.is_goal}};
+}
+
+Json pass_json(const PassMark& pass) {
+  return {{"tick", pass.tick},
+          {"team", to_string(pass.team)},
+          {"from", place_json(pass.from)},
+          {"to", place_json(pass.to)}};
+}
+
 Json foul_json(const Foul& foul) {
   return {{"tick", foul.tick},
           {"team", to_string(foul.team)},
@@ -117,12 +138,15 @@ std::optional<match::Touch> read_robot(const JsonReader& json) {
                       json.at("robot").integer<int>(0, max_robots_per_team - 1)};
 }
 
+Vec2 read_place(const JsonReader& json) {
+  return {json.at(0).number(), json.at(1).number()};
+}
+
 std::optional<Loss> read_loss(const JsonReader& json) {
   if (json.is_null()) return std::nullopt;
-  const JsonReader place = json.at("place");
   return Loss{.tick = json.at("tick").as<std::uint32_t>(),
               .kind = json.at("kind").name<LossKind>(),
-              .place = {place.at(0).number(), place.at(1).number()},
+              .place = read_place(json.at("place")),
               .third = json.at("third").name<Third>()};
 }
 
@@ -136,6 +160,21 @@ Goal read_goal(const JsonReader& json) {
           .taker = json.at("taker").name<Team>(),
           .since_restart = json.at("since_restart_s").number(0.0),
           .loss = read_loss(json.at("loss"))};
+}
+
+ShotMark read_shot(const JsonReader& json) {
+  return {.tick = json.at("tick").as<std::uint32_t>(),
+          .team = json.at("team").name<Team>(),
+          .place = read_place(json.at("place")),
+          .on_goal = json.at("on_goal").as<bool>(),
+          .is_goal = json.at("goal").as<bool>()};
+}
+
+PassMark read_pass(const JsonReader& json) {
+  return {.tick = json.at("tick").as<std::uint32_t>(),
+          .team = json.at("team").name<Team>(),
+          .from = read_place(json.at("from")),
+          .to = read_place(json.at("to"))};
 }
 
 Foul read_foul(const JsonReader& json) {
@@ -174,6 +213,9 @@ LegReport read_leg(const JsonReader& json) {
   }
   for (const JsonReader& goal : json.at("goals").elements()) s.goals.push_back(read_goal(goal));
   for (const JsonReader& foul : json.at("fouls").elements()) s.fouls.push_back(read_foul(foul));
+  if (!json.has("shots")) return leg;  // a file of an earlier version
+  for (const JsonReader& shot : json.at("shots").elements()) s.shots.push_back(read_shot(shot));
+  for (const JsonReader& pass : json.at("passes").elements()) s.passes.push_back(read_pass(pass));
   return leg;
 }
 
@@ -184,6 +226,10 @@ Json to_json(const LegStatistics& s) {
   for (const Goal& goal : s.goals) goals.push_back(goal_json(goal));
   Json fouls = Json::array();
   for (const Foul& foul : s.fouls) fouls.push_back(foul_json(foul));
+  Json shots = Json::array();
+  for (const ShotMark& shot : s.shots) shots.push_back(shot_json(shot));
+  Json passes = Json::array();
+  for (const PassMark& pass : s.passes) passes.push_back(pass_json(pass));
   return {{"play_s", s.play_s},
           {"dead_ball_s", s.dead_ball_s},
           {"stoppages", s.stoppages},
@@ -192,7 +238,9 @@ Json to_json(const LegStatistics& s) {
            {{"blue", team_json(s.teams[0], s.teams[1])},
             {"yellow", team_json(s.teams[1], s.teams[0])}}},
           {"goals", goals},
-          {"fouls", fouls}};
+          {"fouls", fouls},
+          {"shots", shots},
+          {"passes", passes}};
 }
 
 Json to_json(const LegReport& leg) {

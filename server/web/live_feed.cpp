@@ -83,8 +83,10 @@ std::string LiveFeed::news(Viewer& viewer) const {
   viewer.has_started = true;
   viewer.decisions += decisions.size();
   viewer.frame = frame_of(scene, robots_, viewer.frame);
-  text += event_text(
-      "frame", {{"tick", scene.tick}, {"frame", viewer.frame}, {"moment", moment_json(scene)}});
+  text += event_text("frame", {{"tick", scene.tick},
+                               {"frame", viewer.frame},
+                               {"moment", moment_json(scene)},
+                               {"keepers", keepers_json(scene)}});
   if (numbers) text += event_text("statistics", *numbers);
   if (result) {
     text += event_text("end", record::to_json(*result));

@@ -22,10 +22,10 @@ namespace mirocup::web {
 namespace {
 
 // The modules of the page, each behind those that it imports.
-constexpr std::array<std::string_view, 14> modules{
-    "text.js",     "track.js", "field.js",     "layers.js",     "player.js",
-    "reel.js",     "calls.js", "situation.js", "statistics.js", "momentum.js",
-    "thoughts.js", "clip.js",  "live.js",      "main.js"};
+constexpr std::array<std::string_view, 15> modules{
+    "text.js",     "track.js",    "field.js", "actions.js",   "layers.js",
+    "player.js",   "reel.js",     "calls.js", "situation.js", "statistics.js",
+    "momentum.js", "thoughts.js", "clip.js",  "live.js",      "main.js"};
 
 // All modules as one script, without import and export: a page that is opened from disk cannot
 // import. No two modules use the same global name.
@@ -168,6 +168,7 @@ class LegTimeline {
 
   Json track_json() const { return {{"frames", track_.frames()}, {"packed", track_.packed()}}; }
   const Json& moments() const { return moments_; }
+  const Json& keepers() const { return keepers_; }
   statistics::LegStatistics counted() const { return counter_.statistics(); }
   const HeatMap& heat() const { return heat_; }
 
@@ -176,6 +177,11 @@ class LegTimeline {
     const match::Snapshot scene = match.snapshot();
     track_.add(scene);
     heat_.add(scene);
+    const Json keepers = keepers_json(scene);
+    if (keepers_.empty() || keepers != last_keepers_) {
+      last_keepers_ = keepers;
+      keepers_.push_back({scene.tick, keepers[0], keepers[1]});
+    }
     Json moment = moment_json(scene);
     if (moment == last_moment_) return;
     last_moment_ = moment;
@@ -188,6 +194,8 @@ class LegTimeline {
   HeatMap heat_;
   Json moments_ = Json::array();
   Json last_moment_;
+  Json keepers_ = Json::array();  // [tick, blue's, yellow's], from that tick on
+  Json last_keepers_;
 };
 
 std::string about(const record::MatchRecord& record) {
@@ -203,7 +211,7 @@ std::string about(const record::MatchRecord& record) {
 namespace {
 
 // Adds {thoughts, log} of the teams that have any.
-void add_own(Json& data, const OwnTexts& own) {
+void add_own(Json& data, const record::OwnTexts& own) {
   for (const Team team : both_teams) {
     const std::string name(to_string(team));
     const std::string& thoughts = own.thoughts[index_of(team)];
@@ -248,6 +256,7 @@ tl::expected<ReplayData, replay::Divergence> play_again(const record::MatchRecor
             {"result", whole["result"]},
             {"decisions", whole["decisions"]},
             {"moments", timeline.moments()},
+            {"keepers", timeline.keepers()},
             {"statistics", statistics},
             {"track", timeline.track_json()}};
   return ReplayData{std::move(json), counted};
@@ -266,7 +275,7 @@ std::string first_picture(const record::MatchRecord& record) {
 }
 
 tl::expected<ReplayPage, replay::Divergence> replay_page(const record::MatchRecord& record,
-                                                         Times times, const OwnTexts& own) {
+                                                         Times times, const record::OwnTexts& own) {
   auto data = play_again(record, times);
   if (!data) return tl::unexpected(data.error());
   add_own(data->json, own);

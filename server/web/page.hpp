@@ -6,6 +6,7 @@
 
 #include "core/replay/playback.hpp"
 #include "server/record/match_record.hpp"
+#include "server/record/own_texts.hpp"
 #include "server/statistics/statistics.hpp"
 
 #include <string>
@@ -24,12 +25,6 @@ tl::expected<record::Json, replay::Divergence> replay_data(const record::MatchRe
 // Returns the first moment of the leg as an SVG element, whose bodies page/field.js moves.
 std::string first_picture(const record::MatchRecord& record);
 
-// What only a team and the host may see. An empty text shows nothing.
-struct OwnTexts {
-  match::ByTeam<std::string> thoughts;  // JSON lines of mirocup/thoughts/1
-  match::ByTeam<std::string> logs;      // what the teams printed
-};
-
 struct ReplayPage {
   std::string html;
   statistics::LegStatistics statistics;  // that it shows
@@ -40,7 +35,7 @@ struct ReplayPage {
 // A page that others see is made without `own`.
 tl::expected<ReplayPage, replay::Divergence> replay_page(const record::MatchRecord& record,
                                                          Times times = Times::shown,
-                                                         const OwnTexts& own = {});
+                                                         const record::OwnTexts& own = {});
 
 // The data of a live page besides the match.
 struct LiveMatch {

@@ -15,6 +15,10 @@ Json moment_json(const match::Snapshot& scene) {
           {"score", {{"blue", scene.score[0]}, {"yellow", scene.score[1]}}}};
 }
 
+Json keepers_json(const match::Snapshot& scene) {
+  return {scene.counts[0].keeper, scene.counts[1].keeper};
+}
+
 Json statistics_json(const statistics::LegStatistics& leg, const HeatMap& heat) {
   Json json = statistics::to_json(leg);
   for (const char* list : {"goals", "fouls"}) json.erase(list);

@@ -15,6 +15,9 @@ using record::Json;
 // The values that hold from a tick on: {state, phase, left, score}.
 Json moment_json(const match::Snapshot& scene);
 
+// The robots that count as keepers, blue's and yellow's; -1: none does.
+Json keepers_json(const match::Snapshot& scene);
+
 // The statistics of the leg as `mirocup stats` has them (docs/statistics.md) without the lists of
 // goals and fouls, which are among the decisions, and with the heat map: {play_s, …, teams: {blue,
 // yellow}, heat}.

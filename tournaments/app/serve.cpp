@@ -38,13 +38,16 @@ Result<std::unique_ptr<Portal>> open_portal(system::Files& files, const ServeOpt
   };
   portal.legs = [&league](const std::string& team) { return league.legs_of(team); };
   portal.digest = [&league](const std::string& team) { return league.digest_of(team); };
-  portal.replay = [&league](const std::string& name) { return league.own_replay(name); };
+  portal.replay = [&league](const std::string& name, const record::Whose& whose) {
+    return league.own_replay(name, whose);
+  };
   portal.statistics = [&league](const std::string& team) { return league.statistics_of(team); };
   portal.friendlies = {
       .teams = [&league] { return league.entries_that_play(); },
       .neighbours = [&league](const std::string& team) { return league.neighbours_of(team); },
       .house = system::house_teams(),
-      .replay = [&league](const std::string& record) { return league.replay_of(record); }};
+      .replay = [&league](const std::string& record,
+                          const record::Whose& whose) { return league.replay_of(record, whose); }};
   portal.now = [] { return system::now_s(); };
   std::string notice;
   auto opened = Portal::open(files, Folder{options.folder}, std::move(portal), &notice);

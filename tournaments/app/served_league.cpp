@@ -269,7 +269,13 @@ std::string ServedLeague::digest_of(const std::string& team) {
   return "";
 }
 
-std::optional<std::string> ServedLeague::own_replay(const std::string& name) {
+std::optional<std::string> ServedLeague::own_replay(const std::string& name,
+                                                    const record::Whose& whose) {
+  const std::string record = "records/" + name + ".json";
+  if (record::has_thoughts(files_, store_.folder().path + "/" + record, whose)) {
+    auto own = replay_of(store_.folder().path + "/" + record, whose);
+    return own ? std::optional(linked(std::move(*own), record)) : std::nullopt;
+  }
   auto page = replay(name);
   return page ? std::optional(std::move(page->bytes)) : std::nullopt;
 }
@@ -324,11 +330,14 @@ std::string ServedLeague::statistics_of(const std::string& team) {
   return statistics_[*index] = std::move(html);
 }
 
-std::optional<std::string> ServedLeague::replay_of(const std::string& record) {
+std::optional<std::string> ServedLeague::replay_of(const std::string& record,
+                                                   const record::Whose& whose) {
   const std::lock_guard one_at_a_time(replaying_);
   const auto loaded = record::load(files_, record);
   if (!loaded) return std::nullopt;
-  auto page = web::replay_page(*loaded, web::Times::left_out);
+  const bool has_own = record::has_thoughts(files_, record, whose);
+  const auto own = record::read_own_texts(files_, record, has_own ? whose : record::of_nobody);
+  auto page = web::replay_page(*loaded, web::Times::left_out, own.value_or(record::OwnTexts{}));
   return page ? std::optional(std::move(page->html)) : std::nullopt;
 }
 

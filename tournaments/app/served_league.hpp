@@ -44,8 +44,9 @@ class ServedLeague {
   // is hidden, or there was no night.
   std::string digest_of(const std::string& team);
 
-  // Returns the replay page of a leg that a team may see, released or not.
-  std::optional<std::string> own_replay(const std::string& name);
+  // Returns the replay page of a leg that a team may see, released or not. If thoughts of these
+  // teams were kept, it shows them and what the teams printed.
+  std::optional<std::string> own_replay(const std::string& name, const record::Whose& whose);
 
   // Returns the teams that have an entry which would play now, with its number. It is a few seconds
   // old at most.
@@ -57,8 +58,8 @@ class ServedLeague {
   // Returns the football statistics of a team, HTML; "" if there are none.
   std::string statistics_of(const std::string& team);
 
-  // Returns the page that replays a record, a path; nothing if it cannot be made.
-  std::optional<std::string> replay_of(const std::string& record);
+  // Returns the page that replays a record, a path, likewise; nothing if it cannot be made.
+  std::optional<std::string> replay_of(const std::string& record, const record::Whose& whose);
 
  private:
   // A leg that is being played and can be watched.

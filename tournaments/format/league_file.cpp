@@ -175,8 +175,8 @@ Points read_points(const JsonReader& json) {
 
 LeagueFile read_league(const JsonReader& json) {
   json.expect_object({"schema", "title", "format", "league", "rules", "conditions", "pitch", "seed",
-                      "points", "tie_breaks", "zone", "freeze", "strikes", "anonymous", "firasim",
-                      "teams"});
+                      "points", "tie_breaks", "zone", "freeze", "strikes", "anonymous", "thoughts",
+                      "firasim", "teams"});
   json.expect_schema(schema);
   LeagueFile file;
   json.read_if_present("title", file.title);
@@ -199,6 +199,7 @@ LeagueFile read_league(const JsonReader& json) {
   if (json.has("zone")) read_zone(json.at("zone"), file);
   if (json.has("freeze")) file.freeze = read_time(json.at("freeze"), file);
   json.read_if_present("anonymous", file.is_anonymous);
+  json.read_if_present("thoughts", file.keeps_thoughts);
   read_count(json, "strikes", 0, 1000, file.strikes);
   if (json.has("firasim")) file.firasim = read_firasim(json.at("firasim"));
   if (json.has("teams")) file.teams = read_teams(json.at("teams"));
@@ -280,6 +281,7 @@ std::string print_league_file(const LeagueFile& file) {
   if (!file.zone.empty()) json["zone"] = file.zone;
   if (!file.freeze.empty()) json["freeze"] = file.freeze;
   if (file.is_anonymous) json["anonymous"] = true;
+  if (file.keeps_thoughts) json["thoughts"] = true;
   if (const Json firasim = firasim_json(file.firasim); !firasim.empty()) json["firasim"] = firasim;
   json["teams"] = teams;
   return record::json_text(json, 2) + "\n";

@@ -82,6 +82,9 @@ struct LeagueFile {
   // The public pages show no display names: the teams' names are their aliases.
   bool is_anonymous = false;
 
+  // What a team draws in a leg (docs/thoughts.md) is kept, for its own eyes and the staff's.
+  bool keeps_thoughts = false;
+
   // Number of legs in a row, lost by its own faults, that pauses a team; 0: no number does.
   int strikes = 3;
   FirasimPlace firasim;

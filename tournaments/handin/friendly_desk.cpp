@@ -3,6 +3,7 @@
 
 #include "server/record/json_reader.hpp"
 #include "server/record/match_record.hpp"
+#include "server/record/thoughts_file.hpp"
 #include "system/printable.hpp"
 #include "tournaments/handin/replies.hpp"
 #include "tournaments/league/hand_ins.hpp"
@@ -116,7 +117,8 @@ void FriendlyDesk::forget_old_records(const std::string& team) {
     const std::string record = folder_.friendly(team, number);
     if (!files_.exists(record)) break;
     for (const std::string& path :
-         {record, record::replay_path_of(record), record + ".blue.log", record + ".yellow.log"}) {
+         {record, record::replay_path_of(record), record + ".blue.log", record + ".yellow.log",
+          record::thoughts_path(record, Team::blue), record::thoughts_path(record, Team::yellow)}) {
       (void)files_.remove(path);
     }
   }
@@ -199,7 +201,7 @@ web::Reply FriendlyDesk::show(const std::string& visitor, std::string_view rest)
     return {.status = 200, .bytes = system::printable(log, system::LineEnds::kept)};
   }
   if (what != "replay") return nothing();
-  auto page = options_.replay(record);
+  auto page = options_.replay(record, own_side(leg_of(*known, visitor)));
   if (!page) return problem_reply(503, "the replay cannot be made here");
   return {.status = 200, .type = "text/html; charset=utf-8", .bytes = std::move(*page)};
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Takes friendlies, gives them to the runner, and shows them to the two teams that play: the
-// result, the replay, and to each the log of its own process. Those of a burst are shown to their
-// team only.
+// result, the replay, and to each its own thoughts and the log of its own process. Those of a burst
+// are shown to their team only.
 //
 // Threads: all public functions may be called by any thread at any time.
 #pragma once
@@ -24,8 +24,9 @@ struct FriendlyOptions {
   std::function<std::vector<std::string>(const std::string& team)> neighbours;
   // The house teams, without "house:".
   std::vector<std::string> house;
-  // Returns the page that replays a record, a path.
-  std::function<std::optional<std::string>(const std::string& record)> replay;
+  // Returns the page that replays a record, a path, with the thoughts and logs of these teams.
+  std::function<std::optional<std::string>(const std::string& record, const record::Whose& whose)>
+      replay;
 };
 
 class FriendlyDesk {

@@ -74,6 +74,10 @@ std::optional<LegCost> LegCosts::of(const OwnLeg& leg) {
   return known_[key] = *cost;
 }
 
+record::Whose own_side(const OwnLeg& leg) {
+  return {leg.colour == "blue", leg.colour == "yellow"};
+}
+
 std::string log_path(const Folder& folder, const OwnLeg& leg) {
   return folder.path + "/" + leg.record + "." + leg.colour + ".log";
 }
@@ -82,7 +86,8 @@ std::string name_of_leg(const OwnLeg& leg) {
   return std::filesystem::path(leg.record).stem();
 }
 
-nlohmann::ordered_json own_legs_json(const std::vector<OwnLeg>& legs, LegCosts& costs) {
+nlohmann::ordered_json own_legs_json(system::Files& files, const Folder& folder,
+                                     const std::vector<OwnLeg>& legs, LegCosts& costs) {
   using Json = nlohmann::ordered_json;
   Json list = Json::array();
   for (auto leg = legs.rbegin(); leg != legs.rend(); ++leg) {
@@ -99,6 +104,8 @@ nlohmann::ordered_json own_legs_json(const std::vector<OwnLeg>& legs, LegCosts& 
       one["record"] = "/" + leg->record;
       one["replay"] = "/" + replay_page_of(leg->record);
       one["log"] = "/api/v1/legs/" + name_of_leg(*leg) + "/log";
+      if (record::has_thoughts(files, folder.path + "/" + leg->record, own_side(*leg)))
+        one["thoughts"] = std::string(own_replays_path) + name_of_leg(*leg) + ".html";
     }
     if (cost) {
       one["cpu_seconds"] = cost->cpu_seconds;

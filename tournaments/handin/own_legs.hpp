@@ -4,6 +4,7 @@
 // Of the opponent it reads what everybody does: result and replay.
 #pragma once
 
+#include "server/record/own_texts.hpp"
 #include "tournaments/league/folder.hpp"
 
 #include <nlohmann/json_fwd.hpp>
@@ -12,9 +13,13 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace mirocup::league {
+
+// Where the desk shows the replay of a leg to its teams and the staff: NAME.html follows.
+inline constexpr std::string_view own_replays_path = "/hand-in/replays/";
 
 // A leg of a team that is decided, seen from that team.
 struct OwnLeg {
@@ -56,6 +61,9 @@ class LegCosts {
   std::map<std::string, LegCost> known_;  // by record and colour
 };
 
+// Returns the team of a leg whose thoughts and log it may see: its own.
+record::Whose own_side(const OwnLeg& leg);
+
 // Returns the path of what the team's process printed in a leg.
 std::string log_path(const Folder& folder, const OwnLeg& leg);
 
@@ -63,6 +71,7 @@ std::string log_path(const Folder& folder, const OwnLeg& leg);
 std::string name_of_leg(const OwnLeg& leg);
 
 // Returns the legs as the HTTP API has them, the latest of the schedule first.
-nlohmann::ordered_json own_legs_json(const std::vector<OwnLeg>& legs, LegCosts& costs);
+nlohmann::ordered_json own_legs_json(system::Files& files, const Folder& folder,
+                                     const std::vector<OwnLeg>& legs, LegCosts& costs);
 
 }  // namespace mirocup::league

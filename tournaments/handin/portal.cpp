@@ -19,7 +19,6 @@ namespace {
 
 constexpr std::string_view entries_path = "/api/v1/entries";
 constexpr std::string_view legs_path = "/api/v1/legs";
-constexpr std::string_view own_replays_path = "/hand-in/replays/";
 constexpr std::string_view friendlies_path = "/api/v1/friendlies";
 constexpr std::string_view pin_path = "/api/v1/pin";
 constexpr std::string_view replays_path = "/hand-in/friendlies";
@@ -194,16 +193,17 @@ web::Reply Portal::staff(const web::Request& request, const web::Body& body) {
   return reply;
 }
 
-// A leg of a team may be shown to it before the public sees it.
+// A leg of a team may be shown to it before the public sees it, with its own thoughts. The staff
+// names the team, as for the API, and sees those of both.
 web::Reply Portal::own_replay(const web::Request& request) {
   const auto who = visitor(request, Purpose::reading);
   if (const auto* refusal = std::get_if<web::Reply>(&who)) return *refusal;
   const Visitor& known = std::get<Visitor>(who);
-  for (const OwnLeg& leg : options_.legs(known.team)) {
+  for (const OwnLeg& leg : options_.legs(known.is_staff ? request.asked("team") : known.team)) {
     if (leg.record.empty() || !options_.replay ||
         request.path != std::string(own_replays_path) + name_of_leg(leg) + ".html")
       continue;
-    auto page = options_.replay(name_of_leg(leg));
+    auto page = options_.replay(name_of_leg(leg), known.is_staff ? record::of_both : own_side(leg));
     if (!page) break;
     return {.status = 200, .type = "text/html; charset=utf-8", .bytes = std::move(*page)};
   }
@@ -219,7 +219,7 @@ web::Reply Portal::entry_reply(const std::string& team, std::string_view rest) {
   if (!entry.is_null() && what.empty()) return page_reply(200, entry_page(entry));
   if (entry.is_null() || what != "/replay" || !entry.contains("replay"))
     return problem_reply(404, team + " has no entry of this number");
-  auto page = options_.friendlies.replay(folder_.gate_leg(team, *number));
+  auto page = options_.friendlies.replay(folder_.gate_leg(team, *number), record::of_nobody);
   if (!page) return problem_reply(503, "the replay cannot be made here");
   return {.status = 200, .type = "text/html; charset=utf-8", .bytes = std::move(*page)};
 }
@@ -228,7 +228,7 @@ web::Reply Portal::team_page(const std::string& team) {
   TeamDesk desk;
   desk.team = team;
   desk.entries = reports(team);
-  desk.legs = own_legs_json(options_.legs(team), costs_);
+  desk.legs = own_legs_json(files_, folder_, options_.legs(team), costs_);
   desk.friendlies = friendlies_->list(team, costs_);
   desk.opponents = friendlies_->opponents(team);
   desk.playing = playing_entry(files_, folder_, team);
@@ -313,7 +313,9 @@ web::Reply Portal::api(const web::Request& request, const web::Body& body) {
 web::Reply Portal::leg_reply(const std::string& team, std::string_view rest) {
   constexpr std::string_view log_end = "/log";
   const auto legs = options_.legs(team);
-  if (rest.empty()) return json_reply(200, {{"team", team}, {"legs", own_legs_json(legs, costs_)}});
+  if (rest.empty())
+    return json_reply(200,
+                      {{"team", team}, {"legs", own_legs_json(files_, folder_, legs, costs_)}});
   if (rest.starts_with("/") && rest.ends_with(log_end)) {
     rest.remove_prefix(1);
     // Only a leg of the team has a name that is looked for; no path comes from the request.

@@ -33,8 +33,10 @@ struct PortalOptions {
   std::function<std::vector<OwnLeg>(const std::string& team)> legs;
   // Returns what the last night changed for a team, as the inside of a page; "" if it may not know.
   std::function<std::string(const std::string& team)> digest = {};
-  // Returns the replay page of a leg, by the name of its record; nothing if there is none.
-  std::function<std::optional<std::string>(const std::string& name)> replay = {};
+  // Returns the replay page of a leg, by the name of its record, with what was kept of the thoughts
+  // and logs of these teams; nothing if there is no page.
+  std::function<std::optional<std::string>(const std::string& name, const record::Whose& whose)>
+      replay = {};
   // Returns the part of a page with the football statistics of a team, HTML; "" if there are none.
   std::function<std::string(const std::string& team)> statistics;
   FriendlyOptions friendlies;

@@ -147,7 +147,7 @@ void cost_cells(Html& html, const Json& leg) {
 
 void link_cells(Html& html, const Json& leg) {
   if (leg.contains("replay")) {
-    html.link_cell(text_in(leg, "replay"), "replay");
+    html.link_cell(text_in(leg, leg.contains("thoughts") ? "thoughts" : "replay"), "replay");
     html.link_cell(text_in(leg, "log"), "log");
   } else {
     html.cell("td", "");
@@ -156,6 +156,13 @@ void link_cells(Html& html, const Json& leg) {
 }
 
 void legs_table(Html& html, const Json& legs) {
+  const bool shows_thoughts = std::any_of(legs.begin(), legs.end(),
+                                          [](const Json& leg) { return leg.contains("thoughts"); });
+  if (shows_thoughts) {
+    html.raw(
+        "<p class=\"small\">The replays here show what your team drew and printed, to you and "
+        "the staff only.</p>\n");
+  }
   html.open_table();
   head(html, {{"Fixture", "mid"},
               {"Opponent"},

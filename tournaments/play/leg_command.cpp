@@ -130,6 +130,7 @@ std::vector<std::string> leg_command(const Folder& folder, const LeagueState& st
                                      match_id,
                                      "--record",
                                      folder.record(fixture, id.leg, id.version)};
+  if (file.keeps_thoughts) arguments.push_back("--thoughts");
   if (id.leg > fixture.legs) {
     // With golden goal and shoot-out one team wins.
     arguments.insert(arguments.end(), {"--stage", "knockout"});
@@ -164,6 +165,7 @@ std::vector<std::string> friendly_command(const LeagueState& state, const Friend
                                      std::to_string(terms.seed),
                                      "--record",
                                      terms.record};
+  if (file.keeps_thoughts) arguments.push_back("--thoughts");
   const match::Conditions conditions =
       state.is_started ? state.conditions : file.conditions.value_or(default_conditions());
   for (const auto& words :

@@ -21,12 +21,13 @@ const names = { blue: leg.teams.blue.name, yellow: leg.teams.yellow.name };
 const track = new Track(leg.period);
 const picture = document.querySelector('.field');
 const field = new FieldView(picture);
-const layers = new Layers(picture, leg.robots, leg.zones);
+const layers = new Layers(picture, leg.robots, leg.zones, keepersAt);
 const reel = new Reel(() => calls.goals.map((call) => call.tick * leg.period));
 const player = new Player(track, reel, show);
 const calls = new Calls(by('calls'), by('marks'), by('banner'), names, (tick) => player.seek(tick * leg.period), leg.score);
 const shownTick = () => Math.floor(player.time / leg.period + 1e-6);
 const moments = [];  // {tick, state, phase, left, score}: from that tick on
+const keepers = [];  // [tick, blue's, yellow's]: from that tick on
 const curve = new MomentumView(by('momentum'), (share) =>
   player.seek((track.firstTick + share * (track.lastTick - track.firstTick)) * leg.period));
 let result = null;
@@ -39,6 +40,12 @@ function momentAt(tick) {
   let i = moments.length - 1;
   while (i > 0 && moments[i].tick > tick) --i;
   return moments[i];
+}
+
+function keepersAt(tick) {
+  let i = keepers.length - 1;
+  while (i > 0 && keepers[i][0] > tick) --i;
+  return keepers[i]?.slice(1) ?? [-1, -1];
 }
 
 function show() {
@@ -137,6 +144,7 @@ function offerRobots() {
 function showNumbers(numbers) {
   showStatistics(by('statistics'), numbers);
   showHeat(by('heat'), numbers.heat);
+  layers.actions.set(numbers);
 }
 
 async function copyLink() {
@@ -205,6 +213,7 @@ function toggleFull() {
 function toggleLayer(name) {
   layers.set(name, !layers.isOn[name]);
   by(name).checked = layers.isOn[name];
+  by('shots_about').hidden = !(layers.isOn.shots || layers.isOn.passes);
   show();
 }
 
@@ -257,6 +266,9 @@ const keys = {
   t: () => toggleLayer('trails'),
   v: () => toggleLayer('velocities'),
   z: () => toggleLayer('zones'),
+  h: () => toggleLayer('shots'),
+  a: () => toggleLayer('passes'),
+  k: () => toggleLayer('keepers'),
 };
 
 function onKey(event) {
@@ -293,6 +305,7 @@ function connectControls() {
 function showReplay() {
   unpack(leg.track.packed, leg.track.frames, 3 + 6 * leg.robots).forEach((frame, tick) => track.add(tick, frame));
   moments.push(...leg.moments);
+  keepers.push(...leg.keepers);
   result = leg.result;
   leg.decisions.forEach((call) => calls.add(call));
   calls.addFaults(result, track.lastTick, track.lastClock);
@@ -322,8 +335,9 @@ function followMatch() {
       decisions.slice(calls.calls.length).forEach((call) => calls.add(call));
       if (!player.isPlaying) player.follow();
     },
-    onFrame({ tick, frame, moment }) {
+    onFrame({ tick, frame, moment, keepers: now }) {
       track.add(tick, frame);
+      if (String(now) !== String(keepersAt(tick))) keepers.push([tick, ...now]);
       moments.push({ tick, ...moment });
       fitTimeline();
     },

@@ -165,6 +165,73 @@ TEST_F(HandIn, TakesNothingAfterTheStart) {
   EXPECT_FALSE(fs::exists(folder_ + "/entries/alpha/2"));
 }
 
+// The data in a replay page.
+ordered_json data_of(const std::string& page) {
+  constexpr std::string_view begin = R"(id="leg">)";
+  const std::size_t at = page.find(begin);
+  if (at == std::string::npos) return {};
+  const std::size_t from = at + begin.size();
+  return ordered_json::parse(page.substr(from, page.find("</script>", from) - from), nullptr,
+                             false);
+}
+
+// Catches thoughts that are not kept, that another team or the public sees, with or without the
+// name of their file, and pages of publish that have them.
+TEST_F(HandIn, ShowsThoughtsToTheirTeamAndTheStaffOnly) {
+  auto file = ordered_json::parse(read_file(folder_ + "/league.json"));
+  file["thoughts"] = true;
+  file["teams"][0]["entry"] = "house:tactician";
+  file["teams"][1]["entry"] = "house:navigator";
+  write_file(folder_ + "/league.json", file.dump(2));
+  const std::string alpha = new_token("alpha"), beta = new_token("beta"),
+                    gamma = new_token("gamma");
+  const Outcome made = run(league("token", folder_, {"--staff"}));
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const std::string staff = made.out.substr(0, made.out.find('\n'));
+  ASSERT_EQ(run(league("start", folder_, {"--jobs", "1"})).exit_code, 0);
+  ASSERT_EQ(run(league("publish", folder_)).exit_code, 0);
+  serve();
+  httplib::Client client("127.0.0.1", port_);
+  const auto get = [&](const std::string& path, const std::string& token) {
+    httplib::Headers headers;
+    if (!token.empty()) headers.emplace("Authorization", "Bearer " + token);
+    const auto reply = client.Get(path, headers);
+    return reply ? *reply : httplib::Response{};
+  };
+  const auto legs = ordered_json::parse(get("/api/v1/legs", alpha).body)["legs"];
+  ASSERT_EQ(legs.size(), 2u);
+  for (const auto& leg : legs) {
+    ASSERT_TRUE(leg.contains("thoughts")) << leg;
+    const std::string own = leg["colour"], other = own == "blue" ? "yellow" : "blue";
+    const std::string path = leg["thoughts"];
+    const auto seen_with = [&](const std::string& token, const std::string& more = "") {
+      return data_of(get(path + more, token).body)["own"];
+    };
+    EXPECT_TRUE(seen_with(alpha)[own].contains("thoughts"));
+    EXPECT_FALSE(seen_with(alpha).contains(other));
+    EXPECT_TRUE(seen_with(beta)[other].contains("thoughts"));
+    EXPECT_FALSE(seen_with(beta).contains(own));
+    EXPECT_EQ(seen_with(staff, "?team=alpha").size(), 2u);
+    EXPECT_FALSE(seen_with(alpha, "?team=beta").contains(other));
+    EXPECT_EQ(get(path, gamma).status, 404);
+    EXPECT_EQ(get(path, "").status, 401);
+
+    const std::string page = leg["replay"], record = leg["record"];
+    for (const std::string& token : {alpha, beta, staff, std::string()}) {
+      const auto open = get(page, token);
+      EXPECT_EQ(open.status, 200);
+      EXPECT_FALSE(data_of(open.body).contains("own"));
+      const std::string stem = record.substr(0, record.rfind('.'));
+      for (const std::string colour : {"blue", "yellow"}) {
+        EXPECT_TRUE(fs::exists(folder_ + stem + "." + colour + ".thoughts.zst"));
+        for (const std::string begin : {"", "/replays/..", "/replays/%2e%2e", "//", "/."})
+          EXPECT_NE(get(begin + stem + "." + colour + ".thoughts.zst", token).status, 200) << begin;
+      }
+    }
+    EXPECT_FALSE(data_of(read_file(folder_ + "/site" + page)).contains("own"));
+  }
+}
+
 TEST_F(HandIn, IsEncrypted) {
   const std::string certificate = temporary_ / "cert.pem";
   const std::string key = temporary_ / "key.pem";

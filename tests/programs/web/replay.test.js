@@ -183,6 +183,59 @@ test('layers are off until they are switched on, by click and by key', async () 
   assert.deepEqual(page.problems, []);
 });
 
+// Catches marks of another number than mirocup stats counts, a goal that is not marked, and shots at the end that their team defends.
+test('shots and passes are marked where they were', async () => {
+  const { shots, passes } = JSON.parse(run('stats', record, '--json')).legs[0];
+  assert.ok(shots.length > 3 && passes.length > 0, 'the leg of this seed has some');
+  const page = await openPage(`${address}#t=${seconds(shots[2].tick + 0.5)}`);
+  const shown = (selector) => page.locator(selector).evaluateAll((all) => all
+    .filter((one) => one.checkVisibility())
+    .map((one) => ({ team: one.classList[1], box: one.getBBox(), classes: one.getAttribute('class') })));
+  assert.equal((await shown('.shot, .pass')).length, 0, 'off at first');
+  assert.equal(await page.locator('#shots_about').isVisible(), false);
+  await page.keyboard.press('h');
+  await page.keyboard.press('a');
+  assert.ok(await page.locator('#shots').isChecked());
+  assert.ok(await page.locator('#shots_about').isVisible());
+  assert.equal((await shown('.pass')).length, passes.length);
+  for (const end of ['left', 'right']) {
+    const marks = await shown('.shot');
+    assert.deepEqual(marks.map(({ team }) => team), shots.map(({ team }) => team));
+    assert.deepEqual(marks.map(({ classes }) => /scored/.test(classes)), shots.map(({ goal }) => goal));
+    const isLeft = await page.locator('.end.left').evaluate((one) => one.classList.contains('blue'));
+    marks.forEach(({ team, box }, i) => {
+      const sign = (team === 'blue') === isLeft ? 1000 : -1000;
+      assert.ok(Math.abs(box.x + box.width / 2 - sign * shots[i].place[0]) < 1, `${end}: ${i}`);
+      assert.ok(Math.abs(box.y + box.height / 2 + sign * shots[i].place[1]) < 1, `${end}: ${i}`);
+    });
+    assert.equal(marks.filter(({ classes }) => /later/.test(classes)).length, end === 'left' ? shots.length - 3 : 0);
+    await page.keyboard.press('End');  // the teams have changed ends
+  }
+  await page.locator('#shots').click();
+  assert.equal((await shown('.shot')).length, 0);
+  assert.deepEqual(page.problems, []);
+});
+
+// Catches a ring about another robot than the one that counts as keeper, and one that stays behind.
+test('the robots that count as keepers have a ring', async () => {
+  const page = await openPage(`${address}#t=0`);
+  const rings = () => page.locator('.keeper').evaluateAll((all) => all.filter((one) => one.checkVisibility()).map((one) => one.getAttribute('transform')));
+  assert.deepEqual(await rings(), []);
+  await page.keyboard.press('k');
+  const { keepers, robots } = JSON.parse(await page.locator('#leg').textContent());
+  assert.ok(keepers.length > 1);
+  for (const [tick, ...numbers] of keepers.slice(0, 40)) {
+    await page.evaluate((time) => { location.hash = `#t=${time}`; }, (tick + 0.01) * leg.control_period);
+    await page.waitForFunction((text) => document.getElementById('time').textContent.endsWith(text), `tick ${tick}`);
+    const places = await page.locator('.robot').evaluateAll((all) => all.map((one) => one.getAttribute('transform')));
+    const wanted = numbers.flatMap((number, team) => (number < 0 ? [] : [places[team * robots + number]]));
+    assert.deepEqual(await rings(), wanted, `tick ${tick}`);
+  }
+  await page.locator('#keepers').click();
+  assert.deepEqual(await rings(), []);
+  assert.deepEqual(page.problems, []);
+});
+
 test('each name stands at the end that its team defends', async () => {
   const page = await openPage(address);
   for (const where of ['Home', 'End']) {

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -137,6 +138,42 @@ TEST_P(Views, ATouchByAMateIsAPass) {
   EXPECT_EQ(play.of(Team::blue).all_losses(), 0);
   EXPECT_EQ(play.of(Team::yellow).passes, 0);
   EXPECT_EQ(play.of(Team::yellow).interceptions, 0);
+}
+
+// Catches a pass whose ends are exchanged or in the frame of the field.
+TEST_P(Views, APassHasItsPlaces) {
+  Play play(GetParam());
+  play.touched_by(Team::blue, 1).tick({-0.3, 0.1}).tick({-0.1, 0.1});
+  play.touched_by(Team::blue, 2).tick({0.1, -0.2});
+  const std::vector<PassMark> passes = play.leg().passes;
+  ASSERT_EQ(passes.size(), 1u);
+  EXPECT_EQ(passes[0], (PassMark{2, play.seen(Team::blue), {-0.3, 0.1}, {0.1, -0.2}}));
+}
+
+// Catches a mark that stands where the ball was later, is another team's, or does not tell what
+// became of the shot: one wide, one saved, one that goes in after a save, one that is pushed in.
+TEST_P(Views, AShotHasItsPlaceAndItsEnd) {
+  Play play(GetParam());
+  const Team blue = play.seen(Team::blue), yellow = play.seen(Team::yellow);
+  play.touched_by(Team::blue, 1).tick({0.1, 0.2}, {1.0, 0.2}).tick({0.2, 0.25}, {1.0, 0.2});
+  play.rest(1.0);
+  play.touched_by(Team::blue, 2).tick({0.2, -0.1}, {1.0, 0.1}).tick({0.5, -0.05}, {1.0, 0.1});
+  play.touched_by(Team::yellow, 0).tick({0.7, 0.0}).rest(1.0);
+  play.touched_by(Team::yellow, 1).tick({-0.2, 0.3}, {-1.5, -0.9});
+  play.touched_by(Team::blue, 0).tick({-0.6, 0.0}, {-0.2, 0.0});
+  play.call(play.goal(Team::yellow, match::GoalKind::open_play)).wait();
+  play.touched_by(Team::blue, 1).tick({0.7, 0.0}, {0.1, 0.0});
+  play.call(play.goal(Team::blue, match::GoalKind::open_play));
+  const std::vector<ShotMark> shots = play.leg().shots;
+  ASSERT_EQ(shots.size(), 4u);
+  const auto shot = [&](std::size_t i, Team team, Vec2 place, bool on_goal, bool is_goal) {
+    return shots[i] == ShotMark{shots[i].tick, team, place, on_goal, is_goal};
+  };
+  EXPECT_TRUE(shot(0, blue, {0.1, 0.2}, false, false));
+  EXPECT_EQ(shots[0].tick, 0u);
+  EXPECT_TRUE(shot(1, blue, {0.2, -0.1}, true, false));
+  EXPECT_TRUE(shot(2, yellow, {0.2, -0.3}, true, true));
+  EXPECT_TRUE(shot(3, blue, {0.7, 0.0}, true, true));
 }
 
 // Catches dribbling that counts as passing, and two mates beside each other who pass in every tick.
@@ -415,6 +452,16 @@ TEST(Counter, SumsHoldInLegsOfEveryLeague) {
       EXPECT_EQ(own.all_goals(), leg.outcome().played[index_of(team)]);
       EXPECT_GE(own.shots, own.shots_on_goal);
       EXPECT_GE(own.shots_on_goal, scored + other.saves);
+      const auto marked = [&](const auto& marks, const auto& is_one) {
+        return std::count_if(marks.begin(), marks.end(),
+                             [&](const auto& mark) { return mark.team == team && is_one(mark); });
+      };
+      const auto any = [](const auto&) { return true; };
+      EXPECT_EQ(marked(s.shots, any), own.shots);
+      EXPECT_EQ(marked(s.shots, [](const ShotMark& shot) { return shot.on_goal; }),
+                own.shots_on_goal);
+      EXPECT_EQ(marked(s.shots, [](const ShotMark& shot) { return shot.is_goal; }), scored);
+      EXPECT_EQ(marked(s.passes, any), own.passes);
       EXPECT_GE(other.all_losses(), own.interceptions);
       possession += own.possession_s;
       won += own.duels_won;

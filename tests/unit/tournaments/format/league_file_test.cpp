@@ -44,6 +44,23 @@ TEST(LeagueFile, KeepsTheParametersOfATeam) {
   EXPECT_EQ(again->teams[0].parameters, file->teams[0].parameters);
 }
 
+// Catches a league that keeps thoughts without being told, or forgets to when its file is written
+// again.
+TEST(LeagueFile, KeepsThoughtsWhereItSaysSo) {
+  EXPECT_EQ(error_of(R"("thoughts":"yes")"),
+            "league.json: /thoughts: true or false is expected, not \"yes\"");
+  for (const bool keeps : {false, true}) {
+    const auto file = parse_league_file(
+        std::string(R"({"schema":"mirocup/league/1")") + (keeps ? R"(,"thoughts":true})" : "}"),
+        "league.json");
+    ASSERT_TRUE(file) << file.error().what;
+    EXPECT_EQ(file->keeps_thoughts, keeps);
+    const auto again = parse_league_file(print_league_file(*file), "league.json");
+    ASSERT_TRUE(again) << again.error().what;
+    EXPECT_EQ(again->keeps_thoughts, keeps);
+  }
+}
+
 // Catches settings of a program for FIRASim that are lost on the way, or that a library has.
 TEST(LeagueFile, KeepsHowAProgramForFirasimPlays) {
   const auto parse = [](const std::string& team) {

@@ -30,6 +30,11 @@ web::Request with(web::Request request, const std::string& name, const std::stri
   return request;
 }
 
+// What a page shows besides the leg.
+std::string names_of(const record::Whose& whose) {
+  return std::string(whose[0] ? ", blue's thoughts" : "") + (whose[1] ? ", yellow's thoughts" : "");
+}
+
 class Desk : public testing::Test {
  protected:
   Desk() {
@@ -57,7 +62,13 @@ class Desk : public testing::Test {
     options.friendlies = {.teams = [this] { return entries_; },
                           .neighbours = [this](const std::string&) { return neighbours_; },
                           .house = {"keeper", "striker"},
-                          .replay = [](const std::string&) { return std::optional("the replay"); }};
+                          .replay =
+                              [](const std::string&, const record::Whose& whose) {
+                                return std::optional("the replay" + names_of(whose));
+                              }};
+    options.replay = [](const std::string& name, const record::Whose& whose) {
+      return std::optional("replay of " + name + names_of(whose));
+    };
     options.why_not = [this](const std::string&, const std::string&) { return why_not_; };
     auto portal = Portal::open(disk_, folder_, std::move(options), nullptr);
     ASSERT_TRUE(portal) << portal.error().what;
@@ -437,6 +448,47 @@ TEST_F(Desk, ShowsTheLogsOfOwnLegsOnly) {
   const std::string page = ask(with(get("/hand-in"), "cookie", log_in(alpha_))).bytes;
   EXPECT_NE(page.find("&lt;b&gt;beta"), std::string::npos);
   EXPECT_NE(page.find("2.50"), std::string::npos);
+}
+
+// Catches thoughts to which another team's token or none leads, and a link to them for a leg that
+// kept none.
+TEST_F(Desk, ShowsTheThoughtsOfOwnLegsOnly) {
+  OwnLeg leg;
+  leg.fixture = "r1-f1";
+  leg.opponent = "beta";
+  leg.record = "records/r1-f1-1-1.json";
+  leg.colour = "yellow";
+  legs_ = {leg};
+  std::filesystem::create_directories(temporary_ / "records");
+  const auto told = [&](const std::string& token) {
+    return json_of(ask(api("/api/v1/legs", token)))["legs"][0];
+  };
+  EXPECT_FALSE(told(alpha_).contains("thoughts"));
+  ASSERT_TRUE(disk_.write(temporary_ / "records/r1-f1-1-1.blue.thoughts.zst", "the other's"));
+  EXPECT_FALSE(told(alpha_).contains("thoughts"));
+  ASSERT_TRUE(disk_.write(temporary_ / "records/r1-f1-1-1.yellow.thoughts.zst", "own"));
+  const std::string path = told(alpha_)["thoughts"];
+  EXPECT_EQ(path, "/hand-in/replays/r1-f1-1-1.html");
+  EXPECT_EQ(ask(api(path, alpha_)).bytes, "replay of r1-f1-1-1, yellow's thoughts");
+  EXPECT_EQ(ask(with(get(path), "cookie", log_in(alpha_))).status, 200);
+  web::Request asked = api(path, staff_);
+  EXPECT_EQ(ask(asked).status, 404) << "of which team?";
+  asked.query.emplace("team", "alpha");
+  EXPECT_EQ(ask(asked).bytes, "replay of r1-f1-1-1, blue's thoughts, yellow's thoughts");
+
+  asked = api(path, beta_);
+  EXPECT_EQ(ask(asked).status, 404);
+  asked.query.emplace("team", "alpha");
+  EXPECT_EQ(ask(asked).status, 404) << "a team's token is for this team only";
+  EXPECT_EQ(ask(get(path)).status, 401);
+  EXPECT_EQ(ask(api(path, expired_)).status, 401);
+  for (const char* strange :
+       {"/hand-in/replays/", "/hand-in/replays/r1-f1-1-1", "/hand-in/replays/../r1-f1-1-1.html",
+        "/hand-in/replays/r1-f1-1-1.blue.thoughts.zst", "/hand-in/replays/r1-f1-1-2.html"}) {
+    EXPECT_EQ(ask(api(strange, alpha_)).status, 404) << strange;
+  }
+  const std::string page = ask(with(get("/hand-in"), "cookie", log_in(alpha_))).bytes;
+  EXPECT_NE(page.find("href=\"" + path), std::string::npos);
 }
 
 TEST_F(Desk, EndsATokenAtOnce) {

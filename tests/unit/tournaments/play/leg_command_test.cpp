@@ -47,6 +47,23 @@ TEST(LegCommand, SwapsColoursFromLegToLegAndKeepsTheSeed) {
   EXPECT_EQ(value_of(first, "--stage"), "");
 }
 
+// Catches thoughts that are kept where the host did not ask for them, and not where it did.
+TEST(LegCommand, KeepsThoughtsWhereTheLeagueSaysSo) {
+  LeagueState state = league_of_two(FormatKind::double_round_robin);
+  const auto keeps = [&] {
+    const LegId id{.fixture = state.fixtures[0].fixture, .leg = 1};
+    const auto leg = leg_command(Folder{"l"}, state, id, "m");
+    const auto friendly = friendly_command(
+        state, {.blue = {"a.so", "a"}, .yellow = {"b.so", "b"}, .seed = 1, .record = "f.json"});
+    const bool in_leg = std::find(leg.begin(), leg.end(), "--thoughts") != leg.end();
+    EXPECT_EQ(std::find(friendly.begin(), friendly.end(), "--thoughts") != friendly.end(), in_leg);
+    return in_leg;
+  };
+  EXPECT_FALSE(keeps());
+  state.file.keeps_thoughts = true;
+  EXPECT_TRUE(keeps());
+}
+
 // Catches parameters that stay with a colour when the teams swap theirs, and those of a team on the
 // network, which `mirocup match` would refuse.
 TEST(LegCommand, GivesATeamItsParametersInBothColours) {

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "server/record/own_texts.hpp"
+
+#include "server/record/thoughts_file.hpp"
+
+#include <algorithm>
+
+namespace mirocup::record {
+
+bool has_thoughts(system::Files& files, const std::string& record_path, const Whose& whose) {
+  return std::any_of(both_teams.begin(), both_teams.end(), [&](Team team) {
+    return whose[index_of(team)] && files.exists(thoughts_path(record_path, team));
+  });
+}
+
+Result<OwnTexts> read_own_texts(system::Files& files, const std::string& record_path,
+                                const Whose& whose, system::Links links) {
+  OwnTexts own;
+  for (const Team team : both_teams) {
+    if (!whose[index_of(team)]) continue;
+    if (const std::string path = thoughts_path(record_path, team); files.exists(path)) {
+      const auto bytes = files.read(path, {.max_size = system::size_limit::replay, .links = links});
+      if (!bytes) return tl::unexpected(bytes.error());
+      auto lines = unpacked_thoughts(*bytes, path);
+      if (!lines) return tl::unexpected(lines.error());
+      own.thoughts[index_of(team)] = std::move(*lines);
+    }
+    const std::string path = record_path + "." + std::string(to_string(team)) + ".log";
+    if (!files.exists(path)) continue;
+    auto text = files.read(path, {.max_size = system::size_limit::log, .links = links});
+    if (!text) return tl::unexpected(text.error());
+    own.logs[index_of(team)] = std::move(*text);
+  }
+  return own;
+}
+
+}  // namespace mirocup::record
