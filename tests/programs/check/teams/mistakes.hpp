@@ -77,6 +77,7 @@ enum class Mistake {
   throws_at_free_ball,
   throws_in_a_corner,
   throws_without_keeper,
+  leaks_slowly,
   // Harmless ones: allowed, some with a warning.
   bad_values,
   never_moves,
@@ -97,7 +98,6 @@ enum class Mistake {
   tries_a_program,
   reads_input,
   leaks_a_little,
-  leaks_slowly,
 };
 
 }  // namespace mirocup::check_test
