@@ -3,11 +3,13 @@
 // A client of FIRASim in the manner of the teams' own: libprotobuf, blocking multicast sockets, one
 // datagram for each robot, no echo of the step. It checks what it receives and plays a simple game.
 //
-// client blue|yellow INSTANCE: ends with 0 at HALT; 1 if something received is wrong; 2 after 20 s
-// of silence.
+// client blue|yellow INSTANCE [busy]: ends with 0 at HALT; 1 if something received is wrong, or if
+// its robots do not stand where it placed them for a kick-off; 2 after 20 s of silence. A busy one
+// asks its sockets again and again instead of waiting for them.
 #include "vsss.pb.h"
 
 #include <arpa/inet.h>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -48,10 +50,15 @@ bool receive(int socket, std::string& bytes) {
   return true;
 }
 
+// Where it places its three robots, for the team on the right.
+constexpr double own_x[3] = {0.69, 0.3, 0.3};
+constexpr double own_y[3] = {0.0, 0.2, -0.2};
+
 class Client {
  public:
-  Client(bool is_yellow, int instance)
+  Client(bool is_yellow, int instance, bool is_busy)
       : is_yellow_(is_yellow),
+        is_busy_(is_busy),
         vision_(listener("224.0.0.1", 10002 + instance)),
         referee_(listener("224.5.23.2", (instance == 0 ? 10003 : 40000 + instance))),
         out_(::socket(AF_INET, SOCK_DGRAM, 0)),
@@ -62,20 +69,25 @@ class Client {
   }
 
   int play() {
-    pollfd sockets[2] = {{vision_, POLLIN, 0}, {referee_, POLLIN, 0}};
-    while (poll(sockets, 2, 20000) > 0) {
+    while (wait()) {
       std::string bytes;
       while (receive(referee_, bytes)) {
         vsss::RefereeCommand call;
         if (!call.ParseFromString(bytes)) return wrong("a call that protobuf cannot read");
         if (call.foul() == vsss::HALT) return 0;
+        if (call.foul() == vsss::KICKOFF) kicks_off_ = true;
+        if (call.foul() != vsss::GAME_ON && call.foul() != vsss::STOP) place();
+        is_new_ = call.foul() == vsss::GAME_ON;
         is_on_ = call.foul() == vsss::GAME_ON;
-        if (!is_on_ && call.foul() != vsss::STOP) place();
       }
-      while (receive(vision_, bytes)) {
+      // The newest is answered after the others, so that no call which comes with the answer's
+      // own vision is overlooked.
+      if (is_new_vision(bytes)) {
         vsss::Environment seen;
         if (!seen.ParseFromString(bytes)) return wrong("a vision that protobuf cannot read");
         if (!is_right(seen)) return wrong(seen.ShortDebugString().c_str());
+        if (is_new_ && kicks_off_ && !stands_as_asked(seen)) return wrong("its robots elsewhere");
+        if (is_new_) kicks_off_ = is_new_ = false;
         answer(seen);
       }
     }
@@ -86,6 +98,34 @@ class Client {
   int wrong(const char* what) {
     std::fprintf(stderr, "client: wrong: %s\n", what);
     return 1;
+  }
+
+  // Reads all visions that have come; true if there was one, and then `bytes` is the newest.
+  bool is_new_vision(std::string& bytes) const {
+    bool any = false;
+    while (receive(vision_, bytes)) any = true;
+    return any;
+  }
+
+  // Returns false after 20 s without a datagram.
+  bool wait() const {
+    using Clock = std::chrono::steady_clock;
+    pollfd sockets[2] = {{vision_, POLLIN, 0}, {referee_, POLLIN, 0}};
+    if (!is_busy_) return poll(sockets, 2, 20000) > 0;
+    for (const auto begun = Clock::now(); Clock::now() - begun < std::chrono::seconds(20);) {
+      if (poll(sockets, 2, 0) > 0) return true;
+    }
+    return false;
+  }
+
+  // Hands that put robots down miss by a few millimetres.
+  bool stands_as_asked(const vsss::Environment& seen) const {
+    const auto& own = is_yellow_ ? seen.frame().robots_yellow() : seen.frame().robots_blue();
+    for (int i = 0; i < 3; ++i) {
+      const double x = (is_yellow_ ? 1.0 : -1.0) * own_x[i];
+      if (std::hypot(own.Get(i).x() - x, own.Get(i).y() - own_y[i]) > 0.02) return false;
+    }
+    return true;
   }
 
   // All robots in order, inside the walls, with a field around them.
@@ -111,13 +151,11 @@ class Client {
     auto* world = placement.mutable_world();
     world->set_teamcolor(is_yellow_ ? vsss::YELLOW : vsss::BLUE);
     const double side = is_yellow_ ? 1.0 : -1.0;  // of the own goal
-    const double x[3] = {0.69, 0.3, 0.3};
-    const double y[3] = {0.0, 0.2, -0.2};
     for (int i = 0; i < 3; ++i) {
       auto* robot = world->add_robots();
       robot->set_robot_id(static_cast<std::uint32_t>(i));
-      robot->set_x(side * x[i]);
-      robot->set_y(y[i]);
+      robot->set_x(side * own_x[i]);
+      robot->set_y(own_y[i]);
       robot->set_orientation(is_yellow_ ? 180.0 : 0.0);
     }
     send(placement.SerializeAsString(), placement_);
@@ -148,7 +186,8 @@ class Client {
     sendto(out_, bytes.data(), bytes.size(), 0, reinterpret_cast<const sockaddr*>(&to), sizeof to);
   }
 
-  bool is_yellow_, is_on_ = false;
+  bool is_yellow_, is_busy_, is_on_ = false;
+  bool kicks_off_ = false, is_new_ = false;  // the last call but GAME_ON; since the last vision
   int vision_, referee_, out_;
   sockaddr_in command_, placement_;
 };
@@ -156,6 +195,7 @@ class Client {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 3) return 2;
-  return Client(std::strcmp(argv[1], "yellow") == 0, std::atoi(argv[2])).play();
+  if (argc < 3) return 2;
+  const bool is_busy = argc > 3 && std::strcmp(argv[3], "busy") == 0;
+  return Client(std::strcmp(argv[1], "yellow") == 0, std::atoi(argv[2]), is_busy).play();
 }
