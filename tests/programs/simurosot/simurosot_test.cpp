@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstring>
 #include <dlfcn.h>
+#include <filesystem>
 #include <limits>
 
 // Old teams are never ended, as on their platform, so what they hold is no leak.
@@ -248,6 +249,29 @@ TEST(Simurosot, FindsWhatAnOldFolderHolds) {
   const Outcome many = run(
       {program("mirocup"), "new", folder / "x", "--from-simurosot", old.substr(0, old.size() - 1)});
   EXPECT_EQ(many.exit_code, 2) << many.out;
+}
+
+// Catches a folder that only a file system blind to case, where \\ parts folders, could compile.
+TEST(Simurosot, FindsIncludesAsWindowsDoes) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "old/Include");
+  std::filesystem::create_directories(folder / "old/src/tools");
+  std::filesystem::create_directories(folder / "forward/of/the/team");
+  write_file(folder / "old/Include/Strategy.h", "int strategy();\r\n// the end");
+  write_file(folder / "old/src/tools/move.h", "int move();");
+  write_file(folder / "old/src/main.cpp",
+             "#include \"StdAfx.h\"\r\n#include <Math.h>\r\n#include <vector>\r\n"
+             "\t#\tinclude \"..\\Include\\STRATEGY.H\"\r\n#include \"Tools/Move.h\"\r\n"
+             "double all() { return strategy() + move() + sqrt(4.0); }");
+  const std::string stand_in = MIROCUP_SOURCE_FOLDER "/plugins/simurosot/stand_in";
+  const std::string forward = folder / "forward/of/the/team";
+  const Outcome made = run({MIROCUP_SOURCE_FOLDER "/plugins/simurosot/forward.sh", forward,
+                            stand_in, folder / "build", folder / "old", folder / "old/src"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const Outcome compiled = run({"/usr/bin/env", "g++", "-fsyntax-only", "-include",
+                                MIROCUP_SOURCE_FOLDER "/plugins/simurosot/prefix.h", "-fpermissive",
+                                "-w", "-I", forward, "-I", stand_in, folder / "old/src/main.cpp"});
+  EXPECT_EQ(compiled.exit_code, 0) << compiled.err;
 }
 
 // Catches an error message of g++ that a student of today cannot connect to the code of 2003.
