@@ -47,26 +47,32 @@ TEST(Bench, RefusesWhatItDoesNotKnow) {
   EXPECT_EQ(run({program("mirocup"), "bench", "--engine", "none"}).exit_code, 2);
 }
 
-// Catches a validation that forgets the engine, and one that claims an engine it does not have.
+// Catches a validation that forgets the engine, one that claims an engine it does not have, and an
+// engine's greeting in the JSON.
 TEST(Bench, ValidatesAgainstAnotherEngineOrSaysThatItIsNotBuilt) {
   const test_support::TemporaryFolder folder;
   std::string text =
       R"({"schema": "mirocup/recording/1", "period": 0.02, "robots": 0, "pitch": null})";
   for (int i = 0; i < 150; ++i) {
     const double t = 0.02 * i;
+    const double noise = 0.001 * (i * 7 % 5 - 2);  // m; without any, no start is good enough
     text += "\n{\"t\": " + std::to_string(t) + ", \"ball\": [" +
-            std::to_string(-0.5 + 0.4 * t - 0.05 * t * t) + ", 0.1], \"blue\": [], \"yellow\": []}";
+            std::to_string(-0.5 + 0.4 * t - 0.05 * t * t + noise) +
+            ", 0.1], \"blue\": [], \"yellow\": []}";
   }
   std::ofstream(folder / "roll.jsonl") << text << "\n";
   for (const std::string engine : {"box2d", "chipmunk", "ode"}) {
     const auto outcome =
-        run({program("mirocup"), "validate", "--against", engine, folder / "roll.jsonl"});
+        run({program("mirocup"), "validate", "--json", "--against", engine, folder / "roll.jsonl"});
     if (outcome.exit_code == 3) {
       EXPECT_NE(outcome.err.find("is built without it"), std::string::npos) << outcome.err;
       continue;
     }
     EXPECT_LT(outcome.exit_code, 2) << outcome.err;
-    EXPECT_NE(outcome.out.find(engine), std::string::npos) << outcome.out;
+    const auto result = nlohmann::json::parse(outcome.out, nullptr, false);
+    ASSERT_FALSE(result.is_discarded()) << outcome.out;
+    EXPECT_EQ(result["peer"], engine);
+    EXPECT_TRUE(result["kinds"]["free_roll"][0].contains("peer")) << outcome.out;
   }
   EXPECT_EQ(
       run({program("mirocup"), "validate", "--against", "none", folder / "roll.jsonl"}).exit_code,

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <unistd.h>
 
 namespace mirocup::bench {
 
@@ -140,7 +141,13 @@ int run_validation(const std::vector<std::string>& words) {
                  parsed->against.c_str());
     return 3;
   }
+  // Engines that greet their users on standard output do so on standard error.
+  const int out = dup(STDOUT_FILENO);
+  dup2(STDERR_FILENO, STDOUT_FILENO);
   const auto report = pitch::report_of(parsed->request, &*peer);
+  std::fflush(stdout);
+  dup2(out, STDOUT_FILENO);
+  close(out);
   if (!report) {
     std::fprintf(stderr, "mirocup: %s\n", report.error().what.c_str());
     return exit_code(report.error().code);

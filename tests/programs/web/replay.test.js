@@ -189,7 +189,7 @@ test('shots and passes are marked where they were', async () => {
   assert.ok(shots.length > 3 && passes.length > 0, 'the leg of this seed has some');
   const page = await openPage(`${address}#t=${seconds(shots[2].tick + 0.5)}`);
   const shown = (selector) => page.locator(selector).evaluateAll((all) => all
-    .filter((one) => one.checkVisibility())
+    .filter((one) => getComputedStyle(one.parentElement).display !== 'none')
     .map((one) => ({ team: one.classList[1], box: one.getBBox(), classes: one.getAttribute('class') })));
   assert.equal((await shown('.shot, .pass')).length, 0, 'off at first');
   assert.equal(await page.locator('#shots_about').isVisible(), false);

@@ -39,7 +39,8 @@ league::Portal& desk() {
             },
         .neighbours = [](const std::string&) { return std::vector<std::string>(); },
         .house = {"striker"},
-        .replay = [](const std::string&) { return std::optional<std::string>("replay"); }};
+        .replay = [](const std::string&,
+                     const auto&) { return std::optional<std::string>("replay"); }};
     options.now = [] { return std::int64_t{1'795'000'000}; };
     const league::Folder place{folder / "."};
     (void)league::add_entry(disk, place, "alpha", 1, "library");
