@@ -151,7 +151,7 @@ inline const std::vector<Kind> kinds{
     {"call_keyctl", "illegal_call: keyctl", ""},
     {"call_mount", "illegal_call: mount", ""},
     {"call_unknown", "illegal_call: 9999", ""},
-    {"call_32_bit", "illegal_call", ""},
+    {"call_32_bit", "illegal_call|crash: signal 11", ""},  // kernels without 32-bit calls
     {"call_x32", "illegal_call", ""},
     {"net_loopback", "plays", ""},
     // Strategies that abuse their answer or their log.

@@ -336,7 +336,8 @@ TEST_F(Desk, PlaysFriendliesAndShowsThemToTheTwo) {
   ASSERT_TRUE(portal_->friendlies().played(*leg, now_));
   EXPECT_EQ(ask(api("/api/v1/friendlies/alpha/1/log", alpha_)).bytes, "of alpha");
   EXPECT_EQ(ask(api("/api/v1/friendlies/alpha/1/log", beta_)).bytes, "of beta");
-  EXPECT_EQ(ask(api("/api/v1/friendlies/alpha/1/replay", beta_)).bytes, "the replay");
+  EXPECT_EQ(ask(api("/api/v1/friendlies/alpha/1/replay", beta_)).bytes,
+            "the replay, yellow's thoughts");
   const Json seen = json_of(ask(api("/api/v1/friendlies", beta_)))["friendlies"];
   ASSERT_EQ(seen.size(), 1u);
   EXPECT_EQ(seen[0]["goals"], 1);
