@@ -137,8 +137,7 @@ INSTANTIATE_TEST_SUITE_P(
             Mistake::throws_at_goal_kick_against, "throws_at_goal_kick_against", "", {"no place"}},
         Refused{Mistake::throws_at_free_ball, "throws_at_free_ball", "", {"no place"}},
         Refused{Mistake::throws_in_a_corner, "throws_in_a_corner", "", {"in a corner"}},
-        Refused{Mistake::throws_without_keeper, "throws_without_keeper", "ticks", {"no keeper"}},
-        Refused{Mistake::leaks_slowly, "leaks_slowly", "", {"bad_alloc", "1 GiB"}}),
+        Refused{Mistake::throws_without_keeper, "throws_without_keeper", "ticks", {"no keeper"}}),
     [](const auto& c) { return c.param.name; });
 
 TEST_P(Mistakes, AreRefusedWithTheirReason) {

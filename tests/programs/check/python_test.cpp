@@ -107,7 +107,7 @@ TEST_F(PythonTeams, AreRefusedWithTheLineAndAnAdvice) {
        {"line 4", "AttributeError", "tick 91", "breakpoint()"}},
       {team_that("return [(time.time() % 7, 1)]", "import time\n"),
        "repeatable",
-       {"module random"}},
+       {"depends on a clock", "now.time"}},
       {"print('hello')\n# no team\n", "complete", {}},
       {"import os\n", "complete", {"from mirocup.team import Team"}},
   };

@@ -393,9 +393,8 @@ void Mistakes::fail_in_some_state(const Observation& now, Command&) {
     case Mistake::throws_without_keeper:
       if (now.own_counts.keeper < 0) throw std::runtime_error("no keeper");
       return;
-    case Mistake::leaks_slowly:
     case Mistake::leaks_a_little: {
-      const std::size_t size = mistake_ == Mistake::leaks_slowly ? 300u << 10 : 100;
+      constexpr std::size_t size = 100;
       leaked_.push_back(new char[size]);
       for (std::size_t i = 0; i < size; i += 64) leaked_.back()[i] = 1;
       return;

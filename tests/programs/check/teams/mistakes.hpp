@@ -77,7 +77,6 @@ enum class Mistake {
   throws_at_free_ball,
   throws_in_a_corner,
   throws_without_keeper,
-  leaks_slowly,
   // Harmless ones: allowed, some with a warning.
   bad_values,
   never_moves,
