@@ -197,7 +197,7 @@ TEST(DdsSession, KnowsAStoppedProcessAgain) {
   std::this_thread::sleep_for(std::chrono::milliseconds(3500));
   remote.signal(SIGCONT);
   ASSERT_EQ(leg.wait().exit_code, 0);
-  EXPECT_EQ(remote.wait().exit_code, 0);
+  EXPECT_EQ(remote.wait().exit_code, 0) << remote.err();
   const auto record = read_json(folder / "leg.json");
   EXPECT_EQ(record["result"]["end"], "full_time");
   EXPECT_EQ(record["network"]["blue"]["processes"], 1);
