@@ -190,7 +190,10 @@ test('shots and passes are marked where they were', async () => {
   const page = await openPage(`${address}#t=${seconds(shots[2].tick + 0.5)}`);
   const shown = (selector) => page.locator(selector).evaluateAll((all) => all
     .filter((one) => getComputedStyle(one.parentElement).display !== 'none')
-    .map((one) => ({ team: one.classList[1], box: one.getBBox(), classes: one.getAttribute('class') })));
+    .map((one) => {
+      const { x, y, width, height } = one.getBBox();
+      return { team: one.classList[1], box: { x, y, width, height }, classes: one.getAttribute('class') };
+    }));
   assert.equal((await shown('.shot, .pass')).length, 0, 'off at first');
   assert.equal(await page.locator('#shots_about').isVisible(), false);
   await page.keyboard.press('h');
