@@ -226,8 +226,8 @@ bool Server::has_own_line(const Endpoint& placer) const {
   });
 }
 
-// The datagram counts for the seat of its sender, and otherwise for nobody's. Returns true if it is
-// a seat's.
+// Counts the datagram for the seat of its sender, or for strangers if the sender has none. Returns
+// true if the sender has a seat.
 bool Server::take_packet(const Receiver::Datagram& datagram, double now) {
   Seat* owner = nullptr;
   for (const Place& place : places_) {

@@ -32,7 +32,7 @@ inline constexpr const char* this_host = "lo";
 // Sends datagrams to a list of addresses.
 //
 // A socket of this host that listens to a group gets each datagram once, on whichever interface it
-// joined: Linux delivers what arrives on an interface where anybody has joined, and the sender has.
+// joined. Linux delivers what arrives on an interface that any socket has joined; the sender's has.
 // A client that got two copies would answer twice, and the second answer would look like that to
 // the next vision.
 class Sender {

@@ -14,13 +14,15 @@
 
 namespace mirocup::pitch {
 
-// Of the ball alone, up to two seconds: its slowing down shows best in long windows.
+// Returns windows of the ball alone, of up to two seconds: its slowing down shows best in long
+// windows.
 std::vector<Window> rolls(const Footage& footage, const simulator::Parameters& parameters);
 
-// Of one robot alone whose commands are known, up to half a second.
+// Returns windows of one robot alone whose commands are known, of up to half a second.
 std::vector<Window> drives(const Footage& footage, const simulator::Parameters& parameters);
 
-// Of two bodies or three that touch each other soon after the start, up to half a second.
+// Returns windows of two or three bodies that touch each other soon after the start, of up to half
+// a second.
 std::vector<Window> meetings(const Footage& footage, const simulator::Parameters& parameters);
 
 }  // namespace mirocup::pitch

@@ -81,7 +81,7 @@ class Fit {
   Profile profile(int unknown, std::vector<double> values);
   // Computes the equations of all windows at the present guess.
   void linearise();
-  // Of the free unknowns, in their order: the inverse of the covariance.
+  // Returns the inverse of the covariance of the free unknowns, in their order.
   const Eigen::MatrixXd& information() const { return information_; }
 
  private:

@@ -16,7 +16,7 @@ namespace {
 constexpr std::array<const char*, predictors> colours{"var(--c0)", "var(--c2)", "var(--c3)",
                                                       "var(--c1)"};
 
-// Of the predictors of a validation: the last is missing without a peer.
+// Returns the names of the predictors of a validation. The last one is there only with a peer.
 std::vector<std::string> labels_of(const Validation& v) {
   std::vector<std::string> labels{"simulator", "straight on", "paper's model"};
   if (!v.peer.empty()) labels.push_back(v.peer);
