@@ -30,6 +30,10 @@ std::string replaced_all(std::string text, std::string_view word, std::string_vi
   return text;
 }
 
+// CLI11 appends to the name of a value, after a colon, what is said of its checks. A name may have a
+// colon itself, so this ends the names that are given here.
+const std::string name_end = "\t";
+
 bool takes_value(const CLI::Option& option) {
   return option.get_items_expected_max() > 0;
 }
@@ -40,7 +44,7 @@ std::string value_text(const CLI::Option& option) {
   const std::string type = option.get_type_name();
   if (const std::string values = bounded(type, "{", "}"); !values.empty())
     return replaced_all(values, ",", "|");
-  return type.substr(0, type.find(':'));
+  return value_name(option);
 }
 
 std::string option_text(const CLI::Option& option) {
@@ -138,7 +142,7 @@ class Candidates {
   void add_value(const CLI::Option& option, std::span<const std::string> teams) {
     const std::string type = option.get_type_name();
     const std::string name =
-        option.get_positional() ? option.get_name(true, false) : type.substr(0, type.find(':'));
+        option.get_positional() ? option.get_name(true, false) : value_name(option);
     std::istringstream values(bounded(type, "{", "}"));
     bool has_values = false;
     for (std::string value; std::getline(values, value, ','); has_values = true) add(value, "");
@@ -253,6 +257,12 @@ complete -c @P@ -f -a '(__@P@_complete)'
 
 }  // namespace
 
+std::string value_name(const CLI::Option& option) {
+  const std::string type = option.get_type_name();
+  const std::size_t end = type.find(name_end);
+  return type.substr(0, end != std::string::npos ? end : type.find(':'));
+}
+
 void finish_help(CLI::App& app, std::span<const CommandHelp> commands, const ValueNames& names) {
   const auto layout = std::make_shared<HelpLayout>();
   app.formatter(layout);
@@ -260,12 +270,10 @@ void finish_help(CLI::App& app, std::span<const CommandHelp> commands, const Val
     command->formatter(layout);
     for (CLI::Option* option : command->get_options()) {
       if (!takes_value(*option)) continue;
-      // The name before a colon is the option's own; what follows are its checks.
-      const std::string type = option->get_type_name();
-      const std::string own = type.substr(0, type.find(':'));
-      if (std::find(nameless.begin(), nameless.end(), own) == nameless.end()) continue;
+      if (std::find(nameless.begin(), nameless.end(), value_name(*option)) == nameless.end())
+        continue;
       const auto known = names.find(option->get_name(false, false));
-      option->type_name(known == names.end() ? "VALUE" : known->second);
+      option->type_name((known == names.end() ? "VALUE" : known->second) + name_end);
     }
   }
   for (const CommandHelp& help : commands) {

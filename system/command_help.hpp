@@ -11,6 +11,7 @@
 
 namespace CLI {
 class App;
+class Option;
 }
 
 namespace mirocup::system {
@@ -25,6 +26,9 @@ struct CommandHelp {
 // The names of values that options of any command take: {"--half", "SECONDS"}. An option that
 // declares a name itself keeps it.
 using ValueNames = std::map<std::string, const char*>;
+
+// Returns the name of an option's value as help shows it: "SECONDS", "FROM:TO".
+std::string value_name(const CLI::Option& option);
 
 // Gives the program one layout of help, the names of values, groups and examples. Called once,
 // after all commands are declared.

@@ -625,7 +625,8 @@ const system::ValueNames value_names{
     {"--away-limit", "SECONDS"}, {"--dds-domain", "NUMBER"}, {"--tries", "NUMBER"},
     {"--jobs", "NUMBER"},        {"--at-least", "MARKS"},    {"--name", "NAME"},
     {"--server", "HOST"},        {"--entries", "DIR"},       {"--at", "SECONDS"},
-    {"--clip", "FROM:TO"},
+    {"--clip", "FROM:TO"},       {"--noise-mm", "MM"},       {"--noise-deg", "DEGREES"},
+    {"--gaps", "SHARE"},         {"--outliers", "SHARE"},    {"--record", "RECORD"},
 };
 
 }  // namespace

@@ -186,7 +186,7 @@ void add_running(CLI::App& app, Action& action) {
   add_folder(serve);
   ServeOptions& o = *serve.options;
   serve->add_option("--at", o.at,
-                    "[HOST:]PORT to listen on (default: this host only, any free port)");
+                    "where to listen (default: this host only, any free port)");
   CLI::Option* hand_in = serve->add_flag(
       "--hand-in", o.hand_in, "also take entries from teams that have a token (league token)");
   serve->add_option("--jobs", o.jobs, "number of checks at once (default: one for each processor)")
@@ -215,7 +215,7 @@ void add_running(CLI::App& app, Action& action) {
   show->add_option("--round", show.options->round,
                    "r3, or k1 of a knockout (default: the last round that was played)");
   show->add_option("--at", show.options->at,
-                   "[HOST:]PORT to listen on (default: this host only, any free port)");
+                   "where to listen (default: this host only, any free port)");
 
   LeagueSubcommand files(app, action, "export", "Write table, legs and bracket as files",
                          run_export);
@@ -304,7 +304,7 @@ void add_rulings(CLI::App& app, Action& action) {
 
   ActSubcommand rule(app, action, ActKind::rule, "Decide the score of a leg, or of all legs");
   rule.add_fixture();
-  rule->add_option("--score", rule.act().score, "HOME:AWAY")->required();
+  rule->add_option("--score", rule.act().score, "goals of the home team and of the other")->required();
   rule.add_reason();
 
   ActSubcommand annul(app, action, ActKind::void_,
@@ -453,7 +453,6 @@ void add_tune(CLI::App& app, Action& action) {
   TuningOptions& t = o.tuning;
   command->add_option("TEAM", o.team, "a library, or the name of a house team")->required();
   command->add_option("--param", o.parameters, "a parameter of the team, and where to look for it")
-      ->type_name("KEY=LOW:HIGH")
       ->required();
   command->add_option("--against", o.against, "the opponents, with commas between them")
       ->delimiter(',')
@@ -583,14 +582,20 @@ const system::CommandHelp help_of_commands[] = {
 };
 
 const system::ValueNames value_names{
-    {"--config", "FILE"},       {"--team", "NAME"},      {"--half", "SECONDS"},
-    {"--seed", "SEED"},         {"--inbox", "DIR"},      {"--jobs", "NUMBER"},
-    {"--dds-domain", "NUMBER"}, {"--output", "DIR"},     {"--through", "ROUND"},
-    {"--round", "ROUND"},       {"--at", "[HOST:]PORT"}, {"--leg", "NUMBER"},
-    {"--reason", "TEXT"},       {"--by", "NAME"},        {"--score", "HOME:AWAY"},
-    {"--expires", "TIME"},      {"--most", "NUMBER"},    {"--equal", "ELO"},
-    {"--keep", "DIR"},          {"--revoke", "TEAM"},    {"--days", "DAYS"},
-    {"--display", "NAME"},      {"--member", "NAME"},
+    {"--config", "FILE"},       {"--team", "NAME"},
+    {"--half", "SECONDS"},      {"--seed", "SEED"},
+    {"--inbox", "DIR"},         {"--jobs", "NUMBER"},
+    {"--dds-domain", "NUMBER"}, {"--output", "DIR"},
+    {"--through", "ROUND"},     {"--round", "ROUND"},
+    {"--at", "[HOST:]PORT"},    {"--leg", "NUMBER"},
+    {"--reason", "TEXT"},       {"--by", "NAME"},
+    {"--score", "HOME:AWAY"},   {"--expires", "TIME"},
+    {"--most", "NUMBER"},       {"--equal", "ELO"},
+    {"--keep", "DIR"},          {"--revoke", "TEAM"},
+    {"--days", "DAYS"},         {"--display", "NAME"},
+    {"--member", "NAME"},       {"--param", "KEY=LOW:HIGH"},
+    {"--against", "TEAM,TEAM"}, {"--generations", "NUMBER"},
+    {"--fixtures", "NUMBER"},   {"--test", "NUMBER"},
 };
 
 }  // namespace
