@@ -185,8 +185,7 @@ void add_running(CLI::App& app, Action& action) {
                                  run_serve);
   add_folder(serve);
   ServeOptions& o = *serve.options;
-  serve->add_option("--at", o.at,
-                    "where to listen (default: this host only, any free port)");
+  serve->add_option("--at", o.at, "where to listen (default: this host only, any free port)");
   CLI::Option* hand_in = serve->add_flag(
       "--hand-in", o.hand_in, "also take entries from teams that have a token (league token)");
   serve->add_option("--jobs", o.jobs, "number of checks at once (default: one for each processor)")
@@ -304,7 +303,8 @@ void add_rulings(CLI::App& app, Action& action) {
 
   ActSubcommand rule(app, action, ActKind::rule, "Decide the score of a leg, or of all legs");
   rule.add_fixture();
-  rule->add_option("--score", rule.act().score, "goals of the home team and of the other")->required();
+  rule->add_option("--score", rule.act().score, "goals of the home team and of the other")
+      ->required();
   rule.add_reason();
 
   ActSubcommand annul(app, action, ActKind::void_,
