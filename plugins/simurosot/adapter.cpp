@@ -462,8 +462,8 @@ class OldTeam {
 
 #endif
 
-// A team that was created, and the one before it. They stay reachable until the program ends: they are kept, and a
-// checker of leaks must not take them for lost.
+// A team that was created, and the one before it. They stay reachable until the program ends: they
+// are kept, and a checker of leaks must not take them for lost.
 struct Kept {
   OldTeam team;
   const Kept* before;
