@@ -86,7 +86,7 @@ class Striker : public Team {
     const double aside = from_ball.y * shot.x - from_ball.x * shot.y;
 
     // Behind the ball and nearly on the line of the shot: drive through the ball.
-    if (behind > 0.0 && std::abs(aside) < 0.02 + 0.35 * behind && behind < 0.35) {
+    if (behind > 0.0 && std::abs(aside) < 0.02 + 0.4 * behind && behind < 0.35) {
       const Point through = meet + 0.3 * shot - (2.0 * aside) * Point{-shot.y, shot.x};
       return drive_to(setup(), robot, keep_out(setup(), i, through), 1.7, 1.7);
     }
