@@ -275,7 +275,8 @@ void Fit::linearise() {
     set_value(guess, u, value_of(guess, u) + steps.back());
     changed.push_back(variant(guess));
   }
-  information_ = MatrixXd::Zero(n, n);
+  information_ = scatter_ = MatrixXd::Zero(n, n);
+  windows_ = 0;
   gradient_ = VectorXd::Zero(n);
   cost_ = 0.0;
   VectorXd r, other, weight;
@@ -305,7 +306,10 @@ void Fit::linearise() {
     if (!piece.counts || !piece.gain.allFinite() || !by_pitch.allFinite()) continue;
     const MatrixXd weighted_pitch = weight.asDiagonal() * by_pitch;
     information_ += by_pitch.transpose() * weighted_pitch - b.transpose() * piece.gain;
-    gradient_ += weighted_pitch.transpose() * r - b.transpose() * piece.own;
+    const VectorXd gradient = weighted_pitch.transpose() * r - b.transpose() * piece.own;
+    gradient_ += gradient;
+    scatter_ += gradient * gradient.transpose();
+    ++windows_;
   }
 }
 
@@ -479,13 +483,12 @@ Fit::Profile Fit::profile(int unknown, std::vector<double> values) {
     variants.push_back(variant(guess));
   }
   Variant now = variant(guess_);
-  Profile profile{std::move(values), std::vector<double>(static_cast<std::size_t>(count), 0.0), 0};
+  Profile profile{std::move(values), std::vector<double>(static_cast<std::size_t>(count), 0.0), {}};
   double present = 0.0;
   std::vector<std::pair<Piece*, std::vector<std::vector<BodyState>>>> best_starts;
   hard_ = false;
   for (Piece& original : pieces_) {
     if (!original.tells[unknown] || !depends_on(variants, original)) continue;
-    ++profile.windows;
     std::vector<double> least(static_cast<std::size_t>(count),
                               std::numeric_limits<double>::infinity());
     auto& best = best_starts.emplace_back(&original, std::vector<std::vector<BodyState>>{}).second;
@@ -501,12 +504,13 @@ Fit::Profile Fit::profile(int unknown, std::vector<double> values) {
       }
     }
     for (int i = 0; i < count; ++i) profile.costs[i] += least[i];
+    profile.parts.push_back(std::move(least));
     piece.start = original.start;
     settle(now, piece);
     present += capped_cost(now, piece);
   }
   const auto lowest = std::min_element(profile.costs.begin(), profile.costs.end());
-  if (profile.windows == 0 || !(*lowest < present)) return profile;
+  if (profile.windows() == 0 || !(*lowest < present)) return profile;
   const std::size_t at = static_cast<std::size_t>(lowest - profile.costs.begin());
   set_value(guess_, unknown, profile.values[at]);
   for (auto& [piece, starts] : best_starts) piece->start = starts[at];

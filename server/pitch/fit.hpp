@@ -71,18 +71,24 @@ class Fit {
   void choose(std::span<const Guess> guesses);
   // Steps until the cost falls no more. `hard`: outliers are left out rather than weighed down.
   void run(bool hard);
-  // The least cost at each of some values of an unknown, with the rest of the pitch as it is, and
-  // the number of windows that depend on it. Each window has the best starts that a sweep to and
+  // The least cost at each of some values of an unknown, with the rest of the pitch as it is, of
+  // the windows that depend on it. Each window has the best starts that a sweep to and
   // fro finds. Goes to the best value if that is better than the present one.
   struct Profile {
     std::vector<double> values, costs;
-    int windows = 0;
+    std::vector<std::vector<double>> parts;  // of each window, its cost at each value
+
+    int windows() const { return static_cast<int>(parts.size()); }
   };
   Profile profile(int unknown, std::vector<double> values);
   // Computes the equations of all windows at the present guess.
   void linearise();
   // Returns the inverse of the covariance of the free unknowns, in their order.
   const Eigen::MatrixXd& information() const { return information_; }
+  // Returns the sum over the windows of the squares of their gradients, which is the information,
+  // too, if residuals are noise and nothing else (White 1980). `windows` is how many were added.
+  const Eigen::MatrixXd& scatter() const { return scatter_; }
+  int windows() const { return windows_; }
 
  private:
   struct Variant {
@@ -116,7 +122,8 @@ class Fit {
   bool turn_is_tied_ = false;
   bool brake_is_tied_ = false;
   bool hard_ = false;
-  Eigen::MatrixXd information_;
+  Eigen::MatrixXd information_, scatter_;
+  int windows_ = 0;
   Eigen::VectorXd gradient_;
   double cost_ = 0.0;
   double damping_ = 1e-3;

@@ -27,11 +27,23 @@ bool is_between_bodies(int unknown) {
   return unknown == ball_on_robot || unknown == robot_on_robot;
 }
 
-// Returns the covariance of the free unknowns, in their order.
-MatrixXd covariance_of(MatrixXd information) {
-  // What no window tells makes the matrix singular; a little of itself keeps the rest readable.
+// Returns the inverse. What no window tells makes the matrix singular; a little of itself keeps the
+// rest readable.
+MatrixXd inverse_of(MatrixXd information) {
   information.diagonal().array() += 1e-8;
   return information.ldlt().solve(MatrixXd::Identity(information.rows(), information.cols()));
+}
+
+// Returns the covariance of the free unknowns, in their order: as the camera's noise has it, widened
+// where windows differ by more than that (White 1980). They do where a slide or a hit begins a
+// little before or after the simulated one.
+MatrixXd covariance_of(const Fit& fit) {
+  MatrixXd covariance = inverse_of(fit.information());
+  const MatrixXd between = covariance * fit.scatter() * covariance;
+  const double few = fit.windows() / std::max(1.0, fit.windows() - 1.0);
+  const Eigen::VectorXd widening =
+      (few * between.diagonal().array() / covariance.diagonal().array()).max(1.0).sqrt();
+  return widening.asDiagonal() * covariance * widening.asDiagonal();
 }
 
 int place_of(const std::vector<int>& list, int unknown) {
@@ -144,6 +156,25 @@ Estimate interval_of(const Fit::Profile& p) {
   return {value, end(0, 1), end(last, -1)};
 }
 
+// Returns by how much an interval must be wider than the rise of the cost says, since windows differ
+// by more than noise: 1 or more. Of a cost c - 2 s (v - value) + h (v - value)^2 in each window the
+// square of s should be h in the mean; the difference between the ends of the interval shows s.
+double widening_of(const Fit::Profile& p, const Estimate& interval) {
+  const auto at = [&](const std::vector<double>& costs, double value) {
+    const auto above = std::lower_bound(p.values.begin() + 1, p.values.end() - 1, value);
+    const auto i = static_cast<std::size_t>(above - p.values.begin());
+    const double way = (value - p.values[i - 1]) / (p.values[i] - p.values[i - 1]);
+    return costs[i - 1] + way * (costs[i] - costs[i - 1]);
+  };
+  double sum = 0.0;
+  for (const std::vector<double>& costs : p.parts) {
+    const double difference = at(costs, interval.high) - at(costs, interval.low);
+    sum += difference * difference;
+  }
+  const double few = p.windows() / std::max(1.0, p.windows() - 1.0);
+  return std::sqrt(std::max(1.0, few * sum / (16.0 * rise95)));
+}
+
 // True if the interval reaches beyond the values, where the unknown could be, too.
 bool is_open(const Fit::Profile& p, int unknown, double step) {
   const double limit = *std::min_element(p.costs.begin(), p.costs.end()) + 2.0 * rise95;
@@ -164,7 +195,7 @@ void sharpen(Fit& fit, int unknown, double own, double others, Identified& resul
     const double middle = value_of(fit.guess(), unknown);
     profile = fit.profile(unknown, values_from(middle - steps_of_profile * step, step,
                                                2 * steps_of_profile + 1, unknown));
-    if (profile.windows < fewest_windows) return;
+    if (profile.windows() < fewest_windows) return;
     const double moved = std::abs(value_of(fit.guess(), unknown) - middle);
     if (is_open(profile, unknown, step)) {
       step *= 2.0;
@@ -173,8 +204,9 @@ void sharpen(Fit& fit, int unknown, double own, double others, Identified& resul
     }
   }
   const Estimate e = interval_of(profile);
-  const double low = e.value - std::hypot(e.value - e.low, z95 * others);
-  const double high = e.value + std::hypot(e.high - e.value, z95 * others);
+  const double widening = widening_of(profile, e);
+  const double low = e.value - std::hypot(widening * (e.value - e.low), z95 * others);
+  const double high = e.value + std::hypot(widening * (e.high - e.value), z95 * others);
   if (!(high - low < 2.0 * u.widest)) return;
   const auto plain = [&](double v) {
     return std::clamp(u.is_ratio ? std::exp(v) : v, u.least, u.most);
@@ -282,7 +314,7 @@ MatrixXd covariance_of_second(Fit& fit, const Identified& rest, const std::vecto
     }
     return m;
   };
-  const MatrixXd alone = covariance_of(part(own, own, all, fit.information()));
+  const MatrixXd alone = inverse_of(part(own, own, all, fit.information()));
   const MatrixXd slope = alone * part(own, others, all, fit.information());
   return alone + slope * part(others, others, rest_free, rest_covariance) * slope.transpose();
 }
@@ -322,7 +354,7 @@ Result<Identified> identify(const std::vector<Recording>& recordings, const Gues
   guess.parameters.brake_time_constant = guess.parameters.brake_lag();
   auto fit = fit_alone(footages, guess, recordings.front().path);
   if (!fit) return tl::unexpected(fit.error());
-  MatrixXd covariance = covariance_of(fit->information());
+  MatrixXd covariance = covariance_of(*fit);
   Identified result;
   result.guess = fit->guess();
   describe(*fit, covariance, result);
@@ -332,7 +364,7 @@ Result<Identified> identify(const std::vector<Recording>& recordings, const Gues
     fit->tie_turn_lag(one_lag);
     fit->tie_brake_lag(no_brake);
     fit->run(true);
-    covariance = covariance_of(fit->information());
+    covariance = covariance_of(*fit);
     result = {};
     result.guess = fit->guess();
     describe(*fit, covariance, result);
