@@ -116,8 +116,8 @@ class LegPanel {
     unpack(data.track.packed, data.track.frames, 3 + 6 * data.robots).forEach((frame, tick) => this.track.add(tick, frame));
     this.panel = by('panel').content.firstElementChild.cloneNode(true);
     this.panel.setAttribute('aria-label', `${this.names.blue} – ${this.names.yellow}`);
-    this.part('field').replaceChildren(...parsed(data.picture).childNodes);
-    this.field = new FieldView(this.part('field').querySelector('svg'));
+    this.part('picture').replaceChildren(...parsed(data.picture).childNodes);
+    this.field = new FieldView(this.part('picture').querySelector('svg'));
     this.end = this.track.lastTick * data.period;
     this.goals = data.decisions.filter((call) => call.decision === 'GOAL');
     this.part('name.blue').textContent = this.names.blue;
