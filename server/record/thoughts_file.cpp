@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <zstd.h>
 
@@ -35,13 +34,23 @@ void append_metres(std::string& line, double metres) {
   }
   constexpr auto scale = static_cast<std::int64_t>(units_per_metre);
   append_whole(line, units / scale);
-  std::int64_t rest = units % scale;
+  auto rest = static_cast<std::uint32_t>(units % scale);
   if (rest == 0) return;
-  line += '.';
-  for (std::int64_t digit = scale / 10; rest > 0; digit /= 10) {
-    line += static_cast<char>('0' + rest / digit);
+  char text[5]{'.'};
+  std::size_t length = 1;
+  for (std::uint32_t digit = scale / 10; rest > 0; digit /= 10) {
+    text[length++] = static_cast<char>('0' + rest / digit);
     rest %= digit;
   }
+  line.append(text, length);
+}
+
+// Appends #RRGGBBAA.
+void append_colour(std::string& line, std::uint32_t colour) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  char text[9]{'#'};
+  for (std::size_t i = 8; i > 0; --i, colour >>= 4) text[i] = digits[colour & 15u];
+  line.append(text, sizeof text);
 }
 
 bool is_plain(char c) {
@@ -91,9 +100,9 @@ void ThoughtsWriter::add(std::uint32_t tick, const match::Thought& thought) {
   append_whole(lines_, tick);
   lines_ += ",\"layer\":";
   append_text(lines_, thought.layer);
-  char colour[24];
-  std::snprintf(colour, sizeof colour, ",\"colour\":\"#%08x\",\"", thought.colour);
-  lines_ += colour;
+  lines_ += ",\"colour\":\"";
+  append_colour(lines_, thought.colour);
+  lines_ += "\",\"";
   lines_ += to_string(thought.kind);
   lines_ += "\":[";
   if (thought.kind == match::ThoughtKind::polygon) {
