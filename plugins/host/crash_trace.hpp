@@ -18,8 +18,8 @@ struct CrashTrace {
 };
 
 // Fills `trace` with the calls that are active in the library which was loaded from `path`. For
-// signal handlers: it allocates nothing and takes no lock. But it follows what the crash has left of
-// the stack, so it may crash itself or not return; the caller must be ready for both.
+// signal handlers: it allocates nothing and takes no lock. But it follows what the crash has left
+// of the stack, so it may crash itself or not return; the caller must be ready for both.
 void trace_calls(const char* path, CrashTrace& trace);
 
 }  // namespace mirocup::plugins

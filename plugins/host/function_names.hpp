@@ -2,8 +2,8 @@
 //
 // The names of the functions of a library, from the tables of symbols in its file.
 //
-// The bytes come from a stranger, as for elf.hpp: every offset is checked, nothing is run, and every
-// loop is bounded. The debugging information, which has the lines, is left to addr2line.
+// The bytes come from a stranger, as for elf.hpp: every offset is checked, nothing is run, and
+// every loop is bounded. The debugging information, which has the lines, is left to addr2line.
 #pragma once
 
 #include <cstdint>

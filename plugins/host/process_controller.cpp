@@ -219,11 +219,13 @@ std::string ProcessController::describe_trace() const {
     char number[24];
     std::snprintf(number, sizeof number, "0x%" PRIx64, address);
     const std::string name = function_at({static_cast<const char*>(bytes), size}, address);
-    lines += "  " + std::string(number) + (name.empty() ? "" : " " + system::printable(name)) + "\n";
+    lines +=
+        "  " + std::string(number) + (name.empty() ? "" : " " + system::printable(name)) + "\n";
     addresses += " " + std::string(number);
   }
   munmap(bytes, size);
-  return lines + "addr2line -Cfie FILE" + addresses + " names the lines, if FILE was built with -g\n";
+  return lines + "addr2line -Cfie FILE" + addresses +
+         " names the lines, if FILE was built with -g\n";
 }
 
 // Waits until the process changes `answer`. While it loads, its calls wait for the server.

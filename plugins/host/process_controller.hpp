@@ -185,9 +185,9 @@ class ProcessController final : public match::Controller {
   std::optional<AskedMoment> moment_;  // of the last observation that was handed over
   std::optional<LastWords> exit_report_;
   std::string backtrace_;
-  std::optional<WallClock::time_point> report_began_;  // when the process was seen to report a crash
-  std::uint32_t ticks_ = 0;    // observations so far
-  std::uint32_t places_ = 0;   // those in which the team was asked to place
+  std::optional<WallClock::time_point> report_began_;  // when it was seen to report a crash
+  std::uint32_t ticks_ = 0;                            // observations so far
+  std::uint32_t places_ = 0;                           // those in which the team was asked to place
   std::uint32_t request_ = 0;  // number of the last observation that was handed over
   bool is_awaited_ = false;    // true: it has not been answered
   bool is_placing_ = false;    // true: it asks for poses, too

@@ -90,8 +90,9 @@ Result<void> Seat::open_thoughts(const Entity& participant) {
   if (!terms_.thoughts.add) return {};
   auto opened = thoughts_.open(participant, subscriber_);
   if (opened || opened.error().code != Errc::input) return opened;
-  tell(of_strangers_, "its thoughts are not kept, because the server's credentials do not allow "
-                      "it: mirocup league credentials renews them");
+  tell(of_strangers_,
+       "its thoughts are not kept, because the server's credentials do not allow "
+       "it: mirocup league credentials renews them");
   return {};
 }
 

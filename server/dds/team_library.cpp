@@ -17,8 +17,8 @@ struct mirocup_connection {
   mirocup_setup setup{};
   mirocup_observation observation{};
   std::optional<mirocup::match::PlacementRequest> poses;  // for the answer to the present tick
-  mirocup::dds::ThoughtsSample drawn;  // for the present tick
-  bool keeps_thoughts = false;         // what is drawn is sent
+  mirocup::dds::ThoughtsSample drawn;                     // for the present tick
+  bool keeps_thoughts = false;                            // what is drawn is sent
   mirocup::match::ByTeam<std::int32_t> score{};
   std::string text;
   bool is_finished = false;  // `text` says how the match ended

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // What one team draws, as the match server receives it. The samples of the process that has the
-// seat count, each tick once and in order; all others are counted and thrown away. Nothing waits for
-// a sample, and the work for one tick is bounded.
+// seat count, each tick once and in order; all others are counted and thrown away. Nothing waits
+// for a sample, and the work for one tick is bounded.
 #pragma once
 
 #include "server/dds/entity.hpp"

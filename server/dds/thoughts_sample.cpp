@@ -23,8 +23,10 @@ static_assert(enum_names<ThoughtKind>.size() == 4 &&
               static_cast<int>(ThoughtKind::text) == mirocup_v3_TEXT);
 
 ThoughtsSample::ThoughtsSample() {
-  sample_.shapes = {
-      ._maximum = mirocup_v3_MAX_SHAPES, ._length = 0, ._buffer = shapes_.data(), ._release = false};
+  sample_.shapes = {._maximum = mirocup_v3_MAX_SHAPES,
+                    ._length = 0,
+                    ._buffer = shapes_.data(),
+                    ._release = false};
   sample_.numbers = {._maximum = mirocup_v3_MAX_SHAPE_NUMBERS,
                      ._length = 0,
                      ._buffer = numbers_.data(),

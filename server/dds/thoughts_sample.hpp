@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a team draws in one tick, as a sample of the topic "Thoughts": how a team's process fills one
-// and how the match server reads one.
+// What a team draws in one tick, as a sample of the topic "Thoughts": how a team's process fills
+// one, and how the match server reads one.
 #pragma once
 
 #include "core/field/team.hpp"

@@ -175,7 +175,7 @@ bool unpack_at_once(std::string_view bytes, std::string& lines) {
 // Returns false if the bytes are damaged, are too many or end too early or too late.
 bool unpack_in_parts(std::string_view bytes, std::string& lines) {
   const std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx*)> unpacker(ZSTD_createDCtx(),
-                                                                        ZSTD_freeDCtx);
+                                                                         ZSTD_freeDCtx);
   ZSTD_DCtx_setParameter(unpacker.get(), ZSTD_d_windowLogMax, most_window);
   ZSTD_inBuffer in{bytes.data(), bytes.size(), 0};
   std::vector<char> part(ZSTD_DStreamOutSize());

@@ -45,8 +45,8 @@ class ThoughtsWriter {
 
   void pack(bool is_end);
 
-  std::string lines_;         // that are not packed yet
-  std::size_t size_ = 0;      // bytes of all lines
+  std::string lines_;     // that are not packed yet
+  std::size_t size_ = 0;  // bytes of all lines
   std::string packed_;
   std::unique_ptr<ZSTD_CCtx_s, Free> packer_;  // null before the first lines are packed
   std::uint32_t last_tick_ = 0;

@@ -144,7 +144,8 @@ std::optional<web::Page> ShownRound::page(const std::string& path) {
   if (path == "/programme.json") {
     Json legs = Json::array();
     for (const Leg& leg : legs_) legs.push_back(leg.about);
-    return text_page("application/json", record::json_text({{"round", title_}, {"at_once", at_once_}, {"legs", legs}}));
+    return text_page("application/json",
+                     record::json_text({{"round", title_}, {"at_once", at_once_}, {"legs", legs}}));
   }
   // Asked for at the end only: the pairs of a knockout tell who has won.
   if (path == "/next.json") return text_page("application/json", record::json_text(Json(next_)));

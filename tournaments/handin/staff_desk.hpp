@@ -27,8 +27,8 @@ class StaffDesk {
   // sentence that stands on top, and `status` that of the reply.
   web::Reply page(int done = 0, const std::string& said = "", int status = 200) const;
 
-  // Returns the page of a team's legs, which links to their replays with what both teams drew, and to
-  // what the team printed. `legs` are those of the team.
+  // Returns the page of a team's legs, which links to their replays with what both teams drew, and
+  // to what the team printed. `legs` are those of the team.
   web::Reply legs_of(const std::string& team, const std::vector<OwnLeg>& legs) const;
 
   // Performs what a form of the page asks for: the body as a browser sends it.

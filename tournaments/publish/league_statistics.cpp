@@ -245,10 +245,10 @@ std::optional<Best> best_goalkeeper(const Overview& o, const LegReports& reports
     const double share = static_cast<double>(t.own.saves) / shots;
     if (share <= highest) continue;
     highest = share;
-    best = Best{"Best goalkeeper", statistics::percent(share), o.state.shown_name(*team),
-                "saved " + std::to_string(t.own.saves) + " of " + std::to_string(shots) +
-                    " shots on goal",
-                team_page_of(t.name)};
+    best = Best{
+        "Best goalkeeper", statistics::percent(share), o.state.shown_name(*team),
+        "saved " + std::to_string(t.own.saves) + " of " + std::to_string(shots) + " shots on goal",
+        team_page_of(t.name)};
   }
   return best;
 }

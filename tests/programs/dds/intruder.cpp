@@ -5,8 +5,8 @@
 //   imitate      writes the team's commands with its nonce; joins again when it receives nothing
 //   flood        the same, ten thousand a second
 //   think        draws as the team with its nonce, a hundred thousand shapes a second
-//   ramble       is the team, stands, and draws in each tick: a line; the same once more; samples that
-//                contradict themselves; a line of a tick long ago and one of a tick to come
+//   ramble       is the team, stands, and draws in each tick: a line; the same once more; samples
+//                that contradict themselves; a line of the tick before and one of a tick to come
 //   hellos       asks for the seat all the time, each time as another process
 //   wrong_types  writes other types under the names of the topics
 //   stuck        reads everything, and then stops

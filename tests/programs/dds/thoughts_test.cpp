@@ -16,9 +16,8 @@ using namespace test_support;
 std::vector<std::string> drawn_match(const std::string& id, const std::string& blue,
                                      const std::string& record,
                                      const std::vector<std::string>& more = {}) {
-  std::vector<std::string> words{program("mirocup"), "match", "--blue",   blue,   "--yellow",
-                                 "keeper",           "--half", "5",       "--match", id,
-                                 "--record",         record};
+  std::vector<std::string> words{program("mirocup"), "match", "--blue",  blue, "--yellow", "keeper",
+                                 "--half",           "5",     "--match", id,   "--record", record};
   words.insert(words.end(), more.begin(), more.end());
   return words;
 }
@@ -32,8 +31,8 @@ std::string lines_of(const std::string& folder) {
 // Returns what the team draws as a library, and the state hash of that leg.
 std::string lines_of_library(std::string& hash) {
   const TemporaryFolder folder;
-  const Outcome played = run(drawn_match("none", program("teams/draws.so"), folder / "leg.json",
-                                         {"--thoughts"}));
+  const Outcome played =
+      run(drawn_match("none", program("teams/draws.so"), folder / "leg.json", {"--thoughts"}));
   EXPECT_EQ(played.exit_code, 0) << played.err;
   hash = read_json(folder / "leg.json")["state_hash"];
   const std::string lines = lines_of(folder / "");
@@ -49,9 +48,9 @@ TEST(DdsThoughts, AreThoseOfTheSameTeamAsALibrary) {
   for (const bool is_kept : {true, false}) {
     const TemporaryFolder folder;
     const std::string id = match_id(is_kept ? "thoughts" : "no-thoughts");
-    Running leg(drawn_match(id, "dds:remote", folder / "leg.json",
-                            is_kept ? std::vector<std::string>{"--thoughts"}
-                                    : std::vector<std::string>{}));
+    Running leg(
+        drawn_match(id, "dds:remote", folder / "leg.json",
+                    is_kept ? std::vector<std::string>{"--thoughts"} : std::vector<std::string>{}));
     Running remote(join(id, "blue", "remote", program("teams/draws.so")));
     const Outcome played = leg.wait();
     ASSERT_EQ(played.exit_code, 0) << played.err;

@@ -12,16 +12,11 @@ using namespace test_support;
 
 Outcome play(const TemporaryFolder& folder, const std::string& team,
              const std::vector<std::string>& more = {}) {
-  std::vector<std::string> words{program("mirocup"),
-                                 "match",
-                                 "--blue",
-                                 program("teams/" + team + ".so"),
-                                 "--yellow",
-                                 "idle",
-                                 "--half",
-                                 "5",
-                                 "--record",
-                                 folder / "leg.json"};
+  std::vector<std::string> words{program("mirocup"), "match",
+                                 "--blue",           program("teams/" + team + ".so"),
+                                 "--yellow",         "idle",
+                                 "--half",           "5",
+                                 "--record",         folder / "leg.json"};
   words.insert(words.end(), more.begin(), more.end());
   const Outcome played = run(words);
   EXPECT_EQ(played.exit_code, 0) << played.err;
@@ -49,9 +44,9 @@ TEST(Crash, NamesTheFunctionsOfALibraryWithSymbols) {
   for (const std::string isolation : {"T1", "T2"}) {
     const TemporaryFolder folder;
     const Outcome played = play(folder, "crashes", {"--isolation", isolation});
-    const std::vector<std::string> expected{
-        "mirocup: the blue team crashed in\n  0x", " dig\n  0x", " Crashes::look_for\n  0x",
-        " Crashes::decide\n",                      "addr2line -Cfie FILE 0x"};
+    const std::vector<std::string> expected{"mirocup: the blue team crashed in\n  0x", " dig\n  0x",
+                                            " Crashes::look_for\n  0x", " Crashes::decide\n",
+                                            "addr2line -Cfie FILE 0x"};
     for (const long at : in_order(played.err, expected)) EXPECT_GE(at, 0) << played.err;
     const std::string log = read_file(folder / "leg.json.blue.log");
     EXPECT_NE(log.find("Crashed in\n  0x"), std::string::npos) << log;

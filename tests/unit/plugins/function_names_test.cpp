@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "plugins/host/function_names.hpp"
+
 #include "plugins/host/sealed_entry.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +20,8 @@ TEST(FunctionNames, AreReadable) {
   EXPECT_EQ(readable_name("_Z3digi"), "dig");
   EXPECT_EQ(readable_name("_ZZ13mirocup_entryENUlPvE_4_FUNES_"), "a function within mirocup_entry");
   // Catches an index that runs over the end.
-  for (const std::string odd : {"_Z", "_ZN", "_ZN9", "_ZN9999Mine", "_ZN4MineIiE1fEv", "_ZN4Mine", "_ZNE"}) {
+  for (const std::string odd :
+       {"_Z", "_ZN", "_ZN9", "_ZN9999Mine", "_ZN4MineIiE1fEv", "_ZN4Mine", "_ZNE"}) {
     EXPECT_EQ(readable_name(odd), odd);
   }
 }

@@ -91,8 +91,8 @@ TEST(Topics, AStateFitsOneEthernetFrame) {
 TEST(Topics, DoNotDescribeTheirTypesOnTheNetwork) {
   for (const auto* topic :
        {&mirocup_v3_WorldState_desc, &mirocup_v3_TeamCommand_desc, &mirocup_v3_Hello_desc,
-        &mirocup_v3_Welcome_desc, &mirocup_v3_MatchInfo_desc, &mirocup_v3_MatchEvent_desc, &mirocup_v3_Thoughts_desc,
-        &mirocup_v2_Hello_desc, &mirocup_v2_Welcome_desc}) {
+        &mirocup_v3_Welcome_desc, &mirocup_v3_MatchInfo_desc, &mirocup_v3_MatchEvent_desc,
+        &mirocup_v3_Thoughts_desc, &mirocup_v2_Hello_desc, &mirocup_v2_Welcome_desc}) {
     EXPECT_EQ(topic->m_flagset & DDS_TOPIC_XTYPES_METADATA, 0U) << topic->m_typename;
   }
 }

@@ -67,8 +67,8 @@ TEST(ThoughtsFile, RefusesOtherBytes) {
   EXPECT_TRUE(unpacked_thoughts(ThoughtsWriter().packed(), "x.zst").value().empty());
 }
 
-// A long leg is packed in parts, and the file does not say how long its text is. Catches a file that
-// is cut, has something behind its end, or unpacks to more than a leg can have.
+// A long leg is packed in parts, and the file does not say how long its text is. Catches a file
+// that is cut, has something behind its end, or unpacks to more than a leg can have.
 TEST(ThoughtsFile, OfALongLegIsReadToItsEndAndNoFurther) {
   ThoughtsWriter writer;
   const double numbers[] = {0.1, 0.2, 0.3, 0.4};
@@ -85,7 +85,7 @@ TEST(ThoughtsFile, OfALongLegIsReadToItsEndAndNoFurther) {
   EXPECT_FALSE(unpacked_thoughts(whole + whole, "x.zst"));
 
   const std::unique_ptr<ZSTD_CCtx, std::size_t (*)(ZSTD_CCtx*)> packer(ZSTD_createCCtx(),
-                                                                      ZSTD_freeCCtx);
+                                                                       ZSTD_freeCCtx);
   const std::string zeros(1 << 20, '\0');
   std::string bomb;
   for (int i = 0; i <= 40; ++i) {
