@@ -58,8 +58,7 @@ void ThoughtsSample::add(const match::Thought& thought) {
   copy_text(shape.layer, thought.layer);
   std::copy(thought.numbers.begin(), thought.numbers.end(), numbers_.begin() + used);
   sample_.numbers._length = used + shape.numbers;
-  std::memcpy(sample_.text + text_, thought.text.data(), thought.text.size());
-  text_ += thought.text.size();
+  text_ += thought.text.copy(sample_.text + text_, match::max_thought_text - text_);
 }
 
 const mirocup_v3_Thoughts& ThoughtsSample::stamped(Team team, std::uint32_t tick,
