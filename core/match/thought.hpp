@@ -6,7 +6,9 @@
 
 #include "core/base/names.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -32,6 +34,26 @@ inline constexpr std::size_t max_thoughts = 200;       // in a tick
 inline constexpr std::size_t max_thought_text = 4096;  // bytes in a tick
 inline constexpr std::size_t max_polygon_corners = 32;
 inline constexpr std::size_t max_thought_bytes = 32u << 20;  // in a leg, as they are written
+inline constexpr std::size_t max_thought_numbers = 10 * max_thoughts;  // in a tick
+
+// Says whether a shape of that kind can have that many numbers.
+constexpr bool is_complete(ThoughtKind kind, std::size_t numbers) {
+  switch (kind) {
+    case ThoughtKind::line:
+      return numbers == 4;
+    case ThoughtKind::circle:
+      return numbers == 3;
+    case ThoughtKind::polygon:
+      return numbers % 2 == 0 && numbers >= 6 && numbers <= 2 * max_polygon_corners;
+    case ThoughtKind::text:
+      return numbers == 2;
+  }
+  return false;
+}
+
+inline bool is_finite(std::span<const double> numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [](double n) { return std::isfinite(n); });
+}
 
 }  // namespace mirocup::match
 

@@ -101,17 +101,18 @@ void let_the_server_end_loading() {
 // Builds the first part of the sandbox. Returns the path to load the library from.
 const char* enter_sandbox(Isolation isolation, CommandPage& page) {
   const bool has_namespaces = isolation == Isolation::T2;
+  // In tier T1 the library has no path of its own; Landlock does not restrict sealed memory.
+  static_assert(entry_descriptor == 6);
+  const char* library = has_namespaces ? private_entry_path : "/proc/self/fd/6";
   if (!limit_this_process()) give_up("limits");
-  if (!report_faults_to(page)) give_up("fault handlers");
+  if (!report_faults_to(page, library)) give_up("fault handlers");
   if (!allow_libraries_only(has_namespaces ? private_entry_path : nullptr, folders_of_guest()))
     give_up("Landlock");
   let_the_server_end_loading();
   if (!filter_for_loading(folders_of_guest())) give_up("the filter of system calls");
   if (write(setup_descriptor, &sandbox_stands, 1) != 1) _exit(127);
   close(setup_descriptor);
-  // In tier T1 the library has no path of its own; Landlock does not restrict sealed memory.
-  static_assert(entry_descriptor == 6);
-  return has_namespaces ? private_entry_path : "/proc/self/fd/6";
+  return library;
 }
 
 }  // namespace

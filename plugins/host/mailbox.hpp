@@ -9,6 +9,7 @@
 #pragma once
 
 #include "mirocup/strategy.h"
+#include "plugins/host/crash_trace.hpp"
 #include "plugins/host/parameter_table.hpp"
 #include "plugins/host/surroundings.hpp"
 #include "plugins/host/thoughts_page.hpp"
@@ -38,7 +39,7 @@ enum class LoadState : std::uint32_t { loading, ready, no_load, bad_abi, crash }
 
 // The exit codes of a team's process that left a report on its page, and the fields that hold it.
 inline constexpr int exit_refused = 1;  // load_state and text
-inline constexpr int exit_faulted = 3;  // fault_signal, fault_call and fault_address
+inline constexpr int exit_faulted = 3;  // fault_signal and what follows it
 
 inline constexpr int no_call = -1;
 
@@ -54,6 +55,8 @@ struct CommandPage {
   std::atomic<int> fault_signal;  // 0: none
   std::atomic<int> fault_call;    // number of a forbidden system call, or no_call
   std::atomic<AddressKind> fault_address;
+  std::atomic<std::uint32_t> fault_is_traced;  // 1: fault_trace is complete
+  CrashTrace fault_trace;
   std::atomic<TeamCall> team_call;  // the function that runs, or ran last
   AskedRows asked_parameters;       // of ObservationPage::parameters
   char name[64];                    // of the team, as its library says; any bytes

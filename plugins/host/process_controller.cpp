@@ -2,21 +2,26 @@
 #include "plugins/host/process_controller.hpp"
 
 #include "plugins/abi/convert.hpp"
+#include "plugins/host/function_names.hpp"
 #include "plugins/host/launch.hpp"
 #include "plugins/host/reported_fault.hpp"
 #include "plugins/host/sandbox/descriptor_packet.hpp"
 #include "plugins/host/sandbox/filter.hpp"
+#include "system/printable.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <cerrno>
+#include <cinttypes>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <utility>
 
 namespace mirocup::plugins {
@@ -41,6 +46,9 @@ constexpr std::uint32_t ticks_between_readings = 32;
 
 // The time limit for building the sandbox, s. Only a machine in great trouble needs that long.
 constexpr double max_setup_time = 60.0;
+
+// How long a process that has crashed may take to say where, s.
+constexpr double max_report_time = 0.5;
 
 // Sizes the memory file and maps it here for writing.
 template <class Page>
@@ -104,18 +112,21 @@ Result<std::unique_ptr<ProcessController>> ProcessController::start(
                        .entry = entry.descriptor(),
                        .log = child_log.get()});
   if (!child) return tl::unexpected(child.error());
-  return std::unique_ptr<ProcessController>(new ProcessController(
-      briefing.team, std::move(*child), in, out, std::move(setup), std::move(log), terms));
+  system::Descriptor kept(fcntl(entry.descriptor(), F_DUPFD_CLOEXEC, 0));
+  return std::unique_ptr<ProcessController>(
+      new ProcessController(briefing.team, std::move(*child), in, out, std::move(setup),
+                            std::move(log), std::move(kept), terms));
 }
 
 ProcessController::ProcessController(Team team, Child child, ObservationPage* in, CommandPage* out,
                                      system::Descriptor setup, system::Descriptor log,
-                                     const ProcessTerms& terms)
+                                     system::Descriptor entry, const ProcessTerms& terms)
     : team_(team),
       child_(std::move(child)),
       in_(in),
       out_(out),
       setup_(std::move(setup)),
+      entry_(std::move(entry)),
       log_pipe_(std::move(log)),
       budget_(terms.budget),
       deadline_(terms.deadline),
@@ -177,7 +188,44 @@ Answer ProcessController::answer_to_exit(const ExitStatus& status) {
   words.address = out_->fault_address.load(std::memory_order_relaxed);
   words.team_call = out_->team_call.load(std::memory_order_relaxed);
   exit_report_ = words;
+  backtrace_ = describe_trace();
+  if (!backtrace_.empty()) {
+    read_log();
+    log_.append("Crashed in\n" + backtrace_);
+  }
   return fault_of(status, words, is_ready_, moment_);
+}
+
+// A process that has crashed says where before it ends. What it follows may be as broken as the
+// rest of its memory, so the leg waits only a moment for it.
+bool ProcessController::is_stuck_in_its_report() {
+  if (out_->fault_signal.load(std::memory_order_relaxed) == 0) return false;
+  if (!report_began_) report_began_ = WallClock::now();
+  return seconds_since(*report_began_) > max_report_time;
+}
+
+// The addresses are the process's own words: they may be any numbers.
+std::string ProcessController::describe_trace() const {
+  if (out_->fault_is_traced.load(std::memory_order_acquire) == 0) return "";
+  const std::size_t count = std::min<std::size_t>(out_->fault_trace.count, max_trace);
+  struct stat status {};
+  if (count == 0 || fstat(entry_.get(), &status) != 0) return "";
+  const auto size = static_cast<std::size_t>(status.st_size);
+  void* bytes = mmap(nullptr, size, PROT_READ, MAP_SHARED, entry_.get(), 0);
+  if (bytes == MAP_FAILED) return "";
+  std::string lines, addresses;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint64_t address = out_->fault_trace.address[i];
+    char number[24];
+    std::snprintf(number, sizeof number, "0x%" PRIx64, address);
+    const std::string name = function_at({static_cast<const char*>(bytes), size}, address);
+    lines +=
+        "  " + std::string(number) + (name.empty() ? "" : " " + system::printable(name)) + "\n";
+    addresses += " " + std::string(number);
+  }
+  munmap(bytes, size);
+  return lines + "addr2line -Cfie FILE" + addresses +
+         " names the lines, if FILE was built with -g\n";
 }
 
 // Waits until the process changes `answer`. While it loads, its calls wait for the server.
@@ -213,6 +261,10 @@ std::optional<Answer> ProcessController::wait(Done done, const WaitLimit& limit,
     forgive_absence(seconds_since(start));
     if (done()) break;
     if (const auto status = child_.exit_status()) return answer_to_exit(*status);
+    if (is_stuck_in_its_report()) {
+      child_.kill();
+      return answer_to_exit({.exit_code = exit_faulted});
+    }
     cpu_ = child_.cpu_seconds();
     if (auto fault = find_overdraft()) {
       child_.kill();

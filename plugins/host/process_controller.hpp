@@ -116,6 +116,10 @@ class ProcessController final : public match::Controller {
   // Returns what the process left when it ended by itself; nothing before that.
   const std::optional<LastWords>& exit_report() const { return exit_report_; }
 
+  // Returns the functions of the library in which the process crashed, a line each, innermost
+  // first; "" if it has not crashed or left no trace. They are at the end of output(), too.
+  const std::string& backtrace() const { return backtrace_; }
+
   // Returns what the team asked the system for, a line each, as its process says: any bytes, and
   // nothing unless the host program is mirocup-careful-host.
   std::string requests() const {
@@ -141,7 +145,8 @@ class ProcessController final : public match::Controller {
   };
 
   ProcessController(Team team, Child child, ObservationPage* in, CommandPage* out,
-                    system::Descriptor setup, system::Descriptor log, const ProcessTerms& terms);
+                    system::Descriptor setup, system::Descriptor log, system::Descriptor entry,
+                    const ProcessTerms& terms);
 
   std::optional<match::HostFailure> wait_for_sandbox();
   // Waits until done() holds. Otherwise returns Late at `until`, or why the team has lost or the
@@ -150,6 +155,8 @@ class ProcessController final : public match::Controller {
   std::optional<match::Answer> wait(Done done, const WaitLimit& limit,
                                     std::optional<WallClock::time_point> until);
   match::Answer answer_to_exit(const ExitStatus& status);
+  bool is_stuck_in_its_report();
+  std::string describe_trace() const;
   match::Answer count_late_tick();
   std::optional<match::Fault> find_overdraft() const;
   std::optional<match::Fault> find_overrun();
@@ -163,6 +170,7 @@ class ProcessController final : public match::Controller {
   ObservationPage* in_;
   CommandPage* out_;
   system::Descriptor setup_;
+  system::Descriptor entry_;    // the library's bytes, sealed; for the names of its functions
   system::Descriptor loading_;  // while the process may load; see ask_before_loading()
   bool has_loaded_ = false;     // as the process shows; it may be lying
   system::Descriptor log_pipe_;
@@ -176,8 +184,10 @@ class ProcessController final : public match::Controller {
 
   std::optional<AskedMoment> moment_;  // of the last observation that was handed over
   std::optional<LastWords> exit_report_;
-  std::uint32_t ticks_ = 0;    // observations so far
-  std::uint32_t places_ = 0;   // those in which the team was asked to place
+  std::string backtrace_;
+  std::optional<WallClock::time_point> report_began_;  // when it was seen to report a crash
+  std::uint32_t ticks_ = 0;                            // observations so far
+  std::uint32_t places_ = 0;                           // those in which the team was asked to place
   std::uint32_t request_ = 0;  // number of the last observation that was handed over
   bool is_awaited_ = false;    // true: it has not been answered
   bool is_placing_ = false;    // true: it asks for poses, too

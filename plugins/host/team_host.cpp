@@ -5,7 +5,6 @@
 #include "plugins/host/team_host.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <span>
 #include <string_view>
@@ -29,8 +28,7 @@ void draw(void* host, ThoughtKind kind, const char* layer, std::uint32_t colour,
   const bool has_room = page->shapes < page->shape.size() &&
                         page->numbers + numbers.size() <= page->number.size() &&
                         page->text + text.size() <= page->texts.size();
-  const auto is_finite = [](double number) { return std::isfinite(number); };
-  if (!has_room || !std::all_of(numbers.begin(), numbers.end(), is_finite)) {
+  if (!has_room || !match::is_finite(numbers)) {
     ++page->left_out;
     return;
   }

@@ -2,29 +2,9 @@
 #include "plugins/host/thoughts_page.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 
 namespace mirocup::plugins {
-
-namespace {
-
-// Says whether a shape of that kind can have that many numbers.
-bool is_complete(match::ThoughtKind kind, std::size_t numbers) {
-  switch (kind) {
-    case match::ThoughtKind::line:
-      return numbers == 4;
-    case match::ThoughtKind::circle:
-      return numbers == 3;
-    case match::ThoughtKind::polygon:
-      return numbers % 2 == 0 && numbers >= 6 && numbers <= 2 * match::max_polygon_corners;
-    case match::ThoughtKind::text:
-      return numbers == 2;
-  }
-  return false;
-}
-
-}  // namespace
 
 void copy_thoughts(const ThoughtsPage& from, ThoughtsPage& to) {
   const auto at_most = [](std::uint32_t count, std::size_t most) {
@@ -42,7 +22,7 @@ void copy_thoughts(const ThoughtsPage& from, ThoughtsPage& to) {
 std::optional<match::Thought> ThoughtReader::next() {
   if (shape_ == page_.shapes) return std::nullopt;
   const ThoughtsPage::Shape& shape = page_.shape[shape_++];
-  if (!is_complete(shape.kind, shape.numbers) || page_.numbers - number_ < shape.numbers ||
+  if (!match::is_complete(shape.kind, shape.numbers) || page_.numbers - number_ < shape.numbers ||
       page_.text - text_ < shape.text) {
     return std::nullopt;
   }
@@ -53,8 +33,7 @@ std::optional<match::Thought> ThoughtReader::next() {
                                .text = {page_.texts.data() + text_, shape.text}};
   number_ += shape.numbers;
   text_ += shape.text;
-  const auto is_finite = [](double number) { return std::isfinite(number); };
-  if (!std::all_of(thought.numbers.begin(), thought.numbers.end(), is_finite)) return std::nullopt;
+  if (!match::is_finite(thought.numbers)) return std::nullopt;
   return thought;
 }
 

@@ -28,7 +28,7 @@ struct ThoughtsPage {
   std::uint32_t text = 0;
   std::uint32_t left_out = 0;  // shapes of this tick that were not taken
   std::array<Shape, match::max_thoughts> shape;
-  std::array<double, 10 * match::max_thoughts> number;
+  std::array<double, match::max_thought_numbers> number;
   std::array<char, match::max_thought_text> texts;
 
   // Takes everything off the page, before a tick.

@@ -2,6 +2,7 @@
 //
 // The robot nearest to the ball drives behind it and pushes it towards the opponents' goal, robot 0
 // keeps the own goal, and the others wait in their half. A good start for a first team.
+#include "mirocup/skills/draw.hpp"
 #include "mirocup/strategy.hpp"
 
 namespace {
@@ -36,10 +37,12 @@ class Chaser : public Team {
 
   Wheels chase(const Observation& now, int i) {
     const Robot& robot = now.own[i];
+    draw_role(setup(), robot, "chases");
     if (must_kick_off(now)) return kick_off(setup(), robot);
     if (is_stuck(now)) return free_ball(setup(), now, robot);
 
     const Point goal{setup().half_length, 0.0};
+    draw_shot(setup(), robot, ball(now), goal);
     const Point towards = unit(goal - ball(now));
     const Point behind = ball(now) - 0.08 * towards;
     const Point from_ball = position(robot) - ball(now);
@@ -53,10 +56,12 @@ class Chaser : public Team {
   }
 
   Wheels wait(const Observation& now, int i) {
+    draw_role(setup(), now.own[i], i == 0 ? "keeps" : "waits");
     if (i == 0) return keep_goal(setup(), now, now.own[0]);
     const int row = (i + 1) / 2;
     const double y = 0.2 * (i % 2 == 0 ? 1.0 : -1.0) * row;
     const Point place = keep_out(setup(), i, {-0.4 * setup().half_length, y});
+    draw_target(setup(), now.own[i], place);
     return drive_clear(setup(), now, now.own[i], make_way(setup(), now, place));
   }
 

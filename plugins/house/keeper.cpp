@@ -2,6 +2,7 @@
 //
 // A team that only defends. Robot 0 keeps the goal; the others stand between the ball and the goal,
 // and robot 1 clears a ball that comes near.
+#include "mirocup/skills/draw.hpp"
 #include "mirocup/strategy.hpp"
 
 namespace {
@@ -14,17 +15,22 @@ class Keeper : public Team {
 
   void decide(const Observation& now, Command& command) override {
     command.wheels[0] = keep_goal(setup(), now, now.own[0]);
+    draw_role(setup(), now.own[0], "keeps");
     const Point goal{-setup().half_length, 0.0};
     const Point out = unit(ball(now) - goal);
     for (int i = 1; i < now.robots; ++i) {
       const Robot& robot = now.own[i];
       const bool is_near = length(ball(now) - position(robot)) < 0.25 && now.ball_x < 0.0;
       if (i == 1 && must_kick_off(now)) {
+        draw_role(setup(), robot, "kicks off");
         command.wheels[i] = kick_off(setup(), robot);
       } else if (i == 1 && is_near && robot.x < now.ball_x) {
+        draw_role(setup(), robot, "clears");
+        draw_shot(setup(), robot, ball(now), ball(now) + 0.3 * out);
         command.wheels[i] =
             drive_to(setup(), robot, keep_out(setup(), i, ball(now) + 0.1 * out), 1.0);
       } else if (i == 1 && is_near && is_stuck(now)) {
+        draw_role(setup(), robot, "frees the ball");
         command.wheels[i] = free_ball(setup(), now, robot);
       } else {
         // The others form a screen across the line from the ball to the goal.
@@ -33,6 +39,8 @@ class Keeper : public Team {
         const double aside = 0.09 * (i % 2 == 0 ? 1.0 : -1.0) * column;
         const Point post = goal + (distance_ + 0.07 * row) * out;
         const Point place = keep_out(setup(), i, {post.x, post.y + aside});
+        draw_role(setup(), robot, "screens");
+        draw_target(setup(), robot, place);
         command.wheels[i] = drive_clear(setup(), now, robot, make_way(setup(), now, place));
       }
     }

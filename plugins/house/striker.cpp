@@ -2,6 +2,7 @@
 //
 // A team that plays to score: a keeper, one attacker that meets the ball where it will be and
 // shoots past the opponents' keeper, and supporters behind it that take over lost balls.
+#include "mirocup/skills/draw.hpp"
 #include "mirocup/skills/laws.hpp"
 #include "mirocup/skills/shoot.hpp"
 #include "mirocup/strategy.hpp"
@@ -16,6 +17,7 @@ class Striker : public Team {
 
   void decide(const Observation& now, Command& command) override {
     command.wheels[0] = keep_goal(setup(), now, now.own[0]);
+    draw_role(setup(), now.own[0], "keeps");
     // The kicker of a kick-off stands before the ball, and takes it, whoever else is near.
     attacker_ = must_kick_off(now) ? 1 : choose_attacker(now);
     choose_corner(now);
@@ -76,11 +78,14 @@ class Striker : public Team {
 
   Wheels attack(const Observation& now, int i) {
     const Robot& robot = now.own[i];
+    draw_role(setup(), robot, "attacks");
     if (must_kick_off(now)) return kick_off(setup(), robot);
     if (is_stuck(now)) return free_ball(setup(), now, robot);
 
     const Point meet = meeting_point(setup(), now, robot);
-    const Point shot = unit(Point{setup().half_length + 0.05, corner_} - meet);
+    const Point goal{setup().half_length + 0.05, corner_};
+    draw_shot(setup(), robot, meet, goal);
+    const Point shot = unit(goal - meet);
     const Point from_ball = position(robot) - meet;
     const double behind = -dot(from_ball, shot);
     const double aside = from_ball.y * shot.x - from_ball.x * shot.y;
@@ -103,6 +108,8 @@ class Striker : public Team {
     const double x = std::max(-0.7 * setup().half_length, now.ball_x - back);
     const double y = 0.4 * now.ball_y + side * (rank % 2 == 0 ? 0.12 : -0.25);
     const Point place = keep_out(setup(), i, inside(setup(), {x, y}));
+    draw_role(setup(), now.own[i], "supports");
+    draw_target(setup(), now.own[i], place);
     return drive_clear(setup(), now, now.own[i], make_way(setup(), now, place));
   }
 

@@ -173,12 +173,13 @@ class Session {
   void warn_of_unknown_parameters() const;
   void print_calls() const;
   void report() const;
+  void show_backtraces() const;
   bool is_void() const { return match_.outcome().kind == match::OutcomeKind::void_; }
 
  private:
   Result<TeamSeat> take_seat(const TeamChoice& choice, Team team);
   void use_own_names();
-  dds::JoinTerms patience();
+  dds::JoinTerms patience(Team team);
   firasim::Terms firasim_terms(Team team);
   Result<void> start_program(Team team);
   Result<void> open_firasim();
@@ -186,6 +187,7 @@ class Session {
   Result<plugins::ProcessTerms> process_terms() const;
   void keep_thoughts(std::uint32_t tick);
   Result<void> write_thoughts(Team team);
+  void warn_of_dropped_thoughts(Team team) const;
   std::string log_path(Team team) const {
     return options_.record_path + "." + std::string(to_string(team)) + ".log";
   }
@@ -336,7 +338,7 @@ Result<void> Session::start_program(Team team) {
 Result<TeamSeat> Session::take_seat(const TeamChoice& choice, Team team) {
   const match::Briefing briefing = match_.briefing(team);
   if (choice.info.kind == record::TeamKind::dds) {
-    return TeamSeat::take_on_network(choice, briefing, *network_, patience());
+    return TeamSeat::take_on_network(choice, briefing, *network_, patience(team));
   }
   if (choice.info.kind == record::TeamKind::firasim) {
     if (auto started = start_program(team); !started) return tl::unexpected(started.error());
@@ -373,7 +375,7 @@ Result<plugins::ProcessTerms> Session::process_terms() const {
   return terms;
 }
 
-dds::JoinTerms Session::patience() {
+dds::JoinTerms Session::patience(Team team) {
   dds::JoinTerms patience;
   patience.to_join = options_.join_within;
   patience.first_tick = match_.tick();
@@ -386,6 +388,11 @@ dds::JoinTerms Session::patience() {
   if (pacer_.period() > 0.0) {
     patience.tick = answer_share * pacer_.period();
     patience.notice = std::max(min_notice, ticks_to_notice * pacer_.period());
+  }
+  if (options_.thoughts) {
+    record::ThoughtsWriter& writer = thoughts_[index_of(team)];
+    patience.thoughts = {.add = [&writer](auto tick, auto& shape) { writer.add(tick, shape); },
+                         .leave_out = [&writer](auto n) { writer.count_left_out(n); }};
   }
   return patience;
 }
@@ -502,6 +509,14 @@ Result<void> Session::write_record() {
   return {};
 }
 
+void Session::warn_of_dropped_thoughts(Team team) const {
+  const dds::ThoughtCounts* counts = seats_[index_of(team)].thoughts_sent();
+  if (counts == nullptr || counts->late + counts->foreign + counts->malformed == 0) return;
+  std::cerr << "mirocup: warning: samples of the " << to_string(team)
+            << " team's thoughts were dropped: " << counts->late << " too late, " << counts->foreign
+            << " of other processes, " << counts->malformed << " malformed\n";
+}
+
 // Without --thoughts, those of an earlier leg in the same place are removed: they are of no use.
 Result<void> Session::write_thoughts(Team team) {
   const std::string path = record::thoughts_path(options_.record_path, team);
@@ -510,6 +525,7 @@ Result<void> Session::write_thoughts(Team team) {
     std::filesystem::remove(path, none);
     return {};
   }
+  warn_of_dropped_thoughts(team);
   record::ThoughtsWriter& writer = thoughts_[index_of(team)];
   if (writer.left_out() > 0) {
     std::cerr << "mirocup: warning: " << writer.left_out() << " shapes of the " << to_string(team)
@@ -569,6 +585,14 @@ void Session::report() const {
   if (!r.why_void.empty()) std::cout << "void: " << system::printable(r.why_void) << '\n';
 }
 
+void Session::show_backtraces() const {
+  for (const Team team : both_teams) {
+    const plugins::ProcessController* process = seats_[index_of(team)].process();
+    if (process == nullptr || process->backtrace().empty()) continue;
+    std::cerr << "mirocup: the " << to_string(team) << " team crashed in\n" << process->backtrace();
+  }
+}
+
 // A leg that cannot be written should not be played first.
 Result<void> check_output(const MatchOptions& options) {
   if (options.record_path.empty()) return {};
@@ -605,6 +629,7 @@ Result<int> run_match(const MatchOptions& options) {
   session.end_live_page();
   session.warn_of_unknown_parameters();
   session.report();
+  session.show_backtraces();
   return session.is_void() ? exit_code(Errc::host) : exit_yes;
 }
 

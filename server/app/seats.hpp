@@ -73,6 +73,11 @@ class TeamSeat {
   // Returns what the team drew in the tick that it answered last; null if that is not kept.
   const plugins::ThoughtsPage* thoughts();
 
+  // Returns what came of what the team drew; null unless it plays over the network.
+  const dds::ThoughtCounts* thoughts_sent() const {
+    return network_ != nullptr ? &network_->thoughts() : nullptr;
+  }
+
   // Without late_ticks and bad_commands, which the match counts.
   record::BudgetReport budget_report() const;
 

@@ -61,6 +61,7 @@ Result<void> Seat::open(const Entity& participant, const std::string& match_id,
   const std::string partition = team_partition(match_id, index_of(briefing_.team), name_);
   return keep(publisher_, make_publisher(participant, partition))
       .and_then([&] { return keep(subscriber_, make_subscriber(participant, partition)); })
+      .and_then([&] { return open_thoughts(participant); })
       .and_then([&] {
         return keep(hello_topic_, make_topic(participant, mirocup_v3_Hello_desc, idl::hello));
       })
@@ -81,6 +82,18 @@ Result<void> Seat::open(const Entity& participant, const std::string& match_id,
       })
       .and_then([&] { return attach(waitset, hello_reader_); })
       .and_then([&] { return attach(waitset, command_reader_); });
+}
+
+// Comes before the reader of the Hello, so that the team knows of it in its first tick. The waitset
+// does not wake for thoughts. A match is played without them if it has to.
+Result<void> Seat::open_thoughts(const Entity& participant) {
+  if (!terms_.thoughts.add) return {};
+  auto opened = thoughts_.open(participant, subscriber_);
+  if (opened || opened.error().code != Errc::input) return opened;
+  tell(of_strangers_,
+       "its thoughts are not kept, because the server's credentials do not allow "
+       "it: mirocup league credentials renews them");
+  return {};
 }
 
 void Seat::tell(FewWords& of_its_kind, const std::string& what) const {
@@ -131,6 +144,7 @@ mirocup_v3_Welcome Seat::answer_to(const mirocup_v3_Hello& hello, dds_instance_h
   process_ = *process;
   hello_writer_ = writer;
   command_writer_ = 0;
+  thoughts_.admit(nonce_, process_);
   late_.reset();
   if (is_same) {
     tell(of_processes_, "the team's process has joined the network anew");
@@ -265,6 +279,7 @@ Fault Seat::disconnected() const {
 
 Answer Seat::collect() {
   link_.settle();
+  thoughts_.take(briefing_.team, tick_, terms_.thoughts);
   if (end_) return *end_;
   if (answer_) return *answer_;
   return late();

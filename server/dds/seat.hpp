@@ -17,6 +17,7 @@
 #include "server/dds/inbox.hpp"
 #include "server/dds/liveliness.hpp"
 #include "server/dds/round_trip.hpp"
+#include "server/dds/thoughts_inbox.hpp"
 #include "server/dds/wall_time.hpp"
 #include "server/pace/durations.hpp"
 
@@ -35,6 +36,7 @@ struct JoinTerms {
   double notice = 1.0;   // a team that is silent for this long is away
   double away = 10.0;    // how long a team may be away in a leg, all absences together
   double longest = 0.0;  // how long the leg may last, from the making of the seat
+  ThoughtSink thoughts;  // gets what the team draws; without `add`, it is not kept
   std::function<bool()> interrupted = [] { return false; };     // called while the seat waits
   std::function<void(const std::string&)> tell = [](auto&) {};  // gets a sentence for the host
 };
@@ -92,6 +94,7 @@ class Seat final : public match::Controller {
   Team team() const { return briefing_.team; }
   std::uint64_t heard() const { return inbox_.heard(); }
   const CommandCounts& commands() const { return inbox_.counts(); }
+  const ThoughtCounts& thoughts() const { return thoughts_.counts(); }
   const std::vector<pace::Absence>& absences() const { return liveliness_.absences(); }
   int processes() const { return processes_; }                 // number that have had the seat
   const pace::Durations& answers() const { return answers_; }  // from state to answer, s
@@ -104,6 +107,7 @@ class Seat final : public match::Controller {
   std::string why_too_short() const;
   bool may_be_taken() const;
   bool has_left() const;
+  Result<void> open_thoughts(const Entity& participant);
   void take_late(const mirocup_v3_TeamCommand& command);
   match::Late late();
   double now() const { return seconds_since(begin_); }
@@ -127,6 +131,7 @@ class Seat final : public match::Controller {
   int processes_ = 0;
 
   Inbox inbox_;
+  ThoughtsInbox thoughts_;
   Liveliness liveliness_;
   bool is_ready_ = false;
   std::uint32_t tick_ = 0;

@@ -4,6 +4,7 @@
 #include "server/dds/nonce.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace mirocup::dds {
@@ -63,6 +64,16 @@ Result<void> TeamClient::connect() {
       .map([&] { link_ = std::move(link); });
 }
 
+// Comes before the Hello, so that the server knows this writer when the team plays its first tick.
+void TeamClient::open_thoughts(Link& l) {
+  std::ignore =
+      keep(l.thoughts_topic, make_topic(l.participant, mirocup_v3_Thoughts_desc, idl::thoughts))
+          .and_then([&] {
+            return keep(l.thoughts_writer,
+                        make_writer(l.team_publisher, l.thoughts_topic, idl::thoughts));
+          });
+}
+
 Result<void> TeamClient::open_readers_and_writers(Link& l) const {
   const Entity& p = l.participant;
   const std::string match = match_partition(request_.match_id);
@@ -81,6 +92,7 @@ Result<void> TeamClient::open_readers_and_writers(Link& l) const {
   return keep(l.match_subscriber, make_subscriber(p, match))
       .and_then([&] { return keep(l.team_publisher, make_publisher(p, own)); })
       .and_then([&] { return keep(l.team_subscriber, make_subscriber(p, own)); })
+      .map([&] { open_thoughts(l); })
       .and_then([&] { return topic(l.state_topic, mirocup_v3_WorldState_desc, idl::world_state); })
       .and_then([&] { return topic(l.event_topic, mirocup_v3_MatchEvent_desc, idl::match_event); })
       .and_then([&] { return topic(l.hello_topic, mirocup_v3_Hello_desc, idl::hello); })
@@ -213,6 +225,18 @@ void TeamClient::send_hello() {
   hello.nonce = link_.nonce;
   copy_text(hello.name, request_.name);
   dds_write(link_.hello_writer.get(), &hello);
+}
+
+bool TeamClient::keeps_thoughts() const {
+  dds_publication_matched_status_t readers{};
+  return dds_get_publication_matched_status(link_.thoughts_writer.get(), &readers) ==
+             DDS_RETCODE_OK &&
+         readers.current_count > 0;
+}
+
+void TeamClient::think(ThoughtsSample& thoughts, std::uint32_t tick) {
+  const mirocup_v3_Thoughts& sample = thoughts.stamped(request_.team, tick, link_.nonce);
+  dds_write(link_.thoughts_writer.get(), &sample);
 }
 
 void TeamClient::send(const match::Command& command, std::uint32_t tick) {

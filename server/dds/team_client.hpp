@@ -10,6 +10,7 @@
 
 #include "server/dds/convert.hpp"
 #include "server/dds/domain.hpp"
+#include "server/dds/thoughts_sample.hpp"
 #include "server/dds/wall_time.hpp"
 
 #include <cassert>
@@ -59,6 +60,13 @@ class TeamClient {
   }
   int robots() const { return briefing().field->robots_per_team; }  // of each team
 
+  // True if the match keeps what the team draws. It is false for a moment after Seated, at most.
+  bool keeps_thoughts() const;
+
+  // Sends what the team drew for the state of `tick`; before the answer, so that it is there when
+  // the match goes on. A sample that is lost is not sent again.
+  void think(ThoughtsSample& thoughts, std::uint32_t tick);
+
   // Answers the state of `tick`, which must be the last one that wait() returned.
   void send(const match::Command& command, std::uint32_t tick);
 
@@ -72,6 +80,7 @@ class TeamClient {
     Entity match_subscriber, team_publisher, team_subscriber;
     Entity state_topic, event_topic, hello_topic, welcome_topic, command_topic;
     Entity state_reader, event_reader, hello_writer, welcome_reader, command_writer;
+    Entity thoughts_topic, thoughts_writer;  // none if the team's credentials do not allow them
     Entity waitset;
     std::uint64_t nonce = 0;
     std::uint64_t leg = 0;  // of the last Welcome; 0: there was none
@@ -82,6 +91,7 @@ class TeamClient {
       : request_(std::move(request)), domain_(std::move(domain)) {}
   Result<void> connect();
   Result<void> open_readers_and_writers(Link& link) const;
+  static void open_thoughts(Link& link);
   std::optional<News> poll();
   std::optional<News> take_welcome();
   std::optional<News> take_event();

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstdio>
+#include <span>
 
 // The connection that a caller of the C interface holds.
 struct mirocup_connection {
@@ -16,6 +17,8 @@ struct mirocup_connection {
   mirocup_setup setup{};
   mirocup_observation observation{};
   std::optional<mirocup::match::PlacementRequest> poses;  // for the answer to the present tick
+  mirocup::dds::ThoughtsSample drawn;                     // for the present tick
+  bool keeps_thoughts = false;                            // what is drawn is sent
   mirocup::match::ByTeam<std::int32_t> score{};
   std::string text;
   bool is_finished = false;  // `text` says how the match ended
@@ -34,6 +37,44 @@ double own_default(void*, const char*, double fallback) {
   return fallback;
 }
 
+// Puts a shape into the sample of the present tick, if the match keeps what is drawn.
+void draw(void* host, match::ThoughtKind kind, const char* layer, std::uint32_t colour,
+          std::span<const double> numbers, const char* text = nullptr) {
+  auto& c = *static_cast<mirocup_connection*>(host);
+  if (!c.keeps_thoughts) return;
+  c.drawn.add({.kind = kind,
+               .colour = colour,
+               .layer = layer == nullptr ? "" : layer,
+               .numbers = numbers,
+               .text = text == nullptr ? "" : text});
+}
+
+void draw_line(void* host, const char* layer, std::uint32_t colour, double x1, double y1, double x2,
+               double y2) {
+  const double numbers[] = {x1, y1, x2, y2};
+  draw(host, match::ThoughtKind::line, layer, colour, numbers);
+}
+
+void draw_circle(void* host, const char* layer, std::uint32_t colour, double x, double y,
+                 double radius) {
+  const double numbers[] = {x, y, radius};
+  draw(host, match::ThoughtKind::circle, layer, colour, numbers);
+}
+
+void draw_polygon(void* host, const char* layer, std::uint32_t colour, const double* points,
+                  std::int32_t corners) {
+  const bool is_one = points != nullptr && corners >= 3 &&
+                      corners <= static_cast<std::int32_t>(match::max_polygon_corners);
+  const std::size_t numbers = is_one ? 2 * static_cast<std::size_t>(corners) : 0;
+  draw(host, match::ThoughtKind::polygon, layer, colour, {points, numbers});
+}
+
+void draw_text(void* host, const char* layer, std::uint32_t colour, double x, double y,
+               const char* text) {
+  const double numbers[] = {x, y};
+  draw(host, match::ThoughtKind::text, layer, colour, numbers, text);
+}
+
 // Stores one kind of news in the connection and returns its number in team.h.
 struct Receive {
   mirocup_connection& c;
@@ -42,12 +83,19 @@ struct Receive {
   std::int32_t operator()(const Seated&) const {
     c.setup = abi::to_setup(c.client->briefing());
     c.setup.log = write_line;
+    c.setup.host = &c;
     c.setup.parameter = own_default;
+    c.setup.draw_line = draw_line;
+    c.setup.draw_circle = draw_circle;
+    c.setup.draw_polygon = draw_polygon;
+    c.setup.draw_text = draw_text;
     return MIROCUP_TEAM_SEATED;
   }
   std::int32_t operator()(const match::Snapshot& scene) const {
     c.observation = abi::to_observation(match::observe(scene, c.team, c.client->robots()));
     c.poses.reset();
+    c.drawn.clear();
+    c.keeps_thoughts = c.client->keeps_thoughts();
     return MIROCUP_TEAM_TICK;
   }
   std::int32_t operator()(const MatchOver& over) const {
@@ -127,7 +175,10 @@ void mirocup_team_place(mirocup_connection* connection, const mirocup_placement*
 void mirocup_team_send(mirocup_connection* connection, const mirocup_command* command) {
   mirocup::match::Command answer = mirocup::abi::to_command(*command);
   answer.placement = connection->poses;
-  connection->client->send(answer, connection->observation.tick);
+  const std::uint32_t tick = connection->observation.tick;
+  if (!connection->drawn.is_empty()) connection->client->think(connection->drawn, tick);
+  connection->drawn.clear();
+  connection->client->send(answer, tick);
 }
 
 const char* mirocup_team_text(mirocup_connection* connection) {

@@ -35,9 +35,9 @@ MatrixXd inverse_of(MatrixXd information) {
   return information.ldlt().solve(MatrixXd::Identity(information.rows(), information.cols()));
 }
 
-// Returns the covariance of the free unknowns, in their order: as the camera's noise has it, widened
-// where windows differ by more than that (White 1980). They do where a slide or a hit begins a
-// little before or after the simulated one.
+// Returns the covariance of the free unknowns, in their order: as the camera's noise has it, and
+// wider where windows differ by more than that (White 1980). They do where a slide or a hit begins
+// a little before or after the simulated one.
 MatrixXd covariance_of(const Fit& fit) {
   MatrixXd covariance = inverse_of(fit.information());
   const MatrixXd between = covariance * fit.scatter() * covariance;
@@ -157,8 +157,8 @@ Estimate interval_of(const Fit::Profile& p) {
   return {value, end(0, 1), end(last, -1)};
 }
 
-// Returns by how much an interval must be wider than the rise of the cost says, since windows differ
-// by more than noise: 1 or more. Of a cost c - 2 s (v - value) + h (v - value)^2 in each window the
+// Returns by how much an interval must be wider than the rise of the cost says, since windows
+// differ by more than noise: 1 or more. Of a cost c - 2 s (v - value) + h (v - value)^2 in each window the
 // square of s should be h in the mean; the difference between the ends of the interval shows s.
 double widening_of(const Fit::Profile& p, const Estimate& interval) {
   const auto at = [&](const std::vector<double>& costs, double value) {

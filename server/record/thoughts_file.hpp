@@ -9,15 +9,19 @@
 #include "core/match/thought.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
+
+struct ZSTD_CCtx_s;
 
 namespace mirocup::record {
 
 // Returns the path of a team's thoughts: NAME.blue.thoughts.zst beside NAME.json.
 std::string thoughts_path(const std::string& record_path, Team team);
 
-// Collects the thoughts of one team in a leg.
+// Collects the thoughts of one team in a leg. They are packed while they come, so that a leg needs
+// no room for all of them.
 class ThoughtsWriter {
  public:
   // Adds a shape of a tick, unless the leg has max_thought_bytes already. Numbers are written to
@@ -30,11 +34,21 @@ class ThoughtsWriter {
   // Returns how many shapes of the leg were left out so far.
   std::uint64_t left_out() const { return left_out_; }
 
-  // Returns the bytes of the file. If something was left out, the last line is a text that says so.
+  // Ends the file and returns its bytes. If something was left out, the last line is a text that
+  // says so. Nothing can be added afterwards.
   std::string packed();
 
  private:
-  std::string lines_;
+  struct Free {
+    void operator()(ZSTD_CCtx_s* packer) const;
+  };
+
+  void pack(bool is_end);
+
+  std::string lines_;     // that are not packed yet
+  std::size_t size_ = 0;  // bytes of all lines
+  std::string packed_;
+  std::unique_ptr<ZSTD_CCtx_s, Free> packer_;  // null before the first lines are packed
   std::uint32_t last_tick_ = 0;
   std::uint64_t left_out_ = 0;
 };

@@ -215,6 +215,8 @@ void add_running(CLI::App& app, Action& action) {
                    "r3, or k1 of a knockout (default: the last round that was played)");
   show->add_option("--at", show.options->at,
                    "where to listen (default: this host only, any free port)");
+  show->add_option("--at-once", show.options->at_once, "number of legs side by side: 1, 2 or 4")
+      ->check(CLI::IsMember({1, 2, 4}));
 
   LeagueSubcommand files(app, action, "export", "Write table, legs and bracket as files",
                          run_export);
@@ -557,7 +559,7 @@ const system::CommandHelp help_of_commands[] = {
      to_show,
      {"mirocup league serve spring --at 8080",
       "mirocup league serve spring --hand-in --at 0.0.0.0:8443 --tls cert.pem key.pem"}},
-    {"show", to_show, {"mirocup league show spring --round r3"}},
+    {"show", to_show, {"mirocup league show spring --round r3 --at-once 2"}},
     {"publish", to_show, {"mirocup league publish spring"}},
     {"stats", to_show, {"mirocup league stats spring --csv"}},
     {"export", to_show, {"mirocup league export spring -o tables"}},

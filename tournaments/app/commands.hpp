@@ -78,6 +78,7 @@ struct ShowOptions {
   std::string folder;
   std::string round;     // its key, as in "r3"; "": the last one of which a leg was played
   std::string at = "0";  // [HOST:]PORT
+  int at_once = 1;       // legs side by side
 };
 Result<int> run_show(const ShowOptions& options);
 

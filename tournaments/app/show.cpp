@@ -36,7 +36,7 @@ Result<int> run_show(const ShowOptions& options) {
   if (!store) return tl::unexpected(store.error());
   system::ProcessSet interrupts;  // must exist before the first thread starts
   const std::string key = secret();
-  auto round = ShownRound::of(disk, *store, options.round, key);
+  auto round = ShownRound::of(disk, *store, options.round, key, options.at_once);
   if (!round) return tl::unexpected(round.error());
   const auto server = web::SiteServer::open(
       *address, "--at",

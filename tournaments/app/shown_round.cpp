@@ -24,7 +24,8 @@ namespace {
 
 constexpr const char* show_policy =
     "default-src 'none'; style-src 'self' 'unsafe-inline'; script-src 'self'; connect-src 'self'";
-constexpr std::array<std::string_view, 4> known_commands{"toggle", "skip", "slower", "faster"};
+constexpr std::array<std::string_view, 7> known_commands{"toggle", "skip", "slower", "faster",
+                                                         "one",    "two",  "four"};
 constexpr std::array<std::string_view, 3> modules{"field.js", "text.js", "track.js"};
 
 // Returns the number in a path like "/legs/12.json"; nothing if it is another path.
@@ -69,8 +70,8 @@ web::Page text_page(std::string type, std::string bytes) {
 }  // namespace
 
 Result<ShownRound> ShownRound::of(system::Files& files, const LeagueStore& store,
-                                  const std::string& round, std::string key) {
-  ShownRound shown(files, std::move(key));
+                                  const std::string& round, std::string key, int at_once) {
+  ShownRound shown(files, std::move(key), at_once);
   if (auto read = shown.read(store, round); !read) return tl::unexpected(read.error());
   return shown;
 }
@@ -143,7 +144,8 @@ std::optional<web::Page> ShownRound::page(const std::string& path) {
   if (path == "/programme.json") {
     Json legs = Json::array();
     for (const Leg& leg : legs_) legs.push_back(leg.about);
-    return text_page("application/json", record::json_text({{"round", title_}, {"legs", legs}}));
+    return text_page("application/json",
+                     record::json_text({{"round", title_}, {"at_once", at_once_}, {"legs", legs}}));
   }
   // Asked for at the end only: the pairs of a knockout tell who has won.
   if (path == "/next.json") return text_page("application/json", record::json_text(Json(next_)));

@@ -23,10 +23,11 @@ namespace mirocup::league {
 class ShownRound {
  public:
   // `round` is its key ("r3", "k1"); "": the last round of which a leg was played. `key` is the
-  // secret of the remote. Errors: Errc::input if there is no such round, or no leg of it has a
+  // secret of the remote. `at_once`: number of legs side by side, until the remote says another.
+  // Errors: Errc::input if there is no such round, or no leg of it has a
   // record.
   static Result<ShownRound> of(system::Files& files, const LeagueStore& store,
-                               const std::string& round, std::string key);
+                               const std::string& round, std::string key, int at_once);
 
   // The functions of web::Site.
   std::optional<web::Page> page(const std::string& path);
@@ -42,12 +43,14 @@ class ShownRound {
     std::string record;  // path
   };
 
-  ShownRound(system::Files& files, std::string key) : files_(&files), key_(std::move(key)) {}
+  ShownRound(system::Files& files, std::string key, int at_once)
+      : files_(&files), key_(std::move(key)), at_once_(at_once) {}
   Result<void> read(const LeagueStore& store, const std::string& round);
   std::optional<web::Page> leg(std::size_t index);
 
   system::Files* files_;
   std::string key_;
+  int at_once_;
   std::string league_;
   std::string title_;
   std::vector<Leg> legs_;

@@ -164,6 +164,10 @@ std::optional<web::Reply> Portal::answer(const web::Request& request, const web:
     return page_reply(refusal->status, log_in_page(error.value("error", "")));
   }
   const Visitor& known = std::get<Visitor>(who);
+  if (const std::string team = request.asked("team"); known.is_staff && !team.empty()) {
+    return is_good_name(team) ? staff_.legs_of(team, options_.legs(team))
+                              : problem_reply(404, "there is no such team");
+  }
   if (known.is_staff) return staff_.page(number_of(request.asked("done")).value_or(0));
   if (is_replay)
     return friendlies_->show(known.team, std::string_view(path).substr(replays_path.size()));

@@ -22,6 +22,9 @@ constexpr const char* staff_policy =
     "default-src 'none'; style-src 'self'; script-src 'self'; form-action 'self'; base-uri 'none'; "
     "frame-ancestors 'none'";
 
+// Where the staff finds the legs of a team: its name follows.
+const std::string staff_legs_path = "/hand-in?team=";
+
 using Form = std::map<std::string, std::string>;
 
 // Decodes the values of a form (application/x-www-form-urlencoded).
@@ -198,7 +201,9 @@ void teams_table(Html& html, const LeagueFile& file, const std::vector<RosterRow
   html.row("th", {"Team", "Name", "Members", "Handed in", "State", "Plays with", "Answer"});
   for (const RosterRow& row : rows) {
     html.open("tr");
-    html.cell("th", row.team);
+    html.open("th");
+    html.link(staff_legs_path + row.team, row.team);
+    html.close("th");
     html.cell("td", row.people.display);
     html.cell_of("small", joined_with(row.people.members, "; "));
     html.cell("td", row.handed_in.empty() ? "" : shown_time(file, row.handed_in));
@@ -336,6 +341,35 @@ web::Reply StaffDesk::page(int done, const std::string& said, int status) const 
   next_card(html, "Decisions");
   decisions_list(html, state, done);
   return staff_reply(status, desk_page("Staff", html));
+}
+
+web::Reply StaffDesk::legs_of(const std::string& team, const std::vector<OwnLeg>& legs) const {
+  Html html;
+  html.raw("<p><a href=\"/hand-in\">Back to the staff page</a></p>\n");
+  if (legs.empty()) html.cell("p", "No leg of it is decided, or there is no such team.");
+  html.open_table();
+  html.row("th", {"Leg", "Opponent", "Result", "Replay", "Log", "Own fault"});
+  for (auto leg = legs.rbegin(); leg != legs.rend(); ++leg) {
+    html.open("tr");
+    html.cell("th", leg->fixture + ", leg " + std::to_string(leg->leg));
+    html.cell("td", leg->opponent);
+    html.cell("td", std::to_string(leg->goals) + " : " + std::to_string(leg->against));
+    if (leg->record.empty()) {
+      html.cell("td", "");
+      html.cell("td", "");
+    } else {
+      const std::string name = name_of_leg(*leg);
+      const bool is_drawn =
+          record::has_thoughts(files_, folder_.path + "/" + leg->record, record::of_both);
+      html.link_cell(std::string(own_replays_path) + name + ".html?team=" + team,
+                     is_drawn ? "replay with thoughts" : "replay");
+      html.link_cell("/api/v1/legs/" + name + "/log?team=" + team, "log");
+    }
+    html.cell_of("small", leg->own_fault.value_or(""));
+    html.close("tr");
+  }
+  html.close_table();
+  return staff_reply(200, desk_page("Legs of " + team, html));
 }
 
 web::Reply StaffDesk::act(const std::string& form) const {

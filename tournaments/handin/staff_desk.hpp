@@ -8,11 +8,13 @@
 #pragma once
 
 #include "server/web/request.hpp"
+#include "tournaments/handin/own_legs.hpp"
 #include "tournaments/league/folder.hpp"
 
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace mirocup::league {
 
@@ -24,6 +26,10 @@ class StaffDesk {
   // Returns the page. `done` is the number of a decision that was just written, or 0; `said` a
   // sentence that stands on top, and `status` that of the reply.
   web::Reply page(int done = 0, const std::string& said = "", int status = 200) const;
+
+  // Returns the page of a team's legs, which links to their replays with what both teams drew, and
+  // to what the team printed. `legs` are those of the team.
+  web::Reply legs_of(const std::string& team, const std::vector<OwnLeg>& legs) const;
 
   // Performs what a form of the page asks for: the body as a browser sends it.
   web::Reply act(const std::string& form) const;

@@ -138,9 +138,11 @@ Json worth_values(const Overview& o) {
   return legs;
 }
 
-Json bests_values(const Overview& o) {
+Json bests_values(const Overview& o, const LegReports& reports) {
   Json bests = Json::array();
-  for (const Best& best : bests_of(o)) {
+  std::vector<Best> all = bests_of(o);
+  if (auto keeper = best_goalkeeper(o, reports)) all.push_back(*std::move(keeper));
+  for (const Best& best : all) {
     bests.push_back({{"title", best.title},
                      {"value", best.value},
                      {"who", best.who},
@@ -223,7 +225,7 @@ std::string front_html(const SiteContent& c) {
   values["chart"] = strength_picture(o, c.history, no_team);
   values["worth"] = worth_values(o);
   values["statistics"] = statistics_html(o, c.reports);
-  values["bests"] = bests_values(o);
+  values["bests"] = bests_values(o, c.reports);
   values["filter"] = filter_values(o);
   const bool has_all = o.state.legs() <= max_front_legs;
   Json rounds = Json::array();

@@ -85,7 +85,10 @@ constexpr std::array<Column, 11> columns{{
     {"Legs", [](const TeamTotals& t) { return std::to_string(t.legs); }},
     {"Shots", [](const TeamTotals& t) { return std::to_string(t.own.shots); }},
     {"On goal", [](const TeamTotals& t) { return std::to_string(t.own.shots_on_goal); }},
-    {"Saves", [](const TeamTotals& t) { return std::to_string(t.own.saves); }},
+    {"Saves",
+     [](const TeamTotals& t) {
+       return std::to_string(t.own.saves) + " of " + std::to_string(t.against.shots_on_goal);
+     }},
     {"Passes", [](const TeamTotals& t) { return std::to_string(t.own.passes); }},
     {"Interceptions", [](const TeamTotals& t) { return std::to_string(t.own.interceptions); }},
     {"Possession",
@@ -229,6 +232,25 @@ Result<LegReports> all_statistics(system::Files& files, const Folder& folder,
     reports[places[i]] = *std::move(report);
   }
   return reports;
+}
+
+std::optional<Best> best_goalkeeper(const Overview& o, const LegReports& reports) {
+  const std::vector<TeamTotals> totals = statistics::totals_of(reports);
+  std::optional<Best> best;
+  double highest = -1.0;
+  for (const TeamTotals& t : totals) {
+    const auto team = o.state.find_team(t.name);
+    const int shots = t.against.shots_on_goal;
+    if (!team || shots < least_shots) continue;
+    const double share = static_cast<double>(t.own.saves) / shots;
+    if (share <= highest) continue;
+    highest = share;
+    best = Best{
+        "Best goalkeeper", statistics::percent(share), o.state.shown_name(*team),
+        "saved " + std::to_string(t.own.saves) + " of " + std::to_string(shots) + " shots on goal",
+        team_page_of(t.name)};
+  }
+  return best;
 }
 
 std::string statistics_html(const Overview& o, const LegReports& reports) {

@@ -7,9 +7,11 @@
 
 #include "server/statistics/report.hpp"
 #include "tournaments/league/folder.hpp"
+#include "tournaments/publish/bests.hpp"
 #include "tournaments/publish/leg_view.hpp"
 #include "tournaments/publish/site_file.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,11 @@ LegReports kept_statistics(system::Files& files, const Folder& folder, const Lea
 // of statistics::count_record().
 Result<LegReports> all_statistics(system::Files& files, const Folder& folder,
                                   const LeagueState& state);
+
+// The team whose robots kept out the greatest share of the shots on their goal, as a record of the
+// league; nothing if no team has had least_shots of them.
+inline constexpr int least_shots = 10;
+std::optional<Best> best_goalkeeper(const Overview& overview, const LegReports& reports);
 
 // The part of the league's page: each team over all its legs; "" if nothing has been counted.
 std::string statistics_html(const Overview& overview, const LegReports& reports);

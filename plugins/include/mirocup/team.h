@@ -16,6 +16,9 @@
  * team that is started again in the middle of a match opens the same match in a new process, which
  * gets the seat once the old process has been silent for a moment.
  *
+ * What a program draws with the functions of its setup (strategy.h, "Thoughts") before the answer
+ * to a tick is in the replay of `mirocup match --thoughts`.
+ *
  * A connection may be used by one thread at a time, and a process may have one connection at a
  * time. Texts and structures that it returns stay valid until the next call with the same
  * connection. team.hpp is a C++ layer on top of this header.

@@ -97,6 +97,9 @@ TEST(Thoughts, HaveABoundInEachTick) {
 // all, and one that plays otherwise when it is watched.
 TEST(Thoughts, OfHouseTeamsTellTheirPlansAndChangeNothing) {
   const std::map<std::string, std::set<std::string>> layers{
+      {"keeper", {"roles", "shots", "targets"}},
+      {"chaser", {"roles", "shots", "targets"}},
+      {"striker", {"roles", "shots", "targets"}},
       {"navigator", {"roles", "shots", "targets"}},
       {"tactician", {"roles", "shots", "targets"}},
       {"planner", {"expected attacker", "expected ball", "roles", "shots", "targets", "values"}}};

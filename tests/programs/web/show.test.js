@@ -12,7 +12,7 @@ import { closeBrowser, folder, inAllViews, mirocup, openPage, readJson, run, vio
 const league = join(folder, 'shown');
 let projector;
 let remote;
-let server;
+const servers = [];
 
 before(async () => {
   writeFileSync(`${league}.json`, JSON.stringify({
@@ -24,7 +24,17 @@ before(async () => {
   }));
   run('league', 'init', league, '--config', `${league}.json`);
   run('league', 'start', league);
-  server = spawn(mirocup, ['league', 'show', league, '--round', 'k1']);
+  [projector, remote] = await show();
+});
+after(() => {
+  for (const server of servers) server.kill('SIGTERM');
+  return closeBrowser();
+});
+
+// Starts a show of the first round. Returns the addresses of the projector and of the remote.
+async function show(...more) {
+  const server = spawn(mirocup, ['league', 'show', league, '--round', 'k1', ...more]);
+  servers.push(server);
   const text = await new Promise((resolve) => {
     let all = '';
     server.stdout.on('data', (part) => {
@@ -32,12 +42,10 @@ before(async () => {
       if (all.split('\n').length > 2) resolve(all);
     });
   });
-  [projector, remote] = text.trim().split('\n');
-});
-after(() => {
-  server.kill('SIGTERM');
-  return closeBrowser();
-});
+  return text.trim().split('\n');
+}
+
+const legsOfRound = () => readJson(join(league, 'site', 'legs.json')).legs.filter((leg) => leg.fixture.startsWith('k1'));
 
 const post = (body) => fetch(new URL('/control', projector), { method: 'POST', body });
 
@@ -50,7 +58,7 @@ test('only the address with the key controls the show', async () => {
 });
 
 test('a round is shown to its end, and nothing is told beforehand', async () => {
-  const legs = readJson(join(league, 'site', 'legs.json')).legs.filter((leg) => leg.fixture.startsWith('k1'));
+  const legs = legsOfRound();
   const page = await openPage(`${projector}?speed=16`, undefined, { reducedMotion: 'reduce' });
   await page.locator('#standing tr[data-name]').first().waitFor({ state: 'attached' });
   const table = () => page.locator('#standing tr[data-name]').evaluateAll((rows) => rows.map((row) => row.dataset));
@@ -75,6 +83,59 @@ test('a round is shown to its end, and nothing is told beforehand', async () => 
   await page.waitForFunction(() => document.body.classList.contains('over'));
   assert.match(await page.locator('#title').textContent(), /is over/);
   assert.deepEqual(page.problems, []);
+});
+
+// The scores of the panels, as "t0 3 : 1 t2".
+const scores = (page) => page.locator('.panel').evaluateAll((panels) => panels.map((panel) => ['.name.blue', '.score', '.name.yellow']
+  .map((part) => panel.querySelector(part).textContent).join(' ')));
+
+// Catches panels that share a clock, a score or a goal, a group that ends with its first leg, and a table before all are over.
+test('four legs are shown at once, and then two', async () => {
+  const legs = legsOfRound();
+  assert.ok(legs.length >= 4);
+  const [url, remoteUrl] = await show('--at-once', '4');
+  const page = await openPage(`${url}?speed=16`, undefined, { reducedMotion: 'reduce' });
+  await page.waitForFunction(() => document.getElementById('tempo').textContent === 'held · 16 × · 4 at once');
+  const hand = await openPage(remoteUrl, { width: 390, height: 844 });
+  await hand.locator('button', { hasText: 'Start' }).click();
+  await page.locator('#heading', { hasText: `legs 1 to 4 of ${legs.length}` }).waitFor();
+  assert.equal(await page.locator('.pair').count(), 4);
+  assert.equal(await page.locator('.panel').count(), 0, 'no score before the legs');
+  await hand.locator('button', { hasText: 'Skip' }).click();
+  await page.locator('.panel').nth(3).waitFor();
+  const boxes = await page.locator('.panel').evaluateAll((panels) => panels.map((panel) => panel.getBoundingClientRect().toJSON()));
+  assert.equal(new Set(boxes.map(({ x }) => x)).size, 2);
+  assert.equal(new Set(boxes.map(({ y }) => y)).size, 2);
+  assert.ok(boxes.every(({ bottom }) => bottom <= 800), 'all of it is on the projector');
+  // The legs play to their own ends, with their goals shown again.
+  const whens = () => page.locator('.panel .when').allTextContents();
+  await page.waitForFunction(() => document.querySelector('.flag.again:not([hidden])'));
+  await page.waitForFunction(() => [...document.querySelectorAll('.panel .when')].every(({ textContent }) => !/half/i.test(textContent)));
+  assert.equal((await whens()).length, 4);
+  const programme = (await (await fetch(new URL('/programme.json', url))).json()).legs;
+  const expected = legs.slice(0, 4).map(({ home, score }, i) => {
+    const { blue, yellow } = programme[i];
+    const [ofBlue, ofYellow] = blue === home ? [score.home, score.away] : [score.away, score.home];
+    return `${blue} ${ofBlue} : ${ofYellow} ${yellow}`;
+  });
+  assert.deepEqual((await scores(page)).map((text) => text.trim()), expected);
+  await page.locator('#standing').waitFor();
+  assert.match(await page.locator('#standing h2').textContent(), /After leg 4/);
+  assert.deepEqual(page.problems, []);
+  await page.close();
+
+  // Another number counts for what comes next, and what is skipped ends in all panels.
+  const again = await openPage(`${url}?speed=0.5`, undefined, { reducedMotion: 'reduce' });
+  await again.locator('#standing tr[data-name]').first().waitFor({ state: 'attached' });
+  await again.keyboard.press('2');
+  await again.keyboard.press(' ');
+  await again.locator('#heading', { hasText: `legs 1 to 2 of ${legs.length}` }).waitFor();
+  await hand.locator('button', { hasText: 'Skip' }).click();
+  await again.locator('.panel').nth(1).waitFor();
+  await hand.locator('button', { hasText: 'Skip' }).click();
+  await again.waitForFunction(() => [...document.querySelectorAll('.panel .when')].every(({ textContent }) => !/half/i.test(textContent)));
+  assert.deepEqual((await scores(again)).map((text) => text.trim()), expected.slice(0, 2));
+  await again.close();
 });
 
 test('axe finds nothing on the show and its remote', async () => {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The show: announces each leg of a round, plays it from its record, shows each goal once more, and
-// then what it changes in the table. What is still to come is not in the page before its turn.
+// then what it changes in the table; or two or four legs side by side. What is still to come is not in
+// the page before its turn.
 import { FieldView } from '/page/field.js';
 import { element, minutes, words } from '/page/text.js';
 import { Track, unpack } from '/page/track.js';
@@ -17,13 +18,18 @@ const speeds = [0.5, 1, 2, 4, 8, 16];
 
 const by = (id) => document.getElementById(id);
 const asked = Number(new URLSearchParams(location.search).get('speed'));
-const state = { isHeld: true, isSkipped: false, speed: asked > 0 ? asked : 1 };
+const state = { isHeld: true, isSkipped: false, speed: asked > 0 ? asked : 1, atOnce: 1 };
 
 function showTempo() {
-  by('tempo').textContent = `${state.isHeld ? 'held · ' : ''}${state.speed} ×`;
+  const several = state.atOnce > 1 ? ` · ${state.atOnce} at once` : '';
+  by('tempo').textContent = `${state.isHeld ? 'held · ' : ''}${state.speed} ×${several}`;
 }
 
+// How many legs are shown at once counts from the next ones on.
 const commands = {
+  one() { state.atOnce = 1; },
+  two() { state.atOnce = 2; },
+  four() { state.atOnce = 4; },
   toggle() { state.isHeld = !state.isHeld; },
   skip() { state.isSkipped = true; state.isHeld = false; },
   faster() { state.speed = speeds.find((speed) => speed > state.speed) ?? state.speed; },
@@ -90,32 +96,43 @@ function placeOf(name) {
   return row ? `${name}: rank ${row.dataset.rank}, ${row.dataset.points} points` : name;
 }
 
-function announce(heading, leg) {
+function announce(heading, legs) {
   by('heading').textContent = heading;
-  by('pair').textContent = leg ? `${leg.blue} – ${leg.yellow}` : '';
-  by('places').textContent = leg ? `${placeOf(leg.blue)} · ${placeOf(leg.yellow)}` : '';
+  by('pairs').replaceChildren(...legs.flatMap((leg) => [
+    element('p', 'pair', `${leg.blue} – ${leg.yellow}`),
+    element('p', 'places', `${placeOf(leg.blue)} · ${placeOf(leg.yellow)}`),
+  ]));
+  by('pairs').dataset.pairs = legs.length;
   showOnly('card');
 }
 
-function flag(text, cssClass) {
-  by('flag').hidden = !text;
-  by('flag').textContent = text;
-  by('flag').className = cssClass ?? '';
-}
-
-class LegShow {
+// One leg in a panel of its own. advance() is called for each picture; a goal stops the leg until it
+// was shown again, and the other panels go on.
+class LegPanel {
   constructor(data) {
     this.data = data;
     this.names = { blue: data.teams.blue.name, yellow: data.teams.yellow.name };
     this.track = new Track(data.period);
     unpack(data.track.packed, data.track.frames, 3 + 6 * data.robots).forEach((frame, tick) => this.track.add(tick, frame));
-    by('field').replaceChildren(...parsed(data.picture).childNodes);
-    this.field = new FieldView(by('field').querySelector('svg'));
+    this.panel = by('panel').content.firstElementChild.cloneNode(true);
+    this.panel.setAttribute('aria-label', `${this.names.blue} – ${this.names.yellow}`);
+    this.part('picture').replaceChildren(...parsed(data.picture).childNodes);
+    this.field = new FieldView(this.part('picture').querySelector('svg'));
     this.end = this.track.lastTick * data.period;
     this.goals = data.decisions.filter((call) => call.decision === 'GOAL');
-    by('blue').textContent = this.names.blue;
-    by('yellow').textContent = this.names.yellow;
-    this.show(0);
+    this.part('name.blue').textContent = this.names.blue;
+    this.part('name.yellow').textContent = this.names.yellow;
+    this.time = 0;  // s, of the leg
+    this.phase = 'play';
+    this.show();
+  }
+
+  part(cssClass) {
+    return this.panel.querySelector(`.${cssClass}`);
+  }
+
+  get isOver() {
+    return this.phase === 'over';
   }
 
   momentAt(time) {
@@ -123,76 +140,122 @@ class LegShow {
     return this.data.moments.findLast((moment) => moment.tick <= tick) ?? this.data.moments[0];
   }
 
-  show(time, score) {
-    const moment = this.momentAt(time);
-    const scene = this.field.show(this.track, time, moment.left);
+  show(score) {
+    const moment = this.momentAt(this.time);
+    const scene = this.field.show(this.track, this.time, moment.left);
     const shown = score ?? moment.score;
-    by('score').textContent = `${shown.blue} : ${shown.yellow}`;
-    by('when').textContent = `${words(moment.phase)} ${minutes(scene.clock)}`;
+    this.part('score').textContent = `${shown.blue} : ${shown.yellow}`;
+    this.part('when').textContent = `${words(moment.phase)} ${minutes(scene.clock)}`;
   }
 
-  // Plays the seconds at a speed, which may change meanwhile.
-  run(from, to, speed, score) {
-    let time = from;
-    return during((passed) => {
-      time = Math.min(time + passed * speed(), to);
-      this.show(time, score);
-      return time >= to;
-    });
+  flag(text, cssClass = '') {
+    const flag = this.part('flag');
+    flag.hidden = !text;
+    flag.textContent = text;
+    flag.className = `flag ${cssClass}`;
   }
 
-  async showGoal(goal) {
-    const at = goal.tick * this.data.period;
+  advance(passed) {
+    if (this.phase === 'play') this.#play(passed);
+    else if (this.phase === 'goal') this.#announceGoal(passed);
+    else if (this.phase === 'again') this.#showAgain(passed);
+    return this.isOver;
+  }
+
+  #play(passed) {
+    const goal = this.goals[0];
+    const until = goal ? goal.tick * this.data.period : this.end;
+    this.time = Math.min(this.time + passed * state.speed, until);
+    this.show();
+    if (this.time < until) return;
+    if (!goal) {
+      this.showResult();
+      return;
+    }
     const team = goal.gainer ?? goal.team;
-    const after = this.momentAt(at + 2 * this.data.period).score;
-    this.show(at, after);
-    flag(`Goal · ${this.names[team]}${goal.own_goal ? ' (own goal)' : ''}`, team);
-    if (await wait(flagSeconds)) {
-      flag('Once more', 'again');
-      await this.run(Math.max(at - againBefore, 0), Math.min(at + againAfter, this.end), () => againSpeed, after);
-    }
-    flag('');
+    this.after = this.momentAt(until + 2 * this.data.period).score;
+    this.left = flagSeconds;
+    this.phase = 'goal';
+    this.show(this.after);
+    this.flag(`Goal · ${this.names[team]}${goal.own_goal ? ' (own goal)' : ''}`, team);
   }
 
-  async play() {
-    let from = 0;
-    for (const goal of this.goals) {
-      const at = goal.tick * this.data.period;
-      if (!await this.run(from, at, () => state.speed)) return;
-      await this.showGoal(goal);
-      from = at;
-    }
-    await this.run(from, this.end, () => state.speed);
+  #announceGoal(passed) {
+    this.left -= passed;
+    if (this.left > 0) return;
+    this.time = Math.max(this.time - againBefore, 0);
+    this.phase = 'again';
+    this.flag('Once more', 'again');
+  }
+
+  #showAgain(passed) {
+    const at = this.goals[0].tick * this.data.period;
+    const until = Math.min(at + againAfter, this.end);
+    this.time = Math.min(this.time + passed * againSpeed, until);
+    this.show(this.after);
+    if (this.time >= until) this.leaveGoal();
+  }
+
+  // Goes on after a goal. Returns false if none is shown.
+  leaveGoal() {
+    if (this.phase !== 'goal' && this.phase !== 'again') return false;
+    this.time = this.goals.shift().tick * this.data.period;
+    this.phase = 'play';
+    this.flag('');
+    return true;
   }
 
   showResult() {
     const { score, end, fault } = this.data.result;
-    this.show(this.end, score);
-    by('when').textContent = words(end) + (fault ? ` · ${this.names[fault.team]}: ${fault.text}` : '');
+    this.phase = 'over';
+    this.time = this.end;
+    this.flag('');
+    this.show(score);
+    this.part('when').textContent = words(end) + (fault ? ` · ${this.names[fault.team]}: ${fault.text}` : '');
   }
 }
 
-async function playLeg(leg, number, count) {
-  announce(`Next, leg ${number} of ${count}: ${leg.where}`, leg);
-  const loading = load(leg.data).then((answer) => answer.json());
+// Plays all panels at once until each leg is over. What is skipped is the goal that is shown again,
+// if there is one panel, and otherwise the rest of the legs.
+async function playPanels(panels) {
+  const step = (passed) => panels.map((panel) => panel.advance(passed)).every((isOver) => isOver);
+  while (!await during(step)) {
+    if (panels.length === 1 && panels[0].leaveGoal()) continue;
+    for (const panel of panels) panel.showResult();
+    return;
+  }
+}
+
+// Shows the legs, of which the first one is that number of the round.
+async function playLegs(legs, number, count) {
+  const last = number + legs.length - 1;
+  const which = legs.length === 1 ? `leg ${number} of ${count}: ${legs[0].where}` : `legs ${number} to ${last} of ${count}`;
+  announce(`Next, ${which}`, legs);
+  const loading = Promise.all(legs.map(async (leg) => (await load(leg.data)).json()));
   await wait(announceSeconds);
-  const show = new LegShow(await loading);
+  const panels = (await loading).map((data) => new LegPanel(data));
+  by('leg').replaceChildren(...panels.map(({ panel }) => panel));
+  by('leg').dataset.panels = panels.length;
   showOnly('leg');
-  await show.play();
-  flag('');
-  show.showResult();
+  await playPanels(panels);
   await wait(resultSeconds);
-  await loadStanding(number);
+  await loadStanding(last);
   showOnly('standing');
   await wait(tableSeconds);
 }
 
 async function run() {
   const programme = await (await load('/programme.json')).json();
+  state.atOnce = programme.at_once;
   await loadStanding(0);
   showTempo();
   await during(() => true);
-  for (const [i, leg] of programme.legs.entries()) await playLeg(leg, i + 1, programme.legs.length);
+  const { legs } = programme;
+  for (let shown = 0; shown < legs.length;) {
+    const next = legs.slice(shown, shown + state.atOnce);
+    await playLegs(next, shown + 1, legs.length);
+    shown += next.length;
+  }
   document.body.classList.add('over');
   by('title').textContent = `${programme.round} is over`;
   const next = await (await load('/next.json')).json();
@@ -201,7 +264,7 @@ async function run() {
 
 by('begin').addEventListener('click', () => obey('toggle'));
 document.addEventListener('keydown', (event) => {
-  const command = { ' ': 'toggle', n: 'skip', '+': 'faster', '-': 'slower' }[event.key];
+  const command = { ' ': 'toggle', n: 'skip', '+': 'faster', '-': 'slower', 1: 'one', 2: 'two', 4: 'four' }[event.key];
   if (!command || event.ctrlKey || event.altKey || event.metaKey) return;
   event.preventDefault();
   obey(command);

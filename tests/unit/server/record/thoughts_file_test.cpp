@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <memory>
+#include <zstd.h>
 
 namespace mirocup::record {
 namespace {
@@ -63,6 +65,45 @@ TEST(ThoughtsFile, RefusesOtherBytes) {
   EXPECT_EQ(unpacked_thoughts(whole.substr(0, whole.size() / 2), "x.zst").error().code,
             Errc::damaged);
   EXPECT_TRUE(unpacked_thoughts(ThoughtsWriter().packed(), "x.zst").value().empty());
+}
+
+// A long leg is packed in parts, and the file does not say how long its text is. Catches a file
+// that is cut, has something behind its end, or unpacks to more than a leg can have.
+TEST(ThoughtsFile, OfALongLegIsReadToItsEndAndNoFurther) {
+  ThoughtsWriter writer;
+  const double numbers[] = {0.1, 0.2, 0.3, 0.4};
+  constexpr std::uint32_t ticks = 20'000;
+  for (std::uint32_t tick = 0; tick < ticks; ++tick) writer.add(tick, line_with(numbers));
+  const std::string whole = writer.packed();
+  const std::string lines = unpacked_thoughts(whole, "x.zst").value();
+  EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), ticks);
+  EXPECT_TRUE(lines.ends_with("[0.1,0.2,0.3,0.4]}\n"));
+  for (const std::size_t size : {whole.size() - 1, whole.size() / 2, std::size_t{10}}) {
+    EXPECT_FALSE(unpacked_thoughts(whole.substr(0, size), "x.zst")) << size;
+  }
+  EXPECT_FALSE(unpacked_thoughts(whole + "x", "x.zst"));
+  EXPECT_FALSE(unpacked_thoughts(whole + whole, "x.zst"));
+
+  const std::unique_ptr<ZSTD_CCtx, std::size_t (*)(ZSTD_CCtx*)> packer(ZSTD_createCCtx(),
+                                                                       ZSTD_freeCCtx);
+  const std::string zeros(1 << 20, '\0');
+  std::string bomb;
+  for (int i = 0; i <= 40; ++i) {
+    std::string part(ZSTD_compressBound(zeros.size()), '\0');
+    ZSTD_inBuffer in{zeros.data(), zeros.size(), 0};
+    ZSTD_outBuffer out{part.data(), part.size(), 0};
+    ZSTD_compressStream2(packer.get(), &out, &in, i < 40 ? ZSTD_e_flush : ZSTD_e_end);
+    bomb.append(part, 0, out.pos);
+  }
+  EXPECT_FALSE(unpacked_thoughts(bomb, "x.zst"));
+}
+
+// Catches a version that cannot read the thoughts of the version before.
+TEST(ThoughtsFile, IsReadIfItIsPackedAtOnce) {
+  const std::string lines(300'000, 'x');
+  std::string bytes(ZSTD_compressBound(lines.size()), '\0');
+  bytes.resize(ZSTD_compress(bytes.data(), bytes.size(), lines.data(), lines.size(), 1));
+  EXPECT_EQ(unpacked_thoughts(bytes, "x.zst").value(), lines);
 }
 
 }  // namespace

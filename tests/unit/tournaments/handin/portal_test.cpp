@@ -488,8 +488,13 @@ TEST_F(Desk, ShowsTheThoughtsOfOwnLegsOnly) {
         "/hand-in/replays/r1-f1-1-1.blue.thoughts.zst", "/hand-in/replays/r1-f1-1-2.html"}) {
     EXPECT_EQ(ask(api(strange, alpha_)).status, 404) << strange;
   }
-  const std::string page = ask(with(get("/hand-in"), "cookie", log_in(alpha_))).bytes;
-  EXPECT_NE(page.find("href=\"" + path), std::string::npos);
+  web::Request desk = with(get("/hand-in"), "cookie", log_in(alpha_));
+  EXPECT_NE(ask(desk).bytes.find("href=\"" + path), std::string::npos);
+  // The staff's page of a team's legs is for no team, not even for this one.
+  desk = with(get("/hand-in"), "cookie", log_in(beta_));
+  desk.query.emplace("team", "alpha");
+  EXPECT_NE(ask(desk).bytes.find("<h1>beta</h1>"), std::string::npos);
+  EXPECT_EQ(ask(desk).bytes.find("r1-f1-1-1"), std::string::npos);
 }
 
 TEST_F(Desk, EndsATokenAtOnce) {

@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 namespace mirocup::league {
 namespace {
 
@@ -38,7 +40,9 @@ class StaffPage : public testing::Test {
     EXPECT_TRUE(write_tokens(disk_, folder_, list));
     PortalOptions options;
     options.now = [] { return moment; };
-    options.legs = [](const std::string&) { return std::vector<OwnLeg>(); };
+    options.legs = [this](const std::string& team) {
+      return team == "alpha" ? legs_ : std::vector<OwnLeg>();
+    };
     options.why_not = [](const std::string&, const std::string&) { return std::string(); };
     portal_ = std::move(*Portal::open(disk_, folder_, std::move(options), nullptr));
   }
@@ -64,6 +68,7 @@ class StaffPage : public testing::Test {
   system::Disk disk_;
   Folder folder_{temporary_ / "l"};
   std::string alpha_, staff_, fixture_;
+  std::vector<OwnLeg> legs_;  // of alpha
   std::unique_ptr<Portal> portal_;
 };
 
@@ -97,6 +102,37 @@ TEST_F(StaffPage, DecidesWithAReasonAndTakesBack) {
   EXPECT_EQ(act("act=undo&decision=1&reason=again&go=do").status, 400);
   const auto state = LeagueStore::open(disk_, folder_).value().state();
   EXPECT_FALSE(state.fixtures[0].legs[0].played);
+}
+
+// Catches a page that leaves the staff to write the address of a replay by hand, one that promises
+// thoughts which were not kept.
+TEST_F(StaffPage, LinksToTheThoughtsOfEachTeam) {
+  legs_.resize(2);
+  for (OwnLeg& leg : legs_) {
+    leg.opponent = "beta";
+    leg.colour = "yellow";
+  }
+  legs_[0].record = "records/one.json";
+  legs_[1].record = "records/two.json";
+  std::filesystem::create_directories(folder_.path + "/records");
+  ASSERT_TRUE(disk_.write(folder_.path + "/records/two.blue.thoughts.zst", "beta's"));
+  EXPECT_NE(ask("GET", "/hand-in", staff_).bytes.find("href=\"/hand-in?team=alpha\""),
+            std::string::npos);
+  const auto legs_of = [this](const std::string& team, const std::string& token) {
+    web::Request request{.method = "GET", .path = "/hand-in", .address = "10.0.0.1"};
+    request.headers.emplace("authorization", "Bearer " + token);
+    request.query.emplace("team", team);
+    return *portal_->answer(request, [](const auto& take) { return take(std::string_view()); });
+  };
+  const std::string page = legs_of("alpha", staff_).bytes;
+  const auto link = [](const std::string& leg, const std::string& text) {
+    return "href=\"/hand-in/replays/" + leg + ".html?team=alpha\">" + text + "<";
+  };
+  EXPECT_NE(page.find(link("one", "replay")), std::string::npos) << page;
+  EXPECT_NE(page.find(link("two", "replay with thoughts")), std::string::npos) << page;
+  EXPECT_NE(page.find("href=\"/api/v1/legs/two/log?team=alpha\""), std::string::npos) << page;
+  EXPECT_NE(legs_of("beta", staff_).bytes.find("No leg of it is decided"), std::string::npos);
+  EXPECT_EQ(legs_of("\"><script>", staff_).status, 404);
 }
 
 TEST_F(StaffPage, KnowsEachActThatItOffers) {

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+//
+// What a team draws in one tick, as a sample of the topic "Thoughts": how a team's process fills
+// one, and how the match server reads one.
+#pragma once
+
+#include "core/field/team.hpp"
+#include "core/match/thought.hpp"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <mirocup.h>
+
+namespace mirocup::dds {
+
+// A sample with room for all shapes of a tick. It cannot be copied or moved: the sample points into
+// this object.
+class ThoughtsSample {
+ public:
+  ThoughtsSample();
+  ThoughtsSample(const ThoughtsSample&) = delete;
+  ThoughtsSample& operator=(const ThoughtsSample&) = delete;
+
+  // Adds a shape. One that is not complete or not finite, or for which there is no room, is left
+  // out and counted. Of its layer the first max_layer_name bytes are kept.
+  void add(const match::Thought& thought);
+
+  bool is_empty() const { return sample_.shapes._length == 0 && sample_.left_out == 0; }
+  void clear();
+
+  // Returns the sample, to be written as the thoughts of this team's process in a tick. It is valid
+  // until the next call.
+  const mirocup_v3_Thoughts& stamped(Team team, std::uint32_t tick, std::uint64_t nonce);
+
+ private:
+  mirocup_v3_Thoughts sample_{};
+  std::array<mirocup_v3_Shape, match::max_thoughts> shapes_;
+  std::array<double, match::max_thought_numbers> numbers_;
+  std::size_t text_ = 0;  // bytes that are used of the sample's text
+};
+
+// Calls `use` with each shape of a sample that a stranger may have written. Returns false, without
+// a call, if the sample contradicts itself.
+bool for_each_thought(const mirocup_v3_Thoughts& sample,
+                      const std::function<void(const match::Thought&)>& use);
+
+}  // namespace mirocup::dds
