@@ -208,10 +208,10 @@ void add_match(CLI::App& app, Run& run) {
   command
       ->add_option("--join-within", o.join_within, "Seconds that a DDS team has to join the match")
       ->capture_default_str();
-  command
-      ->add_option("--away-limit", o.away_limit,
-                   "Seconds that a DDS team may be absent from the match in total")
-      ->capture_default_str();
+  command->add_option(
+      "--away-limit", o.away_limit,
+      "Seconds that a DDS team may be absent from the match in total, and that a firasim "
+      "team may say nothing; 10 without it, and 30 with --lockstep");
   command
       ->add_option("--credentials", o.credentials,
                    "Folder with the server's credentials; then only teams of the league can join")
