@@ -11,10 +11,6 @@
 #define _copysign copysign
 #define _chgsign(x) (-(x))
 #define _logb logb
-#define _j0 j0
-#define _j1 j1
-#define _y0 y0
-#define _y1 y1
 #define _controlfp(a, b) 0u
 #define _control87(a, b) 0u
 #define _clearfp() 0u

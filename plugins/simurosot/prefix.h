@@ -74,8 +74,8 @@
 #define main mirocup_simurosot_main
 
 /* What a project of Visual C++ 6 for a library defined. */
-#define WIN32
-#define _WINDOWS
+#define WIN32 1
+#define _WINDOWS 1
 
 #include "microsoft.h"
 

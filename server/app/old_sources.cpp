@@ -219,6 +219,20 @@ Result<std::string> header_of(const std::string& folder, const Folder& all,
                                others.front() + "; name the folder of one of them");
 }
 
+// The sources that define the function which the platform calls in every tick.
+std::vector<std::string> with_entry(const std::map<std::string, std::string>& sources,
+                                    const std::string& style) {
+  const std::string name = style == "v5"        ? "GetInstruction"
+                           : style == "restart" ? "RunStrategy"
+                                                : "Strategy";
+  const std::regex definition("\\b" + name + "[ \t\r\n]*\\([^;{()]*\\)[ \t\r\n]*\\{");
+  std::vector<std::string> paths;
+  for (const auto& [path, code] : sources) {
+    if (std::regex_search(code, definition)) paths.push_back(path);
+  }
+  return paths;
+}
+
 }  // namespace
 
 Result<OldSources> find_old_sources(const std::string& folder) {
@@ -259,6 +273,10 @@ Result<OldSources> find_old_sources(const std::string& folder) {
   team.style = any_has("GetInstruction")    ? "v5"
                : any_has("SetFormerRobots") ? "restart"
                                             : "classic";
+  if (const auto entries = with_entry(compiled, team.style); entries.size() > 1) {
+    return fail(Errc::input, folder + ": " + entries[0] + " and " + entries[1] +
+                                 " both define what the platform calls; take one of them away");
+  }
   for (const auto& [path, code] : all->code) {
     if (is_header(path)) compiled.emplace(path, code);
   }

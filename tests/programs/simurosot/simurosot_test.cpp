@@ -394,8 +394,8 @@ TEST(Simurosot, BuildsAnUntidyFolder) {
   EXPECT_GT(result["score"]["blue"], 0);
 }
 
-// Catches a folder of two teams that is taken for one, and a project that names files which are not
-// there.
+// Catches a folder of two teams that is taken for one, a copy of a source that is built in its place,
+// and a project that names files which are not there.
 TEST(Simurosot, SaysWhichOfTwoTeamsItCannotTell) {
   const TemporaryFolder folder;
   const std::string sample = MIROCUP_SOURCE_FOLDER "/plugins/simurosot/samples/classic/";
@@ -410,6 +410,13 @@ TEST(Simurosot, SaysWhichOfTwoTeamsItCannotTell) {
       run({program("mirocup"), "new", folder / "x", "--from-simurosot", folder / "old"});
   EXPECT_EQ(both.exit_code, 2);
   EXPECT_NE(both.err.find("more than one team"), std::string::npos) << both.err;
+  write_file(folder / "old/blue/Copy of Strategy.cpp", read_file(folder / "old/blue/Strategy.cpp"));
+  const Outcome copy =
+      run({program("mirocup"), "new", folder / "x", "--from-simurosot", folder / "old/blue"});
+  EXPECT_EQ(copy.exit_code, 2);
+  EXPECT_NE(copy.err.find("Copy of Strategy.cpp and Strategy.cpp both define"), std::string::npos)
+      << copy.err;
+  std::filesystem::remove(folder / "old/blue/Copy of Strategy.cpp");
   write_file(folder / "old/blue/Old.vcproj", "<File RelativePath=\".\\Lost.cpp\">");
   EXPECT_EQ(run({program("mirocup"), "new", folder / "y", "--from-simurosot", folder / "old/blue"})
                 .exit_code,

@@ -20,3 +20,9 @@ int f()
          + (int)y1 + unix +
          linux + and + or + not + own.time + (int)trunc(M_PI) + isinf(INFINITY);
 }
+#ifdef _y1
+#error as a parameter, "y1 = _y1" would do nothing
+#endif
+#if !WIN32
+#error
+#endif
