@@ -394,8 +394,8 @@ TEST(Simurosot, BuildsAnUntidyFolder) {
   EXPECT_GT(result["score"]["blue"], 0);
 }
 
-// Catches a folder of two teams that is taken for one, a copy of a source that is built in its place,
-// and a project that names files which are not there.
+// Catches a folder of two teams that is taken for one, a copy of a source that is built in place of
+// the source, and a project that names files which are not there.
 TEST(Simurosot, SaysWhichOfTwoTeamsItCannotTell) {
   const TemporaryFolder folder;
   const std::string sample = MIROCUP_SOURCE_FOLDER "/plugins/simurosot/samples/classic/";
