@@ -273,10 +273,7 @@ Result<OldSources> find_old_sources(const std::string& folder) {
   team.style = any_has("GetInstruction")    ? "v5"
                : any_has("SetFormerRobots") ? "restart"
                                             : "classic";
-  if (const auto entries = with_entry(compiled, team.style); entries.size() > 1) {
-    return fail(Errc::input, folder + ": " + entries[0] + " and " + entries[1] +
-                                 " both define what the platform calls; take one of them away");
-  }
+  const auto entries = with_entry(compiled, team.style);
   for (const auto& [path, code] : all->code) {
     if (is_header(path)) compiled.emplace(path, code);
   }
@@ -290,6 +287,12 @@ Result<OldSources> find_old_sources(const std::string& folder) {
   });
   auto header = header_of(folder, *all, headers, team.sources);
   if (!header) return tl::unexpected(header.error());
+  if (entries.size() > 1) {
+    return fail(
+        Errc::input,
+        folder + ": " + entries[0] + " and " + entries[1] +
+            " both define what the platform calls; take one of them away, or name its folder");
+  }
   team.header = std::move(*header);
   return team;
 }
