@@ -79,11 +79,12 @@ function(mirocup_simurosot_team)
   set(forward ${CMAKE_CURRENT_BINARY_DIR}/${team_NAME}_forward/for/the/names/of/windows)
   file(REMOVE_RECURSE ${CMAKE_CURRENT_BINARY_DIR}/${team_NAME}_forward)
   file(MAKE_DIRECTORY ${forward})
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${header} ${sources})
   execute_process(COMMAND "${kit}/forward.sh" ${forward} "${kit}/stand_in" "${CMAKE_BINARY_DIR}" "${root}" ${folders}
     COMMAND_ERROR_IS_FATAL ANY)
 
   # The team's own sources, by the rules of their time; then the adapter, which knows both sides.
-  set(flags -include ${kit}/prefix.h -fpermissive -w -fno-strict-aliasing -fwrapv -O1)
+  set(flags -include ${kit}/prefix.h -fpermissive -w -fno-strict-aliasing -fwrapv -fno-operator-names -O1)
   string(REGEX REPLACE "[^0-9]" "" standard "${team_STANDARD}")
   include(CheckCXXCompilerFlag)
   check_cxx_compiler_flag(-ftrivial-auto-var-init=zero MIROCUP_ZERO_LOCALS)
@@ -112,7 +113,11 @@ function(mirocup_simurosot_team)
 
   add_library(${team_NAME} MODULE ${kit}/runtime.cpp $<TARGET_OBJECTS:${old}> $<TARGET_OBJECTS:${adapter}>)
   # An old team is never told that the match is over, so what it has opened and registered outlives it: it stays loaded.
-  target_link_options(${team_NAME} PRIVATE LINKER:-z,nodelete LINKER:--version-script=${kit}/exports.map LINKER:--allow-multiple-definition
-    LINKER:--wrap=malloc LINKER:--wrap=fopen LINKER:--wrap=fclose LINKER:--wrap=time LINKER:--wrap=clock LINKER:-z,defs)
+  target_link_options(${team_NAME} PRIVATE LINKER:-z,nodelete LINKER:--version-script=${kit}/exports.map
+    LINKER:--allow-multiple-definition LINKER:-z,defs)
+  foreach(name malloc fopen freopen fclose time clock feof ferror fflush fgetc getc fgets fread fwrite fputc putc fputs fseek ftell
+      rewind fprintf vfprintf fscanf __isoc99_fscanf)
+    target_link_options(${team_NAME} PRIVATE LINKER:--wrap=${name})
+  endforeach()
   set_target_properties(${team_NAME} PROPERTIES PREFIX "" CXX_STANDARD 20 UNITY_BUILD OFF MIROCUP_NOT_SANITIZED ON)
 endfunction()

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 #
 # Windows is blind to the case of file names and takes \ for /. For each name that the sources of an old team include and that Linux
-# would not find, this makes a file of that very name which leads to the one that is meant: the team's own, or a stand-in.
+# would not find, this makes a file of that very name which leads to the one that is meant: the team's own, or a stand-in. One more
+# file, which the prefix of all sources includes, gives other names to what the team calls like a function of the C library.
 #
 # forward.sh FORWARD STAND_IN SKIP ROOT FOLDER...: writes below FORWARD; looks for the team's files below ROOT, but not in SKIP; FOLDERs
 # are those where the compiler looks anyway.
@@ -12,7 +13,8 @@ shift 4
 files=$(mktemp) || exit 1
 trap 'rm -f "$files" "$files.wanted"' EXIT
 system=" assert.h ctype.h errno.h float.h limits.h math.h memory.h malloc.h signal.h stdarg.h stddef.h stdint.h stdio.h stdlib.h string.h time.h \
-algorithm cmath cstdio cstdlib cstring ctime deque fstream iomanip iostream list map queue set sstream stack string utility vector "
+algorithm cmath cstdio cstdlib cstring ctime deque fstream functional iomanip iostream limits list map numeric queue set sstream stack \
+string utility vector "
 
 lower() {
   printf %s "$1" | LC_ALL=C tr A-Z a-z
@@ -22,6 +24,17 @@ find "$root" -maxdepth 6 -path "$skip" -prune -o -type f -print | LC_ALL=C grep 
 # What a line of the sources includes, as it is written there. The last line of a file may have no end, which awk gives it.
 tr '\n' '\0' <"$files" | LC_ALL=C xargs -0 awk 1 | LC_ALL=C tr '\r' '\n' |
   LC_ALL=C sed -nE 's/^[ \t]*#[ \t]*(include|import)[ \t]*["<]([^">]*)[">].*/\2/p' | LC_ALL=C sort -u >"$files.wanted"
+
+# Headers of Microsoft's that one of the stand-ins is enough for.
+stand_in_for() {
+  case $1 in
+  afx*.h | atl*.h) echo "$stand_in/afxwin.h" ;;
+  ws2*.h | wsock*.h | mswsock.h) echo "$stand_in/winsock2.h" ;;
+  new.h) echo "$stand_in/stdafx.h" ;;
+  win*.h | mm*.h | comm*.h | shell*.h | ole*.h | obj*.h | wtypes.h | tlhelp32.h | psapi.h | share.h | dos.h | values.h | comdef.h | \
+    basetsd.h | intrin.h | resource.h) echo "$stand_in/windows.h" ;;
+  esac
+}
 
 while IFS= read -r wanted; do
   plain=$(printf %s "$wanted" | tr '\\' / | sed 's://*:/:g')
@@ -36,21 +49,46 @@ while IFS= read -r wanted; do
   done
   [ -z "$found" ] || continue
   small=$(lower "$name")
-  real=$(LC_ALL=C awk -v name="$small" '{ n = tolower($0); sub(/.*\//, "", n); if (n == name) { print; exit } }' "$files")
+  # Of files of one name, the one in folders of the same names.
+  real=$(lower "$plain" | LC_ALL=C awk '
+    NR == FNR { name = wanted = $0; sub(/.*\//, "", name); sub(/^(\.*\/)*/, "/", wanted); next }
+    { n = tolower($0); end = substr(n, length(n) - length(wanted) + 1); sub(/.*\//, "", n) }
+    n == name && (first == "" || (end == wanted && !is_best)) { first = $0; is_best = end == wanted }
+    END { print first }' - "$files")
   if [ -z "$real" ]; then
     [ ! -f "$stand_in/$wanted" ] || continue
     [ ! -f "$stand_in/$small" ] || real=$stand_in/$small
+    [ -n "$real" ] || real=$(stand_in_for "$small")
   fi
   line="#include \"$real\""
   if [ -z "$real" ]; then
     case $system in
     *" $small "*) [ "$small" != "$wanted" ] || continue ;;
-    *) continue ;;
+    *) [ "$plain" != "$wanted" ] || continue ;;
     esac
-    line="#include <$small>"
+    line="#include <$(lower "$plain")>"
   fi
   case $wanted in
   */*) mkdir -p "$forward/${wanted%/*}" ;;
   esac
   printf '%s\n' "$line" >"$forward/$wanted"
 done <"$files.wanted"
+
+# Names of the team's own. The C++ headers that it includes are read before: they, and the team's own macros, may have such names, too.
+names=$(tr '\n' '\0' <"$files" | LC_ALL=C xargs -0 awk -f "${0%/*}/own_names.awk")
+own=$forward/mirocup_own_names.h
+: >"$own"
+has_macros=$(tr '\n' '\0' <"$files" | LC_ALL=C xargs -0 grep -laE '^[ 	]*#[ 	]*define[ 	]+[a-z_]+\(' | head -n 1) || true
+if [ -n "$names$has_macros" ]; then
+  while IFS= read -r wanted; do
+    case $system in
+    *" $wanted "*) printf '#include <%s>\n' "$wanted" >>"$own" ;;
+    esac
+  done <"$files.wanted"
+fi
+printf '%s\n' "$names" | while read -r kind name; do
+  case $kind in
+  function) printf '#define %s mirocup_own_%s\n' "$name" "$name" >>"$own" ;;
+  macro) printf '#undef %s\n' "$name" >>"$own" ;;
+  esac
+done

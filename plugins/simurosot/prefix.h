@@ -5,72 +5,78 @@
 #ifndef MIROCUP_SIMUROSOT_PREFIX_H
 #define MIROCUP_SIMUROSOT_PREFIX_H
 
+/* Keywords. */
 #define __declspec(x)
+#define _declspec(x)
 #define __cdecl
 #define __stdcall
 #define __fastcall
+#define __thiscall
 #define _cdecl
 #define _stdcall
+#define _fastcall
 #define __int64 long long
+#define _int64 long long
+#define __int32 int
+#define __int16 short
+#define __int8 char
 #define __forceinline inline
+#define _inline inline
+#define __unaligned
+#define __noop ((void)0)
+#define __debugbreak() ((void)0)
+#define __assume(x) ((void)0)
+#define __FUNCSIG__ __PRETTY_FUNCTION__
+#define __try try
+/* clang-format off */
+#define __except(x) catch (...)
+/* clang-format on */
+#define __finally \
+  catch (...) {   \
+  }
 #define _CRT_SECURE_NO_WARNINGS
 
+#include <assert.h>
+#include <ctype.h>
 #include <errno.h>
+#include <float.h>
+#include <limits.h>
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <time.h>
+#include <wchar.h>
+
+/* Read before names of theirs mean others. */
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
 #ifndef M_PI
 #define M_PI 3.14159265358979323846
 #endif
 
-#define _isnan(x) __builtin_isnan(x)
-#define _finite(x) __builtin_isfinite(x)
-#define _hypot hypot
-#define _copysign copysign
-#define _snprintf snprintf
-#define _stricmp strcasecmp
-#define stricmp strcasecmp
-#define _strdup strdup
-#define scanf_s scanf
-#define sscanf_s sscanf
-#define fscanf_s fscanf
-#define fprintf_s fprintf
-#define printf_s printf
-#define localtime_s(out, in) localtime_r((in), (out))
-
-#ifdef __cplusplus
-#include <stdarg.h>
-#include <strings.h>
-static inline int fopen_s(FILE** file, const char* name, const char* mode) {
-  *file = fopen(name, mode);
-  return *file != 0 ? 0 : errno;
-}
-static inline int sprintf_s(char* to, size_t size, const char* format, ...) {
-  va_list words;
-  va_start(words, format);
-  const int written = vsnprintf(to, size, format, words);
-  va_end(words);
-  return written;
-}
-template <size_t size>
-static inline int sprintf_s(char (&to)[size], const char* format, ...) {
-  va_list words;
-  va_start(words, format);
-  const int written = vsnprintf(to, size, format, words);
-  va_end(words);
-  return written;
-}
-static inline int strcpy_s(char* to, size_t size, const char* from) {
-  snprintf(to, size, "%s", from);
-  return 0;
-}
-template <size_t size>
-static inline int strcpy_s(char (&to)[size], const char* from) {
-  snprintf(to, size, "%s", from);
-  return 0;
-}
+/* Names of the team's own that the C library here has and Microsoft's has not: forward.sh. */
+#if __has_include("mirocup_own_names.h")
+#include "mirocup_own_names.h"
 #endif
+
+/* g++ defines them, and they are good names for variables. */
+#undef linux
+#undef unix
+#undef i386
+
+/* Only a program has a main function; a library that has one keeps it for itself. */
+#define main mirocup_simurosot_main
+
+/* What a project of Visual C++ 6 for a library defined. */
+#define WIN32 1
+#define _WINDOWS 1
+
+#include "microsoft.h"
 
 #endif

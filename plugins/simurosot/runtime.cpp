@@ -6,6 +6,7 @@
 // Old teams read memory that they have not written and seed their random numbers by the clock. With
 // this their legs are the same ones whenever they are played.
 #include <cerrno>
+#include <cstdarg>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -48,11 +49,67 @@ FILE* __wrap_fopen(const char*, const char* mode) {
   return fopencookie(nullptr, "w", functions);
 }
 
-int __real_fclose(FILE* file);
+// It would close the stream that it cannot open anew.
+FILE* __wrap_freopen(const char*, const char*, FILE* stream) {
+  return stream;
+}
 
-// Some close a file that they could not open.
+// Some close, read and write a file that they could not open: it is one at its end.
+int __real_fclose(FILE* file);
 int __wrap_fclose(FILE* file) {
   return file != nullptr ? __real_fclose(file) : EOF;
+}
+
+#define MIROCUP_IF_OPEN(type, name, parameters, arguments, otherwise) \
+  type __real_##name parameters;                                      \
+  type __wrap_##name parameters {                                     \
+    return file != nullptr ? __real_##name arguments : otherwise;     \
+  }
+MIROCUP_IF_OPEN(int, feof, (FILE * file), (file), 1)
+MIROCUP_IF_OPEN(int, ferror, (FILE * file), (file), 0)
+MIROCUP_IF_OPEN(int, fflush, (FILE * file), (file), 0)
+MIROCUP_IF_OPEN(int, fgetc, (FILE * file), (file), EOF)
+MIROCUP_IF_OPEN(int, getc, (FILE * file), (file), EOF)
+MIROCUP_IF_OPEN(char*, fgets, (char* to, int size, FILE* file), (to, size, file), nullptr)
+MIROCUP_IF_OPEN(size_t, fread, (void* to, size_t size, size_t count, FILE* file),
+                (to, size, count, file), 0)
+MIROCUP_IF_OPEN(size_t, fwrite, (const void* from, size_t size, size_t count, FILE* file),
+                (from, size, count, file), 0)
+MIROCUP_IF_OPEN(int, fputc, (int c, FILE* file), (c, file), EOF)
+MIROCUP_IF_OPEN(int, putc, (int c, FILE* file), (c, file), EOF)
+MIROCUP_IF_OPEN(int, fputs, (const char* text, FILE* file), (text, file), EOF)
+MIROCUP_IF_OPEN(int, fseek, (FILE * file, long to, int from), (file, to, from), -1)
+MIROCUP_IF_OPEN(long, ftell, (FILE * file), (file), 0)
+MIROCUP_IF_OPEN(int, vfprintf, (FILE * file, const char* form, va_list words), (file, form, words),
+                0)
+
+void __real_rewind(FILE* file);
+void __wrap_rewind(FILE* file) {
+  if (file != nullptr) __real_rewind(file);
+}
+
+int __wrap_fprintf(FILE* file, const char* form, ...) {
+  va_list words;
+  va_start(words, form);
+  const int written = __wrap_vfprintf(file, form, words);
+  va_end(words);
+  return written;
+}
+
+// The C library has it by two names, for two versions of the language.
+int __wrap_fscanf(FILE* file, const char* form, ...) {
+  va_list words;
+  va_start(words, form);
+  const int count = file != nullptr ? vfscanf(file, form, words) : EOF;
+  va_end(words);
+  return count;
+}
+int __wrap___isoc99_fscanf(FILE* file, const char* form, ...) {
+  va_list words;
+  va_start(words, form);
+  const int count = file != nullptr ? vfscanf(file, form, words) : EOF;
+  va_end(words);
+  return count;
 }
 
 time_t __wrap_time(time_t* result) {

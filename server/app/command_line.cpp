@@ -208,10 +208,10 @@ void add_match(CLI::App& app, Run& run) {
   command
       ->add_option("--join-within", o.join_within, "Seconds that a DDS team has to join the match")
       ->capture_default_str();
-  command
-      ->add_option("--away-limit", o.away_limit,
-                   "Seconds that a DDS team may be absent from the match in total")
-      ->capture_default_str();
+  command->add_option(
+      "--away-limit", o.away_limit,
+      "Seconds that a DDS team may be absent from the match in total, and that a firasim "
+      "team may say nothing; 10 without it, and 30 with --lockstep");
   command
       ->add_option("--credentials", o.credentials,
                    "Folder with the server's credentials; then only teams of the league can join")
@@ -567,7 +567,7 @@ void add_bench(CLI::App& app) {
 constexpr const char* for_teams = "A team";
 constexpr const char* after_a_leg = "After a leg";
 constexpr const char* for_leagues = "Leagues";
-constexpr const char* for_engineers = "Referee and physics";
+constexpr const char* for_engineers = "Referee, pitches and physics";
 constexpr const char* for_shells = "Shells";
 
 const system::CommandHelp help_of_commands[] = {
@@ -611,6 +611,11 @@ const system::CommandHelp help_of_commands[] = {
     {"referee",
      for_engineers,
      {"mirocup referee trace.jsonl", "mirocup referee --record leg.json --rule stalemate_s=5"}},
+    {"record-as-seen", for_engineers, {"mirocup record-as-seen leg.json -o seen.jsonl"}},
+    {"identify", for_engineers, {"mirocup identify seen.jsonl -o ours.json --page ours.html"}},
+    {"validate",
+     for_engineers,
+     {"mirocup validate seen.jsonl --pitch ours.json -o validation.html"}},
     {"scene", for_engineers, {"mirocup scene scene.json --accuracy reference -o result.json"}},
     {"bench", for_engineers, {"mirocup bench --quick"}},
     {"completion",

@@ -43,8 +43,8 @@ struct MatchOptions {
   std::string match_id = "1";
   std::string interface = "lo";
   int dds_domain = 0;
-  double join_within = 60.0;  // s that a DDS team has to join
-  double away_limit = 10.0;   // s that a DDS team may be absent in total
+  double join_within = 60.0;         // s that a DDS team has to join
+  std::optional<double> away_limit;  // s that a team on the network may be absent
   std::string credentials;
   bool hash = false;  // print the state hash, too
   // Addresses of firasim teams; "": those of the instance.

@@ -43,6 +43,11 @@ constexpr double answer_share = 0.9;
 constexpr double ticks_to_notice = 9.0;
 constexpr double min_notice = 0.1;  // s
 
+// How long a team on the network may be absent, and one that a match in lock-step waits for, s: the
+// machine may be slow, and nobody watches.
+constexpr double away_limit = 10.0;
+constexpr double lockstep_away_limit = 30.0;
+
 // The clock of a half stands at restarts. They take far less than half as much time again.
 constexpr double share_for_restarts = 1.5;
 
@@ -379,8 +384,8 @@ dds::JoinTerms Session::patience(Team team) {
   dds::JoinTerms patience;
   patience.to_join = options_.join_within;
   patience.first_tick = match_.tick();
-  patience.away = options_.away_limit;
-  patience.longest = options_.join_within + 2.0 * options_.away_limit + longest_play();
+  patience.away = options_.away_limit.value_or(away_limit);
+  patience.longest = options_.join_within + 2.0 * patience.away + longest_play();
   patience.interrupted = [this] { return interrupt_.is_asked_for(); };
   patience.tell = [](const std::string& text) {
     std::cerr << "mirocup: " << system::printable(text) << '\n';
@@ -400,16 +405,17 @@ dds::JoinTerms Session::patience(Team team) {
 firasim::Terms Session::firasim_terms(Team team) {
   firasim::Terms terms;
   terms.to_join = options_.join_within;
-  terms.away = options_.away_limit;
+  const bool is_lockstep = pacer_.period() == 0.0 || options_.lockstep;
+  terms.away = options_.away_limit.value_or(is_lockstep ? lockstep_away_limit : away_limit);
   terms.interrupted = [this] { return interrupt_.is_asked_for(); };
-  terms.why_gone = [this, team]() -> std::optional<match::Answer> {
+  terms.why_gone = [this, team](const std::string& when) -> std::optional<match::Answer> {
     auto& program = programs_[index_of(team)];
-    return program ? program->why_gone() : std::nullopt;
+    return program ? program->why_gone(when) : std::nullopt;
   };
   terms.tell = [](const std::string& text) {
     std::cerr << "mirocup: " << system::printable(text) << '\n';
   };
-  if (pacer_.period() > 0.0 && !options_.lockstep) terms.tick = answer_share * pacer_.period();
+  if (!is_lockstep) terms.tick = answer_share * pacer_.period();
   return terms;
 }
 

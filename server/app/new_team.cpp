@@ -4,6 +4,7 @@
 // old one of SimuroSot.
 #include "server/app/commands.hpp"
 #include "server/app/old_sources.hpp"
+#include "server/app/old_text.hpp"
 #include "system/files.hpp"
 #include "system/locations.hpp"
 #include "system/printable.hpp"
@@ -56,15 +57,31 @@ Result<void> write_filled(system::Disk& disk, const fs::path& file, const std::s
   return {};
 }
 
+// Copies a source of an old team, in the form that compilers of today read. Returns whether that
+// is another one.
+Result<bool> copy_source(system::Disk& disk, const fs::path& from, const fs::path& to) {
+  const auto text = disk.read(from.string(), {.max_size = system::size_limit::note});
+  if (!text) return tl::unexpected(text.error());
+  std::error_code error;
+  fs::create_directories(to.parent_path(), error);
+  if (error) return fail(Errc::unavailable, to.string() + ": " + error.message());
+  const std::string now = readable(*text);
+  if (auto written = disk.write(to.string(), now); !written) {
+    return tl::unexpected(written.error());
+  }
+  return now != *text;
+}
+
 // Makes a team of old sources, which are copied to src.
 Result<void> adopt(system::Disk& disk, const system::TeamKit& kit, const NewOptions& options,
                    const OldSources& old, Words words) {
   for (const std::string& path : old.files) {
-    const fs::path to = fs::path(options.folder) / "src" / path;
-    std::error_code error;
-    fs::create_directories(to.parent_path(), error);
-    if (!error) fs::copy_file(fs::path(options.simurosot) / path, to, error);
-    if (error) return fail(Errc::unavailable, to.string() + ": " + error.message());
+    const auto is_changed = copy_source(disk, fs::path(options.simurosot) / path,
+                                        fs::path(options.folder) / "src" / path);
+    if (!is_changed) return tl::unexpected(is_changed.error());
+    if (*is_changed) {
+      std::cout << "src/" << system::printable(path) << ": its text was made readable for g++\n";
+    }
   }
   std::string sources;
   for (const std::string& path : old.sources) sources += "\n    \"src/" + path + '"';

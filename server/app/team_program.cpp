@@ -61,21 +61,21 @@ bool TeamProgram::has_ended() {
   return true;
 }
 
-std::optional<match::Answer> TeamProgram::why_gone() {
+std::optional<match::Answer> TeamProgram::why_gone(const std::string& when) {
   if (!has_ended()) return std::nullopt;
   const std::string said = log_ == "/dev/null" ? "" : "; what it printed is in " + log_;
   const std::string what = "the team's program, " + command_ + ", ";
   if (WIFSIGNALED(status_)) {
-    return match::Fault{match::FaultCode::crash, what + "was ended by signal " +
-                                                     std::to_string(WTERMSIG(status_)) +
-                                                     " before it sent anything" + said};
+    return match::Fault{
+        match::FaultCode::crash,
+        what + "was ended by signal " + std::to_string(WTERMSIG(status_)) + " " + when + said};
   }
   const int code = WEXITSTATUS(status_);
   if (code == system::not_found || code == not_executable) {
     return match::HostFailure{what + "cannot be started" + said};
   }
-  return match::Fault{match::FaultCode::crash, what + "ended with code " + std::to_string(code) +
-                                                   " before it sent anything" + said};
+  return match::Fault{match::FaultCode::crash,
+                      what + "ended with code " + std::to_string(code) + " " + when + said};
 }
 
 void TeamProgram::let_end() {

@@ -25,9 +25,9 @@ class TeamProgram {
   TeamProgram& operator=(TeamProgram&&) = delete;
   ~TeamProgram();  // kills it, and what it has started
 
-  // Why the team will never be heard, if the program has ended: a fault of the team, or of the host
-  // if there is no such program.
-  std::optional<match::Answer> why_gone();
+  // Why the team will not be heard again, if the program has ended: a fault of the team, or of the
+  // host if there is no such program. `when` ends the sentence: "before it sent anything".
+  std::optional<match::Answer> why_gone(const std::string& when);
 
   // Gives the program a moment to end by itself, after the referee's HALT.
   void let_end();

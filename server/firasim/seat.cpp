@@ -8,16 +8,23 @@ namespace mirocup::firasim {
 
 namespace {
 
-// In lock-step: how long a team that has commanded some robots is waited for, until it is taken for
-// one that leaves the others out; and how long one that stands still before the whistle, s.
+// In lock-step a team leaves robots out if it has commanded another one three times, to copies of
+// the vision, for at least the first time (s), or not at all within the second; after so many ticks
+// of that kind it is waited for no longer than the third.
+constexpr int copies_to_tell = 3;
 constexpr double partial_patience = 0.5;
-constexpr double ready_patience = 1.0;
-// So often in a row it is waited for in vain before it is waited for no longer.
-constexpr int ready_tries = 3;
+constexpr double longest_partial_patience = 5.0;
+constexpr int partial_ticks_to_tell = 10;
+constexpr double short_partial_patience = 0.02;
+
+// In lock-step, how long a team that stands still before the whistle is waited for, s; and how
+// often in a row in vain, before it is waited for no longer.
+constexpr double ready_patience = 3.0;
+constexpr int ready_tries = 2;
 
 // How long a placement is waited for, in real time and in lock-step, s; and how often in vain.
 constexpr double placement_patience = 0.25;
-constexpr double lockstep_placement_patience = 1.0;
+constexpr double lockstep_placement_patience = 3.0;
 constexpr int placement_tries = 2;
 
 // The record lists no more.
@@ -31,8 +38,15 @@ Seat::Seat(const match::Briefing& briefing, std::string name, const Terms& terms
            std::function<void()> settle)
     : briefing_(briefing), name_(std::move(name)), terms_(terms), settle_(std::move(settle)) {}
 
+// In lock-step nobody expects to hear of a team that has answered, or has not been asked.
+double Seat::unheard_for(double now) const {
+  if (!heard_at_) return 0.0;
+  if (terms_.tick) return now - *heard_at_;
+  return has_answered_ || first_command_at_ ? 0.0 : now - asked_at_;
+}
+
 bool Seat::may_be_replaced(double now) const {
-  return heard_at_ && now - *heard_at_ >= terms_.away / 2.0;
+  return heard_at_ && unheard_for(now) >= terms_.away / 2.0;
 }
 
 bool Seat::let_in(const Endpoint& sender, double now) {
@@ -67,8 +81,7 @@ void Seat::take(const Packet& packet, double now) {
     } else {
       ever_commanded_.set(command.id);
       if (is_stale) continue;
-      if (commanded_[command.id]) ++counts_.repeated;
-      commanded_.set(command.id);
+      if (commands_[command.id]++ > 0) ++counts_.repeated;
       wheels_[command.id] = to_wheels(command.left, command.right, *briefing_.parameters);
       if (!first_command_at_) first_command_at_ = now;
     }
@@ -102,7 +115,7 @@ void Seat::ask(std::uint32_t step, bool restart, double now) {
   step_ = step;
   asked_at_ = now;
   first_command_at_.reset();
-  commanded_.reset();
+  commands_ = {};
   gave_up_ = false;
   has_answered_ = false;
   may_place_ = false;
@@ -123,31 +136,52 @@ bool Seat::awaits_commands() const {
   referee::RobotSet all;
   for (int i = 0; i < briefing_.field->robots_per_team; ++i) all.set(i);
   const referee::RobotSet awaited = only_ever_commanded_ ? ever_commanded_ : all;
-  return (awaited & ~commanded_).any();
+  return (awaited & ~commanded()).any();
+}
+
+referee::RobotSet Seat::commanded() const {
+  referee::RobotSet robots;
+  for (std::size_t i = 0; i < commands_.size(); ++i) robots[i] = commands_[i] > 0;
+  return robots;
+}
+
+bool Seat::leaves_robots_out(double now) const {
+  const double waited = now - *first_command_at_;
+  const int most = *std::max_element(commands_.begin(), commands_.end());
+  return waited >= partial_patience && most >= copies_to_tell;
 }
 
 bool Seat::awaits_placement() const {
   return may_place_ && !placement_ && !gave_up_ && !end_ && missing_placements_ < placement_tries;
 }
 
-double Seat::deadline() const {
+double Seat::deadline(double now) const {
   double wait = 0.0;
   if (awaits_placement()) {
     wait = terms_.tick ? std::max(*terms_.tick, placement_patience) : lockstep_placement_patience;
   }
   if (!awaits_commands()) return asked_at_ + wait;
   if (terms_.tick) return asked_at_ + std::max(wait, *terms_.tick);
-  double until = asked_at_ + std::max(wait, ready_patience);
-  if (observation_.state != match::State::READY) until = asked_at_ + terms_.away;
-  if (first_command_at_) until = std::min(until, *first_command_at_ + partial_patience);
-  return std::max(until, asked_at_ + wait);
+  if (first_command_at_) {
+    const bool is_habit = partial_ticks_ >= partial_ticks_to_tell;
+    const double patience = is_habit                 ? short_partial_patience
+                            : leaves_robots_out(now) ? 0.0
+                                                     : longest_partial_patience;
+    return std::max(*first_command_at_ + patience, asked_at_ + wait);
+  }
+  const bool is_ready = observation_.state == match::State::READY;
+  return asked_at_ + std::max(wait, is_ready ? ready_patience : terms_.away);
 }
 
 void Seat::give_up(double now) {
   if (gave_up_) return;
   if (awaits_placement()) ++missing_placements_;
   if (awaits_commands()) {
-    if (!terms_.tick && first_command_at_) only_ever_commanded_ = true;
+    if (!terms_.tick && first_command_at_) {
+      only_ever_commanded_ = true;
+      ever_commanded_ = commanded();
+      ++partial_ticks_;
+    }
     if (observation_.state == match::State::READY && !first_command_at_) ++silent_ready_ticks_;
   }
   const double silence = silent_for(now);
@@ -162,13 +196,14 @@ void Seat::give_up(double now) {
 
 // Before the whistle a team may well say nothing, and after its answer it has nothing to say.
 double Seat::silent_for(double now) const {
-  if (!heard_at_ || !awaits_commands() || observation_.state == match::State::READY) return 0.0;
-  return now - *heard_at_;
+  if (!awaits_commands() || observation_.state == match::State::READY) return 0.0;
+  return unheard_for(now);
 }
 
 match::Fault Seat::disconnected() const {
   return {match::FaultCode::disconnected,
-          "the team sent nothing for " + std::to_string(static_cast<int>(terms_.away)) + " s"};
+          std::string(terms_.tick ? "the team sent nothing" : "the team answered nothing") +
+              " for " + std::to_string(static_cast<int>(terms_.away)) + " s"};
 }
 
 match::Answer Seat::collect() {

@@ -24,15 +24,20 @@
 
 namespace mirocup::firasim {
 
-// The terms on which a team joins and stays; seconds of wall time.
+// The terms on which a team joins and stays; seconds of a PatientClock.
 struct Terms {
   double to_join = 60.0;  // from the opening of the server to the team's first datagram
   // The time in which a tick is answered (real time). Nothing: the match waits (lock-step).
   std::optional<double> tick;
-  double away = 10.0;  // silent for so long while play is on: the team has lost
+  // Silent for so long while play is on, the team has lost: in real time since it was last heard,
+  // in lock-step since it was asked.
+  double away = 10.0;
   std::function<bool()> interrupted = [] { return false; };
-  // Says why the team will never be heard; nothing as long as it may come.
-  std::function<std::optional<match::Answer>()> why_gone = [] { return std::nullopt; };
+  // Says why the team will not be heard again; nothing as long as it may be. The argument ends the
+  // sentence: "before it sent anything".
+  std::function<std::optional<match::Answer>(const std::string& when)> why_gone = [](auto&) {
+    return std::nullopt;
+  };
   std::function<void(const std::string&)> tell = [](auto&) {};  // gets a sentence for the host
 };
 
@@ -62,7 +67,7 @@ class Seat final : public match::Controller {
   void post(const match::Observation& observation) override;
   match::Answer collect() override;
 
-  // For the server, which receives for both seats. `now`: wall time, s.
+  // For the server, which receives for both seats. `now`: of its PatientClock, s.
   bool belongs_to(const Endpoint& sender) const { return sender_ == sender; }
   bool is_placed_by(const Endpoint& sender) const { return placer_ == sender; }
   // True if the sender steers the team, or does so from now on.
@@ -78,14 +83,14 @@ class Seat final : public match::Controller {
   bool was_heard() const { return heard_at_.has_value(); }
   bool is_satisfied() const { return !awaits_placement() && !awaits_commands(); }
   bool awaits_placement() const;
-  // Wall time at which the tick is no longer waited for.
-  double deadline() const;
+  // The time at which the tick is no longer waited for.
+  double deadline(double now) const;
   // Ends the wait for this tick.
   void give_up(double now);
   // For how long the team has been silent in play, s.
   double silent_for(double now) const;
   bool is_lost(double now) const { return silent_for(now) >= terms_.away; }
-  void end(match::Answer how) { end_ = std::move(how); }
+  void end(match::Answer how) { end_ = end_ ? std::move(end_) : std::move(how); }
   const Terms& terms() const { return terms_; }
   match::Fault disconnected() const;
 
@@ -94,6 +99,9 @@ class Seat final : public match::Controller {
 
  private:
   bool awaits_commands() const;
+  referee::RobotSet commanded() const;  // in this tick
+  bool leaves_robots_out(double now) const;
+  double unheard_for(double now) const;
   bool may_be_replaced(double now) const;
   void heard(double now);
   void note_answer(double now);
@@ -113,9 +121,10 @@ class Seat final : public match::Controller {
   bool has_answered_ = false;
 
   std::array<simulator::WheelSpeeds, max_robots_per_team> wheels_{};
-  referee::RobotSet commanded_;  // in this tick
+  std::array<int, max_robots_per_team> commands_{};  // to each robot in this tick
   referee::RobotSet ever_commanded_;
   bool only_ever_commanded_ = false;  // the team leaves robots out, and is not waited for longer
+  int partial_ticks_ = 0;             // that were given up though some robots were commanded
   int silent_ready_ticks_ = 0;        // one after the other
   int missing_placements_ = 0;        // likewise
   std::optional<TeamPlacement> placement_;  // since the last call

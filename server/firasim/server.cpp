@@ -2,7 +2,6 @@
 #include "server/firasim/server.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <poll.h>
 
@@ -25,11 +24,10 @@ constexpr double quiet = 0.03;
 constexpr double longest_drain = 0.5;
 
 constexpr double interrupt_poll = 0.1;  // s
+static_assert(interrupt_poll < PatientClock::most_at_once);
 
-double now_s() {
-  using Clock = std::chrono::steady_clock;
-  return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
-}
+// A team that has been silent for this long is looked after, s.
+constexpr double looked_after = 1.0;
 
 std::string port_of(int instance, int first) {
   return ":" + std::to_string(first + instance);
@@ -101,16 +99,17 @@ Server::Place* Server::place_of(Team team) {
 
 tl::expected<void, match::Answer> Server::wait_until_ready(const Seat& seat,
                                                            const match::Leg& leg) {
-  const double begun = now_s();
+  const double begun = clock_.now();
   double sent = 0.0;
   const Terms& terms = seat.terms();
   while (!seat.was_heard()) {
-    const double now = now_s();
+    const double now = clock_.now();
     if (terms.interrupted()) {
       return tl::unexpected<match::Answer>(
           match::HostFailure{"interrupted while a team was awaited"});
     }
-    if (auto why = terms.why_gone()) return tl::unexpected(std::move(*why));
+    if (auto why = terms.why_gone("before it sent anything"))
+      return tl::unexpected(std::move(*why));
     if (now - begun > terms.to_join) {
       return tl::unexpected<match::Answer>(
           match::Fault{match::FaultCode::start_timeout,
@@ -125,7 +124,7 @@ tl::expected<void, match::Answer> Server::wait_until_ready(const Seat& seat,
       sent = now;
     }
     wait(resend_before_play);
-    receive(now_s());
+    receive(clock_.now());
   }
   was_sent_again_ = true;  // so the first tick starts when all answers to this have come
   return {};
@@ -133,7 +132,7 @@ tl::expected<void, match::Answer> Server::wait_until_ready(const Seat& seat,
 
 void Server::publish(const match::Leg& leg) {
   drain();
-  const double now = now_s();
+  const double now = clock_.now();
   call(leg);
   const Vision vision = to_vision(leg);
   for (const Place& place : places_) place.seat->ask(vision.step, is_new_call_, now);
@@ -279,13 +278,13 @@ bool Server::take_placement(const Receiver::Datagram& datagram, double now) {
 // Commands that came too late for the last vision would be taken for answers to the next one. In
 // real time they are the newest that the team has said, and count until the next ones come.
 void Server::drain() {
-  const double begun = now_s();
+  const double begun = clock_.now();
   receive(begun);
   if (!std::exchange(was_sent_again_, false)) return;
   double heard = begun;
-  for (double now = begun; now - begun < longest_drain && now - heard < quiet; now = now_s()) {
+  for (double now = begun; now - begun < longest_drain && now - heard < quiet; now = clock_.now()) {
     wait(heard + quiet - now);
-    if (receive(now_s())) heard = now_s();
+    if (receive(clock_.now())) heard = clock_.now();
   }
 }
 
@@ -301,19 +300,19 @@ void Server::resend() {
 
 void Server::settle() {
   if (std::exchange(is_settled_, true)) return;
-  double sent = now_s();
+  double sent = clock_.now();
   while (true) {
-    const double now = now_s();
+    const double now = clock_.now();
     receive(now);
     end_the_lost(now);
     double until = now + interrupt_poll;
     bool all = true;
     for (const Place& place : places_) {
       Seat& seat = *place.seat;
-      if (!seat.is_satisfied() && now >= seat.deadline()) seat.give_up(now);
+      if (!seat.is_satisfied() && now >= seat.deadline(now)) seat.give_up(now);
       if (seat.is_satisfied()) continue;
       all = false;
-      until = std::min(until, seat.deadline());
+      until = std::min(until, seat.deadline(now));
     }
     if (all) return;
     const Terms& terms = places_.front().seat->terms();
@@ -331,15 +330,22 @@ void Server::settle() {
   }
 }
 
-// A team is lost when it has been silent for too long in play. Nobody wins who is not there
-// either: the other one is lost with it if it has been silent for half as long.
+// A team is lost when its program has ended, or when it has been silent for too long in play.
+// Nobody wins who is not there either: in real time, the other one is lost with it if it has been
+// silent for half as long. In lock-step both are asked at one moment, so both are silent alike.
 void Server::end_the_lost(double now) {
+  for (const Place& place : places_) {
+    Seat& seat = *place.seat;
+    if (seat.silent_for(now) < looked_after) continue;
+    if (auto why = seat.terms().why_gone("before the leg was over")) seat.end(std::move(*why));
+  }
   const bool any = std::any_of(places_.begin(), places_.end(),
                                [&](const Place& place) { return place.seat->is_lost(now); });
   if (!any) return;
   for (const Place& place : places_) {
     Seat& seat = *place.seat;
-    if (seat.silent_for(now) >= seat.terms().away / 2.0) seat.end(seat.disconnected());
+    const double share = seat.terms().tick ? 0.5 : 1.0;
+    if (seat.silent_for(now) >= share * seat.terms().away) seat.end(seat.disconnected());
   }
 }
 

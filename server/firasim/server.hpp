@@ -7,6 +7,7 @@
 // against an attacker who forges the addresses of datagrams on the same network.
 #pragma once
 
+#include "server/firasim/patient_clock.hpp"
 #include "server/firasim/seat.hpp"
 
 #include <memory>
@@ -70,6 +71,7 @@ class Server {
   void send_call(const RefereeCommand& command);
   Place* place_of(Team team);
 
+  PatientClock clock_;
   Sender vision_, referee_;
   Receiver commands_, placements_;
   std::vector<Place> places_;

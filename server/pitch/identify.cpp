@@ -159,7 +159,8 @@ Estimate interval_of(const Fit::Profile& p) {
 
 // Returns by how much an interval must be wider than the rise of the cost says, since windows
 // differ by more than noise: 1 or more. Of a cost c - 2 s (v - value) + h (v - value)^2 in each
-// window the square of s should be h in the mean; the difference between the ends of the interval shows s.
+// window the square of s should be h in the mean; the difference between the ends of the interval
+// shows s.
 double widening_of(const Fit::Profile& p, const Estimate& interval) {
   const auto at = [&](const std::vector<double>& costs, double value) {
     const auto above = std::lower_bound(p.values.begin() + 1, p.values.end() - 1, value);

@@ -119,7 +119,8 @@ Result<int> run_init(const LeagueOptions& options) {
   const Folder folder{options.folder};
   if (auto made = init_folder(disk, folder, *file); !made) return tl::unexpected(made.error());
   const LeagueState state = new_league(*file);
-  std::cout << folder.path << ": " << file->teams.size() << " teams, " << state.legs() << " legs\n";
+  std::cout << folder.path << ": " << file->teams.size()
+            << (file->teams.size() == 1 ? " team, " : " teams, ") << state.legs() << " legs\n";
   return exit_yes;
 }
 

@@ -1,2 +1,2 @@
 /* SPDX-License-Identifier: MIT */
-#include "windows.h"
+#include "afxwin.h"

@@ -1,3 +1,2 @@
 /* SPDX-License-Identifier: MIT */
-#include <fstream>
-using namespace std;
+#include "iostream.h"

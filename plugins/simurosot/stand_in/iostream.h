@@ -1,3 +1,32 @@
 /* SPDX-License-Identifier: MIT */
+/* What the header of this name declared, and no more: a team has names of its own. */
+#ifndef MIROCUP_SIMUROSOT_IOSTREAM_H
+#define MIROCUP_SIMUROSOT_IOSTREAM_H
+#include <fstream>
+#include <iomanip>
 #include <iostream>
-using namespace std;
+using std::cerr;
+using std::cin;
+using std::clog;
+using std::cout;
+using std::dec;
+using std::endl;
+using std::ends;
+using std::flush;
+using std::fstream;
+using std::hex;
+using std::ifstream;
+using std::ios;
+using std::iostream;
+using std::istream;
+using std::oct;
+using std::ofstream;
+using std::ostream;
+using std::resetiosflags;
+using std::setfill;
+using std::setiosflags;
+using std::setprecision;
+using std::setw;
+using std::streambuf;
+using std::ws;
+#endif

@@ -172,8 +172,8 @@ TEST(Firasim, StrangersHaveNoEffect) {
     Running team(python_team("blue"));
     Running leg({program("mirocup"), "match", "--blue", "firasim:py", "--yellow", "idle", "--rules",
                  "vsss", "--record", folder / "leg.json", "--firasim-instance", instance(),
-                 "--lockstep", "--half", wanted != nullptr ? "100" : "8", "--rule",
-                 "ready_s=0.33"});
+                 "--lockstep", "--half", wanted != nullptr ? "100" : "8", "--rule", "ready_s=0.33",
+                 "--rule", "mercy_goal_diff=0"});
     // The team has its seat before the stranger comes: a free seat is for whoever comes first.
     ASSERT_TRUE(wait_until([&] { return leg.err().find("is steered from") != std::string::npos; }));
     std::unique_ptr<Running> stranger;

@@ -181,6 +181,12 @@ TEST(CommandLine, SaysWhatWasMeant) {
   EXPECT_EQ(run({program("mirocup"), "help", "match"}).out,
             run({program("mirocup"), "match", "--help"}).out);
   EXPECT_EQ(run({program("mirocup"), "help", "league"}).exit_code, 0);
+  // A name with a colon is printed whole, and every command has a heading of its own.
+  const std::string help = run({program("mirocup"), "help", "match"}).out;
+  expect_in(help, "--firasim-command [ADDR:]PORT");
+  expect_in(help, "--firasim-instance K|auto");
+  expect_in(run({program("mirocup"), "help", "replay"}).out, "--clip FROM:TO");
+  EXPECT_EQ(run({program("mirocup"), "help"}).out.find("Subcommands:"), std::string::npos);
   EXPECT_EQ(run({program("mirocup"), "-v"}).exit_code, 0);
 }
 

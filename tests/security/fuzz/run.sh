@@ -9,7 +9,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../../.."
 seconds=${1:-600}
 shift || true
-all=(elf http journal league record replay scene trace)
+all=(elf firasim http journal league record replay scene trace)
 readers=("$@")
 [ ${#readers[@]} -gt 0 ] || readers=("${all[@]}")
 

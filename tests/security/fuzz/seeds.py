@@ -211,6 +211,25 @@ seed("http", "desk_cookie", "GET /api/v1/team HTTP/1.1\r\nCookie: mirocup_sessio
 seed("http", "desk_chunked", "PUT /api/v1/entries" + alpha + "Transfer-Encoding: chunked\r\n\r\n3\r\nELF\r\n0\r\n\r\n")
 seed("http", "gzip", b"POST / HTTP/1.1\r\nContent-Encoding: gzip\r\nContent-Length: 20\r\n\r\n\x1f\x8b\x08\0\0\0\0\0\0\3" + b"\xff" * 10)
 
+# --- FIRASim: a command to each robot, a replacement, a placement; fields of the wrong kind, lengths beyond the end.
+def field(number, kind, data):
+    return bytes([number << 3 | kind]) + (bytes([len(data)]) if kind == 2 else b"") + data
+
+
+def real(number, value):
+    return field(number, 1, struct.pack("<d", value))
+
+
+command = field(1, 0, b"\1") + field(2, 0, b"\1") + real(6, 10.0) + real(7, -10.0)
+robot = field(1, 0, b"\2") + real(2, -0.5) + real(3, 0.1) + real(4, 90.0)
+seed("firasim", "commands", field(1, 2, field(1, 2, command) * 3) + field(15, 0, b"\x20"))
+seed("firasim", "replacement", field(2, 2, field(1, 2, real(1, 0.1) + real(3, 1.0)) + field(2, 2, field(1, 2, robot))))
+seed("firasim", "placement", field(1, 2, field(1, 0, b"\1") + field(2, 2, robot) * 3))
+seed("firasim", "not_finite", field(1, 2, field(1, 2, real(6, float("nan")) + real(7, float("inf")))))
+seed("firasim", "many", field(1, 2, b"\x0a\0" * 60) * 3)
+seed("firasim", "long_number", b"\x78" + b"\xff" * 12)
+seed("firasim", "cut", field(1, 2, field(1, 2, command))[:-3])
+
 # --- What libFuzzer found.
 finds = os.path.join(os.path.dirname(os.path.abspath(__file__)), "finds")
 for reader in os.listdir(finds):

@@ -5,9 +5,12 @@
 
 #include <arpa/inet.h>
 #include <array>
+#include <atomic>
 #include <bit>
+#include <chrono>
 #include <netinet/in.h>
 #include <sys/socket.h>
+#include <thread>
 
 namespace mirocup::firasim {
 namespace {
@@ -59,10 +62,10 @@ std::string number(int tag, int value) {
   return {static_cast<char>(tag), static_cast<char>(value)};
 }
 
-// The same wheels for the three robots of a team, in one packet without a step.
-std::string drive_all(Team team, double left, double right) {
+// The same wheels for robots of a team, in one packet without a step.
+std::string drive(Team team, const std::vector<int>& robots, double left, double right) {
   std::string commands, packet;
-  for (int i = 0; i < 3; ++i) {
+  for (const int i : robots) {
     std::string robot = number(0x08, i) + number(0x10, team == Team::yellow ? 1 : 0);
     add_real(robot, 0x31, left);
     add_real(robot, 0x39, right);
@@ -70,6 +73,10 @@ std::string drive_all(Team team, double left, double right) {
   }
   add_message(packet, 0x0A, commands);
   return packet;
+}
+
+std::string drive_all(Team team, double left, double right) {
+  return drive(team, {0, 1, 2}, left, right);
 }
 
 // Robot 1 at (x, y).
@@ -200,6 +207,66 @@ TEST_F(FirasimServer, AColourBelongsToItsSender) {
   expect_wheels(5.0, 6.0);
   EXPECT_EQ(seat_->counts().foreign, 3U);  // one for each robot that is not its own
   EXPECT_EQ(server_->strangers().foreign, 1U);
+}
+
+// Catches a team that is taken for one which leaves robots out because the machine was slow between
+// its datagrams: it would drive in another tick, and the leg would be another one.
+TEST_F(FirasimServer, ATeamMayBeSlowBetweenItsDatagrams) {
+  play_until([](const auto& now) { return now.state == match::State::PLAY; });
+  ask();
+  team_.send(drive(Team::blue, {0}, 7.0, 8.0), commands_);
+  std::thread slow([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(900));
+    team_.send(drive(Team::blue, {1, 2}, 7.0, 8.0), commands_);
+  });
+  expect_wheels(7.0, 8.0);
+  slow.join();
+  EXPECT_EQ(seat_->counts().held, 0U);
+}
+
+// Catches a leg that waits for ever for robots that a team never commands.
+TEST_F(FirasimServer, ATeamMayLeaveRobotsOut) {
+  play_until([](const auto& now) { return now.state == match::State::PLAY; });
+  ask();
+  const auto answer = [&] { team_.send(drive(Team::blue, {1}, 3.0, 4.0), commands_); };
+  for (int i = 0; i < 3; ++i) answer();  // to the vision and to two copies of it
+  EXPECT_TRUE(std::holds_alternative<match::Late>(seat_->collect()));
+  ask();
+  answer();
+  expect_wheels(3.0, 4.0);
+}
+
+// Catches a team that speaks without answering, and so holds up each tick of the leg.
+TEST_F(FirasimServer, ATeamThatAnswersNothingHasLost) {
+  play_until([](const auto& now) { return now.state == match::State::PLAY; });
+  ask();
+  std::atomic<bool> is_over = false;
+  std::thread talks([&] {
+    std::string late = drive_all(Team::blue, 9.0, 9.0);
+    late += std::string("\x78\x7f", 2);  // 15: step 127
+    while (!is_over) {
+      team_.send(late, commands_);
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+  });
+  const match::Answer answer = seat_->collect();
+  is_over = true;
+  talks.join();
+  const auto* fault = std::get_if<match::Fault>(&answer);
+  ASSERT_NE(fault, nullptr);
+  EXPECT_EQ(fault->code, match::FaultCode::disconnected);
+}
+
+// Catches patience that runs out while the machine stands still: teams that could not answer were
+// then forfeited, or their placements overlooked.
+TEST(FirasimPatience, StandsStillWithTheMachine) {
+  PatientClock clock;
+  const double before = clock.now();
+  std::this_thread::sleep_for(std::chrono::milliseconds(700));
+  EXPECT_LE(clock.now() - before, PatientClock::most_at_once);
+  const double after = clock.now();
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  EXPECT_GE(clock.now() - after, 0.05);
 }
 
 // Catches a second match on the same port: half of the commands would go to the wrong one.

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+//
+// Projects of Visual C++, which say what of a folder is compiled.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace mirocup::app {
+
+// True for the name of such a project: .dsp of version 6, .vcproj, .vcxproj.
+bool is_old_project(const std::string& path);
+
+// Returns the files that the project compiles or shows, in the order of the text, relative to its
+// folder, with "/" between folders. Empty if the text names none.
+std::vector<std::string> files_of_project(const std::string& text);
+
+}  // namespace mirocup::app

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+//
+// Text of sources that were written on Windows, as compilers of today read it.
+#pragma once
+
+#include <string>
+
+namespace mirocup::app {
+
+// Returns the text with what g++ does not take in another form, and everything else byte for byte:
+// UTF-16 becomes UTF-8; bytes behind the end of an old file (0 and 26) go; a line that ends in two
+// or more carriage returns ends in one; in GBK a second byte that is a backslash becomes \134, so
+// that it ends no string and joins no lines. Same number of lines.
+std::string readable(std::string text);
+
+}  // namespace mirocup::app

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+//
+// A clock for the patience with a team. It stands still while the whole machine does: on a machine
+// that is stopped, or so busy that this process does not run, the team cannot answer either.
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+
+namespace mirocup::firasim {
+
+class PatientClock {
+ public:
+  // Seconds from an arbitrary beginning. Between two looks at most `most_at_once` of them pass; who
+  // waits for a team looks at least that often.
+  double now() {
+    const Clock::time_point seen = Clock::now();
+    const double step = std::chrono::duration<double>(seen - seen_).count();
+    seen_ = seen;
+    now_ += std::min(step, most_at_once);
+    return now_;
+  }
+
+  static constexpr double most_at_once = 0.2;  // s
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point seen_ = Clock::now();
+  double now_ = 0.0;
+};
+
+}  // namespace mirocup::firasim
