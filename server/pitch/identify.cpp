@@ -20,8 +20,8 @@ using Eigen::MatrixXd;
 constexpr double median_share = 0.37;  // what a median of n sizes tells, in squares
 constexpr double rise95 = 3.841459;    // of a cost, at the ends of an interval
 constexpr int steps_of_profile = 10;   // to each side
-constexpr int fewest_windows = 2;      // from which grip or a wall's restitution is told
-constexpr int fewest_meetings = 3;     // from which a restitution between bodies is told
+constexpr int fewest_windows = 2;      // from which a hit's restitution or a slide's grip is told
+constexpr int fewest_of_robots = 3;    // from which that of two robots is told
 constexpr double z95 = 1.959964;
 
 bool is_between_bodies(int unknown) {
@@ -179,8 +179,8 @@ double widening_of(const Fit::Profile& p, const Estimate& interval) {
 
 // Returns by how much an interval that `windows` tell must be wider than one that many tell:
 // Student's t with one degree of freedom less, by the expansion of Cornish and Fisher, which is 3 %
-// too small for three windows. One hit that is simulated with the wrong edge first counts for much
-// among few.
+// too small for three windows. One hit of two robots that is simulated with the wrong edge first
+// counts for much among few.
 double widening_of_few(int windows) {
   const double z = z95, n = windows - 1.0;
   const double z3 = z * z * z, z5 = z3 * z * z, z7 = z5 * z * z;
@@ -209,7 +209,7 @@ void sharpen(Fit& fit, int unknown, double own, double others, Identified& resul
     const double middle = value_of(fit.guess(), unknown);
     profile = fit.profile(unknown, values_from(middle - steps_of_profile * step, step,
                                                2 * steps_of_profile + 1, unknown));
-    if (profile.windows() < (is_between_bodies(unknown) ? fewest_meetings : fewest_windows)) return;
+    if (profile.windows() < (unknown == robot_on_robot ? fewest_of_robots : fewest_windows)) return;
     const double moved = std::abs(value_of(fit.guess(), unknown) - middle);
     if (is_open(profile, unknown, step)) {
       step *= 2.0;
@@ -219,7 +219,7 @@ void sharpen(Fit& fit, int unknown, double own, double others, Identified& resul
   }
   const Estimate e = interval_of(profile);
   const double widening = widening_of(profile, e) *
-                          (is_between_bodies(unknown) ? widening_of_few(profile.windows()) : 1.0);
+                          (unknown == robot_on_robot ? widening_of_few(profile.windows()) : 1.0);
   const double low = e.value - std::hypot(widening * (e.value - e.low), z95 * others);
   const double high = e.value + std::hypot(widening * (e.high - e.value), z95 * others);
   if (!(high - low < 2.0 * u.widest)) return;
