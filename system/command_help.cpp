@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <memory>
 #include <sstream>
 
@@ -30,10 +31,6 @@ std::string replaced_all(std::string text, std::string_view word, std::string_vi
   return text;
 }
 
-// CLI11 appends to the name of a value, after a colon, what is said of its checks. A name may have a
-// colon itself, so this ends the names that are given here.
-const std::string name_end = "\t";
-
 bool takes_value(const CLI::Option& option) {
   return option.get_items_expected_max() > 0;
 }
@@ -42,9 +39,10 @@ bool takes_value(const CLI::Option& option) {
 std::string value_text(const CLI::Option& option) {
   if (!takes_value(option)) return "";
   const std::string type = option.get_type_name();
-  if (const std::string values = bounded(type, "{", "}"); !values.empty())
-    return replaced_all(values, ",", "|");
-  return value_name(option);
+  const std::string own = own_value_name(type);
+  const std::string checks = type.substr(std::min(own.size() + 1, type.size()));
+  if (checks.compare(0, 1, "{") == 0) return replaced_all(bounded(checks, "{", "}"), ",", "|");
+  return own;
 }
 
 std::string option_text(const CLI::Option& option) {
@@ -142,7 +140,7 @@ class Candidates {
   void add_value(const CLI::Option& option, std::span<const std::string> teams) {
     const std::string type = option.get_type_name();
     const std::string name =
-        option.get_positional() ? option.get_name(true, false) : value_name(option);
+        option.get_positional() ? option.get_name(true, false) : own_value_name(type);
     std::istringstream values(bounded(type, "{", "}"));
     bool has_values = false;
     for (std::string value; std::getline(values, value, ','); has_values = true) add(value, "");
@@ -257,10 +255,15 @@ complete -c @P@ -f -a '(__@P@_complete)'
 
 }  // namespace
 
-std::string value_name(const CLI::Option& option) {
-  const std::string type = option.get_type_name();
-  const std::size_t end = type.find(name_end);
-  return type.substr(0, end != std::string::npos ? end : type.find(':'));
+// CLI11 puts a colon before each check, and some names have colons of their own.
+std::string own_value_name(const std::string& type) {
+  for (std::size_t at = type.find(':'); at != std::string::npos; at = type.find(':', at + 1)) {
+    for (const char* check : {"{", "[", "(", "INT", "UINT", "FLOAT", "TEXT", "FILE", "DIR", "PATH",
+                              "POSITIVE", "NONNEGATIVE", "NUMBER", "SEED"}) {
+      if (type.compare(at + 1, std::strlen(check), check) == 0) return type.substr(0, at);
+    }
+  }
+  return type;
 }
 
 void finish_help(CLI::App& app, std::span<const CommandHelp> commands, const ValueNames& names) {
@@ -270,10 +273,10 @@ void finish_help(CLI::App& app, std::span<const CommandHelp> commands, const Val
     command->formatter(layout);
     for (CLI::Option* option : command->get_options()) {
       if (!takes_value(*option)) continue;
-      if (std::find(nameless.begin(), nameless.end(), value_name(*option)) == nameless.end())
-        continue;
+      const std::string own = own_value_name(option->get_type_name());
+      if (std::find(nameless.begin(), nameless.end(), own) == nameless.end()) continue;
       const auto known = names.find(option->get_name(false, false));
-      option->type_name((known == names.end() ? "VALUE" : known->second) + name_end);
+      option->type_name(known == names.end() ? "VALUE" : known->second);
     }
   }
   for (const CommandHelp& help : commands) {

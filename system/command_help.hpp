@@ -11,7 +11,6 @@
 
 namespace CLI {
 class App;
-class Option;
 }
 
 namespace mirocup::system {
@@ -27,8 +26,9 @@ struct CommandHelp {
 // declares a name itself keeps it.
 using ValueNames = std::map<std::string, const char*>;
 
-// Returns the name of an option's value as help shows it: "SECONDS", "FROM:TO".
-std::string value_name(const CLI::Option& option);
+// Returns the name of an option's value without the checks that CLI11 puts behind it: "ADDR:PORT" of
+// "ADDR:PORT", "N" of "N:INT in [1 - 10]".
+std::string own_value_name(const std::string& type);
 
 // Gives the program one layout of help, the names of values, groups and examples. Called once,
 // after all commands are declared.

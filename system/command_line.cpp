@@ -137,7 +137,8 @@ std::string sentence_of(const CLI::App& command, const CLI::ParseError& error) {
   if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError))
     return in_quotes(text.substr(text.rfind(": ") + 2)) + " is not expected" + for_example(command);
   if (kind == "ArgumentMismatch" && known != nullptr) {
-    const std::string name = known->get_positional() ? "" : " " + value_name(*known);
+    const std::string name =
+        known->get_positional() ? "" : " " + own_value_name(known->get_type_name());
     return option + " needs " + (known->get_items_expected_min() > 1 ? "more values" : "a value") +
            (name.size() > 1 ? ": " + option + name : "") + for_example(command);
   }

@@ -185,6 +185,7 @@ TEST(CommandLine, SaysWhatWasMeant) {
   const std::string help = run({program("mirocup"), "help", "match"}).out;
   expect_in(help, "--firasim-command [ADDR:]PORT");
   expect_in(help, "--firasim-instance K|auto");
+  expect_in(help, "--seed SEED ");
   expect_in(run({program("mirocup"), "help", "replay"}).out, "--clip FROM:TO");
   EXPECT_EQ(run({program("mirocup"), "help"}).out.find("Subcommands:"), std::string::npos);
   EXPECT_EQ(run({program("mirocup"), "-v"}).exit_code, 0);
