@@ -20,7 +20,7 @@ before(async () => {
     title: 'Class',
     thoughts: true,
     format: { kind: 'round_robin' },
-    rules: { half_s: 30 },
+    rules: { half_s: 90 },  // long enough for calls in every leg
     teams: ['striker', 'chaser', 'tactician', 'navigator'].map((house) => ({ name: `the-${house}`, entry: `house:${house}` })),
   }));
   run('league', 'init', league, '--config', `${league}.json`);
