@@ -30,7 +30,7 @@ inline constexpr TopicQos team_command{.name = "TeamCommand",
                                        .kept_for_late = false,
                                        .written_depth = 1,
                                        .read_depth = 256};
-// A tick has one sample, and nobody waits for one that is lost.
+// A tick has one sample; one that is lost is not sent again.
 inline constexpr TopicQos thoughts{.name = "Thoughts",
                                    .reliable = false,
                                    .kept_for_late = false,

@@ -49,7 +49,7 @@ while IFS= read -r wanted; do
   done
   [ -z "$found" ] || continue
   small=$(lower "$name")
-  # Of files of one name, the one in folders of the same names.
+  # Where several files have one name, the one in folders of the same names is meant.
   real=$(lower "$plain" | LC_ALL=C awk '
     NR == FNR { name = wanted = $0; sub(/.*\//, "", name); sub(/^(\.*\/)*/, "/", wanted); next }
     { n = tolower($0); end = substr(n, length(n) - length(wanted) + 1); sub(/.*\//, "", n) }

@@ -152,7 +152,7 @@ std::string standard_of(const std::map<std::string, std::string>& all) {
   return standard;
 }
 
-// Of a file's names the case does not count, as on Windows.
+// The case of a name does not count, as on Windows.
 bool is_named(const std::vector<std::string>& names, const std::string& path) {
   return std::any_of(names.begin(), names.end(),
                      [&](const std::string& name) { return lower(name) == lower(path); });
@@ -211,7 +211,7 @@ Result<std::string> header_of(const std::string& folder, const Folder& all,
       return fs::path(source).parent_path() == fs::path(header).parent_path();
     });
   };
-  // A copy beside no source is looked at by nobody.
+  // A copy beside no source is not read.
   const bool is_one = std::all_of(others.begin(), others.end(),
                                   [&](const std::string& other) { return beside(other) == 0; });
   if (is_one && beside(first) > 0) return first;

@@ -52,7 +52,7 @@ class ThoughtsInbox {
 
   Entity topic_, reader_;
   mirocup_v3_Thoughts sample_{};  // DDS allocates what it points to, once for the largest sample
-  std::uint64_t nonce_ = 0;       // 0: nobody has the seat
+  std::uint64_t nonce_ = 0;       // 0: no process has the seat
   ParticipantKey process_{};
   dds_instance_handle_t writer_ = 0;     // 0: it has not written yet
   std::optional<std::uint32_t> newest_;  // tick of the last sample that was taken

@@ -38,7 +38,7 @@ Seat::Seat(const match::Briefing& briefing, std::string name, const Terms& terms
            std::function<void()> settle)
     : briefing_(briefing), name_(std::move(name)), terms_(terms), settle_(std::move(settle)) {}
 
-// In lock-step nobody expects to hear of a team that has answered, or has not been asked.
+// In lock-step a team that has answered, or has not been asked, owes nothing.
 double Seat::unheard_for(double now) const {
   if (!heard_at_) return 0.0;
   if (terms_.tick) return now - *heard_at_;

@@ -166,7 +166,7 @@ namespace {
 
 constexpr std::size_t most_unpacked = match::max_thought_bytes + 1024;  // with the last line
 
-// Of a file that says how long its text is, as those of earlier versions do.
+// Unpacks a file that says how long its text is, as those of earlier versions do.
 bool unpack_at_once(std::string_view bytes, std::string& lines) {
   const std::size_t got = ZSTD_decompress(lines.data(), lines.size(), bytes.data(), bytes.size());
   return !ZSTD_isError(got) && got == lines.size();

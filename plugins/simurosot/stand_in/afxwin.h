@@ -122,7 +122,7 @@ class CObject {
  public:
   virtual ~CObject() {}
 };
-/* The object of a library of its own, which nobody starts here. */
+/* The object of a library of its own, which is never started here. */
 class CWinApp : public CObject {
  public:
   virtual BOOL InitInstance() { return TRUE; }

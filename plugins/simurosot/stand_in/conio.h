@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A console that nobody types at. */
+/* A console without a keyboard. */
 #ifndef MIROCUP_SIMUROSOT_CONIO_H
 #define MIROCUP_SIMUROSOT_CONIO_H
 static inline int _kbhit(void) {

@@ -315,7 +315,7 @@ TEST(Simurosot, TakesWhatVisualCppTook) {
   }
 }
 
-// Catches an error message of g++ that nobody can connect to the code of 2003: what is not taken is
+// Catches a message of g++ that says nothing to the author of old code: what is not taken is
 // named with line and cure. Each case begins with both.
 TEST(Simurosot, NamesWhatItDoesNotTake) {
   for (const std::string& path : idioms("cured")) {
@@ -371,7 +371,7 @@ void make_old_folder(const std::string& folder) {
              "SOURCE=.\\Team.cpp\r\n# End\r\nSOURCE=.\\tools\\Log.cxx\r\nSOURCE=.\\Strategy.h\r\n");
 }
 
-// Catches a folder of an old disk that somebody has to tidy up before it builds.
+// Catches a folder of an old disk that has to be tidied up by hand before it builds.
 TEST(Simurosot, BuildsAnUntidyFolder) {
   const TemporaryFolder folder;
   make_old_folder(folder / "old");
