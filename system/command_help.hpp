@@ -26,8 +26,8 @@ struct CommandHelp {
 // declares a name itself keeps it.
 using ValueNames = std::map<std::string, const char*>;
 
-// Returns the name of an option's value without the checks that CLI11 puts behind it: "ADDR:PORT" of
-// "ADDR:PORT", "N" of "N:INT in [1 - 10]".
+// Returns the name of an option's value without the checks that CLI11 puts behind it: "ADDR:PORT"
+// of "ADDR:PORT", "N" of "N:INT in [1 - 10]".
 std::string own_value_name(const std::string& type);
 
 // Gives the program one layout of help, the names of values, groups and examples. Called once,
