@@ -25,8 +25,9 @@ void fill_as_freed(void* bytes, std::size_t size);
 // Fills the part of the stack that the next call will use.
 void fill_stack();
 
-// Looks at the zones of blocks: of all, or of the next some thousands if there are more. Returns a
-// sentence about the first mistake since the start of the process, or null.
+// Looks at some hundred blocks: at those that were freed last, and in turn at all others. So a
+// mistake is found in the same call where a team has few blocks, and some calls later where it has
+// thousands. Returns a sentence about the first mistake since the start of the process, or null.
 const char* find_memory_mistake();
 
 }  // namespace mirocup::plugins

@@ -15,6 +15,7 @@ import http.client
 import json
 import os
 import random
+import resource
 import shutil
 import signal
 import ssl
@@ -68,6 +69,7 @@ class Server:
         self.starts = 0
         self.peak = 0
         self.cpu_s = 0.0  # of the server that runs now, without the programs that it starts
+        self.checks_cpu_s = 0.0  # of the programs that it started and that have ended
         self.lock = threading.Lock()
         self.start()
 
@@ -96,6 +98,7 @@ class Server:
             with open(f"/proc/{self.process.pid}/stat") as stat:
                 fields = stat.read().rsplit(")", 1)[1].split()
             self.cpu_s = (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+            self.checks_cpu_s = (int(fields[13]) + int(fields[14])) / os.sysconf("SC_CLK_TCK")
         except OSError:
             pass
 
@@ -147,10 +150,15 @@ if options.alone:
         subprocess.run([mirocup, "check", path, "--half", "20", "--json"], capture_output=True)
         os.remove(path)
 
-    begun = time.monotonic()
+    def cpu_of_children():
+        used = resource.getrusage(resource.RUSAGE_CHILDREN)
+        return used.ru_utime + used.ru_stime
+
+    begun, cpu_before = time.monotonic(), cpu_of_children()
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         list(pool.map(check, range(options.teams)))
     report["alone_s"] = round(time.monotonic() - begun, 2)
+    report["alone_cpu_s"] = round(cpu_of_children() - cpu_before, 1)
 
 server = Server()
 begun = time.monotonic()
@@ -275,7 +283,8 @@ report.update({
     "page_ms": {"median": round(1e3 * statistics.median(latency), 1),
                 "p95": round(1e3 * sorted(latency)[int(0.95 * len(latency))], 1),
                 "most": round(1e3 * max(latency), 1)} if latency else None,
-    "cpu_s": {"server": round(server.cpu_s, 1), "clients": round(time.process_time() - own_cpu_s, 1)},
+    "cpu_s": {"server": round(server.cpu_s, 1), "checks": round(server.checks_cpu_s, 1),
+              "clients": round(time.process_time() - own_cpu_s, 1)},
     "server_peak_mib": round(server.peak / 1024, 1)})
 print(json.dumps(report, indent=1))
 bad = bool(wrong or lost or more or len(taken) != options.teams or len(verdicts) != options.teams)
