@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "server/record/thoughts_file.hpp"
 
-#include "system/printable.hpp"
-
-#include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <utility>
 #include <vector>
@@ -21,76 +16,6 @@ constexpr int thoughts_level = 1;
 constexpr std::size_t packed_at_once = 64u << 10;  // bytes of lines; they stay in the cache
 constexpr int most_window = 23;                    // as a power of 2; the lowest level needs 19
 
-constexpr double units_per_metre = 1e4;  // 0.1 mm
-constexpr double furthest = 1e3;         // m; what is further away is no part of a picture
-
-template <class Number>
-void append_whole(std::string& line, Number number) {
-  char digits[24];
-  line.append(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);
-}
-
-void append_metres(std::string& line, double metres) {
-  const double bounded = std::clamp(metres, -furthest, furthest);
-  auto units = static_cast<std::int64_t>(std::lround(bounded * units_per_metre));
-  if (units < 0) {
-    line += '-';
-    units = -units;
-  }
-  constexpr auto scale = static_cast<std::int64_t>(units_per_metre);
-  append_whole(line, units / scale);
-  auto rest = static_cast<std::uint32_t>(units % scale);
-  if (rest == 0) return;
-  char text[5]{'.'};
-  std::size_t length = 1;
-  for (std::uint32_t digit = scale / 10; rest > 0; digit /= 10) {
-    text[length++] = static_cast<char>('0' + rest / digit);
-    rest %= digit;
-  }
-  line.append(text, length);
-}
-
-// Appends #RRGGBBAA.
-void append_colour(std::string& line, std::uint32_t colour) {
-  constexpr std::string_view digits = "0123456789abcdef";
-  char text[9]{'#'};
-  for (std::size_t i = 8; i > 0; --i, colour >>= 4) text[i] = digits[colour & 15u];
-  line.append(text, sizeof text);
-}
-
-bool is_plain(char c) {
-  return c >= ' ' && c <= '~' && c != '"' && c != '\\';
-}
-
-// Appends foreign text as a JSON string.
-void append_text(std::string& line, std::string_view text) {
-  line += '"';
-  if (std::all_of(text.begin(), text.end(), is_plain)) {
-    line += text;
-  } else {
-    for (const char c : system::printable(text)) {
-      if (c == '"' || c == '\\') line += '\\';
-      line += c == '\t' ? ' ' : c;
-    }
-  }
-  line += '"';
-}
-
-void append_numbers(std::string& line, std::span<const double> numbers) {
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    if (i > 0) line += ',';
-    append_metres(line, numbers[i]);
-  }
-}
-
-void append_corners(std::string& line, std::span<const double> numbers) {
-  for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) {
-    line += i > 0 ? ",[" : "[";
-    append_numbers(line, numbers.subspan(i, 2));
-    line += ']';
-  }
-}
-
 }  // namespace
 
 std::string thoughts_path(const std::string& record_path, Team team) {
@@ -99,34 +24,15 @@ std::string thoughts_path(const std::string& record_path, Team team) {
 }
 
 void ThoughtsWriter::add(std::uint32_t tick, const match::Thought& thought) {
-  const std::size_t before = lines_.size();
   last_tick_ = tick;
-  lines_ += "{\"tick\":";
-  append_whole(lines_, tick);
-  lines_ += ",\"layer\":";
-  append_text(lines_, thought.layer);
-  lines_ += ",\"colour\":\"";
-  append_colour(lines_, thought.colour);
-  lines_ += "\",\"";
-  lines_ += to_string(thought.kind);
-  lines_ += "\":[";
-  if (thought.kind == match::ThoughtKind::polygon) {
-    append_corners(lines_, thought.numbers);
-  } else {
-    append_numbers(lines_, thought.numbers);
-  }
-  if (thought.kind == match::ThoughtKind::text) {
-    lines_ += ',';
-    append_text(lines_, thought.text);
-  }
-  lines_ += "]}\n";
-  const std::size_t added = lines_.size() - before;
-  if (size_ + added > match::max_thought_bytes) {
-    lines_.resize(before);
-    ++left_out_;
+  const bool is_full = left_out_here_ > 0;
+  const std::string_view line = is_full ? std::string_view() : line_.write(tick, thought);
+  if (is_full || size_ + line.size() > match::max_thought_bytes) {
+    ++left_out_here_;
     return;
   }
-  size_ += added;
+  size_ += line.size();
+  lines_ += line;
   if (lines_.size() >= packed_at_once) pack(false);
 }
 
@@ -152,11 +58,11 @@ void ThoughtsWriter::pack(bool is_end) {
 }
 
 std::string ThoughtsWriter::packed() {
-  if (left_out_ > 0) {
+  if (left_out() > 0) {
     lines_ += "{\"tick\":" + std::to_string(last_tick_) +
               ",\"layer\":\"mirocup\",\"colour\":\"#808080ff\",\"text\":[0,0,\"" +
-              std::to_string(left_out_) + " shapes of the leg were left out\"]}\n";
-    left_out_ = 0;
+              std::to_string(left_out()) + " shapes of the leg were left out\"]}\n";
+    left_out_here_ = left_out_before_ = 0;
   }
   pack(true);
   return std::move(packed_);

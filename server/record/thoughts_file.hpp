@@ -7,6 +7,7 @@
 #include "core/base/error.hpp"
 #include "core/field/team.hpp"
 #include "core/match/thought.hpp"
+#include "server/record/thought_line.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -24,15 +25,15 @@ std::string thoughts_path(const std::string& record_path, Team team);
 // no room for all of them.
 class ThoughtsWriter {
  public:
-  // Adds a shape of a tick, unless the leg has max_thought_bytes already. Numbers are written to
-  // 0.1 mm. Bytes that are no text are escaped.
+  // Adds a shape of a tick. The first one that would go beyond max_thought_bytes of the leg, and
+  // all that follow, are left out.
   void add(std::uint32_t tick, const match::Thought& thought);
 
   // Counts shapes that were left out before they came here.
-  void count_left_out(std::uint32_t shapes) { left_out_ += shapes; }
+  void count_left_out(std::uint32_t shapes) { left_out_before_ += shapes; }
 
   // Returns how many shapes of the leg were left out so far.
-  std::uint64_t left_out() const { return left_out_; }
+  std::uint64_t left_out() const { return left_out_before_ + left_out_here_; }
 
   // Ends the file and returns its bytes. If something was left out, the last line is a text that
   // says so. Nothing can be added afterwards.
@@ -45,12 +46,14 @@ class ThoughtsWriter {
 
   void pack(bool is_end);
 
+  ThoughtLine line_;
   std::string lines_;     // that are not packed yet
   std::size_t size_ = 0;  // bytes of all lines
   std::string packed_;
   std::unique_ptr<ZSTD_CCtx_s, Free> packer_;  // null before the first lines are packed
   std::uint32_t last_tick_ = 0;
-  std::uint64_t left_out_ = 0;
+  std::uint64_t left_out_before_ = 0;  // before they came here
+  std::uint64_t left_out_here_ = 0;    // for want of room
 };
 
 // Returns the JSON lines of a file. The error says why the bytes are none; `path` is named in it.

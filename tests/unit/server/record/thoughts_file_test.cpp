@@ -28,6 +28,33 @@ TEST(ThoughtsFile, HasOneLineForEachShape) {
       "{\"tick\":7,\"layer\":\"l\",\"colour\":\"#000000ff\",\"line\":[0,0.0001,-1.25,1000]}\n");
 }
 
+// Catches a part of the shape before that is kept where the next one has another, and a polygon
+// without its brackets.
+TEST(ThoughtsFile, HasWhatEachShapeHas) {
+  ThoughtsWriter writer;
+  const double circle[] = {0.5, -12.0625, 0.1};
+  const double corners[] = {0.0, 0.1, 0.2, 0.3, -0.00995, 100.0};
+  const auto add = [&](std::uint32_t tick, match::ThoughtKind kind, std::uint32_t colour,
+                       std::string_view layer, std::span<const double> numbers) {
+    writer.add(tick, {kind, colour, layer, numbers, {}});
+  };
+  add(1, match::ThoughtKind::circle, 0xff0000ff, "a", circle);
+  add(1, match::ThoughtKind::circle, 0xff0000ff, "a", circle);
+  add(1, match::ThoughtKind::circle, 0x00ff00ff, "a", circle);
+  add(1, match::ThoughtKind::circle, 0x00ff00ff, "b", circle);
+  add(1, match::ThoughtKind::polygon, 0x00ff00ff, "b", corners);
+  add(2, match::ThoughtKind::polygon, 0x00ff00ff, "b", corners);
+  const std::string at = "[0.5,-12.0625,0.1]}\n";
+  const std::string area = "[[0,0.1],[0.2,0.3],[-0.01,100]]}\n";
+  EXPECT_EQ(unpacked_thoughts(writer.packed(), "x").value(),
+            "{\"tick\":1,\"layer\":\"a\",\"colour\":\"#ff0000ff\",\"circle\":" + at +
+                "{\"tick\":1,\"layer\":\"a\",\"colour\":\"#ff0000ff\",\"circle\":" + at +
+                "{\"tick\":1,\"layer\":\"a\",\"colour\":\"#00ff00ff\",\"circle\":" + at +
+                "{\"tick\":1,\"layer\":\"b\",\"colour\":\"#00ff00ff\",\"circle\":" + at +
+                "{\"tick\":1,\"layer\":\"b\",\"colour\":\"#00ff00ff\",\"polygon\":" + area +
+                "{\"tick\":2,\"layer\":\"b\",\"colour\":\"#00ff00ff\",\"polygon\":" + area);
+}
+
 // Catches lines that are no JSON, whatever a team calls its layers.
 TEST(ThoughtsFile, EscapesForeignBytes) {
   ThoughtsWriter writer;
