@@ -47,11 +47,14 @@ struct Column {
   const char* style = "";  // "wide" and "mid" are left out on narrow windows
 };
 
+// A column without a name is headed by an empty cell, as readers of a screen expect.
 void head(Html& html, const std::vector<Column>& columns) {
   html.raw("<tr>");
   for (const Column& column : columns) {
-    html.raw(std::string("<th scope=\"col\" class=\"") + column.style + "\">" +
-             system::html_escaped(column.name) + "</th>");
+    const std::string style = std::string(" class=\"") + column.style + "\">";
+    html.raw(*column.name == '\0'
+                 ? "<td" + style + "</td>"
+                 : "<th scope=\"col\"" + style + system::html_escaped(column.name) + "</th>");
   }
   html.raw("</tr>\n");
 }

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // Hands in as a student does, in a browser: the token, the form, the answer, the log-out. Catches a form that says nothing, a
-// page that a phone cannot show, text of a team that becomes markup, and a page that a strange site could use.
+// page that a phone cannot show, text of a team that becomes markup, and a page that a strange site could use. Then looks at legs
+// as the staff does.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { after, test } from 'node:test';
-import { copyFileSync, writeFileSync } from 'node:fs';
+import { copyFileSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { closeBrowser, folder, mirocup, openPage, run } from './support.js';
+import { closeBrowser, folder, mirocup, openPage, run, violations } from './support.js';
 
 const league = join(folder, 'handing-in');
 const servers = [];
@@ -16,8 +17,8 @@ after(() => {
   return closeBrowser();
 });
 
-async function serve() {
-  const server = spawn(mirocup, ['league', 'serve', league, '--hand-in']);
+async function serve(place = league) {
+  const server = spawn(mirocup, ['league', 'serve', place, '--hand-in']);
   servers.push(server);
   const text = await new Promise((resolve) => { server.stdout.once('data', resolve); });
   return String(text).trim();
@@ -39,6 +40,22 @@ function overflows(page) {
   return page.evaluate(() => document.documentElement.scrollWidth > window.innerWidth);
 }
 
+// What is wrong with the page in both schemes and widths.
+async function complaints(page) {
+  const found = [];
+  const size = page.viewportSize();
+  for (const width of [1280, 390]) {
+    for (const colorScheme of ['light', 'dark']) {
+      await page.setViewportSize({ width, height: 800 });
+      await page.emulateMedia({ colorScheme });
+      found.push(...await violations(page));
+      if (await overflows(page)) found.push(`${page.url()} sticks out at ${width} px`);
+    }
+  }
+  await page.setViewportSize(size);
+  return found;
+}
+
 test('a student hands in and reads the answer', async () => {
   run('league', 'init', league, '--team', 'alpha=house:chaser', '--team', 'beta=house:keeper', '--half', '2');
   const token = run('league', 'token', league, 'alpha').trim();
@@ -51,6 +68,7 @@ test('a student hands in and reads the answer', async () => {
   const page = await openPage(place);
   await page.click('a[href="/hand-in"]');
   await page.waitForSelector('#token');
+  assert.deepEqual(await complaints(page), []);
   await logIn(page, 'WRONG');
   await page.waitForSelector('[role=alert]');
   assert.match(await page.textContent('[role=alert]'), /no team has this token/);
@@ -64,16 +82,15 @@ test('a student hands in and reads the answer', async () => {
   await handIn(page, bad, 'entry 2 plays on');
   await page.waitForFunction(() => document.querySelector('#entry-3')?.textContent.includes('refused'));
 
-  assert.equal(await overflows(page), false);
+  assert.deepEqual(await complaints(page), []);
   await page.setViewportSize({ width: 390, height: 800 });
-  assert.equal(await overflows(page), false);
 
   // What the check has seen of an entry, and its leg.
   await page.click('#entry-2 a');
   await page.waitForSelector('.verdict');
   await page.waitForLoadState();
   assert.match(await page.textContent('main'), /Slowest tick/);
-  assert.equal(await overflows(page), false);
+  assert.deepEqual(await complaints(page), []);
   const replay = await page.getAttribute('a[href$=replay]', 'href');
   await page.goto(new URL(replay, place).href);
   await page.waitForSelector('svg');
@@ -95,4 +112,46 @@ test('a student hands in and reads the answer', async () => {
   await page.goto(`${place}hand-in`);
   assert.equal(await page.locator('#token').count(), 1);
   assert.equal(await page.locator('text=entry 2').count(), 0);
+});
+
+test('the staff sees what both teams drew, a team only what it drew itself', async () => {
+  const place = join(folder, 'thinking');
+  writeFileSync(`${place}.json`, JSON.stringify({
+    schema: 'mirocup/league/1',
+    thoughts: true,
+    rules: { half_s: 2 },
+    teams: [{ name: 'alpha', entry: 'house:navigator' }, { name: 'beta', entry: 'house:striker' }],
+  }));
+  run('league', 'init', place, '--config', `${place}.json`);
+  run('league', 'start', place);
+  const staff = run('league', 'token', place, '--staff').trim();
+  const own = run('league', 'token', place, 'alpha').trim();
+  const server = await serve(place);
+  const whose = (page) => page.evaluate(() => {
+    const { own = {} } = JSON.parse(document.getElementById('leg').textContent);
+    return Object.keys(own).filter((team) => own[team].thoughts).sort();
+  });
+
+  const page = await openPage(`${server}hand-in`);
+  await logIn(page, staff);
+  await page.waitForSelector('a[href="/hand-in?team=beta"]');
+  assert.deepEqual(await complaints(page), []);
+  await page.click('a[href="/hand-in?team=beta"]');
+  await page.waitForSelector('a[href$=".html?team=beta"]');
+  assert.deepEqual(await complaints(page), []);
+  const replay = await page.getAttribute('a[href$=".html?team=beta"]', 'href');
+  await page.click('a[href$=".html?team=beta"]');
+  await page.waitForSelector('svg');
+  assert.deepEqual(await whose(page), ['blue', 'yellow']);
+  assert.deepEqual(page.problems, []);
+
+  await page.context().clearCookies();
+  await page.goto(`${server}hand-in`);
+  await logIn(page, own);
+  await page.waitForSelector('#entries');
+  await page.goto(new URL(replay, server).href);
+  await page.waitForSelector('svg');
+  assert.equal((await whose(page)).length, 1);
+  assert.equal((await page.goto(`${server}hand-in?team=beta`)).url().includes('beta'), true);
+  assert.equal(await page.locator('a[href*="team=beta"]').count(), 0);
 });
