@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// A team that only defends. Robot 0 keeps the goal; the others stand between the ball and the goal,
-// and robot 1 clears a ball that comes near.
+// A team that only defends. Robot 0 holds the mouth of the goal; the others stand between the ball
+// and the goal, and robot 1 clears a ball that comes near.
 #include "mirocup/skills/draw.hpp"
+#include "mirocup/skills/drive.hpp"
+#include "mirocup/skills/hold_goal.hpp"
 #include "mirocup/strategy.hpp"
 
 namespace {
@@ -14,7 +16,7 @@ class Keeper : public Team {
   using Team::Team;
 
   void decide(const Observation& now, Command& command) override {
-    command.wheels[0] = keep_goal(setup(), now, now.own[0]);
+    command.wheels[0] = keep(now);
     draw_role(setup(), now.own[0], "keeps");
     const Point goal{-setup().half_length, 0.0};
     const Point out = unit(ball(now) - goal);
@@ -49,6 +51,14 @@ class Keeper : public Team {
   }
 
  private:
+  Wheels keep(const Observation& now) {
+    const Wheels asked = now.state == MIROCUP_PLAY ? asked_ : Wheels{};
+    const Robot soon = when_commanded(setup(), now.own[0], asked);
+    asked_ = hold_goal(setup(), now, BallPath(setup(), moving_ball(now)), soon);
+    return asked_;
+  }
+
+  Wheels asked_{};  // of the keeper, in the last tick
   double distance_ =
       0.22 + 0.08 * random().uniform();  // m, from the goal to the screen in this leg
 };
