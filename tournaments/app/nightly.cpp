@@ -188,7 +188,8 @@ Result<int> run_nightly(const LeagueOptions& options) {
     return fail(Errc::unavailable,
                 folder.path + " is being played already: this night is left out");
   const std::int64_t now = system::now_s();
-  if (auto same = expect_program(*store, record::this_software(), options.accepts_other_program);
+  if (auto same =
+          expect_program(disk, *store, record::this_software(), options.accepts_other_program);
       !same)
     return tl::unexpected(same.error());
   if (auto begun = begin_night(disk, *store, options, now); !begun)

@@ -21,7 +21,9 @@ class Tally:
 
     def __init__(self, folder, lines=None):
         self.lines = journal(folder)[:lines]
-        self.teams = [team["name"] for team in read(folder, "league.json")["teams"]]
+        config = read(folder, "league.json")
+        self.teams = [team["name"] for team in config["teams"]]
+        self.legs_of_fixture = config["format"].get("legs", 2) if isinstance(config["format"], dict) else 2
         self.entries, self.legs, self.nights = {}, {}, 0
         undone = {line["line"] for line in self.lines if line["kind"] == "undo"}
         for line in self.lines:
@@ -44,6 +46,7 @@ class Tally:
             self.nights += kind == "night"
             for entry in line["entries"] if kind == "night" else [line]:
                 self.entries[entry["team"]] = entry["entry"]
+                self.annul(entry["team"])
         if kind not in ("leg", "void", "ruling") or is_undone:
             return
         key = line["fixture"], line["leg"]
@@ -54,6 +57,13 @@ class Tally:
             self.legs.pop(key, None)
         elif key in self.legs:
             self.legs[key]["goals"] = line["score"]
+
+    def annul(self, team):
+        """A fixture of which legs are left counts for nothing when one of its teams plays with another entry."""
+        halves = [key for key, leg in self.legs.items()
+                  if team in (leg["home"], leg["away"]) and sum(fixture == key[0] for fixture, _ in self.legs) < self.legs_of_fixture]
+        for key in halves:
+            del self.legs[key]
 
     def fit(self):
         """Strengths after Bradley and Terry, draws after Davidson, by gradient ascent. What a team played before is a player."""

@@ -234,10 +234,10 @@ class Term:
         return "theta for the first time, zeta anew"
 
     def bad_entry(self):
-        # The check does not see it.
+        # The check does not see it: no goal falls in its legs.
         self.host.open_desk()
-        self.host.hand_in("gamma", source("gamma", 0.5, "if (now.own_score > 0 && now.opponent_score > 0) std::abort();"))
-        return "gamma: crashes when both have scored"
+        self.host.hand_in("gamma", source("gamma", 0.5, "if (now.own_score + now.opponent_score > 0) std::abort();"))
+        return "gamma hands in what crashes after a goal"
 
     def resume(self):
         """The team was paused by three legs that it lost by its own fault. It plays what is left with a better entry."""

@@ -421,6 +421,26 @@ TEST_F(Term, OfThreeWeeks) {
   EXPECT_EQ(refused_late.exit_code, 1);
   EXPECT_TRUE(contains(refused_late.out, "the league is closed")) << refused_late.out;
   expect_grades(folder_, by_new("grades", {}).out);
+
+  // The kept program asks the teams of a leg again, and makes its page again.
+  const Outcome rerun = run(
+      {folder_ + "/programs/" + game + "/mirocup", "rerun", folder_ + "/records/r1-f1-1-1.json"});
+  EXPECT_EQ(rerun.exit_code, 0) << rerun.out << rerun.err;
+  const std::string kept = folder_ + "/programs/" + game + "/mirocup";
+  fs::rename(kept, kept + ".real");
+  write_file(kept, "#!/bin/sh\necho \"$2\" >>" + (temporary_ / "asked") + "\nexec " + kept +
+                       ".real \"$@\"\n");
+  fs::permissions(kept, fs::perms::owner_all);
+  const auto before = test_support::site_of(folder_);
+  fs::remove_all(folder_ + "/site");
+  EXPECT_EQ(by_new("publish", {}).exit_code, 0);
+  EXPECT_EQ(test_support::site_of(folder_), before);
+  const std::string asked = read_file(temporary_ / "asked");
+  for (const auto& line : journal_of(folder_)) {
+    if (line["kind"] != "leg") continue;
+    const std::string record = line["record"];
+    EXPECT_EQ(contains(asked, "/" + record + "\n"), !record.starts_with("records/r3-")) << record;
+  }
   for (const auto& line : journal_of(folder_)) EXPECT_TRUE(line.contains("at")) << line;
 }
 
