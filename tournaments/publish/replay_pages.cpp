@@ -40,8 +40,8 @@ bool has_page(system::Files& files, const Folder& folder, const std::string& rec
              system::sibling_program("mirocup");
 }
 
-// A page that is not there, and the programs that may make it: the one that played the leg, and this
-// one if that fails, as one of an earlier version may, which knows other options.
+// A page that is not there, and the programs that may make it: the one that played the leg, and
+// this one if that fails, as one of an earlier version may, which knows other options.
 struct MissingPage {
   std::string record;
   std::vector<std::string> programs;
