@@ -171,7 +171,8 @@ class Forms {
  private:
   void open(const std::string& act, const std::string& title) {
     html_.raw("<details class=\"act\"><summary>" + system::html_escaped(title) +
-              "</summary>\n<form method=\"post\" action=\"/hand-in/staff\"><input type=\"hidden\" "
+              "</summary>\n<form class=\"desk\" method=\"post\" action=\"/hand-in/staff\"><input "
+              "type=\"hidden\" "
               "name=\"act\"" +
               attribute("value", act) + ">\n");
   }

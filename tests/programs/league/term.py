@@ -315,7 +315,7 @@ class Term:
     def last(self):
         self.host.ask("freeze", "--reason", "last day")
         self.host.open_desk()
-        has(self.host.hand_in("alpha", source("alpha", 0.2), 2), "taken")
+        has(self.host.hand_in("alpha", source("alpha", 0.2), 2), "frozen")
         return "entries are frozen"
 
     def games(self):

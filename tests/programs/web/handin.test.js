@@ -7,7 +7,7 @@ import { spawn } from 'node:child_process';
 import { after, test } from 'node:test';
 import { copyFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { closeBrowser, folder, mirocup, openPage, run } from './support.js';
+import { closeBrowser, folder, mirocup, openPage, run, violations } from './support.js';
 
 const league = join(folder, 'handing-in');
 const servers = [];
@@ -95,4 +95,26 @@ test('a student hands in and reads the answer', async () => {
   await page.goto(`${place}hand-in`);
   assert.equal(await page.locator('#token').count(), 1);
   assert.equal(await page.locator('text=entry 2').count(), 0);
+});
+
+test('the staff finds its forms on a phone, and gives a team its colour', async () => {
+  const token = run('league', 'token', league, '--staff').trim();
+  const place = await serve();
+  const page = await openPage(`${place}hand-in`);
+  await logIn(page, token);
+  assert.equal(await page.textContent('h1'), 'Staff');
+  await page.locator('details.act').evaluateAll((all) => all.forEach((one) => { one.open = true; }));
+  for (const width of [1280, 390]) {
+    await page.setViewportSize({ width, height: 800 });
+    assert.equal(await overflows(page), false, `${width} px`);
+  }
+  assert.deepEqual(await violations(page), []);
+  await page.selectOption('#colour-team', 'beta');
+  await page.fill('#colour-colour', '#c03a2b');
+  await page.locator('#colour-colour').press('Enter');
+  await page.waitForSelector('h1');
+  await page.goto(`${place}teams/beta.html`);
+  assert.equal(await page.locator('h1 svg.mark circle').getAttribute('fill'), '#c03a2b');
+  assert.deepEqual(page.problems, []);
+  await page.close();
 });
