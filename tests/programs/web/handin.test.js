@@ -11,6 +11,7 @@ import { closeBrowser, folder, mirocup, openPage, run, violations } from './supp
 
 const league = join(folder, 'handing-in');
 const servers = [];
+let place;  // the address of the server, which one folder has one of
 after(() => {
   servers.forEach((server) => server.kill('SIGTERM'));
   return closeBrowser();
@@ -42,7 +43,7 @@ function overflows(page) {
 test('a student hands in and reads the answer', async () => {
   run('league', 'init', league, '--team', 'alpha=house:chaser', '--team', 'beta=house:keeper', '--half', '2');
   const token = run('league', 'token', league, 'alpha').trim();
-  const place = await serve();
+  place = await serve();
   const good = join(folder, '<img src=x>.so');
   copyFileSync(join(process.env.MIROCUP_BUILD, 'house', 'striker.so'), good);
   const bad = join(folder, 'notes.txt');
@@ -99,10 +100,10 @@ test('a student hands in and reads the answer', async () => {
 
 test('the staff finds its forms on a phone, and gives a team its colour', async () => {
   const token = run('league', 'token', league, '--staff').trim();
-  const place = await serve();
   const page = await openPage(`${place}hand-in`);
   await logIn(page, token);
   assert.equal(await page.textContent('h1'), 'Staff');
+  await page.waitForLoadState();
   await page.locator('details.act').evaluateAll((all) => all.forEach((one) => { one.open = true; }));
   for (const width of [1280, 390]) {
     await page.setViewportSize({ width, height: 800 });
@@ -111,8 +112,8 @@ test('the staff finds its forms on a phone, and gives a team its colour', async 
   assert.deepEqual(await violations(page), []);
   await page.selectOption('#colour-team', 'beta');
   await page.fill('#colour-colour', '#c03a2b');
-  await page.locator('#colour-colour').press('Enter');
-  await page.waitForSelector('h1');
+  await Promise.all([page.waitForResponse((reply) => reply.request().method() === 'POST'), page.locator('#colour-colour').press('Enter')]);
+  await page.waitForLoadState();
   await page.goto(`${place}teams/beta.html`);
   assert.equal(await page.locator('h1 svg.mark circle').getAttribute('fill'), '#c03a2b');
   assert.deepEqual(page.problems, []);
