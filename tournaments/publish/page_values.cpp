@@ -84,10 +84,9 @@ Json page_values(const Overview& o, const std::string& root, const std::string& 
 std::string mark_of(const LeagueState& state, int team) {
   const auto colour = state.shown_colours.find(state.name(team));
   if (colour == state.shown_colours.end()) return "";
-  return "<svg class=\"mark\" viewBox=\"0 0 12 12\" width=\"12\" height=\"12\" "
-         "aria-hidden=\"true\"><circle cx=\"6\" "
-         "cy=\"6\" r=\"5\" fill=\"" +
-         colour->second + "\" stroke=\"#888\"/></svg> ";
+  return R"(<svg class="mark" viewBox="0 0 16 12" width="16" height="12" aria-hidden="true">)"
+         R"(<circle cx="6" cy="6" r="5" fill=")" +
+         colour->second + R"(" stroke="#888"/></svg>)";
 }
 
 Json team_values(const Overview& o, int team, const std::string& root) {

@@ -158,7 +158,7 @@ def library(name, version, more=b""):
 def table_of_page():
     """The teams in the order of the front page, with their points."""
     rows = re.findall(r'<tr data-team="\d+"><td class="number">\d+</td><th scope="row"><a href="teams/([^"]+)\.html">.*?'
-                      r'<td class="number points">(\d+)</td><td class="number">(\d+)</td>',
+                      r'<td class="number points">[\d.]+</td><td class="number roomy">(\d+)</td><td class="number mid">(\d+)</td>',
                       read(league, "site/index.html").split("</table>")[0])
     return [(team, int(points), int(legs)) for team, points, legs in rows]
 
