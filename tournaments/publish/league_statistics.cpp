@@ -24,7 +24,7 @@ using statistics::LegReport;
 using statistics::TeamStatistics;
 using statistics::TeamTotals;
 
-constexpr std::size_t most_goals_unfolded = 20;
+constexpr std::size_t most_goals_unfolded = 60;
 constexpr double lead_in_s = 3.0;  // a link to a goal shows what came before it
 
 Result<LegReport> kept_report(system::Files& files, const Folder& folder,

@@ -17,6 +17,7 @@ import json
 import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -156,9 +157,10 @@ def library(name, version, more=b""):
 
 
 def table_of_page():
-    """The teams in the order of the front page, with their points."""
+    """The teams in the order of the front page, with their points and legs, as either program writes them."""
     rows = re.findall(r'<tr data-team="\d+"><td class="number">\d+</td><th scope="row"><a href="teams/([^"]+)\.html">.*?'
-                      r'<td class="number points">[\d.]+</td><td class="number roomy">(\d+)</td><td class="number mid">(\d+)</td>',
+                      r'(?:<td class="number points">[\d.]+</td>)?<td class="number (?:points|roomy)">(\d+)</td>'
+                      r'<td class="number(?: mid)?">(\d+)</td>',
                       read(league, "site/index.html").split("</table>")[0])
     return [(team, int(points), int(legs)) for team, points, legs in rows]
 
@@ -413,6 +415,7 @@ def main():
     os.makedirs(home, exist_ok=True)
     if os.path.exists(league):
         raise SystemExit(league + " is there already")
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(130))  # so that the server ends, too
     begun = time.monotonic()
     term = Term()
     try:
