@@ -127,6 +127,17 @@ void add_running(CLI::App& app, Action& action) {
                    "number of legs at once (default: one for each processor)")
       ->check(CLI::Range(1, 1024));
   nightly->add_flag("--another", nightly.options->another, "one more night on the same day");
+  nightly
+      ->add_option(
+          "--on-night", nightly.options->on_night,
+          "a program that is started after the night, once, with the folder of its digests "
+          "as its argument")
+      ->type_name("PROGRAM");
+  nightly
+      ->add_option("--address", nightly.options->address,
+                   "what the links in the digests for mails begin with, as "
+                   "https://league.example/")
+      ->type_name("URL");
   add_other_program(nightly);
 
   LeagueSubcommand start(app, action, "start", "Play the league, or resume it", run_start);
@@ -397,7 +408,12 @@ void add_keeping(CLI::App& app, Action& action) {
   team->add_option("TEAM", o.team, "its name in the league");
   team->add_option("--display", o.display, "any letters; \"\": its name in the league");
   team->add_option("--member", o.members, "once for each member");
-  team->add_option("--csv", o.csv, "a class list: team,display,members with ; between them")
+  team->add_option("--colour", o.colour,
+                   "of the mark beside its name on pages, as #c03a2b; \"\": none")
+      ->type_name("COLOUR");
+  team->add_option("--csv", o.csv,
+                   "a class list: team,display,members with ; between them, or "
+                   "team,display,members,colour")
       ->type_name("FILE");
 }
 
@@ -551,7 +567,10 @@ const system::CommandHelp help_of_commands[] = {
      {"mirocup league token spring alpha", "mirocup league token spring --all --csv >tokens.csv"}},
     {"start", to_play, {"mirocup league start spring --jobs 4"}},
     {"stop", to_play, {"mirocup league stop spring"}},
-    {"nightly", to_play, {"mirocup league nightly spring"}},
+    {"nightly",
+     to_play,
+     {"mirocup league nightly spring",
+      "mirocup league nightly spring --on-night ./mail --address https://league.example/"}},
     {"status", to_play, {"mirocup league status spring", "mirocup league status spring --entries"}},
     {"verify", to_play, {"mirocup league verify spring"}},
     {"backup", to_play, {"mirocup league backup spring /backup/spring"}},

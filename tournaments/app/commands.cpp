@@ -98,7 +98,7 @@ Result<LeagueState> play_league(system::Files& files, LeagueStore store, Progres
     return runner.state();
   };
   const record::Software program = record::this_software();
-  if (auto same = expect_program(store, program, options.accepts_other_program); !same)
+  if (auto same = expect_program(files, store, program, options.accepts_other_program); !same)
     return tl::unexpected(same.error());
   if (auto kept = keep_program(files, store.folder(), program); !kept)
     return tl::unexpected(kept.error());

@@ -36,6 +36,8 @@ struct LeagueOptions {
   std::string through;             // publish: the last round shown; "": all rounds
   bool entries = false;            // status
   bool another = false;            // nightly: one more on the same day
+  std::string on_night;            // nightly: a program that hears of the night; "": none
+  std::string address;             // nightly: what links of the digests' texts begin with
   bool accepts_other_program = false;  // start, nightly
   bool json = false;
 };
@@ -201,7 +203,8 @@ struct TeamOptions {
   std::string team;
   std::optional<std::string> display;
   std::vector<std::string> members;
-  std::string csv;  // a class list; "": one team
+  std::optional<std::string> colour;  // "#c03a2b"; "": none
+  std::string csv;                    // a class list; "": one team
 };
 Result<int> run_team(const TeamOptions& options);
 

@@ -103,11 +103,19 @@ Result<void> set_members(PeopleOfTeams& people, const std::string& team,
   return {};
 }
 
-// Reads lines of team, display name, members with semicolons between them; the first line names the
-// columns.
+Result<void> set_colour(PeopleOfTeams& people, const std::string& team, const std::string& colour) {
+  if (const std::string why = colour.empty() ? "" : objection_to_colour(colour); !why.empty())
+    return fail(Errc::input, team + ": " + why);
+  people[team].colour = colour;
+  return {};
+}
+
+// Reads lines of team, display name, members with semicolons between them and, if the first line
+// names that column, the colour.
 Result<void> read_class_list(const std::string& text, const std::string& path,
                              PeopleOfTeams& people) {
   std::size_t begin = 0;
+  std::size_t columns = 0;
   for (int number = 1; begin < text.size(); ++number) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
     std::string line = text.substr(begin, end - begin);
@@ -116,13 +124,18 @@ Result<void> read_class_list(const std::string& text, const std::string& path,
     const std::vector<std::string> cells = system::csv_cells(line);
     const std::string where = path + ": line " + std::to_string(number);
     if (number == 1) {
-      if (cells != std::vector<std::string>{"team", "display", "members"})
-        return fail(Errc::input, where + ": \"team,display,members\" is expected");
+      columns = cells.size();
+      const std::vector<std::string> names{"team", "display", "members", "colour"};
+      if (columns < 3 || columns > 4 || !std::equal(cells.begin(), cells.end(), names.begin()))
+        return fail(Errc::input, where +
+                                     ": \"team,display,members\" is expected, or "
+                                     "\"team,display,members,colour\"");
       continue;
     }
     if (line.empty()) continue;
-    if (cells.size() != 3 || !is_good_name(cells[0]))
-      return fail(Errc::input, where + ": a team, its display name and its members are expected");
+    if (cells.size() != columns || !is_good_name(cells[0]))
+      return fail(Errc::input, where + ": a team, its display name and its members are expected" +
+                                   (columns > 3 ? ", and its colour" : ""));
     std::vector<std::string> members;
     for (std::size_t at = 0; at < cells[2].size();) {
       const std::size_t stop = std::min(cells[2].find(';', at), cells[2].size());
@@ -134,6 +147,7 @@ Result<void> read_class_list(const std::string& text, const std::string& path,
     auto set = set_display(people, cells[0], cells[1]).and_then([&] {
       return set_members(people, cells[0], members);
     });
+    if (set && columns > 3) set = set_colour(people, cells[0], cells[3]);
     if (!set) return fail(Errc::input, where + ": " + set.error().what);
   }
   return {};
@@ -163,6 +177,7 @@ Result<int> run_team(const TeamOptions& options) {
       return fail(Errc::input, "there is no team " + options.team);
     if (options.display) set = set_display(*people, options.team, *options.display);
     if (set && !options.members.empty()) set = set_members(*people, options.team, options.members);
+    if (set && options.colour) set = set_colour(*people, options.team, *options.colour);
   }
   if (!set) return tl::unexpected(set.error());
   if (auto written = write_people(disk, folder, *people); !written)
@@ -171,7 +186,8 @@ Result<int> run_team(const TeamOptions& options) {
     std::cout << team << ": " << (one.display.empty() ? team : one.display);
     for (std::size_t i = 0; i < one.members.size(); ++i)
       std::cout << (i == 0 ? " (" : "; ") << one.members[i];
-    std::cout << (one.members.empty() ? "" : ")") << '\n';
+    std::cout << (one.members.empty() ? "" : ")") << (one.colour.empty() ? "" : " ") << one.colour
+              << '\n';
   }
   return exit_yes;
 }

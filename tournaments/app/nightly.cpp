@@ -2,6 +2,7 @@
 //
 // The subcommand nightly: what is accepted now plays, every team hears what has changed.
 #include "server/record/json_reader.hpp"
+#include "system/child_process.hpp"
 #include "system/clock.hpp"
 #include "system/file_lock.hpp"
 #include "system/printable.hpp"
@@ -18,6 +19,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <sstream>
 
@@ -44,19 +47,26 @@ Result<std::vector<EntryBooked>> new_entries(system::Files& files, const LeagueS
   return entries;
 }
 
-// True if the last night began on the day that it is in the league's zone, or has legs to play:
-// then the command goes on with it.
+// An interrupted night is gone on with for so long, whatever the date says. Later a new one
+// begins, which plays what is open of those before, so that no day is left out.
+constexpr std::int64_t longest_night_s = 12 * 3600;
+
+// True if the last night has legs to play: those of paused teams stay open for longer.
+bool has_legs_to_play(const LeagueState& state) {
+  if (state.played() == state.legs() || state.file.format.kind != FormatKind::nightly) return false;
+  return std::any_of(state.fixtures.begin(), state.fixtures.end(), [&state](const FixtureState& f) {
+    return f.fixture.round == static_cast<int>(state.nights.size()) && !open_legs(state, f).empty();
+  });
+}
+
+// True if the command goes on with the last night: it began on the day that it is in the league's
+// zone, or was interrupted not long ago.
 bool goes_on(const LeagueState& state, std::int64_t now) {
   if (state.nights.empty()) return false;
-  if (state.played() < state.legs() && state.file.format.kind == FormatKind::nightly) {
-    // Legs of paused teams stay open for longer than a night.
-    for (const FixtureState& f : state.fixtures) {
-      if (!open_legs(state, f).empty() && f.fixture.round == static_cast<int>(state.nights.size()))
-        return true;
-    }
-  }
   const auto began = system::parse_time(state.nights.back().at);
-  return began && state.file.time_zone.date(began->at) == state.file.time_zone.date(now);
+  if (!began) return false;
+  if (state.file.time_zone.date(began->at) == state.file.time_zone.date(now)) return true;
+  return now - began->at < longest_night_s && has_legs_to_play(state);
 }
 
 // Begins a night, or goes on with the one that was interrupted.
@@ -81,7 +91,7 @@ Result<void> begin_night(system::Files& files, LeagueStore& store, const LeagueO
 
 // Writes what each team is told to nights/N, which only the host can read.
 Result<void> write_digests(system::Files& files, const Folder& folder, const Overview& o,
-                           const Night& night) {
+                           const Night& night, const std::string& address) {
   const std::string home = folder.nights() + "/" + std::to_string(night.number);
   if (auto made = files.make_folder(folder.nights(), system::Readers::owner).and_then([&] {
         return files.make_folder(home, system::Readers::owner);
@@ -90,12 +100,13 @@ Result<void> write_digests(system::Files& files, const Folder& folder, const Ove
     return made;
   for (const TeamDigest& digest : digests(night, o)) {
     const std::string path = home + "/" + o.state.name(digest.team);
-    auto written = files.write(path + ".txt", digest_text(o, night, digest), system::Readers::owner)
-                       .and_then([&] {
-                         return files.write(path + ".json",
-                                            record::json_text(digest_json(o, digest), 1) + "\n",
-                                            system::Readers::owner);
-                       });
+    auto written =
+        files.write(path + ".txt", digest_text(o, night, digest, address), system::Readers::owner)
+            .and_then([&] {
+              return files.write(path + ".json",
+                                 record::json_text(digest_json(o, digest), 1) + "\n",
+                                 system::Readers::owner);
+            });
     if (!written) return written;
   }
   return {};
@@ -139,6 +150,29 @@ Result<std::string> report(system::Files& files, const LeagueStore& store, const
   return text.str();
 }
 
+// Starts the host's program with the folder of the digests, once for each night: a file says that
+// it has ended well. While nothing is told to teams, the program is told nothing either.
+Result<void> tell_program(system::Files& files, const std::string& program, const std::string& home,
+                          const LeagueState& state) {
+  if (program.empty()) return {};
+  if (state.release.level == ReleaseLevel::hidden) {
+    std::cerr << "mirocup: " << program << " is not started: this night is hidden from teams\n";
+    return {};
+  }
+  const std::string told = home + "/told";
+  if (files.exists(told)) return {};
+  const std::string folder = std::filesystem::absolute(home);
+  const auto code = system::run_child({.arguments = {program, folder}, .log = ""});
+  if (!code) return tl::unexpected(code.error());
+  if (*code == system::not_found)
+    return fail(Errc::unavailable, program + " cannot be started; the night itself is played");
+  if (*code != 0)
+    return fail(Errc::unavailable, program + " " + folder + ": exit code " + std::to_string(*code) +
+                                       "; the night itself is played, and the same command on the "
+                                       "same day starts it again");
+  return files.write(told, utc_text(system::now_s()) + "\n", system::Readers::owner);
+}
+
 }  // namespace
 
 Result<int> run_nightly(const LeagueOptions& options) {
@@ -154,7 +188,8 @@ Result<int> run_nightly(const LeagueOptions& options) {
     return fail(Errc::unavailable,
                 folder.path + " is being played already: this night is left out");
   const std::int64_t now = system::now_s();
-  if (auto same = expect_program(*store, record::this_software(), options.accepts_other_program);
+  if (auto same =
+          expect_program(disk, *store, record::this_software(), options.accepts_other_program);
       !same)
     return tl::unexpected(same.error());
   if (auto begun = begin_night(disk, *store, options, now); !begun)
@@ -174,16 +209,16 @@ Result<int> run_nightly(const LeagueOptions& options) {
   if (!night) return tl::unexpected(night.error());
   const FactsOfLegs facts = read_facts(disk, folder, after->state());
   const Overview o = overview(after->state(), facts);
-  if (auto written = write_digests(disk, folder, o, **night); !written)
+  if (auto written = write_digests(disk, folder, o, **night, options.address); !written)
     return tl::unexpected(written.error());
   const auto text = report(disk, *after, **night);
   if (!text) return tl::unexpected(text.error());
-  if (auto written =
-          disk.write(folder.nights() + "/" + std::to_string((*night)->number) + "/report.txt",
-                     *text, system::Readers::owner);
-      !written)
+  const std::string home = folder.nights() + "/" + std::to_string((*night)->number);
+  if (auto written = disk.write(home + "/report.txt", *text, system::Readers::owner); !written)
     return tl::unexpected(written.error());
-  std::cout << *text;
+  std::cout << *text << std::flush;
+  if (auto heard = tell_program(disk, options.on_night, home, after->state()); !heard)
+    return tl::unexpected(heard.error());
   if (after->state().played() == after->state().legs()) return exit_yes;
   say_what_is_left(after->state());
   return exit_no;

@@ -273,8 +273,9 @@ std::optional<std::string> ServedLeague::own_replay(const std::string& name,
                                                     const record::Whose& whose) {
   const std::string record = "records/" + name + ".json";
   if (record::has_thoughts(files_, store_.folder().path + "/" + record, whose)) {
-    auto own = replay_of(store_.folder().path + "/" + record, whose);
-    return own ? std::optional(linked(std::move(*own), record)) : std::nullopt;
+    // A leg of an earlier version may go another way here: then its page is the one that is kept.
+    if (auto own = replay_of(store_.folder().path + "/" + record, whose))
+      return linked(std::move(*own), record);
   }
   auto page = replay(name);
   return page ? std::optional(std::move(page->bytes)) : std::nullopt;

@@ -15,7 +15,7 @@ Result<int> run_plan(const ShardOptions& options) {
   auto store = LeagueStore::open(disk, Folder{options.folder});
   if (!store) return tl::unexpected(store.error());
   const record::Software software = record::this_software();
-  const auto ready = expect_program(*store, software, false).and_then([&] {
+  const auto ready = expect_program(disk, *store, software, false).and_then([&] {
     return keep_program(disk, store->folder(), software);
   });
   if (!ready) return tl::unexpected(ready.error());

@@ -46,13 +46,6 @@ web::Reply page_reply(int status, std::string html) {
           .headers = {{"Content-Security-Policy", page_policy}}};
 }
 
-// Returns the page with one more card at its end; "": as it is.
-std::string with_card(std::string page, const std::string& content) {
-  const std::size_t end = page.rfind("</main>");
-  if (content.empty() || end == std::string::npos) return page;
-  return page.insert(end, "<section class=\"card\">\n" + content + "</section>\n");
-}
-
 web::Reply go_to(const std::string& path) {
   return {.status = 303, .bytes = "", .headers = {{"Location", path}}};
 }
@@ -239,8 +232,8 @@ web::Reply Portal::team_page(const std::string& team) {
   const auto known = read_hand_ins(files_, folder_, team);
   desk.is_pinned = known && known->pinned > 0 && known->pinned == desk.playing;
   desk.statistics = options_.statistics(team);
-  return page_reply(200,
-                    with_card(team_desk_page(desk), options_.digest ? options_.digest(team) : ""));
+  if (options_.digest) desk.digest = options_.digest(team);
+  return page_reply(200, team_desk_page(desk));
 }
 
 // A team may choose one of its accepted versions, as long as it may hand in.

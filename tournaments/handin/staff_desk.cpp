@@ -160,15 +160,25 @@ class Forms {
     choice(html_, "people", "team", "Team", teams_);
     field(html_, "people", "display", "Name", false);
     field(html_, "people", "members", "Members, with ; between them", false, " size=\"50\"");
-    html_.raw("<p><button name=\"go\" value=\"do\">Write</button></p></form></details>\n");
+    write();
+    open("colour", "Give a team the colour of the mark beside its name");
+    choice(html_, "colour", "team", "Team", teams_);
+    field(html_, "colour", "colour", "Colour, empty for none", false,
+          " placeholder=\"#c03a2b\" size=\"8\" maxlength=\"7\"");
+    write();
   }
 
  private:
   void open(const std::string& act, const std::string& title) {
     html_.raw("<details class=\"act\"><summary>" + system::html_escaped(title) +
-              "</summary>\n<form method=\"post\" action=\"/hand-in/staff\"><input type=\"hidden\" "
+              "</summary>\n<form class=\"desk\" method=\"post\" action=\"/hand-in/staff\"><input "
+              "type=\"hidden\" "
               "name=\"act\"" +
               attribute("value", act) + ">\n");
+  }
+
+  void write() {
+    html_.raw("<p><button name=\"go\" value=\"do\">Write</button></p></form></details>\n");
   }
 
   void fixture(const std::string& act) {
@@ -287,6 +297,13 @@ Result<void> set_people(system::Files& files, const LeagueStore& store, const Fo
   auto people = read_people(files, store.folder());
   if (!people) return tl::unexpected(people.error());
   People& one = (*people)[team];
+  if (value_of(form, "act") == "colour") {
+    one.colour = value_of(form, "colour");
+    if (const std::string why = one.colour.empty() ? "" : objection_to_colour(one.colour);
+        !why.empty())
+      return fail(Errc::input, why);
+    return write_people(files, store.folder(), *people);
+  }
   one.display = value_of(form, "display");
   one.members.clear();
   std::string rest = value_of(form, "members");
@@ -376,7 +393,8 @@ web::Reply StaffDesk::act(const std::string& form) const {
   const Form values = decoded_form(form);
   auto store = LeagueStore::open(files_, folder_);
   if (!store) return broken(store.error());
-  if (value_of(values, "act") == "people") {
+  const std::string act = value_of(values, "act");
+  if (act == "people" || act == "colour") {
     if (const auto set = set_people(files_, *store, values); !set)
       return page(0, set.error().what, 400);
     return {.status = 303, .bytes = "", .headers = {{"Location", "/hand-in"}}};

@@ -10,6 +10,10 @@ namespace mirocup::league {
 
 namespace {
 
+// What is not folded of a list whose latest lines come first.
+constexpr std::ptrdiff_t shown_friendlies = 10;
+constexpr std::ptrdiff_t shown_legs = 20;
+
 constexpr std::string_view log_in_form =
     R"(<form class="desk" method="post" action="/hand-in/log-in">
 <p><label for="token">Token of your team</label></p>
@@ -191,6 +195,18 @@ void legs_table(Html& html, const Json& legs) {
   html.close_table();
 }
 
+// Shows the first legs, which are the latest, and folds the others.
+void latest_first(Html& html, const Json& legs, std::ptrdiff_t shown,
+                  void (*table)(Html&, const Json&)) {
+  const auto older = legs.begin() + std::min<std::ptrdiff_t>(shown, legs.end() - legs.begin());
+  if (legs.begin() != older) table(html, Json(legs.begin(), older));
+  if (older == legs.end()) return;
+  html.raw("<details>\n");
+  html.cell("summary", "Older ones");
+  table(html, Json(older, legs.end()));
+  html.raw("</details>\n");
+}
+
 void friendly_form(Html& html, const std::vector<std::string>& opponents) {
   html.raw(
       "<form id=\"friendly\" class=\"desk\" hidden>\n<p><label for=\"opponent\">A leg that "
@@ -239,16 +255,7 @@ void friendlies_card(Html& html, const TeamDesk& desk) {
       "the other team sees result and replay of those.</p>\n");
   if (desk.playing > 0) friendly_form(html, desk.opponents);
   html.raw("<div id=\"friendlies\">\n");
-  constexpr std::ptrdiff_t shown = 10;  // legs; the others are folded
-  const auto latest = desk.friendlies.begin();
-  const auto older = latest + std::min<std::ptrdiff_t>(shown, desk.friendlies.end() - latest);
-  if (latest != older) friendlies_table(html, Json(latest, older));
-  if (older != desk.friendlies.end()) {
-    html.raw("<details>\n");
-    html.cell("summary", "Older ones");
-    friendlies_table(html, Json(older, desk.friendlies.end()));
-    html.raw("</details>\n");
-  }
+  latest_first(html, desk.friendlies, shown_friendlies, friendlies_table);
   html.raw("</div>\n");
 }
 
@@ -276,13 +283,17 @@ std::string team_desk_page(const TeamDesk& desk) {
     entries_table(html, desk);
   }
   html.raw("</div>\n");
+  if (!desk.digest.empty()) {
+    html.raw("</section>\n<section class=\"card\">\n");
+    html.raw(desk.digest);
+  }
   friendlies_card(html, desk);
   next_card(html, "Own legs");
   if (desk.legs.empty()) html.cell("p", "No leg of the league was played yet.");
   Json all = desk.legs;
   all.insert(all.end(), desk.friendlies.begin(), desk.friendlies.end());
   processor_time(html, all);
-  if (!desk.legs.empty()) legs_table(html, desk.legs);
+  latest_first(html, desk.legs, shown_legs, legs_table);
   html.raw(desk.statistics);
   html.raw(script);
   return desk_page(desk.team, html);

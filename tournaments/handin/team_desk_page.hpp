@@ -24,6 +24,7 @@ struct TeamDesk {
   int playing = 0;                     // the entry that plays; 0: none yet
   bool is_pinned = false;              // that entry plays on, whatever is accepted
   std::string statistics;              // HTML
+  std::string digest;                  // HTML: what the last night has changed; "": nothing
 };
 
 // `why` is a sentence that says what was wrong with the last token; "": nothing was.

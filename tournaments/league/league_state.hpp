@@ -99,6 +99,10 @@ struct LeagueState {
   // The names that pages show, in the order of the teams; empty: those of league.json.
   std::vector<std::string> shown_names;
 
+  // The colours of the marks beside them, "#c03a2b", by the team's name in league.json; a team
+  // without one has no mark.
+  std::map<std::string, std::string> shown_colours;
+
   // Numbers of the legs that the league needs by present results, and of those that are decided.
   int legs() const { return needed_; }
   int played() const { return decided_; }

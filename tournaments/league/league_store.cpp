@@ -36,6 +36,7 @@ Result<LeagueStore> LeagueStore::open(system::Files& files, Folder folder, std::
   const auto people = read_people(files, folder);
   if (!people) return tl::unexpected(people.error());
   state->shown_names = shown_names(state->file, *people);
+  state->shown_colours = shown_colours(state->file, *people);
   LeagueStore store(std::move(folder), std::move(*journal), std::move(*state), std::move(clock));
   store.applied_ = store.journal_.lines().size();
   return store;
@@ -84,6 +85,7 @@ Result<void> LeagueStore::rebuild() {
   auto state = state_from_journal(state_.file, journal_);
   if (!state) return tl::unexpected(state.error());
   state->shown_names = std::move(state_.shown_names);
+  state->shown_colours = std::move(state_.shown_colours);
   state_ = std::move(*state);
   applied_ = journal_.lines().size();
   return {};

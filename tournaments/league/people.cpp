@@ -22,14 +22,21 @@ std::string read_name(const record::JsonReader& json) {
   return text;
 }
 
+std::string read_colour(const record::JsonReader& json) {
+  const std::string text = json.text();
+  if (const std::string why = objection_to_colour(text); !why.empty()) json.complain(why);
+  return text;
+}
+
 PeopleOfTeams read_teams_file(const record::JsonReader& json) {
   json.expect_object({"schema", "teams"});
   json.expect_schema(people_schema);
   PeopleOfTeams people;
   for (const record::JsonReader& team : json.at("teams").elements(0, 1000)) {
-    team.expect_object({"team", "display", "members"});
+    team.expect_object({"team", "display", "members", "colour"});
     People& one = people[team.at("team").text()];
     if (team.has("display")) one.display = read_name(team.at("display"));
+    if (team.has("colour")) one.colour = read_colour(team.at("colour"));
     if (!team.has("members")) continue;
     for (const record::JsonReader& member : team.at("members").elements(0, max_members))
       one.members.push_back(read_name(member));
@@ -47,6 +54,12 @@ std::string objection_to_display(const std::string& text) {
   return "";
 }
 
+std::string objection_to_colour(const std::string& text) {
+  const bool is_one = text.size() == 7 && text[0] == '#' &&
+                      text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+  return is_one ? "" : "a colour is '#' and six hexadecimal digits, as in #c03a2b";
+}
+
 Result<PeopleOfTeams> read_people(system::Files& files, const Folder& folder) {
   if (!files.exists(folder.people())) return PeopleOfTeams{};
   const auto text = files.read(folder.people(), {.max_size = system::size_limit::league_file});
@@ -60,10 +73,21 @@ Result<void> write_people(system::Files& files, const Folder& folder, const Peop
     Json json{{"team", team}};
     if (!one.display.empty()) json["display"] = one.display;
     if (!one.members.empty()) json["members"] = one.members;
+    if (!one.colour.empty()) json["colour"] = one.colour;
     teams.push_back(json);
   }
   const Json json{{"schema", people_schema}, {"teams", teams}};
   return files.write(folder.people(), record::json_text(json, 1) + "\n", system::Readers::owner);
+}
+
+std::map<std::string, std::string> shown_colours(const LeagueFile& file,
+                                                 const PeopleOfTeams& people) {
+  std::map<std::string, std::string> colours;
+  if (file.is_anonymous) return colours;
+  for (const auto& [team, one] : people) {
+    if (!one.colour.empty()) colours[team] = one.colour;
+  }
+  return colours;
 }
 
 // Two teams of one name could not be told apart: then it is followed by their own.

@@ -16,6 +16,7 @@ namespace mirocup::league {
 struct People {
   std::string display;               // any letters: "Zoë & Co"; "": the team's name
   std::vector<std::string> members;  // names or matriculation numbers
+  std::string colour = {};           // of the mark beside its name, "#c03a2b"; "": it has no mark
 
   bool operator==(const People&) const = default;
 };
@@ -25,9 +26,16 @@ using PeopleOfTeams = std::map<std::string, People>;  // by the team's name
 // at most 60 bytes.
 std::string objection_to_display(const std::string& text);
 
+// Returns why a text is no colour; "" if it is one: '#' and six hexadecimal digits.
+std::string objection_to_colour(const std::string& text);
+
 // Reads and writes the file; a league without it has no such names. Errors: Errc::input.
 Result<PeopleOfTeams> read_people(system::Files& files, const Folder& folder);
 Result<void> write_people(system::Files& files, const Folder& folder, const PeopleOfTeams& people);
+
+// Returns the colours that pages show, by the team's name in the league.
+std::map<std::string, std::string> shown_colours(const LeagueFile& file,
+                                                 const PeopleOfTeams& people);
 
 // Returns the names that pages show, in the order of the teams; empty if they are the teams' own.
 std::vector<std::string> shown_names(const LeagueFile& file, const PeopleOfTeams& people);

@@ -4,6 +4,7 @@
 #include "server/record/json_reader.hpp"
 #include "system/locations.hpp"
 #include "system/process_set.hpp"
+#include "tournaments/league/kept_program.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -15,20 +16,8 @@ namespace mirocup::league {
 
 namespace {
 
-constexpr std::string_view match_program = "mirocup";
-
 std::string in_words(const std::string& version, const std::string& game) {
   return "mirocup " + version + (game.empty() ? "" : " (game " + game + ")");
-}
-
-std::string kept_program(const Folder& folder, const std::string& game) {
-  return folder.programs() + "/" + game + "/" + std::string(match_program);
-}
-
-// A hash of hexadecimal digits; anything else in a record names no folder.
-bool is_game(const std::string& game) {
-  return !game.empty() && game.size() <= 64 &&
-         game.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
 // What is needed of a record before it is verified.
@@ -97,14 +86,42 @@ void compare_with_journal(const LeagueStore& store, const std::map<std::string, 
   }
 }
 
+// Returns the behaviour of the program that played the last leg; "" if no record says so.
+std::string game_of_last_leg(system::Files& files, const LeagueStore& store) {
+  const std::vector<Json>& lines = store.journal().lines();
+  for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
+    const auto event = read_event(*line);
+    const auto* played = event ? std::get_if<LegPlayed>(&*event) : nullptr;
+    if (played != nullptr) return game_of_record(files, store.folder(), played->record);
+  }
+  return "";
+}
+
+Result<std::string> bytes_of_sibling(system::Files& files, const std::string& name) {
+  return files.read(system::sibling_program(name), {.max_size = 4 * system::size_limit::system_file,
+                                                    .links = system::Links::followed});
+}
+
+Result<void> write_program(system::Files& files, const std::string& path,
+                           const std::string& bytes) {
+  namespace fs = std::filesystem;
+  if (auto written = files.write(path, bytes); !written) return written;
+  std::error_code failed;
+  fs::permissions(path, fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec,
+                  fs::perm_options::add, failed);
+  if (failed) return fail(Errc::unavailable, path + ": " + failed.message());
+  return {};
+}
+
 }  // namespace
 
-Result<void> expect_program(LeagueStore& store, const record::Software& program,
-                            bool accepts_other) {
+Result<void> expect_program(system::Files& files, LeagueStore& store,
+                            const record::Software& program, bool accepts_other) {
   const LeagueState& state = store.state();
-  const ProgramChosen& before = state.program;
+  ProgramChosen before = state.program;
   if (!state.is_started) return {};
   // Journals of earlier versions name the version only.
+  if (before.game.empty()) before.game = game_of_last_leg(files, store);
   const bool is_same = before.version == program.version &&
                        (before.game.empty() || before.game == program.behaviour_hash);
   if (is_same) return {};
@@ -123,35 +140,20 @@ Result<void> keep_program(system::Files& files, const Folder& folder,
                           const record::Software& program) {
   const std::string kept = kept_program(folder, program.behaviour_hash);
   if (files.exists(kept)) return {};
-  const auto bytes = files.read(
-      system::sibling_program(std::string(match_program)),
-      {.max_size = 4 * system::size_limit::system_file, .links = system::Links::followed});
-  if (!bytes) return tl::unexpected(bytes.error());
+  const auto server = bytes_of_sibling(files, "mirocup");
+  if (!server) return tl::unexpected(server.error());
+  const auto host = bytes_of_sibling(files, "mirocup-plugin-host");
+  if (!host) return tl::unexpected(host.error());
   const Json about{{"version", program.version},
                    {"build", program.build},
                    {"game", program.behaviour_hash},
-                   {"sha256", system::sha256(*bytes)}};
-  const std::string home = folder.programs() + "/" + program.behaviour_hash;
-  auto written =
-      files.make_folder(home)
-          .and_then([&] {
-            return files.write(home + "/program.json", record::json_text(about, 1) + "\n");
-          })
-          .and_then([&] { return files.write(kept, *bytes); });
-  if (!written) return written;
-  std::error_code failed;
-  namespace fs = std::filesystem;
-  fs::permissions(kept, fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec,
-                  fs::perm_options::add, failed);
-  if (failed) return fail(Errc::unavailable, kept + ": " + failed.message());
-  return {};
-}
-
-std::string verifier_of(system::Files& files, const Folder& folder, const std::string& game) {
-  const bool is_other = game != record::this_software().behaviour_hash;
-  const std::string kept = is_game(game) ? kept_program(folder, game) : "";
-  if (is_other && !kept.empty() && files.exists(kept)) return kept;
-  return system::sibling_program(std::string(match_program));
+                   {"sha256", system::sha256(*server)}};
+  const std::string home = std::filesystem::path(kept).parent_path();
+  return files.make_folder(home)
+      .and_then([&] { return write_program(files, home + "/mirocup-plugin-host", *host); })
+      .and_then(
+          [&] { return files.write(home + "/program.json", record::json_text(about, 1) + "\n"); })
+      .and_then([&] { return write_program(files, kept, *server); });
 }
 
 Result<VerifiedRecords> verify_records(system::Files& files, const LeagueStore& store, int jobs) {
@@ -183,7 +185,7 @@ Result<VerifiedRecords> verify_records(system::Files& files, const LeagueStore& 
   for (std::size_t next = 0; next < waiting.size() || processes.running() > 0;) {
     if (next < waiting.size() && static_cast<int>(processes.running()) < jobs) {
       const RecordedLeg& leg = *waiting[next];
-      const std::string program = verifier_of(files, folder, leg.game);
+      const std::string program = program_of_game(files, folder, leg.game);
       ++by_program[in_words(leg.version, leg.game) + ", verified by " + program];
       const int tag = static_cast<int>(next++);
       const auto started = processes.start({program, "verify", folder.path + "/" + leg.path}, tag,

@@ -15,17 +15,15 @@ namespace mirocup::league {
 
 // Refuses to play a league that another program has begun to play, unless `accepts_other`: then a
 // line says that this one goes on. A program is another one if its version or the hash of its
-// behaviour (`game`) is. Errors: Errc::input.
-Result<void> expect_program(LeagueStore& store, const record::Software& program,
-                            bool accepts_other);
+// behaviour (`game`) is; where the journal does not name the latter, the last record does. Errors:
+// Errc::input.
+Result<void> expect_program(system::Files& files, LeagueStore& store,
+                            const record::Software& program, bool accepts_other);
 
-// Keeps a copy of this match server with the league, if it is not there.
+// Keeps copies of this match server, and of the host of teams' libraries that it needs for a rerun,
+// with the league, if they are not there.
 Result<void> keep_program(system::Files& files, const Folder& folder,
                           const record::Software& program);
-
-// Returns the path of the match server by which records of that behaviour are verified: the kept
-// one, or this one if it behaves alike or none is kept.
-std::string verifier_of(system::Files& files, const Folder& folder, const std::string& game);
 
 // What became of the records of a league.
 struct VerifiedRecords {

@@ -24,6 +24,7 @@ constexpr int max_front_legs = 240;
 
 constexpr std::size_t front_form_length = 5;  // legs
 constexpr std::size_t worth_length = 5;
+constexpr std::size_t most_scores_in_cell = 6;  // of the crosstable
 
 std::string_view status_of(const TeamState& team) {
   if (team.status == TeamStatus::paused) return "paused";
@@ -38,6 +39,7 @@ Json row_values(const Overview& o, const std::vector<TableRow>& table, std::size
           {"team", team_values(o, row.team, "")},
           {"status", status_of(o.state.teams[row.team])},
           {"points", row.points},
+          {"points_per_leg", points_per_leg(row)},
           {"played", row.played},
           {"won", row.won},
           {"drawn", row.drawn},
@@ -166,6 +168,23 @@ Json decisions_values(const LeagueState& state) {
   return decisions;
 }
 
+// The sums of many legs, as "12–8–1" and "34:17"; without links, which the rounds have.
+Json sums_of(const std::vector<const LegView*>& legs, int team) {
+  int count[3] = {};
+  int own = 0;
+  int other = 0;
+  for (const LegView* leg : legs) {
+    if (leg->played == nullptr) continue;
+    ++count[leg->letter(team) == 'W' ? 0 : leg->letter(team) == 'D' ? 1 : 2];
+    own += leg->goals(team);
+    other += leg->goals_against(team);
+  }
+  const std::string won =
+      std::to_string(count[0]) + "–" + std::to_string(count[1]) + "–" + std::to_string(count[2]);
+  return {{{"score", won}, {"page", ""}},
+          {{"score", std::to_string(own) + ":" + std::to_string(other)}, {"page", ""}}};
+}
+
 Json cell_values(const std::vector<const LegView*>& legs, int team, const std::string& root) {
   Json scores = Json::array();
   int ahead = 0;
@@ -176,7 +195,9 @@ Json cell_values(const std::vector<const LegView*>& legs, int team, const std::s
         {{"score", score_text(*leg, team)},
          {"page", leg->has_replay() ? root + replay_page_of(leg->played->record) : ""}});
   }
-  return {{"scores", scores},
+  const bool is_summed = scores.size() > most_scores_in_cell;
+  return {{"scores", is_summed ? sums_of(legs, team) : scores},
+          {"is_summed", is_summed},
           {"result", scores.empty() ? ""
                      : ahead > 0    ? "W"
                      : ahead < 0    ? "L"
@@ -192,6 +213,7 @@ Json crosstable_values(const Overview& o, const std::string& root) {
   }
   Json heads = Json::array();
   Json rows = Json::array();
+  bool has_sums = false;
   for (const TableRow& row : o.table) {
     Json team = team_values(o, row.team, root);
     team["rank"] = heads.size() + 1;
@@ -204,10 +226,11 @@ Json crosstable_values(const Overview& o, const std::string& root) {
       }
       cells.push_back(
           cell_values(met[static_cast<std::size_t>(row.team) * n + column.team], row.team, root));
+      has_sums = has_sums || cells.back()["is_summed"];
     }
     rows.push_back({{"team", team}, {"cells", cells}});
   }
-  return {{"heads", heads}, {"rows", rows}};
+  return {{"heads", heads}, {"rows", rows}, {"has_sums", has_sums}};
 }
 
 }  // namespace
@@ -222,6 +245,7 @@ std::string front_html(const SiteContent& c) {
   values["table"] = table_values(o);
   values["bracket"] = bracket_svg(o);
   values["groups"] = groups_values(o);
+  values["per_leg"] = o.state.file.format.takes_entries();
   values["chart"] = strength_picture(o, c.history, no_team);
   values["worth"] = worth_values(o);
   values["statistics"] = statistics_html(o, c.reports);

@@ -24,6 +24,7 @@ using statistics::LegReport;
 using statistics::TeamStatistics;
 using statistics::TeamTotals;
 
+constexpr std::size_t most_goals_unfolded = 60;
 constexpr double lead_in_s = 3.0;  // a link to a goal shows what came before it
 
 Result<LegReport> kept_report(system::Files& files, const Folder& folder,
@@ -160,17 +161,27 @@ std::string loss_in_words(const std::optional<statistics::Loss>& loss, const sta
 }
 
 void goals_against(Html& html, const LegReports& reports, const std::string& name) {
-  bool any = false;
+  std::size_t count = 0;
+  for (const LegReport& leg : reports) {
+    const auto colour = colour_of(leg, name);
+    const auto& goals = leg.statistics.goals;
+    count += colour ? std::count_if(goals.begin(), goals.end(),
+                                    [&](const auto& goal) { return goal.team != *colour; })
+                    : 0;
+  }
+  if (count == 0) return;
+  html.cell("h2", "How goals fell against it");
+  const bool is_folded = count > most_goals_unfolded;
+  if (is_folded) {
+    html.raw("<details>\n");
+    html.cell("summary", std::to_string(count) + " goals");
+  }
+  html.open_table();
+  html.row("th", {"Leg", "By", "Kind", "Last restart", "After it", "Ball lost by", "Replay"});
   for (const LegReport& leg : reports) {
     const auto colour = colour_of(leg, name);
     for (const statistics::Goal& goal : leg.statistics.goals) {
       if (!colour || goal.team == *colour) continue;
-      if (!any) {
-        html.cell("h2", "How goals fell against it");
-        html.open_table();
-        html.row("th", {"Leg", "By", "Kind", "Last restart", "After it", "Ball lost by", "Replay"});
-      }
-      any = true;
       html.open("tr");
       html.cell("td", leg.leg);
       html.cell("td", leg.names[index_of(goal.team)]);
@@ -184,7 +195,8 @@ void goals_against(Html& html, const LegReports& reports, const std::string& nam
       html.close("tr");
     }
   }
-  if (any) html.close_table();
+  html.close_table();
+  if (is_folded) html.raw("</details>\n");
 }
 
 }  // namespace

@@ -29,12 +29,6 @@ std::string to(std::int64_t a, std::int64_t b) {
   return ", " + std::to_string(a) + " to " + std::to_string(b);
 }
 
-std::string points_per_leg(const TableRow& row) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f", double(row.points) / std::max(1, row.played));
-  return text;
-}
-
 // In the order of LegEnd.
 constexpr std::array<std::string_view, 8> end_words{"full time",
                                                     "golden goal",
@@ -151,6 +145,12 @@ std::string fault_in_words(const LegFault& fault) {
   const auto code = from_string<match::FaultCode>(fault.code);
   const std::string words(code ? fault_words[static_cast<std::size_t>(*code)] : fault.code);
   return words + ": " + fault.text;
+}
+
+std::string points_per_leg(const TableRow& row) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f", double(row.points) / std::max(1, row.played));
+  return text;
 }
 
 std::string reason_in_words(const TableRow& row, const TableRow* next) {

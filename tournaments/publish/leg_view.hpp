@@ -52,6 +52,9 @@ std::string end_in_words(const LeagueState& state, const PlayedLeg& leg);
 // Returns a sentence for a fault, without its team.
 std::string fault_in_words(const LegFault& fault);
 
+// "2.15"; "0.00" before the first leg.
+std::string points_per_leg(const TableRow& row);
+
 // Returns what puts a row above the next: "goal difference, +5 to +2"; "" for the last row, and
 // before both teams have played. `next` is null for the last row.
 std::string reason_in_words(const TableRow& row, const TableRow* next);

@@ -88,7 +88,10 @@ SiteFile night_page(const Overview& o, const Night& night, const std::vector<Tea
     html.open("tr");
     html.cell_of("number", d.rank > 0 ? std::to_string(d.rank) : "–");
     html.cell_of("number", d.rank_before > 0 ? std::to_string(d.rank_before) : "–");
-    html.link_cell("teams/" + o.state.name(d.team) + ".html", o.state.shown_name(d.team));
+    html.open("td");
+    html.raw(mark_of(o.state, d.team));
+    html.link("teams/" + o.state.name(d.team) + ".html", o.state.shown_name(d.team));
+    html.close("td");
     html.cell("td", legs_in_words(d));
     html.cell_of("number", std::to_string(std::lround(d.strength.value)));
     const long change = d.strength_before

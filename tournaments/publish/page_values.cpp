@@ -29,6 +29,16 @@ std::string note_of(const Overview& o, const LegView& leg, bool has_several) {
          end_in_words(o.state, played);
 }
 
+// True if all legs of a tie that is over left it level, `ahead` being the goals of the home team
+// beyond those of the other one.
+bool is_by_lot(const FixtureState& tie, int ahead) {
+  return ahead == 0 && std::all_of(tie.legs.begin(), tie.legs.end(), [](const LegState& leg) {
+           return !leg.played ||
+                  (leg.played->end != LegEnd::withdrawn &&
+                   (leg.played->end != LegEnd::shoot_out || leg.played->winner == no_team));
+         });
+}
+
 std::string tenths(double value) {
   return std::to_string(std::lround(value * 10.0) / 10) + "." +
          std::to_string(std::abs(std::lround(value * 10.0)) % 10);
@@ -61,6 +71,7 @@ Json page_values(const Overview& o, const std::string& root, const std::string& 
   const std::string& league = o.state.file.title;
   return {{"root", root},
           {"league", league},
+          {"mark", ""},
           {"heading", title.empty() ? league : title},
           {"page_title", title.empty() ? league : title + " · " + league},
           {"has_knockout", o.state.file.format.has_knockout()},
@@ -68,8 +79,19 @@ Json page_values(const Overview& o, const std::string& root, const std::string& 
           {"legs", o.state.legs()}};
 }
 
+// A picture instead of a style, which the pages' policy forbids. A line around it shows a colour
+// that is that of the page.
+std::string mark_of(const LeagueState& state, int team) {
+  const auto colour = state.shown_colours.find(state.name(team));
+  if (colour == state.shown_colours.end()) return "";
+  return R"(<svg class="mark" viewBox="0 0 16 12" width="16" height="12" aria-hidden="true">)"
+         R"(<circle cx="6" cy="6" r="5" fill=")" +
+         colour->second + R"(" stroke="#888"/></svg>)";
+}
+
 Json team_values(const Overview& o, int team, const std::string& root) {
   return {{"name", o.state.shown_name(team)},
+          {"mark", mark_of(o.state, team)},
           {"page", root + team_page_of(o.state.name(team))},
           {"index", team}};
 }
@@ -113,6 +135,14 @@ Json fixture_values(const Overview& o, const FixtureView& fixture, const std::st
   const bool is_over = open.empty() && !legs.empty();
   home["won"] = is_over && ahead > 0;
   away["won"] = is_over && ahead < 0;
+  if (is_over && f.part == Part::knockout) {
+    // A shoot-out, or a lot, may have decided.
+    const int winner = outcome(o.state, *fixture.state).winner;
+    home["won"] = winner == f.home;
+    away["won"] = winner == f.away;
+    if (is_by_lot(*fixture.state, ahead))
+      notes.push_back("level: a lot decided for " + o.state.shown_name(winner));
+  }
   return {{"id", f.id()},   {"round", round_in_words(o.state, f)},
           {"home", home},   {"away", away},
           {"legs", legs},   {"open", open},

@@ -20,7 +20,10 @@ std::string filled_page(std::string_view name, const Json& values);
 // `title` is the page's own; "" for the front page, which has the league's.
 Json page_values(const Overview& overview, const std::string& root, const std::string& title);
 
-// {name, page, index} of a team.
+// The mark of a team's colour, as markup that stands before its name; "" if it has none.
+std::string mark_of(const LeagueState& state, int team);
+
+// {name, mark, page, index} of a team.
 Json team_values(const Overview& overview, int team, const std::string& root);
 
 // What fixture.html needs: {id, home, away, legs [{score, page, record}], open [], notes}. The

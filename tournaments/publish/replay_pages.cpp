@@ -3,6 +3,7 @@
 
 #include "system/locations.hpp"
 #include "system/process_set.hpp"
+#include "tournaments/league/kept_program.hpp"
 #include "tournaments/publish/league_statistics.hpp"
 #include "tournaments/publish/replay_nav.hpp"
 
@@ -29,27 +30,56 @@ std::vector<std::string> records_of(system::Files& files, const Folder& folder,
   return records;
 }
 
-// Returns the commands that make the missing pages.
-std::vector<Arguments> missing_pages(system::Files& files, const Folder& folder,
-                                     const LeagueState& state) {
-  std::vector<Arguments> commands;
+// True if the page of a record is there with statistics that can be read. Statistics of an earlier
+// version that cannot be read any more are not made again by the same program.
+bool has_page(system::Files& files, const Folder& folder, const std::string& record) {
+  if (!files.exists(folder.site() + "/" + replay_page_of(record))) return false;
+  if (has_statistics(files, folder, record)) return true;
+  return files.exists(folder.site() + "/" + statistics_file_of(record)) &&
+         program_of_game(files, folder, game_of_record(files, folder, record)) !=
+             system::sibling_program("mirocup");
+}
+
+// A page that is not there, and the programs that may make it: the one that played the leg, and
+// this one if that fails, as one of an earlier version may, which knows other options.
+struct MissingPage {
+  std::string record;
+  std::vector<std::string> programs;
+};
+
+Arguments command_for(const Folder& folder, const MissingPage& missing, std::size_t attempt) {
+  return {missing.programs[attempt],
+          "replay",
+          folder.path + "/" + missing.record,
+          "--no-times",
+          "--public",
+          "-o",
+          folder.site() + "/" + replay_page_of(missing.record),
+          "--statistics",
+          folder.site() + "/" + statistics_file_of(missing.record)};
+}
+
+std::vector<MissingPage> missing_pages(system::Files& files, const Folder& folder,
+                                       const LeagueState& state) {
+  const std::string own = system::sibling_program("mirocup");
+  std::vector<MissingPage> missing;
   for (const FixtureState& f : state.fixtures) {
     for (const std::string& record : records_of(files, folder, f)) {
-      const std::string page = folder.site() + "/" + replay_page_of(record);
-      if (files.exists(page) && has_statistics(files, folder, record)) continue;
-      commands.push_back({system::sibling_program("mirocup"), "replay", folder.path + "/" + record,
-                          "--no-times", "--public", "-o", page, "--statistics",
-                          folder.site() + "/" + statistics_file_of(record)});
+      if (has_page(files, folder, record)) continue;
+      const std::string game = game_of_record(files, folder, record);
+      MissingPage page{.record = record, .programs = {program_of_game(files, folder, game)}};
+      if (page.programs.front() != own) page.programs.push_back(own);
+      missing.push_back(std::move(page));
     }
   }
-  return commands;
+  return missing;
 }
 
 // Returns the number of pages that could not be made.
 Result<int> make_missing_pages(system::Files& files, const Folder& folder, const LeagueState& state,
                                int jobs) {
-  const std::vector<Arguments> commands = missing_pages(files, folder, state);
-  if (commands.empty()) return 0;
+  const std::vector<MissingPage> missing = missing_pages(files, folder, state);
+  if (missing.empty()) return 0;
   for (const char* name : {"/replays", "/statistics"}) {
     if (auto made = files.make_folder(folder.site() + name); !made) {
       return tl::unexpected(made.error());
@@ -59,17 +89,27 @@ Result<int> make_missing_pages(system::Files& files, const Folder& folder, const
       jobs > 0 ? static_cast<std::size_t>(jobs) : system::processors().size();
   system::ProcessSet processes;
   int failed = 0;
+  std::vector<std::size_t> attempts(missing.size());  // of each page, those that failed
+  std::vector<std::size_t> again;                     // pages that another program is to make
   std::size_t next = 0;
-  while (next < commands.size() || processes.running() > 0) {
-    if (next < commands.size() && processes.running() < at_once) {
-      if (auto started = processes.start(commands[next++], 0, -1, "/dev/null"); !started) {
-        return tl::unexpected(started.error());
-      }
+  while (next < missing.size() || !again.empty() || processes.running() > 0) {
+    if ((next < missing.size() || !again.empty()) && processes.running() < at_once) {
+      const std::size_t page = again.empty() ? next++ : again.back();
+      if (!again.empty()) again.pop_back();
+      const auto started = processes.start(command_for(folder, missing[page], attempts[page]),
+                                           static_cast<int>(page), -1, "/dev/null");
+      if (!started) return tl::unexpected(started.error());
       continue;
     }
     const auto exit = processes.wait();
     if (!exit) return fail(Errc::interrupted, "interrupted while making replay pages");
-    if (exit->code != exit_yes || exit->signal != 0) ++failed;
+    if (exit->code == exit_yes && exit->signal == 0) continue;
+    const auto page = static_cast<std::size_t>(exit->tag);
+    if (++attempts[page] < missing[page].programs.size()) {
+      again.push_back(page);
+    } else {
+      ++failed;
+    }
   }
   return failed;
 }

@@ -152,6 +152,7 @@ std::string team_html(const SiteContent& c, int team) {
                                 [team](const TableRow& r) { return r.team == team; });
   const TeamState& now = o.state.teams[team];
   Json values = page_values(o, "../", o.state.shown_name(team));
+  values["mark"] = mark_of(o.state, team);
   values["rank"] = row - o.table.begin() + 1;
   values["teams"] = o.table.size();
   values["points"] = row->points;

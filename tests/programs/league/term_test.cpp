@@ -132,8 +132,9 @@ struct Tally {
         ++nights;
         for (const auto& entry : line["entries"]) entries[entry["team"]] = entry["entry"];
       }
-      if (kind != "leg" && kind != "ruling") continue;
+      if (kind != "leg" && kind != "ruling" && kind != "void") continue;
       const std::string id = line["fixture"].get<std::string>() + "/" + line["leg"].dump();
+      if (kind == "void") legs.erase(id);
       if (kind == "leg") {
         legs[id] = {line["home"],
                     line["away"],
@@ -143,7 +144,7 @@ struct Tally {
                     entries[line["away"]],
                     nights,
                     true};
-      } else if (!undone.contains(line["n"].get<int>())) {
+      } else if (kind == "ruling" && !undone.contains(line["n"].get<int>())) {
         legs[id].home_goals = line["score"]["home"];
         legs[id].away_goals = line["score"]["away"];
       }
@@ -305,6 +306,8 @@ TEST_F(Term, OfThreeWeeks) {
   write_file(temporary_ / "class.csv",
              "team,display,members\nalpha,Zoë & Co,Zoë; Max\nbeta,Löwen,Ada\n");
   ask("team", {"--csv", temporary_ / "class.csv"});
+  ask("team", {"alpha", "--colour", "#c03a2b"});
+  ask("team", {"beta", "--colour", "red"}, 2);
   ask("submit", {"alpha", house("chaser")});
   ask("submit", {"beta", house("keeper")});
   ask("submit", {"gamma", house("navigator")});
@@ -324,6 +327,7 @@ TEST_F(Term, OfThreeWeeks) {
   EXPECT_TRUE(contains(first, "alpha and epsilon handed in the same file")) << first;
   EXPECT_TRUE(contains(first, "gamma: entry 2 was not accepted")) << first;
   EXPECT_TRUE(contains(page("index.html"), "Zoë &amp; Co"));
+  EXPECT_TRUE(contains(page("teams/alpha.html"), "fill=\"#c03a2b\""));
   EXPECT_TRUE(contains(page("feed.xml"), "<title>Night 1: "));
   expect_digests(folder_);
   ask("publish", {"--through", "r1", "-o", temporary_ / "first"});
@@ -417,7 +421,76 @@ TEST_F(Term, OfThreeWeeks) {
   EXPECT_EQ(refused_late.exit_code, 1);
   EXPECT_TRUE(contains(refused_late.out, "the league is closed")) << refused_late.out;
   expect_grades(folder_, by_new("grades", {}).out);
+
+  // The kept program asks the teams of a leg again, and makes its page again.
+  const Outcome rerun = run(
+      {folder_ + "/programs/" + game + "/mirocup", "rerun", folder_ + "/records/r1-f1-1-1.json"});
+  EXPECT_EQ(rerun.exit_code, 0) << rerun.out << rerun.err;
+  const std::string kept = folder_ + "/programs/" + game + "/mirocup";
+  fs::rename(kept, kept + ".real");
+  write_file(kept, "#!/bin/sh\necho \"$2\" >>" + (temporary_ / "asked") + "\nexec " + kept +
+                       ".real \"$@\"\n");
+  fs::permissions(kept, fs::perms::owner_all);
+  const auto before = test_support::site_of(folder_);
+  fs::remove_all(folder_ + "/site");
+  EXPECT_EQ(by_new("publish", {}).exit_code, 0);
+  EXPECT_EQ(test_support::site_of(folder_), before);
+  const std::string asked = read_file(temporary_ / "asked");
+  for (const auto& line : journal_of(folder_)) {
+    if (line["kind"] != "leg") continue;
+    const std::string record = line["record"];
+    EXPECT_EQ(contains(asked, "/" + record + "\n"), !record.starts_with("records/r3-")) << record;
+  }
   for (const auto& line : journal_of(folder_)) EXPECT_TRUE(line.contains("at")) << line;
+}
+
+// Catches a program of the host that hears of a night twice, of one that is hidden, or not at all
+// after it has failed; and digests for mails whose links lead nowhere.
+TEST_F(Term, AProgramOfTheHostHearsOfEachNightOnce) {
+  go_to_day(0);
+  init();
+  ask("submit", {"alpha", house("chaser")});
+  const std::string heard = temporary_ / "heard";
+  const auto hears = [&](const std::string& last) {
+    const std::string path = temporary_ / "hears";
+    write_file(path, "#!/bin/sh\nls \"$1\" | grep alpha.txt && echo \"$1\" >>" + heard + "\n" +
+                         last + "\n");
+    fs::permissions(path, fs::perms::owner_all);
+    return std::vector<std::string>{"--on-night", path, "--address", "https://league.example/"};
+  };
+  const Outcome failed = ask("nightly", hears("exit 7"), 3);
+  EXPECT_TRUE(contains(failed.err, "exit code 7")) << failed.err;
+  EXPECT_EQ(count_kind(folder_, "night"), 1);
+  ask("nightly", hears("exit 0"));
+  ask("nightly", hears("exit 0"));
+  const std::string night = fs::absolute(folder_).string() + "/nights/1";
+  EXPECT_EQ(read_file(heard), night + "\n" + night + "\n") << "again after it failed, then no more";
+  const std::string digest = read_file(folder_ + "/nights/1/idle.txt");
+  EXPECT_TRUE(contains(digest, "  https://league.example/replays/")) << digest;
+
+  go_to_day(1);
+  ask("release", {"--level", "hidden", "--reason", "it is a surprise"});
+  EXPECT_TRUE(contains(ask("nightly", hears("exit 0")).err, "this night is hidden"));
+  EXPECT_EQ(read_file(heard), night + "\n" + night + "\n");
+  ask("nightly", {"--on-night", temporary_ / "nobody"});
+  ask("release", {"--level", "teams", "--reason", "it is told"});
+  const Outcome missing = ask("nightly", {"--on-night", temporary_ / "nobody"}, 3);
+  EXPECT_TRUE(contains(missing.err, "cannot be started")) << missing.err;
+}
+
+// Catches a day without a night, because one leg of the night before was to be played again.
+TEST_F(Term, AVoidLegIsPlayedInTheNextNight) {
+  go_to_day(0);
+  init();
+  ask("submit", {"alpha", house("chaser")});
+  ask("nightly");
+  go_to_day(1);
+  const std::string fixture = journal_of(folder_).back()["fixture"];
+  ask("void", {fixture, "--leg", "1", "--reason", "a cable was loose"});
+  ask("nightly");
+  EXPECT_EQ(count_kind(folder_, "night"), 2);
+  expect_digests(folder_);
+  EXPECT_EQ(ask("status").exit_code, 0) << "no leg is left";
 }
 
 }  // namespace

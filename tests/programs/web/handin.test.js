@@ -6,19 +6,20 @@
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { after, test } from 'node:test';
-import { copyFileSync, readFileSync, writeFileSync } from 'node:fs';
+import { copyFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { closeBrowser, folder, mirocup, openPage, run, violations } from './support.js';
 
 const league = join(folder, 'handing-in');
 const servers = [];
+let place;  // the address of the server, which one folder has one of
 after(() => {
   servers.forEach((server) => server.kill('SIGTERM'));
   return closeBrowser();
 });
 
-async function serve(place = league) {
-  const server = spawn(mirocup, ['league', 'serve', place, '--hand-in']);
+async function serve(served = league) {
+  const server = spawn(mirocup, ['league', 'serve', served, '--hand-in']);
   servers.push(server);
   const text = await new Promise((resolve) => { server.stdout.once('data', resolve); });
   return String(text).trim();
@@ -59,7 +60,7 @@ async function complaints(page) {
 test('a student hands in and reads the answer', async () => {
   run('league', 'init', league, '--team', 'alpha=house:chaser', '--team', 'beta=house:keeper', '--half', '2');
   const token = run('league', 'token', league, 'alpha').trim();
-  const place = await serve();
+  place = await serve();
   const good = join(folder, '<img src=x>.so');
   copyFileSync(join(process.env.MIROCUP_BUILD, 'house', 'striker.so'), good);
   const bad = join(folder, 'notes.txt');
@@ -115,18 +116,18 @@ test('a student hands in and reads the answer', async () => {
 });
 
 test('the staff sees what both teams drew, a team only what it drew itself', async () => {
-  const place = join(folder, 'thinking');
-  writeFileSync(`${place}.json`, JSON.stringify({
+  const thinking = join(folder, 'thinking');
+  writeFileSync(`${thinking}.json`, JSON.stringify({
     schema: 'mirocup/league/1',
     thoughts: true,
     rules: { half_s: 2 },
     teams: [{ name: 'alpha', entry: 'house:navigator' }, { name: 'beta', entry: 'house:striker' }],
   }));
-  run('league', 'init', place, '--config', `${place}.json`);
-  run('league', 'start', place);
-  const staff = run('league', 'token', place, '--staff').trim();
-  const own = run('league', 'token', place, 'alpha').trim();
-  const server = await serve(place);
+  run('league', 'init', thinking, '--config', `${thinking}.json`);
+  run('league', 'start', thinking);
+  const staff = run('league', 'token', thinking, '--staff').trim();
+  const own = run('league', 'token', thinking, 'alpha').trim();
+  const server = await serve(thinking);
   const whose = (page) => page.evaluate(() => {
     const { own = {} } = JSON.parse(document.getElementById('leg').textContent);
     return Object.keys(own).filter((team) => own[team].thoughts).sort();
@@ -154,4 +155,26 @@ test('the staff sees what both teams drew, a team only what it drew itself', asy
   assert.equal((await whose(page)).length, 1);
   assert.equal((await page.goto(`${server}hand-in?team=beta`)).url().includes('beta'), true);
   assert.equal(await page.locator('a[href*="team=beta"]').count(), 0);
+});
+
+test('the staff finds its forms on a phone, and gives a team its colour', async () => {
+  const token = run('league', 'token', league, '--staff').trim();
+  const page = await openPage(`${place}hand-in`);
+  await logIn(page, token);
+  assert.equal(await page.textContent('h1'), 'Staff');
+  await page.waitForLoadState();
+  await page.locator('details.act').evaluateAll((all) => all.forEach((one) => { one.open = true; }));
+  for (const width of [1280, 390]) {
+    await page.setViewportSize({ width, height: 800 });
+    assert.equal(await overflows(page), false, `${width} px`);
+  }
+  assert.deepEqual(await violations(page), []);
+  await page.selectOption('#colour-team', 'beta');
+  await page.fill('#colour-colour', '#c03a2b');
+  await Promise.all([page.waitForResponse((reply) => reply.request().method() === 'POST'), page.locator('#colour-colour').press('Enter')]);
+  await page.waitForLoadState();
+  await page.goto(`${place}teams/beta.html`);
+  assert.equal(await page.locator('h1 svg.mark circle').getAttribute('fill'), '#c03a2b');
+  assert.deepEqual(page.problems, []);
+  await page.close();
 });

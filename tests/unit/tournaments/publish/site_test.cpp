@@ -283,6 +283,73 @@ TEST(Site, KeepsTheFrontPageOfThirtyTeamsSmall) {
   EXPECT_NE(page(site, "crosstable.html").find("replays/r29-f1-1-1.html"), std::string::npos);
 }
 
+// Plays a tie of a knockout that is level by goals: its third leg ends in that way.
+std::string page_of_level_tie(LegEnd end, std::optional<std::string> winner) {
+  LeagueFile file;
+  file.format.kind = FormatKind::knockout;
+  for (const char* name : {"ada", "bob"}) file.teams.push_back({name, "house:idle", false});
+  LeagueState state = new_league(file);
+  league::apply(state, Started{.config_sha256 = "x", .version = ""});
+  for (int leg = 1; leg <= 3; ++leg) {
+    LegPlayed event;
+    event.fixture = "k1-f1";
+    event.leg = leg;
+    event.home = event.blue = "ada";
+    event.away = "bob";
+    event.record = "records/x.json";
+    if (leg == 3) {
+      event.end = end;
+      event.winner = winner;
+    }
+    EXPECT_TRUE(validate(state, event));
+    league::apply(state, event);
+  }
+  return page(make_site(state, {}, {}), "rounds/k1.html");
+}
+
+// Catches a tie of which nobody is told why one of the teams goes on.
+TEST(Site, SaysWhoWonALevelTie) {
+  const std::string by_lot = page_of_level_tie(LegEnd::full_time, std::nullopt);
+  EXPECT_NE(by_lot.find("level: a lot decided for "), std::string::npos) << by_lot;
+  EXPECT_NE(by_lot.find(" won\""), std::string::npos);
+  const std::string by_shoot_out = page_of_level_tie(LegEnd::shoot_out, "bob");
+  EXPECT_EQ(by_shoot_out.find("a lot decided"), std::string::npos);
+  EXPECT_NE(by_shoot_out.find("\"away won\""), std::string::npos) << by_shoot_out;
+}
+
+// Catches a term whose crosstable has a line for each leg, and a table that is ordered by a number
+// that it does not show.
+TEST(Site, SumsTheNightsOfATerm) {
+  LeagueFile file;
+  file.format.kind = FormatKind::nightly;
+  for (const char* name : {"ada", "bob"}) file.teams.push_back({name, "submitted", false});
+  LeagueState state = new_league(file);
+  league::apply(state, Started{.config_sha256 = "x", .version = ""});
+  for (int night = 1; night <= 4; ++night) {
+    NightBegan begun;
+    begun.number = night;
+    if (night == 1) begun.entries = {{"ada", 1, "s"}, {"bob", 1, "t"}};
+    league::apply(state, begun);
+    for (int leg = 1; leg <= 2; ++leg) {
+      LegPlayed event;
+      event.fixture = "r" + std::to_string(night) + "-f1";
+      event.leg = leg;
+      const Fixture& fixture = state.fixtures.back().fixture;
+      event.home = event.blue = state.name(fixture.home);
+      event.away = state.name(fixture.away);
+      (event.home == "ada" ? event.score.home : event.score.away) = 2;
+      event.winner = "ada";
+      event.record = "records/" + event.fixture + "-" + std::to_string(leg) + "-1.json";
+      ASSERT_TRUE(validate(state, event));
+      league::apply(state, event);
+    }
+  }
+  const std::string front = page(make_site(state, {}, {}), "index.html");
+  EXPECT_NE(front.find("<span>8–0–0</span>"), std::string::npos) << front;
+  EXPECT_NE(front.find("<span>16:0</span>"), std::string::npos);
+  EXPECT_NE(front.find("<td class=\"number points\">3.00</td>"), std::string::npos);
+}
+
 TEST(LegFacts, AreThoseOfTheRecordAsTheHomeTeamSeesThem) {
   const std::string text = R"({"control_period": 0.5, "ticks": 40,
     "result": {"shoot_out": {"blue": 3, "yellow": 2}},

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+//
+// Catches a league that goes on with a program that plays otherwise although nobody said so, and a
+// record that names a folder in which no program was kept.
+#include "tournaments/play/program.hpp"
+
+#include "tests/support/memory_files.hpp"
+#include "tournaments/league/kept_program.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <unistd.h>
+
+namespace mirocup::league {
+namespace {
+
+class Program : public testing::Test {
+ protected:
+  Program() {
+    std::filesystem::create_directories(folder_.path);  // for its lock
+    LeagueFile file;
+    for (const char* name : {"a", "b"})
+      file.teams.push_back({.name = name, .source = "house:idle", .over_dds = false});
+    EXPECT_TRUE(files_.write(folder_.config(), print_league_file(file)));
+  }
+  ~Program() override { std::filesystem::remove_all(folder_.path); }
+
+  LeagueStore started_by(const std::string& version, const std::string& game) {
+    auto store = LeagueStore::open(files_, folder_);
+    EXPECT_TRUE(store) << store.error().what;
+    Started event;
+    event.config_sha256 = system::sha256(*files_.read(folder_.config()));
+    event.version = version;
+    event.game = game;
+    EXPECT_TRUE(store->write(event));
+    return std::move(*store);
+  }
+
+  void play_leg(LeagueStore& store, const std::string& game) {
+    LegPlayed leg;
+    leg.fixture = "r1-f1";
+    const Fixture& fixture = store.state().fixtures[0].fixture;
+    leg.home = leg.blue = store.state().name(fixture.home);
+    leg.away = store.state().name(fixture.away);
+    leg.record = "records/r1-f1-1-1.json";
+    EXPECT_TRUE(files_.write(folder_.path + "/" + leg.record,
+                             R"({"software": {"version": "0", "game": ")" + game + R"("}})"));
+    const auto written = store.write(leg);
+    EXPECT_TRUE(written) << written.error().what;
+  }
+
+  // The error, or "".
+  std::string refusal(LeagueStore& store, bool accepts_other = false) {
+    const auto same = expect_program(files_, store, now_, accepts_other);
+    return same ? "" : same.error().what;
+  }
+
+  test_support::MemoryFiles files_;
+  const Folder folder_{testing::TempDir() + "program_test-" + std::to_string(getpid())};
+  const record::Software now_{.version = "0", .build = "g++", .behaviour_hash = "beef"};
+};
+
+TEST_F(Program, OfTheJournalGoesOn) {
+  LeagueStore store = started_by("0", "beef");
+  EXPECT_EQ(refusal(store), "");
+}
+
+TEST_F(Program, ThatPlaysOtherwiseIsRefusedUntilItIsAccepted) {
+  LeagueStore store = started_by("0", "f00d");
+  EXPECT_NE(refusal(store).find("--other-program"), std::string::npos);
+  EXPECT_EQ(refusal(store, true), "");
+  EXPECT_EQ(refusal(store), "") << "the journal names it now";
+}
+
+TEST_F(Program, IsThatOfTheLastRecordIfTheJournalNamesNone) {
+  LeagueStore store = started_by("0", "");
+  EXPECT_EQ(refusal(store), "") << "no leg was played";
+  play_leg(store, "f00d");
+  EXPECT_NE(refusal(store).find("game f00d"), std::string::npos) << refusal(store);
+  EXPECT_EQ(refusal(store, true), "");
+  EXPECT_EQ(refusal(store), "");
+}
+
+TEST_F(Program, IsKeptUnderItsHashOnly) {
+  ASSERT_TRUE(files_.write(kept_program(folder_, "f00d"), "a program"));
+  ASSERT_TRUE(files_.write(folder_.programs() + "/../mirocup", "another one"));
+  EXPECT_EQ(program_of_game(files_, folder_, "f00d"), kept_program(folder_, "f00d"));
+  for (const char* game : {"", "..", "beefbeef", "f00d/../f00d"})
+    EXPECT_EQ(program_of_game(files_, folder_, game).find(folder_.path), std::string::npos) << game;
+  const std::string own = record::this_software().behaviour_hash;
+  ASSERT_TRUE(files_.write(kept_program(folder_, own), "a copy of this one"));
+  EXPECT_NE(program_of_game(files_, folder_, own), kept_program(folder_, own));
+}
+
+}  // namespace
+}  // namespace mirocup::league
