@@ -34,11 +34,13 @@ constexpr double most_deviations =
     4.5;  // the same in the end: standard deviations of a mean square
 constexpr double difference_step = 1e-5;
 constexpr int rounds_of_settling = 8;
-constexpr double settled = 0.02;  // the cost falls by less than this
-constexpr double same = 1e-9;     // of residuals
+constexpr double settled = 0.02;     // the cost falls by less than this
+constexpr double same = 1e-9;        // of residuals
+constexpr double usual_slide = 0.5;  // m/s: standard deviation of a sideways speed beforehand
 
 int states_of(const Piece& piece, std::size_t i) {
-  return piece.is_ball(i) ? 4 : 5;
+  if (piece.is_ball(i)) return 4;
+  return piece.may_slide(i) ? 6 : 5;
 }
 
 void shift(BodyState& state, bool is_ball, int which, double by) {
@@ -52,6 +54,7 @@ void shift(BodyState& state, bool is_ball, int which, double by) {
   if (which == 2) state.heading = Heading::from_angle(state.heading.angle() + by);
   if (which == 3) state.twist.forward += by;
   if (which == 4) state.twist.omega += by;
+  if (which == 5) state.twist.left += by;
 }
 
 void move_starts(const Piece& piece, const VectorXd& move, std::vector<BodyState>& starts) {
@@ -69,7 +72,7 @@ bool find_starts(Piece& piece) {
         piece.footage->state_at(piece.window.bodies[i], piece.window.first, pictures_of_start, 2);
     if (!fitted) return false;
     piece.start.push_back(fitted->state);
-    if (!piece.is_ball(i)) piece.start.back().twist.left = 0.0;
+    if (!piece.is_ball(i) && !piece.may_slide(i)) piece.start.back().twist.left = 0.0;
   }
   return true;
 }
@@ -113,6 +116,7 @@ void Fit::count_rows(Piece& piece) const {
   piece.states = piece.rows = 0;
   for (std::size_t i = 0; i < piece.window.bodies.size(); ++i) {
     piece.states += states_of(piece, i);
+    piece.rows += piece.may_slide(i) ? 1 : 0;
     for (int f = piece.window.first; f <= piece.window.last; ++f) {
       if (piece.footage->sight(piece.window.bodies[i], f).is_seen)
         piece.rows += piece.is_ball(i) ? 2 : 3;
@@ -184,6 +188,9 @@ void Fit::residuals(Variant& v, const Piece& piece, const std::vector<BodyState>
   };
   for (std::size_t i = 0; i < start.size(); ++i) compare(piece.window.first, i, start[i]);
   v.reruns.at(&footage)->play(piece.window, start, compare);
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    if (piece.may_slide(i)) r[row++] = start[i].twist.left / usual_slide;
+  }
 }
 
 // Returns the weighted square sum, and sets the weight of each residual. The coordinates of one
@@ -216,7 +223,8 @@ double Fit::weigh(const Piece& piece, const VectorXd& r, VectorXd& weight) const
       if (footage.sight(window.bodies[i], f).is_seen) sight(piece.is_ball(i));
     }
   }
-  return sum;
+  weight.tail(r.size() - row).setOnes();
+  return sum + r.tail(r.size() - row).squaredNorm();
 }
 
 std::vector<int> Fit::free_unknowns() const {

@@ -18,14 +18,16 @@
 namespace mirocup::pitch {
 
 // A window in the fit. Its bodies have unknowns at its start: the ball x, y, vx, vy; a robot x, y,
-// heading, forward, turn.
+// heading, forward, turn and, where wheels may slide, its sideways speed. That of wheels which hold
+// shows in nothing, so it has a residual of its own, which keeps it near 0.
 struct Piece {
   const Footage* footage = nullptr;
   Window window;
   std::vector<simulator::BodyState> start;
   std::array<bool, unknown_count> tells{};  // the numbers that its bodies depend on
   int states = 0;                           // unknowns of the starts
-  int rows = 0;                             // residuals: two or three for each sight
+  int rows = 0;                             // residuals: two or three for each sight, then those
+                                            // of sideways speeds
   double square = 0.0;                      // of its residuals, weighted
   bool counts = true;                       // explained by some start
   std::vector<simulator::BodyState> trial;
@@ -33,6 +35,7 @@ struct Piece {
   Eigen::VectorXd own;   // A^-1 a
 
   bool is_ball(std::size_t i) const { return window.bodies[i] == footage->ball(); }
+  bool may_slide(std::size_t i) const { return window.may_slide && !is_ball(i); }
 };
 
 // The camera's noise, of a coordinate (m) and of a heading (rad).
