@@ -2,6 +2,7 @@
 #include "server/pitch/fit.hpp"
 
 #include "core/base/math.hpp"
+#include "core/base/random.hpp"
 #include "core/simulator/collision/collision_queries.hpp"
 #include "core/simulator/collision/static_world.hpp"
 
@@ -34,8 +35,15 @@ constexpr double most_deviations =
     4.5;  // the same in the end: standard deviations of a mean square
 constexpr double difference_step = 1e-5;
 constexpr int rounds_of_settling = 8;
-constexpr double settled = 0.02;     // the cost falls by less than this
-constexpr double same = 1e-9;        // of residuals
+constexpr double settled = 0.02;  // the cost falls by less than this
+constexpr double same = 1e-9;     // of residuals
+constexpr int other_starts = 12;  // that are tried
+constexpr double badly = 2.0;     // standard deviations of a mean square: other starts are tried
+// By how much other starts differ: of x, y, heading, forward, turn, sideways of a robot, and of x, y
+// and velocities of the ball; m, rad, m/s, rad/s.
+constexpr std::array<double, 6> robot_spread{0.002, 0.002, 0.03, 0.05, 0.6, 0.1};
+constexpr std::array<double, 4> ball_spread{0.002, 0.002, 0.05, 0.05};
+constexpr double most_rise = 12.0;   // of a window's cost in a profile: no window outvotes many
 constexpr double usual_slide = 0.5;  // m/s: standard deviation of a sideways speed beforehand
 
 int states_of(const Piece& piece, std::size_t i) {
@@ -472,6 +480,43 @@ double Fit::capped_cost(Variant& v, const Piece& piece) {
   return std::min(weigh(piece, r, weight), freedom + most_deviations * std::sqrt(2.0 * freedom));
 }
 
+// Settles a window that is explained badly from other starts, too, and keeps the best. Nothing is
+// drawn from outside, so the same recording gives the same result.
+void Fit::try_other_starts(Variant& v, Piece& piece) {
+  const double freedom = std::max(1, piece.rows - piece.states);
+  double least = capped_cost(v, piece);
+  if (least < freedom + badly * std::sqrt(2.0 * freedom)) return;
+  Random random(static_cast<std::uint64_t>(piece.window.first) + 1);
+  Piece other = piece;
+  other.start.clear();
+  if (!find_starts(other)) return;
+  const std::vector<BodyState> seen = other.start;
+  for (int turn = 0; turn < other_starts; ++turn) {
+    const std::vector<BodyState>& from = turn % 2 == 0 ? seen : piece.start;
+    other.start = from;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      for (int s = 0; s < states_of(piece, i); ++s) {
+        const double spread = piece.is_ball(i) ? ball_spread[s] : robot_spread[s];
+        shift(other.start[i], piece.is_ball(i), s, random.uniform(-spread, spread));
+      }
+    }
+    settle(v, other);
+    const double cost = capped_cost(v, other);
+    if (!(cost < least)) continue;
+    least = cost;
+    piece.start = other.start;
+  }
+}
+
+void Fit::retry() {
+  Variant now = variant(guess_);
+  hard_ = false;
+  for (Piece& piece : pieces_) {
+    settle(now, piece);
+    try_other_starts(now, piece);
+  }
+}
+
 // True if a window's motion is not the same under all variants.
 bool Fit::depends_on(std::span<Variant> variants, const Piece& piece) const {
   VectorXd first, r;
@@ -505,17 +550,20 @@ Fit::Profile Fit::profile(int unknown, std::vector<double> values) {
     for (int turn = 0; turn < 2 * count; ++turn) {
       const int i = turn < count ? turn : 2 * count - 1 - turn;
       settle(variants[i], piece);
+      if (i == 0 || i == count / 2 || i == count - 1) try_other_starts(variants[i], piece);
       const double cost = capped_cost(variants[i], piece);
       if (cost < least[i]) {
         least[i] = cost;
         best[i] = piece.start;
       }
     }
+    const double highest = *std::min_element(least.begin(), least.end()) + most_rise;
+    for (double& cost : least) cost = std::min(cost, highest);
     for (int i = 0; i < count; ++i) profile.costs[i] += least[i];
     profile.parts.push_back(std::move(least));
     piece.start = original.start;
     settle(now, piece);
-    present += capped_cost(now, piece);
+    present += std::min(capped_cost(now, piece), highest);
   }
   const auto lowest = std::min_element(profile.costs.begin(), profile.costs.end());
   if (profile.windows() == 0 || !(*lowest < present)) return profile;

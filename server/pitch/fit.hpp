@@ -74,6 +74,9 @@ class Fit {
   void choose(std::span<const Guess> guesses);
   // Steps until the cost falls no more. `hard`: outliers are left out rather than weighed down.
   void run(bool hard);
+  // Looks for better starts of the windows that the present ones explain badly: a hit with the other
+  // edge first is a minimum of its own.
+  void retry();
   // The least cost at each of some values of an unknown, with the rest of the pitch as it is, of
   // the windows that depend on it. Each window has the best starts that a sweep to and
   // fro finds. Goes to the best value if that is better than the present one.
@@ -111,6 +114,7 @@ class Fit {
   bool depends_on(std::span<Variant> variants, const Piece& piece) const;
   void settle(Variant& variant, Piece& piece);
   double capped_cost(Variant& variant, const Piece& piece);
+  void try_other_starts(Variant& variant, Piece& piece);
   bool step(double most);
   Guess stepped(const std::vector<int>& free, Eigen::VectorXd& step, double most) const;
   double cost_of_trial(const Guess& guess, const Eigen::VectorXd& step);

@@ -129,6 +129,13 @@ void look_around(Fit& fit, int unknown) {
   }
 }
 
+// The same near what was found.
+void look_near(Fit& fit, int unknown) {
+  const double step = unknown == grip_limit ? 0.02 : 0.01;
+  const double middle = value_of(fit.guess(), unknown);
+  fit.profile(unknown, values_from(middle - 5.0 * step, step, 11, unknown));
+}
+
 // Where the cost is least, and where it has risen by what 95 % allow.
 Estimate interval_of(const Fit::Profile& p) {
   const auto& c = p.costs;
@@ -301,6 +308,12 @@ Result<Fit> fit_alone(const std::vector<Footage>& footages, const Guess& start,
   for (const int u : {grip_limit, robot_on_wall}) {
     if (fit.is_free(u)) look_around(fit, u);
   }
+  fit.retry();
+  fit.run(true);
+  for (const int u : {grip_limit, robot_on_wall}) {
+    if (fit.is_free(u)) look_near(fit, u);
+  }
+  fit.retry();
   fit.run(true);
   return fit;
 }
@@ -351,6 +364,10 @@ void identify_hits(const std::vector<Footage>& footages, const Fit& alone,
     fit.set_free(u, true);
     look_around(fit, u);
   }
+  fit.retry();
+  fit.run(true);
+  for (const int u : {ball_on_robot, robot_on_robot}) look_near(fit, u);
+  fit.retry();
   fit.run(true);
   const MatrixXd information = fit.information();
   const MatrixXd both = covariance_of_second(fit, result, alone.free_unknowns(), covariance);

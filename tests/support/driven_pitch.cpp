@@ -184,7 +184,11 @@ pitch::Recording recording_of(const DrivenPitch& driven, simulator::RunStatistic
         free = {random.uniform(-0.6, 0.6), random.uniform(-0.5, 0.5)};
       } while ((free - world.robot(0).position).norm() < 0.15 ||
                (free - world.robot(1).position).norm() < 0.15);
-      const double angle = random.uniform(-pi, pi);
+      double angle = random.uniform(-pi, pi);
+      if (const auto to = random.below(2 * driven_robots); to < driven_robots) {
+        const Vec2 way = world.robot(static_cast<int>(to)).position - free;
+        angle = std::atan2(way.y(), way.x()) + 0.05 * angle;
+      }
       const double speed = random.uniform(0.3, 1.8);
       world.set_ball({free, {speed * std::cos(angle), speed * std::sin(angle)}});
     }
