@@ -550,7 +550,7 @@ Fit::Profile Fit::profile(int unknown, std::vector<double> values) {
     for (int turn = 0; turn < 2 * count; ++turn) {
       const int i = turn < count ? turn : 2 * count - 1 - turn;
       settle(variants[i], piece);
-      if (i == 0 || i == count / 2 || i == count - 1) try_other_starts(variants[i], piece);
+      if (turn == count / 2) try_other_starts(variants[i], piece);
       const double cost = capped_cost(variants[i], piece);
       if (cost < least[i]) {
         least[i] = cost;

@@ -19,7 +19,7 @@ using Eigen::MatrixXd;
 
 constexpr double median_share = 0.37;  // what a median of n sizes tells, in squares
 constexpr double rise95 = 3.841459;    // of a cost, at the ends of an interval
-constexpr int steps_of_profile = 10;   // to each side
+constexpr int steps_of_profile = 7;   // to each side
 constexpr int fewest_windows = 2;      // from which a hit's restitution or a slide's grip is told
 constexpr int fewest_of_robots = 3;    // from which that of two robots is told
 constexpr double z95 = 1.959964;
@@ -125,15 +125,15 @@ void look_around(Fit& fit, int unknown) {
   if (unknown == grip_limit) {
     fit.profile(unknown, values_from(std::log(0.25), 0.2, 10, unknown));
   } else {
-    fit.profile(unknown, values_from(0.0, 0.1, 11, unknown));
+    fit.profile(unknown, values_from(0.05, 0.15, 7, unknown));
   }
 }
 
 // The same near what was found.
 void look_near(Fit& fit, int unknown) {
-  const double step = unknown == grip_limit ? 0.02 : 0.01;
+  const double step = unknown == grip_limit ? 0.03 : 0.015;
   const double middle = value_of(fit.guess(), unknown);
-  fit.profile(unknown, values_from(middle - 5.0 * step, step, 11, unknown));
+  fit.profile(unknown, values_from(middle - 3.0 * step, step, 7, unknown));
 }
 
 // Where the cost is least, and where it has risen by what 95 % allow.
