@@ -43,7 +43,7 @@ constexpr double badly = 2.0;     // standard deviations of a mean square: other
 // and velocities of the ball; m, rad, m/s, rad/s.
 constexpr std::array<double, 6> robot_spread{0.002, 0.002, 0.03, 0.05, 0.6, 0.1};
 constexpr std::array<double, 4> ball_spread{0.002, 0.002, 0.05, 0.05};
-constexpr double most_rise = 12.0;   // of a window's cost in a profile: no window outvotes many
+constexpr double most_rise = 8.0;    // of a window's cost in a profile: no window outvotes many
 constexpr double usual_slide = 0.5;  // m/s: standard deviation of a sideways speed beforehand
 
 int states_of(const Piece& piece, std::size_t i) {
@@ -555,6 +555,8 @@ Fit::Profile Fit::profile(int unknown, std::vector<double> values) {
       if (cost < least[i]) {
         least[i] = cost;
         best[i] = piece.start;
+      } else {
+        piece.start = best[i];
       }
     }
     const double highest = *std::min_element(least.begin(), least.end()) + most_rise;

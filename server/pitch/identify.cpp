@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace mirocup::pitch {
@@ -19,7 +20,7 @@ using Eigen::MatrixXd;
 
 constexpr double median_share = 0.37;  // what a median of n sizes tells, in squares
 constexpr double rise95 = 3.841459;    // of a cost, at the ends of an interval
-constexpr int steps_of_profile = 7;   // to each side
+constexpr int steps_of_profile = 7;    // to each side
 constexpr int fewest_windows = 2;      // from which a hit's restitution or a slide's grip is told
 constexpr int fewest_of_robots = 3;    // from which that of two robots is told
 constexpr double z95 = 1.959964;
@@ -136,19 +137,31 @@ void look_near(Fit& fit, int unknown) {
   fit.profile(unknown, values_from(middle - 3.0 * step, step, 7, unknown));
 }
 
+// Where a cost is least: of the parabola through the three values there.
+struct Lowest {
+  int at;  // index of the lowest value
+  double value, cost;
+};
+
+Lowest lowest_of(const std::vector<double>& values, const std::vector<double>& c) {
+  const int last = static_cast<int>(c.size()) - 1;
+  const int at = static_cast<int>(std::min_element(c.begin(), c.end()) - c.begin());
+  Lowest lowest{at, values[at], c[at]};
+  if (at > 0 && at < last) {
+    const double bend = c[at - 1] - 2.0 * c[at] + c[at + 1];
+    const double way = bend > 0.0 ? 0.5 * (c[at - 1] - c[at + 1]) / bend : 0.0;
+    lowest.value += way * (values[at + 1] - values[at]);
+    lowest.cost -= 0.25 * (c[at - 1] - c[at + 1]) * way;
+  }
+  return lowest;
+}
+
 // Where the cost is least, and where it has risen by what 95 % allow.
 Estimate interval_of(const Fit::Profile& p) {
   const auto& c = p.costs;
   const auto& v = p.values;
   const int last = static_cast<int>(c.size()) - 1;
-  const int at = static_cast<int>(std::min_element(c.begin(), c.end()) - c.begin());
-  double value = v[at], least = c[at];
-  if (at > 0 && at < last) {
-    const double bend = c[at - 1] - 2.0 * c[at] + c[at + 1];
-    const double way = bend > 0.0 ? 0.5 * (c[at - 1] - c[at + 1]) / bend : 0.0;
-    value += way * (v[at + 1] - v[at]);
-    least -= 0.25 * (c[at - 1] - c[at + 1]) * way;
-  }
+  const auto [at, value, least] = lowest_of(v, c);
   // The root of the rise is linear where the cost is a parabola.
   const auto rise = [&](int i, double sign) {
     return std::copysign(std::sqrt(std::max(0.0, c[i] - least)), sign * (v[i] - value));
@@ -182,6 +195,22 @@ double widening_of(const Fit::Profile& p, const Estimate& interval) {
   }
   const double few = p.windows() / std::max(1.0, p.windows() - 1.0);
   return std::sqrt(std::max(1.0, few * sum / (16.0 * rise95)));
+}
+
+// Returns the standard deviation of what a profile tells, by leaving out each of its windows in turn
+// (the jackknife). Unlike the rise of the cost it sees a window that pulls alone.
+double scatter_of(const Fit::Profile& p) {
+  std::vector<double> found;
+  for (const std::vector<double>& part : p.parts) {
+    std::vector<double> costs = p.costs;
+    for (std::size_t i = 0; i < costs.size(); ++i) costs[i] -= part[i];
+    found.push_back(lowest_of(p.values, costs).value);
+  }
+  const double n = static_cast<double>(found.size());
+  const double mean = std::accumulate(found.begin(), found.end(), 0.0) / n;
+  double square = 0.0;
+  for (const double value : found) square += (value - mean) * (value - mean);
+  return std::sqrt(square * (n - 1.0) / n);
 }
 
 // Returns by how much an interval that `windows` tell must be wider than one that many tell:
@@ -225,10 +254,14 @@ void sharpen(Fit& fit, int unknown, double own, double others, Identified& resul
     }
   }
   const Estimate e = interval_of(profile);
-  const double widening = widening_of(profile, e) *
-                          (unknown == robot_on_robot ? widening_of_few(profile.windows()) : 1.0);
-  const double low = e.value - std::hypot(widening * (e.value - e.low), z95 * others);
-  const double high = e.value + std::hypot(widening * (e.high - e.value), z95 * others);
+  const double widening = widening_of(profile, e);
+  const double few = widening_of_few(profile.windows());
+  const double least_half = z95 * scatter_of(profile);
+  const auto half = [&](double rise) {
+    return std::hypot(few * std::max(widening * rise, least_half), z95 * others);
+  };
+  const double low = e.value - half(e.value - e.low);
+  const double high = e.value + half(e.high - e.value);
   if (!(high - low < 2.0 * u.widest)) return;
   const auto plain = [&](double v) {
     return std::clamp(u.is_ratio ? std::exp(v) : v, u.least, u.most);
