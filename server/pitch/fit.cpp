@@ -291,8 +291,8 @@ void Fit::linearise() {
     set_value(guess, u, value_of(guess, u) + steps.back());
     changed.push_back(variant(guess));
   }
-  information_ = scatter_ = MatrixXd::Zero(n, n);
-  windows_ = 0;
+  information_ = MatrixXd::Zero(n, n);
+  told_.clear();
   gradient_ = VectorXd::Zero(n);
   cost_ = 0.0;
   VectorXd r, other, weight;
@@ -321,11 +321,11 @@ void Fit::linearise() {
     cost_ += std::min(piece.square, unexplained * piece.rows);
     if (!piece.counts || !piece.gain.allFinite() || !by_pitch.allFinite()) continue;
     const MatrixXd weighted_pitch = weight.asDiagonal() * by_pitch;
-    information_ += by_pitch.transpose() * weighted_pitch - b.transpose() * piece.gain;
-    const VectorXd gradient = weighted_pitch.transpose() * r - b.transpose() * piece.own;
-    gradient_ += gradient;
-    scatter_ += gradient * gradient.transpose();
-    ++windows_;
+    Told told{by_pitch.transpose() * weighted_pitch - b.transpose() * piece.gain,
+              weighted_pitch.transpose() * r - b.transpose() * piece.own};
+    information_ += told.information;
+    gradient_ += told.gradient;
+    told_.push_back(std::move(told));
   }
 }
 

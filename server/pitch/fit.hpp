@@ -91,10 +91,12 @@ class Fit {
   void linearise();
   // Returns the inverse of the covariance of the free unknowns, in their order.
   const Eigen::MatrixXd& information() const { return information_; }
-  // Returns the sum over the windows of the squares of their gradients, which is the information,
-  // too, if residuals are noise and nothing else (White 1980). `windows` is how many were added.
-  const Eigen::MatrixXd& scatter() const { return scatter_; }
-  int windows() const { return windows_; }
+  // What each window adds to the information, and the gradient of its cost.
+  struct Told {
+    Eigen::MatrixXd information;
+    Eigen::VectorXd gradient;
+  };
+  const std::vector<Told>& told() const { return told_; }
 
  private:
   struct Variant {
@@ -129,8 +131,8 @@ class Fit {
   bool turn_is_tied_ = false;
   bool brake_is_tied_ = false;
   bool hard_ = false;
-  Eigen::MatrixXd information_, scatter_;
-  int windows_ = 0;
+  Eigen::MatrixXd information_;
+  std::vector<Told> told_;  // by the windows that count
   Eigen::VectorXd gradient_;
   double cost_ = 0.0;
   double damping_ = 1e-3;

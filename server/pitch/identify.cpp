@@ -38,13 +38,20 @@ MatrixXd inverse_of(MatrixXd information) {
 
 // Returns the covariance of the free unknowns, in their order: as the camera's noise has it, and
 // wider where windows differ by more than that (White 1980). They do where a slide or a hit begins
-// a little before or after the simulated one.
+// a little before or after the simulated one. A window that tells much of an unknown pulls the
+// estimate to itself, so its own difference counts for more (the leverage of MacKinnon and White
+// 1985), but at most twice.
 MatrixXd covariance_of(const Fit& fit) {
-  MatrixXd covariance = inverse_of(fit.information());
-  const MatrixXd between = covariance * fit.scatter() * covariance;
-  const double few = fit.windows() / std::max(1.0, fit.windows() - 1.0);
+  const MatrixXd covariance = inverse_of(fit.information());
+  Eigen::ArrayXd between = Eigen::ArrayXd::Zero(covariance.rows());
+  for (const Fit::Told& told : fit.told()) {
+    const Eigen::ArrayXd pull = (covariance * told.gradient).array();
+    const Eigen::ArrayXd share = (covariance * told.information * covariance).diagonal().array() /
+                                 covariance.diagonal().array();
+    between += (pull / (1.0 - share.max(0.0).min(0.5))).square();
+  }
   const Eigen::VectorXd widening =
-      (few * between.diagonal().array() / covariance.diagonal().array()).max(1.0).sqrt();
+      (between / covariance.diagonal().array()).max(1.0).sqrt().matrix();
   return widening.asDiagonal() * covariance * widening.asDiagonal();
 }
 
