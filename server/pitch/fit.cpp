@@ -39,8 +39,8 @@ constexpr double settled = 0.02;  // the cost falls by less than this
 constexpr double same = 1e-9;     // of residuals
 constexpr int other_starts = 12;  // that are tried
 constexpr double badly = 2.0;     // standard deviations of a mean square: other starts are tried
-// By how much other starts differ: of x, y, heading, forward, turn, sideways of a robot, and of x, y
-// and velocities of the ball; m, rad, m/s, rad/s.
+// By how much other starts differ: in x, y, heading, forward, turn, sideways of a robot, and in
+// x, y and velocities of the ball; m, rad, m/s, rad/s.
 constexpr std::array<double, 6> robot_spread{0.002, 0.002, 0.03, 0.05, 0.6, 0.1};
 constexpr std::array<double, 4> ball_spread{0.002, 0.002, 0.05, 0.05};
 constexpr double most_rise = 8.0;    // of a window's cost in a profile: no window outvotes many

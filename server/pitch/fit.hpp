@@ -74,8 +74,8 @@ class Fit {
   void choose(std::span<const Guess> guesses);
   // Steps until the cost falls no more. `hard`: outliers are left out rather than weighed down.
   void run(bool hard);
-  // Looks for better starts of the windows that the present ones explain badly: a hit with the other
-  // edge first is a minimum of its own.
+  // Looks for better starts of the windows that the present ones explain badly: a hit with the
+  // other edge first is a minimum of its own.
   void retry();
   // The least cost at each of some values of an unknown, with the rest of the pitch as it is, of
   // the windows that depend on it. Each window has the best starts that a sweep to and

@@ -204,8 +204,8 @@ double widening_of(const Fit::Profile& p, const Estimate& interval) {
   return std::sqrt(std::max(1.0, few * sum / (16.0 * rise95)));
 }
 
-// Returns the standard deviation of what a profile tells, by leaving out each of its windows in turn
-// (the jackknife). Unlike the rise of the cost it sees a window that pulls alone.
+// Returns the standard deviation of what a profile tells, by leaving out each of its windows in
+// turn (the jackknife). Unlike the rise of the cost it sees a window that pulls alone.
 double scatter_of(const Fit::Profile& p) {
   std::vector<double> found;
   for (const std::vector<double>& part : p.parts) {

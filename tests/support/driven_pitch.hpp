@@ -39,8 +39,8 @@ class Driver {
   DrivenWheels at(double t, const DrivenStates& robots, const Vec2& ball, Random& random);
 
  private:
-  // rush: any wheel speeds. dash: straight on, then told to stop. knock: straight on until a wall is
-  // near, duel: towards each other; then both are told to stop or to go back.
+  // rush: any wheel speeds. dash: straight on, then told to stop. knock: straight on until a wall
+  // is near, duel: towards each other; then both are told to stop or to go back.
   enum class Mode { rush, dash, knock, duel, chase };
 
   void begin(double t, const DrivenStates& robots, Random& random);

@@ -193,8 +193,8 @@ TEST(Training, APitchIsDrawnForEachEpisode) {
   EXPECT_EQ(drawn, after({{"viscous_friction", range(0.02, 0.06)}}, 1)) << "the same seed";
 }
 
-// Catches a record that is not on the pitch of its episode: a drawn number that it does not hold, or
-// the usual one instead.
+// Catches a record that is not on the pitch of its episode: a drawn number that it does not hold,
+// or the usual one instead.
 TEST(Training, EpisodesOnDrawnPitchesVerify) {
   const json numbers{{"wheel_radius", range(0.02, 0.025)},
                      {"motor_time_constant", range(0.04, 0.15)},
