@@ -14,8 +14,8 @@ inline constexpr double z95 = 1.959964;     // standard deviations to each side 
 inline constexpr double rise95 = 3.841459;  // of a cost, at the ends of an interval
 
 // Returns the value of the least cost and its interval of 95 %, in the units of the profile's
-// values. At least two windows have told it. `others` is the standard deviation that comes from what
-// else is uncertain.
+// values. At least two windows have told it. `others` is the standard deviation that comes from
+// what else is uncertain.
 Estimate interval_of(const Fit::Profile& profile, double others);
 
 }  // namespace mirocup::pitch
