@@ -35,7 +35,9 @@ Estimate rise_of(const Fit::Profile& p) {
   const auto& c = p.costs;
   const auto& v = p.values;
   const int last = static_cast<int>(c.size()) - 1;
-  const auto [at, value, least] = lowest_of(v, c);
+  const Lowest lowest = lowest_of(v, c);
+  const int at = lowest.at;
+  const double value = lowest.value, least = lowest.cost;
   // The root of the rise is linear where the cost is a parabola.
   const auto rise = [&](int i, double sign) {
     return std::copysign(std::sqrt(std::max(0.0, c[i] - least)), sign * (v[i] - value));
