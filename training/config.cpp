@@ -258,6 +258,7 @@ Result<match::Setup> setup_of(const Config& config, std::uint64_t seed) {
     const nlohmann::ordered_json numbers = record::drawn(config.pitch, random);
     std::optional<record::JsonProblem> none;
     record::read_physics(JsonReader(numbers, "", none), setup.parameters);
+    setup.pitch_name = "drawn";  // records keep its numbers
   }
   return setup;
 }

@@ -64,12 +64,12 @@ record::TeamInfo team_info(const Side& side, system::Files& files) {
 }  // namespace
 
 Result<void> save_record(const Config& config, const Episode& episode, const std::string& path) {
-  if (!config.pitch.is_null()) {
-    return fail(Errc::input,
-                "a record holds no pitch: an episode with \"pitch\" cannot be written as one");
-  }
   const auto setup = setup_of(config, episode.seed);
   if (!setup) return tl::unexpected(setup.error());
+  if (const std::string problem = match::problem_with(setup->parameters); !problem.empty()) {
+    return fail(Errc::input,
+                "the \"pitch\" of this episode makes no robot, so no record: " + problem);
+  }
   match::Leg leg(*setup);
   const int robots = leg.field().robots_per_team;
   const std::uint32_t ticks = episode.ticks(robots);

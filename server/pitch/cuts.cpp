@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace mirocup::pitch {
@@ -18,13 +19,15 @@ using simulator::BodyState;
 
 constexpr double longest_roll = 2.05;     // s
 constexpr double longest_drive = 0.5;     // s
-constexpr double soon = 0.25;             // s, from the start of a meeting to its touch
-constexpr int most_bodies = 3;            // of a meeting
+constexpr double soon = 0.25;             // s, at most, from the start of a window to its hit
+constexpr double after_hit = 0.25;        // s, until it ends
 constexpr int fewest_pictures = 10;       // of a window
+constexpr int fewest_before = 6;          // of them before its hit
+constexpr int fewest_after = 4;           // and after it
 constexpr double apart = 0.02;            // m: a body this near may touch between two pictures
 constexpr double together = 0.006;        // m: it touches, as far as pictures tell
 constexpr double memory = 0.2;            // s, for which wheels may go on sliding
-constexpr double short_memory = 0.1;      // s: of meetings, which are few
+constexpr double short_memory = 0.1;      // s: of meetings
 constexpr int pictures_of_state = 8;      // from which speeds are estimated
 constexpr double gentle_turn = 2.9;       // m/s^2: wheels of a grip of 0.3 hold
 constexpr double straight_enough = 0.08;  // m/s sideways: less is the camera's noise
@@ -33,6 +36,26 @@ constexpr std::array<double, 3> between{0.33, 0.67, 1.0};  // of the way from pi
 bool turns_hard(const simulator::Twist& v) {
   return std::abs(v.forward * v.omega) > gentle_turn;
 }
+
+// Which pictures of a body are in a window already.
+class Taken {
+ public:
+  explicit Taken(const Footage& footage)
+      : taken_(static_cast<std::size_t>(footage.bodies()),
+               std::vector<char>(static_cast<std::size_t>(footage.frames()), 0)) {}
+
+  bool has(int body, int frame) const { return taken_[body][frame] != 0; }
+  bool has(const std::vector<int>& bodies, int frame) const {
+    return std::any_of(bodies.begin(), bodies.end(), [&](int body) { return has(body, frame); });
+  }
+  void add(const Window& window) {
+    for (const int body : window.bodies)
+      std::fill(taken_[body].begin() + window.first, taken_[body].begin() + window.last + 1, 1);
+  }
+
+ private:
+  std::vector<std::vector<char>> taken_;
+};
 
 class Cutter {
  public:
@@ -48,20 +71,29 @@ class Cutter {
 
   // True if two bodies are nearer than `gap` in a picture, or on the way to it.
   bool are_near(int i, int j, int frame, double gap_of_both) const;
+  // True if the circle around a body is nearer to a wall.
   bool is_at_wall(int body, int frame, double gap_of_both) const;
+  // True if a robot touches a wall in a picture, or will before the next one.
+  bool hits_wall(int robot, int frame) const;
   // True if no other body than those is near one of them.
   bool are_alone(const std::vector<int>& bodies, int frame) const;
   // True if the wheels of a robot hold at the start of a window, and have held for long enough.
   bool holds(int robot, int frame, double seconds) const;
   std::optional<simulator::Twist> middle_twist(int robot, int first, int count) const;
-  // Returns the window from a picture on: it ends before another body comes near.
-  Window grow(int first, std::vector<int> bodies, double seconds) const;
+  // Returns the window from a picture on: it ends before another body comes near, and before a
+  // picture that is in another window.
+  Window grow(int first, std::vector<int> bodies, double seconds, const Taken& taken) const;
+  // Returns the window of a hit in a picture: it begins as early before as it may. It begins with
+  // wheels that hold, if there is such a picture.
+  std::optional<Window> around(int hit, const std::vector<int>& bodies, double wheels_held,
+                               const Taken& taken) const;
   // True if each body is seen often enough, and robots have commands.
   bool is_usable(const Window& window) const;
-  // Returns the lists of bodies that touch each other within `soon`.
-  std::vector<std::vector<int>> groups(int first) const;
 
  private:
+  double gap_to_wall(int body, int frame) const;
+  // True if bodies can be set down in a picture: they are seen, and touch nothing.
+  bool stand_free(const std::vector<int>& bodies, int frame) const;
   BodyState state(int body, int frame) const {
     const Footage::Sight& s = footage_.sight(body, frame);
     return {s.position, Heading::from_angle(s.heading), {}};
@@ -110,6 +142,29 @@ bool Cutter::is_at_wall(int body, int frame, double limit) const {
   return at.x() > field.half_length - inside || at.y() > field.half_width - inside ||
          at.sum() >
              field.half_length + field.half_width - field.corner_leg - inside * std::sqrt(2.0);
+}
+
+double Cutter::gap_to_wall(int body, int frame) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < simulator::plane_walls + simulator::end_walls; ++k) {
+    least = std::min(least, gap(world_, simulator::pair_with_obstacle(body, k), state(body, frame),
+                                BodyState{}));
+  }
+  return least;
+}
+
+bool Cutter::hits_wall(int robot, int frame) const {
+  if (frame == 0 || !footage_.sight(robot, frame - 1).is_seen || !is_at_wall(robot, frame, apart))
+    return false;
+  const double now = gap_to_wall(robot, frame);
+  return std::min(now, 2.0 * now - gap_to_wall(robot, frame - 1)) < together;
+}
+
+bool Cutter::stand_free(const std::vector<int>& bodies, int frame) const {
+  return std::all_of(bodies.begin(), bodies.end(), [&](int body) {
+    return footage_.sight(body, frame).is_seen && are_alone({body}, frame) &&
+           gap_to_wall(body, frame) > together;
+  });
 }
 
 bool Cutter::are_alone(const std::vector<int>& bodies, int frame) const {
@@ -162,12 +217,36 @@ std::optional<simulator::Twist> Cutter::middle_twist(int robot, int first, int c
   return simulator::Twist{own.x(), own.y(), 0.5 * (a->state.twist.omega + b->state.twist.omega)};
 }
 
-Window Cutter::grow(int first, std::vector<int> bodies, double seconds) const {
+Window Cutter::grow(int first, std::vector<int> bodies, double seconds, const Taken& taken) const {
   Window window{first, first, std::move(bodies)};
   while (window.last + 1 < footage_.frames() && follows(window.last + 1) &&
          footage_.time(window.last + 1) - footage_.time(first) < seconds &&
-         are_alone(window.bodies, window.last + 1))
+         !taken.has(window.bodies, window.last + 1) && are_alone(window.bodies, window.last + 1))
     ++window.last;
+  return window;
+}
+
+std::optional<Window> Cutter::around(int hit, const std::vector<int>& bodies, double wheels_held,
+                                     const Taken& taken) const {
+  std::optional<int> first;
+  bool hold = false;
+  for (int f = hit - fewest_before; f >= 0; --f) {
+    if (footage_.time(hit) - footage_.time(f) > soon || taken.has(bodies, f)) break;
+    first = f;
+  }
+  if (!first) return std::nullopt;
+  std::optional<int> any;
+  for (int f = *first; f <= hit - fewest_before && !hold; ++f) {
+    if (!stand_free(bodies, f)) continue;
+    hold = std::all_of(bodies.begin(), bodies.end(),
+                       [&](int body) { return is_ball(body) || holds(body, f, wheels_held); });
+    if (hold || !any) any = f;
+  }
+  if (!any) return std::nullopt;
+  const double seconds = footage_.time(hit) - footage_.time(*any) + after_hit;
+  Window window = grow(*any, bodies, seconds, taken);
+  window.may_slide = !hold;
+  if (window.last < hit + fewest_after || !is_usable(window)) return std::nullopt;
   return window;
 }
 
@@ -186,47 +265,36 @@ bool Cutter::is_usable(const Window& window) const {
   });
 }
 
-std::vector<std::vector<int>> Cutter::groups(int first) const {
-  const int bodies = footage_.bodies();
-  std::vector<int> group(static_cast<std::size_t>(bodies));
-  for (int i = 0; i < bodies; ++i) group[i] = i;
-  for (int f = first; f < footage_.frames() && footage_.time(f) - footage_.time(first) < soon;
-       ++f) {
-    for (int i = 0; i < bodies; ++i) {
-      for (int j = 0; j < i; ++j) {
-        if (group[i] == group[j] || !are_near(i, j, f, together)) continue;
-        std::replace(group.begin(), group.end(), group[i], group[j]);
-      }
-    }
-  }
-  std::vector<std::vector<int>> all;
-  for (int g = 0; g < bodies; ++g) {
-    std::vector<int> members;
-    for (int i = 0; i < bodies; ++i) {
-      if (group[i] == g) members.push_back(i);
-    }
-    const int count = static_cast<int>(members.size());
-    if (count >= 2 && count <= most_bodies) all.push_back(std::move(members));
-  }
-  return all;
-}
-
-// Returns the windows of one body: one after the other, each from the next picture that will do.
+// Appends the windows of one body: one after the other, each from the next picture that will do.
 template <class Begins>
-void cut_one(const Cutter& cutter, const Footage& footage, int body, double seconds, Begins begins,
-             std::vector<Window>& windows) {
+void cut_one(const Cutter& cutter, const Footage& footage, int body, double seconds,
+             const Taken& taken, Begins begins, std::vector<Window>& windows) {
   for (int f = 0; f + fewest_pictures <= footage.frames();) {
-    if (!footage.sight(body, f).is_seen || !begins(f) || !cutter.are_alone({body}, f)) {
+    if (!footage.sight(body, f).is_seen || taken.has(body, f) || !begins(f) ||
+        !cutter.are_alone({body}, f)) {
       ++f;
       continue;
     }
-    Window window = cutter.grow(f, {body}, seconds);
+    Window window = cutter.grow(f, {body}, seconds, taken);
     if (!cutter.is_usable(window)) {
       ++f;
       continue;
     }
     f = window.last + 1;
     windows.push_back(std::move(window));
+  }
+}
+
+// Appends the windows around the hits of a robot and a wall.
+void cut_knocks(const Cutter& cutter, const Footage& footage, int robot, Taken& taken,
+                std::vector<Window>& windows) {
+  for (int f = fewest_before; f < footage.frames(); ++f) {
+    if (!footage.sight(robot, f).is_seen || taken.has(robot, f) || !cutter.hits_wall(robot, f))
+      continue;
+    auto window = cutter.around(f, {robot}, memory, taken);
+    if (!window) continue;
+    taken.add(*window);
+    windows.push_back(std::move(*window));
   }
 }
 
@@ -237,7 +305,7 @@ std::vector<Window> rolls(const Footage& footage, const simulator::Parameters& p
   std::vector<Window> windows;
   const int ball = footage.ball();
   cut_one(
-      cutter, footage, ball, longest_roll,
+      cutter, footage, ball, longest_roll, Taken(footage),
       [&](int f) { return !cutter.is_at_wall(ball, f, together); }, windows);
   return windows;
 }
@@ -245,10 +313,12 @@ std::vector<Window> rolls(const Footage& footage, const simulator::Parameters& p
 std::vector<Window> drives(const Footage& footage, const simulator::Parameters& parameters) {
   const Cutter cutter(footage, parameters);
   std::vector<Window> windows;
+  Taken taken(footage);
   for (int robot = 0; robot < footage.ball(); ++robot) {
     if (footage.told(robot).empty()) continue;
+    cut_knocks(cutter, footage, robot, taken, windows);
     cut_one(
-        cutter, footage, robot, longest_drive,
+        cutter, footage, robot, longest_drive, taken,
         [&](int f) { return cutter.holds(robot, f, memory); }, windows);
   }
   return windows;
@@ -257,19 +327,24 @@ std::vector<Window> drives(const Footage& footage, const simulator::Parameters& 
 std::vector<Window> meetings(const Footage& footage, const simulator::Parameters& parameters) {
   const Cutter cutter(footage, parameters);
   std::vector<Window> windows;
-  std::vector<int> free_from(static_cast<std::size_t>(footage.bodies()), 0);
-  for (int f = 0; f + fewest_pictures <= footage.frames(); ++f) {
-    for (std::vector<int>& bodies : cutter.groups(f)) {
-      const bool begins = std::all_of(bodies.begin(), bodies.end(), [&](int body) {
-        return free_from[body] <= f && footage.sight(body, f).is_seen &&
-               !cutter.is_at_wall(body, f, together) && cutter.are_alone({body}, f) &&
-               (cutter.is_ball(body) || cutter.holds(body, f, short_memory));
-      });
-      if (!begins) continue;
-      Window window = cutter.grow(f, std::move(bodies), longest_drive);
-      if (!cutter.is_usable(window)) continue;
-      for (const int body : window.bodies) free_from[body] = window.last + 1;
-      windows.push_back(std::move(window));
+  Taken taken(footage);
+  const int bodies = footage.bodies();
+  const auto cut = [&](int f, std::vector<int> members) {
+    std::sort(members.begin(), members.end());
+    auto window = cutter.around(f, members, short_memory, taken);
+    if (!window) return false;
+    taken.add(*window);
+    windows.push_back(std::move(*window));
+    return true;
+  };
+  for (int f = fewest_before; f < footage.frames(); ++f) {
+    for (int i = 0; i < bodies; ++i) {
+      for (int j = 0; j < i; ++j) {
+        if (taken.has({i, j}, f) || !cutter.are_near(i, j, f, together)) continue;
+        bool done = cut(f, {i, j});
+        for (int third = 0; third < bodies && !done; ++third)  // a third one may be in the way
+          done = third != i && third != j && !taken.has(third, f) && cut(f, {i, j, third});
+      }
     }
   }
   return windows;

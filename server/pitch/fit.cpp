@@ -2,6 +2,7 @@
 #include "server/pitch/fit.hpp"
 
 #include "core/base/math.hpp"
+#include "core/base/random.hpp"
 #include "core/simulator/collision/collision_queries.hpp"
 #include "core/simulator/collision/static_world.hpp"
 
@@ -36,9 +37,18 @@ constexpr double difference_step = 1e-5;
 constexpr int rounds_of_settling = 8;
 constexpr double settled = 0.02;  // the cost falls by less than this
 constexpr double same = 1e-9;     // of residuals
+constexpr int other_starts = 12;  // that are tried
+constexpr double badly = 2.0;     // standard deviations of a mean square: other starts are tried
+// By how much other starts differ: in x, y, heading, forward, turn, sideways of a robot, and in
+// x, y and velocities of the ball; m, rad, m/s, rad/s.
+constexpr std::array<double, 6> robot_spread{0.002, 0.002, 0.03, 0.05, 0.6, 0.1};
+constexpr std::array<double, 4> ball_spread{0.002, 0.002, 0.05, 0.05};
+constexpr double most_rise = 8.0;    // of a window's cost in a profile: no window outvotes many
+constexpr double usual_slide = 0.5;  // m/s: standard deviation of a sideways speed beforehand
 
 int states_of(const Piece& piece, std::size_t i) {
-  return piece.is_ball(i) ? 4 : 5;
+  if (piece.is_ball(i)) return 4;
+  return piece.may_slide(i) ? 6 : 5;
 }
 
 void shift(BodyState& state, bool is_ball, int which, double by) {
@@ -52,6 +62,7 @@ void shift(BodyState& state, bool is_ball, int which, double by) {
   if (which == 2) state.heading = Heading::from_angle(state.heading.angle() + by);
   if (which == 3) state.twist.forward += by;
   if (which == 4) state.twist.omega += by;
+  if (which == 5) state.twist.left += by;
 }
 
 void move_starts(const Piece& piece, const VectorXd& move, std::vector<BodyState>& starts) {
@@ -69,7 +80,7 @@ bool find_starts(Piece& piece) {
         piece.footage->state_at(piece.window.bodies[i], piece.window.first, pictures_of_start, 2);
     if (!fitted) return false;
     piece.start.push_back(fitted->state);
-    if (!piece.is_ball(i)) piece.start.back().twist.left = 0.0;
+    if (!piece.is_ball(i) && !piece.may_slide(i)) piece.start.back().twist.left = 0.0;
   }
   return true;
 }
@@ -113,6 +124,7 @@ void Fit::count_rows(Piece& piece) const {
   piece.states = piece.rows = 0;
   for (std::size_t i = 0; i < piece.window.bodies.size(); ++i) {
     piece.states += states_of(piece, i);
+    piece.rows += piece.may_slide(i) ? 1 : 0;
     for (int f = piece.window.first; f <= piece.window.last; ++f) {
       if (piece.footage->sight(piece.window.bodies[i], f).is_seen)
         piece.rows += piece.is_ball(i) ? 2 : 3;
@@ -184,6 +196,9 @@ void Fit::residuals(Variant& v, const Piece& piece, const std::vector<BodyState>
   };
   for (std::size_t i = 0; i < start.size(); ++i) compare(piece.window.first, i, start[i]);
   v.reruns.at(&footage)->play(piece.window, start, compare);
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    if (piece.may_slide(i)) r[row++] = start[i].twist.left / usual_slide;
+  }
 }
 
 // Returns the weighted square sum, and sets the weight of each residual. The coordinates of one
@@ -216,7 +231,8 @@ double Fit::weigh(const Piece& piece, const VectorXd& r, VectorXd& weight) const
       if (footage.sight(window.bodies[i], f).is_seen) sight(piece.is_ball(i));
     }
   }
-  return sum;
+  weight.tail(r.size() - row).setOnes();
+  return sum + r.tail(r.size() - row).squaredNorm();
 }
 
 std::vector<int> Fit::free_unknowns() const {
@@ -275,8 +291,8 @@ void Fit::linearise() {
     set_value(guess, u, value_of(guess, u) + steps.back());
     changed.push_back(variant(guess));
   }
-  information_ = scatter_ = MatrixXd::Zero(n, n);
-  windows_ = 0;
+  information_ = MatrixXd::Zero(n, n);
+  told_.clear();
   gradient_ = VectorXd::Zero(n);
   cost_ = 0.0;
   VectorXd r, other, weight;
@@ -305,11 +321,11 @@ void Fit::linearise() {
     cost_ += std::min(piece.square, unexplained * piece.rows);
     if (!piece.counts || !piece.gain.allFinite() || !by_pitch.allFinite()) continue;
     const MatrixXd weighted_pitch = weight.asDiagonal() * by_pitch;
-    information_ += by_pitch.transpose() * weighted_pitch - b.transpose() * piece.gain;
-    const VectorXd gradient = weighted_pitch.transpose() * r - b.transpose() * piece.own;
-    gradient_ += gradient;
-    scatter_ += gradient * gradient.transpose();
-    ++windows_;
+    Told told{by_pitch.transpose() * weighted_pitch - b.transpose() * piece.gain,
+              weighted_pitch.transpose() * r - b.transpose() * piece.own};
+    information_ += told.information;
+    gradient_ += told.gradient;
+    told_.push_back(std::move(told));
   }
 }
 
@@ -464,6 +480,43 @@ double Fit::capped_cost(Variant& v, const Piece& piece) {
   return std::min(weigh(piece, r, weight), freedom + most_deviations * std::sqrt(2.0 * freedom));
 }
 
+// Settles a window that is explained badly from other starts, too, and keeps the best. Nothing is
+// drawn from outside, so the same recording gives the same result.
+void Fit::try_other_starts(Variant& v, Piece& piece) {
+  const double freedom = std::max(1, piece.rows - piece.states);
+  double least = capped_cost(v, piece);
+  if (least < freedom + badly * std::sqrt(2.0 * freedom)) return;
+  Random random(static_cast<std::uint64_t>(piece.window.first) + 1);
+  Piece other = piece;
+  other.start.clear();
+  if (!find_starts(other)) return;
+  const std::vector<BodyState> seen = other.start;
+  for (int turn = 0; turn < other_starts; ++turn) {
+    const std::vector<BodyState>& from = turn % 2 == 0 ? seen : piece.start;
+    other.start = from;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      for (int s = 0; s < states_of(piece, i); ++s) {
+        const double spread = piece.is_ball(i) ? ball_spread[s] : robot_spread[s];
+        shift(other.start[i], piece.is_ball(i), s, random.uniform(-spread, spread));
+      }
+    }
+    settle(v, other);
+    const double cost = capped_cost(v, other);
+    if (!(cost < least)) continue;
+    least = cost;
+    piece.start = other.start;
+  }
+}
+
+void Fit::retry() {
+  Variant now = variant(guess_);
+  hard_ = false;
+  for (Piece& piece : pieces_) {
+    settle(now, piece);
+    try_other_starts(now, piece);
+  }
+}
+
 // True if a window's motion is not the same under all variants.
 bool Fit::depends_on(std::span<Variant> variants, const Piece& piece) const {
   VectorXd first, r;
@@ -497,17 +550,22 @@ Fit::Profile Fit::profile(int unknown, std::vector<double> values) {
     for (int turn = 0; turn < 2 * count; ++turn) {
       const int i = turn < count ? turn : 2 * count - 1 - turn;
       settle(variants[i], piece);
+      if (turn == count / 2) try_other_starts(variants[i], piece);
       const double cost = capped_cost(variants[i], piece);
       if (cost < least[i]) {
         least[i] = cost;
         best[i] = piece.start;
+      } else {
+        piece.start = best[i];
       }
     }
+    const double highest = *std::min_element(least.begin(), least.end()) + most_rise;
+    for (double& cost : least) cost = std::min(cost, highest);
     for (int i = 0; i < count; ++i) profile.costs[i] += least[i];
     profile.parts.push_back(std::move(least));
     piece.start = original.start;
     settle(now, piece);
-    present += capped_cost(now, piece);
+    present += std::min(capped_cost(now, piece), highest);
   }
   const auto lowest = std::min_element(profile.costs.begin(), profile.costs.end());
   if (profile.windows() == 0 || !(*lowest < present)) return profile;

@@ -18,14 +18,16 @@
 namespace mirocup::pitch {
 
 // A window in the fit. Its bodies have unknowns at its start: the ball x, y, vx, vy; a robot x, y,
-// heading, forward, turn.
+// heading, forward, turn and, where wheels may slide, its sideways speed. That of wheels which hold
+// shows in nothing, so it has a residual of its own, which keeps it near 0.
 struct Piece {
   const Footage* footage = nullptr;
   Window window;
   std::vector<simulator::BodyState> start;
   std::array<bool, unknown_count> tells{};  // the numbers that its bodies depend on
   int states = 0;                           // unknowns of the starts
-  int rows = 0;                             // residuals: two or three for each sight
+  int rows = 0;                             // residuals: two or three for each sight, then those
+                                            // of sideways speeds
   double square = 0.0;                      // of its residuals, weighted
   bool counts = true;                       // explained by some start
   std::vector<simulator::BodyState> trial;
@@ -33,6 +35,7 @@ struct Piece {
   Eigen::VectorXd own;   // A^-1 a
 
   bool is_ball(std::size_t i) const { return window.bodies[i] == footage->ball(); }
+  bool may_slide(std::size_t i) const { return window.may_slide && !is_ball(i); }
 };
 
 // The camera's noise, of a coordinate (m) and of a heading (rad).
@@ -71,6 +74,9 @@ class Fit {
   void choose(std::span<const Guess> guesses);
   // Steps until the cost falls no more. `hard`: outliers are left out rather than weighed down.
   void run(bool hard);
+  // Looks for better starts of the windows that the present ones explain badly: a hit with the
+  // other edge first is a minimum of its own.
+  void retry();
   // The least cost at each of some values of an unknown, with the rest of the pitch as it is, of
   // the windows that depend on it. Each window has the best starts that a sweep to and
   // fro finds. Goes to the best value if that is better than the present one.
@@ -85,10 +91,12 @@ class Fit {
   void linearise();
   // Returns the inverse of the covariance of the free unknowns, in their order.
   const Eigen::MatrixXd& information() const { return information_; }
-  // Returns the sum over the windows of the squares of their gradients, which is the information,
-  // too, if residuals are noise and nothing else (White 1980). `windows` is how many were added.
-  const Eigen::MatrixXd& scatter() const { return scatter_; }
-  int windows() const { return windows_; }
+  // What each window adds to the information, and the gradient of its cost.
+  struct Told {
+    Eigen::MatrixXd information;
+    Eigen::VectorXd gradient;
+  };
+  const std::vector<Told>& told() const { return told_; }
 
  private:
   struct Variant {
@@ -108,6 +116,7 @@ class Fit {
   bool depends_on(std::span<Variant> variants, const Piece& piece) const;
   void settle(Variant& variant, Piece& piece);
   double capped_cost(Variant& variant, const Piece& piece);
+  void try_other_starts(Variant& variant, Piece& piece);
   bool step(double most);
   Guess stepped(const std::vector<int>& free, Eigen::VectorXd& step, double most) const;
   double cost_of_trial(const Guess& guess, const Eigen::VectorXd& step);
@@ -122,8 +131,8 @@ class Fit {
   bool turn_is_tied_ = false;
   bool brake_is_tied_ = false;
   bool hard_ = false;
-  Eigen::MatrixXd information_, scatter_;
-  int windows_ = 0;
+  Eigen::MatrixXd information_;
+  std::vector<Told> told_;  // by the windows that count
   Eigen::VectorXd gradient_;
   double cost_ = 0.0;
   double damping_ = 1e-3;

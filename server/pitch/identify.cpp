@@ -4,6 +4,7 @@
 #include "core/base/math.hpp"
 #include "server/pitch/cuts.hpp"
 #include "server/pitch/fit.hpp"
+#include "server/pitch/intervals.hpp"
 
 #include <Eigen/Dense>
 
@@ -18,11 +19,9 @@ namespace {
 using Eigen::MatrixXd;
 
 constexpr double median_share = 0.37;  // what a median of n sizes tells, in squares
-constexpr double rise95 = 3.841459;    // of a cost, at the ends of an interval
-constexpr int steps_of_profile = 10;   // to each side
+constexpr int steps_of_profile = 7;    // to each side
 constexpr int fewest_windows = 2;      // from which a hit's restitution or a slide's grip is told
 constexpr int fewest_of_robots = 3;    // from which that of two robots is told
-constexpr double z95 = 1.959964;
 
 bool is_between_bodies(int unknown) {
   return unknown == ball_on_robot || unknown == robot_on_robot;
@@ -37,13 +36,20 @@ MatrixXd inverse_of(MatrixXd information) {
 
 // Returns the covariance of the free unknowns, in their order: as the camera's noise has it, and
 // wider where windows differ by more than that (White 1980). They do where a slide or a hit begins
-// a little before or after the simulated one.
+// a little before or after the simulated one. A window that tells much of an unknown pulls the
+// estimate to itself, so its own difference counts for more (the leverage of MacKinnon and White
+// 1985), but at most twice.
 MatrixXd covariance_of(const Fit& fit) {
-  MatrixXd covariance = inverse_of(fit.information());
-  const MatrixXd between = covariance * fit.scatter() * covariance;
-  const double few = fit.windows() / std::max(1.0, fit.windows() - 1.0);
+  const MatrixXd covariance = inverse_of(fit.information());
+  Eigen::ArrayXd between = Eigen::ArrayXd::Zero(covariance.rows());
+  for (const Fit::Told& told : fit.told()) {
+    const Eigen::ArrayXd pull = (covariance * told.gradient).array();
+    const Eigen::ArrayXd share = (covariance * told.information * covariance).diagonal().array() /
+                                 covariance.diagonal().array();
+    between += (pull / (1.0 - share.max(0.0).min(0.5))).square();
+  }
   const Eigen::VectorXd widening =
-      (few * between.diagonal().array() / covariance.diagonal().array()).max(1.0).sqrt();
+      (between / covariance.diagonal().array()).max(1.0).sqrt().matrix();
   return widening.asDiagonal() * covariance * widening.asDiagonal();
 }
 
@@ -125,68 +131,15 @@ void look_around(Fit& fit, int unknown) {
   if (unknown == grip_limit) {
     fit.profile(unknown, values_from(std::log(0.25), 0.2, 10, unknown));
   } else {
-    fit.profile(unknown, values_from(0.0, 0.1, 11, unknown));
+    fit.profile(unknown, values_from(0.05, 0.15, 7, unknown));
   }
 }
 
-// Where the cost is least, and where it has risen by what 95 % allow.
-Estimate interval_of(const Fit::Profile& p) {
-  const auto& c = p.costs;
-  const auto& v = p.values;
-  const int last = static_cast<int>(c.size()) - 1;
-  const int at = static_cast<int>(std::min_element(c.begin(), c.end()) - c.begin());
-  double value = v[at], least = c[at];
-  if (at > 0 && at < last) {
-    const double bend = c[at - 1] - 2.0 * c[at] + c[at + 1];
-    const double way = bend > 0.0 ? 0.5 * (c[at - 1] - c[at + 1]) / bend : 0.0;
-    value += way * (v[at + 1] - v[at]);
-    least -= 0.25 * (c[at - 1] - c[at + 1]) * way;
-  }
-  // The root of the rise is linear where the cost is a parabola.
-  const auto rise = [&](int i, double sign) {
-    return std::copysign(std::sqrt(std::max(0.0, c[i] - least)), sign * (v[i] - value));
-  };
-  const auto end = [&](int from, int step) {
-    const double sign = -step;
-    int i = from;
-    while (i != at && c[i] > least + rise95) i += step;
-    if (i == from) return v[i];
-    const double inner = rise(i, sign), outer = rise(i - step, sign);
-    return v[i] + (z95 - inner) / (outer - inner) * (v[i - step] - v[i]);
-  };
-  return {value, end(0, 1), end(last, -1)};
-}
-
-// Returns by how much an interval must be wider than the rise of the cost says, since windows
-// differ by more than noise: 1 or more. Of a cost c - 2 s (v - value) + h (v - value)^2 in each
-// window the square of s should be h in the mean; the difference between the ends of the interval
-// shows s.
-double widening_of(const Fit::Profile& p, const Estimate& interval) {
-  const auto at = [&](const std::vector<double>& costs, double value) {
-    const auto above = std::lower_bound(p.values.begin() + 1, p.values.end() - 1, value);
-    const auto i = static_cast<std::size_t>(above - p.values.begin());
-    const double way = (value - p.values[i - 1]) / (p.values[i] - p.values[i - 1]);
-    return costs[i - 1] + way * (costs[i] - costs[i - 1]);
-  };
-  double sum = 0.0;
-  for (const std::vector<double>& costs : p.parts) {
-    const double difference = at(costs, interval.high) - at(costs, interval.low);
-    sum += difference * difference;
-  }
-  const double few = p.windows() / std::max(1.0, p.windows() - 1.0);
-  return std::sqrt(std::max(1.0, few * sum / (16.0 * rise95)));
-}
-
-// Returns by how much an interval that `windows` tell must be wider than one that many tell:
-// Student's t with one degree of freedom less, by the expansion of Cornish and Fisher, which is 3 %
-// too small for three windows. One hit of two robots that is simulated with the wrong edge first
-// counts for much among few.
-double widening_of_few(int windows) {
-  const double z = z95, n = windows - 1.0;
-  const double z3 = z * z * z, z5 = z3 * z * z, z7 = z5 * z * z;
-  const double t = z + (z3 + z) / (4.0 * n) + (5.0 * z5 + 16.0 * z3 + 3.0 * z) / (96.0 * n * n) +
-                   (3.0 * z7 + 19.0 * z5 + 17.0 * z3 - 15.0 * z) / (384.0 * n * n * n);
-  return t / z;
+// The same near what was found.
+void look_near(Fit& fit, int unknown) {
+  const double step = unknown == grip_limit ? 0.03 : 0.015;
+  const double middle = value_of(fit.guess(), unknown);
+  fit.profile(unknown, values_from(middle - 3.0 * step, step, 7, unknown));
 }
 
 // True if the interval reaches beyond the values, where the unknown could be, too.
@@ -217,18 +170,14 @@ void sharpen(Fit& fit, int unknown, double own, double others, Identified& resul
       break;
     }
   }
-  const Estimate e = interval_of(profile);
-  const double widening = widening_of(profile, e) *
-                          (unknown == robot_on_robot ? widening_of_few(profile.windows()) : 1.0);
-  const double low = e.value - std::hypot(widening * (e.value - e.low), z95 * others);
-  const double high = e.value + std::hypot(widening * (e.high - e.value), z95 * others);
+  const auto [value, low, high] = interval_of(profile, others);
   if (!(high - low < 2.0 * u.widest)) return;
   const auto plain = [&](double v) {
     return std::clamp(u.is_ratio ? std::exp(v) : v, u.least, u.most);
   };
-  result.known[unknown] = Estimate{plain(e.value), plain(low), plain(high)};
+  result.known[unknown] = Estimate{plain(value), plain(low), plain(high)};
   result.why_not[unknown].clear();
-  set_value(result.guess, unknown, e.value);
+  set_value(result.guess, unknown, value);
 }
 
 // The same with covariance and information of a fit's free unknowns.
@@ -301,6 +250,12 @@ Result<Fit> fit_alone(const std::vector<Footage>& footages, const Guess& start,
   for (const int u : {grip_limit, robot_on_wall}) {
     if (fit.is_free(u)) look_around(fit, u);
   }
+  fit.retry();
+  fit.run(true);
+  for (const int u : {grip_limit, robot_on_wall}) {
+    if (fit.is_free(u)) look_near(fit, u);
+  }
+  fit.retry();
   fit.run(true);
   return fit;
 }
@@ -351,6 +306,10 @@ void identify_hits(const std::vector<Footage>& footages, const Fit& alone,
     fit.set_free(u, true);
     look_around(fit, u);
   }
+  fit.retry();
+  fit.run(true);
+  for (const int u : {ball_on_robot, robot_on_robot}) look_near(fit, u);
+  fit.retry();
   fit.run(true);
   const MatrixXd information = fit.information();
   const MatrixXd both = covariance_of_second(fit, result, alone.free_unknowns(), covariance);

@@ -24,6 +24,7 @@ namespace mirocup::pitch {
 struct Window {
   int first = 0, last = 0;
   std::vector<int> bodies;
+  bool may_slide = false;  // wheels at the start: then sideways speeds are unknown, too
 };
 
 // The recording as windows need it: flat, with obvious outliers left out.

@@ -8,37 +8,97 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <limits>
 
 namespace mirocup::test_support {
 
 namespace {
 
-constexpr double hand_every = 4.0;  // s between two pushes of the ball by hand
+using simulator::BodyState;
 
-simulator::WheelSpeeds chase(const simulator::BodyState& robot, const Vec2& ball, double most) {
-  const Vec2 way = robot.heading.to_body(ball - robot.position);
-  const double angle = std::atan2(way.y(), way.x());
-  const double forward = 0.7 * most * std::cos(angle);
-  const double turn = 0.5 * most * std::sin(angle);
+constexpr double hand_every = 4.0;    // s between two pushes of the ball by hand
+constexpr double longest_way = 1.0;   // s, to a hit and back
+constexpr double after_hit = 0.4;     // s
+constexpr double half_side = 0.0375;  // m, of a robot
+constexpr double near = 0.01;         // m, from where a hit is certain
+
+// Drives to a point with that side which is nearer to it. Turns gently: robots with a lag of 0.2 s
+// and a delay of 0.08 s would circle around it otherwise.
+simulator::WheelSpeeds chase(const BodyState& robot, const Vec2& to, double most) {
+  const Vec2 way = robot.heading.to_body(to - robot.position).normalized();
+  const double forward = 0.7 * most * way.x() * std::abs(way.x());
+  const double turn = 0.12 * most * std::copysign(way.y(), way.x() * way.y());
   return {forward - turn, forward + turn};
 }
 
 }  // namespace
 
-DrivenWheels Driver::at(double t, const DrivenStates& robots, const Vec2& ball, Random& random) {
-  if (t >= until_) {
-    const auto mode = random.below(4);
-    until_ = t + random.uniform(0.2, 0.7);
-    for (simulator::WheelSpeeds& wheels : wheels_) {
-      wheels = {random.uniform(-fastest_, fastest_), random.uniform(-fastest_, fastest_)};
-      if (mode == 1) wheels = {0.0, 0.0};
+void Driver::begin(double t, const DrivenStates& robots, Random& random) {
+  constexpr std::array<Mode, 11> modes{Mode::rush,  Mode::rush,  Mode::dash, Mode::dash,
+                                       Mode::knock, Mode::knock, Mode::duel, Mode::duel,
+                                       Mode::chase, Mode::chase, Mode::chase};
+  mode_ = modes[random.below(modes.size())];
+  lead_ = random.uniform(0.0, 0.08);
+  leaves_.fill(std::numeric_limits<double>::infinity());
+  until_ = t + longest_way;
+  if (mode_ == Mode::rush) until_ = t + random.uniform(0.2, 0.7);
+  if (mode_ == Mode::chase) until_ = t + random.uniform(0.5, 1.2);
+  const double share_of_back = std::max(0.0, random.uniform(-1.0, 1.0));
+  for (int i = 0; i < driven_robots; ++i) {
+    const double straight = random.uniform(0.5, 1.0) * fastest_;
+    const bool faces_out = robots[i].heading.to_world({1.0, 0.0}).dot(robots[i].position) > 0.0;
+    const double way = faces_out == (mode_ == Mode::knock) ? straight : -straight;
+    wheels_[i] = {way, way};
+    back_[i] = {-share_of_back * way, -share_of_back * way};
+    if (mode_ == Mode::rush) {
+      wheels_[i] = {random.uniform(-fastest_, fastest_), random.uniform(-fastest_, fastest_)};
+    } else if (mode_ == Mode::dash) {
+      back_[i] = {0.0, 0.0};
+      leaves_[i] = t + random.uniform(0.25, 0.45);
+      until_ = t + 0.8;
+    } else if (mode_ == Mode::duel) {
+      back_[i] = {-share_of_back * straight, -share_of_back * straight};
     }
-    is_chase_ = mode >= 2;
   }
-  if (is_chase_) {
-    for (int i = 0; i < driven_robots; ++i) wheels_[i] = chase(robots[i], ball, fastest_);
+}
+
+// True if a robot is `lead_` seconds before its hit.
+bool Driver::arrives(int i, const DrivenStates& robots) const {
+  const BodyState& robot = robots[i];
+  const double speed = std::abs(robot.twist.forward);
+  if (mode_ == Mode::duel) {
+    const BodyState& other = robots[1 - i];
+    const double gap = (other.position - robot.position).norm() - 2.0 * half_side;
+    return gap < (speed + std::abs(other.twist.forward)) * lead_ + near;
   }
-  return wheels_;
+  if (mode_ != Mode::knock) return false;
+  static const field::Field field = field::make_field(League::small);
+  const Vec2 way = robot.heading.to_world({std::copysign(1.0, wheels_[i].left), 0.0});
+  const auto room = [](double half, double at, double along) {
+    return (half - std::copysign(1.0, along) * at) / std::max(1e-6, std::abs(along));
+  };
+  const double gap = std::min(room(field.half_length, robot.position.x(), way.x()),
+                              room(field.half_width, robot.position.y(), way.y()));
+  return gap - half_side < speed * lead_ + near;
+}
+
+DrivenWheels Driver::at(double t, const DrivenStates& robots, const Vec2& ball, Random& random) {
+  if (t >= until_) begin(t, robots, random);
+  DrivenWheels wheels = wheels_;
+  for (int i = 0; i < driven_robots; ++i) {
+    if (t < leaves_[i] && arrives(i, robots)) {
+      leaves_[i] = t;
+      if (t >= leaves_[1 - i] || mode_ == Mode::duel) until_ = std::min(until_, t + after_hit);
+    }
+    if (t >= leaves_[i]) {
+      wheels[i] = back_[i];
+    } else if (mode_ == Mode::chase) {
+      wheels[i] = chase(robots[i], ball, fastest_);
+    } else if (mode_ == Mode::duel) {
+      wheels[i] = chase(robots[i], robots[1 - i].position, fastest_);
+    }
+  }
+  return wheels;
 }
 
 pitch::Guess random_pitch(std::uint64_t seed) {
@@ -61,12 +121,13 @@ pitch::Guess random_pitch(std::uint64_t seed) {
   return truth;
 }
 
-pitch::Recording recording_of(const DrivenPitch& driven) {
+pitch::Recording recording_of(const DrivenPitch& driven, simulator::RunStatistics* statistics) {
   const simulator::Parameters& p = driven.truth.parameters;
   Random random(driven.seed);
   const field::Field field = field::make_field(League::small);
   simulator::World world(driven.has_walls ? &field : nullptr, p, simulator::Tolerances{},
                          driven_robots, true);
+  world.set_statistics(statistics);
   world.set_robot(0, {{-0.3, 0.1}, Heading{}, {}});
   world.set_robot(1, {{0.3, -0.1}, Heading::from_angle(2.0), {}});
   world.set_ball({{0.0, 0.0}, {0.5, 0.3}});
@@ -92,7 +153,7 @@ pitch::Recording recording_of(const DrivenPitch& driven) {
     frame.t = t;
     frame.ball = world.ball().position;
     for (int i = 0; i < driven_robots; ++i) {
-      const simulator::BodyState robot = world.robot(i);
+      const BodyState robot = world.robot(i);
       frame.robots[i].push_back(pitch::SeenPose{robot.position, robot.heading.angle()});
       frame.commands[i].push_back(now.wheels[i]);
     }
@@ -112,6 +173,7 @@ pitch::Recording recording_of(const DrivenPitch& driven) {
         }
         for (int i = 0; i < driven_robots; ++i) wheels[i] = command.wheels[i];
       }
+      if (statistics != nullptr) statistics->origin = at;
       world.advance(wheels, piece - at);
       at = piece;
     }
@@ -122,7 +184,11 @@ pitch::Recording recording_of(const DrivenPitch& driven) {
         free = {random.uniform(-0.6, 0.6), random.uniform(-0.5, 0.5)};
       } while ((free - world.robot(0).position).norm() < 0.15 ||
                (free - world.robot(1).position).norm() < 0.15);
-      const double angle = random.uniform(-pi, pi);
+      double angle = random.uniform(-pi, pi);
+      if (const auto to = random.below(2 * driven_robots); to < driven_robots) {
+        const Vec2 way = world.robot(static_cast<int>(to)).position - free;
+        angle = std::atan2(way.y(), way.x()) + 0.05 * angle;
+      }
       const double speed = random.uniform(0.3, 1.8);
       world.set_ball({free, {speed * std::cos(angle), speed * std::sin(angle)}});
     }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Recordings of a pitch whose numbers are known: two robots that chase the ball, spin and rush
-// about, seen by a camera. For tests of identification, and for its bars.
+// Recordings of a pitch whose numbers are known: two robots that play the recipe of docs/pitches.md
+// (chase the ball, rush about, stop from full speed, run against walls and against each other),
+// seen by a camera. For tests of identification, and for its bars.
 #pragma once
 
 #include "core/base/random.hpp"
+#include "core/simulator/statistics.hpp"
 #include "server/pitch/recording.hpp"
 #include "server/pitch/unknowns.hpp"
 
@@ -37,12 +39,23 @@ class Driver {
   DrivenWheels at(double t, const DrivenStates& robots, const Vec2& ball, Random& random);
 
  private:
+  // rush: any wheel speeds. dash: straight on, then told to stop. knock: straight on until a wall
+  // is near, duel: towards each other; then both are told to stop or to go back.
+  enum class Mode { rush, dash, knock, duel, chase };
+
+  void begin(double t, const DrivenStates& robots, Random& random);
+  bool arrives(int robot, const DrivenStates& robots) const;
+
   double fastest_;
-  double until_ = 0.0;  // s
-  bool is_chase_ = false;
-  DrivenWheels wheels_{};
+  Mode mode_ = Mode::rush;
+  double until_ = 0.0;                          // s, end of the mode
+  DrivenWheels wheels_{};                       // rad/s, of a rush or on the way
+  DrivenWheels back_{};                         // rad/s, after it
+  std::array<double, driven_robots> leaves_{};  // s, from which on back_ holds
+  double lead_ = 0.0;                           // s, before the hit
 };
 
-pitch::Recording recording_of(const DrivenPitch& driven);
+pitch::Recording recording_of(const DrivenPitch& driven,
+                              simulator::RunStatistics* statistics = nullptr);
 
 }  // namespace mirocup::test_support

@@ -172,7 +172,8 @@ class Vector(unittest.TestCase):
 
     def test_records_and_pictures(self):
         """Catches an episode that does not verify, a page that is none, and a picture without bodies."""
-        envs = short(opponent="chaser", render_mode="rgb_array", autoreset_mode=AutoresetMode.SAME_STEP)
+        envs = short(opponent="chaser", render_mode="rgb_array", autoreset_mode=AutoresetMode.SAME_STEP,
+                     pitch={"ball_mass": {"from": 0.03, "to": 0.06}, "turn_time_constant": 0.04})
         envs.reset(seed=1)
         for _ in range(20):
             envs.step(envs.action_space.sample())

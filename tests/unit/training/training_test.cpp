@@ -171,7 +171,7 @@ TEST(Training, EpisodesStartWhereTheyAreTold) {
   EXPECT_EQ(bodies[0], -0.7) << "its keeper";
 }
 
-// Catches a pitch that the physics does not have, that all episodes share, or that a record hides.
+// Catches a pitch that the physics does not have, or that all episodes share.
 TEST(Training, APitchIsDrawnForEachEpisode) {
   const auto after = [](const json& pitch, int match) {
     json configuration{{"matches", 2}, {"conditions", "exact"}, {"start", anywhere()}};
@@ -181,10 +181,6 @@ TEST(Training, APitchIsDrawnForEachEpisode) {
     const std::vector<std::uint64_t> seeds{5, 5};
     EXPECT_EQ(mirocup_training_reset(batch.get(), nullptr, seeds.data()), 0);
     for (int step = 0; step < 15; ++step) EXPECT_EQ(mirocup_training_step(batch.get()), 0);
-    if (!pitch.is_null()) {
-      EXPECT_EQ(mirocup_training_record(batch.get(), 0, MIROCUP_CURRENT_EPISODE, "/tmp/none.json"),
-                2);
-    }
     double bodies[7 * 6];
     EXPECT_EQ(mirocup_training_bodies(batch.get(), match, bodies), 0);
     return bodies[6 * 6];
@@ -195,6 +191,69 @@ TEST(Training, APitchIsDrawnForEachEpisode) {
   const double drawn = after({{"viscous_friction", range(0.02, 0.06)}}, 0);
   EXPECT_NE(usual, drawn);
   EXPECT_EQ(drawn, after({{"viscous_friction", range(0.02, 0.06)}}, 1)) << "the same seed";
+}
+
+// Catches a record that is not on the pitch of its episode: a drawn number that it does not hold,
+// or the usual one instead.
+TEST(Training, EpisodesOnDrawnPitchesVerify) {
+  const json numbers{{"wheel_radius", range(0.02, 0.025)},
+                     {"motor_time_constant", range(0.04, 0.15)},
+                     {"turn_time_constant", range(0.03, 0.1)},
+                     {"brake_time_constant", range(0.01, 0.05)},
+                     {"grip", range(0.5, 1.0)},
+                     {"ball_mass", range(0.03, 0.06)},
+                     {"rolling_resistance", range(0.005, 0.04)},
+                     {"restitution", {{"ball_wall", range(0.4, 0.9)}, {"robot_wall", 0.2}}}};
+  json configuration = kind("both_teams", 20, 1);
+  configuration["pitch"] = numbers;
+  BatchOfMatches batch(configuration);
+  ASSERT_EQ(batch.reset(1), 0) << mirocup_training_error(batch.get());
+  for (int step = 0; step < 60; ++step) ASSERT_EQ(batch.step(1, step), 0);
+  const TemporaryFolder folder;
+  system::Disk disk;
+  const std::string path = folder / "episode.json";
+  std::set<double> radii, masses;
+  for (int match = 0; match < 20; ++match) {
+    ASSERT_EQ(mirocup_training_record(batch.get(), match, MIROCUP_CURRENT_EPISODE, path.c_str()), 0)
+        << mirocup_training_error(batch.get());
+    const auto record = record::load(disk, path);
+    ASSERT_TRUE(record) << record.error().what;
+    const auto difference = replay::verify(record->recording);
+    EXPECT_FALSE(difference) << match << ": " << difference->what;
+    EXPECT_EQ(record->recording.setup.pitch_name, "drawn");
+    const simulator::Parameters& p = record->recording.setup.parameters;
+    radii.insert(p.wheel_radius);
+    masses.insert(p.ball_mass);
+    EXPECT_GE(p.brake_time_constant, 0.01);
+    EXPECT_LE(p.brake_time_constant, 0.05);
+    EXPECT_EQ(p.restitution.robot_wall, 0.2);
+  }
+  EXPECT_EQ(radii.size(), 20U);
+  EXPECT_EQ(masses.size(), 20U);
+}
+
+// Catches a record of a pitch with a name that is not on it, and one that nothing could read again.
+TEST(Training, RecordsNameTheirPitch) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "episode.json";
+  system::Disk disk;
+  json configuration = kind("both_teams", 1, 1);
+  configuration["pitch"] = "vsss";
+  BatchOfMatches named(configuration);
+  ASSERT_EQ(named.reset(1), 0);
+  for (int step = 0; step < 30; ++step) ASSERT_EQ(named.step(1, step), 0);
+  ASSERT_EQ(mirocup_training_record(named.get(), 0, MIROCUP_CURRENT_EPISODE, path.c_str()), 0);
+  const auto record = record::load(disk, path);
+  ASSERT_TRUE(record) << record.error().what;
+  EXPECT_EQ(record->recording.setup.pitch_name, "vsss");
+  EXPECT_EQ(record->recording.setup.parameters.robot_mass, 2.4);
+  EXPECT_FALSE(replay::verify(record->recording));
+  configuration["pitch"] = {{"wheel_distance", 0.3}};
+  BatchOfMatches impossible(configuration);
+  ASSERT_EQ(impossible.reset(1), 0);
+  EXPECT_EQ(mirocup_training_record(impossible.get(), 0, MIROCUP_CURRENT_EPISODE, path.c_str()), 2);
+  const std::string why = mirocup_training_error(impossible.get());
+  EXPECT_NE(why.find("wheel_distance is 0.3"), std::string::npos) << why;
 }
 
 // Catches a state that is not saved, or that saving disturbs.

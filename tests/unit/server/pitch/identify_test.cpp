@@ -56,10 +56,46 @@ TEST(Identify, SaysWhatARecordingDoesNotTell) {
   EXPECT_NEAR(found->deceleration.value, a, 0.02);
 }
 
+// Catches restitutions of walls that nothing hits: two robots and no wall.
+TEST(Identify, SaysNothingOfWallsThatNothingHits) {
+  simulator::World world(nullptr, {}, simulator::Tolerances{}, 2, false);
+  world.set_robot(0, {{-0.3, 0.0}, Heading{}, {}});
+  world.set_robot(1, {{0.3, 0.0}, Heading::from_angle(1.0), {}});
+  Recording recording;
+  recording.path = "middle";
+  recording.robots = 1;
+  recording.period = 1.0 / 60.0;
+  for (int i = 0; i < 600; ++i) {
+    // Each quarter of a second something else, and back.
+    constexpr std::array<simulator::WheelSpeeds, 6> kinds{
+        {{40.0, 40.0}, {-40.0, -40.0}, {25.0, -25.0}, {0.0, 0.0}, {-25.0, 25.0}, {0.0, 0.0}}};
+    const simulator::WheelSpeeds wheels = kinds[static_cast<std::size_t>(i / 15) % kinds.size()];
+    Frame frame;
+    frame.t = i / 60.0;
+    for (int body = 0; body < 2; ++body) {
+      const simulator::BodyState robot = world.robot(body);
+      frame.robots[body].push_back(SeenPose{robot.position, robot.heading.angle()});
+      frame.commands[body].push_back(wheels);
+    }
+    recording.frames.push_back(frame);
+    const std::array<simulator::WheelCommand, 2> commands{wheels, wheels};
+    world.advance(commands, 1.0 / 60.0);
+  }
+  look_through({.seed = 3}, recording);
+  const auto found = identify({recording}, {});
+  ASSERT_TRUE(found) << found.error().what;
+  ASSERT_TRUE(found->known[0]);
+  EXPECT_NEAR(found->known[0]->value, 0.0225, 0.001);
+  for (const int u : {ball_on_wall, ball_on_robot, robot_on_wall, robot_on_robot}) {
+    EXPECT_FALSE(found->known[u]) << unknowns()[u].name;
+  }
+  EXPECT_EQ(found->why_not[robot_on_wall], "it takes a robot that hits a wall");
+}
+
 // Catches a validation that cannot fail: of a pitch that is wrong.
 TEST(Validate, SaysWhereTheSimulatorIsWorseThanGoingStraightOn) {
   test_support::DrivenPitch driven;
-  driven.seconds = 15.0;
+  driven.seconds = 25.0;
   const Recording recording = test_support::recording_of(driven);
   const Validation right = validate({recording}, driven.truth);
   const ErrorCell& drives = right.cells[static_cast<std::size_t>(EventKind::drive)][4];
@@ -73,7 +109,7 @@ TEST(Validate, SaysWhereTheSimulatorIsWorseThanGoingStraightOn) {
 // Catches a yardstick that is not compared: another engine that knows where everything goes.
 TEST(Validate, SaysWhereAnotherEngineIsBetter) {
   test_support::DrivenPitch driven;
-  driven.seconds = 15.0;
+  driven.seconds = 25.0;
   const Recording recording = test_support::recording_of(driven);
   const Peer peer{"oracle",
                   [](const Recording&, const Footage& footage, const Guess&, const Window& window,
