@@ -81,7 +81,12 @@ constexpr double told_leg_share = 0.6;
 constexpr std::size_t told_growth = 256u << 20;
 
 // A restart that no other leg had is played for this many ticks: past the whistle, and into play.
+// So is what follows a goal.
 constexpr std::uint32_t restart_ticks = 60;
+
+// The ball of a goal that falls in the first tick: m before the goal line, m/s.
+constexpr double sure_goal_distance = 0.02;
+constexpr double sure_goal_speed = 2.0;
 
 std::string seconds(double s) {
   char text[32];
@@ -167,6 +172,7 @@ class Examination {
   Result<bool> play_whole_legs();
   Result<bool> play_knockout();
   Result<bool> play_missing_restarts();
+  Result<bool> play_goals();
   Result<bool> repeat_elsewhere();
   TrialTerms trial(Team team, const plugins::SealedEntry& opponent) const;
   TrialTerms knockout_terms() const;
@@ -363,8 +369,10 @@ Result<bool> Examination::play_knockout() {
   restarts_.merge(leg->restarts);
   knockout_ = std::move(*leg);
   if (!knockout_.fault) {
-    const auto passed = play_missing_restarts();
-    if (!passed || !*passed) return passed;
+    for (const auto play : {&Examination::play_missing_restarts, &Examination::play_goals}) {
+      const auto passed = (this->*play)();
+      if (!passed || !*passed) return passed;
+    }
   }
   return judge(knockout_, terms, "plays extra time and a shoot-out");
 }
@@ -383,6 +391,23 @@ Result<bool> Examination::play_missing_restarts() {
       if (!leg) return tl::unexpected(leg.error());
       if (leg->fault) return judge(*leg, terms, "");
     }
+  }
+  return true;
+}
+
+// Lets a goal fall for each team: in the legs before, none may have fallen. Returns false after a
+// fault, which is added.
+Result<bool> Examination::play_goals() {
+  for (const double side : {-1.0, 1.0}) {
+    TrialTerms terms = trial(Team::blue, *idle_);
+    simulator::BallState& ball = terms.setup.start.emplace().ball.emplace();
+    const double line = field::make_field(terms.setup.league).half_length;
+    ball.position = {side * (line - sure_goal_distance), 0.0};
+    ball.velocity = {side * sure_goal_speed, 0.0};
+    terms.max_ticks = restart_ticks;
+    const auto leg = play_trial(*entry_, terms);
+    if (!leg) return tl::unexpected(leg.error());
+    if (leg->fault) return judge(*leg, terms, "");
   }
   return true;
 }

@@ -21,9 +21,9 @@ struct Answer {
   Json report;
 };
 
-Answer check_team_with(Mistake mistake) {
+Answer check_team_with(Mistake mistake, const char* half = "20") {
   const auto outcome = test_support::run(
-      {program("mirocup"), "check", program("teams/mistakes.so"), "--half", "20", "--param",
+      {program("mirocup"), "check", program("teams/mistakes.so"), "--half", half, "--param",
        "mistake=" + std::to_string(static_cast<int>(mistake)), "--json"});
   return {outcome.exit_code, Json::parse(outcome.out, nullptr, false)};
 }
@@ -148,6 +148,16 @@ TEST_P(Mistakes, AreRefusedWithTheirReason) {
   const std::string reason = examined.report.value("reason", Json()).dump();
   EXPECT_EQ(reason.rfind("\"" + std::string(expected.check), 0), 0u) << reason;
   for (const char* text : expected.texts) EXPECT_NE(reason.find(text), std::string::npos) << reason;
+}
+
+// Catches a check that accepts what no goal has asked for: in so short legs none falls.
+TEST(Check, LetsGoalsFallForBothTeams) {
+  for (const Mistake mistake : {Mistake::throws_when_trailing, Mistake::throws_after_a_goal}) {
+    const Answer examined = check_team_with(mistake, "0.5");
+    EXPECT_EQ(examined.exit_code, 1) << examined.report.dump(1);
+    const std::string reason = examined.report.value("reason", Json()).dump();
+    EXPECT_EQ(reason.rfind("\"knockout", 0), 0u) << reason;
+  }
 }
 
 struct Allowed {
