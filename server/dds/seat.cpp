@@ -188,7 +188,9 @@ void Seat::take_commands() {
   dds_instance_handle_t writer = 0;
   while (take(command_reader_, command, &writer)) {
     if (!is_ours(command, writer)) {
-      if (inbox_.counts().foreign == 0) {
+      // While a process joins anew, its commands may be here before its request.
+      if (!has_told_of_commands_ && !is_same_process(nonce_, command.nonce)) {
+        has_told_of_commands_ = true;
         tell(of_strangers_, "commands from another process are ignored");
       }
       inbox_.count_foreign();

@@ -129,6 +129,7 @@ class Seat final : public match::Controller {
   dds_instance_handle_t hello_writer_ = 0;
   dds_instance_handle_t command_writer_ = 0;  // 0: it has not written yet
   int processes_ = 0;
+  bool has_told_of_commands_ = false;  // of another process
 
   Inbox inbox_;
   ThoughtsInbox thoughts_;

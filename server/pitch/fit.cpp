@@ -316,7 +316,12 @@ void Fit::linearise() {
     a.diagonal().array() += 1e-9;
     const MatrixXd b = weighted.transpose() * by_pitch;
     const Eigen::LDLT<MatrixXd> solver(a);
-    piece.gain = solver.solve(b);
+    // Eigen's solver reads beyond a matrix without columns: all numbers are known.
+    if (n > 0) {
+      piece.gain = solver.solve(b);
+    } else {
+      piece.gain.resize(piece.states, 0);
+    }
     piece.own = solver.solve(weighted.transpose() * r);
     cost_ += std::min(piece.square, unexplained * piece.rows);
     if (!piece.counts || !piece.gain.allFinite() || !by_pitch.allFinite()) continue;
@@ -405,7 +410,8 @@ bool Fit::step(double most) {
     MatrixXd damped = information_;
     damped.diagonal() *= 1.0 + damping_;
     damped.diagonal().array() += 1e-6;  // what no window tells stays where it is
-    VectorXd step = damped.ldlt().solve(-gradient_);
+    VectorXd step = gradient_;
+    if (!free.empty()) step = damped.ldlt().solve(-gradient_);
     if (!step.allFinite()) step.setZero();
     const Guess trial = stepped(free, step, most);
     const double cost = cost_of_trial(trial, step);
