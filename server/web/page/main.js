@@ -88,13 +88,16 @@ function showEnds(left) {
   }
 }
 
+// The shown moment as a part of an address. It is rounded up: a moment before a goal's is before the goal.
+const momentLink = () => `#t=${(Math.ceil(1000 * player.time - 1e-6) / 1000).toFixed(3)}`;
+
 // Writes the shown moment into the page's address, at most twice a second: browsers refuse more.
 let rememberLater = 0;
 function rememberMoment() {
   if (rememberLater || player.isFollowing) return;
   rememberLater = setTimeout(() => {
     rememberLater = 0;
-    if (!player.isFollowing) history.replaceState(null, '', `#t=${player.time.toFixed(2)}`);
+    if (!player.isFollowing) history.replaceState(null, '', momentLink());
   }, 500);
 }
 
@@ -148,7 +151,7 @@ function showNumbers(numbers) {
 }
 
 async function copyLink() {
-  history.replaceState(null, '', `#t=${player.time.toFixed(2)}`);
+  history.replaceState(null, '', momentLink());
   try {
     await navigator.clipboard.writeText(location.href);
     by('link').textContent = 'Copied';
