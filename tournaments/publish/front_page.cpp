@@ -84,7 +84,7 @@ Json groups_values(const Overview& o) {
   return values;
 }
 
-// Who has won, and how sure that is; false before the league is over.
+// Returns who has won, and how sure that is; false before the league is over.
 Json champion_values(const Overview& o) {
   if (!o.state.is_over() || o.table.size() < 2 || o.state.played() == 0) return false;
   const TableRow& first = o.table[0];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Catches a league that goes on with a program that plays otherwise although nobody said so, and a
+// Catches a league that goes on with a program that plays otherwise without being told to, and a
 // record that names a folder in which no program was kept.
 #include "tournaments/play/program.hpp"
 

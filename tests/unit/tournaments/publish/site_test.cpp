@@ -307,7 +307,7 @@ std::string page_of_level_tie(LegEnd end, std::optional<std::string> winner) {
   return page(make_site(state, {}, {}), "rounds/k1.html");
 }
 
-// Catches a tie of which nobody is told why one of the teams goes on.
+// Catches a tie that does not say why one of the teams goes on.
 TEST(Site, SaysWhoWonALevelTie) {
   const std::string by_lot = page_of_level_tie(LegEnd::full_time, std::nullopt);
   EXPECT_NE(by_lot.find("level: a lot decided for "), std::string::npos) << by_lot;
