@@ -173,6 +173,7 @@ class Examination {
   Result<bool> play_knockout();
   Result<bool> play_missing_restarts();
   Result<bool> play_goals();
+  Result<bool> play_from(const match::Start& start);
   Result<bool> repeat_elsewhere();
   TrialTerms trial(Team team, const plugins::SealedEntry& opponent) const;
   TrialTerms knockout_terms() const;
@@ -369,10 +370,9 @@ Result<bool> Examination::play_knockout() {
   restarts_.merge(leg->restarts);
   knockout_ = std::move(*leg);
   if (!knockout_.fault) {
-    for (const auto play : {&Examination::play_missing_restarts, &Examination::play_goals}) {
-      const auto passed = (this->*play)();
-      if (!passed || !*passed) return passed;
-    }
+    auto passed = play_missing_restarts();
+    if (passed && *passed) passed = play_goals();
+    if (!passed || !*passed) return passed;
   }
   return judge(knockout_, terms, "plays extra time and a shoot-out");
 }
@@ -384,12 +384,10 @@ Result<bool> Examination::play_missing_restarts() {
        {Restart::GOAL_KICK, Restart::PENALTY_KICK, Restart::FREE_KICK, Restart::FREE_BALL}) {
     for (const Team taker : both_teams) {
       if (restarts_.count({kind, taker == Team::blue}) != 0) continue;
-      TrialTerms terms = trial(Team::blue, *idle_);
-      terms.setup.start.emplace().restart = match::RestartStart{kind, taker, {}};
-      terms.max_ticks = restart_ticks;
-      const auto leg = play_trial(*entry_, terms);
-      if (!leg) return tl::unexpected(leg.error());
-      if (leg->fault) return judge(*leg, terms, "");
+      match::Start start;
+      start.restart = match::RestartStart{kind, taker, {}};
+      const auto passed = play_from(start);
+      if (!passed || !*passed) return passed;
     }
   }
   return true;
@@ -398,18 +396,25 @@ Result<bool> Examination::play_missing_restarts() {
 // Lets a goal fall for each team: in the legs before, none may have fallen. Returns false after a
 // fault, which is added.
 Result<bool> Examination::play_goals() {
+  const double line = field::make_field(setup_.league).half_length;
   for (const double side : {-1.0, 1.0}) {
-    TrialTerms terms = trial(Team::blue, *idle_);
-    simulator::BallState& ball = terms.setup.start.emplace().ball.emplace();
-    const double line = field::make_field(terms.setup.league).half_length;
-    ball.position = {side * (line - sure_goal_distance), 0.0};
-    ball.velocity = {side * sure_goal_speed, 0.0};
-    terms.max_ticks = restart_ticks;
-    const auto leg = play_trial(*entry_, terms);
-    if (!leg) return tl::unexpected(leg.error());
-    if (leg->fault) return judge(*leg, terms, "");
+    match::Start start;
+    start.ball = simulator::BallState{{side * (line - sure_goal_distance), 0.0},
+                                      {side * sure_goal_speed, 0.0}};
+    const auto passed = play_from(start);
+    if (!passed || !*passed) return passed;
   }
   return true;
+}
+
+// Plays restart_ticks as blue against idle. Returns false after a fault, which is added.
+Result<bool> Examination::play_from(const match::Start& start) {
+  TrialTerms terms = trial(Team::blue, *idle_);
+  terms.setup.start = start;
+  terms.max_ticks = restart_ticks;
+  const auto leg = play_trial(*entry_, terms);
+  if (!leg) return tl::unexpected(leg.error());
+  return leg->fault ? judge(*leg, terms, "") : true;
 }
 
 // The knock-out leg, which has every phase of a match, and the leg as blue once more, where nothing

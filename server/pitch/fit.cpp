@@ -410,8 +410,7 @@ bool Fit::step(double most) {
     MatrixXd damped = information_;
     damped.diagonal() *= 1.0 + damping_;
     damped.diagonal().array() += 1e-6;  // what no window tells stays where it is
-    VectorXd step = gradient_;
-    if (!free.empty()) step = damped.ldlt().solve(-gradient_);
+    VectorXd step = damped.ldlt().solve(-gradient_);
     if (!step.allFinite()) step.setZero();
     const Guess trial = stepped(free, step, most);
     const double cost = cost_of_trial(trial, step);

@@ -25,15 +25,17 @@ std::string thoughts_path(const std::string& record_path, Team team) {
 
 void ThoughtsWriter::add(std::uint32_t tick, const match::Thought& thought) {
   last_tick_ = tick;
-  const bool is_full = left_out_here_ > 0;
-  const std::string_view line = is_full ? std::string_view() : line_.write(tick, thought);
-  if (is_full || size_ + line.size() > match::max_thought_bytes) {
-    ++left_out_here_;
-    return;
+  if (!is_full_) {
+    const std::string_view line = line_.write(tick, thought);
+    is_full_ = size_ + line.size() > match::max_thought_bytes;
+    if (!is_full_) {
+      size_ += line.size();
+      lines_ += line;
+      if (lines_.size() >= packed_at_once) pack(false);
+      return;
+    }
   }
-  size_ += line.size();
-  lines_ += line;
-  if (lines_.size() >= packed_at_once) pack(false);
+  ++left_out_;
 }
 
 void ThoughtsWriter::Free::operator()(ZSTD_CCtx_s* packer) const {
@@ -58,11 +60,11 @@ void ThoughtsWriter::pack(bool is_end) {
 }
 
 std::string ThoughtsWriter::packed() {
-  if (left_out() > 0) {
+  if (left_out_ > 0) {
     lines_ += "{\"tick\":" + std::to_string(last_tick_) +
               ",\"layer\":\"mirocup\",\"colour\":\"#808080ff\",\"text\":[0,0,\"" +
-              std::to_string(left_out()) + " shapes of the leg were left out\"]}\n";
-    left_out_here_ = left_out_before_ = 0;
+              std::to_string(left_out_) + " shapes of the leg were left out\"]}\n";
+    left_out_ = 0;
   }
   pack(true);
   return std::move(packed_);

@@ -30,10 +30,10 @@ class ThoughtsWriter {
   void add(std::uint32_t tick, const match::Thought& thought);
 
   // Counts shapes that were left out before they came here.
-  void count_left_out(std::uint32_t shapes) { left_out_before_ += shapes; }
+  void count_left_out(std::uint32_t shapes) { left_out_ += shapes; }
 
   // Returns how many shapes of the leg were left out so far.
-  std::uint64_t left_out() const { return left_out_before_ + left_out_here_; }
+  std::uint64_t left_out() const { return left_out_; }
 
   // Ends the file and returns its bytes. If something was left out, the last line is a text that
   // says so. Nothing can be added afterwards.
@@ -52,8 +52,8 @@ class ThoughtsWriter {
   std::string packed_;
   std::unique_ptr<ZSTD_CCtx_s, Free> packer_;  // null before the first lines are packed
   std::uint32_t last_tick_ = 0;
-  std::uint64_t left_out_before_ = 0;  // before they came here
-  std::uint64_t left_out_here_ = 0;    // for want of room
+  std::uint64_t left_out_ = 0;
+  bool is_full_ = false;
 };
 
 // Returns the JSON lines of a file. The error says why the bytes are none; `path` is named in it.

@@ -103,11 +103,10 @@ Result<void> set_members(PeopleOfTeams& people, const std::string& team,
   return {};
 }
 
-Result<void> set_colour(PeopleOfTeams& people, const std::string& team, const std::string& colour) {
-  if (const std::string why = colour.empty() ? "" : objection_to_colour(colour); !why.empty())
-    return fail(Errc::input, team + ": " + why);
-  people[team].colour = colour;
-  return {};
+Result<void> set_colour_of(PeopleOfTeams& people, const std::string& team,
+                           const std::string& colour) {
+  const auto set = set_colour(people[team], colour);
+  return set ? set : fail(Errc::input, team + ": " + set.error().what);
 }
 
 // Reads lines of team, display name, members with semicolons between them and, if the first line
@@ -147,7 +146,7 @@ Result<void> read_class_list(const std::string& text, const std::string& path,
     auto set = set_display(people, cells[0], cells[1]).and_then([&] {
       return set_members(people, cells[0], members);
     });
-    if (set && columns > 3) set = set_colour(people, cells[0], cells[3]);
+    if (set && columns > 3) set = set_colour_of(people, cells[0], cells[3]);
     if (!set) return fail(Errc::input, where + ": " + set.error().what);
   }
   return {};
@@ -177,7 +176,7 @@ Result<int> run_team(const TeamOptions& options) {
       return fail(Errc::input, "there is no team " + options.team);
     if (options.display) set = set_display(*people, options.team, *options.display);
     if (set && !options.members.empty()) set = set_members(*people, options.team, options.members);
-    if (set && options.colour) set = set_colour(*people, options.team, *options.colour);
+    if (set && options.colour) set = set_colour_of(*people, options.team, *options.colour);
   }
   if (!set) return tl::unexpected(set.error());
   if (auto written = write_people(disk, folder, *people); !written)

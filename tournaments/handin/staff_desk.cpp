@@ -298,10 +298,7 @@ Result<void> set_people(system::Files& files, const LeagueStore& store, const Fo
   if (!people) return tl::unexpected(people.error());
   People& one = (*people)[team];
   if (value_of(form, "act") == "colour") {
-    one.colour = value_of(form, "colour");
-    if (const std::string why = one.colour.empty() ? "" : objection_to_colour(one.colour);
-        !why.empty())
-      return fail(Errc::input, why);
+    if (auto set = set_colour(one, value_of(form, "colour")); !set) return set;
     return write_people(files, store.folder(), *people);
   }
   one.display = value_of(form, "display");

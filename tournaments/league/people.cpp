@@ -60,6 +60,13 @@ std::string objection_to_colour(const std::string& text) {
   return is_one ? "" : "a colour is '#' and six hexadecimal digits, as in #c03a2b";
 }
 
+Result<void> set_colour(People& one, const std::string& colour) {
+  if (const std::string why = colour.empty() ? "" : objection_to_colour(colour); !why.empty())
+    return fail(Errc::input, why);
+  one.colour = colour;
+  return {};
+}
+
 Result<PeopleOfTeams> read_people(system::Files& files, const Folder& folder) {
   if (!files.exists(folder.people())) return PeopleOfTeams{};
   const auto text = files.read(folder.people(), {.max_size = system::size_limit::league_file});

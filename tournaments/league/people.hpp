@@ -29,6 +29,9 @@ std::string objection_to_display(const std::string& text);
 // Returns why a text is no colour; "" if it is one: '#' and six hexadecimal digits.
 std::string objection_to_colour(const std::string& text);
 
+// Sets the colour; "" takes the mark away. Errors: Errc::input.
+Result<void> set_colour(People& one, const std::string& colour);
+
 // Reads and writes the file; a league without it has no such names. Errors: Errc::input.
 Result<PeopleOfTeams> read_people(system::Files& files, const Folder& folder);
 Result<void> write_people(system::Files& files, const Folder& folder, const PeopleOfTeams& people);

@@ -170,19 +170,13 @@ Json decisions_values(const LeagueState& state) {
 
 // The sums of many legs, as "12–8–1" and "34:17"; without links, which the rounds have.
 Json sums_of(const std::vector<const LegView*>& legs, int team) {
-  int count[3] = {};
-  int own = 0;
-  int other = 0;
+  LegTotals sums;
   for (const LegView* leg : legs) {
-    if (leg->played == nullptr) continue;
-    ++count[leg->letter(team) == 'W' ? 0 : leg->letter(team) == 'D' ? 1 : 2];
-    own += leg->goals(team);
-    other += leg->goals_against(team);
+    if (leg->played != nullptr) sums.add(*leg, team);
   }
   const std::string won =
-      std::to_string(count[0]) + "–" + std::to_string(count[1]) + "–" + std::to_string(count[2]);
-  return {{{"score", won}, {"page", ""}},
-          {{"score", std::to_string(own) + ":" + std::to_string(other)}, {"page", ""}}};
+      std::to_string(sums.won) + "–" + std::to_string(sums.drawn) + "–" + std::to_string(sums.lost);
+  return {{{"score", won}, {"page", ""}}, {{"score", sums.score()}, {"page", ""}}};
 }
 
 Json cell_values(const std::vector<const LegView*>& legs, int team, const std::string& root) {

@@ -65,6 +65,14 @@ char LegView::letter(int team) const {
   return goals(team) == goals_against(team) ? 'D' : 'W';
 }
 
+void LegTotals::add(const LegView& leg, int team) {
+  ++legs;
+  const char letter = leg.letter(team);
+  ++(letter == 'W' ? won : letter == 'D' ? drawn : lost);
+  goals += leg.goals(team);
+  against += leg.goals_against(team);
+}
+
 namespace {
 
 // Fits the strengths. Where entries are replaced, the legs of the former ones of a team are those

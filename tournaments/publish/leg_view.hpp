@@ -31,6 +31,19 @@ struct LegView {
   char letter(int team) const;
 };
 
+// Wins, draws, losses and goals over some decided legs of a team.
+struct LegTotals {
+  int legs = 0;
+  int won = 0;
+  int drawn = 0;
+  int lost = 0;
+  int goals = 0;
+  int against = 0;
+
+  void add(const LegView& leg, int team);
+  std::string score() const { return std::to_string(goals) + ":" + std::to_string(against); }
+};
+
 // All that a site is made of, computed once. Refers to the state and the facts, which must outlive
 // it.
 inline const FactsOfLegs no_facts;

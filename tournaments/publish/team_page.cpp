@@ -17,33 +17,22 @@ namespace {
 constexpr std::size_t form_length = 10;  // legs
 constexpr std::size_t best_length = 3;   // legs
 
-// Wins, draws, losses, goals and own faults over some legs of a team.
-struct LegTotals {
-  int legs = 0;
-  int won = 0;
-  int drawn = 0;
-  int lost = 0;
-  int goals = 0;
-  int against = 0;
+// What a team did in some of its legs, with its own faults.
+struct TotalsRow {
+  LegTotals sums;
   int faults = 0;
 
   void add(const LegView& leg, int team, const std::string& name) {
-    ++legs;
-    const char letter = leg.letter(team);
-    ++(letter == 'W' ? won : letter == 'D' ? drawn : lost);
-    goals += leg.goals(team);
-    against += leg.goals_against(team);
+    sums.add(leg, team);
     if (leg.played->fault && leg.played->fault->team == name) ++faults;
   }
 
   Json values(const std::string& what) const {
     char mean[48];
-    std::snprintf(mean, sizeof mean, "%.2f : %.2f", double(goals) / std::max(1, legs),
-                  double(against) / std::max(1, legs));
-    return {{"what", what}, {"legs", legs},
-            {"won", won},   {"drawn", drawn},
-            {"lost", lost}, {"goals", std::to_string(goals) + ":" + std::to_string(against)},
-            {"mean", mean}, {"faults", faults}};
+    std::snprintf(mean, sizeof mean, "%.2f : %.2f", double(sums.goals) / std::max(1, sums.legs),
+                  double(sums.against) / std::max(1, sums.legs));
+    return {{"what", what},      {"legs", sums.legs},     {"won", sums.won}, {"drawn", sums.drawn},
+            {"lost", sums.lost}, {"goals", sums.score()}, {"mean", mean},    {"faults", faults}};
   }
 };
 
@@ -61,9 +50,9 @@ std::vector<const LegView*> played_legs(const Overview& o, int team) {
 }
 
 Json totals_values(const Overview& o, int team) {
-  LegTotals all;
-  LegTotals blue;
-  LegTotals yellow;
+  TotalsRow all;
+  TotalsRow blue;
+  TotalsRow yellow;
   for (const LegView* leg : played_legs(o, team)) {
     all.add(*leg, team, o.state.name(team));
     (is_blue(*leg, team) ? blue : yellow).add(*leg, team, o.state.name(team));
@@ -103,14 +92,16 @@ Json extremes(const Overview& o, int team, bool best) {
 Json opponents_values(const Overview& o, int team) {
   Json values = Json::array();
   for (const TableRow& row : o.table) {
-    LegTotals totals;
+    TotalsRow totals;
     for (const LegView* leg : played_legs(o, team)) {
       if (leg->is_of(row.team) && row.team != team) totals.add(*leg, team, o.state.name(team));
     }
-    if (totals.legs == 0) continue;
+    if (totals.sums.legs == 0) continue;
     Json opponent = totals.values("");
     opponent["team"] = team_values(o, row.team, "../");
-    opponent["result"] = totals.won > totals.lost ? "W" : totals.won < totals.lost ? "L" : "D";
+    opponent["result"] = totals.sums.won > totals.sums.lost   ? "W"
+                         : totals.sums.won < totals.sums.lost ? "L"
+                                                              : "D";
     values.push_back(opponent);
   }
   return values;
