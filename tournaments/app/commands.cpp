@@ -241,7 +241,8 @@ namespace {
 
 Result<std::vector<SiteFile>> files_to_export(system::Files& disk, const LeagueOptions& options,
                                               const Overview& overview) {
-  std::vector<SiteFile> files = exports(overview);
+  std::vector<SiteFile> files;
+  for (const auto& [name, make] : exports(overview)) files.push_back({name, make()});
   if (options.drills.empty()) return files;
   const auto drills = disk.read(
       options.drills, {.max_size = system::size_limit::note, .links = system::Links::followed});

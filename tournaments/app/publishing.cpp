@@ -42,10 +42,13 @@ Result<void> publish_site(system::Files& files, const Folder& folder, const Leag
   // First what takes long: the pages of league and teams show the statistics of every leg.
   const auto failed = make_replay_pages(files, folder, overview(shown), jobs);
   if (!failed) return tl::unexpected(failed.error());
-  const FactsOfLegs facts = read_facts(files, folder, shown);
-  for (const SiteFile& file : make_site(shown, kept_statistics(files, folder, shown), facts,
-                                        news.night ? &*news.night : nullptr, news.feed)) {
-    if (auto written = files.write(folder.site() + "/" + file.name, file.bytes); !written)
+  const Site site({.state = shown,
+                   .reports = kept_statistics(files, folder, shown),
+                   .facts = read_facts(files, folder, shown),
+                   .night = news.night,
+                   .feed = news.feed});
+  for (const std::string& name : site.names()) {
+    if (auto written = files.write(folder.site() + "/" + name, *site.file(name)); !written)
       return written;
   }
   if (*failed > 0) {

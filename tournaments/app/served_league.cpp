@@ -14,7 +14,6 @@
 #include "tournaments/publish/release.hpp"
 #include "tournaments/publish/replay_nav.hpp"
 #include "tournaments/publish/replay_pages.hpp"
-#include "tournaments/publish/site.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -29,9 +28,9 @@ using namespace std::chrono_literals;
 constexpr auto poll_interval = 500ms;
 constexpr auto entries_interval = 2s;  // between two looks at the entries of all teams
 
-// While a class joins, each new team changes league.json and with it all pages. Making them takes
-// at most one part in that many of the time.
-constexpr int rest_factor = 30;
+// While a class joins, each new team changes league.json and with it all pages. To begin them anew
+// takes at most one part in that many of the time.
+constexpr int rest_factor = 100;
 
 // The line that `mirocup match --watch` prints. Only matches of this host are passed on.
 constexpr std::string_view watched = "mirocup: watch at http://127.0.0.1:";
@@ -125,7 +124,7 @@ void ServedLeague::poll() {
 std::vector<ServedLeague::LiveLeg> ServedLeague::find_live_legs() const {
   const LeagueState& state = store_.state();
   std::vector<LiveLeg> playing;
-  if (!is_all_released(state)) return playing;
+  if (!state.is_started || !is_all_released(state)) return playing;
   for (std::size_t i = state.first_open(); i < state.fixtures.size(); ++i) {
     const FixtureState& f = state.fixtures[i];
     for (const int number : open_legs(state, f)) {
@@ -153,13 +152,13 @@ std::vector<ServedLeague::LiveLeg> ServedLeague::find_live_legs() const {
 
 // Requires mutex_.
 bool ServedLeague::are_pages_fresh() const {
-  if (pages_.empty() || lines_of_pages_ != lines_) return false;
+  if (!site_ || lines_of_pages_ != lines_) return false;
   return version_of_pages_ == teams_version_ ||
          std::chrono::steady_clock::now() < pages_rest_until_;
 }
 
-// Requires mutex_.
-void ServedLeague::make_pages() {
+// Requires mutex_. Each page is made when it is asked for.
+void ServedLeague::begin_pages() {
   if (are_pages_fresh()) return;
   const auto begun = std::chrono::steady_clock::now();
   lines_of_pages_ = lines_;
@@ -168,25 +167,17 @@ void ServedLeague::make_pages() {
   statistics_.clear();
   // What cannot be shown alone, such as a round that does not exist any more, is not shown at all.
   auto released = released_state(store_.state(), store_.journal());
-  shown_ = released ? std::move(*released) : new_league(store_.state().file);
-  const auto news = news_for(*shown_, store_).value_or(NightNews{});
-  facts_ = read_facts(files_, store_.folder(), *shown_, std::move(facts_));
-  reports_ = kept_statistics(files_, store_.folder(), *shown_);
-  for (SiteFile& file :
-       make_site(*shown_, reports_, facts_, news.night ? &*news.night : nullptr, news.feed)) {
-    const std::string type = type_of(file.name);
-    const bool is_html = type.starts_with("text/html");
-    pages_["/" + file.name] = {
-        type, is_html ? policy : "",
-        is_html ? with_script(std::move(file.bytes), takes_hand_ins_) : file.bytes};
-  }
-  pages_["/"] = pages_["/index.html"];
-  pages_["/league.js"] = {type_of("league.js"), "", std::string(web::asset("league.js"))};
-  if (takes_hand_ins_) {
-    pages_["/hand_in.js"] = {type_of("hand_in.js"), "", std::string(web::asset("hand_in.js"))};
-  }
+  LeagueState shown = released ? std::move(*released) : new_league(store_.state().file);
+  NightNews news = news_for(shown, store_).value_or(NightNews{});
+  facts_ = read_facts(files_, store_.folder(), shown, std::move(facts_));
+  LegReports reports = kept_statistics(files_, store_.folder(), shown);
+  site_ = std::make_unique<Site>(SiteSource{.state = std::move(shown),
+                                            .reports = std::move(reports),
+                                            .facts = facts_,
+                                            .night = std::move(news.night),
+                                            .feed = std::move(news.feed)});
   records_.clear();
-  for (const FixtureState& f : shown_->fixtures) {
+  for (const FixtureState& f : site_->state().fixtures) {
     for (int leg = 1; leg <= max_legs; ++leg) {
       const LegState& now = f.legs[leg - 1];
       const int versions =
@@ -199,13 +190,28 @@ void ServedLeague::make_pages() {
   pages_rest_until_ = ended + rest_factor * (ended - begun);
 }
 
+// Requires mutex_. Returns null if the site has no such page.
+const web::Page* ServedLeague::page_of_site(const std::string& path) {
+  if (!path.starts_with('/')) return nullptr;
+  begin_pages();
+  if (const auto found = pages_.find(path); found != pages_.end()) return &found->second;
+  const std::string name = path == "/" ? "index.html" : path.substr(1);
+  if (name == "league.js" || (takes_hand_ins_ && name == "hand_in.js"))
+    return &(pages_[path] = {type_of(name), "", std::string(web::asset(name))});
+  auto bytes = site_->file(name);
+  if (!bytes) return nullptr;
+  const std::string type = type_of(name);
+  const bool is_html = type.starts_with("text/html");
+  return &(pages_[path] = {type, is_html ? policy : "",
+                           is_html ? with_script(std::move(*bytes), takes_hand_ins_) : *bytes});
+}
+
 std::optional<web::Page> ServedLeague::page(const std::string& path) {
   std::string stem;
   {
     const std::lock_guard lock(mutex_);
     poll();
-    make_pages();
-    if (const auto found = pages_.find(path); found != pages_.end()) return found->second;
+    if (const web::Page* made = page_of_site(path)) return *made;
     // Only files that the journal names are read from disk.
     const std::filesystem::path file(path);
     stem = file.filename();
@@ -237,7 +243,8 @@ std::optional<web::Page> ServedLeague::replay(const std::string& stem) {
 
 std::string ServedLeague::linked(std::string page, const std::string& record) {
   const std::lock_guard lock(mutex_);
-  return with_league_links(std::move(page), overview(shown()), record);
+  begin_pages();
+  return with_league_links(std::move(page), site_->overview(), record);
 }
 
 std::string ServedLeague::why_not(const std::string& team, const std::string& now) {
@@ -250,8 +257,8 @@ std::vector<OwnLeg> ServedLeague::legs_of(const std::string& team) {
   const std::lock_guard lock(mutex_);
   poll();
   const bool is_hidden = store_.state().release.level == ReleaseLevel::hidden;
-  if (is_hidden) make_pages();
-  return own_legs(is_hidden ? shown() : store_.state(), team);
+  if (is_hidden) begin_pages();
+  return own_legs(is_hidden ? site_->state() : store_.state(), team);
 }
 
 std::string ServedLeague::digest_of(const std::string& team) {
@@ -322,12 +329,13 @@ std::vector<std::string> ServedLeague::neighbours_of(const std::string& team) {
 std::string ServedLeague::statistics_of(const std::string& team) {
   const std::lock_guard lock(mutex_);
   poll();
-  const auto index = store_.state().find_team(team);
-  if (!index || !store_.state().is_started) return "";
-  make_pages();
+  if (!store_.state().is_started) return "";
+  begin_pages();
+  const auto index = site_->state().find_team(team);
+  if (!index) return "";
   const auto known = statistics_.find(*index);
   if (known != statistics_.end()) return known->second;
-  std::string html = team_statistics_html(overview(store_.state(), facts_), reports_, *index);
+  std::string html = team_statistics_html(site_->overview(), site_->reports(), *index);
   return statistics_[*index] = std::move(html);
 }
 

@@ -10,13 +10,13 @@
 #include "server/web/site_server.hpp"
 #include "tournaments/handin/own_legs.hpp"
 #include "tournaments/league/league_store.hpp"
-#include "tournaments/publish/league_statistics.hpp"
-#include "tournaments/publish/leg_facts.hpp"
+#include "tournaments/publish/site.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <chrono>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <set>
 
@@ -75,8 +75,8 @@ class ServedLeague {
   void notice_edits();
   bool open_again();
   std::vector<LiveLeg> find_live_legs() const;
-  void make_pages();
-  const LeagueState& shown() const { return shown_ ? *shown_ : store_.state(); }
+  void begin_pages();
+  const web::Page* page_of_site(const std::string& path);
   bool are_pages_fresh() const;
   std::optional<web::Page> replay(const std::string& stem);
   std::string linked(std::string page, const std::string& record);
@@ -94,14 +94,13 @@ class ServedLeague {
   std::uint64_t version_of_pages_ = 0;  // teams_version_ when the pages were made
   std::size_t lines_of_pages_ = 0;      // lines_ then
   std::chrono::steady_clock::time_point pages_rest_until_{};  // before the start of the league
-  std::optional<LeagueState> shown_;  // what is released; nothing before the first page
+  std::unique_ptr<Site> site_;        // of what is released; null before the first page
   std::string people_;                // teams.json
   FactsOfLegs facts_;
-  LegReports reports_;
   std::map<int, std::string> statistics_;  // of teams, as far as they were asked for
   std::map<std::string, int> entries_that_play_;
   std::chrono::steady_clock::time_point entries_looked_up_at_{};
-  std::map<std::string, web::Page> pages_;  // by path
+  std::map<std::string, web::Page> pages_;  // of site_, as far as they were asked for, by path
   std::set<std::string> records_;           // names without .json
 
   std::mutex replaying_;  // held while a replay page is made: one at a time

@@ -42,11 +42,7 @@ std::string CheckRunner::output_of(const WaitingHandIn& handed) const {
 }
 
 bool CheckRunner::step() {
-  while (busy() < jobs_ && steady_clock::now() >= rests_until_) {
-    const std::size_t before = running_.size();
-    start_next();
-    if (running_.size() == before) break;
-  }
+  start_checks();
   // Friendlies take what the checks leave.
   while (busy() < jobs_ && friendlies_.start_next(next_tag_, system::now_s())) ++next_tag_;
   look_at_steps();
@@ -56,12 +52,21 @@ bool CheckRunner::step() {
     if (const auto ended = running_.find(news.exit->tag); ended != running_.end()) {
       const Running check = std::move(ended->second);
       running_.erase(ended);
+      start_checks();  // a processor does not wait for the disk
       book(check, *news.exit);
     } else {
       friendlies_.book(*news.exit, system::now_s());
     }
   }
   return !news.is_asked_to_stop;
+}
+
+void CheckRunner::start_checks() {
+  while (busy() < jobs_ && steady_clock::now() >= rests_until_) {
+    const std::size_t before = running_.size();
+    start_next();
+    if (running_.size() == before) break;
+  }
 }
 
 void CheckRunner::start_next() {

@@ -36,6 +36,7 @@ class CheckRunner {
   // Processes that run.
   int busy() const { return static_cast<int>(running_.size()) + friendlies_.running(); }
 
+  void start_checks();
   void start_next();
   void book(const Running& check, const system::Exit& exit);
   void look_at_steps();

@@ -9,6 +9,12 @@
 namespace mirocup::league {
 
 void ScheduleGrowth::add(const std::vector<Fixture>& fixtures) {
+  // A schedule of 200 teams has 20 000 fixtures of half a kilobyte. Those that come later are few.
+  const std::size_t size = state_.fixtures.size() + fixtures.size();
+  if (state_.fixtures.empty()) {
+    state_.fixtures.reserve(size);
+    state_.index_of_fixture_.reserve(size);
+  }
   for (const Fixture& fixture : fixtures) {
     const int index = static_cast<int>(state_.fixtures.size());
     state_.index_of_fixture_[fixture.id()] = index;

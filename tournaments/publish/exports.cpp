@@ -183,15 +183,16 @@ Json table_json(const Overview& o) {
           {"table", rows}};
 }
 
-std::vector<SiteFile> exports(const Overview& o) {
-  return {{"table.json", record::json_text(table_json(o), 1) + "\n"},
-          {"crosstable.json", record::json_text(crosstable_json(o), 1) + "\n"},
-          {"bracket.json", record::json_text(bracket_json(o.state), 1) + "\n"},
-          {"legs.json", record::json_text(legs_json(o), 1) + "\n"},
-          {"decisions.json", decisions_json(o.state) + "\n"},
-          {"table.csv", table_csv(o)},
-          {"legs.csv", legs_csv(o)},
-          {"decisions.csv", decisions_csv(o.state)}};
+FileMakers exports(const Overview& o) {
+  const auto lines_of = [](const Json& json) { return record::json_text(json, 1) + "\n"; };
+  return {{"table.json", [&o, lines_of] { return lines_of(table_json(o)); }},
+          {"crosstable.json", [&o, lines_of] { return lines_of(crosstable_json(o)); }},
+          {"bracket.json", [&o, lines_of] { return lines_of(bracket_json(o.state)); }},
+          {"legs.json", [&o, lines_of] { return lines_of(legs_json(o)); }},
+          {"decisions.json", [&o] { return decisions_json(o.state) + "\n"; }},
+          {"table.csv", [&o] { return table_csv(o); }},
+          {"legs.csv", [&o] { return legs_csv(o); }},
+          {"decisions.csv", [&o] { return decisions_csv(o.state); }}};
 }
 
 }  // namespace mirocup::league

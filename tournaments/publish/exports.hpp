@@ -12,8 +12,8 @@
 namespace mirocup::league {
 
 // table.json, crosstable.json, bracket.json, legs.json, decisions.json, table.csv, legs.csv,
-// decisions.csv.
-std::vector<SiteFile> exports(const Overview& overview);
+// decisions.csv. Refers to the overview.
+FileMakers exports(const Overview& overview);
 
 // The content of decisions.json, as text.
 std::string decisions_json(const LeagueState& state);

@@ -274,8 +274,11 @@ std::string round_html(const SiteContent& c, std::size_t index) {
   return filled_page("round.html", values);
 }
 
+bool has_crosstable(const SiteContent& c) {
+  return c.overview.table.size() <= max_crosstable_teams;
+}
+
 std::string crosstable_html(const SiteContent& c) {
-  if (c.overview.table.size() > max_crosstable_teams) return "";
   Json values = page_values(c.overview, "", "Crosstable");
   values["crosstable"] = crosstable_values(c.overview, "");
   values["filter"] = filter_values(c.overview);

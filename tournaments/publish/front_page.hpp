@@ -26,7 +26,8 @@ std::string front_html(const SiteContent& content);
 // Returns the page of the round with that index.
 std::string round_html(const SiteContent& content, std::size_t round);
 
-// Returns the page of the crosstable; "" if there are too many teams for one.
+// Returns the page of the crosstable. Precondition: has_crosstable(), the teams are not too many.
+bool has_crosstable(const SiteContent& content);
 std::string crosstable_html(const SiteContent& content);
 
 }  // namespace mirocup::league

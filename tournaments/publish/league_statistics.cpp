@@ -351,10 +351,11 @@ std::string team_statistics_html(const Overview& o, const LegReports& reports, i
   return html.text();
 }
 
-std::vector<SiteFile> statistics_exports(const LegReports& reports) {
-  return {{"statistics.json", record::json_text(statistics::report_json(reports)) + "\n"},
-          {"statistics.csv", statistics::numbers_csv(reports)},
-          {"goals.csv", statistics::goals_csv(reports)}};
+FileMakers statistics_exports(const LegReports& reports) {
+  return {{"statistics.json",
+           [&reports] { return record::json_text(statistics::report_json(reports)) + "\n"; }},
+          {"statistics.csv", [&reports] { return statistics::numbers_csv(reports); }},
+          {"goals.csv", [&reports] { return statistics::goals_csv(reports); }}};
 }
 
 }  // namespace mirocup::league

@@ -45,7 +45,7 @@ std::string statistics_html(const Overview& overview, const LegReports& reports)
 // The part of a team's page: its numbers, as blue and as yellow, and how goals fell against it.
 std::string team_statistics_html(const Overview& overview, const LegReports& reports, int team);
 
-// statistics.json, statistics.csv and goals.csv.
-std::vector<SiteFile> statistics_exports(const LegReports& reports);
+// statistics.json, statistics.csv and goals.csv. Refers to the reports.
+FileMakers statistics_exports(const LegReports& reports);
 
 }  // namespace mirocup::league

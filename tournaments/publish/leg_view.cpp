@@ -99,7 +99,8 @@ Ratings rate_present(const LeagueState& state, std::vector<FixtureResults> fixtu
 }  // namespace
 
 Overview overview(const LeagueState& state, const FactsOfLegs& facts) {
-  Overview o{state, state.table(), {}, {}};
+  Overview o{state, state.table(), {}, {}, {}};
+  o.decided_legs.resize(state.file.teams.size());
   std::vector<FixtureResults> results;
   for (const FixtureState& f : state.fixtures) {
     if (!f.fixture.has_both()) continue;
@@ -116,6 +117,10 @@ Overview overview(const LeagueState& state, const FactsOfLegs& facts) {
                         .played = played,
                         .facts = known == facts.end() ? nullptr : &known->second,
                         .is_annulled = f.is_annulled});
+      if (played != nullptr) {
+        for (const int team : {f.fixture.home, f.fixture.away})
+          o.decided_legs[team].push_back(o.legs.size() - 1);
+      }
       // A leg that was not played says nothing about strength.
       if (played != nullptr && !played->record.empty()) fixture.push_back(played->result);
     }

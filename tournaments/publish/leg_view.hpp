@@ -8,6 +8,7 @@
 #include "tournaments/publish/leg_facts.hpp"
 #include "tournaments/table/rating.hpp"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,9 @@ struct Overview {
   std::vector<TableRow> table;
   Ratings ratings;
   std::vector<LegView> legs;  // of the fixtures whose teams are known
+
+  // Indexes of the decided legs of each team, in the order of the schedule.
+  std::vector<std::vector<std::size_t>> decided_legs;
 };
 Overview overview(const LeagueState& state, const FactsOfLegs& facts = no_facts);
 

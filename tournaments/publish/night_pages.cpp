@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 
 namespace mirocup::league {
 
@@ -72,15 +73,15 @@ std::string when(const LeagueState& state, const std::string& at) {
 }
 
 // A page with the usual head around its content.
-SiteFile plain_page(const Overview& o, const std::string& name, const std::string& root,
-                    const std::string& title, const std::string& lead, const Html& content) {
+std::string plain_page(const Overview& o, const std::string& root, const std::string& title,
+                       const std::string& lead, const Html& content) {
   Json values = page_values(o, root, title);
   values["lead"] = lead;
   values["content"] = content.text();
-  return {name, filled_page("plain.html", values)};
+  return filled_page("plain.html", values);
 }
 
-SiteFile night_page(const Overview& o, const Night& night, const std::vector<TeamDigest>& all) {
+std::string night_page(const Overview& o, const Night& night, const std::vector<TeamDigest>& all) {
   Html html;
   html.open_table();
   html.row("th", {"Rank", "Yesterday", "Team", "Last night", "Strength", "Since yesterday", ""});
@@ -105,7 +106,7 @@ SiteFile night_page(const Overview& o, const Night& night, const std::vector<Tea
   }
   html.close_table();
   html.raw("<p class=\"small\"><a href=\"feed.xml\">Feed of all nights (Atom)</a></p>\n");
-  return plain_page(o, "night.html", "", title_of(night), when(o.state, night.at), html);
+  return plain_page(o, "", title_of(night), when(o.state, night.at), html);
 }
 
 std::string tag_of(const LeagueState& state) {
@@ -206,14 +207,15 @@ Json digest_json(const Overview& o, const TeamDigest& d) {
       {"moments", moments}};
 }
 
-std::vector<SiteFile> night_pages(const Overview& o, const Night& night) {
-  const std::vector<TeamDigest> all = digests(night, o);
-  std::vector<SiteFile> files{night_page(o, night, all)};
-  for (const TeamDigest& d : all) {
-    Html html;
-    html.raw(digest_html(o, night, d, "../"));
-    files.push_back(plain_page(o, page_of_digest(o.state, d.team), "../",
-                               o.state.shown_name(d.team), when(o.state, night.at), html));
+FileMakers night_pages(const Overview& o, const Night& night) {
+  const auto all = std::make_shared<const std::vector<TeamDigest>>(digests(night, o));
+  FileMakers files{{"night.html", [&o, &night, all] { return night_page(o, night, *all); }}};
+  for (const TeamDigest& d : *all) {
+    files[page_of_digest(o.state, d.team)] = [&o, &night, &d, all] {
+      Html html;
+      html.raw(digest_html(o, night, d, "../"));
+      return plain_page(o, "../", o.state.shown_name(d.team), when(o.state, night.at), html);
+    };
   }
   return files;
 }

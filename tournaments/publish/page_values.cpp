@@ -167,14 +167,14 @@ Json leg_values(const Overview& o, const LegView& leg, const std::string& root,
 
 Json form_values(const Overview& o, int team, std::size_t most, const std::string& root) {
   Json form = Json::array();
-  for (const LegView& leg : o.legs) {
-    if (!leg.is_of(team) || leg.played == nullptr) continue;
+  const std::vector<std::size_t>& legs = o.decided_legs[team];
+  for (std::size_t i = legs.size() - std::min(most, legs.size()); i < legs.size(); ++i) {
+    const LegView& leg = o.legs[legs[i]];
     const char letter = leg.letter(team);
     form.push_back({{"letter", std::string(1, letter)},
                     {"word", word_of(letter)},
                     {"page", leg.has_replay() ? root + replay_page_of(leg.played->record) : ""}});
   }
-  if (form.size() > most) form.erase(form.begin(), form.end() - static_cast<std::ptrdiff_t>(most));
   return form;
 }
 

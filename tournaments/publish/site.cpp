@@ -37,29 +37,48 @@ std::string table_text(const LeagueState& state) {
   return out.str();
 }
 
-std::vector<SiteFile> make_site(const LeagueState& state, const LegReports& reports,
-                                const FactsOfLegs& facts, const Night* night,
-                                const std::string& feed) {
-  const Overview o = overview(state, facts);
-  SiteContent content{o, reports, rounds_of(o), {}};
-  content.history = strength_history(o, content.rounds);
-  content.has_night = night != nullptr;
-  std::vector<SiteFile> files{{"index.html", front_html(content)}};
-  files.push_back({"style.css", std::string(web::design_file("design.css")) +
-                                    std::string(page_file("site.css"))});
-  files.push_back({"site.js", std::string(page_file("site.js"))});
-  for (SiteFile& file : exports(o)) files.push_back(std::move(file));
-  for (SiteFile& file : statistics_exports(reports)) files.push_back(std::move(file));
-  for (std::size_t i = 0; i < content.rounds.size(); ++i)
-    files.push_back({content.rounds[i].page(), round_html(content, i)});
-  if (std::string crosstable = crosstable_html(content); !crosstable.empty())
-    files.push_back({"crosstable.html", std::move(crosstable)});
-  for (int team = 0; team < static_cast<int>(state.file.teams.size()); ++team)
-    files.push_back({team_page_of(state.name(team)), team_html(content, team)});
-  if (night != nullptr) {
-    for (SiteFile& file : night_pages(o, *night)) files.push_back(std::move(file));
-  }
-  if (!feed.empty()) files.push_back({"feed.xml", feed});
+Site::Site(SiteSource source)
+    : source_(std::move(source)),
+      overview_(league::overview(source_.state, source_.facts)),
+      content_{overview_, source_.reports, rounds_of(overview_), {}, source_.night.has_value()},
+      makers_(makers()) {
+  content_.history = strength_history(overview_, content_.rounds);
+}
+
+FileMakers Site::makers() {
+  FileMakers files = exports(overview_);
+  files.merge(statistics_exports(source_.reports));
+  if (source_.night) files.merge(night_pages(overview_, *source_.night));
+  if (!source_.feed.empty()) files["feed.xml"] = [this] { return source_.feed; };
+  files["index.html"] = [this] { return front_html(content_); };
+  files["style.css"] = [] {
+    return std::string(web::design_file("design.css")) + std::string(page_file("site.css"));
+  };
+  files["site.js"] = [] { return std::string(page_file("site.js")); };
+  for (std::size_t i = 0; i < content_.rounds.size(); ++i)
+    files[content_.rounds[i].page()] = [this, i] { return round_html(content_, i); };
+  if (has_crosstable(content_))
+    files["crosstable.html"] = [this] { return crosstable_html(content_); };
+  for (int team = 0; team < static_cast<int>(state().file.teams.size()); ++team)
+    files[team_page_of(state().name(team))] = [this, team] { return team_html(content_, team); };
+  return files;
+}
+
+std::vector<std::string> Site::names() const {
+  std::vector<std::string> names;
+  for (const auto& entry : makers_) names.push_back(entry.first);
+  return names;
+}
+
+std::optional<std::string> Site::file(const std::string& name) const {
+  const auto found = makers_.find(name);
+  return found == makers_.end() ? std::nullopt : std::optional(found->second());
+}
+
+std::vector<SiteFile> make_site(SiteSource source) {
+  const Site site(std::move(source));
+  std::vector<SiteFile> files;
+  for (const std::string& name : site.names()) files.push_back({name, *site.file(name)});
   return files;
 }
 

@@ -3,27 +3,62 @@
 // The league as a folder of pages that work without a server, and as files for other programs. Its
 // content is a pure function of the league's state: the same results give the same bytes, in
 // whatever order and on whatever machine the legs were played.
+//
+// The files are index.html, crosstable.html, a page for each round below rounds/ and for each team
+// below teams/, the style sheet and the script of these pages, and the files of exports() and
+// statistics_exports(). Replay pages, and with them the statistics of each leg, are made by
+// make_replay_pages().
 #pragma once
 
+#include "tournaments/publish/front_page.hpp"
 #include "tournaments/publish/league_statistics.hpp"
 #include "tournaments/publish/leg_view.hpp"
 #include "tournaments/publish/night.hpp"
 #include "tournaments/publish/site_file.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace mirocup::league {
 
-// Returns index.html, crosstable.html, a page for each round below rounds/ and for each team below
-// teams/, the style sheet and the script of these pages, and the files of exports() and
-// statistics_exports(). `reports` and `facts` are of the legs that were played; pages say less
-// without them. Replay pages, and with them the statistics of each leg, are made by
-// make_replay_pages().
-// `night`, if not null, adds night.html and digests/; `feed`, if not "", is feed.xml.
-std::vector<SiteFile> make_site(const LeagueState& state, const LegReports& reports = {},
-                                const FactsOfLegs& facts = no_facts, const Night* night = nullptr,
-                                const std::string& feed = "");
+// What a site is made of.
+struct SiteSource {
+  LeagueState state;
+  LegReports reports = {};          // of the legs that were played; pages say less without them
+  FactsOfLegs facts = {};           // likewise
+  std::optional<Night> night = {};  // adds night.html and digests/
+  std::string feed = {};            // feed.xml, if not ""
+};
+
+// Makes each file when it is asked for. Threads: any number at a time.
+class Site {
+ public:
+  explicit Site(SiteSource source);
+  Site(const Site&) = delete;
+  Site& operator=(const Site&) = delete;
+
+  // Returns the names of all files inside site/, in the order of the alphabet.
+  std::vector<std::string> names() const;
+
+  // Makes a file; nothing if there is none of that name.
+  std::optional<std::string> file(const std::string& name) const;
+
+  const LeagueState& state() const { return source_.state; }
+  const LegReports& reports() const { return source_.reports; }
+  const Overview& overview() const { return overview_; }
+
+ private:
+  FileMakers makers();
+
+  const SiteSource source_;
+  const Overview overview_;
+  SiteContent content_;
+  FileMakers makers_;
+};
+
+// Returns all files of the site.
+std::vector<SiteFile> make_site(SiteSource source);
 
 // Returns the table as lines of text for a terminal.
 std::string table_text(const LeagueState& state);

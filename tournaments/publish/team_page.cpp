@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 
 namespace mirocup::league {
 
@@ -41,19 +42,19 @@ bool is_blue(const LegView& leg, int team) {
   return (leg.leg % 2 == 1) == (leg.home == team);
 }
 
-std::vector<const LegView*> played_legs(const Overview& o, int team) {
-  std::vector<const LegView*> legs;
-  for (const LegView& leg : o.legs) {
-    if (leg.is_of(team) && leg.played != nullptr) legs.push_back(&leg);
-  }
+using PlayedLegs = std::vector<const LegView*>;
+
+PlayedLegs played_legs(const Overview& o, int team) {
+  PlayedLegs legs;
+  for (const std::size_t leg : o.decided_legs[team]) legs.push_back(&o.legs[leg]);
   return legs;
 }
 
-Json totals_values(const Overview& o, int team) {
+Json totals_values(const Overview& o, int team, const PlayedLegs& legs) {
   TotalsRow all;
   TotalsRow blue;
   TotalsRow yellow;
-  for (const LegView* leg : played_legs(o, team)) {
+  for (const LegView* leg : legs) {
     all.add(*leg, team, o.state.name(team));
     (is_blue(*leg, team) ? blue : yellow).add(*leg, team, o.state.name(team));
   }
@@ -73,8 +74,7 @@ double achievement(const Overview& o, const LegView& leg, int team) {
 }
 
 // The best legs of a team, or its worst ones, as it sees them.
-Json extremes(const Overview& o, int team, bool best) {
-  std::vector<const LegView*> legs = played_legs(o, team);
+Json extremes(const Overview& o, int team, PlayedLegs legs, bool best) {
   std::erase_if(legs, [&](const LegView* leg) {
     return !leg->has_replay() || leg->letter(team) == (best ? 'L' : 'W');
   });
@@ -89,14 +89,14 @@ Json extremes(const Overview& o, int team, bool best) {
   return values;
 }
 
-Json opponents_values(const Overview& o, int team) {
+Json opponents_values(const Overview& o, int team, const PlayedLegs& legs) {
+  std::map<int, TotalsRow> against;
+  for (const LegView* leg : legs) against[other_of(*leg, team)].add(*leg, team, o.state.name(team));
   Json values = Json::array();
   for (const TableRow& row : o.table) {
-    TotalsRow totals;
-    for (const LegView* leg : played_legs(o, team)) {
-      if (leg->is_of(row.team) && row.team != team) totals.add(*leg, team, o.state.name(team));
-    }
-    if (totals.sums.legs == 0) continue;
+    const auto found = against.find(row.team);
+    if (found == against.end()) continue;
+    const TotalsRow& totals = found->second;
     Json opponent = totals.values("");
     opponent["team"] = team_values(o, row.team, "../");
     opponent["result"] = totals.sums.won > totals.sums.lost   ? "W"
@@ -107,9 +107,9 @@ Json opponents_values(const Overview& o, int team) {
   return values;
 }
 
-Json faults_values(const Overview& o, int team) {
+Json faults_values(const Overview& o, int team, const PlayedLegs& legs) {
   Json faults = Json::array();
-  for (const LegView* leg : played_legs(o, team)) {
+  for (const LegView* leg : legs) {
     if (!leg->played->fault || leg->played->fault->team != o.state.name(team)) continue;
     faults.push_back(leg->fixture + " leg " + std::to_string(leg->leg) + ": " +
                      fault_in_words(*leg->played->fault));
@@ -157,12 +157,13 @@ std::string team_html(const SiteContent& c, int team) {
   }
   values["form"] = form_values(o, team, form_length, "../");
   values["chart"] = strength_picture(o, c.history, team);
-  values["totals"] = totals_values(o, team);
-  values["best"] = extremes(o, team, true);
-  values["worst"] = extremes(o, team, false);
-  values["opponents"] = opponents_values(o, team);
+  const PlayedLegs legs = played_legs(o, team);
+  values["totals"] = totals_values(o, team, legs);
+  values["best"] = extremes(o, team, legs, true);
+  values["worst"] = extremes(o, team, legs, false);
+  values["opponents"] = opponents_values(o, team, legs);
   values["statistics"] = team_statistics_html(o, c.reports, team);
-  values["faults"] = faults_values(o, team);
+  values["faults"] = faults_values(o, team, legs);
   add_fixtures(values, c, team);
   return filled_page("team.html", values);
 }

@@ -113,8 +113,8 @@ void expect_the_same_end_in_any_order(FormatKind kind, int teams) {
   }
   EXPECT_EQ(table_text(one), table_text(other)) << to_string(kind);
   if (teams > max_teams_with_pages) return;
-  const auto site = make_site(one);
-  const auto again = make_site(other);
+  const auto site = make_site({one});
+  const auto again = make_site({other});
   ASSERT_EQ(site.size(), again.size());
   for (std::size_t i = 0; i < site.size(); ++i)
     EXPECT_EQ(site[i].bytes, again[i].bytes) << to_string(kind) << " " << site[i].name;

@@ -57,7 +57,7 @@ struct Season {
           write(made_up_leg(state, state.fixtures[i].fixture, leg));
       }
       if (with_pages && is_last_of_its_round(i))
-        after[round_of(state.fixtures[i].fixture)] = make_site(state);
+        after[round_of(state.fixtures[i].fixture)] = make_site({state});
     }
   }
 
@@ -94,7 +94,7 @@ TEST(Snapshot, ShowsALeagueAsItWasAfterARound) {
     for (const auto& [round, pages] : season.after) {
       const auto shown = state_through(season.state, season.journal, round);
       ASSERT_TRUE(shown) << shown.error().what;
-      const auto again = make_site(*shown);
+      const auto again = make_site({*shown});
       ASSERT_EQ(again.size(), pages.size());
       for (std::size_t i = 0; i < pages.size(); ++i)
         EXPECT_EQ(again[i].bytes, pages[i].bytes)
@@ -143,7 +143,7 @@ TEST(Snapshot, ShowsANightWithoutTheTeamsThatJoinedAfterIt) {
     }
   };
   play_night(1, {});
-  const auto first = make_site(season.state);
+  const auto first = make_site({season.state});
   season.write(TeamJoined{.team = "c", .source = "submitted"});
   season.write(Paused{.team = "c", .why = "w", .by = "H"});
   season.write(Resumed{.team = "c", .why = "w", .by = "H"});
@@ -151,7 +151,7 @@ TEST(Snapshot, ShowsANightWithoutTheTeamsThatJoinedAfterIt) {
   const auto shown = state_through(season.state, season.journal, "r1");
   ASSERT_TRUE(shown) << shown.error().what;
   EXPECT_EQ(shown->teams.size(), 2u);
-  const auto again = make_site(*shown);
+  const auto again = make_site({*shown});
   ASSERT_EQ(again.size(), first.size());
   for (std::size_t i = 0; i < first.size(); ++i)
     EXPECT_EQ(again[i].bytes, first[i].bytes) << first[i].name;
