@@ -270,6 +270,18 @@ tl::expected<Json, replay::Divergence> replay_data(const record::MatchRecord& re
   return std::move(data->json);
 }
 
+std::optional<Json> data_of_page(std::string_view html) {
+  constexpr std::string_view before = "<script type=\"application/json\" id=\"leg\">";
+  const std::size_t tag = html.find(before);
+  if (tag == std::string_view::npos) return std::nullopt;
+  const std::size_t begin = tag + before.size();
+  const std::string_view text = html.substr(begin, html.find("</script>", begin) - begin);
+  record::ParsedJson parsed = record::parse_json(text, {.text = text.size()});  // the track is one
+  const bool is_data = !parsed.problem && parsed.value.is_object() &&
+                       parsed.value.value("schema", Json()) == "mirocup/page/1";
+  return is_data ? std::optional(std::move(parsed.value)) : std::nullopt;
+}
+
 std::string first_picture(const record::MatchRecord& record) {
   return field_picture(match::Leg(record.recording.setup));
 }

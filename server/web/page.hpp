@@ -9,7 +9,9 @@
 #include "server/record/own_texts.hpp"
 #include "server/statistics/statistics.hpp"
 
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace mirocup::web {
 
@@ -21,6 +23,10 @@ enum class Times { shown, left_out };
 // schema "mirocup/page/1". The error is the first tick in which the record is not reproduced.
 tl::expected<record::Json, replay::Divergence> replay_data(const record::MatchRecord& record,
                                                            Times times = Times::shown);
+
+// Returns the data in a page of replay_page(), also of one of an earlier version; nothing if there
+// is none. `html` may be any text.
+std::optional<record::Json> data_of_page(std::string_view html);
 
 // Returns the first moment of the leg as an SVG element, whose bodies page/field.js moves.
 std::string first_picture(const record::MatchRecord& record);

@@ -2,13 +2,13 @@
 #include "tournaments/app/shown_round.hpp"
 
 #include "server/record/json_reader.hpp"
-#include "server/record/match_record.hpp"
 #include "server/web/assets.hpp"
 #include "server/web/design/template.hpp"
 #include "server/web/page.hpp"
 #include "tournaments/app/show_files.hpp"
 #include "tournaments/publish/bracket_svg.hpp"
 #include "tournaments/publish/page_values.hpp"
+#include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/snapshot.hpp"
 
 #include <nlohmann/json.hpp>
@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <iostream>
 #include <set>
 
 namespace mirocup::league {
@@ -105,7 +106,8 @@ Result<void> ShownRound::read(const LeagueStore& store, const std::string& key) 
                         {"yellow", state.name(is_home_blue ? leg->away : leg->home)},
                         {"where", leg->round + ", leg " + std::to_string(leg->leg)},
                         {"data", "/legs/" + std::to_string(legs_.size()) + ".json"}},
-                       store.folder().path + "/" + leg->played->record});
+                       store.folder().path + "/" + leg->played->record,
+                       store.folder().site() + "/" + replay_page_of(leg->played->record)});
       shown.insert({leg->fixture, leg->leg});
       if (auto added = add_standing(); !added) return added;
     }
@@ -152,15 +154,31 @@ std::optional<web::Page> ShownRound::page(const std::string& path) {
   if (const auto count = number_in(path, "/after/", ".html"); count && *count < standings_.size())
     return text_page("text/html; charset=utf-8", standings_[*count]);
   if (const auto index = number_in(path, "/legs/", ".json"); index && *index < legs_.size())
-    return leg(*index);
+    return leg(legs_[*index]);
   return std::nullopt;
 }
 
-std::optional<web::Page> ShownRound::leg(std::size_t index) {
-  const auto loaded = record::load(*files_, legs_[index].record);
-  if (!loaded) return std::nullopt;
-  auto data = web::replay_data(*loaded, web::Times::left_out);
-  if (!data) return std::nullopt;
+// A leg of an earlier version may go another way here. Then its replay page shows it, which the
+// program has made that played it.
+std::optional<Json> ShownRound::data_of(const Leg& leg, const record::MatchRecord& record) {
+  if (auto data = web::replay_data(record, web::Times::left_out)) return std::move(*data);
+  const auto page = files_->read(leg.page, {.max_size = system::size_limit::page});
+  return page ? web::data_of_page(*page) : std::nullopt;
+}
+
+std::optional<web::Page> ShownRound::leg(const Leg& leg) {
+  const auto loaded = record::load(*files_, leg.record);
+  if (!loaded) {
+    std::cerr << "mirocup: " << loaded.error().what << '\n';
+    return std::nullopt;
+  }
+  auto data = data_of(leg, *loaded);
+  if (!data) {
+    std::cerr << "mirocup: " << leg.record
+              << " cannot be shown: this program does not reproduce it. mirocup league publish lets"
+                 " the program make its page that has played it\n";
+    return std::nullopt;
+  }
   (*data)["picture"] = web::first_picture(*loaded);
   return text_page("application/json", record::json_text(*data));
 }

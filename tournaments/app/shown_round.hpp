@@ -7,6 +7,7 @@
 // Threads: all public functions may be called by any thread at any time.
 #pragma once
 
+#include "server/record/match_record.hpp"
 #include "server/web/site_server.hpp"
 #include "tournaments/league/league_store.hpp"
 #include "tournaments/publish/rounds.hpp"
@@ -41,12 +42,14 @@ class ShownRound {
   struct Leg {
     Json about;          // for the programme
     std::string record;  // path
+    std::string page;    // path of its replay page, if the league has been published
   };
 
   ShownRound(system::Files& files, std::string key, int at_once)
       : files_(&files), key_(std::move(key)), at_once_(at_once) {}
   Result<void> read(const LeagueStore& store, const std::string& round);
-  std::optional<web::Page> leg(std::size_t index);
+  std::optional<web::Page> leg(const Leg& leg);
+  std::optional<Json> data_of(const Leg& leg, const record::MatchRecord& record);
 
   system::Files* files_;
   std::string key_;

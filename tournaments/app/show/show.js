@@ -231,17 +231,27 @@ async function playLegs(legs, number, count) {
   const last = number + legs.length - 1;
   const which = legs.length === 1 ? `leg ${number} of ${count}: ${legs[0].where}` : `legs ${number} to ${last} of ${count}`;
   announce(`Next, ${which}`, legs);
-  const loading = Promise.all(legs.map(async (leg) => (await load(leg.data)).json()));
+  const loading = Promise.allSettled(legs.map(async (leg) => new LegPanel(await (await load(leg.data)).json())));
   await wait(announceSeconds);
-  const panels = (await loading).map((data) => new LegPanel(data));
+  const loaded = await loading;
+  const missing = legs.filter((leg, i) => loaded[i].status === 'rejected');
+  if (missing.length > 0) {
+    announce('Cannot be shown here; the table has the result', missing);
+    await wait(resultSeconds);
+  }
+  const panels = loaded.filter(({ status }) => status === 'fulfilled').map(({ value }) => value);
+  if (panels.length > 0) await showPanels(panels);
+  await loadStanding(last);
+  showOnly('standing');
+  await wait(tableSeconds);
+}
+
+async function showPanels(panels) {
   by('leg').replaceChildren(...panels.map(({ panel }) => panel));
   by('leg').dataset.panels = panels.length;
   showOnly('leg');
   await playPanels(panels);
   await wait(resultSeconds);
-  await loadStanding(last);
-  showOnly('standing');
-  await wait(tableSeconds);
 }
 
 async function run() {

@@ -57,6 +57,15 @@ TEST(ReplayPage, RefusesARecordThatIsNotReproduced) {
   ASSERT_FALSE(page);
   EXPECT_EQ(page.error().tick, 51u);
 }
+TEST(ReplayPage, GivesItsDataBack) {
+  const record::MatchRecord record = played(20.0, League::large);
+  const auto page = replay_page(record);
+  ASSERT_TRUE(page);
+  EXPECT_EQ(data_of_page(page->html), *replay_data(record));
+  EXPECT_FALSE(data_of_page(page->html.substr(0, page->html.find("\"teams\"")))) << "cut off";
+  EXPECT_FALSE(data_of_page("<html></html>"));
+  EXPECT_FALSE(data_of_page("<script type=\"application/json\" id=\"leg\">[]</script>"));
+}
 
 TEST(ReplayPage, IsTheSameOnEveryMachineWithoutTimes) {
   record::MatchRecord record = played(4.0);
