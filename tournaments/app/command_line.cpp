@@ -248,7 +248,10 @@ void add_hand_in(CLI::App& app, Action& action) {
   add_folder(token);
   token->add_option("TEAM", o.team, "its name; it may be new to the league");
   token->add_flag("--all", o.all, "a token for each team of the league that has none");
-  token->add_flag("--staff", o.staff, "a token that reads the entries of all teams");
+  token->add_flag("--staff", o.staff,
+                  "a token that reads what all teams have handed in, and decides");
+  token->add_flag("--tutor", o.tutor,
+                  "a token that reads what the staff reads, and decides nothing");
   token->add_flag("--csv", o.csv, "lines of team and token, for a class list");
   CLI::Option* expires =
       token->add_option("--expires", o.expires, "UTC: 2026-12-18T18:00:00Z, or the last day");

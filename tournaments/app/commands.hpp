@@ -111,6 +111,7 @@ struct TokenOptions {
   std::string team;
   bool all = false;    // for each team of the league that has none
   bool staff = false;  // for those who run the league
+  bool tutor = false;  // for those who only look
   bool csv = false;
   bool revoke = false;
   std::string expires;  // UTC; "": never

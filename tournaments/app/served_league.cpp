@@ -326,6 +326,11 @@ std::vector<std::string> ServedLeague::neighbours_of(const std::string& team) {
   return names;
 }
 
+std::string ServedLeague::time_in_words(const std::string& utc) {
+  const std::lock_guard lock(mutex_);
+  return shown_time(store_.state().file, utc);
+}
+
 std::string ServedLeague::statistics_of(const std::string& team) {
   const std::lock_guard lock(mutex_);
   poll();

@@ -55,6 +55,9 @@ class ServedLeague {
   // Returns the teams next to a team in the table, above before below; none before the start.
   std::vector<std::string> neighbours_of(const std::string& team);
 
+  // Returns a time of the journal as people of the league read it: shown_time().
+  std::string time_in_words(const std::string& utc);
+
   // Returns the football statistics of a team, HTML; "" if there are none.
   std::string statistics_of(const std::string& team);
 
@@ -94,8 +97,8 @@ class ServedLeague {
   std::uint64_t version_of_pages_ = 0;  // teams_version_ when the pages were made
   std::size_t lines_of_pages_ = 0;      // lines_ then
   std::chrono::steady_clock::time_point pages_rest_until_{};  // before the start of the league
-  std::unique_ptr<Site> site_;        // of what is released; null before the first page
-  std::string people_;                // teams.json
+  std::unique_ptr<Site> site_;  // of what is released; null before the first page
+  std::string people_;          // teams.json
   FactsOfLegs facts_;
   std::map<int, std::string> statistics_;  // of teams, as far as they were asked for
   std::map<std::string, int> entries_that_play_;

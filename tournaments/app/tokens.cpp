@@ -14,8 +14,6 @@ namespace mirocup::league {
 
 namespace {
 
-constexpr std::string_view staff = "staff";  // as the output names it
-
 // Returns a time as league.json has it; also a day is taken, which means its end.
 Result<std::string> expiry_of(const std::string& text, const std::string& now) {
   std::string time = text;
@@ -65,10 +63,11 @@ void print(const TokenOptions& options, const std::string& whose, const std::str
 }  // namespace
 
 Result<int> run_token(const TokenOptions& options) {
-  if (int{options.all} + int{options.staff} + int{!options.team.empty()} != 1)
-    return fail(Errc::input, "one of TEAM, --all and --staff is expected");
+  const Role role = options.staff ? Role::staff : options.tutor ? Role::tutor : Role::team;
+  if (int{options.all} + int{options.staff} + int{options.tutor} + int{!options.team.empty()} != 1)
+    return fail(Errc::input, "one of TEAM, --all, --staff and --tutor is expected");
   if (options.revoke && options.all)
-    return fail(Errc::input, "--revoke needs the name of a team, or --staff");
+    return fail(Errc::input, "--revoke needs the name of a team, --staff or --tutor");
   system::Disk disk;
   const Folder folder{options.folder};
   const auto store = LeagueStore::open(disk, folder);
@@ -84,9 +83,9 @@ Result<int> run_token(const TokenOptions& options) {
   std::vector<std::pair<std::string, std::string>> made;  // whose, token
   int revoked = 0;
   if (options.revoke) {
-    revoked = list->revoke(options.team, now);
-  } else if (options.staff) {
-    made.emplace_back(staff, list->add_for_staff(now, *expires));
+    revoked = list->revoke(role, options.team, now);
+  } else if (role != Role::team) {
+    made.emplace_back(to_string(role), list->add_for(role, now, *expires));
   } else {
     const auto teams = teams_of(options, store->state(), *list, now);
     if (!teams) return tl::unexpected(teams.error());
@@ -95,8 +94,8 @@ Result<int> run_token(const TokenOptions& options) {
   if (auto written = write_tokens(disk, folder, *list); !written)
     return tl::unexpected(written.error());
   if (options.revoke) {
-    std::cout << (options.team.empty() ? std::string(staff) : options.team) << ": " << revoked
-              << (revoked == 1 ? " token was" : " tokens were") << " revoked\n";
+    std::cout << (role == Role::team ? options.team : std::string(to_string(role))) << ": "
+              << revoked << (revoked == 1 ? " token was" : " tokens were") << " revoked\n";
     return exit_yes;
   }
   // Only what is on disk is shown.

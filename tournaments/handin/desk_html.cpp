@@ -30,11 +30,4 @@ std::string number_text(const Json& object, const char* key, const char* format)
   return text;
 }
 
-std::string time_in_words(const std::string& utc) {
-  constexpr std::size_t to_minutes = 16;  // characters
-  std::string text = utc.substr(0, to_minutes);
-  if (const std::size_t t = text.find('T'); t != std::string::npos) text[t] = ' ';
-  return text;
-}
-
 }  // namespace mirocup::league

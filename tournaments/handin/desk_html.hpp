@@ -25,7 +25,4 @@ std::string text_in(const Json& object, const char* key);
 // A number of an object in a printf format; "" if there is none of that name.
 std::string number_text(const Json& object, const char* key, const char* format);
 
-// "2026-11-25T01:02:03Z" as "2026-11-25 01:02".
-std::string time_in_words(const std::string& utc);
-
 }  // namespace mirocup::league

@@ -128,7 +128,7 @@ Result<std::variant<Visitor, Refusal>> Doorkeeper::admit(const web::Request& req
     if (auto refusal = foreign(request, !by_token)) return Answer(*refusal);
   }
   const auto visitor_of = [](const Token& token) {
-    return Visitor{token.team, token.is_staff, token.sha256};
+    return Visitor{token.team, token.role, token.sha256};
   };
   const std::string utc = utc_text(now);
   if (by_token) {

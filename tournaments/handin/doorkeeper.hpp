@@ -32,9 +32,11 @@ struct ProxyTrust {
 
 // The one whose request it is.
 struct Visitor {
-  std::string team;  // "": the staff
-  bool is_staff = false;
+  std::string team;  // "": the staff, or a tutor
+  Role role = Role::team;
   std::string token_sha256 = {};  // "": named by a proxy
+
+  bool sees_all() const { return role != Role::team; }
 };
 
 // Why a request is not looked at any further.

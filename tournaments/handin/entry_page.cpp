@@ -34,7 +34,7 @@ void timing_table(Html& html, const Json& entry) {
 
 }  // namespace
 
-std::string entry_page(const Json& entry) {
+std::string entry_page(const Json& entry, const TimeInWords& time_in_words) {
   const std::string number = number_text(entry, "entry", "%.0f");
   Html html;
   html.raw("<p>");
@@ -48,7 +48,7 @@ std::string entry_page(const Json& entry) {
   html.cell("p", message.empty() ? text_in(entry, "reason") : message);
   html.raw("<p class=\"small\">");
   html.cell("span", text_in(entry, "file") + ", " + time_in_words(text_in(entry, "handed_in")) +
-                        " UTC, SHA-256 " + text_in(entry, "sha256"));
+                        ", SHA-256 " + text_in(entry, "sha256"));
   html.raw("</p>\n");
   if (const std::string replay = text_in(entry, "replay"); !replay.empty()) {
     html.raw("<p>");

@@ -5,7 +5,6 @@
 #include "system/printable.hpp"
 #include "tournaments/handin/form.hpp"
 #include "tournaments/handin/replies.hpp"
-#include "tournaments/handin/team_desk_page.hpp"
 #include "tournaments/league/submission.hpp"
 
 #include <algorithm>
@@ -157,11 +156,12 @@ std::optional<web::Reply> Portal::answer(const web::Request& request, const web:
     return page_reply(refusal->status, log_in_page(error.value("error", "")));
   }
   const Visitor& known = std::get<Visitor>(who);
-  if (const std::string team = request.asked("team"); known.is_staff && !team.empty()) {
+  if (const std::string team = request.asked("team"); known.sees_all() && !team.empty()) {
     return is_good_name(team) ? staff_.legs_of(team, options_.legs(team))
                               : problem_reply(404, "there is no such team");
   }
-  if (known.is_staff) return staff_.page(number_of(request.asked("done")).value_or(0));
+  if (known.role == Role::tutor) return staff_.page_of_tutor();
+  if (known.role == Role::staff) return staff_.page(number_of(request.asked("done")).value_or(0));
   if (is_replay)
     return friendlies_->show(known.team, std::string_view(path).substr(replays_path.size()));
   if (is_entry)
@@ -174,7 +174,10 @@ web::Reply Portal::staff(const web::Request& request, const web::Body& body) {
   const bool is_act = request.method == "POST";
   const auto who = visitor(request, is_act ? Purpose::changing : Purpose::reading);
   if (const auto* refusal = std::get_if<web::Reply>(&who)) return *refusal;
-  if (!std::get<Visitor>(who).is_staff) return problem_reply(403, "this is for the staff only");
+  const Role role = std::get<Visitor>(who).role;
+  if (role == Role::team) return problem_reply(403, "this is for the staff only");
+  if (is_act && role == Role::tutor)
+    return problem_reply(403, "a tutor's token reads what the staff reads, and decides nothing");
   if (!is_act) {
     return request.path == "/hand-in/grades.csv" ? staff_.grades()
                                                  : problem_reply(405, "a form is expected");
@@ -196,11 +199,12 @@ web::Reply Portal::own_replay(const web::Request& request) {
   const auto who = visitor(request, Purpose::reading);
   if (const auto* refusal = std::get_if<web::Reply>(&who)) return *refusal;
   const Visitor& known = std::get<Visitor>(who);
-  for (const OwnLeg& leg : options_.legs(known.is_staff ? request.asked("team") : known.team)) {
+  for (const OwnLeg& leg : options_.legs(known.sees_all() ? request.asked("team") : known.team)) {
     if (leg.record.empty() || !options_.replay ||
         request.path != std::string(own_replays_path) + name_of_leg(leg) + ".html")
       continue;
-    auto page = options_.replay(name_of_leg(leg), known.is_staff ? record::of_both : own_side(leg));
+    auto page =
+        options_.replay(name_of_leg(leg), known.sees_all() ? record::of_both : own_side(leg));
     if (!page) break;
     return {.status = 200, .type = "text/html; charset=utf-8", .bytes = std::move(*page)};
   }
@@ -213,7 +217,8 @@ web::Reply Portal::entry_reply(const std::string& team, std::string_view rest) {
   const auto number = number_of(rest.substr(0, slash));
   const std::string_view what = rest.substr(slash);
   const Json entry = number ? report(team, *number, true) : Json();
-  if (!entry.is_null() && what.empty()) return page_reply(200, entry_page(entry));
+  if (!entry.is_null() && what.empty())
+    return page_reply(200, entry_page(entry, options_.time_in_words));
   if (entry.is_null() || what != "/replay" || !entry.contains("replay"))
     return problem_reply(404, team + " has no entry of this number");
   auto page = options_.friendlies.replay(folder_.gate_leg(team, *number), record::of_nobody);
@@ -232,13 +237,14 @@ web::Reply Portal::team_page(const std::string& team) {
   const auto known = read_hand_ins(files_, folder_, team);
   desk.is_pinned = known && known->pinned > 0 && known->pinned == desk.playing;
   desk.statistics = options_.statistics(team);
+  desk.time_in_words = options_.time_in_words;
   if (options_.digest) desk.digest = options_.digest(team);
   return page_reply(200, team_desk_page(desk));
 }
 
 // A team may choose one of its accepted versions, as long as it may hand in.
 web::Reply Portal::pin(const web::Request& request, const Visitor& visitor) {
-  if (visitor.is_staff) return problem_reply(403, "the staff's token pins no version");
+  if (visitor.sees_all()) return problem_reply(403, "the staff's token pins no version");
   const std::string asked = request.asked("entry");
   const auto entry = asked == "latest" ? std::optional(0) : number_of(asked);
   if (!entry) return problem_reply(400, "?entry=N or ?entry=latest is expected");
@@ -260,7 +266,7 @@ web::Reply Portal::pin(const web::Request& request, const Visitor& visitor) {
 }
 
 web::Reply Portal::friendly_reply(const web::Request& request, const Visitor& visitor) {
-  if (visitor.is_staff) return problem_reply(403, "the staff's token plays no friendlies");
+  if (visitor.sees_all()) return problem_reply(403, "the staff's token plays no friendlies");
   const std::string_view rest = std::string_view(request.path).substr(friendlies_path.size());
   if (request.method == "POST" && rest.empty())
     return friendlies_->ask(visitor.team, request.asked("opponent"), options_.now());
@@ -285,7 +291,7 @@ web::Reply Portal::api(const web::Request& request, const web::Body& body) {
   // The staff names the team; a team reads its own entries only.
   std::string team = request.asked("team");
   if (team.empty()) team = known.team;
-  if (!known.is_staff && team != known.team)
+  if (!known.sees_all() && team != known.team)
     return problem_reply(403, "this token is for the entries of " + known.team + " only");
   if (path == "/api/v1/team" && is_reading) return json_reply(200, about(known));
   const bool is_leg = path.starts_with(legs_path);
@@ -398,7 +404,7 @@ struct Portal::Upload {
 
 web::Reply Portal::take(const web::Request& request, const web::Body& body,
                         const Visitor& visitor) {
-  if (visitor.is_staff) return problem_reply(403, "the staff's token hands in for no team");
+  if (visitor.sees_all()) return problem_reply(403, "the staff's token hands in for no team");
   const std::string& team = visitor.team;
   const std::string coding = request.header("content-encoding");
   if (!coding.empty() && coding != "identity")
@@ -514,11 +520,11 @@ Json Portal::reports(const std::string& team) {
 
 Json Portal::about(const Visitor& visitor) {
   const std::lock_guard lock(mutex_);
-  Json json{{"team", visitor.is_staff ? Json() : Json(visitor.team)},
-            {"staff", visitor.is_staff},
+  Json json{{"team", visitor.sees_all() ? Json() : Json(visitor.team)},
+            {"staff", visitor.sees_all()},
             {"max_bytes", system::size_limit::entry},
             {"why_not", Json()}};
-  if (visitor.is_staff) return json;
+  if (visitor.sees_all()) return json;
   const auto refused = refused_now(visitor.team);
   if (!refused) return json;
   json["why_not"] = Json::parse(refused->bytes, nullptr, false).value("error", "");

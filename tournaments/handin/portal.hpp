@@ -13,6 +13,7 @@
 #include "tournaments/handin/friendly_desk.hpp"
 #include "tournaments/handin/own_legs.hpp"
 #include "tournaments/handin/staff_desk.hpp"
+#include "tournaments/handin/team_desk_page.hpp"
 #include "tournaments/league/hand_ins.hpp"
 
 #include <atomic>
@@ -39,6 +40,7 @@ struct PortalOptions {
       replay = {};
   // Returns the part of a page with the football statistics of a team, HTML; "" if there are none.
   std::function<std::string(const std::string& team)> statistics;
+  TimeInWords time_in_words = [](const std::string& utc) { return utc; };
   FriendlyOptions friendlies;
   std::function<std::int64_t()> now;  // s since 1970
 };

@@ -323,6 +323,14 @@ Result<void> set_people(system::Files& files, const LeagueStore& store, const Fo
 }  // namespace
 
 web::Reply StaffDesk::page(int done, const std::string& said, int status) const {
+  return page_with({done, said, status}, true);
+}
+
+web::Reply StaffDesk::page_of_tutor() const {
+  return page_with({}, false);
+}
+
+web::Reply StaffDesk::page_with(const Notice& notice, bool has_forms) const {
   const auto store = LeagueStore::open(files_, folder_);
   if (!store) return broken(store.error());
   const auto rows = roster(files_, *store);
@@ -332,9 +340,10 @@ web::Reply StaffDesk::page(int done, const std::string& said, int status) const 
   html.raw(
       "<form method=\"post\" action=\"/hand-in/log-out\"><p><button>Log out</button></p></form>"
       "\n");
-  if (!said.empty()) html.raw("<p role=\"alert\">" + system::html_escaped(said) + "</p>\n");
-  if (done > 0)
-    html.raw("<p role=\"status\">Decision " + std::to_string(done) + " is written.</p>\n");
+  if (!notice.said.empty())
+    html.raw("<p role=\"alert\">" + system::html_escaped(notice.said) + "</p>\n");
+  if (notice.done > 0)
+    html.raw("<p role=\"status\">Decision " + std::to_string(notice.done) + " is written.</p>\n");
   html.open("ul");
   html.cell("li", std::to_string(state.played()) + " of " + std::to_string(state.legs()) +
                       " legs are decided, " + std::to_string(state.nights.size()) + " nights");
@@ -350,11 +359,13 @@ web::Reply StaffDesk::page(int done, const std::string& said, int status) const 
   next_card(html, "Teams");
   teams_table(html, state.file, *rows);
   html.raw("<p><a href=\"/hand-in/grades.csv\">Grades (CSV)</a></p>\n");
-  next_card(html, "Decide");
-  Forms(html, state).all();
+  if (has_forms) {
+    next_card(html, "Decide");
+    Forms(html, state).all();
+  }
   next_card(html, "Decisions");
-  decisions_list(html, state, done);
-  return staff_reply(status, desk_page("Staff", html));
+  decisions_list(html, state, notice.done);
+  return staff_reply(notice.status, desk_page("Staff", html));
 }
 
 web::Reply StaffDesk::legs_of(const std::string& team, const std::vector<OwnLeg>& legs) const {

@@ -27,6 +27,9 @@ class StaffDesk {
   // sentence that stands on top, and `status` that of the reply.
   web::Reply page(int done = 0, const std::string& said = "", int status = 200) const;
 
+  // Returns the page without its forms.
+  web::Reply page_of_tutor() const;
+
   // Returns the page of a team's legs, which links to their replays with what both teams drew, and
   // to what the team printed. `legs` are those of the team.
   web::Reply legs_of(const std::string& team, const std::vector<OwnLeg>& legs) const;
@@ -38,6 +41,14 @@ class StaffDesk {
   web::Reply grades() const;
 
  private:
+  struct Notice {
+    int done = 0;
+    std::string said = {};
+    int status = 200;
+  };
+
+  web::Reply page_with(const Notice& notice, bool has_forms) const;
+
   system::Files& files_;
   Folder folder_;
   std::function<std::int64_t()> now_;

@@ -7,12 +7,16 @@
 
 #include <nlohmann/json.hpp>
 
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace mirocup::league {
 
 using Json = nlohmann::ordered_json;
+
+// Returns a time of a book, "2026-11-25T01:02:03Z", as people of the league read it.
+using TimeInWords = std::function<std::string(const std::string& utc)>;
 
 // What the private page of a team shows.
 struct TeamDesk {
@@ -25,6 +29,7 @@ struct TeamDesk {
   bool is_pinned = false;              // that entry plays on, whatever is accepted
   std::string statistics;              // HTML
   std::string digest;                  // HTML: what the last night has changed; "": nothing
+  TimeInWords time_in_words;
 };
 
 // `why` is a sentence that says what was wrong with the last token; "": nothing was.
@@ -33,6 +38,6 @@ std::string log_in_page(const std::string& why);
 std::string team_desk_page(const TeamDesk& desk);
 
 // The answer to one entry, with what `mirocup check` reports: entry_report().
-std::string entry_page(const Json& entry);
+std::string entry_page(const Json& entry, const TimeInWords& time_in_words);
 
 }  // namespace mirocup::league

@@ -39,6 +39,16 @@ std::string time_of(const JsonReader& json) {
   return time;
 }
 
+// Files of earlier versions have no role: a token of no team is the staff's.
+Role role_of(const JsonReader& token) {
+  if (!token.at("team").is_null()) return Role::team;
+  const auto named = token.find("role");
+  if (!named) return Role::staff;
+  const auto role = from_string<Role>(named->text());
+  if (role != Role::tutor) named->complain("\"tutor\" is expected");
+  return Role::tutor;
+}
+
 Json time_json(const std::string& time) {
   return time.empty() ? Json() : Json(time);
 }
@@ -47,9 +57,15 @@ Json time_json(const std::string& time) {
 
 std::string TokenList::add(const std::string& team, const std::string& now,
                            const std::string& expires) {
+  std::string text = add_for(Role::team, now, expires);
+  tokens.back().team = team;
+  return text;
+}
+
+std::string TokenList::add_for(Role role, const std::string& now, const std::string& expires) {
   std::string text = new_text();
-  tokens.push_back({.team = team,
-                    .is_staff = team.empty(),
+  tokens.push_back({.team = "",
+                    .role = role,
                     .sha256 = system::sha256(text),
                     .made = now,
                     .expires = expires,
@@ -57,14 +73,10 @@ std::string TokenList::add(const std::string& team, const std::string& now,
   return text;
 }
 
-std::string TokenList::add_for_staff(const std::string& now, const std::string& expires) {
-  return add("", now, expires);
-}
-
-int TokenList::revoke(const std::string& team, const std::string& now) {
+int TokenList::revoke(Role role, const std::string& team, const std::string& now) {
   int count = 0;
   for (Token& token : tokens) {
-    if (token.team != team || !token.revoked.empty()) continue;
+    if (token.role != role || token.team != team || !token.revoked.empty()) continue;
     count += token.is_valid(now) ? 1 : 0;
     token.revoked = now;
   }
@@ -114,9 +126,9 @@ Result<TokenList> parse_tokens(const std::string& text, const std::string& path)
     TokenList list;
     for (const JsonReader& one : json.at("tokens").elements()) {
       Token token;
-      token.is_staff = one.at("team").is_null();
-      if (!token.is_staff) token.team = one.at("team").text();
-      if (!token.is_staff && !is_good_name(token.team))
+      token.role = role_of(one);
+      if (token.role == Role::team) token.team = one.at("team").text();
+      if (token.role == Role::team && !is_good_name(token.team))
         one.at("team").complain("the name of a team is expected");
       token.sha256 = one.at("sha256").text();
       token.made = time_of(one.at("made"));
@@ -131,11 +143,12 @@ Result<TokenList> parse_tokens(const std::string& text, const std::string& path)
 Result<void> write_tokens(system::Files& files, const Folder& folder, const TokenList& list) {
   Json tokens = Json::array();
   for (const Token& token : list.tokens) {
-    tokens.push_back({{"team", token.is_staff ? Json() : Json(token.team)},
+    tokens.push_back({{"team", token.role == Role::team ? Json(token.team) : Json()},
                       {"sha256", token.sha256},
                       {"made", time_json(token.made)},
                       {"expires", time_json(token.expires)},
                       {"revoked", time_json(token.revoked)}});
+    if (token.role == Role::tutor) tokens.back()["role"] = to_string(Role::tutor);
   }
   const Json json{{"schema", tokens_schema}, {"tokens", tokens}};
   return files.write(tokens_path(folder), record::json_text(json, 1) + "\n",

@@ -5,17 +5,23 @@
 // many bits cannot be guessed, so a hash that is slow to compute would protect nothing more.
 #pragma once
 
+#include "core/base/names.hpp"
 #include "tournaments/league/folder.hpp"
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace mirocup::league {
 
+// Whose a token is. The staff sees the private pages of all teams and decides; a tutor sees what
+// the staff sees, and changes nothing.
+enum class Role { team, staff, tutor };
+
 struct Token {
-  std::string team;       // "" for the staff
-  bool is_staff = false;  // sees the private pages of all teams
+  std::string team;  // "" if it is not a team's
+  Role role = Role::team;
   std::string sha256;
   std::string made;     // UTC, as league.json has times
   std::string expires;  // from then on it is worth nothing; "": never
@@ -33,10 +39,11 @@ struct TokenList {
 
   // Makes a token and returns its text, which is kept nowhere.
   std::string add(const std::string& team, const std::string& now, const std::string& expires);
-  std::string add_for_staff(const std::string& now, const std::string& expires);
+  std::string add_for(Role staff_or_tutor, const std::string& now, const std::string& expires);
 
-  // Revokes all tokens of a team, or of the staff (""). Returns how many were valid until now.
-  int revoke(const std::string& team, const std::string& now);
+  // Revokes all tokens of a team, or of one role (then `team` is ""). Returns how many were valid
+  // until now.
+  int revoke(Role role, const std::string& team, const std::string& now);
 
   bool has_valid(const std::string& team, const std::string& now) const;
 
@@ -58,3 +65,10 @@ Result<TokenList> parse_tokens(const std::string& text, const std::string& path)
 Result<void> write_tokens(system::Files& files, const Folder& folder, const TokenList& list);
 
 }  // namespace mirocup::league
+
+namespace mirocup {
+
+template <>
+inline constexpr std::array<std::string_view, 3> enum_names<league::Role>{"team", "staff", "tutor"};
+
+}  // namespace mirocup

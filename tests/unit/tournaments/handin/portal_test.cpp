@@ -44,8 +44,8 @@ class Desk : public testing::Test {
     beta_ = list.add("beta", now, "");
     expired_ = list.add("alpha", utc_text(opening - 10), utc_text(opening - 1));
     revoked_ = list.add("gone", now, "");
-    list.revoke("gone", now);
-    staff_ = list.add_for_staff(now, "");
+    list.revoke(Role::team, "gone", now);
+    staff_ = list.add_for(Role::staff, now, "");
     EXPECT_TRUE(write_tokens(disk_, folder_, list));
     open();
   }
@@ -59,6 +59,7 @@ class Desk : public testing::Test {
       return team == "alpha" ? legs_ : std::vector<OwnLeg>();
     };
     options.statistics = [](const std::string&) { return std::string(); };
+    options.time_in_words = [](const std::string& utc) { return "<local> " + utc; };
     options.friendlies = {.teams = [this] { return entries_; },
                           .neighbours = [this](const std::string&) { return neighbours_; },
                           .house = {"keeper", "striker"},
@@ -502,7 +503,7 @@ TEST_F(Desk, EndsATokenAtOnce) {
   const std::string cookie = log_in(alpha_);
   ASSERT_EQ(ask(with(get("/api/v1/entries/1"), "cookie", cookie)).status, 200);
   auto list = *read_tokens(disk_, folder_);
-  list.revoke("alpha", utc_text(now_));
+  list.revoke(Role::team, "alpha", utc_text(now_));
   ASSERT_TRUE(write_tokens(disk_, folder_, list));
   EXPECT_EQ(ask(api("/api/v1/entries/1", alpha_)).status, 401);
   EXPECT_EQ(ask(with(get("/api/v1/entries/1"), "cookie", cookie)).status, 401)
@@ -674,6 +675,16 @@ TEST_F(Desk, PrintsStrangeNamesOfFilesAsText) {
   EXPECT_EQ(page.find("<script>"), std::string::npos);
   EXPECT_EQ(page.find("<b>no"), std::string::npos);
   EXPECT_NE(page.find("&lt;script&gt;"), std::string::npos);
+}
+
+// Catches times in another zone than that in which the league names its deadline.
+TEST_F(Desk, TellsTimesAsPeopleOfTheLeagueReadThem) {
+  ASSERT_EQ(ask(put(alpha_), "ELF").status, 202);
+  const std::string cookie = log_in(alpha_);
+  for (const char* path : {"/hand-in", "/hand-in/entries/1"}) {
+    const std::string page = ask(with(get(path), "cookie", cookie)).bytes;
+    EXPECT_NE(page.find("&lt;local&gt; " + utc_text(now_)), std::string::npos) << page;
+  }
 }
 
 TEST_F(Desk, CallsAHandInVoidThatTheHostCannotCheck) {

@@ -36,7 +36,8 @@ class StaffPage : public testing::Test {
     fixture_ = store->state().fixtures[0].fixture.id();
     TokenList list;
     alpha_ = list.add("alpha", utc_text(moment), "");
-    staff_ = list.add_for_staff(utc_text(moment), "");
+    staff_ = list.add_for(Role::staff, utc_text(moment), "");
+    tutor_ = list.add_for(Role::tutor, utc_text(moment), "");
     EXPECT_TRUE(write_tokens(disk_, folder_, list));
     PortalOptions options;
     options.now = [] { return moment; };
@@ -67,7 +68,7 @@ class StaffPage : public testing::Test {
   test_support::TemporaryFolder temporary_;
   system::Disk disk_;
   Folder folder_{temporary_ / "l"};
-  std::string alpha_, staff_, fixture_;
+  std::string alpha_, staff_, tutor_, fixture_;
   std::vector<OwnLeg> legs_;  // of alpha
   std::unique_ptr<Portal> portal_;
 };
@@ -81,6 +82,24 @@ TEST_F(StaffPage, IsForTheStaffOnly) {
   const web::Reply grades = ask("GET", "/hand-in/grades.csv", staff_);
   EXPECT_EQ(grades.status, 200);
   EXPECT_TRUE(grades.bytes.starts_with("rank,team,points,")) << grades.bytes;
+}
+
+// Catches a tutor's token that decides, and a page that offers it.
+TEST_F(StaffPage, ATutorReadsAndDecidesNothing) {
+  const web::Reply page = ask("GET", "/hand-in", tutor_);
+  EXPECT_EQ(page.status, 200);
+  EXPECT_NE(page.bytes.find("Not handed in: alpha, beta"), std::string::npos);
+  EXPECT_EQ(page.bytes.find("/hand-in/staff"), std::string::npos) << page.bytes;
+  EXPECT_NE(ask("GET", "/hand-in", staff_).bytes.find("/hand-in/staff"), std::string::npos);
+  EXPECT_EQ(ask("GET", "/hand-in/grades.csv", tutor_).status, 200);
+  const web::Reply act = ask("POST", "/hand-in/staff", tutor_, "act=close&reason=over&go=do");
+  EXPECT_EQ(act.status, 403);
+  EXPECT_NE(act.bytes.find("decides nothing"), std::string::npos) << act.bytes;
+  for (const char* path : {"/api/v1/pin", "/api/v1/entries", "/api/v1/friendlies"})
+    EXPECT_GE(ask(path == std::string("/api/v1/friendlies") ? "POST" : "PUT", path, tutor_).status,
+              400)
+        << path;
+  EXPECT_TRUE(decisions().empty());
 }
 
 TEST_F(StaffPage, DecidesWithAReasonAndTakesBack) {

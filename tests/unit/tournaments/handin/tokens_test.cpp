@@ -29,6 +29,7 @@ TEST(Tokens, AreWordsOf128RandomBitsOfWhichOnlyAHashIsKept) {
     EXPECT_EQ(word.size(), 26u);
     EXPECT_EQ(word.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ234567"), std::string::npos);
   }
+  for (const Role role : {Role::staff, Role::tutor}) (void)list.add_for(role, monday, "");
   ASSERT_TRUE(write_tokens(files, folder, list));
   const std::string text = *files.read(tokens_path(folder));
   for (const std::string& word : words) EXPECT_EQ(text.find(word), std::string::npos);
@@ -54,13 +55,13 @@ TEST(Tokens, EndWhenTheyExpireOrAreRevoked) {
   const std::string brief = list.add("alpha", monday, tuesday);
   const std::string lasting = list.add("alpha", monday, "");
   const std::string other = list.add("beta", monday, "");
-  const std::string staff = list.add_for_staff(monday, "");
+  const std::string staff = list.add_for(Role::staff, monday, "");
   EXPECT_NE(list.find(brief, monday), nullptr);
   EXPECT_EQ(list.find(brief, tuesday), nullptr) << "the moment of the end is too late";
-  EXPECT_TRUE(list.find(staff, monday)->is_staff);
-  EXPECT_EQ(list.revoke("alpha", tuesday), 1) << "one had expired";
+  EXPECT_EQ(list.find(staff, monday)->role, Role::staff);
+  EXPECT_EQ(list.revoke(Role::team, "alpha", tuesday), 1) << "one had expired";
   EXPECT_EQ(list.find(lasting, tuesday), nullptr);
-  EXPECT_EQ(list.revoke("alpha", tuesday), 0);
+  EXPECT_EQ(list.revoke(Role::team, "alpha", tuesday), 0);
   EXPECT_NE(list.find(other, tuesday), nullptr);
   EXPECT_NE(list.find(staff, tuesday), nullptr);
   EXPECT_FALSE(list.has_valid("alpha", tuesday));
@@ -75,7 +76,8 @@ TEST(Tokens, OfADamagedFileAreNone) {
   for (const std::string& text :
        {std::string(), std::string("[]"), std::string(R"({"schema":"mirocup/tokens/1"})"),
         head + R"("team":"../x","expires":null,"revoked":null}]})",
-        head + R"("team":"a","expires":"soon","revoked":null}]})"}) {
+        head + R"("team":"a","expires":"soon","revoked":null}]})",
+        head + R"("team":null,"role":"head","expires":null,"revoked":null}]})"}) {
     ASSERT_TRUE(files.write(tokens_path(folder), text));
     ASSERT_FALSE(read_tokens(files, folder)) << text;
     EXPECT_EQ(read_tokens(files, folder).error().code, Errc::damaged);
