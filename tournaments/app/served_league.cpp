@@ -170,7 +170,7 @@ void ServedLeague::begin_pages() {
   LeagueState shown = released ? std::move(*released) : new_league(store_.state().file);
   NightNews news = news_for(shown, store_).value_or(NightNews{});
   facts_ = read_facts(files_, store_.folder(), shown, std::move(facts_));
-  LegReports reports = kept_statistics(files_, store_.folder(), shown);
+  LegReports reports = kept_statistics(files_, store_.folder(), shown, &known_reports_);
   site_ = std::make_unique<Site>(SiteSource{.state = std::move(shown),
                                             .reports = std::move(reports),
                                             .facts = facts_,

@@ -100,6 +100,7 @@ class ServedLeague {
   std::unique_ptr<Site> site_;  // of what is released; null before the first page
   std::string people_;          // teams.json
   FactsOfLegs facts_;
+  KnownReports known_reports_;
   std::map<int, std::string> statistics_;  // of teams, as far as they were asked for
   std::map<std::string, int> entries_that_play_;
   std::chrono::steady_clock::time_point entries_looked_up_at_{};

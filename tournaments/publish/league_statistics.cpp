@@ -209,11 +209,20 @@ bool has_statistics(system::Files& files, const Folder& folder, const std::strin
   return kept_report(files, folder, record).has_value();
 }
 
-LegReports kept_statistics(system::Files& files, const Folder& folder, const LeagueState& state) {
+LegReports kept_statistics(system::Files& files, const Folder& folder, const LeagueState& state,
+                           KnownReports* known) {
+  KnownReports none;
+  if (known == nullptr) known = &none;
   LegReports reports;
   for (const CountedLeg& leg : counted_legs(state)) {
-    auto report = named(kept_report(files, folder, leg.played->record), leg);
-    if (report) reports.push_back(*std::move(report));
+    const std::string& record = leg.played->record;
+    auto found = known->find(record);
+    if (found == known->end()) {
+      auto report = kept_report(files, folder, record);
+      if (!report) continue;
+      found = known->emplace(record, *std::move(report)).first;
+    }
+    if (auto report = named(found->second, leg)) reports.push_back(*std::move(report));
   }
   return reports;
 }

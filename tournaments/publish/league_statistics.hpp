@@ -11,6 +11,7 @@
 #include "tournaments/publish/leg_view.hpp"
 #include "tournaments/publish/site_file.hpp"
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,9 +26,14 @@ std::string statistics_file_of(const std::string& record);
 // True if the statistics of that record are kept in a form that this program reads.
 bool has_statistics(system::Files& files, const Folder& folder, const std::string& record);
 
+// Reports that were read, by the path of the record inside the league folder.
+using KnownReports = std::map<std::string, statistics::LegReport>;
+
 // Returns what is kept of the legs that count, in the order of the schedule. A leg whose file is
-// missing, damaged or of another leg is left out.
-LegReports kept_statistics(system::Files& files, const Folder& folder, const LeagueState& state);
+// missing, damaged or of another leg is left out. `known`, if not null, has the reports that were
+// read before, which do not change, and gets those that are read now.
+LegReports kept_statistics(system::Files& files, const Folder& folder, const LeagueState& state,
+                           KnownReports* known = nullptr);
 
 // As above, but legs of which nothing is kept are played again. Nothing is written. Errors: those
 // of statistics::count_record().
