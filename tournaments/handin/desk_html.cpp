@@ -12,6 +12,12 @@ std::string desk_page(const std::string& title, const Html& content) {
                      {{"root", "/"}, {"page_title", title}, {"content", content.text()}});
 }
 
+void log_out_button(Html& html) {
+  html.raw(R"(<form class="desk log-out" method="post" action="/hand-in/log-out">
+<button>Log out</button></form>
+)");
+}
+
 void next_card(Html& html, const std::string& heading) {
   html.raw("</section>\n<section class=\"card\">\n");
   html.cell("h2", heading);

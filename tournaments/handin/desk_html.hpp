@@ -16,6 +16,9 @@ using Json = nlohmann::ordered_json;
 // The page around the content, in the design of all pages. `back` is true below the team's page.
 std::string desk_page(const std::string& title, const Html& content);
 
+// The button that ends the session, which stands in the corner of the first card.
+void log_out_button(Html& html);
+
 // Ends a card and begins the next, with a heading.
 void next_card(Html& html, const std::string& heading);
 

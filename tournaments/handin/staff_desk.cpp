@@ -337,9 +337,8 @@ web::Reply StaffDesk::page_with(const Notice& notice, bool has_forms) const {
   if (!rows) return broken(rows.error());
   const LeagueState& state = store->state();
   Html html;
-  html.raw(
-      "<form method=\"post\" action=\"/hand-in/log-out\"><p><button>Log out</button></p></form>"
-      "\n");
+  log_out_button(html);
+  if (!has_forms) html.cell("p", "This token reads what the staff reads, and decides nothing.");
   if (!notice.said.empty())
     html.raw("<p role=\"alert\">" + system::html_escaped(notice.said) + "</p>\n");
   if (notice.done > 0)

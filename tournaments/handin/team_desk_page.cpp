@@ -24,11 +24,6 @@ size="30" autofocus> <button>Log in</button></p>
 for 12 hours, or until you log out.</p>
 )";
 
-constexpr std::string_view log_out_form =
-    R"(<form class="desk log-out" method="post" action="/hand-in/log-out">
-<button>Log out</button></form>
-)";
-
 // Shown by the script, without which it would do nothing.
 constexpr std::string_view hand_in_form =
     R"(<form id="hand-in" class="desk" hidden>
@@ -271,7 +266,7 @@ std::string log_in_page(const std::string& why) {
 
 std::string team_desk_page(const TeamDesk& desk) {
   Html html;
-  html.raw(log_out_form);
+  log_out_button(html);
   html.cell("h2", "Hand in");
   html.raw(hand_in_form);
   next_card(html, "Versions");
