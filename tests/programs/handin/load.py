@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Many teams hand in within a short time while viewers read pages, on this computer only, with real checks.
 
-Usage: tests/programs/handin/load.py BUILD [--teams 200] [--viewers 50] [--seconds 60] [--pause 5] [--kills N] [--patience 600] [--alone] [--no-tls]
+Usage: tests/programs/handin/load.py BUILD [--teams 200] [--viewers 50] [--seconds 60] [--pause 5] [--kills N] [--patience 600] [--alone] [--format F] [--no-tls]
 
 Prints one JSON object: how many files were sent and taken, what became of them, seconds until the last verdict, times of pages,
 memory of the server. --alone first checks the same files without a server, with as many processes as processors, for comparison.
@@ -35,6 +35,7 @@ options.add_argument("--pause", type=float, default=5.0, help="s that a viewer l
 options.add_argument("--kills", type=int, default=0)
 options.add_argument("--patience", type=float, default=600.0, help="s after the last file until the last verdict")
 options.add_argument("--alone", action="store_true")
+options.add_argument("--format", default="double_round_robin", help="of the league: a round robin of n teams has n² / 2 fixtures")
 options.add_argument("--no-tls", action="store_true")
 options.add_argument("--port", type=int, default=18443)
 options.add_argument("--seed", type=int, default=1)
@@ -130,7 +131,7 @@ def ask(method, path, token=None, body=None):
         connection.close()
 
 
-run(mirocup, "league", "init", league, "--team", "one=house:chaser", "--team", "two=house:keeper", "--half", "20")
+run(mirocup, "league", "init", league, "--team", "one=house:chaser", "--team", "two=house:keeper", "--half", "20", "--format", options.format)
 run("openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:prime256v1", "-nodes", "-days", "2",
     "-subj", "/CN=127.0.0.1", "-addext", "subjectAltName=IP:127.0.0.1", "-keyout", os.path.join(folder, "key.pem"),
     "-out", os.path.join(folder, "cert.pem"))
