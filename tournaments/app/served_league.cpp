@@ -28,9 +28,10 @@ using namespace std::chrono_literals;
 constexpr auto poll_interval = 500ms;
 constexpr auto entries_interval = 2s;  // between two looks at the entries of all teams
 
-// While a class joins, each new team changes league.json and with it all pages. To begin them anew
-// takes at most one part in that many of the time.
-constexpr int rest_factor = 100;
+// While a class joins or a night is played, each new team and each leg changes all pages. To begin
+// them anew takes one part in that many of the time, or more where the rest would grow too long.
+constexpr int rest_factor = 20;
+constexpr std::chrono::nanoseconds longest_rest = 5s;
 
 // The line that `mirocup match --watch` prints. Only matches of this host are passed on.
 constexpr std::string_view watched = "mirocup: watch at http://127.0.0.1:";
@@ -152,14 +153,17 @@ std::vector<ServedLeague::LiveLeg> ServedLeague::find_live_legs() const {
 
 // Requires mutex_.
 bool ServedLeague::are_pages_fresh() const {
-  if (!site_ || lines_of_pages_ != lines_) return false;
-  return version_of_pages_ == teams_version_ ||
-         std::chrono::steady_clock::now() < pages_rest_until_;
+  return site_ && lines_of_pages_ == lines_ && version_of_pages_ == teams_version_;
+}
+
+// Requires mutex_.
+bool ServedLeague::do_pages_rest() const {
+  return site_ && std::chrono::steady_clock::now() < pages_rest_until_;
 }
 
 // Requires mutex_. Each page is made when it is asked for.
 void ServedLeague::begin_pages() {
-  if (are_pages_fresh()) return;
+  if (are_pages_fresh() || do_pages_rest()) return;
   const auto begun = std::chrono::steady_clock::now();
   lines_of_pages_ = lines_;
   version_of_pages_ = teams_version_;
@@ -187,7 +191,7 @@ void ServedLeague::begin_pages() {
     }
   }
   const auto ended = std::chrono::steady_clock::now();
-  pages_rest_until_ = ended + rest_factor * (ended - begun);
+  pages_rest_until_ = ended + std::min(rest_factor * (ended - begun), longest_rest);
 }
 
 // Requires mutex_. Returns null if the site has no such page.
@@ -358,7 +362,8 @@ std::optional<std::string> ServedLeague::replay_of(const std::string& record,
 std::string ServedLeague::news(std::uint64_t& seen) {
   const std::lock_guard lock(mutex_);
   poll();
-  if (seen == version_) return "";
+  // Who is told looks at once, and would see the pages of before.
+  if (seen == version_ || (!are_pages_fresh() && do_pages_rest())) return "";
   seen = version_;
   Json playing = Json::array();
   for (const LiveLeg& leg : live_legs_) playing.push_back(leg.about);

@@ -81,6 +81,7 @@ class ServedLeague {
   void begin_pages();
   const web::Page* page_of_site(const std::string& path);
   bool are_pages_fresh() const;
+  bool do_pages_rest() const;
   std::optional<web::Page> replay(const std::string& stem);
   std::string linked(std::string page, const std::string& record);
 
@@ -96,7 +97,7 @@ class ServedLeague {
   std::uint64_t teams_version_ = 0;     // grows when teams or their names change
   std::uint64_t version_of_pages_ = 0;  // teams_version_ when the pages were made
   std::size_t lines_of_pages_ = 0;      // lines_ then
-  std::chrono::steady_clock::time_point pages_rest_until_{};  // before the start of the league
+  std::chrono::steady_clock::time_point pages_rest_until_{};
   std::unique_ptr<Site> site_;  // of what is released; null before the first page
   std::string people_;          // teams.json
   FactsOfLegs facts_;
