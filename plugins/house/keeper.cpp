@@ -40,7 +40,10 @@ class Keeper : public Team {
         const int row = i / 3;
         const double aside = 0.09 * (i % 2 == 0 ? 1.0 : -1.0) * column;
         const Point post = goal + (distance_ + 0.07 * row) * out;
-        const Point place = keep_out(setup(), i, {post.x, post.y + aside});
+        double y = post.y + aside;
+        // On its straight way home, the taker of a kick-off would knock the ball into the goal.
+        if (i == 1 && rolls_home(now)) y = now.ball_y + (robot.y < now.ball_y ? -0.25 : 0.25);
+        const Point place = keep_out(setup(), i, {post.x, y});
         draw_role(setup(), robot, "screens");
         draw_target(setup(), robot, place);
         command.wheels[i] = drive_clear(setup(), now, robot, make_way(setup(), now, place));
@@ -51,11 +54,28 @@ class Keeper : public Team {
   }
 
  private:
+  // Says whether the ball of an own kick-off rolls before robot 1, which has taken it.
+  static bool rolls_home(const Observation& now) {
+    const Robot& taker = now.own[1];
+    return now.restart == MIROCUP_KICK_OFF && now.own_restart != 0 && now.ball_x < 0.0 &&
+           taker.x > now.ball_x && length(ball(now) - position(taker)) < 0.3;
+  }
+
   Wheels keep(const Observation& now) {
     const Wheels asked = now.state == MIROCUP_PLAY ? asked_ : Wheels{};
     const Robot soon = when_commanded(setup(), now.own[0], asked);
-    asked_ = hold_goal(setup(), now, BallPath(setup(), moving_ball(now)), soon);
+    asked_ = lies_before(now, soon)
+                 ? drive_to(setup(), soon, ball(now) + 0.2 * unit(ball(now) - position(soon)), 1.0)
+                 : hold_goal(setup(), now, BallPath(setup(), moving_ball(now)), soon);
     return asked_;
+  }
+
+  // Says whether the ball lies in the goal area, whose arc is 0.05 m deep: the keeper has to play it
+  // before long.
+  bool lies_before(const Observation& now, const Robot& keeper) const {
+    return length(ball_velocity(now)) < 0.1 && now.ball_x > keeper.x + 0.03 &&
+           now.ball_x < -setup().half_length + setup().goal_area_depth + 0.07 &&
+           std::abs(now.ball_y) < setup().goal_area_half_width;
   }
 
   Wheels asked_{};  // of the keeper, in the last tick
