@@ -70,8 +70,8 @@ class Keeper : public Team {
     return asked_;
   }
 
-  // Says whether the ball lies in the goal area, whose arc is 0.05 m deep: the keeper has to play it
-  // before long.
+  // Says whether the ball lies in the goal area, whose arc is 0.05 m deep: there the keeper has to
+  // play it before long.
   bool lies_before(const Observation& now, const Robot& keeper) const {
     return length(ball_velocity(now)) < 0.1 && now.ball_x > keeper.x + 0.03 &&
            now.ball_x < -setup().half_length + setup().goal_area_depth + 0.07 &&
