@@ -362,7 +362,7 @@ std::optional<std::string> ServedLeague::replay_of(const std::string& record,
 std::string ServedLeague::news(std::uint64_t& seen) {
   const std::lock_guard lock(mutex_);
   poll();
-  // Who is told looks at once, and would see the pages of before.
+  // A viewer that is told asks for the page at once, and would get the former one.
   if (seen == version_ || (!are_pages_fresh() && do_pages_rest())) return "";
   seen = version_;
   Json playing = Json::array();

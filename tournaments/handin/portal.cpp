@@ -160,8 +160,9 @@ std::optional<web::Reply> Portal::answer(const web::Request& request, const web:
     return is_good_name(team) ? staff_.legs_of(team, options_.legs(team))
                               : problem_reply(404, "there is no such team");
   }
-  if (known.role == Role::tutor) return staff_.page_of_tutor();
-  if (known.role == Role::staff) return staff_.page(number_of(request.asked("done")).value_or(0));
+  if (known.role == Role::tutor) return staff_.page(Role::tutor);
+  if (known.role == Role::staff)
+    return staff_.page(Role::staff, number_of(request.asked("done")).value_or(0));
   if (is_replay)
     return friendlies_->show(known.team, std::string_view(path).substr(replays_path.size()));
   if (is_entry)

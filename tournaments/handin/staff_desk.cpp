@@ -322,15 +322,8 @@ Result<void> set_people(system::Files& files, const LeagueStore& store, const Fo
 
 }  // namespace
 
-web::Reply StaffDesk::page(int done, const std::string& said, int status) const {
-  return page_with({done, said, status}, true);
-}
-
-web::Reply StaffDesk::page_of_tutor() const {
-  return page_with({}, false);
-}
-
-web::Reply StaffDesk::page_with(const Notice& notice, bool has_forms) const {
+web::Reply StaffDesk::page(Role reader, int done, const std::string& said, int status) const {
+  const bool has_forms = reader == Role::staff;
   const auto store = LeagueStore::open(files_, folder_);
   if (!store) return broken(store.error());
   const auto rows = roster(files_, *store);
@@ -339,10 +332,9 @@ web::Reply StaffDesk::page_with(const Notice& notice, bool has_forms) const {
   Html html;
   log_out_button(html);
   if (!has_forms) html.cell("p", "This token reads what the staff reads, and decides nothing.");
-  if (!notice.said.empty())
-    html.raw("<p role=\"alert\">" + system::html_escaped(notice.said) + "</p>\n");
-  if (notice.done > 0)
-    html.raw("<p role=\"status\">Decision " + std::to_string(notice.done) + " is written.</p>\n");
+  if (!said.empty()) html.raw("<p role=\"alert\">" + system::html_escaped(said) + "</p>\n");
+  if (done > 0)
+    html.raw("<p role=\"status\">Decision " + std::to_string(done) + " is written.</p>\n");
   html.open("ul");
   html.cell("li", std::to_string(state.played()) + " of " + std::to_string(state.legs()) +
                       " legs are decided, " + std::to_string(state.nights.size()) + " nights");
@@ -363,8 +355,8 @@ web::Reply StaffDesk::page_with(const Notice& notice, bool has_forms) const {
     Forms(html, state).all();
   }
   next_card(html, "Decisions");
-  decisions_list(html, state, notice.done);
-  return staff_reply(notice.status, desk_page("Staff", html));
+  decisions_list(html, state, done);
+  return staff_reply(status, desk_page("Staff", html));
 }
 
 web::Reply StaffDesk::legs_of(const std::string& team, const std::vector<OwnLeg>& legs) const {
@@ -403,14 +395,14 @@ web::Reply StaffDesk::act(const std::string& form) const {
   const std::string act = value_of(values, "act");
   if (act == "people" || act == "colour") {
     if (const auto set = set_people(files_, *store, values); !set)
-      return page(0, set.error().what, 400);
+      return page(Role::staff, 0, set.error().what, 400);
     return {.status = 303, .bytes = "", .headers = {{"Location", "/hand-in"}}};
   }
   const auto wanted = act_of(values);
-  if (!wanted) return page(0, "The form names no act.", 400);
+  if (!wanted) return page(Role::staff, 0, "The form names no act.", 400);
   const auto lines = perform(files_, *store, *wanted, now_());
-  if (!lines) return page(0, lines.error().what, 400);
-  if (wanted->is_dry_run) return page(0, joined_with(*lines, "; "));
+  if (!lines) return page(Role::staff, 0, lines.error().what, 400);
+  if (wanted->is_dry_run) return page(Role::staff, 0, joined_with(*lines, "; "));
   return {.status = 303,
           .bytes = "",
           .headers = {

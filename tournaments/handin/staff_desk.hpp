@@ -9,6 +9,7 @@
 
 #include "server/web/request.hpp"
 #include "tournaments/handin/own_legs.hpp"
+#include "tournaments/handin/tokens.hpp"
 #include "tournaments/league/folder.hpp"
 
 #include <cstdint>
@@ -23,12 +24,10 @@ class StaffDesk {
   StaffDesk(system::Files& files, Folder folder, std::function<std::int64_t()> now)
       : files_(files), folder_(std::move(folder)), now_(std::move(now)) {}
 
-  // Returns the page. `done` is the number of a decision that was just written, or 0; `said` a
-  // sentence that stands on top, and `status` that of the reply.
-  web::Reply page(int done = 0, const std::string& said = "", int status = 200) const;
-
-  // Returns the page without its forms.
-  web::Reply page_of_tutor() const;
+  // Returns the page as the staff reads it, or a tutor, who has no forms. `done` is the number of a
+  // decision that was just written, or 0; `said` a sentence that stands on top, and `status` that
+  // of the reply.
+  web::Reply page(Role reader, int done = 0, const std::string& said = "", int status = 200) const;
 
   // Returns the page of a team's legs, which links to their replays with what both teams drew, and
   // to what the team printed. `legs` are those of the team.
@@ -41,14 +40,6 @@ class StaffDesk {
   web::Reply grades() const;
 
  private:
-  struct Notice {
-    int done = 0;
-    std::string said = {};
-    int status = 200;
-  };
-
-  web::Reply page_with(const Notice& notice, bool has_forms) const;
-
   system::Files& files_;
   Folder folder_;
   std::function<std::int64_t()> now_;

@@ -3,7 +3,6 @@
 
 #include "server/web/design/template.hpp"
 #include "tournaments/publish/exports.hpp"
-#include "tournaments/publish/front_page.hpp"
 #include "tournaments/publish/night_pages.hpp"
 #include "tournaments/publish/page_values.hpp"
 #include "tournaments/publish/team_page.hpp"
@@ -73,13 +72,6 @@ std::vector<std::string> Site::names() const {
 std::optional<std::string> Site::file(const std::string& name) const {
   const auto found = makers_.find(name);
   return found == makers_.end() ? std::nullopt : std::optional(found->second());
-}
-
-std::vector<SiteFile> make_site(SiteSource source) {
-  const Site site(std::move(source));
-  std::vector<SiteFile> files;
-  for (const std::string& name : site.names()) files.push_back({name, *site.file(name)});
-  return files;
 }
 
 }  // namespace mirocup::league

@@ -57,9 +57,6 @@ class Site {
   FileMakers makers_;
 };
 
-// Returns all files of the site.
-std::vector<SiteFile> make_site(SiteSource source);
-
 // Returns the table as lines of text for a terminal.
 std::string table_text(const LeagueState& state);
 

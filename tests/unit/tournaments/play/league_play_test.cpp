@@ -5,8 +5,8 @@
 // that changes who has played already, a team that has left and still plays.
 #include "core/base/random.hpp"
 #include "tests/unit/tournaments/sizes.hpp"
+#include "tests/unit/tournaments/whole_site.hpp"
 #include "tournaments/league/apply.hpp"
-#include "tournaments/publish/site.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -5,6 +5,7 @@
 #include "tournaments/publish/site.hpp"
 
 #include "tests/support/memory_files.hpp"
+#include "tests/unit/tournaments/whole_site.hpp"
 #include "tournaments/league/apply.hpp"
 #include "tournaments/play/leg_record.hpp"
 

@@ -6,8 +6,8 @@
 
 #include "core/base/random.hpp"
 #include "tests/support/memory_files.hpp"
+#include "tests/unit/tournaments/whole_site.hpp"
 #include "tournaments/league/apply.hpp"
-#include "tournaments/publish/site.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
