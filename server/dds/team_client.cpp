@@ -27,6 +27,11 @@ constexpr double leg_patience = 0.5;
 constexpr int max_unacknowledged = 30;
 constexpr double max_unacknowledged_time = 1.5;
 
+// Between leaving the network and joining it again, s. Cyclone takes a participant down in the
+// background, within milliseconds. If the next one is there before that, Cyclone 0.10 takes it for
+// one that has already been told of the server's topics, and it never receives anything.
+constexpr double rejoin_pause = 0.25;
+
 bool is_in_partition(const dds_qos_t* qos, std::string_view partition) {
   std::uint32_t count = 0;
   char** names = nullptr;
@@ -53,7 +58,6 @@ Result<std::unique_ptr<TeamClient>> TeamClient::open(const JoinRequest& request)
 }
 
 Result<void> TeamClient::connect() {
-  link_ = {};  // leaves the network before it joins it again
   Link link;
   link.nonce = connection_nonce();
   connected_at_ = last_heard_at_ = acknowledged_at_ = WallClock::now();
@@ -211,7 +215,13 @@ bool TeamClient::is_cut_off() const {
 }
 
 void TeamClient::look_after_connection() {
-  if (is_cut_off()) {
+  if (!left_at_ && is_cut_off()) {
+    link_ = {};
+    left_at_ = WallClock::now();
+  }
+  if (left_at_) {
+    if (seconds_since(*left_at_) < rejoin_pause) return;
+    left_at_.reset();
     if (!connect()) return;  // the next silence tries again
   }
   if (!link_.is_seated && seconds_since(hello_sent_at_) > hello_interval) send_hello();
