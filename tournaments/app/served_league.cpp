@@ -96,9 +96,9 @@ void ServedLeague::notice_edits() {
   people_ = std::move(people);
 }
 
-// Requires mutex_.
+// Requires mutex_. What shows fixtures before the start plans them itself.
 bool ServedLeague::open_again() {
-  auto fresh = LeagueStore::open(files_, store_.folder());
+  auto fresh = LeagueStore::open_unplanned(files_, store_.folder());
   if (!fresh) return false;
   store_ = std::move(*fresh);
   ++teams_version_;
@@ -171,7 +171,8 @@ void ServedLeague::begin_pages() {
   statistics_.clear();
   // What cannot be shown alone, such as a round that does not exist any more, is not shown at all.
   auto released = released_state(store_.state(), store_.journal());
-  LeagueState shown = released ? std::move(*released) : new_league(store_.state().file);
+  LeagueState shown = released ? std::move(*released) : unplanned_league(store_.state().file);
+  plan(shown);
   NightNews news = news_for(shown, store_).value_or(NightNews{});
   facts_ = read_facts(files_, store_.folder(), shown, std::move(facts_));
   LegReports reports = kept_statistics(files_, store_.folder(), shown, &known_reports_);

@@ -223,6 +223,7 @@ struct Applier {
   LeagueState& state;
 
   void operator()(const Started& e) const {
+    plan(state);
     state.is_started = true;
     state.config_sha256 = e.config_sha256;
     state.conditions = e.conditions;
@@ -335,14 +336,19 @@ struct Applier {
 
 }  // namespace
 
-LeagueState new_league(LeagueFile file) {
+LeagueState unplanned_league(LeagueFile file) {
   LeagueState state;
   state.file = std::move(file);
   std::erase_if(state.file.teams, [](const TeamConfig& team) { return team.has_joined; });
   const int teams = static_cast<int>(state.file.teams.size());
   state.teams.resize(teams);
   for (int i = 0; i < teams; ++i) state.index_of_team_[state.file.teams[i].name] = i;
-  if (!objection(state.file.format, teams).empty()) return state;
+  return state;
+}
+
+void plan(LeagueState& state) {
+  const int teams = static_cast<int>(state.teams.size());
+  if (!state.fixtures.empty() || !objection(state.file.format, teams).empty()) return;
   ScheduleGrowth schedule(state);
   schedule.add(first_schedule(state.file.format, teams));
   if (state.file.format.kind == FormatKind::swiss) {
@@ -350,6 +356,11 @@ LeagueState new_league(LeagueFile file) {
     for (int team = 0; team < teams; ++team) standings.push_back({.team = team, .points = 0});
     schedule.add(swiss_round(standings, {}, 1, state.file.format.swiss_rounds(teams)));
   }
+}
+
+LeagueState new_league(LeagueFile file) {
+  LeagueState state = unplanned_league(std::move(file));
+  plan(state);
   return state;
 }
 
@@ -384,7 +395,7 @@ Result<LeagueState> state_from_lines(LeagueFile file, const Journal& journal, st
                                      int undoing) {
   std::set<int> undone = undone_lines(journal, count);
   undone.insert(undoing);
-  LeagueState state = new_league(std::move(file));
+  LeagueState state = unplanned_league(std::move(file));
   for (std::size_t i = 0; i < count; ++i) {
     const Json& line = journal.lines()[i];
     const int number = static_cast<int>(i) + 1;

@@ -126,7 +126,7 @@ struct LeagueState {
 
  private:
   friend class ScheduleGrowth;
-  friend LeagueState new_league(LeagueFile file);
+  friend LeagueState unplanned_league(LeagueFile file);
 
   int needed_ = 0;
   int decided_ = 0;

@@ -12,6 +12,18 @@ namespace mirocup::league {
 
 Result<LeagueStore> LeagueStore::open(system::Files& files, Folder folder, std::string* notice,
                                       Clock clock) {
+  auto store = load(files, std::move(folder), notice, std::move(clock));
+  if (store) plan(store->state_);
+  return store;
+}
+
+Result<LeagueStore> LeagueStore::open_unplanned(system::Files& files, Folder folder) {
+  return load(files, std::move(folder), nullptr, system::now_s);
+}
+
+// A league that has not started is not planned yet.
+Result<LeagueStore> LeagueStore::load(system::Files& files, Folder folder, std::string* notice,
+                                      Clock clock) {
   if (!files.exists(folder.config())) {
     return fail(Errc::input, folder.path + " is not a league: there is no league.json in it");
   }

@@ -27,6 +27,10 @@ class LeagueStore {
   static Result<LeagueStore> open(system::Files& files, Folder folder,
                                   std::string* notice = nullptr, Clock clock = system::now_s);
 
+  // The same for a caller that needs only the teams: a league that has not started gets no
+  // fixtures, which saves most of the time.
+  static Result<LeagueStore> open_unplanned(system::Files& files, Folder folder);
+
   const LeagueState& state() const { return state_; }
   const Journal& journal() const { return journal_; }
   const Folder& folder() const { return folder_; }
@@ -48,6 +52,8 @@ class LeagueStore {
         state_(std::move(state)),
         clock_(std::move(clock)) {}
 
+  static Result<LeagueStore> load(system::Files& files, Folder folder, std::string* notice,
+                                  Clock clock);
   Result<void> write_line(const Event& event);
   Result<void> rebuild();
 

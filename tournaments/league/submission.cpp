@@ -551,7 +551,7 @@ Result<Submission> submit(system::Files& files, const Folder& folder, const Hand
   }
   auto lock = std::optional(system::FileLock::acquire(folder.submitting()));
   if (!*lock) return tl::unexpected(lock->error());
-  auto store = LeagueStore::open(files, folder);
+  auto store = LeagueStore::open_unplanned(files, folder);
   if (!store) return tl::unexpected(store.error());
   Desk desk(files, *store, handed, quota);
   auto answer = desk.receive(*found);
@@ -565,7 +565,7 @@ Result<Submission> submit(system::Files& files, const Folder& folder, const Hand
   lock = system::FileLock::acquire(folder.submitting());
   if (!*lock) return tl::unexpected(lock->error());
   // Another team may have joined in the meantime.
-  auto fresh = LeagueStore::open(files, folder);
+  auto fresh = LeagueStore::open_unplanned(files, folder);
   if (!fresh) return tl::unexpected(fresh.error());
   *store = std::move(*fresh);
   return desk.conclude(*found, std::move(*verdict));

@@ -148,7 +148,9 @@ if options.alone:
         path = os.path.join(folder, f"{number}.so")
         with open(path, "wb") as file:
             file.write(file_of(number)[0])
-        subprocess.run([mirocup, "check", path, "--half", "20", "--json"], capture_output=True)
+        # As the server starts it.
+        subprocess.run([mirocup, "check", path, "--half", "20", "--json", "--steps", "--record", os.path.join(folder, f"{number}.json")],
+                       capture_output=True)
         os.remove(path)
 
     def cpu_of_children():
@@ -162,7 +164,7 @@ if options.alone:
     report["alone_cpu_s"] = round(cpu_of_children() - cpu_before, 1)
 
 server = Server()
-begun = time.monotonic()
+begun, begun_at = time.monotonic(), time.time()
 own_cpu_s = time.process_time()
 over = threading.Event()
 taken = {}    # (team, entry): the verdict that it should get
@@ -278,6 +280,8 @@ more = [key for key in numbers if key not in taken]
 report.update({
     "taken": len(taken), "not_taken": lost, "numbered": len(numbers), "numbered_for_nobody": len(more),
     "wrong": wrong, "server_starts": server.starts,
+    # When the server had written it, and when its team had read it, which asks from time to time.
+    "last_answer_s": round(os.stat(os.path.join(league, "hand-ins.jsonl")).st_mtime - begun_at, 2),
     "last_verdict_s": round(max((s for _, s in verdicts.values()), default=0.0), 2),
     "wait_s": {"median": round(statistics.median(waits.values()), 2), "most": round(max(waits.values()), 2)} if waits else None,
     "pages": len(latency),
