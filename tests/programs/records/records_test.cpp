@@ -161,6 +161,24 @@ TEST(Records, AreVerifiedByTheVersionThatPlayedThem) {
   EXPECT_NE(verified.err.find("played by another version"), std::string::npos) << verified.err;
 }
 
+// Two versions of which neither reproduces the record used to ask each other without end.
+TEST(Records, AreNotAskedForInACircle) {
+  const test_support::TemporaryFolder versions;
+  std::filesystem::create_directories(versions / "other/bin");
+  const std::string program = versions / "other/bin/mirocup";
+  const std::string calls = versions / "calls";
+  test_support::write_file(program, "#!/bin/sh\necho call >> " + calls + "\n[ $(wc -l < " + calls +
+                                        ") -lt 4 ] && " + test_support::program("mirocup") +
+                                        " verify \"$2\"\nexit 4\n");
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  setenv("MIROCUP_VERSIONS", (versions / "other").c_str(), 1);
+  const auto verified =
+      test_support::run({test_support::program("mirocup"), "verify", samples().front()});
+  unsetenv("MIROCUP_VERSIONS");
+  EXPECT_EQ(verified.exit_code, 4) << verified.err;
+  EXPECT_EQ(test_support::read_file(calls), "call\n");
+}
+
 TEST(Records, AreNotCalledWrongIfTheBehaviourHasChanged) {
   const TemporaryFolder folder;
   const std::string path = folder / "leg.json";
