@@ -20,6 +20,7 @@ struct Kind {
 // A team that burns processor time is stopped by the budget of processor time or, on a busy
 // machine, by the limit of wall time.
 inline const std::string burns_tick = "hang: processor time|hang: more than 10 s on one tick";
+inline const std::string burns_bank = "budget: processor time|hang: more than 10 s on one tick";
 inline const std::string burns_start =
     "start_timeout: 10 s of processor time|start_timeout: more than 30 s";
 
@@ -58,8 +59,8 @@ inline const std::vector<Kind> kinds{
     {"sig_catch_segv", burns_tick, ""},
     {"futex_storm", "plays", ""},
     {"slow_every_tick", "plays", ""},
-    {"slow_then_spin", "budget: processor time", ""},
-    {"slow_bank", "budget: processor time", ""},
+    {"slow_then_spin", burns_bank, ""},
+    {"slow_bank", burns_bank, ""},
     {"clock_random", "plays", ""},
     {"clock_seed", "plays", ""},
     {"clock_seed_day", "plays", ""},
