@@ -109,11 +109,13 @@ Result<DrillTeams> teams_of(const drills::Drill& drill, const std::string& team,
   teams.tested.info.parameters = drill.parameters;
   for (const auto& [name, value] : parameters) teams.tested.info.parameters[name] = value;
   auto opponent = choose(drill.opponent, drill.name + ": /opponent:");
-  if (!opponent) return tl::unexpected(opponent.error());
+  if (!opponent) {
+    return fail(opponent.error().code, drill.name + ": /opponent: " + opponent.error().what);
+  }
   teams.opponent = std::move(*opponent);
   if (drill.mates.empty()) return teams;
   auto mates = choose(drill.mates, drill.name + ": /mates:");
-  if (!mates) return tl::unexpected(mates.error());
+  if (!mates) return fail(mates.error().code, drill.name + ": /mates: " + mates.error().what);
   teams.mates = std::move(*mates);
   return teams;
 }

@@ -602,6 +602,9 @@ void Session::show_backtraces() const {
 // A leg that cannot be written should not be played first.
 Result<void> check_output(const MatchOptions& options) {
   if (options.record_path.empty()) return {};
+  if (std::error_code none; std::filesystem::is_directory(options.record_path, none)) {
+    return fail(Errc::unavailable, options.record_path + " cannot be written: it is a folder");
+  }
   const std::filesystem::path folder = std::filesystem::absolute(options.record_path).parent_path();
   if (access(folder.c_str(), W_OK) == 0) return {};
   return fail(Errc::unavailable, options.record_path + ": nothing can be written into " +
