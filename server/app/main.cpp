@@ -4,6 +4,7 @@
 #include "server/app/command_line.hpp"
 #include "server/app/commands.hpp"
 #include "system/printable.hpp"
+#include "system/standard_output.hpp"
 
 #include <iostream>
 #include <string_view>
@@ -49,7 +50,7 @@ int main(int argc, char** argv) {
     std::vector<char*> asked{argv[0]};
     asked.insert(asked.end(), argv + 2, argv + argc);
     asked.insert(asked.end(), {help, nullptr});
-    return run(argc, asked.data());
+    return system::after_standard_output(run(argc, asked.data()));
   }
-  return run(argc, argv);
+  return system::after_standard_output(run(argc, argv));
 }
