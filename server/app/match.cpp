@@ -579,9 +579,9 @@ void Session::report() const {
   }
   if (options_.calls) print_calls();
   const match::Outcome& r = match_.outcome();
-  std::cout << seats_[0].info().name << " (blue) " << r.score[0] << " : " << r.score[1] << " "
-            << seats_[1].info().name << " (yellow), " << to_string(r.kind) << " after "
-            << match_.tick() << " ticks";
+  std::cout << system::printable(seats_[0].info().name) << " (blue) " << r.score[0] << " : "
+            << r.score[1] << " " << system::printable(seats_[1].info().name) << " (yellow), "
+            << to_string(r.kind) << " after " << match_.tick() << " ticks";
   if (options_.hash) std::cout << ", state hash " << to_hex(match_.state_hash());
   std::cout << '\n';
   for (const match::TeamFault& f : r.faults) {
