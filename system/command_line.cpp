@@ -110,8 +110,18 @@ std::string about_value(const std::string& option, const std::string& text) {
     const std::string value = between(text, "Value ", " not in range ");
     const std::size_t to = range.find(" to ");
     const std::size_t from = std::string_view(" not in range ").size();
+    // CLI11 writes out the largest double there is.
+    const bool has_end = range.size() - to < 300;
+    if (!has_end) {
+      return option + " " + value + ": a number of at least " +
+             short_number(range.substr(from, to - from)) + " is expected";
+    }
+    const std::size_t other = range.find(") OR (");  // a range or some words
+    const std::size_t end = other == std::string::npos ? range.size() : other;
+    const std::string word = between(range, "{", "}");
     return option + " " + value + ": a number from " + short_number(range.substr(from, to - from)) +
-           " to " + short_number(range.substr(to + 4)) + " is expected";
+           " to " + short_number(range.substr(to + 4, end - to - 4)) +
+           (word.empty() ? "" : " or " + word) + " is expected";
   }
   const std::string set = between(text, "{", "}");
   const std::string value = between(text, option + ": ", " not in ");
@@ -136,6 +146,8 @@ std::string sentence_of(const CLI::App& command, const CLI::ParseError& error) {
   // Its name is the command's.
   if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError))
     return in_quotes(text.substr(text.rfind(": ") + 2)) + " is not expected" + for_example(command);
+  if (kind == "ArgumentMismatch" && text.find(": At Most ") != std::string::npos)
+    return option + " is given more than once" + for_example(command);
   if (kind == "ArgumentMismatch" && known != nullptr) {
     const std::string name =
         known->get_positional() ? "" : " " + own_value_name(known->get_type_name());

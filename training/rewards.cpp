@@ -10,6 +10,11 @@ namespace mirocup::training {
 
 namespace {
 
+// How fast a wheel turns that is told `speed`, in either direction: one that is not finite is 0.
+double driven(double speed) {
+  return std::isfinite(speed) ? std::abs(speed) : 0.0;
+}
+
 double& of(Terms& terms, Term term) {
   return terms[static_cast<std::size_t>(term)];
 }
@@ -121,7 +126,7 @@ void RewardMeter::add_tick(const match::Leg& leg, const Learner& learner,
   for (int i = 0; i < leg.field().robots_per_team; ++i) {
     if (!learner.robots[static_cast<std::size_t>(i)]) continue;
     const simulator::WheelSpeeds& w = command[static_cast<std::size_t>(i)];
-    const double sum = std::abs(w.left) + std::abs(w.right);
+    const double sum = driven(w.left) + driven(w.right);
     if (robots == 0) wheel_sum_ = sum;
     wheels += sum;
     ++robots;

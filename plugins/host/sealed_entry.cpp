@@ -15,6 +15,9 @@ namespace mirocup::plugins {
 
 namespace {
 
+// Editors on Windows begin a text in UTF-8 with it, and Python skips it.
+constexpr std::string_view utf8_mark = "\xef\xbb\xbf";
+
 tl::unexpected<Error> no_entry(const std::string& path, const std::string& why) {
   return fail(Errc::input, path + ": " + why);
 }
@@ -56,7 +59,8 @@ bool SealedEntry::is_python() const {
   if (bytes_.find('\0') != std::string_view::npos) return false;
   for (std::size_t begin = 0; begin < bytes_.size();) {
     const std::size_t end = std::min(bytes_.find('\n', begin), bytes_.size());
-    const std::string_view line = bytes_.substr(begin, end - begin);
+    std::string_view line = bytes_.substr(begin, end - begin);
+    if (begin == 0 && line.starts_with(utf8_mark)) line.remove_prefix(utf8_mark.size());
     if (line.starts_with("from mirocup") || line.starts_with("import mirocup")) return true;
     begin = end + 1;
   }

@@ -16,6 +16,8 @@
 #include <functional>
 #include <iostream>
 #include <list>
+#include <set>
+#include <string>
 #include <unistd.h>
 
 namespace mirocup::app {
@@ -109,11 +111,13 @@ Result<DrillTeams> teams_of(const drills::Drill& drill, const std::string& team,
   teams.tested.info.parameters = drill.parameters;
   for (const auto& [name, value] : parameters) teams.tested.info.parameters[name] = value;
   auto opponent = choose(drill.opponent, drill.name + ": /opponent:");
-  if (!opponent) return tl::unexpected(opponent.error());
+  if (!opponent) {
+    return fail(opponent.error().code, drill.name + ": /opponent: " + opponent.error().what);
+  }
   teams.opponent = std::move(*opponent);
   if (drill.mates.empty()) return teams;
   auto mates = choose(drill.mates, drill.name + ": /mates:");
-  if (!mates) return tl::unexpected(mates.error());
+  if (!mates) return fail(mates.error().code, drill.name + ": /mates: " + mates.error().what);
   teams.mates = std::move(*mates);
   return teams;
 }
@@ -175,6 +179,22 @@ Result<DrillReport> test_team(const std::string& team, const std::vector<drills:
   return report;
 }
 
+// The files of tries are named after the team.
+Result<void> check_names(const DrillOptions& options) {
+  if (options.replay_folder.empty()) return {};
+  std::set<std::string> names;
+  for (const std::string& team : options.teams) {
+    const auto choice = choose(team, "TEAM");
+    if (!choice) return tl::unexpected(choice.error());
+    if (names.insert(choice->info.name).second) continue;
+    return fail(Errc::input, "TEAM " + team + ": there is another one called \"" +
+                                 choice->info.name +
+                                 "\", and one would overwrite the replays of the other: NAME=TEAM "
+                                 "gives it another name");
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<int> run_drill(const DrillOptions& options) {
@@ -187,6 +207,7 @@ Result<int> run_drill(const DrillOptions& options) {
   if (options.teams.empty()) return fail(Errc::input, "a team is needed: mirocup drill DRILL TEAM");
   const auto parameters = record::parameters_with_changes({}, options.parameters, "--param");
   if (!parameters) return tl::unexpected(parameters.error());
+  if (auto checked = check_names(options); !checked) return tl::unexpected(checked.error());
   if (auto made = make_folder(options.replay_folder); !made) return tl::unexpected(made.error());
 
   int all_tries = 0;

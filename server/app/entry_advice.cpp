@@ -28,8 +28,8 @@ bool has(const std::string& text, std::string_view part) {
 std::string advice_on_signal(const LastWords& words) {
   switch (words.signal) {
     case SIGILL:
-      return "it was built for a newer processor than this one: leave out -march=native, and build "
-             "it with -O2";
+      return "it was built for a newer processor than this one (leave out -march=native), or by "
+             "clang++ with a function that ends without its return: heed the warnings of -Wall";
     case SIGFPE:
       return std::string("an integer was divided by zero: ") + in_a_debugger;
     case SIGABRT:
@@ -118,6 +118,8 @@ std::string advice_on(const FaultEvidence& evidence) {
   const std::string& text = evidence.fault.text;
   switch (evidence.fault.code) {
     case FaultCode::no_load:
+      if (has(text, "undefined symbol: __ubsan_"))
+        return "it was built with -fsanitize=undefined by clang++: hand it in without";
       if (has(text, "undefined symbol"))
         return "a function of its own is missing: link the source or the library that defines it";
       if (has(text, "returned null")) return "create() has to return the team";
@@ -164,7 +166,11 @@ std::string advice_on_file(std::string_view bytes) {
   }};
   const auto* found = std::find_if(
       kinds.begin(), kinds.end(), [&](const auto& kind) { return starts_with(bytes, kind.first); });
-  return found == kinds.end() ? "" : found->second;
+  if (found != kinds.end()) return found->second;
+  const bool is_text = bytes.find('\0') == std::string_view::npos;
+  return is_text ? "it is a text and no library: hand in the .so that the build made, or a file of "
+                   "Python with the line \"from mirocup.team import Team\""
+                 : "";
 }
 
 std::string advice_on_missing_entry(std::string_view bytes) {

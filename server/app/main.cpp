@@ -4,6 +4,7 @@
 #include "server/app/command_line.hpp"
 #include "server/app/commands.hpp"
 #include "system/printable.hpp"
+#include "system/standard_output.hpp"
 
 #include <iostream>
 #include <string_view>
@@ -42,11 +43,14 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // `mirocup help league` is `mirocup league --help`, also for a command of another program.
-  if (argc == 3 && std::string_view(argv[1]) == "help") {
+  // `mirocup help league start` is `mirocup league start --help`, also for a command of another
+  // program.
+  if (argc > 2 && std::string_view(argv[1]) == "help") {
     char help[] = "--help";
-    char* asked[] = {argv[0], argv[2], help, nullptr};
-    return run(3, asked);
+    std::vector<char*> asked{argv[0]};
+    asked.insert(asked.end(), argv + 2, argv + argc);
+    asked.insert(asked.end(), {help, nullptr});
+    return system::after_standard_output(run(argc, asked.data()));
   }
-  return run(argc, argv);
+  return system::after_standard_output(run(argc, argv));
 }

@@ -579,9 +579,9 @@ void Session::report() const {
   }
   if (options_.calls) print_calls();
   const match::Outcome& r = match_.outcome();
-  std::cout << seats_[0].info().name << " (blue) " << r.score[0] << " : " << r.score[1] << " "
-            << seats_[1].info().name << " (yellow), " << to_string(r.kind) << " after "
-            << match_.tick() << " ticks";
+  std::cout << system::printable(seats_[0].info().name) << " (blue) " << r.score[0] << " : "
+            << r.score[1] << " " << system::printable(seats_[1].info().name) << " (yellow), "
+            << to_string(r.kind) << " after " << match_.tick() << " ticks";
   if (options_.hash) std::cout << ", state hash " << to_hex(match_.state_hash());
   std::cout << '\n';
   for (const match::TeamFault& f : r.faults) {
@@ -602,6 +602,9 @@ void Session::show_backtraces() const {
 // A leg that cannot be written should not be played first.
 Result<void> check_output(const MatchOptions& options) {
   if (options.record_path.empty()) return {};
+  if (std::error_code none; std::filesystem::is_directory(options.record_path, none)) {
+    return fail(Errc::unavailable, options.record_path + " cannot be written: it is a folder");
+  }
   const std::filesystem::path folder = std::filesystem::absolute(options.record_path).parent_path();
   if (access(folder.c_str(), W_OK) == 0) return {};
   return fail(Errc::unavailable, options.record_path + ": nothing can be written into " +

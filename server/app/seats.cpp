@@ -37,6 +37,10 @@ Result<TeamChoice> choose_team(const std::string& text) {
     choice.network_name = text.substr(dds_prefix.size());
     choice.info = {choice.network_name, record::TeamKind::dds, std::nullopt};
     if (choice.network_name.empty()) return fail(Errc::input, "dds: needs a name, as in dds:NAME");
+    if (choice.network_name.size() > dds::max_team_name) {
+      return fail(Errc::input, "\"" + text + "\": the name of a team on the network has at most " +
+                                   std::to_string(dds::max_team_name) + " bytes");
+    }
     return choice;
   }
   if (text.rfind(firasim_prefix, 0) == 0) {

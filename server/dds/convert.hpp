@@ -12,6 +12,9 @@
 
 namespace mirocup::dds {
 
+// The longest name of a team, bytes.
+inline constexpr std::size_t max_team_name = sizeof(mirocup_v3_Hello::name) - 1;
+
 // `robots`: of each team. `leg`: the number that the server drew for the leg.
 mirocup_v3_WorldState to_sample(const match::Snapshot& scene, int robots, std::uint64_t leg);
 match::Snapshot to_scene(const mirocup_v3_WorldState& sample);

@@ -56,9 +56,12 @@ Result<Domain> open_domain(const std::string& interface, const std::string& xml,
                 .number = number,
                 .credentials = credentials};
   const auto before = open_descriptors();
-  auto made = keep(opened.domain,
-                   created(dds_create_domain(static_cast<dds_domainid_t>(number), xml.c_str()),
-                           "the connection"));
+  const dds_entity_t domain = dds_create_domain(static_cast<dds_domainid_t>(number), xml.c_str());
+  if (domain == DDS_RETCODE_PRECONDITION_NOT_MET) {
+    return fail(Errc::input, "this process has a connection in DDS domain " +
+                                 std::to_string(number) + " already: close it first");
+  }
+  auto made = keep(opened.domain, created(domain, "the connection"));
   if (!made) return fail(made.error().code, made.error().what + opened.log->last_error_suffix());
   if (!interface.empty()) bind_to_interface(before, interface);
   return opened;

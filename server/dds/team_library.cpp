@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstdio>
+#include <cstring>
 #include <span>
 
 // The connection that a caller of the C interface holds.
@@ -132,6 +133,12 @@ mirocup_connection* mirocup_team_open(const mirocup_team_call* call, char* why, 
     errno = EINVAL;
     return nullptr;
   }
+  const std::size_t name_size = std::strlen(call->name);
+  if (name_size == 0 || name_size > dds::max_team_name) {
+    dds::put_why(why, size, "the name of a team has 1 to 64 bytes");
+    errno = EINVAL;
+    return nullptr;
+  }
   dds::JoinRequest c;
   if (call->server != nullptr) c.server = call->server;
   c.match_id = call->match;
@@ -141,6 +148,7 @@ mirocup_connection* mirocup_team_open(const mirocup_team_call* call, char* why, 
   if (call->size == sizeof *call) c.domain = call->domain;
   if (c.domain < dds::default_domain || c.domain > dds::last_domain) {
     dds::put_why(why, size, "DDS domain " + std::to_string(c.domain) + " does not exist: 0 to 230");
+    errno = EINVAL;
     return nullptr;
   }
   auto client = dds::TeamClient::open(c);

@@ -58,8 +58,9 @@ constexpr const char* no_access[] = {"open",   "access", "faccessat", "faccessat
                                      "getcwd", "socket", "socketpair"};
 constexpr const char* list_folder = "getdents64";
 constexpr const char* file_system = "statfs";  // some modules of Python ask for it
-constexpr const char* not_there[] = {"statx", "clone3", "membarrier", "set_mempolicy",
-                                     "get_mempolicy"};
+// OpenBLAS, which numpy loads, asks for memory near its processor and does without.
+constexpr const char* not_there[] = {"statx",         "clone3",        "membarrier",
+                                     "set_mempolicy", "get_mempolicy", "mbind"};
 constexpr const char* no_descriptors[] = {
     "dup",     "dup2",          "dup3",         "pipe",           "pipe2",        "eventfd2",
     "eventfd", "epoll_create1", "epoll_create", "timerfd_create", "inotify_init1"};

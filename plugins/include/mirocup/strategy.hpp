@@ -2,7 +2,8 @@
 //
 // A team in C++: derive a class from Team and export it.
 //
-//   class Mine : public mirocup::strategy::Team {
+//   using namespace mirocup::strategy;
+//   class Mine : public Team {
 //    public:
 //     using Team::Team;
 //     void decide(const Observation& now, Command& command) override {

@@ -12,6 +12,7 @@
 //         break;
 //       }
 //       case MIROCUP_TEAM_OVER:
+//       case MIROCUP_TEAM_REFUSED:
 //         return;
 //     }
 //   }
@@ -34,9 +35,9 @@ struct Call {
   std::string match;
   int team = MIROCUP_BLUE;
   std::string name;
-  std::string server;       // "": this host
-  int domain = 0;           // DDS domain
-  std::string credentials;  // "": open mode
+  std::string server = {};       // "": this host
+  int domain = 0;                // DDS domain
+  std::string credentials = {};  // "": open mode
 };
 
 class Connection {

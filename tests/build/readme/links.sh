@@ -4,7 +4,8 @@
 # Links in Markdown are alive and the index is complete. Fails on
 #   a relative link whose file is missing, or whose heading is missing;
 #   a page that docs/README.md does not link;
-#   a path in backquotes, in docs/changing.md or docs/algorithm.md, that is not in the tree.
+#   a path in backquotes, in docs/changing.md or docs/algorithm.md, that is not in the tree;
+#   a program of the tree that a line of code starts and that is not executable.
 # Usage: links.sh [ROOT]
 set -euo pipefail
 cd "${1:-$(dirname "$0")/../../..}"
@@ -54,5 +55,12 @@ for page in docs/changing.md docs/algorithm.md; do
     [[ -e $span ]] || complain "$page: no file $span"
   done < <(grep -oE '`(core|plugins|idl|server|tournaments|tests|docs|examples|cmake)/[^` {*]+`' "$page" | tr -d '`')
 done
+
+# Programs that a reader starts by typing their paths.
+while IFS= read -r page; do
+  while IFS= read -r file; do
+    [[ ! -f $file || -x $file ]] || complain "$page: $file is not executable"
+  done < <(awk '/^ *```/ { inside = !inside; next } inside { print $1 }' "$page" | grep / || true)
+done < <(pages)
 
 exit $bad

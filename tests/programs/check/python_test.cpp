@@ -67,6 +67,23 @@ TEST_F(PythonTeams, PlayTheSameLegInEachSandboxAndWithoutOne) {
   }
 }
 
+// An editor of Windows writes a mark before the first line.
+TEST_F(PythonTeams, PlayAsWindowsWritesThem) {
+  std::string text = team_that("return [(1, 1)] * 3");
+  for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 2))
+    text.insert(at, "\r");
+  const Outcome outcome = run({program("mirocup"), "match", "--blue", file("\xef\xbb\xbf" + text),
+                               "--yellow", "idle", "--half", "1"});
+  EXPECT_NE(outcome.out.find("full_time"), std::string::npos) << outcome.out << outcome.err;
+}
+
+TEST_F(PythonTeams, AreToldWhatTheFileLacks) {
+  const Outcome outcome =
+      run({program("mirocup"), "match", "--blue", file("x = 1\n"), "--yellow", "idle"});
+  EXPECT_NE(outcome.out.find("\"from mirocup.team import Team\""), std::string::npos)
+      << outcome.out;
+}
+
 TEST_F(PythonTeams, AreAcceptedWithTheirParametersAndPlaces) {
   const PythonJson report = check(
       import + std::string("class A(Team):\n"

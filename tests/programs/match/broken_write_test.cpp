@@ -42,6 +42,20 @@ bool is_there(const std::string& record) {
   return true;
 }
 
+// Catches marks or a table in a file that is cut off, with an exit code that says they are whole.
+TEST(BrokenWrite, OfTheAnswerIsNoSuccess) {
+  const auto shell = [](const std::string& words) {
+    return run({"/bin/bash", "-c", "set -o pipefail; " + program("mirocup") + " " + words});
+  };
+  for (const char* command : {"drill list", "help match", "league init --help"}) {
+    const Outcome full = shell(std::string(command) + " >/dev/full");
+    EXPECT_EQ(full.exit_code, 3) << command;
+    EXPECT_NE(full.err.find("standard output"), std::string::npos) << full.err;
+    EXPECT_EQ(shell(std::string(command) + " >&-").exit_code, 0) << command;
+    EXPECT_EQ(shell(std::string(command) + " | true").err, "") << command;
+  }
+}
+
 TEST(BrokenWrite, KillLeavesTheWholeRecordOrNone) {
   const auto begin = std::chrono::steady_clock::now();
   {

@@ -109,6 +109,13 @@ TEST(DrillCommand, SaysWhatIsWrong) {
   const Outcome bad = drill({folder / "bad.json", "idle"});
   EXPECT_EQ(bad.exit_code, 2);
   EXPECT_NE(bad.err.find("bad.json: /title"), std::string::npos) << bad.err;
+  std::ofstream(folder / "alone.json")
+      << R"({"schema": "mirocup/drill/1", "title": "a", "seconds": 1, "opponent": "nobody",
+             "success": [{"event": "goal"}]})";
+  const Outcome alone = drill({folder / "alone.json", "idle"});
+  EXPECT_EQ(alone.exit_code, 2);
+  EXPECT_NE(alone.err.find("alone: /opponent: \"nobody\" is neither"), std::string::npos)
+      << alone.err;
 }
 
 }  // namespace

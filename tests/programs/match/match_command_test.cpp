@@ -137,6 +137,13 @@ TEST(MatchCommand, GivesEachTeamItsParameters) {
   EXPECT_EQ(plain.err, "team 0 turns at 3\n");
 }
 
+// Catches a name that moves the cursor or adds a line.
+TEST(MatchCommand, EscapesTheNamesThatItPrints) {
+  const std::string out =
+      run(match("idle", "idle", {"--half", "1", "--blue-name", "a\x1b[31m\nb"})).out;
+  EXPECT_EQ(out.rfind("a\\x1b[31m\\x0ab (blue)", 0), 0u) << out;
+}
+
 TEST(MatchCommand, NamesTheArgumentThatIsWrong) {
   const auto fails = [](const std::vector<std::string>& words, const std::string& text) {
     const Outcome outcome = run(words);

@@ -48,6 +48,18 @@ TEST(WrongLines, AreAnsweredWithOneSentenceThatSaysWhatToType) {
   EXPECT_GE(count, 100);
 }
 
+// Catches the help of a whole program where that of one of its commands was asked for.
+TEST(WrongLines, HelpExplainsACommandOfALeague) {
+  const auto help = [](std::vector<std::string> words) {
+    words.insert(words.begin(), {test_support::program("mirocup"), "help"});
+    return test_support::run(words).out;
+  };
+  EXPECT_NE(help({"league", "status"}).find("mirocup league status [OPTIONS] DIR"),
+            std::string::npos);
+  EXPECT_NE(help({"league"}).find("mirocup league [OPTIONS] COMMAND"), std::string::npos);
+  EXPECT_NE(help({"match"}).find("mirocup match [OPTIONS]"), std::string::npos);
+}
+
 // Catches a completion that does not know a command, a value or a house team, and a page of the
 // manual that is missing.
 TEST(WrongLines, CompletionAndManualKnowWhatTheHelpKnows) {

@@ -150,6 +150,7 @@ inline const std::vector<Kind> kinds{
     {"call_bpf", "illegal_call: bpf", ""},
     {"call_userfaultfd", "illegal_call: userfaultfd", ""},
     {"call_keyctl", "illegal_call: keyctl", ""},
+    {"call_mbind", "plays", ""},
     {"call_mount", "illegal_call: mount", ""},
     {"call_unknown", "illegal_call: 9999", ""},
     {"call_32_bit", "illegal_call|crash: signal 11", ""},  // kernels without 32-bit calls

@@ -525,7 +525,7 @@ TEST(Training, RefusesWhatItDoesNotUnderstand) {
   EXPECT_EQ(mirocup_training_record(batch.get(), 0, MIROCUP_CURRENT_EPISODE, "/nowhere/x.json"), 3);
 }
 
-// Catches numbers from outside that get into the physics.
+// Catches numbers from outside that get into the physics, or into the rewards.
 TEST(Training, ActionsMayBeAnything) {
   BatchOfMatches batch(kind("both_teams", 1, 1));
   ASSERT_EQ(batch.reset(1), 0);
@@ -533,6 +533,8 @@ TEST(Training, ActionsMayBeAnything) {
     std::fill(batch.actions.begin(), batch.actions.end(), wild);
     for (int i = 0; i < 20; ++i) ASSERT_EQ(mirocup_training_step(batch.get()), 0);
     for (const float o : batch.observations) EXPECT_LE(std::abs(o), 5.0F);
+    for (const float r : batch.rewards) EXPECT_TRUE(std::isfinite(r)) << wild;
+    for (const float t : batch.terms) EXPECT_TRUE(std::isfinite(t)) << wild;
   }
 }
 

@@ -542,7 +542,7 @@ def _load(source, name):
     import linecache
     import sys
     import types
-    text = source.decode("utf-8")
+    text = source.decode("utf-8-sig")  # with or without the mark that editors on Windows put first
     linecache.cache[name] = (len(text), None, text.splitlines(True), name)
     module = types.ModuleType("__team__")
     module.__file__ = name
