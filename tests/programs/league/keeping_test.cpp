@@ -165,6 +165,21 @@ TEST(FullDisk, StopsALeagueAtOnceAndSaysSo) {
   EXPECT_EQ(umount(disk.c_str()), 0);
 }
 
+// A check that goes on, or was killed, used to be called a refusal.
+TEST(Teams, AreNotRefusedBeforeTheirCheckHasEnded) {
+  const TemporaryFolder temporary;
+  const std::string folder = temporary / "l";
+  init_league(folder, {"a=house:chaser", "b=house:keeper"});
+  test_support::Running check(league("submit", folder, {"a", test_support::house("striker")}));
+  ASSERT_TRUE(test_support::wait_until([&] { return fs::exists(folder + "/entries/a/2"); }));
+  check.signal(SIGKILL);
+  check.wait();
+  ASSERT_FALSE(fs::exists(folder + "/entries/a/2/entry.json")) << "it was too quick";
+  const Outcome outcome = run(league("status", folder, {"--entries"}));
+  EXPECT_NE(outcome.out.find("a: not checked to the end, "), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("refused"), std::string::npos) << outcome.out;
+}
+
 TEST(Teams, HaveAClassListWithAFirstLine) {
   const TemporaryFolder temporary;
   init_league(temporary / "l", {"a=house:chaser", "b=house:keeper"});
