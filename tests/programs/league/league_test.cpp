@@ -287,6 +287,37 @@ TEST(League, PublishesRoundsThroughTheOneAskedFor) {
   EXPECT_EQ(names("records"), (std::set<std::string>{"r1-f1-1-1.json", "r1-f1-1-1.replay.zst",
                                                      "r1-f1-2-1.json", "r1-f1-2-1.replay.zst"}));
   EXPECT_EQ(names("site/replays"), (std::set<std::string>{"r1-f1-1-1.html", "r1-f1-2-1.html"}));
+
+  // A later round, and then the first one alone again: nothing of the later one is left.
+  const auto before = test_support::site_of(shown);
+  const auto records = names("records");
+  ASSERT_EQ(run(league("publish", folder, {"--through", "r2", "-o", shown})).exit_code, 0);
+  EXPECT_NE(names("records"), records);
+  ASSERT_EQ(run(league("publish", folder, {"--through", "r1", "-o", shown})).exit_code, 0);
+  EXPECT_EQ(test_support::site_of(shown), before);
+  EXPECT_EQ(names("records"), records);
+}
+
+// Pages of a round that was shown by mistake used to stay under names that everybody can guess.
+TEST(League, KeepsNoPagesOfRoundsThatAreNotReleasedAnyMore) {
+  const TemporaryFolder temporary;
+  const std::string folder = temporary / "l";
+  test_support::init_league(folder, {"a=house:chaser", "b=house:keeper", "c=house:idle"});
+  ASSERT_EQ(run(league("start", folder)).exit_code, 0);
+  const auto all = test_support::site_of(folder);
+  const auto release = [&](std::vector<std::string> what) {
+    what.insert(what.end(), {"--reason", "x"});
+    EXPECT_EQ(run(league("release", folder, what)).exit_code, 0);
+    EXPECT_EQ(run(league("publish", folder)).exit_code, 0);
+    return test_support::site_of(folder);
+  };
+  const auto first = release({"--level", "teams", "--through", "r1"});
+  for (const std::string name : {"replays/r2-f1-1-1.html", "statistics/r2-f1-1-1.json"}) {
+    EXPECT_TRUE(all.contains(name)) << name;
+    EXPECT_FALSE(first.contains(name)) << name;
+  }
+  EXPECT_TRUE(first.contains("replays/r1-f1-1-1.html"));
+  EXPECT_TRUE(release({"--level", "all"}).contains("replays/r2-f1-1-1.html"));
 }
 
 TEST(League, MakesItsPagesAgainWithTheSameBytes) {
