@@ -15,8 +15,11 @@
 #include "server/record/pitch_json.hpp"
 #include "system/files.hpp"
 
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <iostream>
+#include <unistd.h>
 
 namespace mirocup::app {
 
@@ -28,9 +31,29 @@ Result<void> write_page(const std::string& path, const std::string& page) {
   return disk.write(path, page);
 }
 
+// A minute of computing should not end with a file that cannot be written, nor with one that takes
+// the place of what it was computed from.
+Result<void> check_output(const std::string& path, const std::vector<std::string>& inputs) {
+  namespace fs = std::filesystem;
+  if (path.empty()) return {};
+  std::error_code none;
+  for (const std::string& input : inputs) {
+    if (fs::weakly_canonical(fs::absolute(input), none) ==
+        fs::weakly_canonical(fs::absolute(path), none))
+      return fail(Errc::input, path + " is read: it cannot be written, too");
+  }
+  if (fs::is_directory(path, none)) return fail(Errc::input, path + " is a folder");
+  const fs::path folder = fs::absolute(path).parent_path();
+  if (access(folder.c_str(), W_OK) == 0) return {};
+  return fail(Errc::unavailable, path + ": nothing can be written into " + folder.string() + ": " +
+                                     std::strerror(errno));
+}
+
 }  // namespace
 
 Result<int> run_record_as_seen(const RecordAsSeenOptions& options) {
+  if (auto good = check_output(options.output, {options.record}); !good)
+    return tl::unexpected(good.error());
   system::Disk disk;
   const auto record = record::load(disk, options.record);
   if (!record) return tl::unexpected(record.error());
@@ -50,6 +73,10 @@ Result<int> run_record_as_seen(const RecordAsSeenOptions& options) {
 }
 
 Result<int> run_identify(const IdentifyOptions& options) {
+  for (const std::string& path : {options.output, options.page}) {
+    if (auto good = check_output(path, options.recordings); !good)
+      return tl::unexpected(good.error());
+  }
   const auto start = record::pitch_of_option(options.pitch);
   if (!start) return tl::unexpected(start.error());
   const auto recordings = pitch::read_recordings(options.recordings);

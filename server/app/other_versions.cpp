@@ -9,6 +9,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <utility>
 
 namespace mirocup::app {
 
@@ -21,12 +24,28 @@ constexpr const char* shared_versions = "/opt/mirocup";
 // Set in the environment of a version that another one asks.
 constexpr const char* is_asked = "MIROCUP_IS_ASKED";
 
-void add_program(const fs::path& folder, std::vector<std::string>& found) {
+enum class Trust {
+  whoever,        // wrote it: the host has named the folder
+  who_wrote_this  // program, this user, or root: beside a prefix /usr there is /tmp
+};
+
+// True if nobody else could have put the file or the folder there.
+bool is_ours(const fs::path& path) {
+  struct stat about {};
+  struct stat self {};
+  if (stat(path.c_str(), &about) != 0 || stat("/proc/self/exe", &self) != 0) return false;
+  const bool is_known =
+      about.st_uid == 0 || about.st_uid == geteuid() || about.st_uid == self.st_uid;
+  return is_known && (about.st_mode & S_IWOTH) == 0;
+}
+
+void add_program(const fs::path& folder, Trust trust, std::vector<std::string>& found) {
   std::error_code none;
   for (const fs::path& program : {folder / "bin" / "mirocup", folder / "mirocup"}) {
     const fs::path real = fs::canonical(program, none);
     if (none || !fs::is_regular_file(real, none) || real == fs::read_symlink("/proc/self/exe"))
       continue;
+    if (trust != Trust::whoever && !(is_ours(real) && is_ours(real.parent_path()))) continue;
     if (std::find(found.begin(), found.end(), real) == found.end()) found.push_back(real);
   }
 }
@@ -38,16 +57,17 @@ std::vector<std::string> other_versions() {
   if (const char* named = std::getenv("MIROCUP_VERSIONS")) {
     std::istringstream folders(named);
     for (std::string folder; std::getline(folders, folder, ':');) {
-      if (!folder.empty()) add_program(folder, found);
+      if (!folder.empty()) add_program(folder, Trust::whoever, found);
     }
   }
-  for (const fs::path& all :
-       {fs::path(shared_versions), fs::path(system::team_kit().prefix).parent_path()}) {
+  const fs::path beside = fs::path(system::team_kit().prefix).parent_path();
+  for (const auto& [all, trust] : {std::pair(fs::path(shared_versions), Trust::whoever),
+                                   std::pair(beside, Trust::who_wrote_this)}) {
     std::vector<fs::path> folders;
     std::error_code none;
     for (const auto& folder : fs::directory_iterator(all, none)) folders.push_back(folder.path());
     std::sort(folders.rbegin(), folders.rend());  // new ones first
-    for (const fs::path& folder : folders) add_program(folder, found);
+    for (const fs::path& folder : folders) add_program(folder, trust, found);
   }
   return found;
 }

@@ -9,7 +9,9 @@
 namespace mirocup::app {
 
 // Returns the paths of their programs: those in the folders of $MIROCUP_VERSIONS, in
-// /opt/mirocup/*/bin, and beside the prefix of this program. This program is not among them.
+// /opt/mirocup/*/bin, and beside the prefix of this program. This program is not among them. Beside
+// the prefix only those count which nobody could put there but root, this user and the owner of
+// this program.
 std::vector<std::string> other_versions();
 
 // Returns the first of them that reproduces the record; "" if none does.

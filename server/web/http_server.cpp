@@ -228,6 +228,12 @@ std::string why_not_bound(int port) {
 HttpServer::HttpServer() {
   server_.new_task_queue = [] { return new httplib::ThreadPool(max_viewers + page_threads); };
   server_.set_payload_max_length(max_body);
+  // The library's own choice, SO_REUSEPORT, lets a second server take half of the viewers of the
+  // first one.
+  server_.set_socket_options([](socket_t listening) {
+    const int yes = 1;  // a port whose last connections are just ending may be taken
+    setsockopt(listening, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+  });
   server_.set_default_headers(
       {{"Cache-Control", "no-store"}, {"X-Content-Type-Options", "nosniff"}});
 }

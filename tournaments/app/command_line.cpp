@@ -34,10 +34,19 @@ struct Subcommand {
   std::shared_ptr<Options> options;
 };
 
+// An empty name, as of a variable of the shell that is not set, would stand for the folder "/".
+CLI::Validator a_folder() {
+  return {
+      [](const std::string& text) { return text.empty() ? "\"\" names no folder" : std::string(); },
+      "DIR"};
+}
+
 // The first argument of all subcommands but compare, which needs no league.
 template <class Options>
 void add_folder(const Subcommand<Options>& command) {
-  command->add_option("DIR", command.options->folder, "the league's folder")->required();
+  command->add_option("DIR", command.options->folder, "the league's folder")
+      ->required()
+      ->check(a_folder());
 }
 
 using LeagueSubcommand = Subcommand<LeagueOptions>;
@@ -60,7 +69,9 @@ void add_init(CLI::App& app, Action& action) {
       ->add_option("--format", o.format, "the format of the schedule (default: double_round_robin)")
       ->check(CLI::IsMember(formats))
       ->excludes("--config");
-  command->add_option("--half", o.half_s, "seconds of a half")->excludes("--config");
+  command->add_option("--half", o.half_s, "seconds of a half")
+      ->check(CLI::Range(min_half_s, max_half_s))
+      ->excludes("--config");
   command->add_option("--seed", o.seed, "seed of all random draws")
       ->check(CLI::Validator(system::problem_with_seed, "SEED"))
       ->excludes("--config");
@@ -185,8 +196,10 @@ void add_running(CLI::App& app, Action& action) {
 
   LeagueSubcommand pages(app, action, "publish", "Make the pages", run_publish);
   add_folder(pages);
-  CLI::Option* output = pages->add_option("-o,--output", pages.options->output,
-                                          "the folder for the pages of --through");
+  CLI::Option* output = pages
+                            ->add_option("-o,--output", pages.options->output,
+                                         "the folder for the pages of --through")
+                            ->check(a_folder());
   output->needs(pages
                     ->add_option("--through", pages.options->through,
                                  "leave out all rounds after this one: r3, or k1 of a knockout")
@@ -234,7 +247,8 @@ void add_running(CLI::App& app, Action& action) {
   add_folder(files);
   files->add_option("-o,--output", files.options->output, "the folder for them")
       ->default_str("export")
-      ->default_val("export");
+      ->default_val("export")
+      ->check(a_folder());
   files
       ->add_option("--drills", files.options->drills,
                    "marks of the teams, from mirocup drill --csv: adds grades.csv")
@@ -392,7 +406,8 @@ void add_keeping(CLI::App& app, Action& action) {
                                    "Copy the league; it may be played meanwhile", run_backup);
   add_folder(backup);
   backup->add_option("TO", backup.options->to, "a new folder, or one with an earlier copy")
-      ->required();
+      ->required()
+      ->check(a_folder());
 
   LeagueSubcommand grades(app, action, "grades", "Print what a lecturer grades by, as CSV",
                           run_grades);
@@ -442,7 +457,8 @@ void add_compare(CLI::App& app, Action& action) {
   command->add_option("--league", o.league, "small (3 a side), middle (5), large (11)")
       ->check(CLI::IsMember({"small", "middle", "large"}))
       ->capture_default_str();
-  command->add_option("--half", r.half_s, "seconds of a half")->check(CLI::Range(0.1, 36000.0));
+  command->add_option("--half", r.half_s, "seconds of a half")
+      ->check(CLI::Range(min_half_s, max_half_s));
   command
       ->add_option("--conditions", r.conditions, "exact, hall or camera (default: as in a match)")
       ->check(CLI::IsMember({"exact", "hall", "camera"}));
@@ -481,7 +497,8 @@ void add_tune(CLI::App& app, Action& action) {
   command->add_option("--league", o.league, "small (3 a side), middle (5), large (11)")
       ->check(CLI::IsMember({"small", "middle", "large"}))
       ->capture_default_str();
-  command->add_option("--half", o.run.half_s, "seconds of a half")->check(CLI::Range(0.1, 36000.0));
+  command->add_option("--half", o.run.half_s, "seconds of a half")
+      ->check(CLI::Range(min_half_s, max_half_s));
   command
       ->add_option("--conditions", o.run.conditions,
                    "exact, hall or camera (default: as in a match)")

@@ -29,6 +29,12 @@ namespace mirocup::league {
 
 namespace {
 
+// Returns the last part of the path of a folder, which may be written as "." or end in a slash.
+std::string name_of_folder(const std::string& path) {
+  const auto whole = std::filesystem::absolute(path).lexically_normal();
+  return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+}
+
 Result<LeagueFile> file_from(system::Files& files, const LeagueOptions& options) {
   if (!options.config.empty()) {
     const auto text = files.read(options.config, {.max_size = system::size_limit::league_file,
@@ -51,7 +57,7 @@ Result<LeagueFile> file_from(system::Files& files, const LeagueOptions& options)
   }
   LeagueFile file;
   file.seed = options.seed;
-  file.title = std::filesystem::path(options.folder).filename().string();
+  file.title = name_of_folder(options.folder);
   if (!options.format.empty()) file.format.kind = *from_string<FormatKind>(options.format);
   if (file.format.kind == FormatKind::swiss)
     file.tie_breaks.insert(file.tie_breaks.begin(), TieBreak::opponents_points);
@@ -159,6 +165,8 @@ Result<int> run_start(const LeagueOptions& options) {
 // Asks the process that plays the league to stop. The lock on the file tells whether there is one.
 Result<int> run_stop(const LeagueOptions& options) {
   const Folder folder{options.folder};
+  system::Disk disk;
+  if (const auto there = expect_league(disk, folder); !there) return tl::unexpected(there.error());
   // A second SIGINT could merge with the first, so the second request is another signal.
   std::vector<int> signals{SIGINT};
   if (options.now) signals.push_back(SIGTERM);
@@ -205,6 +213,10 @@ Result<int> run_publish(const LeagueOptions& options) {
   if (!store) return tl::unexpected(store.error());
   // site/ has what is released, so the pages of other rounds go to another folder.
   const Folder folder{options.through.empty() ? options.folder : options.output};
+  if (!options.through.empty() && disk.exists(folder.config()))
+    return fail(Errc::input, "--output " + folder.path +
+                                 " is a league, whose records and pages would be replaced: name a "
+                                 "folder for the pages alone");
   auto published =
       options.through.empty()
           ? publish_league(disk, folder)

@@ -89,8 +89,12 @@ Result<int> enter_program(system::Files& files, const SubmitOptions& options) {
 
 Result<int> run_submit(const SubmitOptions& options) {
   system::Disk disk;
+  if (options.inbox.empty() && options.file.empty())
+    return fail(Errc::input, "TEAM and FILE are expected, or --inbox DIR");
+  // Before anything is locked there, and although an inbox may be empty.
+  if (const auto there = expect_league(disk, Folder{options.folder}); !there)
+    return tl::unexpected(there.error());
   if (!options.inbox.empty()) return collect(disk, options);
-  if (options.file.empty()) return fail(Errc::input, "TEAM and FILE are expected, or --inbox DIR");
   if (options.file.starts_with(TeamConfig::firasim_prefix)) return enter_program(disk, options);
   if (!options.run.empty() || options.lockstep) {
     return fail(Errc::input, std::string(options.run.empty() ? "--lockstep" : "--run") +

@@ -115,7 +115,7 @@ Result<void> read_class_list(const std::string& text, const std::string& path,
                              PeopleOfTeams& people) {
   std::size_t begin = 0;
   std::size_t columns = 0;
-  for (int number = 1; begin < text.size(); ++number) {
+  for (int number = 1; number == 1 || begin < text.size(); ++number) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
     std::string line = text.substr(begin, end - begin);
     begin = end + 1;

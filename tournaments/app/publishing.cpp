@@ -12,7 +12,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <iostream>
+#include <vector>
 
 namespace mirocup::league {
 
@@ -50,6 +52,17 @@ Result<void> publish_site(system::Files& files, const Folder& folder, const Leag
   for (const std::string& name : site.names()) {
     if (auto written = files.write(folder.site() + "/" + name, *site.file(name)); !written)
       return written;
+  }
+  // Rounds that are not shown any more, and teams that joined after those that are.
+  const std::vector<std::string> made = site.names();
+  for (const std::string part : {"rounds/", "teams/"}) {
+    const auto names = files.names_in(folder.site() + "/" + part);
+    if (!names) return tl::unexpected(names.error());
+    for (const std::string& name : *names) {
+      if (std::find(made.begin(), made.end(), part + name) != made.end()) continue;
+      if (name.find(".unfinished-") != std::string::npos) continue;
+      if (auto removed = files.remove(folder.site() + "/" + part + name); !removed) return removed;
+    }
   }
   if (*failed > 0) {
     std::cerr << "mirocup: " << *failed

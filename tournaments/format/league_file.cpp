@@ -164,6 +164,14 @@ std::string read_time(const JsonReader& json, const LeagueFile& file) {
   return time.value_or("");
 }
 
+// A leg without a time to play would never end, and one of no time has no football.
+referee::Rules read_rules_of(const JsonReader& json, League league) {
+  const referee::Rules rules = record::read_rules(json, league);
+  if (json.has("half_s") && !(rules.half_s >= min_half_s && rules.half_s <= max_half_s))
+    json.at("half_s").complain("a half of a league has 0.1 to 36000 seconds");
+  return rules;
+}
+
 Points read_points(const JsonReader& json) {
   json.expect_object({"win", "draw", "loss"});
   Points points;
@@ -182,7 +190,7 @@ LeagueFile read_league(const JsonReader& json) {
   json.read_if_present("title", file.title);
   if (json.has("format")) file.format = read_format(json.at("format"));
   json.read_if_present("league", file.league);
-  if (json.has("rules")) file.rules = record::read_rules(json.at("rules"), file.league);
+  if (json.has("rules")) file.rules = read_rules_of(json.at("rules"), file.league);
   if (json.has("conditions")) file.conditions = record::read_conditions(json.at("conditions"));
   if (json.has("pitch")) file.pitch = record::read_pitch(json.at("pitch"));
   json.read_if_present("seed", file.seed);

@@ -243,7 +243,7 @@ void attention(Html& html, const std::vector<RosterRow>& rows) {
   for (const RosterRow& row : rows) {
     if (row.status == TeamStatus::withdrawn) continue;
     if (row.last_entry == 0 && row.handed_in.empty()) missing.push_back(row.team);
-    if (!row.handed_in.empty() && !row.was_accepted) refused.push_back(row.team);
+    if (!row.handed_in.empty() && !row.was_accepted && row.has_ended) refused.push_back(row.team);
     for (const std::string& other : row.same_as) {
       if (row.team < other) same.push_back(row.team + " and " + other);
     }

@@ -3,6 +3,7 @@
 
 #include "server/record/json_reader.hpp"
 #include "system/digest.hpp"
+#include "system/file_lock.hpp"
 #include "system/locations.hpp"
 
 #include <nlohmann/json.hpp>
@@ -32,6 +33,14 @@ std::vector<int> numbers_in(system::Files& files, const Folder& folder, const st
 }
 
 }  // namespace
+
+Result<void> expect_league(system::Files& files, const Folder& folder) {
+  if (files.exists(folder.config())) return {};
+  // A folder that is closed to this user hides its league.json.
+  if (const auto names = files.names_in(folder.path); !names && files.exists(folder.path))
+    return tl::unexpected(names.error());
+  return fail(Errc::input, folder.path + " is not a league: there is no league.json in it");
+}
 
 Result<std::string> library_of(system::Files& files, const TeamConfig& team,
                                const std::string& base) {
@@ -147,6 +156,10 @@ Result<void> init_folder(system::Files& files, const Folder& folder, const Leagu
     if (auto library = library_of(files, team); !library) return tl::unexpected(library.error());
   }
   if (auto made = files.make_folder(folder.path + "/records"); !made) return made;
+  // Another process may make a league there at the same time.
+  const auto lock = system::FileLock::acquire(folder.lock());
+  if (!lock) return tl::unexpected(lock.error());
+  if (files.exists(folder.config())) return fail(Errc::input, folder.path + " is a league already");
   for (const TeamConfig& team : file.teams) {
     if (team.hands_in()) continue;
     const auto library = library_of(files, team);

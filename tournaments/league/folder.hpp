@@ -94,6 +94,10 @@ struct Folder {
   std::string site() const { return path + "/site"; }
 };
 
+// Errors: Errc::input if there is no league in the folder, Errc::unavailable if this user may not
+// look into it.
+Result<void> expect_league(system::Files& files, const Folder& folder);
+
 // Creates the folder with this league.json and with every team's library as its entry 1. A folder
 // that holds a league already is refused (Errc::input).
 Result<void> init_folder(system::Files& files, const Folder& folder, const LeagueFile& file);

@@ -24,9 +24,7 @@ Result<LeagueStore> LeagueStore::open_unplanned(system::Files& files, Folder fol
 // A league that has not started is not planned yet.
 Result<LeagueStore> LeagueStore::load(system::Files& files, Folder folder, std::string* notice,
                                       Clock clock) {
-  if (!files.exists(folder.config())) {
-    return fail(Errc::input, folder.path + " is not a league: there is no league.json in it");
-  }
+  if (const auto there = expect_league(files, folder); !there) return tl::unexpected(there.error());
   const auto text = files.read(folder.config(), {.max_size = system::size_limit::league_file,
                                                  .links = system::Links::followed});
   if (!text) return tl::unexpected(text.error());

@@ -28,6 +28,7 @@ std::string sha256_of_entry(system::Files& files, const Folder& folder, const st
 
 std::string RosterRow::state() const {
   if (handed_in.empty()) return last_entry > 0 ? "given by the host" : "nothing handed in";
+  if (!has_ended) return "not checked to the end";
   return was_accepted ? "accepted" : "refused";
 }
 
@@ -70,6 +71,8 @@ Result<std::vector<RosterRow>> roster(system::Files& files, const LeagueStore& s
     row.handed_in = utc_text(last.at);
     row.was_accepted = last.is_accepted;
     row.message = last.message;
+    row.has_ended = last.is_accepted || last.entry == 0 ||
+                    files.exists(folder.entry_file(row.team, last.entry));
   }
   for (const auto& [sha256, same] : by_file) {
     for (const std::size_t one : same) {

@@ -24,11 +24,12 @@ struct RosterRow {
   int last_entry = 0;     // of the last entry that is kept
   std::string handed_in;  // when it last handed in, UTC; "": never, or the host gave the library
   bool was_accepted = false;         // the last try
+  bool has_ended = true;             // false: its check goes on, or was broken off
   std::string message;               // what was answered to it
   std::string sha256;                // of that entry; ""
   std::vector<std::string> same_as;  // other teams whose entry is the same file
 
-  // One word: "nothing handed in", "accepted", "refused" or "given by the host".
+  // "nothing handed in", "accepted", "refused", "not checked to the end" or "given by the host".
   std::string state() const;
 };
 

@@ -69,6 +69,8 @@ Result<void> book_entries(system::Files& files, LeagueStore& store) {
 }  // namespace
 
 Result<void> start_league(system::Files& files, LeagueStore& store) {
+  // A folder that is empty gets lost when a league is kept in git or packed by some programs.
+  if (auto made = files.make_folder(store.folder().path + "/records"); !made) return made;
   if (auto started = write_start(files, store); !started) return started;
   return book_entries(files, store);
 }

@@ -380,7 +380,7 @@ void Desk::note_try(const Found& found) {
                    .user = found.user,
                    .entry = number_,
                    .is_accepted = false,
-                   .message = "not looked at to the end"});
+                   .message = team() + ": not looked at to the end"});
 }
 
 Result<std::optional<Submission>> Desk::receive(const Found& found) {

@@ -27,10 +27,7 @@ class Backup {
       : files_(files), from_(from), to_(to) {}
 
   Result<BackupCount> run() {
-    std::error_code ignored;
-    const bool is_empty = !fs::exists(to_.path, ignored) || fs::is_empty(to_.path, ignored);
-    if (!is_empty && !files_.exists(to_.config()))
-      return fail(Errc::input, to_.path + " is neither empty nor a copy of a league");
+    if (const std::string why = objection_to_place(); !why.empty()) return fail(Errc::input, why);
     // Read before everything that they name.
     std::map<std::string, std::string> journals;
     for (const std::string& path : {from_.journal(), from_.hand_in_book()}) {
@@ -42,6 +39,8 @@ class Backup {
       text->resize(text->rfind('\n') == std::string::npos ? 0 : text->rfind('\n') + 1);
       journals[fs::path(path).filename()] = std::move(*text);
     }
+    if (auto same = expect_earlier(journals["journal.jsonl"]); !same)
+      return tl::unexpected(same.error());
     if (auto copied = folder("", "journal.jsonl", "hand-ins.jsonl"); !copied)
       return tl::unexpected(copied.error());
     for (const auto& [name, text] : journals) {
@@ -55,6 +54,32 @@ class Backup {
   }
 
  private:
+  // Returns why the copy cannot be there; "" if it can. In the league's own folder the journal of a
+  // moment ago would replace the present one, and each copy would have all earlier ones in it.
+  std::string objection_to_place() const {
+    std::error_code none;
+    const fs::path league = fs::weakly_canonical(fs::absolute(from_.path), none);
+    const fs::path copy = fs::weakly_canonical(fs::absolute(to_.path), none);
+    const auto [end, same] = std::mismatch(league.begin(), league.end(), copy.begin(), copy.end());
+    if (end == league.end()) return to_.path + " is in the folder of the league itself";
+    const bool is_empty = !fs::exists(to_.path, none) || fs::is_empty(to_.path, none);
+    if (!is_empty && !files_.exists(to_.config()))
+      return to_.path + " is neither empty nor a copy of a league";
+    return "";
+  }
+
+  // An earlier copy knows the beginning of what this league has decided, and nothing else.
+  Result<void> expect_earlier(const std::string& journal) const {
+    if (!files_.exists(to_.journal())) return {};
+    const auto there = files_.read(to_.journal(), {.max_size = system::size_limit::journal,
+                                                   .growth = system::Growth::ignored});
+    if (!there) return tl::unexpected(there.error());
+    if (journal.starts_with(*there)) return {};
+    return fail(Errc::input, to_.path +
+                                 " is another league, or a copy that was played on: its journal is "
+                                 "no beginning of this one; name a new folder");
+  }
+
   // Copies a folder of the league, `inside` (""; or with its slash at the end).
   Result<void> folder(const std::string& inside, std::string_view skipped = "",
                       std::string_view skipped_too = "") {

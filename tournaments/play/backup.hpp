@@ -19,7 +19,8 @@ struct BackupCount {
 
 // Copies a league to a folder that is new or holds an earlier copy of it. Pages (`site`), locks and
 // files that are arriving are left out. After an error, or if this process dies, an earlier copy is
-// as whole as before. Errors: Errc::input if the folder holds something else.
+// as whole as before. Errors: Errc::input if the folder holds something else, another league or a
+// copy that has decided something by itself, or is inside the league's own folder.
 Result<BackupCount> back_up(system::Files& files, const Folder& from, const Folder& to);
 
 }  // namespace mirocup::league

@@ -8,6 +8,7 @@
 #include "tournaments/publish/replay_nav.hpp"
 
 #include <filesystem>
+#include <set>
 
 namespace mirocup::league {
 
@@ -130,6 +131,26 @@ Result<void> link_pages(system::Files& files, const Folder& folder, const Overvi
   return {};
 }
 
+// Removes what was made of other legs: those of rounds that are not shown any more. What another
+// process is writing stays.
+Result<void> remove_other_pages(system::Files& files, const Folder& folder,
+                                const LeagueState& state) {
+  std::set<std::string> shown;
+  for (const FixtureState& f : state.fixtures) {
+    for (const std::string& record : records_of(files, folder, f))
+      shown.insert({replay_page_of(record), statistics_file_of(record)});
+  }
+  for (const std::string part : {"replays/", "statistics/"}) {
+    const auto names = files.names_in(folder.site() + "/" + part);
+    if (!names) continue;  // not made yet
+    for (const std::string& name : *names) {
+      if (shown.contains(part + name) || name.find(".unfinished-") != std::string::npos) continue;
+      if (auto removed = files.remove(folder.site() + "/" + part + name); !removed) return removed;
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string replay_page_of(const std::string& record) {
@@ -138,6 +159,8 @@ std::string replay_page_of(const std::string& record) {
 
 Result<int> make_replay_pages(system::Files& files, const Folder& folder, const Overview& overview,
                               int jobs) {
+  if (const auto removed = remove_other_pages(files, folder, overview.state); !removed)
+    return tl::unexpected(removed.error());
   const auto failed = make_missing_pages(files, folder, overview.state, jobs);
   if (!failed) return failed;
   if (const auto linked = link_pages(files, folder, overview); !linked)

@@ -17,8 +17,9 @@ namespace mirocup::league {
 // Returns the path inside site/ of the page of a record ("records/x.json").
 std::string replay_page_of(const std::string& record);
 
-// Makes the missing pages, `jobs` at once (0: one for each processor). Returns the number of pages
-// that could not be made, which does not keep a league from being published.
+// Makes the missing pages, `jobs` at once (0: one for each processor), and removes those of legs
+// that this state does not hold. Returns the number of pages that could not be made, which does not
+// keep a league from being published.
 Result<int> make_replay_pages(system::Files& files, const Folder& folder, const Overview& overview,
                               int jobs);
 

@@ -146,6 +146,7 @@ Result<LeagueState> state_with_legs(const LeagueState& whole, const Journal& jou
 Result<void> copy_records(system::Files& files, const Folder& from, const LeagueState& state,
                           const Folder& to) {
   if (auto made = files.make_folder(to.path + "/records"); !made) return made;
+  std::set<std::string> copies;
   for (const FixtureState& f : state.fixtures) {
     for (const LegState& leg : f.legs) {
       if (!leg.played || leg.played->record.empty()) continue;
@@ -157,8 +158,17 @@ Result<void> copy_records(system::Files& files, const Folder& from, const League
                   return files.write(to.path + "/" + name, bytes);
                 });
         if (!copied) return copied;
+        copies.insert(name);
       }
     }
+  }
+  // Of rounds that were shown there before, and are not any more.
+  const auto names = files.names_in(to.path + "/records");
+  if (!names) return tl::unexpected(names.error());
+  for (const std::string& name : *names) {
+    const std::string record = "records/" + name;
+    if (copies.contains(record) || !files.exists(from.path + "/" + record)) continue;
+    if (auto removed = files.remove(to.path + "/" + record); !removed) return removed;
   }
   return {};
 }

@@ -29,7 +29,8 @@ using LegName = std::pair<std::string, int>;
 Result<LeagueState> state_with_legs(const LeagueState& whole, const Journal& journal,
                                     const std::string& round, const std::set<LegName>& legs);
 
-// Copies the records of the legs that `state` holds, with their replays, to another folder.
+// Copies the records of the legs that `state` holds, with their replays, to another folder, and
+// removes there those of other legs of the league.
 Result<void> copy_records(system::Files& files, const Folder& from, const LeagueState& state,
                           const Folder& to);
 

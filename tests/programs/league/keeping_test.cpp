@@ -85,6 +85,30 @@ TEST(Backup, GoesNowhereElse) {
   EXPECT_EQ(read_file(temporary / "other/thesis.txt"), "mine");
 }
 
+TEST(Backup, IsNeitherInsideTheLeagueNorOverAnotherOne) {
+  const TemporaryFolder temporary;
+  const std::string folder = temporary / "l";
+  init_league(folder, {"a=house:chaser", "b=house:keeper"});
+  ASSERT_EQ(run(league("start", folder)).exit_code, 0);
+  const auto refusal_of = [&](const std::string& to) {
+    const Outcome outcome = run(league("backup", folder, {to}));
+    EXPECT_EQ(outcome.exit_code, 2) << to;
+    return outcome.err;
+  };
+  EXPECT_NE(refusal_of(folder).find("in the folder of the league itself"), std::string::npos);
+  EXPECT_NE(refusal_of(folder + "/./backup").find("in the folder of"), std::string::npos);
+  EXPECT_FALSE(fs::exists(folder + "/backup"));
+
+  ASSERT_EQ(run(league("backup", folder, {temporary / "copy"})).exit_code, 0);
+  ASSERT_EQ(run(league("backup", folder, {temporary / "copy"})).exit_code, 0) << "again";
+  const std::vector<std::string> decision{"r1-f1", "--leg", "1", "--reason", "cable fault"};
+  ASSERT_EQ(run(league("void", temporary / "copy", decision)).exit_code, 0);
+  const std::string decided = read_file(temporary / "copy/journal.jsonl");
+  EXPECT_NE(refusal_of(temporary / "copy").find("is another league, or a copy that was played on"),
+            std::string::npos);
+  EXPECT_EQ(read_file(temporary / "copy/journal.jsonl"), decided);
+}
+
 TEST(Verify, NamesARecordThatWasChangedOrIsGone) {
   const TemporaryFolder temporary;
   const std::string folder = temporary / "l";
@@ -139,6 +163,30 @@ TEST(FullDisk, StopsALeagueAtOnceAndSaysSo) {
   EXPECT_EQ(run(league("start", other)).exit_code, 0);
   EXPECT_EQ(count_kind(other, "leg"), 12);
   EXPECT_EQ(umount(disk.c_str()), 0);
+}
+
+// A check that goes on, or was killed, used to be called a refusal.
+TEST(Teams, AreNotRefusedBeforeTheirCheckHasEnded) {
+  const TemporaryFolder temporary;
+  const std::string folder = temporary / "l";
+  init_league(folder, {"a=house:chaser", "b=house:keeper"});
+  test_support::Running check(league("submit", folder, {"a", test_support::house("striker")}));
+  ASSERT_TRUE(test_support::wait_until([&] { return fs::exists(folder + "/entries/a/2"); }));
+  check.signal(SIGKILL);
+  check.wait();
+  ASSERT_FALSE(fs::exists(folder + "/entries/a/2/entry.json")) << "it was too quick";
+  const Outcome outcome = run(league("status", folder, {"--entries"}));
+  EXPECT_NE(outcome.out.find("a: not checked to the end, "), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("refused"), std::string::npos) << outcome.out;
+}
+
+TEST(Teams, HaveAClassListWithAFirstLine) {
+  const TemporaryFolder temporary;
+  init_league(temporary / "l", {"a=house:chaser", "b=house:keeper"});
+  write_file(temporary / "empty.csv", "");
+  const Outcome outcome = run(league("team", temporary / "l", {"--csv", temporary / "empty.csv"}));
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("empty.csv: line 1: "), std::string::npos) << outcome.err;
 }
 
 TEST(Teams, MayBeAddedAfterInit) {

@@ -200,6 +200,69 @@ TEST(League, RefusesBadTeamsAndMissingFolders) {
   EXPECT_EQ(run(league("init", temporary / "x", {"--team", "../a=house:idle"})).exit_code, 2);
   EXPECT_EQ(run(league("init", temporary / "x", {"--team", "a"})).exit_code, 2);
   EXPECT_FALSE(std::filesystem::exists(temporary / "x/league.json")) << "nothing half made";
+  // A variable of the shell that is not set; "/league.json" was meant by no host.
+  const Outcome nameless = run(league("status", ""));
+  EXPECT_EQ(nameless.exit_code, 2);
+  EXPECT_NE(nameless.err.find("DIR: \"\" names no folder"), std::string::npos) << nameless.err;
+}
+
+TEST(League, IsNamedAfterItsFolderHoweverThatIsWritten) {
+  const TemporaryFolder temporary;
+  for (const std::string& path : {temporary / "a/spring/", temporary / "b/x/../spring/."}) {
+    ASSERT_EQ(run(league("init", path)).exit_code, 0) << path;
+    const auto file = nlohmann::json::parse(read_file(path + "/league.json"));
+    EXPECT_EQ(file["title"], "spring") << path;
+  }
+}
+
+TEST(League, IsMadeByOneOfTwoCommands) {
+  const TemporaryFolder temporary;
+  const std::string folder = temporary / "l";
+  // Both look for a league before one of them has made it, if they start at once.
+  const std::string init = test_support::program("mirocup") + " league init " + folder;
+  const std::string both = "for team in chaser keeper; do " + init +
+                           " --team a=house:$team >/dev/null 2>&1 && echo $team & done; wait";
+  const Outcome outcome = run({"/bin/sh", "-c", both});
+  const auto file = nlohmann::json::parse(read_file(folder + "/league.json"));
+  EXPECT_EQ("house:" + outcome.out, file["teams"][0]["entry"].get<std::string>() + "\n");
+}
+
+TEST(League, StartsWithoutTheEmptyFolderOfItsRecords) {
+  const TemporaryFolder temporary;
+  const std::string folder = temporary / "l";
+  test_support::init_league(folder, {"a=house:chaser", "b=house:idle"});
+  std::filesystem::remove(folder + "/records");
+  const Outcome outcome = run(league("start", folder));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+}
+
+TEST(League, HasHalvesThatCanBePlayed) {
+  const TemporaryFolder temporary;
+  const std::string folder = temporary / "l";
+  test_support::init_league(folder, {"a=house:chaser", "b=house:idle"});
+  const auto good = nlohmann::json::parse(read_file(folder + "/league.json"));
+  for (const double half_s : {0.0, 0.01, 1e300}) {
+    auto changed = good;
+    changed["rules"]["half_s"] = half_s;
+    test_support::write_file(folder + "/league.json", changed.dump());
+    const Outcome outcome = run(league("status", folder));
+    EXPECT_EQ(outcome.exit_code, 2) << half_s;
+    EXPECT_NE(outcome.err.find("league.json: /rules/half_s: "), std::string::npos) << outcome.err;
+  }
+}
+
+TEST(League, IsNotPublishedIntoAnotherLeague) {
+  const TemporaryFolder temporary;
+  for (const char* name : {"spring", "autumn"}) {
+    test_support::init_league(temporary / name, {"a=house:chaser", "b=house:idle"});
+    ASSERT_EQ(run(league("start", temporary / name)).exit_code, 0);
+  }
+  const auto before = test_support::site_of(temporary / "autumn");
+  const Outcome outcome =
+      run(league("publish", temporary / "spring", {"--through", "r1", "-o", temporary / "autumn"}));
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("autumn is a league"), std::string::npos) << outcome.err;
+  EXPECT_EQ(test_support::site_of(temporary / "autumn"), before);
 }
 
 TEST(League, PublishesRoundsThroughTheOneAskedFor) {
@@ -224,6 +287,37 @@ TEST(League, PublishesRoundsThroughTheOneAskedFor) {
   EXPECT_EQ(names("records"), (std::set<std::string>{"r1-f1-1-1.json", "r1-f1-1-1.replay.zst",
                                                      "r1-f1-2-1.json", "r1-f1-2-1.replay.zst"}));
   EXPECT_EQ(names("site/replays"), (std::set<std::string>{"r1-f1-1-1.html", "r1-f1-2-1.html"}));
+
+  // A later round, and then the first one alone again: nothing of the later one is left.
+  const auto before = test_support::site_of(shown);
+  const auto records = names("records");
+  ASSERT_EQ(run(league("publish", folder, {"--through", "r2", "-o", shown})).exit_code, 0);
+  EXPECT_NE(names("records"), records);
+  ASSERT_EQ(run(league("publish", folder, {"--through", "r1", "-o", shown})).exit_code, 0);
+  EXPECT_EQ(test_support::site_of(shown), before);
+  EXPECT_EQ(names("records"), records);
+}
+
+// Pages of a round that was shown by mistake used to stay under names that everybody can guess.
+TEST(League, KeepsNoPagesOfRoundsThatAreNotReleasedAnyMore) {
+  const TemporaryFolder temporary;
+  const std::string folder = temporary / "l";
+  test_support::init_league(folder, {"a=house:chaser", "b=house:keeper", "c=house:idle"});
+  ASSERT_EQ(run(league("start", folder)).exit_code, 0);
+  const auto all = test_support::site_of(folder);
+  const auto release = [&](std::vector<std::string> what) {
+    what.insert(what.end(), {"--reason", "x"});
+    EXPECT_EQ(run(league("release", folder, what)).exit_code, 0);
+    EXPECT_EQ(run(league("publish", folder)).exit_code, 0);
+    return test_support::site_of(folder);
+  };
+  const auto first = release({"--level", "teams", "--through", "r1"});
+  for (const std::string name : {"replays/r2-f1-1-1.html", "statistics/r2-f1-1-1.json"}) {
+    EXPECT_TRUE(all.contains(name)) << name;
+    EXPECT_FALSE(first.contains(name)) << name;
+  }
+  EXPECT_TRUE(first.contains("replays/r1-f1-1-1.html"));
+  EXPECT_TRUE(release({"--level", "all"}).contains("replays/r2-f1-1-1.html"));
 }
 
 TEST(League, MakesItsPagesAgainWithTheSameBytes) {

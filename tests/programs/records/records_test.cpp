@@ -161,6 +161,26 @@ TEST(Records, AreVerifiedByTheVersionThatPlayedThem) {
   EXPECT_NE(verified.err.find("played by another version"), std::string::npos) << verified.err;
 }
 
+// Catches a verification that runs what anybody has put beside the prefix: of /usr that is /tmp.
+TEST(Records, AreVerifiedByNoProgramThatOthersCanWrite) {
+  namespace fs = std::filesystem;
+  const test_support::TemporaryFolder prefixes;
+  const std::string own = prefixes / "own/bin/mirocup";
+  const std::string other = prefixes / "other/bin/mirocup";
+  fs::create_directories(prefixes / "own/bin");
+  fs::create_directories(prefixes / "other/bin");
+  fs::copy_file(test_support::program("mirocup"), own);
+  test_support::write_file(other, "#!/bin/sh\necho asked\n");
+  fs::permissions(other, fs::perms::owner_all);
+  const auto answer = [&own] { return test_support::run({own, "verify", samples().front()}).out; };
+  EXPECT_EQ(answer(), "asked\n");
+  fs::permissions(prefixes / "other/bin", fs::perms::all);
+  EXPECT_EQ(answer(), "");
+  fs::permissions(prefixes / "other/bin", fs::perms::owner_all);
+  fs::permissions(other, fs::perms::all);
+  EXPECT_EQ(answer(), "");
+}
+
 // Two versions of which neither reproduces the record used to ask each other without end.
 TEST(Records, AreNotAskedForInACircle) {
   const test_support::TemporaryFolder versions;

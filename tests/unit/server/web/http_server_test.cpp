@@ -85,5 +85,18 @@ TEST(BoundedServer, SendsAPageOnceWhateverRangesAreAskedFor) {
   EXPECT_LT(answer.text.size(), 2000u);
 }
 
+// Catches two servers that both listen on one port and get a part of its viewers each.
+TEST(HttpServer, HasItsPortForItself) {
+  HttpServer first;
+  ASSERT_TRUE(first.listen({}, "--at"));
+  const std::string url = first.url();
+  const int port = std::stoi(url.substr(url.rfind(':') + 1));
+  HttpServer second;
+  const auto listening = second.listen({.port = port}, "--at");
+  ASSERT_FALSE(listening);
+  EXPECT_EQ(listening.error().what,
+            "--at: 127.0.0.1 port " + std::to_string(port) + " is in use: take another port");
+}
+
 }  // namespace
 }  // namespace mirocup::web
