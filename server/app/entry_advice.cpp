@@ -168,8 +168,8 @@ std::string advice_on_file(std::string_view bytes) {
       kinds.begin(), kinds.end(), [&](const auto& kind) { return starts_with(bytes, kind.first); });
   if (found != kinds.end()) return found->second;
   const bool is_text = bytes.find('\0') == std::string_view::npos;
-  return is_text ? "it is a text and no library: hand in the .so that the build made, or a file of "
-                   "Python with the line \"from mirocup.team import Team\""
+  return is_text ? "it is not an ELF file but a text: hand in the shared library (.so) that the "
+                   "build made, or a file of Python with \"from mirocup.team import Team\""
                  : "";
 }
 
