@@ -17,7 +17,7 @@ function make(name, half, house) {
   writeFileSync(`${place}.json`, JSON.stringify({
     schema: 'mirocup/league/1',
     title,
-    rules: { half_s: half },
+    rules: { half_s: half, mercy_goal_diff: 0 },
     teams: ['alpha', 'beta', 'gamma'].map((team, i) => ({ name: team, entry: `house:${house[i]}` })),
   }));
   run('league', 'init', place, '--config', `${place}.json`);
@@ -48,7 +48,7 @@ function get(place, path, method = 'GET') {
 }
 
 test('a page that is open follows the league, and a leg can be watched while it is played', async () => {
-  const league = make('long', 150000, ['idle', 'idle', 'idle']);  // too long to end before a slow browser finds it
+  const league = make('long', 36000, ['chaser', 'chaser', 'chaser']);  // too long to end before a slow browser finds it
   const place = await serve(league);
   assert.match(place, /^http:\/\/127\.0\.0\.1:/, 'this host only');
   const page = await openPage(place);
