@@ -98,18 +98,6 @@ std::optional<std::string> random_name() {
   return digits;
 }
 
-// Earlier versions wrote the id of the process instead of random digits.
-bool is_unfinished(const std::string& path) {
-  const std::size_t mark = path.rfind(unfinished_mark);
-  if (mark == std::string::npos) return false;
-  const std::string_view end = std::string_view(path).substr(mark + unfinished_mark.size());
-  const bool is_number =
-      !end.empty() && end.find_first_not_of("0123456789") == std::string_view::npos;
-  const bool is_random = end.size() == random_digits &&
-                         end.find_first_not_of("0123456789abcdef") == std::string_view::npos;
-  return is_number || is_random;
-}
-
 struct Unfinished {
   std::string path;
   Descriptor descriptor{};  // closed on failure, with errno
@@ -144,6 +132,17 @@ void remove_if_abandoned(const std::string& path) {
 }
 
 }  // namespace
+
+bool is_unfinished(const std::string& path) {
+  const std::size_t mark = path.rfind(unfinished_mark);
+  if (mark == std::string::npos) return false;
+  const std::string_view end = std::string_view(path).substr(mark + unfinished_mark.size());
+  const bool is_number =
+      !end.empty() && end.find_first_not_of("0123456789") == std::string_view::npos;
+  const bool is_random = end.size() == random_digits &&
+                         end.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+  return is_number || is_random;
+}
 
 Result<OpenFile> open_file(const std::string& path, const ReadOptions& options) {
   const int links = options.links == Links::refused ? O_NOFOLLOW : 0;

@@ -124,6 +124,10 @@ class Files {
   virtual Result<void> remove(const std::string& path) = 0;
 };
 
+// True if a file of that name is being written by Files::write() or IncomingFile, or was when its
+// process died. Earlier versions wrote the id of the process instead of random digits.
+bool is_unfinished(const std::string& path);
+
 // A file that arrives in parts, for example over a network, and is hashed on its way. It has a
 // temporary name in the folder of its later path, until keep() gives it that path. What is not kept
 // is removed by the destructor; after a crash, by Files::remove_unfinished().

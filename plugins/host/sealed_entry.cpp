@@ -57,10 +57,10 @@ Result<SealedEntry> SealedEntry::open(const std::string& path) {
 
 bool SealedEntry::is_python() const {
   if (bytes_.find('\0') != std::string_view::npos) return false;
-  for (std::size_t begin = 0; begin < bytes_.size();) {
+  for (std::size_t begin = bytes_.starts_with(utf8_mark) ? utf8_mark.size() : 0;
+       begin < bytes_.size();) {
     const std::size_t end = std::min(bytes_.find('\n', begin), bytes_.size());
-    std::string_view line = bytes_.substr(begin, end - begin);
-    if (begin == 0 && line.starts_with(utf8_mark)) line.remove_prefix(utf8_mark.size());
+    const std::string_view line = bytes_.substr(begin, end - begin);
     if (line.starts_with("from mirocup") || line.starts_with("import mirocup")) return true;
     begin = end + 1;
   }

@@ -6,6 +6,7 @@
 #include "server/app/commands.hpp"
 #include "server/dds/domain.hpp"
 #include "server/record/match_record.hpp"
+#include "server/record/rules_json.hpp"
 #include "system/command_help.hpp"
 #include "system/command_line.hpp"
 #include "system/locations.hpp"
@@ -153,7 +154,7 @@ void add_match(CLI::App& app, Run& run) {
       ->type_name("[PORT]");
   command->add_flag("--calls", o.calls, "Print each goal and call of the referee, too");
   command->add_option("--half", o.half_s, "Length of a half in seconds")
-      ->check(CLI::Range(0.1, 36000.0))
+      ->check(CLI::Range(record::min_half_s, record::max_half_s))
       ->excludes(from);
   command
       ->add_option("--rule", o.rule_changes,
@@ -272,7 +273,7 @@ void add_check(CLI::App& app, Run& run) {
           "--half", o.half_s,
           "Seconds of a half in the league that it is for, which says how much time it has "
           "(default: as in the rules)")
-      ->check(CLI::Range(0.1, 36000.0));
+      ->check(CLI::Range(record::min_half_s, record::max_half_s));
   add_parameters(*command.sub, "--param", o.parameters, "the team");
   command
       ->add_option("--record", o.record_path,

@@ -91,33 +91,37 @@ void print_list(const std::vector<drills::Drill>& drills, bool as_json) {
   if (as_json) std::cout << record::json_text({{"drills", list}}) << '\n';
 }
 
-// `text` is a team, or NAME=TEAM: the entries of a league all have the same file name.
+// `text` is a team, or NAME=TEAM: the entries of a league all have the same file name. `what`
+// stands before `text` in the sentence about a team that is on the network.
 Result<TeamChoice> choose(const std::string& text, const std::string& what) {
   const std::size_t equals = text.find('=');
   const bool is_named = equals != std::string::npos && equals < text.find('/');
   auto choice = choose_team(is_named ? text.substr(equals + 1) : text);
   if (choice && is_named) choice->info.name = text.substr(0, equals);
   if (choice && record::is_on_network(choice->info.kind)) {
-    return fail(Errc::input, what + " " + text + ": drills are for libraries and house teams");
+    return fail(Errc::input, what + text + ": drills are for libraries and house teams");
   }
   return choice;
 }
 
 Result<DrillTeams> teams_of(const drills::Drill& drill, const std::string& team,
                             const match::TeamParameters& parameters) {
-  auto tested = choose(team, "TEAM");
+  auto tested = choose(team, "TEAM ");
   if (!tested) return tl::unexpected(tested.error());
   DrillTeams teams{.tested = std::move(*tested), .opponent = {}, .mates = std::nullopt};
   teams.tested.info.parameters = drill.parameters;
   for (const auto& [name, value] : parameters) teams.tested.info.parameters[name] = value;
-  auto opponent = choose(drill.opponent, drill.name + ": /opponent:");
-  if (!opponent) {
-    return fail(opponent.error().code, drill.name + ": /opponent: " + opponent.error().what);
-  }
+  const auto choose_in_drill = [&drill](const std::string& text, const char* key) {
+    return choose(text, "").map_error([&](const Error& error) {
+      return Error{error.code, drill.name + ": " + key + ": " + error.what};
+    });
+  };
+  auto opponent = choose_in_drill(drill.opponent, "/opponent");
+  if (!opponent) return tl::unexpected(opponent.error());
   teams.opponent = std::move(*opponent);
   if (drill.mates.empty()) return teams;
-  auto mates = choose(drill.mates, drill.name + ": /mates:");
-  if (!mates) return fail(mates.error().code, drill.name + ": /mates: " + mates.error().what);
+  auto mates = choose_in_drill(drill.mates, "/mates");
+  if (!mates) return tl::unexpected(mates.error());
   teams.mates = std::move(*mates);
   return teams;
 }
@@ -184,7 +188,7 @@ Result<void> check_names(const DrillOptions& options) {
   if (options.replay_folder.empty()) return {};
   std::set<std::string> names;
   for (const std::string& team : options.teams) {
-    const auto choice = choose(team, "TEAM");
+    const auto choice = choose(team, "TEAM ");
     if (!choice) return tl::unexpected(choice.error());
     if (names.insert(choice->info.name).second) continue;
     return fail(Errc::input, "TEAM " + team + ": there is another one called \"" +

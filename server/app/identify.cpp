@@ -6,6 +6,7 @@
 
 #include "core/base/math.hpp"
 #include "server/app/commands.hpp"
+#include "server/app/output_folder.hpp"
 #include "server/pitch/as_seen.hpp"
 #include "server/pitch/page.hpp"
 #include "server/pitch/result_json.hpp"
@@ -15,11 +16,8 @@
 #include "server/record/pitch_json.hpp"
 #include "system/files.hpp"
 
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <iostream>
-#include <unistd.h>
 
 namespace mirocup::app {
 
@@ -43,10 +41,7 @@ Result<void> check_output(const std::string& path, const std::vector<std::string
       return fail(Errc::input, path + " is read: it cannot be written, too");
   }
   if (fs::is_directory(path, none)) return fail(Errc::input, path + " is a folder");
-  const fs::path folder = fs::absolute(path).parent_path();
-  if (access(folder.c_str(), W_OK) == 0) return {};
-  return fail(Errc::unavailable, path + ": nothing can be written into " + folder.string() + ": " +
-                                     std::strerror(errno));
+  return expect_writable_folder_of(path);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "plugins/host/sandbox/probe.hpp"
 #include "server/app/commands.hpp"
 #include "server/app/interrupt.hpp"
+#include "server/app/output_folder.hpp"
 #include "server/app/seats.hpp"
 #include "server/app/team_program.hpp"
 #include "server/pace/pacer.hpp"
@@ -605,10 +606,7 @@ Result<void> check_output(const MatchOptions& options) {
   if (std::error_code none; std::filesystem::is_directory(options.record_path, none)) {
     return fail(Errc::unavailable, options.record_path + " cannot be written: it is a folder");
   }
-  const std::filesystem::path folder = std::filesystem::absolute(options.record_path).parent_path();
-  if (access(folder.c_str(), W_OK) == 0) return {};
-  return fail(Errc::unavailable, options.record_path + ": nothing can be written into " +
-                                     folder.string() + ": " + std::strerror(errno));
+  return expect_writable_folder_of(options.record_path);
 }
 
 }  // namespace

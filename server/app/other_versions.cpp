@@ -24,13 +24,14 @@ constexpr const char* shared_versions = "/opt/mirocup";
 // Set in the environment of a version that another one asks.
 constexpr const char* is_asked = "MIROCUP_IS_ASKED";
 
-enum class Trust {
-  whoever,        // wrote it: the host has named the folder
-  who_wrote_this  // program, this user, or root: beside a prefix /usr there is /tmp
+// The owners whose programs are run.
+enum class Owner {
+  any,   // for folders that the host has named
+  known  // root, this user and the owner of this program: beside the prefix /usr there is /tmp
 };
 
-// True if nobody else could have put the file or the folder there.
-bool is_ours(const fs::path& path) {
+// True if the file or the folder has a known owner, and other users may not write to it.
+bool has_known_owner(const fs::path& path) {
   struct stat about {};
   struct stat self {};
   if (stat(path.c_str(), &about) != 0 || stat("/proc/self/exe", &self) != 0) return false;
@@ -39,13 +40,14 @@ bool is_ours(const fs::path& path) {
   return is_known && (about.st_mode & S_IWOTH) == 0;
 }
 
-void add_program(const fs::path& folder, Trust trust, std::vector<std::string>& found) {
+void add_program(const fs::path& folder, Owner owner, std::vector<std::string>& found) {
   std::error_code none;
   for (const fs::path& program : {folder / "bin" / "mirocup", folder / "mirocup"}) {
     const fs::path real = fs::canonical(program, none);
     if (none || !fs::is_regular_file(real, none) || real == fs::read_symlink("/proc/self/exe"))
       continue;
-    if (trust != Trust::whoever && !(is_ours(real) && is_ours(real.parent_path()))) continue;
+    if (owner == Owner::known && !(has_known_owner(real) && has_known_owner(real.parent_path())))
+      continue;
     if (std::find(found.begin(), found.end(), real) == found.end()) found.push_back(real);
   }
 }
@@ -57,17 +59,17 @@ std::vector<std::string> other_versions() {
   if (const char* named = std::getenv("MIROCUP_VERSIONS")) {
     std::istringstream folders(named);
     for (std::string folder; std::getline(folders, folder, ':');) {
-      if (!folder.empty()) add_program(folder, Trust::whoever, found);
+      if (!folder.empty()) add_program(folder, Owner::any, found);
     }
   }
   const fs::path beside = fs::path(system::team_kit().prefix).parent_path();
-  for (const auto& [all, trust] : {std::pair(fs::path(shared_versions), Trust::whoever),
-                                   std::pair(beside, Trust::who_wrote_this)}) {
+  for (const auto& [all, owner] :
+       {std::pair(fs::path(shared_versions), Owner::any), std::pair(beside, Owner::known)}) {
     std::vector<fs::path> folders;
     std::error_code none;
     for (const auto& folder : fs::directory_iterator(all, none)) folders.push_back(folder.path());
     std::sort(folders.rbegin(), folders.rend());  // new ones first
-    for (const fs::path& folder : folders) add_program(folder, trust, found);
+    for (const fs::path& folder : folders) add_program(folder, owner, found);
   }
   return found;
 }

@@ -135,7 +135,8 @@ mirocup_connection* mirocup_team_open(const mirocup_team_call* call, char* why, 
   }
   const std::size_t name_size = std::strlen(call->name);
   if (name_size == 0 || name_size > dds::max_team_name) {
-    dds::put_why(why, size, "the name of a team has 1 to 64 bytes");
+    dds::put_why(why, size,
+                 "the name of a team has 1 to " + std::to_string(dds::max_team_name) + " bytes");
     errno = EINVAL;
     return nullptr;
   }

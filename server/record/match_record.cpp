@@ -38,9 +38,6 @@ static_assert(has_names_up_to(referee::Law::forfeit, "forfeit"));
 static_assert(has_names_up_to(referee::Restart::FREE_KICK, "FREE_KICK"));
 static_assert(has_names_up_to(match::FaultCode::disconnected, "disconnected"));
 
-// The longest half with which a leg can be played, s.
-constexpr double max_half = 36000.0;
-
 Json score_json(const match::ByTeam<int>& score) {
   return {{"blue", score[0]}, {"yellow", score[1]}};
 }
@@ -277,7 +274,7 @@ match::Setup read_setup(const JsonReader& json) {
   if (!rules.has("kickoff_behind")) setup.rules.kickoff_behind = false;
   for (const auto& [key, seconds] :
        {std::pair{"half_s", setup.rules.half_s}, std::pair{"ready_s", setup.rules.ready_s}}) {
-    if (!(seconds <= max_half)) rules.at(key).complain("no half is that long");
+    if (!(seconds <= max_half_s)) rules.at(key).complain("no half is that long");
   }
   setup.stage = json.at("stage").name<referee::Stage>();
   setup.seed = json.at("seed").as<std::uint64_t>();

@@ -16,6 +16,10 @@ namespace mirocup::record {
 
 class JsonReader;
 
+// The shortest half that can be asked for, and the longest with which a leg can be played, s.
+inline constexpr double min_half_s = 0.1;
+inline constexpr double max_half_s = 36'000.0;
+
 nlohmann::ordered_json to_json(const referee::Rules& rules);
 
 // Starts from the preset that the object names (default: mirosot), as that preset is in `league`,

@@ -4,6 +4,7 @@
 #include "tournaments/app/command_line.hpp"
 
 #include "server/record/match_record.hpp"
+#include "server/record/rules_json.hpp"
 #include "system/command_help.hpp"
 #include "system/command_line.hpp"
 #include "system/locations.hpp"
@@ -70,7 +71,7 @@ void add_init(CLI::App& app, Action& action) {
       ->check(CLI::IsMember(formats))
       ->excludes("--config");
   command->add_option("--half", o.half_s, "seconds of a half")
-      ->check(CLI::Range(min_half_s, max_half_s))
+      ->check(CLI::Range(record::min_half_s, record::max_half_s))
       ->excludes("--config");
   command->add_option("--seed", o.seed, "seed of all random draws")
       ->check(CLI::Validator(system::problem_with_seed, "SEED"))
@@ -458,7 +459,7 @@ void add_compare(CLI::App& app, Action& action) {
       ->check(CLI::IsMember({"small", "middle", "large"}))
       ->capture_default_str();
   command->add_option("--half", r.half_s, "seconds of a half")
-      ->check(CLI::Range(min_half_s, max_half_s));
+      ->check(CLI::Range(record::min_half_s, record::max_half_s));
   command
       ->add_option("--conditions", r.conditions, "exact, hall or camera (default: as in a match)")
       ->check(CLI::IsMember({"exact", "hall", "camera"}));
@@ -498,7 +499,7 @@ void add_tune(CLI::App& app, Action& action) {
       ->check(CLI::IsMember({"small", "middle", "large"}))
       ->capture_default_str();
   command->add_option("--half", o.run.half_s, "seconds of a half")
-      ->check(CLI::Range(min_half_s, max_half_s));
+      ->check(CLI::Range(record::min_half_s, record::max_half_s));
   command
       ->add_option("--conditions", o.run.conditions,
                    "exact, hall or camera (default: as in a match)")

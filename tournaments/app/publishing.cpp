@@ -4,6 +4,7 @@
 #include "server/record/json_reader.hpp"
 #include "system/printable.hpp"
 #include "tournaments/league/roster.hpp"
+#include "tournaments/publish/former_pages.hpp"
 #include "tournaments/publish/league_statistics.hpp"
 #include "tournaments/publish/night_pages.hpp"
 #include "tournaments/publish/release.hpp"
@@ -12,8 +13,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <iostream>
+#include <set>
 #include <vector>
 
 namespace mirocup::league {
@@ -49,20 +50,16 @@ Result<void> publish_site(system::Files& files, const Folder& folder, const Leag
                    .facts = read_facts(files, folder, shown),
                    .night = news.night,
                    .feed = news.feed});
-  for (const std::string& name : site.names()) {
+  const std::vector<std::string> names = site.names();
+  for (const std::string& name : names) {
     if (auto written = files.write(folder.site() + "/" + name, *site.file(name)); !written)
       return written;
   }
   // Rounds that are not shown any more, and teams that joined after those that are.
-  const std::vector<std::string> made = site.names();
+  const std::set<std::string> made(names.begin(), names.end());
   for (const std::string part : {"rounds/", "teams/"}) {
-    const auto names = files.names_in(folder.site() + "/" + part);
-    if (!names) return tl::unexpected(names.error());
-    for (const std::string& name : *names) {
-      if (std::find(made.begin(), made.end(), part + name) != made.end()) continue;
-      if (name.find(".unfinished-") != std::string::npos) continue;
-      if (auto removed = files.remove(folder.site() + "/" + part + name); !removed) return removed;
-    }
+    if (auto removed = remove_former_pages(files, folder.site(), part, made); !removed)
+      return removed;
   }
   if (*failed > 0) {
     std::cerr << "mirocup: " << *failed

@@ -167,7 +167,8 @@ std::string read_time(const JsonReader& json, const LeagueFile& file) {
 // A leg without a time to play would never end, and one of no time has no football.
 referee::Rules read_rules_of(const JsonReader& json, League league) {
   const referee::Rules rules = record::read_rules(json, league);
-  if (json.has("half_s") && !(rules.half_s >= min_half_s && rules.half_s <= max_half_s))
+  if (json.has("half_s") &&
+      !(rules.half_s >= record::min_half_s && rules.half_s <= record::max_half_s))
     json.at("half_s").complain("a half of a league has 0.1 to 36000 seconds");
   return rules;
 }

@@ -93,10 +93,6 @@ struct LeagueFile {
   TableRules table_rules() const { return {points, tie_breaks, seed}; }
 };
 
-// Seconds of a half that a league may have; `mirocup match` has the same bounds.
-inline constexpr double min_half_s = 0.1;
-inline constexpr double max_half_s = 36'000.0;
-
 inline constexpr std::size_t max_teams = 1000;  // whose round robin is half a million fixtures
 
 // Returns the conditions of a league that does not choose any.

@@ -4,6 +4,7 @@
 #include "system/locations.hpp"
 #include "system/process_set.hpp"
 #include "tournaments/league/kept_program.hpp"
+#include "tournaments/publish/former_pages.hpp"
 #include "tournaments/publish/league_statistics.hpp"
 #include "tournaments/publish/replay_nav.hpp"
 
@@ -131,8 +132,7 @@ Result<void> link_pages(system::Files& files, const Folder& folder, const Overvi
   return {};
 }
 
-// Removes what was made of other legs: those of rounds that are not shown any more. What another
-// process is writing stays.
+// Removes what was made of other legs: those of rounds that are not shown any more.
 Result<void> remove_other_pages(system::Files& files, const Folder& folder,
                                 const LeagueState& state) {
   std::set<std::string> shown;
@@ -141,12 +141,8 @@ Result<void> remove_other_pages(system::Files& files, const Folder& folder,
       shown.insert({replay_page_of(record), statistics_file_of(record)});
   }
   for (const std::string part : {"replays/", "statistics/"}) {
-    const auto names = files.names_in(folder.site() + "/" + part);
-    if (!names) continue;  // not made yet
-    for (const std::string& name : *names) {
-      if (shown.contains(part + name) || name.find(".unfinished-") != std::string::npos) continue;
-      if (auto removed = files.remove(folder.site() + "/" + part + name); !removed) return removed;
-    }
+    if (auto removed = remove_former_pages(files, folder.site(), part, shown); !removed)
+      return removed;
   }
   return {};
 }

@@ -162,7 +162,7 @@ Result<void> copy_records(system::Files& files, const Folder& from, const League
       }
     }
   }
-  // Of rounds that were shown there before, and are not any more.
+  // Records of rounds that were shown there before, and are not any more, are removed.
   const auto names = files.names_in(to.path + "/records");
   if (!names) return tl::unexpected(names.error());
   for (const std::string& name : *names) {

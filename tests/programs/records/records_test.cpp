@@ -161,7 +161,7 @@ TEST(Records, AreVerifiedByTheVersionThatPlayedThem) {
   EXPECT_NE(verified.err.find("played by another version"), std::string::npos) << verified.err;
 }
 
-// Catches a verification that runs what anybody has put beside the prefix: of /usr that is /tmp.
+// Catches a verification that runs a program of any user beside the prefix, as in /tmp beside /usr.
 TEST(Records, AreVerifiedByNoProgramThatOthersCanWrite) {
   namespace fs = std::filesystem;
   const test_support::TemporaryFolder prefixes;

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+//
+// A look at where a file will be written, before the work that it is the result of.
+#pragma once
+
+#include "core/base/error.hpp"
+
+#include <string>
+
+namespace mirocup::app {
+
+// Errc::unavailable if this process may not write into the folder of the file at `path`.
+Result<void> expect_writable_folder_of(const std::string& path);
+
+}  // namespace mirocup::app
