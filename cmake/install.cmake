@@ -38,6 +38,11 @@ add_custom_command(OUTPUT ${pages}
   DEPENDS mirocup mirocup-league VERBATIM)
 add_custom_target(manual ALL DEPENDS ${pages})
 
+# Units of systemd, where it looks below /usr.
+install(DIRECTORY tournaments/units/ DESTINATION lib/systemd/system COMPONENT mirocup FILES_MATCHING PATTERN "mirocup-*")
+install(FILES tournaments/units/sysusers.conf DESTINATION lib/sysusers.d RENAME mirocup.conf COMPONENT mirocup)
+install(FILES tournaments/units/tmpfiles.conf DESTINATION lib/tmpfiles.d RENAME mirocup.conf COMPONENT mirocup)
+
 # mirocup-dev: what a team in C or C++ is built with.
 install(TARGETS mirocup_strategy mirocup_predict EXPORT mirocup ARCHIVE COMPONENT mirocup-dev)
 install(DIRECTORY plugins/include/ training/include/ TYPE INCLUDE COMPONENT mirocup-dev)
@@ -54,7 +59,7 @@ if(TARGET mirocup-python)
   install(TARGETS mirocup-python LIBRARY DESTINATION libexec/mirocup COMPONENT python3-mirocup)
 endif()
 
-# mirocup-doc: pages, examples, units of systemd.
+# mirocup-doc: pages, examples.
 set(doc_folder share/doc/mirocup-doc)
 install(DIRECTORY examples DESTINATION ${doc_folder} COMPONENT mirocup-doc USE_SOURCE_PERMISSIONS
   PATTERN pitch EXCLUDE)  # it needs the source tree
@@ -67,10 +72,6 @@ install(FILES tournaments/README.md DESTINATION ${doc_folder}/tournaments COMPON
 install(FILES tournaments/journal/format.md DESTINATION ${doc_folder}/tournaments/journal COMPONENT mirocup-doc)
 # platforms: its teams are in the build tree.
 install(DIRECTORY tournaments/examples DESTINATION ${doc_folder}/tournaments COMPONENT mirocup-doc PATTERN platforms EXCLUDE)
-if(EXISTS ${PROJECT_SOURCE_DIR}/tournaments/units)
-  install(DIRECTORY tournaments/units/ DESTINATION ${doc_folder}/systemd COMPONENT mirocup-doc)
-endif()
-
 # The build tree looks like a prefix to find_package and to `mirocup new`.
 export(TARGETS mirocup mirocup_strategy mirocup_predict mirocup_team mirocup_training NAMESPACE mirocup::
   FILE ${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup-targets.cmake)

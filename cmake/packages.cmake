@@ -12,7 +12,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
-set(CPACK_DEBIAN_MIROCUP_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/debian/triggers)
+set(CPACK_DEBIAN_MIROCUP_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/debian/triggers ${PROJECT_SOURCE_DIR}/cmake/debian/postinst)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR})
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
@@ -38,7 +38,8 @@ set(CPACK_DEBIAN_MIROCUP_DESCRIPTION "tournament platform for MiroSot robot socc
 Simulates a leg between two teams of small robots, judges it by the laws,
 records it so that it can be run again bit for bit, and makes a league of
 many legs. Teams are shared libraries or files of Python in a sandbox, or
-programs on the network. This package has the programs and house teams.")
+programs on the network. This package has the programs, house teams, and
+units of systemd for leagues.")
 set(CPACK_DEBIAN_MIROCUP-DEV_DESCRIPTION "headers to build a team for mirocup
 Headers in C and C++, a library that predicts what the simulator will do,
 and the files for find_package(mirocup) of CMake. With it, the command
@@ -50,7 +51,7 @@ which thousands of matches are played at once.")
 set(CPACK_DEBIAN_MIROCUP-DOC_DESCRIPTION "pages, laws and examples of mirocup
 What hosts of leagues and students read: the laws, the conditions of a hall,
 how to host a league, exercises, formats of files, and examples: a league,
-a team over the network, units of systemd.")
+a team over the network.")
 
 # Each package has its copyright, its changelog and what lintian need not tell (cmake/debian).
 string(TIMESTAMP now "%a, %d %b %Y %H:%M:%S +0000" UTC)

@@ -72,8 +72,9 @@ as_student() { inside setpriv --reuid 1500 --regid 1500 --clear-groups env HOME=
 
 step "install"
 inside apt-get -qq update
-inside sh -ec 'DEBIAN_FRONTEND=noninteractive apt-get -qq -y --no-install-recommends install /packages/*.deb openssl >/var/log/install.log'
-inside sh -ec 'DEBIAN_FRONTEND=noninteractive apt-get -qq -y --no-install-recommends install systemd man-db >>/var/log/install.log'
+inside sh -ec 'DEBIAN_FRONTEND=noninteractive apt-get -qq -y --no-install-recommends install systemd man-db >/var/log/install.log'
+inside sh -ec 'DEBIAN_FRONTEND=noninteractive apt-get -qq -y --no-install-recommends install /packages/*.deb openssl >>/var/log/install.log'
+[[ $(inside stat -c %U /srv/mirocup) == mirocup ]] || { echo "the units have no user and no folder" >&2; exit 1; }
 mkdir -p "$folder/debian/home/student"
 chown 1500:1500 "$folder/debian/home/student"
 mount --bind "$folder/debian/usr" "$folder/debian/usr"
@@ -101,12 +102,10 @@ step "a league by its units"
 as_student "mirocup league init spring --team alpha=c/build/team.so --team snake=python/team.py --team rock=house:idle --half 5"
 as_student "mirocup league start spring && mirocup league publish spring"
 as_student 'for record in spring/records/*.json; do mirocup verify "$record"; done'
-for unit in "$folder"/debian/usr/share/doc/mirocup-doc/systemd/*; do
-  cp "$unit" "$folder/debian/etc/systemd/system/"
-done
 for unit in mirocup-league@spring.service mirocup-night@spring.service mirocup-night@spring.timer; do
   inside systemd-analyze verify "$unit"
 done
+tests/build/units/check.sh "$folder/debian/usr/lib/systemd/system"
 
 step "the manual and completion"
 inside sh -ec 'man -w mirocup mirocup-match mirocup-league-start'
@@ -117,6 +116,6 @@ step "uninstall"
 umount "$folder/debian/usr"
 inside sh -ec 'apt-get -qq -y purge mirocup mirocup-dev python3-mirocup mirocup-doc >/dev/null'
 [[ -f $folder/debian/home/student/spring/journal.jsonl ]]
-left=$(find "$folder/debian/usr" "$folder/debian/etc" -name '*mirocup*' -not -path '*/systemd/system/*')
+left=$(find "$folder/debian/usr" "$folder/debian/etc" -name '*mirocup*' -not -path '*/etc/mirocup')  # ports that the host has chosen
 [[ -z $left ]] || { echo "left behind: $left" >&2; exit 1; }
 echo "all is well"
