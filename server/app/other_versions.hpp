@@ -3,18 +3,18 @@
 // Other versions of mirocup on this computer, which play as they did when their records were made.
 #pragma once
 
+#include "server/record/match_record.hpp"
+
 #include <string>
-#include <vector>
 
 namespace mirocup::app {
 
-// Returns the paths of their programs: those in the folders of $MIROCUP_VERSIONS, in
-// /opt/mirocup/*/bin, and beside the prefix of this program. This program is not among them. Beside
-// the prefix a program counts only if it and its folder belong to root, this user or the owner of
-// this program, and other users may not write to them.
-std::vector<std::string> other_versions();
-
-// Returns the first of them that reproduces the record; "" if none does.
-std::string version_that_reproduces(const std::string& record);
+// Returns the path of a program that reproduces the record at `path`; "" if there is none. Its
+// checksum has to be right: the caller has looked. Programs are looked for in the folders of
+// $MIROCUP_VERSIONS and in /opt/mirocup/*, each in bin/ and in the folder itself. One is asked if
+// no stranger can have put it there (system/trusted_program.hpp), it is called mirocup, and it
+// answers --version with the version that the record names. Standard error names each one that is
+// left out because a stranger might have put it there.
+std::string version_that_reproduces(const std::string& path, const record::MatchRecord& record);
 
 }  // namespace mirocup::app

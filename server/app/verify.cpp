@@ -26,7 +26,7 @@ Result<int> run_verify(const VerifyOptions& options) {
   const bool has_other_behaviour = record::has_other_behaviour(*record);
   if (!whole && (!divergence || has_other_behaviour)) return tl::unexpected(whole.error());
   if (divergence && has_other_behaviour) {
-    const std::string program = version_that_reproduces(options.path);
+    const std::string program = version_that_reproduces(options.path, *record);
     if (!program.empty()) {
       std::cerr << "mirocup: it was played by another version; " << system::printable(program)
                 << " verifies it\n";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/record/match_record.hpp"
 
+#include "server/record/checksum.hpp"
 #include "server/record/conditions_json.hpp"
 #include "server/record/json_reader.hpp"
 #include "server/record/pitch_json.hpp"
@@ -357,23 +358,6 @@ RecordFile read_record_file(const JsonReader& json) {
   return file;
 }
 
-// The end of a record: its last key is the digest of `text`, which is everything before it.
-std::string checksum_line(const std::string& text) {
-  return ",\n \"sha256\": \"" + system::sha256(text) + "\"\n}\n";
-}
-
-// `object` is the text of an object with at least one key, one key a line.
-std::string with_checksum(std::string object) {
-  object.resize(object.rfind("\n}"));
-  const std::string line = checksum_line(object);
-  return object + line;
-}
-
-bool has_valid_checksum(const std::string& text) {
-  const std::size_t begin = text.rfind(",\n");
-  return begin != std::string::npos && text.substr(begin) == checksum_line(text.substr(0, begin));
-}
-
 std::string software_build() {
 #if defined(__clang__)
   const std::string compiler = "clang++ " __clang_version__;
@@ -476,8 +460,8 @@ Result<MatchRecord> load(system::Files& files, const std::string& path, Checksum
   if (!text) return tl::unexpected(text.error());
   if (text->find("\"mirocup/match/") == std::string::npos)
     return fail(Errc::damaged, path + ": it is no match record");
-  if (policy == ChecksumPolicy::checked && !has_valid_checksum(*text)) {
-    return fail(Errc::damaged, path + ": its text is not what was written (sha256)");
+  if (policy == ChecksumPolicy::checked) {
+    if (auto whole = expect_whole(*text, path); !whole) return tl::unexpected(whole.error());
   }
   auto file = read_json<RecordFile>(*text, path, Errc::damaged, read_record_file);
   if (!file) return tl::unexpected(file.error());

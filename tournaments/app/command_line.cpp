@@ -401,6 +401,9 @@ void add_keeping(CLI::App& app, Action& action) {
       ->add_option("--jobs", verify.options->jobs,
                    "records at once (default: one for each processor)")
       ->check(CLI::Range(1, 1024));
+  verify->add_flag("--trust-programs", verify.options->trusts_programs,
+                   "run the programs that the folder keeps, from now on: this host has not kept "
+                   "them, but you know where they are from");
   verify->add_flag("--json", verify.options->json, "one JSON object on standard output");
 
   Subcommand<BackupOptions> backup(app, action, "backup",
@@ -593,7 +596,9 @@ const system::CommandHelp help_of_commands[] = {
      {"mirocup league nightly spring",
       "mirocup league nightly spring --on-night ./mail --address https://league.example/"}},
     {"status", to_play, {"mirocup league status spring", "mirocup league status spring --entries"}},
-    {"verify", to_play, {"mirocup league verify spring"}},
+    {"verify",
+     to_play,
+     {"mirocup league verify spring", "mirocup league verify copied --trust-programs"}},
     {"backup", to_play, {"mirocup league backup spring /backup/spring"}},
     {"serve",
      to_show,

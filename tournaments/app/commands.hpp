@@ -39,6 +39,7 @@ struct LeagueOptions {
   std::string on_night;            // nightly: a program that hears of the night; "": none
   std::string address;             // nightly: what links of the digests' texts begin with
   bool accepts_other_program = false;  // start, nightly
+  bool trusts_programs = false;        // verify
   bool json = false;
 };
 Result<int> run_init(const LeagueOptions& options);

@@ -6,6 +6,7 @@
 #include "system/file_lock.hpp"
 #include "system/printable.hpp"
 #include "tournaments/app/commands.hpp"
+#include "tournaments/league/kept_program.hpp"
 #include "tournaments/league/people.hpp"
 #include "tournaments/play/backup.hpp"
 #include "tournaments/play/program.hpp"
@@ -22,6 +23,12 @@ Result<int> run_verify_league(const LeagueOptions& options) {
   system::Disk disk;
   const auto store = LeagueStore::open(disk, Folder{options.folder});
   if (!store) return tl::unexpected(store.error());
+  if (options.trusts_programs) {
+    const auto trusted = trust_kept_programs(disk, store->folder());
+    if (!trusted) return tl::unexpected(trusted.error());
+    for (const std::string& path : *trusted)
+      std::cerr << "mirocup: " << system::printable(path) << " is trusted from now on\n";
+  }
   const auto done = verify_records(disk, *store, options.jobs);
   if (!done) return tl::unexpected(done.error());
   int result = exit_yes;

@@ -61,10 +61,12 @@ Result<void> publish_site(system::Files& files, const Folder& folder, const Leag
     if (auto removed = remove_former_pages(files, folder.site(), part, made); !removed)
       return removed;
   }
-  if (*failed > 0) {
-    std::cerr << "mirocup: " << *failed
+  if (failed->count > 0) {
+    std::cerr << "mirocup: " << failed->count
               << " replay pages could not be made; mirocup replay RECORD says why\n";
   }
+  for (const std::string& reason : failed->reasons)
+    std::cerr << "mirocup: " << system::printable(reason) << '\n';
   return {};
 }
 

@@ -1,11 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/league/kept_program.hpp"
 
+#include "server/record/checksum.hpp"
 #include "server/record/json_reader.hpp"
 #include "server/record/match_record.hpp"
 #include "system/locations.hpp"
+#include "system/state_folder.hpp"
+#include "system/trusted_program.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <sys/mman.h>
+#include <unistd.h>
+#include <utility>
 
 namespace mirocup::league {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -21,17 +34,48 @@ std::string read_game(const record::JsonReader& json) {
   return game;
 }
 
+// A line for each program that this host has kept or trusts: its SHA-256.
+std::string list_path() {
+  return system::state_folder() + "/programs";
+}
+
+// Returns the text of the list; "" if there is none yet.
+Result<std::string> read_list() {
+  if (system::state_folder().empty())
+    return fail(Errc::unavailable,
+                "there is no place for this host's list of programs: set XDG_STATE_HOME");
+  std::error_code none;
+  if (fs::symlink_status(list_path(), none).type() == fs::file_type::not_found) return "";
+  const auto real = system::trusted_path(list_path());
+  if (!real)
+    return fail(real.error().code,
+                "the list " + list_path() + " is not read: " + real.error().what);
+  system::Disk disk;
+  return disk.read(*real, {.max_size = system::size_limit::note});
+}
+
+// Returns a file without a name that can be run and not be changed any more.
+Result<system::Descriptor> copy_in_memory(const std::string& bytes) {
+  constexpr unsigned executable = 0x10;  // MFD_EXEC, which kernels before 6.3 do not know
+  constexpr unsigned flags = MFD_CLOEXEC | MFD_ALLOW_SEALING;
+  system::Descriptor file(memfd_create("mirocup", flags | executable));
+  if (!file.is_open() && errno == EINVAL) file.reset(memfd_create("mirocup", flags));
+  std::size_t done = 0;
+  while (file.is_open() && done < bytes.size()) {
+    const ssize_t count = write(file.get(), bytes.data() + done, bytes.size() - done);
+    if (count <= 0) break;
+    done += static_cast<std::size_t>(count);
+  }
+  constexpr int seals = F_SEAL_SEAL | F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_WRITE;
+  if (!file.is_open() || done < bytes.size() || fcntl(file.get(), F_ADD_SEALS, seals) != 0)
+    return fail(Errc::unavailable, std::string("no copy of it can be made: ") + strerror(errno));
+  return file;
+}
+
 }  // namespace
 
 std::string kept_program(const Folder& folder, const std::string& game) {
   return folder.programs() + "/" + game + "/mirocup";
-}
-
-std::string program_of_game(system::Files& files, const Folder& folder, const std::string& game) {
-  const bool is_other = game != record::this_software().behaviour_hash;
-  const std::string kept = is_game(game) ? kept_program(folder, game) : "";
-  if (is_other && !kept.empty() && files.exists(kept)) return kept;
-  return system::sibling_program("mirocup");
 }
 
 std::string game_of_record(system::Files& files, const Folder& folder, const std::string& record) {
@@ -39,6 +83,85 @@ std::string game_of_record(system::Files& files, const Folder& folder, const std
   const auto text = files.read(path, {.max_size = system::size_limit::record});
   if (!text) return "";
   return record::read_json<std::string>(*text, path, Errc::damaged, read_game).value_or("");
+}
+
+Result<bool> is_trusted_program(const std::string& bytes) {
+  const auto list = read_list();
+  if (!list) return tl::unexpected(list.error());
+  return list->find(system::sha256(bytes) + "\n") != std::string::npos;
+}
+
+Result<void> trust_program(const std::string& bytes) {
+  const auto is_trusted = is_trusted_program(bytes);
+  if (!is_trusted) return tl::unexpected(is_trusted.error());
+  if (*is_trusted) return {};
+  system::Disk disk;
+  return disk.make_folder(system::state_folder(), system::Readers::owner).and_then([&] {
+    return disk.append(list_path(), system::sha256(bytes) + "\n");
+  });
+}
+
+Result<std::vector<std::string>> trust_kept_programs(system::Files& files, const Folder& folder) {
+  std::vector<std::string> trusted;
+  if (!files.exists(folder.programs())) return trusted;
+  const auto games = files.names_in(folder.programs());
+  if (!games) return tl::unexpected(games.error());
+  for (const std::string& game : *games) {
+    const std::string path = kept_program(folder, game);
+    if (!is_game(game) || !files.exists(path)) continue;
+    const auto bytes = files.read(path, {.max_size = max_program});
+    if (!bytes) return tl::unexpected(bytes.error());
+    if (auto done = trust_program(*bytes); !done) return tl::unexpected(done.error());
+    trusted.push_back(path);
+  }
+  return trusted;
+}
+
+MatchServers::MatchServers(system::Files& files, const Folder& folder)
+    : files_(files), folder_(folder) {
+  own_.path = system::sibling_program("mirocup");
+  own_.words = {own_.path};
+}
+
+const MatchServer& MatchServers::of_game(const std::string& game) {
+  const bool is_other = game != record::this_software().behaviour_hash && is_game(game);
+  if (!is_other) return own_;
+  const auto known = by_game_.find(game);
+  if (known != by_game_.end()) return known->second;
+  const std::string path = kept_program(folder_, game);
+  if (!files_.exists(path)) return own_;
+  return by_game_.emplace(game, open_kept(path)).first->second;
+}
+
+const MatchServer& MatchServers::of_record(const std::string& record) {
+  const std::string path = folder_.path + "/" + record;
+  const auto text = files_.read(path, {.max_size = system::size_limit::record});
+  if (!text || !record::expect_whole(*text, path)) return own_;
+  return of_game(
+      record::read_json<std::string>(*text, path, Errc::damaged, read_game).value_or(""));
+}
+
+MatchServer MatchServers::open_kept(const std::string& path) {
+  const auto bytes = files_.read(path, {.max_size = max_program});
+  const auto is_trusted = bytes ? is_trusted_program(*bytes) : tl::unexpected(bytes.error());
+  MatchServer server = own_;
+  if (!is_trusted) {
+    server.why_not_kept = path + " is not run: " + is_trusted.error().what;
+  } else if (!*is_trusted) {
+    server.why_not_kept = path + " is not run, since this host has not kept it; if you trust the " +
+                          "programs of this folder: mirocup league verify " + folder_.path +
+                          " --trust-programs";
+  } else if (auto copy = copy_in_memory(*bytes); !copy) {
+    server.why_not_kept = path + " is not run: " + copy.error().what;
+  } else {
+    const std::string here = "/proc/" + std::to_string(getpid()) + "/fd/";
+    server = {.path = path,
+              .words = {"/usr/bin/env", std::string(system::asks_no_other) + "=1",
+                        here + std::to_string(copy->get())},
+              .why_not_kept = ""};
+    copies_.push_back(std::move(*copy));
+  }
+  return server;
 }
 
 }  // namespace mirocup::league

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/play/program.hpp"
 
+#include "server/record/checksum.hpp"
 #include "server/record/json_reader.hpp"
 #include "system/locations.hpp"
+#include "system/printable.hpp"
 #include "system/process_set.hpp"
 #include "tournaments/league/kept_program.hpp"
 
@@ -10,6 +12,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <iostream>
 #include <map>
 
 namespace mirocup::league {
@@ -32,6 +35,7 @@ Result<RecordedLeg> read_leg(system::Files& files, const Folder& folder, const s
   const std::string file = folder.path + "/" + path;
   const auto text = files.read(file, {.max_size = system::size_limit::record});
   if (!text) return tl::unexpected(text.error());
+  if (auto whole = record::expect_whole(*text, file); !whole) return tl::unexpected(whole.error());
   return record::read_json<RecordedLeg>(
       *text, file, Errc::damaged, [&path](const record::JsonReader& json) {
         const record::JsonReader software = json.at("software");
@@ -98,8 +102,8 @@ std::string game_of_last_leg(system::Files& files, const LeagueStore& store) {
 }
 
 Result<std::string> bytes_of_sibling(system::Files& files, const std::string& name) {
-  return files.read(system::sibling_program(name), {.max_size = 4 * system::size_limit::system_file,
-                                                    .links = system::Links::followed});
+  return files.read(system::sibling_program(name),
+                    {.max_size = max_program, .links = system::Links::followed});
 }
 
 Result<void> write_program(system::Files& files, const std::string& path,
@@ -138,10 +142,17 @@ Result<void> expect_program(system::Files& files, LeagueStore& store,
 
 Result<void> keep_program(system::Files& files, const Folder& folder,
                           const record::Software& program) {
-  const std::string kept = kept_program(folder, program.behaviour_hash);
-  if (files.exists(kept)) return {};
   const auto server = bytes_of_sibling(files, "mirocup");
   if (!server) return tl::unexpected(server.error());
+  // Without the list, records are verified by other programs all the same.
+  if (const auto listed = trust_program(*server); !listed)
+    std::cerr << "mirocup: this program will not be found in " << system::printable(folder.path)
+              << " after an upgrade: " << system::printable(listed.error().what) << '\n';
+  const std::string kept = kept_program(folder, program.behaviour_hash);
+  // In a folder from elsewhere there may be another program in its place.
+  if (const auto there = files.read(kept, {.max_size = max_program});
+      there && is_trusted_program(*there).value_or(true))
+    return {};
   const auto host = bytes_of_sibling(files, "mirocup-plugin-host");
   if (!host) return tl::unexpected(host.error());
   const Json about{{"version", program.version},
@@ -178,6 +189,7 @@ Result<VerifiedRecords> verify_records(system::Files& files, const LeagueStore& 
 
   const OutputFolder output;
   if (output.path().empty()) return fail(Errc::unavailable, "no temporary folder can be made");
+  MatchServers servers(files, folder);
   system::ProcessSet processes;
   if (jobs <= 0) jobs = static_cast<int>(system::processors().size());
   std::map<std::string, int> by_program;
@@ -185,11 +197,12 @@ Result<VerifiedRecords> verify_records(system::Files& files, const LeagueStore& 
   for (std::size_t next = 0; next < waiting.size() || processes.running() > 0;) {
     if (next < waiting.size() && static_cast<int>(processes.running()) < jobs) {
       const RecordedLeg& leg = *waiting[next];
-      const std::string program = program_of_game(files, folder, leg.game);
-      ++by_program[in_words(leg.version, leg.game) + ", verified by " + program];
+      const MatchServer& server = servers.of_game(leg.game);
+      ++by_program[in_words(leg.version, leg.game) + ", verified by " + server.path];
       const int tag = static_cast<int>(next++);
-      const auto started = processes.start({program, "verify", folder.path + "/" + leg.path}, tag,
-                                           -1, output_of(tag));
+      std::vector<std::string> words = server.words;
+      words.insert(words.end(), {"verify", folder.path + "/" + leg.path});
+      const auto started = processes.start(words, tag, -1, output_of(tag));
       if (!started) return tl::unexpected(started.error());
       continue;
     }
@@ -200,8 +213,9 @@ Result<VerifiedRecords> verify_records(system::Files& files, const LeagueStore& 
     } else {
       const std::string said =
           files.read(output_of(exit->tag), {.max_size = system::size_limit::log}).value_or("");
-      done.problems.push_back({waiting[static_cast<std::size_t>(exit->tag)]->path,
-                               last_line_of(said),
+      const RecordedLeg& leg = *waiting[static_cast<std::size_t>(exit->tag)];
+      const std::string& why = servers.of_game(leg.game).why_not_kept;
+      done.problems.push_back({leg.path, last_line_of(said) + (why.empty() ? "" : "; ") + why,
                                exit->signal != 0 ? exit_code(Errc::host) : exit->code});
     }
     (void)files.remove(output_of(exit->tag));

@@ -21,7 +21,8 @@ Result<void> expect_program(system::Files& files, LeagueStore& store,
                             const record::Software& program, bool accepts_other);
 
 // Keeps copies of this match server, and of the host of teams' libraries that it needs for a rerun,
-// with the league, if they are not there.
+// with the league, if no trusted ones are there, and puts the match server on this host's list
+// (league/kept_program.hpp). If the list cannot be written, standard error says so.
 Result<void> keep_program(system::Files& files, const Folder& folder,
                           const record::Software& program);
 
@@ -40,6 +41,7 @@ struct VerifiedRecords {
 
 // Verifies all records of a league, `jobs` at once (0: one for each processor): each is simulated
 // again by the program that played it, and those that the journal names are the ones that it means.
+// For a record whose own text is damaged, no program is started.
 // Errors: Errc::interrupted, or what keeps a verification from starting.
 Result<VerifiedRecords> verify_records(system::Files& files, const LeagueStore& store, int jobs);
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/replay_pages.hpp"
 
-#include "system/locations.hpp"
 #include "system/process_set.hpp"
 #include "tournaments/league/kept_program.hpp"
 #include "tournaments/publish/former_pages.hpp"
@@ -34,54 +33,53 @@ std::vector<std::string> records_of(system::Files& files, const Folder& folder,
 
 // True if the page of a record is there with statistics that can be read. Statistics of an earlier
 // version that cannot be read any more are not made again by the same program.
-bool has_page(system::Files& files, const Folder& folder, const std::string& record) {
+bool has_page(system::Files& files, const Folder& folder, MatchServers& servers,
+              const std::string& record) {
   if (!files.exists(folder.site() + "/" + replay_page_of(record))) return false;
   if (has_statistics(files, folder, record)) return true;
   return files.exists(folder.site() + "/" + statistics_file_of(record)) &&
-         program_of_game(files, folder, game_of_record(files, folder, record)) !=
-             system::sibling_program("mirocup");
+         servers.of_record(record).words != servers.own().words;
 }
 
 // A page that is not there, and the programs that may make it: the one that played the leg, and
 // this one if that fails, as one of an earlier version may, which knows other options.
 struct MissingPage {
   std::string record;
-  std::vector<std::string> programs;
+  std::vector<Arguments> programs;
+  std::string why_not_kept;  // of the match server that played the leg
 };
 
 Arguments command_for(const Folder& folder, const MissingPage& missing, std::size_t attempt) {
-  return {missing.programs[attempt],
-          "replay",
-          folder.path + "/" + missing.record,
-          "--no-times",
-          "--public",
-          "-o",
-          folder.site() + "/" + replay_page_of(missing.record),
-          "--statistics",
-          folder.site() + "/" + statistics_file_of(missing.record)};
+  Arguments words = missing.programs[attempt];
+  words.insert(words.end(),
+               {"replay", folder.path + "/" + missing.record, "--no-times", "--public", "-o",
+                folder.site() + "/" + replay_page_of(missing.record), "--statistics",
+                folder.site() + "/" + statistics_file_of(missing.record)});
+  return words;
 }
 
 std::vector<MissingPage> missing_pages(system::Files& files, const Folder& folder,
-                                       const LeagueState& state) {
-  const std::string own = system::sibling_program("mirocup");
+                                       const LeagueState& state, MatchServers& servers) {
   std::vector<MissingPage> missing;
   for (const FixtureState& f : state.fixtures) {
     for (const std::string& record : records_of(files, folder, f)) {
-      if (has_page(files, folder, record)) continue;
-      const std::string game = game_of_record(files, folder, record);
-      MissingPage page{.record = record, .programs = {program_of_game(files, folder, game)}};
-      if (page.programs.front() != own) page.programs.push_back(own);
+      if (has_page(files, folder, servers, record)) continue;
+      const MatchServer& server = servers.of_record(record);
+      MissingPage page{
+          .record = record, .programs = {server.words}, .why_not_kept = server.why_not_kept};
+      if (server.words != servers.own().words) page.programs.push_back(servers.own().words);
       missing.push_back(std::move(page));
     }
   }
   return missing;
 }
 
-// Returns the number of pages that could not be made.
-Result<int> make_missing_pages(system::Files& files, const Folder& folder, const LeagueState& state,
-                               int jobs) {
-  const std::vector<MissingPage> missing = missing_pages(files, folder, state);
-  if (missing.empty()) return 0;
+Result<FailedPages> make_missing_pages(system::Files& files, const Folder& folder,
+                                       const LeagueState& state, int jobs) {
+  MatchServers servers(files, folder);
+  const std::vector<MissingPage> missing = missing_pages(files, folder, state, servers);
+  FailedPages failed;
+  if (missing.empty()) return failed;
   for (const char* name : {"/replays", "/statistics"}) {
     if (auto made = files.make_folder(folder.site() + name); !made) {
       return tl::unexpected(made.error());
@@ -90,7 +88,6 @@ Result<int> make_missing_pages(system::Files& files, const Folder& folder, const
   const std::size_t at_once =
       jobs > 0 ? static_cast<std::size_t>(jobs) : system::processors().size();
   system::ProcessSet processes;
-  int failed = 0;
   std::vector<std::size_t> attempts(missing.size());  // of each page, those that failed
   std::vector<std::size_t> again;                     // pages that another program is to make
   std::size_t next = 0;
@@ -110,7 +107,8 @@ Result<int> make_missing_pages(system::Files& files, const Folder& folder, const
     if (++attempts[page] < missing[page].programs.size()) {
       again.push_back(page);
     } else {
-      ++failed;
+      ++failed.count;
+      if (!missing[page].why_not_kept.empty()) failed.reasons.insert(missing[page].why_not_kept);
     }
   }
   return failed;
@@ -153,8 +151,8 @@ std::string replay_page_of(const std::string& record) {
   return "replays/" + std::filesystem::path(record).stem().string() + ".html";
 }
 
-Result<int> make_replay_pages(system::Files& files, const Folder& folder, const Overview& overview,
-                              int jobs) {
+Result<FailedPages> make_replay_pages(system::Files& files, const Folder& folder,
+                                      const Overview& overview, int jobs) {
   if (const auto removed = remove_other_pages(files, folder, overview.state); !removed)
     return tl::unexpected(removed.error());
   const auto failed = make_missing_pages(files, folder, overview.state, jobs);

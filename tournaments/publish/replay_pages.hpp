@@ -10,6 +10,7 @@
 #include "tournaments/league/folder.hpp"
 #include "tournaments/publish/leg_view.hpp"
 
+#include <set>
 #include <string>
 
 namespace mirocup::league {
@@ -17,10 +18,15 @@ namespace mirocup::league {
 // Returns the path inside site/ of the page of a record ("records/x.json").
 std::string replay_page_of(const std::string& record);
 
+// The pages that could not be made, which does not keep a league from being published.
+struct FailedPages {
+  int count = 0;
+  std::set<std::string> reasons;  // why programs that the league keeps were not run; sentences
+};
+
 // Makes the missing pages, `jobs` at once (0: one for each processor), and removes those of legs
-// that this state does not hold. Returns the number of pages that could not be made, which does not
-// keep a league from being published.
-Result<int> make_replay_pages(system::Files& files, const Folder& folder, const Overview& overview,
-                              int jobs);
+// that this state does not hold.
+Result<FailedPages> make_replay_pages(system::Files& files, const Folder& folder,
+                                      const Overview& overview, int jobs);
 
 }  // namespace mirocup::league

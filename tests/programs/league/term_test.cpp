@@ -5,6 +5,7 @@
 // grades are computed again from the journal alone, by the few lines of Tally. Catches a night that
 // plays what was not accepted, a result that pages tell before it is released, an old record that
 // no program verifies any more, a grade that is not what was played.
+#include "server/record/match_record.hpp"
 #include "tests/programs/league/league_command.hpp"
 
 #include <gtest/gtest.h>
@@ -47,7 +48,27 @@ void go_to_day(int day) {
 
 class Term : public testing::Test {
  protected:
-  ~Term() override { unsetenv("MIROCUP_CLOCK_OFFSET"); }
+  Term() { change_computer("first"); }
+  ~Term() override {
+    unsetenv("MIROCUP_CLOCK_OFFSET");
+    unsetenv("XDG_STATE_HOME");
+  }
+
+  // The programs that are started from now on know what they remember on that computer.
+  void change_computer(const std::string& name) const {
+    setenv("XDG_STATE_HOME", (temporary_ / name).c_str(), 1);
+  }
+
+  // Replaces a program by one that notes what it is asked and then does it. Returns the path of the
+  // notes.
+  std::string spy_on(const std::string& program) const {
+    const std::string notes = temporary_ / "asked";
+    fs::rename(program, program + ".real");
+    write_file(program,
+               "#!/bin/sh\necho \"$2\" >>" + notes + "\nexec " + program + ".real \"$@\"\n");
+    fs::permissions(program, fs::perms::owner_all);
+    return notes;
+  }
 
   void init() {
     std::string teams;
@@ -426,22 +447,66 @@ TEST_F(Term, OfThreeWeeks) {
   const Outcome rerun = run(
       {folder_ + "/programs/" + game + "/mirocup", "rerun", folder_ + "/records/r1-f1-1-1.json"});
   EXPECT_EQ(rerun.exit_code, 0) << rerun.out << rerun.err;
-  const std::string kept = folder_ + "/programs/" + game + "/mirocup";
-  fs::rename(kept, kept + ".real");
-  write_file(kept, "#!/bin/sh\necho \"$2\" >>" + (temporary_ / "asked") + "\nexec " + kept +
-                       ".real \"$@\"\n");
-  fs::permissions(kept, fs::perms::owner_all);
+  const std::string notes = spy_on(folder_ + "/programs/" + game + "/mirocup");
+  EXPECT_EQ(by_new("verify", {"--trust-programs"}).exit_code, 0);
+  fs::remove(notes);
   const auto before = test_support::site_of(folder_);
   fs::remove_all(folder_ + "/site");
   EXPECT_EQ(by_new("publish", {}).exit_code, 0);
   EXPECT_EQ(test_support::site_of(folder_), before);
-  const std::string asked = read_file(temporary_ / "asked");
+  const std::string asked = read_file(notes);
   for (const auto& line : journal_of(folder_)) {
     if (line["kind"] != "leg") continue;
     const std::string record = line["record"];
     EXPECT_EQ(contains(asked, "/" + record + "\n"), !record.starts_with("records/r3-")) << record;
   }
   for (const auto& line : journal_of(folder_)) EXPECT_TRUE(line.contains("at")) << line;
+}
+
+// Catches a program of a folder from elsewhere that is run without being told to, one that is run
+// for a record that was changed, and a league of before that no program verifies any more.
+TEST_F(Term, AFolderFromElsewhereRunsItsProgramsOnlyIfTheyAreTrusted) {
+  const std::string game = record::this_software().behaviour_hash;
+  const std::string older = "0123456789abcdef";
+  const std::string home = upgraded(game, older);
+  test_support::init_league(folder_, {"a=house:chaser", "b=house:keeper"});
+  ASSERT_EQ(run({home + "/mirocup", "league", "start", folder_}).exit_code, 0);
+  const std::string kept = "programs/" + older + "/mirocup";
+  EXPECT_TRUE(contains(ask("verify").out, kept)) << "this computer has kept it";
+  const std::string notes = spy_on(folder_ + "/" + kept);
+  EXPECT_FALSE(contains(ask("verify").out, kept)) << "it has other bytes";
+
+  change_computer("second");
+  fs::remove_all(folder_ + "/site");
+  ask("publish");
+  ask("start", {"--other-program"});
+  ask("void", {"r1-f1", "--leg", "1", "--reason", "cable fault"});
+  EXPECT_FALSE(contains(ask("verify").out, kept));
+  EXPECT_FALSE(fs::exists(notes)) << read_file(notes);
+
+  // A record that this program does not reproduce: the sentence says what to do.
+  const std::string record = folder_ + "/records/r1-f1-2-1.json";
+  system::Disk disk;
+  auto other = record::load(disk, record);
+  ASSERT_TRUE(other) << other.error().what;
+  other->recording.ticks[3].hash ^= 1;
+  ASSERT_TRUE(record::save(disk, record, *other));
+  EXPECT_TRUE(contains(ask("verify", {}, 4).out, "--trust-programs"));
+  fs::remove_all(folder_ + "/site");
+  EXPECT_TRUE(contains(ask("publish").err, "--trust-programs"));
+  EXPECT_FALSE(fs::exists(notes)) << read_file(notes);
+
+  const Outcome trusted = ask("verify", {"--trust-programs"}, 1);
+  EXPECT_TRUE(contains(trusted.out, kept)) << trusted.out;
+  EXPECT_TRUE(contains(read_file(notes), "/records/r1-f1-1-1.json\n"));
+  // Its program finds the difference; once its text is damaged, it is not asked.
+  fs::remove(notes);
+  write_file(record, read_file(record) + " ");
+  fs::remove_all(folder_ + "/site");
+  ask("verify", {}, 4);
+  ask("publish");
+  EXPECT_TRUE(contains(read_file(notes), "/records/r1-f1-1-1.json\n"));
+  EXPECT_FALSE(contains(read_file(notes), "/records/r1-f1-2-1.json\n"));
 }
 
 // Catches a program of the host that hears of a night twice, of one that is hidden, or not at all

@@ -123,6 +123,36 @@ TEST(Records, LoseNothingWhenTheyAreMadeFlat) {
   }
 }
 
+// The software that played the first sample, which plays otherwise than this one.
+record::Software software() {
+  system::Disk disk;
+  return record::load(disk, samples().front())->software;
+}
+
+// The line of a script that answers --version.
+std::string answers(const std::string& version) {
+  return "[ \"$1\" = --version ] && echo " + version + " && exit 0\n";
+}
+
+// Returns the folder of a version that verifies everything with that exit code.
+std::string add_version(const TemporaryFolder& versions, const std::string& name,
+                        const std::string& version, int code) {
+  const std::string folder = versions / name;
+  const std::string path = folder + "/bin/mirocup";
+  std::filesystem::create_directories(folder + "/bin");
+  test_support::write_file(path, "#!/bin/sh\n" + answers(version) + "echo " + name + " $1; exit " +
+                                     std::to_string(code) + "\n");
+  std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+  return folder;
+}
+
+Outcome verify_with(const std::string& versions, const std::string& record = samples().front()) {
+  setenv("MIROCUP_VERSIONS", versions.c_str(), 1);
+  Outcome verified = verify(record);
+  unsetenv("MIROCUP_VERSIONS");
+  return verified;
+}
+
 TEST(Records, AreReadIfEarlierVersionsWroteThem) {
   system::Disk disk;
   const std::string behaviour_hash = record::this_software().behaviour_hash;
@@ -142,43 +172,52 @@ TEST(Records, AreReadIfEarlierVersionsWroteThem) {
 // Catches a verification that does not look for the version that played the record, and one that
 // asks a version that does not reproduce it.
 TEST(Records, AreVerifiedByTheVersionThatPlayedThem) {
-  const test_support::TemporaryFolder versions;
-  const auto add_version = [&versions](const std::string& name, int code) {
-    const std::string folder = versions / name;
-    std::filesystem::create_directories(folder + "/bin");
-    test_support::write_file(folder + "/bin/mirocup", "#!/bin/sh\necho " + name + " $1; exit " +
-                                                          std::to_string(code) + "\n");
-    std::filesystem::permissions(folder + "/bin/mirocup", std::filesystem::perms::owner_all);
-    return folder;
-  };
-  const std::string path = add_version("other", 4) + ":" + add_version("fitting", 0);
-  setenv("MIROCUP_VERSIONS", path.c_str(), 1);
-  const auto verified =
-      test_support::run({test_support::program("mirocup"), "verify", samples().front()});
-  unsetenv("MIROCUP_VERSIONS");
+  const TemporaryFolder versions;
+  const std::string path = add_version(versions, "unlike", "0.0.7", 0) + ":" +
+                           add_version(versions, "other", software().version, 4) + ":" +
+                           add_version(versions, "fitting", software().version, 0);
+  const Outcome verified = verify_with(path);
   EXPECT_EQ(verified.exit_code, 0) << verified.err;
   EXPECT_EQ(verified.out, "fitting verify\n");
   EXPECT_NE(verified.err.find("played by another version"), std::string::npos) << verified.err;
 }
 
 // Catches a verification that runs a program of any user beside the prefix, as in /tmp beside /usr.
+TEST(Records, AreVerifiedByNoProgramBesideThePrefix) {
+  const TemporaryFolder prefixes;
+  const std::string own = add_version(prefixes, "own", "", 0) + "/bin/mirocup";
+  add_version(prefixes, "other", software().version, 0);
+  std::filesystem::remove(own);
+  std::filesystem::copy_file(program("mirocup"), own);
+  const Outcome verified = run({own, "verify", samples().front()});
+  EXPECT_EQ(verified.exit_code, 4) << verified.err;
+  EXPECT_EQ(verified.out, "");
+}
+
+// Catches a verification that runs a program in a folder that others can write to, another program
+// by a link, or any program for a record that was changed.
 TEST(Records, AreVerifiedByNoProgramThatOthersCanWrite) {
   namespace fs = std::filesystem;
-  const test_support::TemporaryFolder prefixes;
-  const std::string own = prefixes / "own/bin/mirocup";
-  const std::string other = prefixes / "other/bin/mirocup";
-  fs::create_directories(prefixes / "own/bin");
-  fs::create_directories(prefixes / "other/bin");
-  fs::copy_file(test_support::program("mirocup"), own);
-  test_support::write_file(other, "#!/bin/sh\necho asked\n");
-  fs::permissions(other, fs::perms::owner_all);
-  const auto answer = [&own] { return test_support::run({own, "verify", samples().front()}).out; };
-  EXPECT_EQ(answer(), "asked\n");
-  fs::permissions(prefixes / "other/bin", fs::perms::all);
-  EXPECT_EQ(answer(), "");
-  fs::permissions(prefixes / "other/bin", fs::perms::owner_all);
-  fs::permissions(other, fs::perms::all);
-  EXPECT_EQ(answer(), "");
+  const TemporaryFolder versions;
+  const std::string version = add_version(versions, "v", software().version, 0);
+  EXPECT_EQ(verify_with(version).exit_code, 0);
+  for (const std::string& open : {version, version + "/bin", version + "/bin/mirocup"}) {
+    fs::permissions(open, fs::perms::group_write, fs::perm_options::add);
+    const Outcome verified = verify_with(version);
+    EXPECT_EQ(verified.exit_code, 4) << verified.out;
+    EXPECT_NE(verified.err.find(open + " may be written by others"), std::string::npos)
+        << verified.err;
+    fs::permissions(open, fs::perms::group_write, fs::perm_options::remove);
+  }
+  const std::string record = versions / "leg.json";
+  fs::copy_file(samples().front(), record);
+  fs::copy_file(record::replay_path_of(samples().front()), record::replay_path_of(record));
+  EXPECT_EQ(verify_with(version, record).exit_code, 0);
+  test_support::write_file(record, test_support::read_file(record) + " ");
+  EXPECT_EQ(verify_with(version, record).exit_code, 4) << "its text was changed";
+  fs::remove(version + "/bin/mirocup");
+  fs::create_symlink("/usr/bin/true", version + "/bin/mirocup");
+  EXPECT_EQ(verify_with(version).exit_code, 4) << "true verifies everything";
 }
 
 // Two versions of which neither reproduces the record used to ask each other without end.
@@ -187,8 +226,9 @@ TEST(Records, AreNotAskedForInACircle) {
   std::filesystem::create_directories(versions / "other/bin");
   const std::string program = versions / "other/bin/mirocup";
   const std::string calls = versions / "calls";
-  test_support::write_file(program, "#!/bin/sh\necho call >> " + calls + "\n[ $(wc -l < " + calls +
-                                        ") -lt 4 ] && " + test_support::program("mirocup") +
+  test_support::write_file(program, "#!/bin/sh\n" + answers(software().version) + "echo call >> " +
+                                        calls + "\n[ $(wc -l < " + calls + ") -lt 4 ] && " +
+                                        test_support::program("mirocup") +
                                         " verify \"$2\"\nexit 4\n");
   std::filesystem::permissions(program, std::filesystem::perms::owner_all);
   setenv("MIROCUP_VERSIONS", (versions / "other").c_str(), 1);

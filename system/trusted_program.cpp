@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "system/trusted_program.hpp"
+
+#include "system/descriptor.hpp"
+#include "system/users.hpp"
+
+#include <climits>
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <vector>
+
+namespace mirocup::system {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int max_links = 40;  // as many as the kernel follows
+
+bool others_write(const struct statx& about) {
+  return !S_ISLNK(about.stx_mode) && (about.stx_mode & (S_IWGRP | S_IWOTH)) != 0;
+}
+
+// True if others make files in the folder, but rename and remove their own ones only.
+bool is_shared_folder(const struct statx& about) {
+  return S_ISDIR(about.stx_mode) && others_write(about) && (about.stx_mode & S_ISVTX) != 0 &&
+         about.stx_uid == 0;
+}
+
+// Returns why a stranger could have put it there; "" if none could.
+std::string objection(const struct statx& about, bool is_in_shared_folder) {
+  const bool is_own = about.stx_uid == this_user();
+  if (!is_own && (about.stx_uid != 0 || is_in_shared_folder))
+    return "belongs to " + name_of_user(about.stx_uid);
+  if (others_write(about) && !is_shared_folder(about))
+    return "may be written by others than its owner";
+  if (is_in_shared_folder && !S_ISDIR(about.stx_mode) && about.stx_nlink > 1)
+    return "has a second name, in a folder that all users share";
+  if (is_in_shared_folder && (about.stx_attributes & STATX_ATTR_MOUNT_ROOT) != 0)
+    return "is mounted in a folder that all users share";
+  return "";
+}
+
+// Adds the names of a path in front of those that are left, of which the next one is the last.
+void put_in_front(std::vector<std::string>& left, const fs::path& path) {
+  const std::vector<std::string> names(path.begin(), path.end());
+  left.insert(left.end(), names.rbegin(), names.rend());
+}
+
+Result<struct statx> look_at(const Descriptor& opened, const std::string& path) {
+  struct statx about {};
+  if (!opened.is_open() || statx(opened.get(), "", AT_EMPTY_PATH, STATX_BASIC_STATS, &about) != 0)
+    return fail(Errc::unavailable, path + " cannot be read: " + std::strerror(errno));
+  return about;
+}
+
+Result<fs::path> target_of(const Descriptor& link, const std::string& path) {
+  std::string target(PATH_MAX, '\0');
+  const ssize_t size = readlinkat(link.get(), "", target.data(), target.size());
+  if (size < 0) return fail(Errc::unavailable, path + " cannot be read: " + std::strerror(errno));
+  target.resize(static_cast<std::size_t>(size));
+  return fs::path(target);
+}
+
+}  // namespace
+
+Result<std::string> trusted_path(const std::string& path) {
+  std::error_code failed;
+  std::vector<std::string> left;
+  put_in_front(left, fs::absolute(path, failed));
+  if (failed) return fail(Errc::unavailable, path + " cannot be read: " + failed.message());
+  Descriptor folder;
+  fs::path real;
+  bool is_in_shared_folder = false;
+  for (int links = 0; !left.empty();) {
+    const std::string name = left.back();
+    left.pop_back();
+    if (name.empty() || name == ".") continue;
+    const bool is_known = name == ".." || name == "/";  // looked at before: not in the folder
+    const fs::path next = name == ".." ? real.parent_path() : real / name;
+    Descriptor opened(openat(folder.get(), name.c_str(), O_PATH | O_NOFOLLOW | O_CLOEXEC));
+    const auto about = look_at(opened, next);
+    if (!about) return tl::unexpected(about.error());
+    if (const auto why = objection(*about, is_in_shared_folder && !is_known); !why.empty())
+      return fail(Errc::input, next.string() + " " + why);
+    if (S_ISLNK(about->stx_mode)) {
+      const auto target = target_of(opened, next);
+      if (!target) return tl::unexpected(target.error());
+      if (++links > max_links) return fail(Errc::input, path + " has too many links");
+      put_in_front(left, *target);
+      continue;
+    }
+    is_in_shared_folder = is_shared_folder(*about);
+    folder = std::move(opened);
+    real = next;
+  }
+  return real.string();
+}
+
+Result<std::string> trusted_program(const std::string& path, const std::string& name) {
+  auto real = trusted_path(path);
+  if (!real) return real;
+  if (fs::path(*real).filename() != name)
+    return fail(Errc::input, path + " leads to " + *real + ", which is not called " + name);
+  std::error_code none;
+  if (!fs::is_regular_file(*real, none) ||
+      faccessat(AT_FDCWD, real->c_str(), X_OK, AT_EACCESS) != 0)
+    return fail(Errc::input, *real + " is not a program that this user may run");
+  return real;
+}
+
+}  // namespace mirocup::system
