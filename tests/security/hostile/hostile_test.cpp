@@ -169,6 +169,7 @@ class Hostile : public testing::TestWithParam<Kind> {
  protected:
   void SetUp() override {
     prepare_target();
+    if (GetParam().outcome == burns_start) setenv("MIROCUP_START_LIMIT", start_limit, 1);
     setenv("MIROCUP_TEST_SECRET", secret.c_str(), 1);
     prctl(PR_SET_CHILD_SUBREAPER, 1);
   }
