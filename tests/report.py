@@ -30,6 +30,11 @@ def reason_of(text):
     return found.group(1) if found else (lines[-1] if lines else "it does not say why").removeprefix("skipped: ")
 
 
+def without_passed(text):
+    """Returns the output of GoogleTest without the lines of tests that passed. A test that crashed keeps its line."""
+    return re.sub(r"\[ RUN      \] (.*)\n\[       OK \] \1 .*\n|\[-{10}\].*\n|(?m:^)\n", "", text)
+
+
 def parts_of(properties, build, label):
     """Returns the tests that a part of a program ran; none if it did not come to its end."""
     output = dict(line.split("=", 1) for line in properties.get("ENVIRONMENT", [])).get("GTEST_OUTPUT", "")
@@ -59,11 +64,12 @@ def read_build(path):
         if status == "disabled":
             continue
         labels[label] += seconds
-        is_skipped = case.find("skipped") is not None
+        skipped = case.find("skipped")
+        is_skipped = skipped is not None and skipped.get("message", "").startswith("SKIP_")  # others could not be started
         verdict = "passed" if status == "run" else "skipped" if is_skipped else "failed"
         parts = parts_of(own, path.stem, label)
         if verdict == "failed":
-            failures.append(f"== failed: {path.stem}: {name}\n{text}")
+            failures.append(f"== failed: {path.stem}: {name}\n{without_passed(text)}")
         if verdict == "failed" and not any(test.verdict == "failed" for test in parts):
             parts = []  # it crashed, at the end or before
         reason = reason_of(text) if verdict == "skipped" else ""
