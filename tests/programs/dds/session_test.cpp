@@ -140,7 +140,7 @@ void expect_no_winner(int signal, const std::string& first, const std::string& s
   const TemporaryFolder folder;
   const std::string id = match_id("both-" + std::to_string(signal) + first + speed);
   Running leg({program("mirocup"), "match", "--blue", "dds:one", "--yellow", "dds:two", "--match",
-               id, "--speed", speed, "--half", "3000", "--away-limit", "1", "--record",
+               id, "--speed", speed, "--half", "3000", "--away-limit", "2", "--record",
                folder / "leg.json"});
   Running blue(join(id, "blue", "one", "striker"));
   Running yellow(join(id, "yellow", "two", "striker"));
@@ -175,7 +175,7 @@ TEST(DdsSession, IsWonByNobodyWhenOneTeamDiesBeforeTheStartAndTheOtherDoesNotCom
   const TemporaryFolder folder;
   const std::string id = match_id("before");
   Running leg({program("mirocup"), "match", "--blue", "dds:one", "--yellow", "dds:two", "--match",
-               id, "--join-within", "4", "--record", folder / "leg.json"});
+               id, "--join-within", "10", "--record", folder / "leg.json"});
   Running blue(join(id, "blue", "one", "striker"));
   ASSERT_TRUE(has_said(blue, "one plays blue"));
   std::this_thread::sleep_for(std::chrono::milliseconds(300));
@@ -223,7 +223,9 @@ TEST(DdsSession, SaysAtMostTenTimesThatTheSeatIsTaken) {
 TEST(DdsSession, LetsAStoppedTeamGoOn) {
   const TemporaryFolder folder;
   const std::string id = match_id("stopped");
-  Running leg(match(id, folder / "leg.json", {"--speed", "1", "--half", "1"}));
+  // Long enough for the team to come back on a busy machine, here and below.
+  Running leg(
+      match(id, folder / "leg.json", {"--speed", "1", "--half", "4", "--away-limit", "60"}));
   Running remote(join(id, "blue", "remote", team("stops")));
   ASSERT_TRUE(has_said(leg, "the team is silent")) << leg.err();
   remote.signal(SIGCONT);
@@ -272,7 +274,7 @@ void expect_restart_works(const std::vector<std::string>& pace, int earliest) {
 }
 
 TEST(DdsSession, TakesATeamBackInRealTime) {
-  expect_restart_works({"--speed", "1", "--half", "1.5"}, 20);
+  expect_restart_works({"--speed", "1", "--half", "5", "--away-limit", "60"}, 20);
 }
 
 TEST(DdsSession, TakesATeamBackInLockstep) {
