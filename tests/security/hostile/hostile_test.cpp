@@ -73,23 +73,17 @@ constexpr bool is_sanitized = false;
 
 // Returns set-ups with both tiers and both colours; if the test runs as root, also with a server
 // that does not. The sandbox is built without sanitizers in every build, so a sanitized server
-// plays one of these set-ups, another one for each kind. For a team that burns processor time it
-// plays half of them, those of root or those of the user `nobody`, and the other build the other
-// half.
+// plays one of these set-ups, another one for each kind.
 std::vector<SetUp> set_ups(const Kind& kind) {
-  const std::vector<SetUp> as_caller{{"T2", User::caller, "blue"}, {"T1", User::caller, "yellow"}};
-  const std::vector<SetUp> as_nobody{{"T2", User::nobody, "yellow"}, {"T1", User::nobody, "blue"}};
-  if (geteuid() != 0) return as_caller;
-  std::vector<SetUp> all = as_caller;
-  all.insert(all.end(), as_nobody.begin(), as_nobody.end());
+  std::vector<SetUp> all{{"T2", User::caller, "blue"}, {"T1", User::caller, "yellow"}};
+  if (geteuid() == 0) {
+    all.push_back({"T2", User::nobody, "yellow"});
+    all.push_back({"T1", User::nobody, "blue"});
+  }
+  if (!is_sanitized) return all;
   const auto is_kind = [&](const Kind& other) { return other.name == kind.name; };
-  const auto index =
-      static_cast<std::size_t>(std::find_if(kinds.begin(), kinds.end(), is_kind) - kinds.begin());
-  const bool burns =
-      kind.outcome == burns_tick || kind.outcome == burns_bank || kind.outcome == burns_start;
-  if (burns) return (index % 2 == 0) == is_sanitized ? as_caller : as_nobody;
-  if (is_sanitized) return {all[index % all.size()]};
-  return all;
+  const auto index = std::find_if(kinds.begin(), kinds.end(), is_kind) - kinds.begin();
+  return {all[static_cast<std::size_t>(index) % all.size()]};
 }
 
 std::string other_than(const std::string& colour) {
