@@ -108,7 +108,7 @@ def main(results):
     limits = dict(line.split() for line in (here / "limits.txt").read_text().splitlines() if line and line[0] != "#")
     for label, seconds in sorted(labels.items()):
         limit = int(limits.get(label, 0))
-        print(f"{seconds:6.0f} of {limit:4} {label}" + (": over its limit, see CONTRIBUTING.md" if seconds > limit else ""))
+        print(f"{seconds:6.0f} of {limit:5} {label}" + (": over its limit, see CONTRIBUTING.md" if seconds > limit else ""))
     count = collections.Counter(test.verdict for test in tests)
     if count["skipped"]:
         reasons = collections.Counter(test.text for test in tests if test.verdict == "skipped")
