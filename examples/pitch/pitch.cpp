@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // A real pitch behind the topics of a match: publishes the pictures of a camera as states and sends
-// the answers of the teams to the radio. Usage: pitch MATCH SECONDS BLUE [YELLOW], with the names
-// of the teams.
+// the answers of the teams to the radio. Usage: pitch [--wait] MATCH SECONDS BLUE [YELLOW], with
+// the names of the teams. With --wait time stands until all teams have answered: for stand-ins.
 //
 // It replaces a match server (server/dds/README.md) for practice: teams may come and go at any
 // time, and the referee is a person beside the pitch.
@@ -11,10 +11,12 @@
 #include "server/dds/nonce.hpp"
 #include "table.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -72,12 +74,13 @@ class Pitch {
  public:
   Pitch(const std::string& match_id, const std::vector<std::string>& names, Camera& camera,
         Radio& radio);
-  void play(double seconds);
+  // `waits`: for the answers to each tick, as it does for those to the first one in any case.
+  void play(double seconds, bool waits);
 
  private:
   void hear(Side& side, std::uint32_t tick);
   void show(const Picture& now, const Picture& before, std::uint32_t tick, match::State state);
-  bool is_complete() const;
+  bool is_complete(std::uint32_t tick) const;
   void say_that_it_is_over(std::uint32_t tick);
 
   Camera& camera_;
@@ -142,9 +145,10 @@ void Pitch::hear(Side& side, std::uint32_t tick) {
   radio_.send(index_of(side.team), silence > max_silence ? match::Command{} : side.wheels);
 }
 
-bool Pitch::is_complete() const {
+// True if all teams have answered that tick.
+bool Pitch::is_complete(std::uint32_t tick) const {
   for (const Side& side : sides_) {
-    if (side.heard == 0) return false;
+    if (side.heard == 0 || side.answered < tick) return false;
   }
   return true;
 }
@@ -164,24 +168,30 @@ void Pitch::show(const Picture& now, const Picture& before, std::uint32_t tick,
 
 // As on a match server, the answers to one tick are driven in the next. Time stands at tick 0 until
 // all teams have answered.
-void Pitch::play(double seconds) {
+void Pitch::play(double seconds, bool waits) {
   Picture before = camera_.next_picture();
+  Picture now = before;
+  bool stands = false;
   const auto step =
       std::chrono::duration_cast<WallClock::duration>(std::chrono::duration<double>(period));
   auto due = WallClock::now();
   std::uint32_t tick = 0;
   while (tick * period < seconds) {
-    const Picture now = camera_.next_picture();
+    if (!stands || !waits) {
+      before = now;
+      now = camera_.next_picture();
+    }
     show(now, before, tick, tick == 0 ? match::State::READY : match::State::PLAY);
-    before = now;
-    std::this_thread::sleep_until(due += step);
+    due = std::max(due + step, WallClock::now());
+    std::this_thread::sleep_until(due);
     for (Side& side : sides_) hear(side, tick + 1);
-    if (is_complete()) ++tick;
+    stands = !is_complete(waits ? tick : 0);
+    if (!stands) ++tick;
   }
   for (const Side& side : sides_) radio_.send(index_of(side.team), {});
-  show(before, before, tick, match::State::END);
+  show(now, now, tick, match::State::END);
   say_that_it_is_over(tick);
-  std::cout << "the ball is at " << before.ball.x << ", " << before.ball.y << '\n';
+  std::cout << "the ball is at " << now.ball.x << ", " << now.ball.y << '\n';
 }
 
 void Pitch::say_that_it_is_over(std::uint32_t tick) {
@@ -200,12 +210,17 @@ void Pitch::say_that_it_is_over(std::uint32_t tick) {
 }  // namespace pitch
 
 int main(int argc, char** argv) {
+  const bool waits = argc > 1 && std::string_view(argv[1]) == "--wait";
+  if (waits) {
+    --argc;
+    ++argv;
+  }
   if (argc < 4 || argc > 5) {
-    std::cerr << "usage: pitch MATCH SECONDS BLUE [YELLOW]\n";
+    std::cerr << "usage: pitch [--wait] MATCH SECONDS BLUE [YELLOW]\n";
     return 2;
   }
   pitch::Table table(mirocup::field::make_field(mirocup::League::small), {}, pitch::period);
   pitch::Pitch pitch(argv[1], {argv + 3, argv + argc}, table, table);
-  pitch.play(std::atof(argv[2]));
+  pitch.play(std::atof(argv[2]), waits);
   return 0;
 }

@@ -200,8 +200,11 @@ Answer ProcessController::answer_to_exit(const ExitStatus& status) {
 // rest of its memory, so the leg waits only a moment for it.
 bool ProcessController::is_stuck_in_its_report() {
   if (out_->fault_signal.load(std::memory_order_relaxed) == 0) return false;
-  if (!report_began_) report_began_ = WallClock::now();
-  return seconds_since(*report_began_) > max_report_time;
+  if (!report_began_) {
+    report_began_ = WallClock::now();
+    delay_at_report_ = child_.processor_delay();
+  }
+  return seconds_without_delay(*report_began_, delay_at_report_) > max_report_time;
 }
 
 // The addresses are the process's own words: they may be any numbers.
@@ -246,6 +249,13 @@ void ProcessController::forgive_absence(double pause) {
       std::chrono::duration_cast<WallClock::duration>(std::chrono::duration<double>(pause));
 }
 
+double ProcessController::seconds_without_delay(WallClock::time_point begin,
+                                                std::optional<double> delay_at_begin) const {
+  const double seconds = seconds_since(begin);
+  const auto delay = delay_at_begin ? child_.processor_delay() : std::nullopt;
+  return delay ? seconds - (*delay - *delay_at_begin) : seconds;
+}
+
 template <class Done>
 std::optional<Answer> ProcessController::wait(Done done, const WaitLimit& limit,
                                               std::optional<WallClock::time_point> until) {
@@ -270,8 +280,9 @@ std::optional<Answer> ProcessController::wait(Done done, const WaitLimit& limit,
       child_.kill();
       return *fault;
     }
+    if (!delay_at_slice_) delay_at_slice_ = child_.processor_delay();
     const bool is_busy = cpu_ - cpu_at_post_ > limit.cpu;
-    if (is_busy || seconds_since(asked_at_) > limit.wall) {
+    if (is_busy || seconds_without_delay(asked_at_, delay_at_slice_) > limit.wall) {
       child_.kill();
       return Fault{limit.late, "the team used more than " +
                                    (is_busy ? seconds_text(limit.cpu) + " of processor time "
@@ -290,6 +301,7 @@ std::optional<Answer> ProcessController::wait(Done done, const WaitLimit& limit,
 tl::expected<void, Answer> ProcessController::wait_until_ready() {
   // Another team that was slow to load has not taken this one's time.
   asked_at_ = WallClock::now();
+  delay_at_slice_.reset();
   if (auto failure = wait_for_sandbox()) return tl::unexpected<Answer>(*failure);
   const auto is_ready = [this] { return out_->load_state.load() == LoadState::ready; };
   const WaitLimit limit{.cpu = budget_.start_cpu,
@@ -315,6 +327,7 @@ void ProcessController::post(const match::Observation& observation) {
   is_placing_ = observation.placing;
   if (is_placing_) ++places_;
   asked_at_ = posted_at_;
+  delay_at_slice_.reset();
   cpu_at_post_ = cpu_;
   moment_ = {observation.tick, observation.state};
   in_->observation = abi::to_observation(observation);

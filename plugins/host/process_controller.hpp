@@ -29,7 +29,8 @@ namespace mirocup::plugins {
 
 // The limits of a team, in seconds. The match waits for both teams and counts their processor time.
 // A team has a bank of it for the whole leg; the limits of one tick only stop code that would never
-// end. The limits of wall time are against teams that sleep.
+// end. The limits of wall time are against teams that sleep: they leave out the time in which a
+// team waits for a processor, so a busy machine does not end its leg.
 struct Budget {
   double start_cpu = 10.0;
   double start_wall = 30.0;
@@ -161,6 +162,10 @@ class ProcessController final : public match::Controller {
   std::optional<match::Fault> find_overdraft() const;
   std::optional<match::Fault> find_overrun();
   bool has_slept_too_long();
+  // Returns the time since `begin` without that in which the process was ready to run but had no
+  // processor, s. `delay_at_begin`: its processor_delay() then.
+  double seconds_without_delay(WallClock::time_point begin,
+                               std::optional<double> delay_at_begin) const;
   void wait_for_word(std::uint32_t seen, std::chrono::nanoseconds pause);
   void forgive_absence(double pause);
   void read_log();
@@ -186,13 +191,15 @@ class ProcessController final : public match::Controller {
   std::optional<LastWords> exit_report_;
   std::string backtrace_;
   std::optional<WallClock::time_point> report_began_;  // when it was seen to report a crash
+  std::optional<double> delay_at_report_;              // s, processor_delay() then
   std::uint32_t ticks_ = 0;                            // observations so far
   std::uint32_t places_ = 0;                           // those in which the team was asked to place
   std::uint32_t request_ = 0;  // number of the last observation that was handed over
   bool is_awaited_ = false;    // true: it has not been answered
   bool is_placing_ = false;    // true: it asks for poses, too
   WallClock::time_point posted_at_;
-  WallClock::time_point asked_at_;  // of the oldest observation without an answer
+  WallClock::time_point asked_at_;        // of the oldest observation without an answer
+  std::optional<double> delay_at_slice_;  // s, processor_delay() in the first slice after that
   double cpu_at_post_ = 0.0;
   double cpu_ = 0.0;
   double cpu_at_ready_ = 0.0;

@@ -78,7 +78,7 @@ Outcome run(const std::vector<std::string>& arguments) {
 }
 
 bool wait_until(const std::function<bool()>& holds) {
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 12'000; ++i) {
     if (holds()) return true;
     usleep(10'000);
   }

@@ -44,8 +44,8 @@ class Running {
 // Runs a program and waits until it ends.
 Outcome run(const std::vector<std::string>& arguments);
 
-// Waits until a condition holds that depends on another process. Returns false after half a minute,
-// so that a test fails with a message instead of running into its own time limit.
+// Waits until a condition holds that depends on another process. Returns false after two
+// minutes, so that a test fails with a message instead of running into its own time limit.
 bool wait_until(const std::function<bool()>& holds);
 
 // Returns the path build/NAME of the build that the tests belong to.

@@ -56,7 +56,7 @@ TEST(Check, AcceptsTheHouseTeams) {
        {"idle", "chaser", "keeper", "striker", "navigator", "tactician", "planner"}) {
     for (const char* league : {"small", "large"}) {
       const Examined examined =
-          check(program("house/" + std::string(name) + ".so"), {"--league", league});
+          check(program("house/" + std::string(name) + ".so"), {"--league", league}, "8");
       EXPECT_EQ(examined.exit_code, 0) << examined.report.dump();
       EXPECT_EQ(examined.report["accepted"], true);
       EXPECT_EQ(examined.report["sha256"].get<std::string>().size(), 64u);
@@ -123,10 +123,10 @@ TEST(Check, AcceptsATeamThatMeasuresTime) {
 
 // 3 ms of processor time for each tick, in a leg that gives 1 ms and something.
 TEST(Check, RefusesATeamThatWouldLoseEachLegByItsBudget) {
-  const Examined long_halves = check(hostile("slow_every_tick"), {}, "120");
+  const Examined long_halves = check(hostile("slow_every_tick"), {}, "30");
   EXPECT_EQ(long_halves.exit_code, 1);
   const std::string reason = long_halves.report["reason"];
-  EXPECT_EQ(reason.rfind("budget: a leg with halves of 120 s would take ", 0), 0u) << reason;
+  EXPECT_EQ(reason.rfind("budget: a leg with halves of 30 s would take ", 0), 0u) << reason;
   EXPECT_GT(long_halves.report["timing"]["leg_share"], 1.25);
   const Examined short_halves = check(hostile("slow_every_tick"), {}, "5");
   EXPECT_EQ(short_halves.exit_code, 0) << short_halves.report["reason"];

@@ -21,7 +21,7 @@ import time
 
 HOSTS = {"server": "10.77.0.1", "blue": "10.77.0.2", "yellow": "10.77.0.3"}
 AT_ONCE = 3  # legs that are played beside each other
-LIMIT = 1  # s
+LIMIT = 2  # s
 
 
 def enter_namespace():

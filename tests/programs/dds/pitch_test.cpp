@@ -13,13 +13,14 @@ namespace {
 using namespace test_support;
 
 // Catches states that differ from the camera's pictures, and commands that do not reach the radio:
-// the team would not find the ball, or not push it towards the other goal.
+// the team would not find the ball, or not push it towards the other goal. The pitch waits for each
+// answer, so a busy machine does not change where the ball is.
 TEST(PitchExample, IsDrivenByTheProgramThatPlaysAgainstTheSimulator) {
   const std::string id = match_id("pitch");
   const auto control_program = join(id, "blue", "remote", "chaser");
 
   Running on_the_pitch(control_program);
-  const Outcome pitch = run({program("examples/pitch"), id, "2", "remote"});
+  const Outcome pitch = run({program("examples/pitch"), "--wait", id, "2", "remote"});
   EXPECT_EQ(pitch.exit_code, 0) << pitch.err;
   EXPECT_EQ(on_the_pitch.wait().exit_code, 0);
   std::istringstream said(pitch.out);

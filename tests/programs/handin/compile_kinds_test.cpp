@@ -198,7 +198,7 @@ TEST_P(HostileSource, DoesNoHarm) {
                                  .project_compiler = program("mirocup-project-compiler")};
   const auto done = plugins::compile_in_sandbox(
       kind.source(fs::path(temporary / "secret.h").parent_path()), kind.language, kit,
-      {.seconds = 30.0, .cpu_seconds = 2, .memory = std::size_t{400} << 20});
+      {.seconds = 120.0, .cpu_seconds = 2, .memory = std::size_t{400} << 20});
   if (!done && done.error().code == Errc::unavailable) GTEST_SKIP() << done.error().what;
   ASSERT_TRUE(done) << done.error().what;
   EXPECT_EQ(done->library.find(secret), std::string::npos);

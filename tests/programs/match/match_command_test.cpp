@@ -273,7 +273,7 @@ TEST(VerifyCommand, TellsTruthFromForgeryAndDamage) {
 #ifndef MIROCUP_SANITIZED
 TEST(HouseTeams, AreAsStrongAsTheirNamesSay) {
   const auto points = [](const std::string& stronger, const std::string& weaker,
-                         const std::string& half = "300") {
+                         const std::string& half = "120") {
     int total = 0;
     for (int seed = 1; seed <= 10; ++seed) {
       const TemporaryFolder folder;
@@ -289,7 +289,7 @@ TEST(HouseTeams, AreAsStrongAsTheirNamesSay) {
   EXPECT_GE(points("tactician", "navigator"), 5);
   EXPECT_GE(points("planner", "navigator", "30"), 7);
   EXPECT_GE(points("navigator", "striker"), 7);
-  EXPECT_GE(points("striker", "chaser"), 3);  // it wins 32 of 40 legs, but only 6 of these 10
+  EXPECT_GE(points("striker", "chaser"), 3);
   EXPECT_GE(points("chaser", "idle"), 8);
 }
 #endif

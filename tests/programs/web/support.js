@@ -74,10 +74,11 @@ export async function violations(page) {
 // Calls `check(page, how)` with the page in each width and scheme that people use.
 export async function inAllViews(url, check) {
   for (const [width, height] of [[1280, 800], [390, 844]]) {
+    const page = await openPage(url, { width, height });
     for (const colorScheme of ['light', 'dark']) {
-      const page = await openPage(url, { width, height }, { colorScheme });
+      await page.emulateMedia({ colorScheme });
       await check(page, `${url} at ${width} px, ${colorScheme}`);
-      await page.close();
     }
+    await page.close();
   }
 }

@@ -73,21 +73,17 @@ constexpr bool is_sanitized = false;
 
 // Returns set-ups with both tiers and both colours; if the test runs as root, also with a server
 // that does not. The sandbox is built without sanitizers in every build, so a sanitized server
-// plays half of these set-ups: those of root and those of the user `nobody` alternate. For a team
-// that burns processor time the other build plays the other half.
+// plays one of these set-ups, another one for each kind.
 std::vector<SetUp> set_ups(const Kind& kind) {
-  const std::vector<SetUp> as_caller{{"T2", User::caller, "blue"}, {"T1", User::caller, "yellow"}};
-  const std::vector<SetUp> as_nobody{{"T2", User::nobody, "yellow"}, {"T1", User::nobody, "blue"}};
-  if (geteuid() != 0) return as_caller;
-  const bool burns = kind.outcome == burns_tick || kind.outcome == burns_start;
-  if (is_sanitized || burns) {
-    const auto is_kind = [&](const Kind& other) { return other.name == kind.name; };
-    const auto index = std::find_if(kinds.begin(), kinds.end(), is_kind) - kinds.begin();
-    return (index % 2 == 0) == is_sanitized ? as_caller : as_nobody;
+  std::vector<SetUp> all{{"T2", User::caller, "blue"}, {"T1", User::caller, "yellow"}};
+  if (geteuid() == 0) {
+    all.push_back({"T2", User::nobody, "yellow"});
+    all.push_back({"T1", User::nobody, "blue"});
   }
-  std::vector<SetUp> all = as_caller;
-  all.insert(all.end(), as_nobody.begin(), as_nobody.end());
-  return all;
+  if (!is_sanitized) return all;
+  const auto is_kind = [&](const Kind& other) { return other.name == kind.name; };
+  const auto index = std::find_if(kinds.begin(), kinds.end(), is_kind) - kinds.begin();
+  return {all[static_cast<std::size_t>(index) % all.size()]};
 }
 
 std::string other_than(const std::string& colour) {
@@ -169,6 +165,7 @@ class Hostile : public testing::TestWithParam<Kind> {
  protected:
   void SetUp() override {
     prepare_target();
+    if (GetParam().outcome == burns_start) setenv("MIROCUP_START_LIMIT", start_limit, 1);
     setenv("MIROCUP_TEST_SECRET", secret.c_str(), 1);
     prctl(PR_SET_CHILD_SUBREAPER, 1);
   }

@@ -22,7 +22,8 @@ struct Kind {
 inline const std::string burns_tick = "hang: processor time|hang: more than 10 s on one tick";
 inline const std::string burns_bank = "budget: processor time|hang: more than 10 s on one tick";
 inline const std::string burns_start =
-    "start_timeout: 10 s of processor time|start_timeout: more than 30 s";
+    "start_timeout: 2 s of processor time|start_timeout: more than 6 s";
+inline constexpr const char* start_limit = "2";  // s, for these kinds: MIROCUP_START_LIMIT
 
 inline const std::vector<Kind> kinds{
     // Strategies that end their process.
