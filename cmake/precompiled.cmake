@@ -1,7 +1,9 @@
 # The headers of the large libraries, parsed once for all sources that include them.
 #
-# mirocup_precompile(TARGET) gives a target these headers; mirocup_precompile(TARGET TESTS) gives it GoogleTest's, too, and
-# expects that the target links mirocup_unoptimized. The option is off by default if the compiler has a launcher, because ccache
+# mirocup_precompile(TARGET) gives a target these headers and, in a release build, little optimization, because g++ takes headers
+# only for the level that they were made for. Core, the programs of a team's process, house teams and prediction, which a leg goes
+# through, are compiled without. mirocup_precompile(TARGET TESTS) adds GoogleTest's headers, and expects that the target links
+# mirocup_unoptimized. The option is off by default if the compiler has a launcher, because ccache
 # does not cache sources that use precompiled headers, and in the preset clang, which is there to find missing includes.
 if(CMAKE_UNITY_BUILD AND NOT CMAKE_CXX_COMPILER_LAUNCHER AND NOT MIROCUP_CORE_ONLY)
   set(precompile_by_default ON)
@@ -23,8 +25,10 @@ function(mirocup_add_precompiled name)
     <tl/expected.hpp> <unordered_map> <utility> <variant> <vector>)
 endfunction()
 
+set(little $<$<CONFIG:Release>:-O1>)
 if(MIROCUP_PRECOMPILED_HEADERS)
   mirocup_add_precompiled(mirocup_precompiled)
+  target_compile_options(mirocup_precompiled PRIVATE ${little})
   if(MIROCUP_TESTS)
     find_package(GTest REQUIRED)
     mirocup_add_precompiled(mirocup_precompiled_tests)
@@ -34,6 +38,9 @@ if(MIROCUP_PRECOMPILED_HEADERS)
 endif()
 
 function(mirocup_precompile target)
+  if(NOT "TESTS" IN_LIST ARGN)
+    target_compile_options(${target} PRIVATE ${little})
+  endif()
   if(NOT MIROCUP_PRECOMPILED_HEADERS)
     return()
   endif()

@@ -111,8 +111,8 @@ def load(path=None):
     try:
         library = ctypes.CDLL(path)
     except OSError as error:
-        raise Error(f"{path} cannot be loaded ({error}); in mirocup's folder, `cmake --preset release && cmake --build "
-                    "--preset release --target mirocup_team` makes build/libmirocup_team.so, and "
+        raise Error(f"{path} cannot be loaded ({error}); in mirocup's folder, `cmake --preset play && cmake --build "
+                    "build --target mirocup_team` makes build/libmirocup_team.so, and "
                     "$MIROCUP_TEAM_LIBRARY says where it is") from error
     library.mirocup_team_open.restype = c_void_p
     library.mirocup_team_open.argtypes = [ctypes.POINTER(Call), c_char_p, c_size_t]

@@ -18,7 +18,7 @@ namespace {
 // Editors on Windows begin a text in UTF-8 with it, and Python skips it.
 constexpr std::string_view utf8_mark = "\xef\xbb\xbf";
 
-tl::unexpected<Error> no_entry(const std::string& path, const std::string& why) {
+tl::unexpected<Error> refused_entry(const std::string& path, const std::string& why) {
   return fail(Errc::input, path + ": " + why);
 }
 
@@ -44,7 +44,7 @@ Result<SealedEntry> SealedEntry::open(const std::string& path) {
   if (!file) return tl::unexpected(file.error());
   const auto content = system::read_file(*file);
   if (!content) return tl::unexpected(content.error());
-  if (content->empty()) return no_entry(path, "it is empty");
+  if (content->empty()) return refused_entry(path, "it is empty");
   const std::size_t size = content->size();
   system::Descriptor sealed(memfd_create("entry", MFD_CLOEXEC | MFD_ALLOW_SEALING));
   if (!sealed.is_open() || !write_all(sealed.get(), *content)) return system_error(path);

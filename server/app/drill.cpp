@@ -184,7 +184,7 @@ Result<DrillReport> test_team(const std::string& team, const std::vector<drills:
 }
 
 // The files of tries are named after the team.
-Result<void> check_names(const DrillOptions& options) {
+Result<void> check_drill_names(const DrillOptions& options) {
   if (options.replay_folder.empty()) return {};
   std::set<std::string> names;
   for (const std::string& team : options.teams) {
@@ -211,7 +211,7 @@ Result<int> run_drill(const DrillOptions& options) {
   if (options.teams.empty()) return fail(Errc::input, "a team is needed: mirocup drill DRILL TEAM");
   const auto parameters = record::parameters_with_changes({}, options.parameters, "--param");
   if (!parameters) return tl::unexpected(parameters.error());
-  if (auto checked = check_names(options); !checked) return tl::unexpected(checked.error());
+  if (auto checked = check_drill_names(options); !checked) return tl::unexpected(checked.error());
   if (auto made = make_folder(options.replay_folder); !made) return tl::unexpected(made.error());
 
   int all_tries = 0;

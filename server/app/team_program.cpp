@@ -14,7 +14,7 @@ namespace mirocup::app {
 namespace {
 
 // How long a program may take to end by itself, s, and how often it is looked after.
-constexpr double patience = 0.2;
+constexpr double exit_patience = 0.2;
 constexpr double interval = 0.01;
 
 // Exit code of a shell where the file is no program; where there is none, it is system::not_found.
@@ -79,7 +79,7 @@ std::optional<match::Answer> TeamProgram::why_gone(const std::string& when) {
 }
 
 void TeamProgram::let_end() {
-  for (double waited = 0.0; waited < patience && !has_ended(); waited += interval)
+  for (double waited = 0.0; waited < exit_patience && !has_ended(); waited += interval)
     usleep(static_cast<useconds_t>(1e6 * interval));
 }
 

@@ -4,6 +4,7 @@
 #include "server/record/json_reader.hpp"
 
 #include <httplib.h>
+#undef _res  // a macro of <resolv.h>, and the name of parameters in Eigen
 
 #include <algorithm>
 

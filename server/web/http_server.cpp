@@ -161,15 +161,24 @@ bool BoundedServer::answer(socket_t connection) {
     if (!tls) return false;
   }
   Connection stream(connection, tls ? &*tls : nullptr);
+  const auto prepare = [this, &stream](httplib::Request& request) {
+    request.ranges.clear();
+    if (max_upload_ == 0 || request.method != "PUT") return;
+    const bool awaits = request.get_header_value("Expect") == "100-continue";
+    request.headers.erase("Expect");
+    stream.allow(max_upload_ + max_request, upload_seconds_, awaits);
+  };
   bool is_closed = false;
-  const bool answered =
-      process_request(stream, true, is_closed, [this, &stream](httplib::Request& request) {
-        request.ranges.clear();
-        if (max_upload_ == 0 || request.method != "PUT") return;
-        const bool awaits = request.get_header_value("Expect") == "100-continue";
-        request.headers.erase("Expect");
-        stream.allow(max_upload_ + max_request, upload_seconds_, awaits);
-      });
+  // cpp-httplib 0.11 (Debian 12) asks the stream for the addresses, 0.18 (Debian 13) is given them.
+  const auto process = [&](auto& server) {
+    if constexpr (requires { server.process_request(stream, true, is_closed, prepare); }) {
+      return server.process_request(stream, true, is_closed, prepare);
+    } else {
+      return server.process_request(stream, address_of(connection), 0, "", 0, true, is_closed,
+                                    prepare);
+    }
+  };
+  const bool answered = process(*this);
   stream.drain();
   return answered;
 }

@@ -11,6 +11,7 @@
 #include "system/tls.hpp"
 
 #include <httplib.h>
+#undef _res  // a macro of <resolv.h>, and the name of parameters in Eigen
 
 #include <atomic>
 #include <cstddef>

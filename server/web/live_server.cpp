@@ -13,7 +13,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto close_timeout = 1500ms;  // for the viewers to receive the result
-constexpr auto poll_interval = 33ms;    // between two checks whether they have it
+constexpr auto look_interval = 33ms;    // between two checks whether they have it
 
 }  // namespace
 
@@ -61,7 +61,7 @@ void LiveServer::close(const match::Leg& match) {
   impl_->feed.close(match);
   const auto end = std::chrono::steady_clock::now() + close_timeout;
   while (impl_->http.viewers() > 0 && std::chrono::steady_clock::now() < end) {
-    std::this_thread::sleep_for(poll_interval);
+    std::this_thread::sleep_for(look_interval);
   }
 }
 

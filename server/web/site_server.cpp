@@ -8,13 +8,13 @@ namespace mirocup::web {
 namespace {
 
 constexpr const char* this_host = "127.0.0.1";
-constexpr int timeout_s = 5;             // for a match that sends nothing
+constexpr int match_timeout_s = 5;       // for a match that sends nothing
 constexpr int upload_seconds = 10 * 60;  // 32 MiB take that long at 0.5 Mbit/s
 
 httplib::Client client_of(int port) {
   httplib::Client client(this_host, port);
   client.set_connection_timeout(1);
-  client.set_read_timeout(timeout_s);
+  client.set_read_timeout(match_timeout_s);
   return client;
 }
 

@@ -3,7 +3,7 @@
 #
 # Makes the packages and tries them in a Debian 12 that has nothing else: install, play, check, teams in three languages, a
 # league with its units, uninstall. Needs root, mmdebstrap, lintian, dpkg-dev and a mirror of Debian.
-# Usage: tests/install/run.sh [--mirror URL] [--build DIR] [--debian TAR] [--keep]
+# Usage: tests/install/run.sh [--mirror URL] [--build DIR] [--debian TAR]
 #   --debian TAR  a Debian that mmdebstrap has made before
 #   --build DIR   a tree that is built already, with MIROCUP_PYTHON_DIR as in the preset packages
 #
@@ -13,21 +13,21 @@ set -euo pipefail
 root=$(realpath "$(dirname "$0")/../..")
 mirror=
 build=
-debian=
-keep=
+archive=
+arguments=("$@")
 while [[ $# -gt 0 ]]; do
   case $1 in
     --mirror) mirror=$2; shift 2 ;;
     --build) build=$(realpath "$2"); shift 2 ;;
-    --debian) debian=$(realpath "$2"); shift 2 ;;
-    --keep) keep=1; shift ;;
-    *) echo "usage: $0 [--mirror URL] [--build DIR] [--debian TAR] [--keep]" >&2; exit 2 ;;
+    --debian) archive=$(realpath "$2"); shift 2 ;;
+    *) echo "usage: $0 [--mirror URL] [--build DIR] [--debian TAR]" >&2; exit 2 ;;
   esac
 done
-for tool in mmdebstrap lintian dpkg-shlibdeps; do
+for tool in lintian dpkg-shlibdeps; do
   command -v "$tool" >/dev/null || { echo "$tool is missing: cmake/install_packages.sh cmake/packages-install.txt" >&2; exit 3; }
 done
-[[ $(id -u) -eq 0 ]] || { echo "root is needed, for a chroot" >&2; exit 3; }
+. "$root/tests/support/debian_root.sh"
+own_mounts "${arguments[@]}"
 
 step() { echo "== $*"; }
 
@@ -47,38 +47,18 @@ step "lintian"
 lintian --allow-root --fail-on error,warning "${packages[@]}"
 
 step "a Debian 12 with nothing else"
-folder=$(mktemp -d)
-finish() {
-  for mounted in proc dev usr; do mountpoint -q "$folder/debian/$mounted" && umount -l "$folder/debian/$mounted"; done
-  [[ -n $keep ]] && echo "kept: $folder" || rm -rf "$folder"
-}
-trap finish EXIT
-# apt-get of this computer knows how to reach a mirror.
-sources=()
-if [[ -n $mirror ]]; then sources=("deb $mirror bookworm main"); fi
-if [[ -n $debian ]]; then
-  mkdir "$folder/debian"
-  tar -xf "$debian" -C "$folder/debian"
-else
-  mmdebstrap --variant=minbase bookworm "$folder/debian" "${sources[@]}"
-fi
-cp /etc/resolv.conf "$folder/debian/etc/"
-mount -t proc proc "$folder/debian/proc"
-mount --rbind /dev "$folder/debian/dev"
-mkdir "$folder/debian/packages"
-cp "${packages[@]}" "$folder/debian/packages/"
-inside() { chroot "$folder/debian" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 "$@"; }
-as_student() { inside setpriv --reuid 1500 --regid 1500 --clear-groups env HOME=/home/student sh -ec "cd /home/student; $*"; }
+make_debian 12 "$archive"
+mkdir "$debian/packages"
+cp "${packages[@]}" "$debian/packages/"
+as_student() { inside_as 1500 sh -ec "cd /home/1500; $*"; }
 
 step "install"
 inside apt-get -qq update
 inside sh -ec 'DEBIAN_FRONTEND=noninteractive apt-get -qq -y --no-install-recommends install systemd man-db >/var/log/install.log'
 inside sh -ec 'DEBIAN_FRONTEND=noninteractive apt-get -qq -y --no-install-recommends install /packages/*.deb openssl >>/var/log/install.log'
 [[ $(inside stat -c %U /srv/mirocup) == mirocup ]] || { echo "the units have no user and no folder" >&2; exit 1; }
-mkdir -p "$folder/debian/home/student"
-chown 1500:1500 "$folder/debian/home/student"
-mount --bind "$folder/debian/usr" "$folder/debian/usr"
-mount -o remount,ro,bind "$folder/debian/usr"
+mount --bind "$debian/usr" "$debian/usr"
+mount -o remount,ro,bind "$debian/usr"
 
 step "play, with a tree that nobody can write to"
 as_student mirocup match --blue chaser --yellow striker --half 20 --record leg.json
@@ -113,9 +93,9 @@ inside bash -ec '. /usr/share/bash-completion/completions/mirocup
   COMP_WORDS=(mirocup match --league ""); COMP_CWORD=3; _mirocup; [[ "${COMPREPLY[*]}" == *middle* ]]'
 
 step "uninstall"
-umount "$folder/debian/usr"
+umount "$debian/usr"
 inside sh -ec 'apt-get -qq -y purge mirocup mirocup-dev python3-mirocup mirocup-doc >/dev/null'
-[[ -f $folder/debian/home/student/spring/journal.jsonl ]]
-left=$(find "$folder/debian/usr" "$folder/debian/etc" -name '*mirocup*' -not -path '*/etc/mirocup')  # ports that the host has chosen
+[[ -f $debian/home/1500/spring/journal.jsonl ]]
+left=$(find "$debian/usr" "$debian/etc" -name '*mirocup*' -not -path '*/etc/mirocup')  # ports that the host has chosen
 [[ -z $left ]] || { echo "left behind: $left" >&2; exit 1; }
 echo "all is well"

@@ -14,7 +14,7 @@ namespace {
 
 using record::JsonReader;
 
-constexpr const char* schema = "mirocup/hand-ins/1";
+constexpr const char* hand_ins_schema = "mirocup/hand-ins/1";
 constexpr std::int64_t hour = 3600;                       // s
 constexpr std::int64_t max_time = std::int64_t{1} << 40;  // s
 constexpr std::size_t max_tries = 100;                    // remembered
@@ -39,7 +39,7 @@ Result<HandIns> read_hand_ins(system::Files& files, const Folder& folder, const 
   const auto text = files.read(path, {.max_size = system::size_limit::note});
   if (!text) return tl::unexpected(text.error());
   return record::read_json<HandIns>(*text, path, Errc::damaged, [](const JsonReader& json) {
-    json.expect_schema(schema);
+    json.expect_schema(hand_ins_schema);
     HandIns known;
     known.owner = read_user(json.at("owner"));
     known.last_user = read_user(json.at("last_user"));
@@ -69,7 +69,7 @@ Result<void> write_hand_ins(system::Files& files, const Folder& folder, const st
                      {"accepted", one.is_accepted},
                      {"message", one.message}});
   }
-  const Json json{{"schema", schema},
+  const Json json{{"schema", hand_ins_schema},
                   {"owner", user_json(known.owner)},
                   {"last_user", user_json(known.last_user)},
                   {"pinned", known.pinned},

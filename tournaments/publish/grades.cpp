@@ -29,7 +29,7 @@ struct Marks {
   std::vector<std::string> drills;
 };
 
-Result<Marks> read_marks(std::string_view text, const std::string& path) {
+Result<Marks> read_drill_marks(std::string_view text, const std::string& path) {
   if (!text.starts_with(titles)) {
     return fail(Errc::input, path + ": it is not what mirocup drill --csv prints");
   }
@@ -77,7 +77,7 @@ std::string joined(const std::vector<std::string>& members) {
 
 Result<SiteFile> grades(const Overview& o, const PeopleOfTeams& people, std::string_view drills_csv,
                         const std::string& path) {
-  const auto marks = path.empty() ? Result<Marks>(Marks{}) : read_marks(drills_csv, path);
+  const auto marks = path.empty() ? Result<Marks>(Marks{}) : read_drill_marks(drills_csv, path);
   if (!marks) return tl::unexpected(marks.error());
   std::vector<std::string> cells{"rank",     "team",         "points",        "played",
                                  "strength", "strength_low", "strength_high", "house_beaten",

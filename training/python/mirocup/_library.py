@@ -35,7 +35,7 @@ def library_path() -> Path:
         if path.exists():
             return path
     raise TrainingError(
-        f"{_NAME} was not found: build it (cmake --build --preset release --target mirocup_training), "
+        f"{_NAME} was not found: build it (cmake --build build --target mirocup_training), "
         "or name it in MIROCUP_TRAINING_LIBRARY")
 
 
