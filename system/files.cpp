@@ -55,14 +55,13 @@ bool sync_folder_of(const std::string& path) {
   return fd.is_open() && fsync(fd.get()) == 0;
 }
 
-// True for a device or a pipe, for example /dev/null. A file must not replace it. Of a name that
-// another user has made, only the name is replaced.
-bool is_special(const std::string& path) {
-  struct stat name {};
-  struct stat target {};
-  if (lstat(path.c_str(), &name) != 0 || stat(path.c_str(), &target) != 0) return false;
-  const bool is_trusted = name.st_uid == 0 || name.st_uid == geteuid();
-  return is_trusted && !S_ISREG(target.st_mode) && !S_ISDIR(target.st_mode);
+// True for /dev/stdout and /proc/self/fd/1, for example: links of the system to something that is
+// open, which may be a regular file.
+bool is_link_of_the_system(const std::string& path, const struct stat& name) {
+  if (!S_ISLNK(name.st_mode)) return false;
+  std::error_code code;
+  const std::string folder = fs::canonical(fs::absolute(path).parent_path(), code).string() + "/";
+  return !code && (folder == "/dev/" || folder.rfind("/proc/", 0) == 0);
 }
 
 Result<void> write_into(const std::string& path, std::string_view bytes) {
@@ -132,6 +131,15 @@ void remove_if_abandoned(const std::string& path) {
 }
 
 }  // namespace
+
+bool is_written_in_place(const std::string& path) {
+  struct stat name {};
+  struct stat target {};
+  if (lstat(path.c_str(), &name) != 0 || stat(path.c_str(), &target) != 0) return false;
+  const bool is_trusted = name.st_uid == 0 || name.st_uid == geteuid();
+  if (!is_trusted || S_ISDIR(target.st_mode)) return false;
+  return !S_ISREG(target.st_mode) || is_link_of_the_system(path, name);
+}
 
 bool is_unfinished(const std::string& path) {
   const std::size_t mark = path.rfind(unfinished_mark);
@@ -245,7 +253,7 @@ Result<std::string> Disk::read_from(const std::string& path, std::size_t offset,
 }
 
 Result<void> Disk::write(const std::string& path, std::string_view bytes, Readers readers) {
-  if (is_special(path)) return write_into(path, bytes);
+  if (is_written_in_place(path)) return write_into(path, bytes);
   const Unfinished made = make_unfinished(path, readers == Readers::owner ? 0600 : 0644);
   if (!made.descriptor.is_open()) return problem(path, "written");
   if (!write_all(made.descriptor.get(), bytes) || fsync(made.descriptor.get()) != 0 ||

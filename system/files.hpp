@@ -73,6 +73,11 @@ struct OpenFile {
 // Opens a file. It never waits, neither for the other end of a pipe nor for the holder of a lease.
 Result<OpenFile> open_file(const std::string& path, const ReadOptions& options);
 
+// True if the name stands for a device, a pipe or something that is already open, for example
+// /dev/null or /dev/stdout. What is written there is written in place: a file must not replace it,
+// and nothing can stand beside it. If another user has made the name, the answer is false.
+bool is_written_in_place(const std::string& path);
+
 // Reads the file from `offset` to the size that it had when it was opened.
 Result<std::string> read_file(const OpenFile& file, std::uint64_t offset = 0);
 
@@ -94,8 +99,8 @@ class Files {
 
   // Replaces the file: writes a temporary file in the same folder, flushes it to disk, renames it
   // and flushes the folder. The temporary file has a name that nobody can guess and is always a new
-  // one. If another user has put a link at `path`, the link is replaced and its target untouched. A
-  // device or a pipe of the host or of the system is written into.
+  // one. If another user has put a link at `path`, the link is replaced and its target untouched.
+  // If is_written_in_place(path), the bytes are written there.
   virtual Result<void> write(const std::string& path, std::string_view bytes,
                              Readers readers = Readers::everybody) = 0;
 

@@ -195,6 +195,10 @@ class Session {
   void keep_thoughts(std::uint32_t tick);
   Result<void> write_thoughts(Team team);
   void warn_of_dropped_thoughts(Team team) const;
+  // True if logs and thoughts can stand beside the record.
+  bool has_folder() const {
+    return !options_.record_path.empty() && !system::is_written_in_place(options_.record_path);
+  }
   std::string log_path(Team team) const {
     return options_.record_path + "." + std::string(to_string(team)) + ".log";
   }
@@ -335,7 +339,7 @@ Result<void> Session::open_firasim() {
 Result<void> Session::start_program(Team team) {
   const std::string& command = options_.programs[index_of(team)];
   if (command.empty()) return {};
-  const std::string log = options_.record_path.empty() ? "/dev/null" : log_path(team);
+  const std::string log = has_folder() ? log_path(team) : "/dev/null";
   auto program = TeamProgram::start(command, team, firasim_instance_, firasim_addresses_, log);
   if (!program) return tl::unexpected(program.error());
   programs_[index_of(team)].emplace(std::move(*program));
@@ -513,6 +517,7 @@ record::MatchRecord Session::record() const {
 Result<void> Session::write_record() {
   if (options_.record_path.empty()) return {};
   if (auto saved = record::save(disk_, options_.record_path, record()); !saved) return saved;
+  if (!has_folder()) return {};
   for (const Team team : both_teams) {
     if (auto written = write_thoughts(team); !written) return written;
     const std::string text = seats_[index_of(team)].output();

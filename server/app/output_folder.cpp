@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "server/app/output_folder.hpp"
 
+#include "system/files.hpp"
+
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -9,6 +11,7 @@
 namespace mirocup::app {
 
 Result<void> expect_writable_folder_of(const std::string& path) {
+  if (system::is_written_in_place(path)) return {};
   const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
   if (access(folder.c_str(), W_OK) == 0) return {};
   return fail(Errc::unavailable, path + ": nothing can be written into " + folder.string() + ": " +

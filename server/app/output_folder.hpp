@@ -9,7 +9,8 @@
 
 namespace mirocup::app {
 
-// Errc::unavailable if this process may not write into the folder of the file at `path`.
+// Errc::unavailable if this process may not write into the folder of the file at `path`. A device
+// or a pipe needs no folder: system::is_written_in_place().
 Result<void> expect_writable_folder_of(const std::string& path);
 
 }  // namespace mirocup::app

@@ -445,7 +445,9 @@ Result<void> save(system::Files& files, const std::string& path, const MatchReco
   const int robots = field::make_field(record.recording.setup.league).robots_per_team;
   const std::string replay = pack_replay(record.recording, robots);
   const std::string replay_path = replay_path_of(path);
-  if (auto written = files.write(replay_path, replay); !written) return written;
+  if (!system::is_written_in_place(path)) {
+    if (auto written = files.write(replay_path, replay); !written) return written;
+  }
 
   Json json = to_json(record);
   json["replay"] = {{"file", std::filesystem::path(replay_path).filename().string()},

@@ -85,6 +85,16 @@ bool wait_until(const std::function<bool()>& holds) {
   return false;
 }
 
+const std::string& why_no_t2() {
+  static const std::string why = [] {
+    const Outcome asked = run({program("mirocup"), "match", "--blue", "idle", "--yellow", "idle",
+                               "--half", "0.1", "--isolation", "T2"});
+    const bool is_missing = asked.exit_code == 3 && asked.err.find("T1") != std::string::npos;
+    return is_missing ? "T2 was not asked: " + asked.err : std::string();
+  }();
+  return why;
+}
+
 std::string program(const std::string& name) {
   return std::string(MIROCUP_BUILD_FOLDER) + "/" + name;
 }

@@ -48,6 +48,10 @@ Outcome run(const std::vector<std::string>& arguments);
 // minutes, so that a test fails with a message instead of running into its own time limit.
 bool wait_until(const std::function<bool()>& holds);
 
+// Returns why this machine cannot isolate a team as T2, for example a container that allows no
+// namespaces; "" if it can. A test skips what needs T2 and says this reason.
+const std::string& why_no_t2();
+
 // Returns the path build/NAME of the build that the tests belong to.
 std::string program(const std::string& name);
 

@@ -149,6 +149,9 @@ TEST_P(Mistakes, AreRefusedWithTheirReason) {
   EXPECT_EQ(examined.exit_code, 1) << examined.report.dump(1);
   const std::string reason = examined.report.value("reason", Json()).dump();
   EXPECT_EQ(reason.rfind("\"" + std::string(expected.check), 0), 0u) << reason;
+  // In T1 the number of a team's process differs from leg to leg, so the check cannot tell it from
+  // other chance.
+  if (expected.mistake == Mistake::seed_of_process && !test_support::why_no_t2().empty()) return;
   for (const char* text : expected.texts) EXPECT_NE(reason.find(text), std::string::npos) << reason;
 }
 

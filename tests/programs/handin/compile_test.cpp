@@ -18,10 +18,15 @@ using test_support::program;
 using test_support::read_file;
 using test_support::run;
 using test_support::TemporaryFolder;
+using test_support::why_no_t2;
 using test_support::write_file;
 
 class Compile : public testing::Test {
  protected:
+  void SetUp() override {
+    if (!why_no_t2().empty()) GTEST_SKIP() << why_no_t2();
+  }
+
   Outcome compile(const std::string& source, const std::string& name = "team.cpp") {
     write_file(temporary_ / name, source);
     fs::remove(library_);

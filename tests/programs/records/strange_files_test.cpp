@@ -105,7 +105,23 @@ TEST_F(StrangeFiles, OfAnotherUserAreReplaced) {
   ASSERT_EQ(lchown((folder_ / "r.replay.zst").c_str(), other, other), 0);
   ASSERT_EQ(play(folder_ / "r.json").exit_code, 0);
   EXPECT_EQ(run(mirocup({"verify", folder_ / "r.json"})).exit_code, 0);
-  EXPECT_EQ(play("/dev/null").exit_code, 0) << "a device that the host names is written into";
+}
+
+// Catches a device that is refused because its folder is not the user's, and a replay beside it.
+TEST_F(StrangeFiles, ADeviceIsWrittenIntoByAnyUser) {
+  auto words = mirocup({"match", "--blue", "idle", "--yellow", "idle", "--half", "1", "--record"});
+  if (geteuid() == 0) {
+    words.insert(words.begin(),
+                 {"/usr/bin/setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"});
+  }
+  words.push_back("/dev/stdout");
+  const Outcome played = run(words);
+  EXPECT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_NE(played.out.find("\"mirocup/match/1\""), std::string::npos) << played.out;
+  words.back() = "/dev/null";
+  EXPECT_EQ(run(words).exit_code, 0);
+  EXPECT_EQ(play("/dev/null").exit_code, 0);
+  EXPECT_FALSE(fs::exists("/dev/null.replay.zst"));
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ using test_support::read_file;
 using test_support::read_json;
 using test_support::run;
 using test_support::TemporaryFolder;
+using test_support::why_no_t2;
 
 struct HonestTeam {
   std::string name;
@@ -42,6 +43,7 @@ TEST_P(Honest, PlaysTheSameEverywhere) {
   std::string hash;
   for (const std::vector<std::string>& how : std::vector<std::vector<std::string>>{
            {"--isolation", "T2"}, {"--isolation", "T1"}, {"--trusted"}}) {
+    if (how.back() == "T2" && !why_no_t2().empty()) continue;
     const TemporaryFolder folder;
     std::vector<std::string> words{
         program("mirocup"), "match",  "--blue", library,    "--yellow",
@@ -58,6 +60,7 @@ TEST_P(Honest, PlaysTheSameEverywhere) {
     const std::string log = read_file(folder / "leg.json.blue.log");
     EXPECT_NE(log.find(GetParam().says), std::string::npos) << log;
   }
+  if (!why_no_t2().empty()) GTEST_SKIP() << why_no_t2();
 }
 
 }  // namespace

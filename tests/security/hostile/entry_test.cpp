@@ -37,6 +37,7 @@ using test_support::run;
 using test_support::Running;
 using test_support::TemporaryFolder;
 using test_support::wait_until;
+using test_support::why_no_t2;
 using test_support::write_file;
 using Json = nlohmann::ordered_json;
 
@@ -202,6 +203,9 @@ double processor_time(int pid) {
 
 class TeamProcessInTier : public testing::TestWithParam<const char*> {
  protected:
+  void SetUp() override {
+    if (GetParam() == std::string("T2") && !why_no_t2().empty()) GTEST_SKIP() << why_no_t2();
+  }
   static std::vector<std::string> match_in_tier(const std::string& blue,
                                                 const std::string& record) {
     auto words = match(blue, record, "36000");

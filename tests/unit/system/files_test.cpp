@@ -94,6 +94,20 @@ TEST_F(DiskTest, WritesIntoAPipeAndLeavesIt) {
   EXPECT_TRUE(std::filesystem::is_fifo(at("pipe")));
 }
 
+// Catches a standard output that is replaced by a file, for example by -o /dev/stdout >FILE.
+TEST_F(DiskTest, WritesInPlaceWhatIsNoNameOfAFile) {
+  for (const char* path : {"/dev/null", "/dev/stdout", "/proc/self/fd/1"}) {
+    EXPECT_TRUE(is_written_in_place(path)) << path;
+  }
+  std::filesystem::create_symlink("/dev/null", at("link"));
+  EXPECT_TRUE(is_written_in_place(at("link")));
+  ASSERT_TRUE(disk_.write(at("file"), "x"));
+  std::filesystem::create_symlink(at("file"), at("link to a file"));
+  for (const std::string& path : {at("file"), at("link to a file"), at("none"), at("")}) {
+    EXPECT_FALSE(is_written_in_place(path)) << path;
+  }
+}
+
 TEST_F(DiskTest, AppendsAndTruncates) {
   ASSERT_TRUE(disk_.append(at("log"), "one\n"));
   ASSERT_TRUE(disk_.append(at("log"), "two\n"));
