@@ -17,6 +17,7 @@ namespace {
 struct Process {
   pid_t parent = 0;
   double seconds = 0.0;  // of itself and of the children that it has waited for
+  bool is_runnable = false;
 };
 
 // Reads /proc/PID/stat. Nothing if the process has gone.
@@ -29,8 +30,9 @@ std::optional<Process> read_process(const std::filesystem::path& folder) {
   if (name_end == std::string::npos) return std::nullopt;
   std::istringstream fields(line.substr(name_end + 1));
   Process process;
-  std::string skipped;
-  fields >> skipped >> process.parent;
+  std::string state, skipped;
+  fields >> state >> process.parent;
+  process.is_runnable = state == "R" || state == "D";
   for (int i = 0; i < 9; ++i) fields >> skipped;
   std::array<double, 4> ticks{};  // user and system time, then those of its children
   for (double& tick : ticks) fields >> tick;
@@ -56,22 +58,24 @@ std::map<pid_t, Process> all_processes() {
 
 }  // namespace
 
-std::map<pid_t, double> processor_seconds_of_trees(const std::vector<pid_t>& roots) {
-  std::map<pid_t, double> seconds;
-  for (const pid_t root : roots) seconds[root] = 0.0;
+std::map<pid_t, TreeUse> use_of_trees(const std::vector<pid_t>& roots) {
+  std::map<pid_t, TreeUse> uses;
+  for (const pid_t root : roots) uses[root] = {};
   const auto processes = all_processes();
   for (const auto& [pid, process] : processes) {
     // The list is not of one moment, so the way up has an end of its own.
     pid_t above = pid;
-    for (std::size_t i = 0; i < processes.size() && !seconds.contains(above); ++i) {
+    for (std::size_t i = 0; i < processes.size() && !uses.contains(above); ++i) {
       const auto found = processes.find(above);
       if (found == processes.end()) break;
       above = found->second.parent;
     }
-    if (const auto root = seconds.find(above); root != seconds.end())
-      root->second += process.seconds;
+    const auto root = uses.find(above);
+    if (root == uses.end()) continue;
+    root->second.seconds += process.seconds;
+    root->second.is_runnable = root->second.is_runnable || process.is_runnable;
   }
-  return seconds;
+  return uses;
 }
 
 }  // namespace mirocup::system

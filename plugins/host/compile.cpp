@@ -223,7 +223,7 @@ Listened listen_to(int output, pid_t compiler, const CompileLimits& limits, std:
     const auto now = steady_clock::now();
     if (now >= end) return Listened::too_long;
     if (now >= next_look) {
-      const double used = system::processor_seconds_of_trees({compiler}).at(compiler);
+      const double used = system::use_of_trees({compiler}).at(compiler).seconds;
       if (used > limits.seconds) return Listened::too_much_processor;
       next_look = steady_clock::now() + look_interval;
     }

@@ -47,11 +47,12 @@ TEST(ProcessTree, CountsWhatItsProgramsUse) {
   }
   char ready = 0;
   ASSERT_EQ(read(ends[0], &ready, 1), 1);
-  const auto used = processor_seconds_of_trees({root, 999'999'999});
-  EXPECT_GE(used.at(root), 0.18) << "0.1 s that is over, and 0.1 s of a process that lives";
-  EXPECT_EQ(used.at(999'999'999), 0.0);
-  const auto parents = processor_seconds_of_trees({getpid()});
-  EXPECT_GE(parents.at(getpid()), 0.18) << "the whole tree";
+  const auto used = use_of_trees({root, 999'999'999});
+  EXPECT_GE(used.at(root).seconds, 0.18) << "0.1 s that is over, and 0.1 s of a process that lives";
+  EXPECT_EQ(used.at(999'999'999).seconds, 0.0);
+  EXPECT_TRUE(use_of_trees({getpid()}).at(getpid()).is_runnable) << "this process runs";
+  const auto parents = use_of_trees({getpid()});
+  EXPECT_GE(parents.at(getpid()).seconds, 0.18) << "the whole tree";
   kill(root, SIGKILL);
   waitpid(root, nullptr, 0);
   close(ends[0]);
