@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Two teams hand in the worst files that we know, again and again, while a third one waits for the answers to good ones.
 
-Usage: tests/programs/handin/worst.py BUILD [--files 10] [--pause 5] [--jobs 2] [--port 18473]
+Usage: tests/programs/handin/worst.py BUILD [--files 10] [--pause 5] [--jobs 2] [--half 60] [--port 18473]
 
 The bad files crash with a thousand tables of symbols, sleep or compute while they are loaded, compute in each tick as long as they may,
 and are sources that take a compiler as long as they can. Prints one JSON object: s from sending to the answer of each good file, what
@@ -27,6 +27,7 @@ options.add_argument("build")
 options.add_argument("--files", type=int, default=10, help="good files")
 options.add_argument("--pause", type=float, default=5.0, help="s between an answer and the next good file")
 options.add_argument("--jobs", type=int, default=2)
+options.add_argument("--half", type=float, default=60.0, help="s of a half in the league: a check plays legs of that length")
 options.add_argument("--port", type=int, default=18473)
 options = options.parse_args()
 
@@ -103,7 +104,7 @@ def with_many_tables(library, sections=1022):
     return bytes(data)
 
 
-run(mirocup, "league", "init", league, "--team", "one=house:chaser", "--team", "two=house:keeper", "--half", "300")
+run(mirocup, "league", "init", league, "--team", "one=house:chaser", "--team", "two=house:keeper", "--half", str(options.half))
 tokens = {team: run(mirocup, "league", "token", league, team).strip() for team in ("alpha", "beta", "gamma")}
 bad = {
     "many_tables.so": with_many_tables(library(tick="deep(20)")),
