@@ -7,6 +7,7 @@
 #include "plugins/host/sandbox/toolchain_root.hpp"
 #include "system/descriptor.hpp"
 #include "system/files.hpp"
+#include "system/process_tree.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -211,19 +212,27 @@ bool hand_over_library(std::size_t most) {
   _exit(hand_over_library(work.limits.library) ? compiled : too_much);
 }
 
-// Reads what the compiler says until it has ended, or for too long. Returns false after too long.
-bool listen_to(int output, const CompileLimits& limits, std::string& text) {
-  const auto end = steady_clock::now() + std::chrono::duration<double>(limits.seconds);
+enum class Listened { to_the_end, too_much_processor, too_long };
+
+// Reads what the compiler says until it has ended, or is to be ended.
+Listened listen_to(int output, pid_t compiler, const CompileLimits& limits, std::string& text) {
+  constexpr auto look_interval = std::chrono::milliseconds(250);
+  const auto end = steady_clock::now() + std::chrono::duration<double>(limits.wall);
+  auto next_look = steady_clock::now() + look_interval;
   while (true) {
-    const auto left =
-        std::chrono::duration_cast<std::chrono::milliseconds>(end - steady_clock::now()).count();
-    if (left <= 0) return false;
+    const auto now = steady_clock::now();
+    if (now >= end) return Listened::too_long;
+    if (now >= next_look) {
+      const double used = system::use_of_trees({compiler}).at(compiler).seconds;
+      if (used > limits.seconds) return Listened::too_much_processor;
+      next_look = steady_clock::now() + look_interval;
+    }
     pollfd waiting{.fd = output, .events = POLLIN, .revents = 0};
-    if (poll(&waiting, 1, static_cast<int>(std::min<long>(left, 1000))) <= 0) continue;
+    if (poll(&waiting, 1, static_cast<int>(look_interval.count())) <= 0) continue;
     char bytes[65536];
     const ssize_t count = read(output, bytes, sizeof bytes);
     if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return true;
+    if (count <= 0) return Listened::to_the_end;
     // More is read, so that the compiler goes on, and forgotten.
     const std::size_t room = limits.output - std::min(limits.output, text.size());
     text.append(bytes, std::min(room, static_cast<std::size_t>(count)));
@@ -254,15 +263,21 @@ std::string last_line(std::string text) {
 }
 
 // Returns what became of it, after the sandbox has ended with that status.
-Result<Compiled> judge(int status, bool is_in_time, const Work& work, int result, int step,
+Result<Compiled> judge(int status, Listened listened, const Work& work, int result, int step,
                        Compiled compiled_so_far) {
   Compiled done = std::move(compiled_so_far);
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  const bool is_in_time = listened == Listened::to_the_end;
+  if (listened == Listened::too_long) {
+    return fail(Errc::host, "compiling a source did not end in " +
+                                std::to_string(static_cast<int>(work.limits.wall)) + " s");
+  }
   if (is_in_time && code == no_sandbox_stands)
     return fail(Errc::unavailable, "the compiler's sandbox cannot be made: " + read_all(step, 200));
   if (!is_in_time) {
     done.why_not = "compiling it takes more than " +
-                   std::to_string(static_cast<int>(work.limits.seconds)) + " s";
+                   std::to_string(static_cast<int>(work.limits.seconds)) +
+                   " s of processor time: let it have fewer templates, constexpr or sources";
   } else if (code == refused_archive) {
     done.why_not = last_line(done.output);
     done.output.clear();
@@ -328,13 +343,13 @@ Result<Compiled> compile_in_sandbox(const std::string& source, SourceLanguage la
   if (!pid) return tl::unexpected(pid.error());
   speaking.reset();
   Compiled done;
-  const bool is_in_time = listen_to(output.get(), limits, done.output);
+  const Listened listened = listen_to(output.get(), *pid, limits, done.output);
   // The first process of the namespace takes all others with it.
-  if (!is_in_time) kill(*pid, SIGKILL);
+  if (listened != Listened::to_the_end) kill(*pid, SIGKILL);
   int status = 0;
   while (waitpid(*pid, &status, 0) < 0 && errno == EINTR) {
   }
-  return judge(status, is_in_time, work, result.get(), step.get(), std::move(done));
+  return judge(status, listened, work, result.get(), step.get(), std::move(done));
 }
 
 }  // namespace mirocup::plugins

@@ -22,7 +22,8 @@ struct CompilerKit {
 };
 
 struct CompileLimits {
-  double seconds = 60.0;                        // on a clock on the wall
+  double seconds = 60.0;  // of processor time of all processes together
+  double wall = 600.0;    // s on the clock; a compiler that waits for so long is the host's fault
   unsigned cpu_seconds = 40;                    // of each process of the compiler
   std::size_t memory = std::size_t{3} << 29;    // bytes of addresses of each process
   std::size_t library = std::size_t{32} << 20;  // bytes

@@ -11,7 +11,7 @@ namespace mirocup::plugins {
 namespace {
 
 constexpr std::size_t max_sections = 1024;
-constexpr std::size_t max_symbols = 1u << 20;  // of a table
+constexpr std::size_t max_symbols = 1u << 21;  // of all tables
 constexpr std::size_t max_symbol_name = 511;   // bytes
 constexpr std::size_t max_parts = 8;           // of a name, as A::b
 
@@ -28,23 +28,30 @@ std::string_view part_of(std::string_view bytes, std::uint64_t offset, std::uint
   return bytes.substr(offset, size);
 }
 
-// Looks the address up in one table of symbols, whose section names the one with its texts.
-std::string name_in(std::string_view library, const Elf64_Shdr& table, const Elf64_Shdr& texts,
-                    std::uint64_t address) {
+// Looks all addresses without a name up in one table of symbols, whose section names the one with
+// its texts.
+void name_from(std::string_view library, const Elf64_Shdr& table, const Elf64_Shdr& texts,
+               std::span<const std::uint64_t> addresses, FunctionNames& found) {
   const std::string_view symbols = part_of(library, table.sh_offset, table.sh_size);
   const std::string_view names = part_of(library, texts.sh_offset, texts.sh_size);
-  const std::size_t count = std::min(symbols.size() / sizeof(Elf64_Sym), max_symbols);
+  const std::size_t count =
+      std::min(symbols.size() / sizeof(Elf64_Sym), max_symbols - found.symbols_read);
+  found.symbols_read += count;
   for (std::size_t i = 0; i < count; ++i) {
     const auto symbol = *item_at<Elf64_Sym>(symbols, i * sizeof(Elf64_Sym));
     if (ELF64_ST_TYPE(symbol.st_info) != STT_FUNC || symbol.st_shndx == SHN_UNDEF ||
-        address < symbol.st_value || address - symbol.st_value >= symbol.st_size ||
         symbol.st_name >= names.size()) {
       continue;
     }
-    const std::string_view name = names.substr(symbol.st_name, max_symbol_name);
-    return std::string(name.substr(0, name.find('\0')));
+    for (std::size_t k = 0; k < addresses.size(); ++k) {
+      if (!found.names[k].empty() || addresses[k] < symbol.st_value ||
+          addresses[k] - symbol.st_value >= symbol.st_size) {
+        continue;
+      }
+      const std::string_view name = names.substr(symbol.st_name, max_symbol_name);
+      found.names[k] = name.substr(0, name.find('\0'));
+    }
   }
-  return "";
 }
 
 // Takes "4Mine" off the front of `text`. Returns nothing, and leaves it, if there is no such part.
@@ -61,29 +68,32 @@ std::optional<std::string_view> take_part(std::string_view& text) {
 
 }  // namespace
 
-std::string function_at(std::string_view library, std::uint64_t address) {
+FunctionNames functions_at(std::string_view library, std::span<const std::uint64_t> addresses) {
+  FunctionNames found;
+  found.names.resize(addresses.size());
   const auto header = item_at<Elf64_Ehdr>(library, 0);
   if (!header || std::memcmp(header->e_ident, ELFMAG, SELFMAG) != 0 ||
       header->e_shentsize != sizeof(Elf64_Shdr)) {
-    return "";
+    return found;
   }
   const std::size_t sections = std::min<std::size_t>(header->e_shnum, max_sections);
   const auto section = [&](std::uint64_t i) {
     return i < sections ? item_at<Elf64_Shdr>(library, header->e_shoff + i * sizeof(Elf64_Shdr))
                         : std::nullopt;
   };
-  // The whole table, which a stripped library lacks, and that of what it exports.
+  // The whole table, which a stripped library lacks, and that of what it exports. A library has one
+  // of each kind, so further ones are not read.
   for (const Elf64_Word kind : {SHT_SYMTAB, SHT_DYNSYM}) {
-    for (std::size_t i = 0; i < sections; ++i) {
-      const auto table = section(i);
-      if (!table || table->sh_type != kind) continue;
-      const auto texts = section(table->sh_link);
-      if (!texts) continue;
-      const std::string name = name_in(library, *table, *texts, address);
-      if (!name.empty()) return readable_name(name);
+    std::optional<Elf64_Shdr> table;
+    for (std::size_t i = 0; i < sections && !table; ++i) {
+      table = section(i);
+      if (table && table->sh_type != kind) table.reset();
     }
+    const auto texts = table ? section(table->sh_link) : std::nullopt;
+    if (texts) name_from(library, *table, *texts, addresses, found);
   }
-  return "";
+  for (std::string& name : found.names) name = readable_name(name);
+  return found;
 }
 
 // The names of C++ as GCC and Clang write them: _Z, then a name with its length before it, or N and

@@ -216,12 +216,16 @@ std::string ProcessController::describe_trace() const {
   const auto size = static_cast<std::size_t>(status.st_size);
   void* bytes = mmap(nullptr, size, PROT_READ, MAP_SHARED, entry_.get(), 0);
   if (bytes == MAP_FAILED) return "";
+  // Copied once: the process may still write there.
+  std::array<std::uint64_t, max_trace> trace;
+  std::copy_n(out_->fault_trace.address.begin(), count, trace.begin());
+  const FunctionNames found =
+      functions_at({static_cast<const char*>(bytes), size}, {trace.data(), count});
   std::string lines, addresses;
   for (std::size_t i = 0; i < count; ++i) {
-    const std::uint64_t address = out_->fault_trace.address[i];
     char number[24];
-    std::snprintf(number, sizeof number, "0x%" PRIx64, address);
-    const std::string name = function_at({static_cast<const char*>(bytes), size}, address);
+    std::snprintf(number, sizeof number, "0x%" PRIx64, trace[i]);
+    const std::string& name = found.names[i];
     lines +=
         "  " + std::string(number) + (name.empty() ? "" : " " + system::printable(name)) + "\n";
     addresses += " " + std::string(number);

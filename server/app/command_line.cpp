@@ -300,6 +300,10 @@ void add_compile(CLI::App& app, Run& run) {
       ->required();
   command->add_option("--language", o.language, "Of the source, whatever its name")
       ->check(CLI::IsMember({"c", "c++", "project"}));
+  command
+      ->add_option("--seconds", o.seconds,
+                   "Processor time that it may take, all compilers together (default: 60)")
+      ->check(CLI::Range(1.0, 600.0));
   command->add_flag("--json", o.json, "Print the answer as one JSON object");
 }
 

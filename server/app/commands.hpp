@@ -85,7 +85,8 @@ Result<int> run_check(const CheckOptions& options);
 struct CompileOptions {
   std::string path;
   std::string output;
-  std::string language;  // "c", "c++", "project"; "": by the name of the file
+  std::string language;   // "c", "c++", "project"; "": by the name of the file
+  double seconds = 60.0;  // of processor time
   bool json = false;
 };
 Result<int> run_compile(const CompileOptions& options);

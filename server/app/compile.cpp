@@ -45,7 +45,8 @@ Result<int> run_compile(const CompileOptions& options) {
       *source, language,
       {.headers = kit.headers,
        .predict = kit.prefix + "/lib/libmirocup_predict.a",
-       .project_compiler = system::sibling_program("mirocup-project-compiler")});
+       .project_compiler = system::sibling_program("mirocup-project-compiler")},
+      {.seconds = options.seconds});
   if (!done) return tl::unexpected(done.error());
   const bool is_compiled = done->why_not.empty();
   if (is_compiled) {

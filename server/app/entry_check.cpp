@@ -45,6 +45,7 @@ constexpr double knockout_golden_goal = 1.0;
 
 // The leg that is repeated in other surroundings is played this far at most.
 constexpr std::uint32_t max_repeated_ticks = 6000;
+constexpr int repeated_legs = 2;  // this one, and the knock-out leg
 
 // The search for a cause goes on for this many ticks after the first difference, because two draws
 // of a coarse number are often equal in one tick.
@@ -176,6 +177,7 @@ class Examination {
   Result<bool> play_from(const match::Start& start);
   Result<bool> repeat_elsewhere();
   TrialTerms trial(Team team, const plugins::SealedEntry& opponent) const;
+  Result<TrialLeg> play(const TrialTerms& terms);
   TrialTerms knockout_terms() const;
   Result<bool> repeat_leg(const TrialTerms& terms, const TrialLeg& first);
   Result<std::string> cause_of_difference(const TrialTerms& terms, const TrialLeg& first);
@@ -183,6 +185,7 @@ class Examination {
   void note_use(const TrialLeg& leg, const TrialTerms& terms);
   void note_time(const TrialLeg& leg);
   bool judge_time();
+  bool has_room_for_moment() const;
   void warn();
 
   void tell_next() const {
@@ -211,6 +214,7 @@ class Examination {
   double slept_ = 0.0;             // s, in a leg of full length
   std::size_t grown_ = 0;          // bytes that it took while a leg was played
   std::string requests_;           // of the team, a line each
+  CheckPlan plan_;
   EntryReport report_;
 };
 
@@ -227,6 +231,7 @@ Result<EntryReport> Examination::run() {
   while (report_.checks.size() < check_names.size())
     report_.checks.push_back({check_names[report_.checks.size()], std::nullopt, "not tried"});
   warn();
+  report_.used_seconds = plan_.used();
   return std::move(report_);
 }
 
@@ -307,10 +312,21 @@ TrialTerms Examination::trial(Team team, const plugins::SealedEntry& opponent) c
   return terms;
 }
 
+Result<TrialLeg> Examination::play(const TrialTerms& terms) {
+  auto leg = play_trial(*entry_, terms);
+  if (leg) plan_.add(leg->used_seconds, leg->used_to_start);
+  return leg;
+}
+
+// True if a few more ticks can be played before the legs that are repeated.
+bool Examination::has_room_for_moment() const {
+  return plan_.has_room_for(restart_ticks * 1e-3 * report_.mean_tick_ms, repeated_legs);
+}
+
 Result<bool> Examination::load_and_answer() {
   TrialTerms terms = trial(Team::blue, *idle_);
   terms.max_ticks = 0;
-  const auto loaded = play_trial(*entry_, terms);
+  const auto loaded = play(terms);
   if (!loaded) return tl::unexpected(loaded.error());
   const auto is_loaded = judge(
       *loaded, terms, "loads and creates its team in " + milliseconds(1e3 * loaded->start_seconds));
@@ -320,7 +336,7 @@ Result<bool> Examination::load_and_answer() {
   terms.setup.rules.half_s = std::max(setup_.rules.half_s, first_half);
   terms.max_ticks = first_ticks;
   terms.max_seconds = max_first_seconds;
-  const auto first = play_trial(*entry_, terms);
+  const auto first = play(terms);
   if (!first) return tl::unexpected(first.error());
   if (!first->fault && first->ticks() < first_ticks) {
     note_use(*first, terms);
@@ -336,7 +352,8 @@ Result<bool> Examination::play_whole_legs() {
     TrialTerms terms = trial(team, *striker_);
     terms.setup.seed = team == Team::blue ? 1 : 2;
     terms.is_recorded = true;
-    auto leg = play_trial(*entry_, terms);
+    terms.max_seconds = plan_.share_of(team == Team::blue ? 5 : 4);  // two legs, and what follows
+    auto leg = play(terms);
     if (!leg) return tl::unexpected(leg.error());
     if (leg->recording && (team == Team::blue || leg->fault)) {
       report_.gate_leg = std::move(leg->recording);
@@ -364,8 +381,9 @@ TrialTerms Examination::knockout_terms() const {
 }
 
 Result<bool> Examination::play_knockout() {
-  const TrialTerms terms = knockout_terms();
-  auto leg = play_trial(*entry_, terms);
+  TrialTerms terms = knockout_terms();
+  terms.max_seconds = plan_.share_of(1 + repeated_legs);
+  auto leg = play(terms);
   if (!leg) return tl::unexpected(leg.error());
   restarts_.merge(leg->restarts);
   knockout_ = std::move(*leg);
@@ -374,7 +392,10 @@ Result<bool> Examination::play_knockout() {
     if (passed && *passed) passed = play_goals();
     if (!passed || !*passed) return passed;
   }
-  return judge(knockout_, terms, "plays extra time and a shoot-out");
+  return judge(knockout_, terms,
+               knockout_.is_whole ? "plays extra time and a shoot-out"
+                                  : "plays " + seconds(knockout_.ticks() * setup_.control_period) +
+                                        " s of a knock-out leg");
 }
 
 // Returns false after a fault, which is added.
@@ -409,10 +430,11 @@ Result<bool> Examination::play_goals() {
 
 // Plays restart_ticks as blue against idle. Returns false after a fault, which is added.
 Result<bool> Examination::play_from(const match::Start& start) {
+  if (!has_room_for_moment()) return true;
   TrialTerms terms = trial(Team::blue, *idle_);
   terms.setup.start = start;
   terms.max_ticks = restart_ticks;
-  const auto leg = play_trial(*entry_, terms);
+  const auto leg = play(terms);
   if (!leg) return tl::unexpected(leg.error());
   return leg->fault ? judge(*leg, terms, "") : true;
 }
@@ -420,10 +442,13 @@ Result<bool> Examination::play_from(const match::Start& start) {
 // The knock-out leg, which has every phase of a match, and the leg as blue once more, where nothing
 // is as it was but what the team may use.
 Result<bool> Examination::repeat_elsewhere() {
-  const auto short_one = repeat_leg(knockout_terms(), knockout_);
+  TrialTerms terms_of_short_one = knockout_terms();
+  terms_of_short_one.max_seconds = plan_.share_of(repeated_legs);
+  const auto short_one = repeat_leg(terms_of_short_one, knockout_);
   if (!short_one || !*short_one) return short_one;
   TrialTerms terms = trial(Team::blue, *striker_);
   terms.max_ticks = max_repeated_ticks;
+  terms.max_seconds = plan_.share_of(1);
   const auto long_one = repeat_leg(terms, blue_);
   if (!long_one || !*long_one) return long_one;
   pass(entry_->is_python() ? "plays the same legs again without a fault"
@@ -438,7 +463,7 @@ Result<bool> Examination::repeat_leg(const TrialTerms& terms_of_first, const Tri
   TrialTerms terms = terms_of_first;
   terms.is_careful = true;
   terms.surroundings = all_other;
-  const auto again = play_trial(*entry_, terms);
+  const auto again = play(terms);
   if (!again) return tl::unexpected(again.error());
   requests_ += again->requests;
   if (again->fault && is_memory_mistake(again->fault->fault.text)) return judge(*again, terms, "");
@@ -467,11 +492,13 @@ Result<bool> Examination::repeat_leg(const TrialTerms& terms_of_first, const Tri
 // thing is changed at a time; the careful heap is kept, because its addresses are others.
 Result<std::string> Examination::cause_of_difference(const TrialTerms& terms,
                                                      const TrialLeg& first) {
+  plan_.look_for_causes();
   const auto leg_in = [&](const Surroundings& surroundings, bool is_careful) {
     TrialTerms one = terms;
+    one.max_seconds = plan_.share_of(1);
     one.surroundings = surroundings;
     one.is_careful = is_careful;
-    return play_trial(*entry_, one);
+    return play(one);
   };
   const auto plain = leg_in({}, false);
   if (!plain) return tl::unexpected(plain.error());
@@ -508,6 +535,7 @@ Result<std::string> Examination::cause_of_difference(const TrialTerms& terms,
   const auto careful = leg_in({}, true);
   if (!careful) return tl::unexpected(careful.error());
   for (const auto& [surroundings, cause] : changes) {
+    if (!plan_.has_room_for(CheckPlan::shortest, 0)) break;
     const auto leg = leg_in(surroundings, true);
     if (!leg) return tl::unexpected(leg.error());
     if (leg->fault || first_difference(*careful, *leg)) return std::string(cause);
@@ -522,7 +550,9 @@ Result<std::string> Examination::mistake_in_memory(const TrialTerms& terms,
                                                    FaultEvidence& evidence) {
   TrialTerms careful = terms;
   careful.is_careful = true;
-  const auto again = play_trial(*entry_, careful);
+  plan_.look_for_causes();
+  careful.max_seconds = plan_.share_of(1);
+  const auto again = play(careful);
   if (!again) return tl::unexpected(again.error());
   evidence.requests = again->requests;
   requests_ += again->requests;

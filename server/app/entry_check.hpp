@@ -37,6 +37,7 @@ struct EntryReport {
   double leg_seconds = 0.0;      // processor time that a leg of full length would take
   double leg_share = 0.0;        // leg_seconds, of the time that such a leg gives
   std::size_t peak_memory = 0;   // bytes
+  double used_seconds = 0.0;     // of the check, as CheckPlan counts
   match::TeamParameters unknown_parameters;  // given, but the team never asked for them
   int bad_values = 0;                        // of its commands, zeroed or clamped
   int moved_placements = 0;                  // that it asked for and were not legal
@@ -67,8 +68,11 @@ using OnStep = std::function<void(int number, int of, const char* name)>;
 
 // Looks at the file, then lets it play in the sandbox: whole legs against the house team striker in
 // both colours, a knock-out leg, and the first leg again where a careful heap watches its memory,
-// at other addresses and another time. Takes three seconds for a usual team, and at most 20 s of
-// playing. An error means that there is no answer: the file cannot be read, or the host failed.
+// at other addresses and another time. Takes three seconds for a usual team. A slow team plays
+// shorter legs, so that the check takes at most 20 s of processor time, of all its processes
+// together, and 15 s more to find out why an entry is refused. Only an entry that takes more than
+// 2 s to load needs more, since each leg loads it. An error means that there is no answer: the file
+// cannot be read, or the host failed.
 Result<EntryReport> check_entry(const std::string& path, const EntryTerms& terms,
                                 const OnCheck& on_check = {}, const OnStep& on_step = {});
 

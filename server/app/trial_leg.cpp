@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <ctime>
 #include <memory>
 #include <unistd.h>
 
@@ -25,7 +26,7 @@ constexpr double larger_bank = 50.0;
 // wall time is that of a match: on a busy machine a good team may need long to start.
 plugins::Budget trial_budget() {
   plugins::Budget budget;
-  budget.start_cpu = 4.0;
+  budget.start_cpu = CheckPlan::most_start;
   budget.bank *= larger_bank;
   budget.bank_per_tick *= larger_bank;
   budget.bank_per_place *= larger_bank;
@@ -62,6 +63,42 @@ double delay_of(const Seats& seats) {
   return sum;
 }
 
+// What a leg uses, as CheckPlan counts.
+class Meter {
+ public:
+  Meter() : own_before_(own_seconds()), delay_before_(own_delay()) {}
+
+  // Returns the processor time of this process and of the teams so far, s.
+  double processor(const Seats& seats) const {
+    return own_seconds() - own_before_ + seats[0]->cpu_seconds() + seats[1]->cpu_seconds();
+  }
+
+  // Returns for how long the entry slept while it was loaded, s. Its teams have just started. All
+  // delays are subtracted, also those at the same time, because a busy machine is not its fault.
+  double slept_to_start(const plugins::ProcessController& own, const Seats& seats) const {
+    return std::max(0.0,
+                    own.start_seconds() - own.cpu_seconds() - (delay_of(seats) - delay_before_));
+  }
+
+  // Returns for how long the entry slept while it played, s. The controller subtracts all delay of
+  // this process, also that of the legs before.
+  double slept(const plugins::ProcessController& own) const {
+    const auto slept = own.slept_seconds();
+    return slept ? std::max(0.0, *slept + delay_before_) : 0.0;
+  }
+
+ private:
+  static double own_delay() { return plugins::Child::processor_delay(getpid()).value_or(0.0); }
+  static double own_seconds() {
+    timespec t{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+  }
+
+  double own_before_;
+  double delay_before_;
+};
+
 bool turns_a_wheel(const match::DrivenCommand& command) {
   return std::any_of(command.wheels.begin(), command.wheels.end(),
                      [](const auto& wheels) { return wheels[0] != 0 || wheels[1] != 0; });
@@ -84,6 +121,7 @@ std::set<MetRestart> met_restarts(const match::Leg& leg, Team team) {
 }  // namespace
 
 Result<TrialLeg> play_trial(const plugins::SealedEntry& entry, const TrialTerms& terms) {
+  const Meter meter;
   match::Leg leg(terms.setup);
   auto started = start_teams(entry, leg, terms);
   if (!started) return tl::unexpected(started.error());
@@ -100,12 +138,15 @@ Result<TrialLeg> play_trial(const plugins::SealedEntry& entry, const TrialTerms&
     fault = std::get<match::Fault>(ready.error());
   }
   const std::size_t memory_at_start = own.peak_memory();
+  const double slept_to_start = meter.slept_to_start(own, seats);
+  const double used_to_start = meter.processor(seats) + slept_to_start;
   pace::SteadyWallClock clock;
   const double start = clock.now();
-  const double delay_before = delay_of(seats);
+  // Who has slept has taken at least as long on the wall.
   const auto is_over_time = [&] {
-    const double all = clock.now() - start;
-    return all > terms.max_seconds && all - (delay_of(seats) - delay_before) > terms.max_seconds;
+    const double used = meter.processor(seats) - (used_to_start - slept_to_start);
+    return used > terms.max_seconds ||
+           (clock.now() - start > terms.max_seconds && used + meter.slept(own) > terms.max_seconds);
   };
   while (!fault && !leg.is_over() && leg.tick() < terms.max_ticks && !is_over_time())
     leg.advance(*seats[0], *seats[1]);
@@ -133,7 +174,10 @@ Result<TrialLeg> play_trial(const plugins::SealedEntry& entry, const TrialTerms&
   played.playing_seconds = own.playing_seconds();
   played.slowest_tick_ms = own.slowest_tick_ms();
   played.places = own.placements_asked();
-  played.slept_seconds = own.slept_seconds().value_or(0.0);
+  played.slept_seconds = meter.slept(own);
+  played.used_seconds = meter.processor(seats) + slept_to_start + played.slept_seconds;
+  played.used_to_start = used_to_start;
+  played.is_whole = leg.is_over();
   played.restarts = met_restarts(leg, terms.team);
   played.memory_at_start = memory_at_start;
   played.peak_memory = own.peak_memory();

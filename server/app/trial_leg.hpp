@@ -6,6 +6,7 @@
 #include "core/match/leg.hpp"
 #include "core/replay/recording.hpp"
 #include "plugins/host/process_controller.hpp"
+#include "server/app/check_plan.hpp"
 #include "server/app/entry_advice.hpp"
 
 #include <cstddef>
@@ -24,7 +25,7 @@ struct TrialTerms {
   Team team = Team::blue;  // the colour of the entry
   match::TeamParameters parameters;
   std::uint32_t max_ticks = UINT32_MAX;
-  double max_seconds = 4.0;  // of playing, without waiting for a processor; then the leg stops
+  double max_seconds = CheckPlan::longest;  // used while it is played; then the leg stops
   plugins::Isolation isolation = plugins::Isolation::T2;
   plugins::Surroundings surroundings;
   bool is_recorded = false;
@@ -46,6 +47,9 @@ struct TrialLeg {
   double slowest_tick_ms = 0.0;                // processor time
   std::uint32_t places = 0;                    // times that it was asked to place
   double slept_seconds = 0.0;                  // neither computing nor waiting for a processor
+  double used_seconds = 0.0;                   // as CheckPlan counts, loading included
+  double used_to_start = 0.0;                  // of these
+  bool is_whole = false;                       // played to the end of the leg
   std::size_t memory_at_start = 0;             // bytes, when its team was created
   std::size_t peak_memory = 0;                 // bytes
   std::set<MetRestart> restarts;               // for which it was asked to place

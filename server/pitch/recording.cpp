@@ -24,6 +24,12 @@ constexpr double max_length = 100.0;  // m
 constexpr double max_time = 1e7;      // s
 constexpr double max_speed = 1e6;     // rad/s
 constexpr double max_angle = 1e6;     // rad
+constexpr std::size_t max_columns = 1 + 2 + 2 * 5 * max_robots_per_team;
+
+Error too_many_pictures(const std::string& where, std::size_t most) {
+  return {Errc::input, where + ": a recording has at most " + std::to_string(most) +
+                           " pictures; cut it into several files"};
+}
 
 League league_of(int robots) {
   return robots <= 3 ? League::small : robots <= 5 ? League::middle : League::large;
@@ -120,7 +126,8 @@ double Recording::usual_period() const {
   return steps[steps.size() / 2];
 }
 
-Result<Recording> parse_recording(std::string_view text, const std::string& path) {
+Result<Recording> parse_recording(std::string_view text, const std::string& path,
+                                  std::size_t most_pictures) {
   Recording recording;
   recording.path = path;
   std::optional<Error> error;
@@ -137,7 +144,11 @@ Result<Recording> parse_recording(std::string_view text, const std::string& path
           return true;
         });
     is_first = false;
-    if (!read) error = read.error();
+    if (!read) {
+      error = read.error();
+    } else if (recording.frames.size() > most_pictures) {
+      error = too_many_pictures(where, most_pictures);
+    }
     return !error.has_value();
   });
   if (error) return tl::unexpected(*error);
@@ -147,10 +158,12 @@ Result<Recording> parse_recording(std::string_view text, const std::string& path
 
 namespace {
 
+// Stops behind the first field that is too many.
 std::vector<std::string> fields_of(std::string_view line) {
   std::vector<std::string> fields(1);
   for (const char c : line) {
     if (c == ',') {
+      if (fields.size() > max_columns) break;
       fields.emplace_back();
     } else if (c != ' ' && c != '\t') {
       fields.back() += c;
@@ -213,11 +226,11 @@ Frame frame_of(const Cells& cells, int robots) {
 
 }  // namespace
 
-Result<Recording> parse_csv(std::string_view text, const std::string& path) {
+Result<Recording> parse_csv(std::string_view text, const std::string& path,
+                            std::size_t most_pictures) {
   Recording recording;
   recording.path = path;
   std::vector<Column> columns;
-  std::vector<Cells> lines;
   std::optional<Error> error;
   for_each_line(text, [&](std::string_view line, int number) {
     const std::string where = path + ", line " + std::to_string(number) + ": ";
@@ -234,6 +247,11 @@ Result<Recording> parse_csv(std::string_view text, const std::string& path) {
         if (column->team != "ball")
           recording.robots = std::max(recording.robots, column->robot + 1);
         columns.push_back(*column);
+      }
+      if (columns.size() > max_columns) {
+        error = Error{Errc::input, where + "at most " + std::to_string(max_columns) +
+                                       " columns are expected: each name once"};
+        return false;
       }
       return true;
     }
@@ -254,11 +272,12 @@ Result<Recording> parse_csv(std::string_view text, const std::string& path) {
       }
       cells[columns[i].team + std::to_string(columns[i].robot) + columns[i].what] = value;
     }
-    lines.push_back(std::move(cells));
-    return true;
+    recording.frames.push_back(frame_of(cells, recording.robots));
+    if (recording.frames.size() > most_pictures)
+      error = too_many_pictures(path + ", line " + std::to_string(number), most_pictures);
+    return !error.has_value();
   });
   if (error) return tl::unexpected(*error);
-  for (const Cells& cells : lines) recording.frames.push_back(frame_of(cells, recording.robots));
   recording.league = league_of(recording.robots);
   return checked(std::move(recording));
 }

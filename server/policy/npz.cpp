@@ -126,17 +126,59 @@ struct CloseMember {
   void operator()(zip_file_t* file) const { zip_fclose(file); }
 };
 
-Result<std::string> member(zip_t* archive, zip_uint64_t index, const std::string& name) {
-  zip_stat_t about;
-  if (zip_stat_index(archive, index, 0, &about) != 0 || (about.valid & ZIP_STAT_SIZE) == 0) {
-    return fail(Errc::damaged, name + " cannot be read");
+// A file of the archive, whose size is known before anything is unpacked.
+struct Member {
+  zip_uint64_t index = 0;
+  std::size_t size = 0;  // bytes, unpacked
+  std::string name;      // of the array
+};
+
+// Lists the arrays. Each may be small enough where all together are not, so the sizes are summed
+// here, before memory is taken for the first.
+Result<std::vector<Member>> members_of(zip_t* archive, const std::string& path) {
+  const auto count = static_cast<std::size_t>(zip_get_num_entries(archive, 0));
+  if (count > max_arrays) {
+    return fail(Errc::input, path + ": it has " + std::to_string(count) + " arrays, and at most " +
+                                 std::to_string(max_arrays) + " are read");
   }
-  if (about.size > max_array_bytes) return fail(Errc::input, name + " is too large");
-  const std::unique_ptr<zip_file_t, CloseMember> file(zip_fopen_index(archive, index, 0));
-  std::string bytes(about.size, '\0');
+  std::vector<Member> members;
+  std::size_t total = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    Member member;
+    member.index = i;
+    zip_stat_t about;
+    const char* name = zip_get_name(archive, i, 0);
+    if (name != nullptr) member.name = name;
+    if (member.name.ends_with(npy_suffix))
+      member.name.resize(member.name.size() - npy_suffix.size());
+    const std::string where = path + ": " + member.name;
+    if (name == nullptr || zip_stat_index(archive, i, 0, &about) != 0 ||
+        (about.valid & ZIP_STAT_SIZE) == 0) {
+      return fail(Errc::damaged, where + " cannot be read");
+    }
+    if (about.size > max_array_bytes) {
+      return fail(Errc::input, where + " is larger than " + std::to_string(max_array_bytes >> 20) +
+                                   " MiB, the most for one array");
+    }
+    member.size = about.size;
+    total += member.size;
+    if (total > max_total_bytes) {
+      return fail(Errc::input, where + ": with it the arrays take more than " +
+                                   std::to_string(max_total_bytes >> 20) +
+                                   " MiB together, the most for one file; save only the arrays of "
+                                   "the policy");
+    }
+    members.push_back(std::move(member));
+  }
+  return members;
+}
+
+Result<std::string> bytes_of(zip_t* archive, const Member& member, const std::string& where) {
+  const std::unique_ptr<zip_file_t, CloseMember> file(zip_fopen_index(archive, member.index, 0));
+  std::string bytes(member.size, '\0');
   if (!file ||
       zip_fread(file.get(), bytes.data(), bytes.size()) != static_cast<zip_int64_t>(bytes.size())) {
-    return fail(Errc::damaged, name + " cannot be read");
+    return fail(Errc::damaged, where + " cannot be read");
   }
   return bytes;
 }
@@ -155,18 +197,16 @@ Result<std::map<std::string, Array>> read_npz(std::string_view bytes, const std:
     if (!archive) zip_source_free(source);
     return fail(Errc::damaged, path + ": it is no .npz file, as numpy.savez writes it");
   }
-  const auto count = static_cast<std::size_t>(zip_get_num_entries(archive.get(), 0));
-  if (count > max_arrays) return fail(Errc::input, path + ": it has too many arrays");
+  const auto members = members_of(archive.get(), path);
+  if (!members) return tl::unexpected(members.error());
   std::map<std::string, Array> arrays;
-  for (std::size_t i = 0; i < count; ++i) {
-    std::string name = zip_get_name(archive.get(), i, 0);
-    if (name.ends_with(npy_suffix)) name.resize(name.size() - npy_suffix.size());
-    const std::string where = path + ": " + name;
-    const auto data = member(archive.get(), i, where);
+  for (const Member& member : *members) {
+    const std::string where = path + ": " + member.name;
+    const auto data = bytes_of(archive.get(), member, where);
     if (!data) return tl::unexpected(data.error());
     auto array = array_of(*data, where);
     if (!array) return tl::unexpected(array.error());
-    arrays.emplace(name, std::move(*array));
+    arrays.emplace(member.name, std::move(*array));
   }
   return arrays;
 }

@@ -22,6 +22,8 @@ constexpr std::size_t max_ticks = 5'000'000;
 // tick is made up. Short legs may be.
 constexpr std::size_t min_bytes_per_tick = 4;
 constexpr std::size_t always_allowed_ticks = 4096;
+// Compressed, answers at restarts in every tick need next to nothing. The longest legs need 700 MiB.
+constexpr std::size_t max_plain_bytes = 1u << 30;
 
 // The file has 0 for blue and 1 for yellow, and a team's commands at that index.
 static_assert(index_of(Team::blue) == 0 && index_of(Team::yellow) == 1);
@@ -154,7 +156,8 @@ std::size_t largest_size(const ReplayShape& shape) {
                     .robots = static_cast<std::size_t>(shape.robots),
                     .fingerprints = shape.ticks,
                     .checkpoints = shape.ticks / replay::checkpoint_ticks + 1};
-  return most.plain_size() + both_teams.size() * shape.ticks * most.asked_size();
+  return std::min(max_plain_bytes,
+                  most.plain_size() + both_teams.size() * shape.ticks * most.asked_size());
 }
 
 // The decompressed bytes behind the magic word; "" if they are damaged or more than `largest`.

@@ -282,6 +282,7 @@ void add_hand_in(CLI::App& app, Action& action) {
   check->add_option("ENTRY", check.options->entry)->required();
   check->add_option("--file", check.options->file)->required();
   check->add_option("--at", check.options->at)->required();
+  check->add_option("--compile-seconds", check.options->compile_seconds)->required();
 
   Subcommand<PlayFriendlyOptions> friendly(app, action, "play-friendly",
                                            "What serve --hand-in starts for each friendly",

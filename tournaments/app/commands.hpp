@@ -91,7 +91,8 @@ struct CheckHandInOptions {
   std::string team;
   int entry = 0;
   std::string file;
-  std::int64_t at = 0;  // s since 1970
+  std::int64_t at = 0;       // s since 1970
+  int compile_seconds = 60;  // of processor time, for a source
 };
 Result<int> run_check_hand_in(const CheckHandInOptions& options);
 

@@ -110,7 +110,7 @@ Result<int> run_serve(const ServeOptions& options) {
 Result<int> run_check_hand_in(const CheckHandInOptions& options) {
   system::Disk disk;
   return check_hand_in(disk, Folder{options.folder}, options.team, options.entry, options.file,
-                       options.at);
+                       options.at, options.compile_seconds);
 }
 
 }  // namespace mirocup::league

@@ -49,6 +49,8 @@ class HandInBook {
     queue_.begin(team, entry, state);
   }
   void wait_again(const std::string& team, int entry) { queue_.wait_again(team, entry); }
+  void give_way(const std::string& team, int entry) { queue_.give_way(team, entry); }
+  int spend(const std::string& team, int entry) { return queue_.spend(team, entry); }
 
  private:
   HandInBook(system::Files& files, Folder folder, Journal journal)

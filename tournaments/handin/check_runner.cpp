@@ -5,8 +5,10 @@
 #include "system/clock.hpp"
 #include "system/locations.hpp"
 #include "system/printable.hpp"
+#include "system/process_tree.hpp"
 #include "tournaments/league/submission.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <iostream>
 #include <sys/resource.h>
@@ -19,8 +21,7 @@ using namespace std::chrono_literals;
 using std::chrono::steady_clock;
 
 constexpr double wait_s = 0.02;        // s until a new hand-in is noticed
-constexpr auto look_interval = 250ms;  // between two looks at the steps of checks
-constexpr auto most_time = 180s;       // of a check, which takes 20 s of a processor at most
+constexpr auto look_interval = 250ms;  // between two looks at the checks
 constexpr auto rest_time = 1s;         // after a fault of the host
 constexpr int lower_priority = 10;     // pages and matches come first
 
@@ -28,13 +29,15 @@ constexpr int lower_priority = 10;     // pages and matches come first
 
 CheckRunner::CheckRunner(system::Files& files, Folder folder, Portal& portal,
                          system::ProcessSet& processes, int jobs,
-                         std::function<void(const std::string& line)> tell)
+                         std::function<void(const std::string& line)> tell,
+                         const CheckLimits& limits)
     : files_(files),
       folder_(std::move(folder)),
       portal_(portal),
       processes_(processes),
       jobs_(jobs),
       tell_(std::move(tell)),
+      limits_(limits),
       friendlies_(folder_, portal.friendlies(), processes) {}
 
 std::string CheckRunner::output_of(const WaitingHandIn& handed) const {
@@ -45,7 +48,7 @@ bool CheckRunner::step() {
   start_checks();
   // Friendlies take what the checks leave.
   while (busy() < jobs_ && friendlies_.start_next(next_tag_, system::now_s())) ++next_tag_;
-  look_at_steps();
+  look_at_checks();
   friendlies_.look_at_time();
   const auto news = processes_.wait_within(wait_s);
   if (news.exit) {
@@ -72,6 +75,8 @@ void CheckRunner::start_checks() {
 void CheckRunner::start_next() {
   const auto next = portal_.begin_next();
   if (!next) return;
+  const bool is_source = source_kind_of(next->file) != SourceKind::none;
+  const int compile_seconds = compile_time_.of(next->team);
   // The name of the file is a stranger's: one argument with its option, so it cannot be an option.
   const std::vector<std::string> command{system::sibling_program("mirocup-league"),
                                          "check-hand-in",
@@ -79,7 +84,8 @@ void CheckRunner::start_next() {
                                          next->team,
                                          std::to_string(next->entry),
                                          "--file=" + next->file,
-                                         "--at=" + std::to_string(next->at)};
+                                         "--at=" + std::to_string(next->at),
+                                         "--compile-seconds=" + std::to_string(compile_seconds)};
   const auto pid = processes_.start(command, next_tag_, -1, output_of(*next));
   if (!pid) {
     tell_(next->team + ": entry " + std::to_string(next->entry) + ": " + pid.error().what);
@@ -87,7 +93,10 @@ void CheckRunner::start_next() {
     (void)portal_.wait_again(next->team, next->entry);
     return;
   }
-  running_[next_tag_++] = {*next, *pid, steady_clock::now()};
+  running_[next_tag_++] = {.handed = *next,
+                           .pid = *pid,
+                           .begun = steady_clock::now(),
+                           .compile_seconds = is_source ? compile_seconds : 0};
 }
 
 void CheckRunner::book(const Running& check, const system::Exit& exit) {
@@ -101,44 +110,101 @@ void CheckRunner::book(const Running& check, const system::Exit& exit) {
       std::string_view(output).substr(begin == std::string::npos ? 0 : begin + 1));
   const bool is_answer = exit.signal == 0 && (exit.code == exit_yes || exit.code == exit_no) &&
                          !answer.problem && answer.value.is_object();
-  Result<void> booked;
   if (is_answer) {
+    const bool is_accepted = exit.code == exit_yes;
+    if (check.compile_seconds > 0)
+      compile_time_.note(team, is_accepted || check.is_compiled, check.processor);
     const std::string message = answer.value.value("message", "");
     tell_(message);
-    booked = portal_.close(
-        team, entry, exit.code == exit_yes ? HandInState::accepted : HandInState::refused, message);
+    const auto state = is_accepted ? HandInState::accepted : HandInState::refused;
+    if (auto booked = portal_.close(team, entry, state, message); !booked) {
+      tell_(booked.error().what);
+      rests_until_ = steady_clock::now() + rest_time;
+    }
+  } else {
+    book_no_answer(check, exit, output);
+  }
+  (void)files_.remove(path);
+}
+
+void CheckRunner::book_no_answer(const Running& check, const system::Exit& exit,
+                                 const std::string& output) {
+  const std::string& team = check.handed.team;
+  const int entry = check.handed.entry;
+  const std::string name = team + ": entry " + std::to_string(entry) + ": ";
+  Result<void> booked;
+  if (check.is_spent) {
+    const double most = most_processor(check);
+    tell_(name + "its check was stopped after " + std::to_string(static_cast<int>(most)) +
+          " s of processor time");
+    booked = portal_.spend(team, entry, most);
+  } else if (check.gives_way) {
+    tell_(name + "its check gives way to that of another team");
+    portal_.give_way(team, entry);
   } else {
     constexpr std::size_t enough = 500;  // bytes
-    tell_(team + ": entry " + std::to_string(entry) + ": its check ended with " +
+    tell_(name + "its check ended with " +
           (exit.signal != 0 ? "signal " + std::to_string(exit.signal)
                             : "code " + std::to_string(exit.code)) +
           " " + output.substr(0, enough));
     rests_until_ = steady_clock::now() + (exit.signal != 0 ? 0s : rest_time);
     booked = portal_.wait_again(team, entry);
   }
-  if (!booked) {
-    tell_(booked.error().what);
-    rests_until_ = steady_clock::now() + rest_time;
-  }
-  (void)files_.remove(path);
+  if (booked) return;
+  tell_(booked.error().what);
+  rests_until_ = steady_clock::now() + rest_time;
 }
 
-void CheckRunner::look_at_steps() {
+void CheckRunner::look_at_checks() {
   const auto now = steady_clock::now();
-  if (now - steps_read_at_ < look_interval) return;
-  steps_read_at_ = now;
-  for (const auto& [tag, check] : running_) {
+  if (now - looked_at_ < look_interval) return;
+  const double since_last = std::chrono::duration<double>(now - looked_at_).count();
+  looked_at_ = now;
+  std::vector<pid_t> pids;
+  for (const auto& [tag, check] : running_) pids.push_back(check.pid);
+  const auto used = pids.empty() ? std::map<pid_t, system::TreeUse>() : system::use_of_trees(pids);
+  std::vector<RunningCheck> uses;
+  for (auto& [tag, check] : running_) {
+    const std::string& team = check.handed.team;
+    const int entry = check.handed.entry;
     const auto output =
-        files_.read(folder_.check_log(check.handed.team, check.handed.entry),
+        files_.read(folder_.check_log(team, entry),
                     {.max_size = system::size_limit::log, .growth = system::Growth::ignored});
-    if (output) portal_.set_step(check.handed.team, check.handed.entry, last_step(*output));
-    // It is told to have failed when its end is noticed.
-    if (now - check.begun > most_time) ::kill(check.pid, SIGKILL);
+    if (output) {
+      const CheckStep step = last_step(*output);
+      check.is_compiled = check.is_compiled || step.number > 0;
+      portal_.set_step(team, entry, step);
+    }
+    const system::TreeUse& use = used.at(check.pid);
+    check.processor = std::max(check.processor, use.seconds);
+    const double clock = std::chrono::duration<double>(now - check.begun).count();
+    if (!use.is_runnable) check.asleep += std::min(since_last, clock);
+    check.is_spent = check.is_spent || check.processor > most_processor(check);
+    // It is booked when its end is noticed.
+    if (check.is_spent || clock > limits_.clock) ::kill(check.pid, SIGKILL);
+    uses.push_back({team, entry, check.processor, check.asleep});
+  }
+  if (busy() >= jobs_) make_room(uses);
+}
+
+// Stops one check or friendly, if a hand-in waits that may begin.
+void CheckRunner::make_room(const std::vector<RunningCheck>& uses) {
+  const bool is_stopping = std::any_of(running_.begin(), running_.end(), [](const auto& one) {
+    return one.second.is_spent || one.second.gives_way;
+  });
+  if (is_stopping || !portal_.has_next() || friendlies_.give_way()) return;
+  const auto stopped = portal_.to_stop(uses);
+  if (!stopped) return;
+  for (auto& [tag, check] : running_) {
+    if (check.handed.team != stopped->team || check.handed.entry != stopped->entry) continue;
+    check.gives_way = true;
+    ::kill(check.pid, SIGKILL);
   }
 }
 
 Result<int> check_hand_in(system::Files& files, const Folder& folder, const std::string& team,
-                          int entry, const std::string& file, std::int64_t at) {
+                          int entry, const std::string& file, std::int64_t at,
+                          int compile_seconds) {
   setpriority(PRIO_PROCESS, 0, lower_priority);
   HandIn handed;
   handed.team = team;
@@ -146,6 +212,7 @@ Result<int> check_hand_in(system::Files& files, const Folder& folder, const std:
   handed.at = at;
   handed.entry = entry;
   handed.name = file;
+  handed.compile_seconds = compile_seconds;
   const SourceKind kind = source_kind_of(file);
   if (kind != SourceKind::none) handed.source = folder.source(team, entry);
   handed.language = language_of(kind);

@@ -2,7 +2,11 @@
 //
 // Runs the checks of the hand-ins that wait, each in a child process: `mirocup-league
 // check-hand-in`. A child may be killed at any moment, or die with this process; then its hand-in
-// waits again. Friendlies are played when no hand-in waits.
+// waits again. Friendlies are played when no hand-in waits, and stopped when one has come.
+//
+// What a check uses is looked at a few times each second. One that uses up the processor time of
+// CheckLimits, with all programs that it starts, is stopped and begun once more, and then refused.
+// One that takes long gives way (queue.hpp).
 //
 // Threads: the one that uses the ProcessSet.
 #pragma once
@@ -16,11 +20,20 @@
 
 namespace mirocup::league {
 
+struct CheckLimits {
+  // Processor time of a check, s, and in addition that of CompileTime for a source. A check plans
+  // to take half of it (server/app/entry_check.hpp).
+  double processor = 40.0;
+  // Time on the clock, s. A check that takes longer was not given a processor: the host's fault.
+  double clock = 900.0;
+};
+
 class CheckRunner {
  public:
   // `tell` gets a line for the host about each answer. All must outlive the runner.
   CheckRunner(system::Files& files, Folder folder, Portal& portal, system::ProcessSet& processes,
-              int jobs, std::function<void(const std::string& line)> tell);
+              int jobs, std::function<void(const std::string& line)> tell,
+              const CheckLimits& limits = {});
 
   // Starts checks, books the ends of checks, and waits for the next for a short time. Returns false
   // if this process is asked to stop.
@@ -31,6 +44,12 @@ class CheckRunner {
     WaitingHandIn handed;
     pid_t pid = 0;
     std::chrono::steady_clock::time_point begun;
+    int compile_seconds = 0;   // that compiling it may take; 0: it is a library
+    double processor = 0.0;    // s that it has used
+    double asleep = 0.0;       // s for which none of its processes wanted a processor
+    bool is_compiled = false;  // it was seen to be checked
+    bool is_spent = false;     // it was stopped because it has used up its processor time
+    bool gives_way = false;    // it was stopped for the check of another team
   };
 
   // Processes that run.
@@ -39,7 +58,12 @@ class CheckRunner {
   void start_checks();
   void start_next();
   void book(const Running& check, const system::Exit& exit);
-  void look_at_steps();
+  void look_at_checks();
+  void make_room(const std::vector<RunningCheck>& uses);
+  void book_no_answer(const Running& check, const system::Exit& exit, const std::string& output);
+  double most_processor(const Running& check) const {
+    return limits_.processor + check.compile_seconds;
+  }
   std::string output_of(const WaitingHandIn& handed) const;
 
   system::Files& files_;
@@ -48,16 +72,18 @@ class CheckRunner {
   system::ProcessSet& processes_;
   int jobs_;
   std::function<void(const std::string& line)> tell_;
+  CheckLimits limits_;
+  CompileTime compile_time_;
   std::map<int, Running> running_;  // by tag
   FriendlyRunner friendlies_;
   int next_tag_ = 0;
-  std::chrono::steady_clock::time_point steps_read_at_{};
+  std::chrono::steady_clock::time_point looked_at_{};
   std::chrono::steady_clock::time_point rests_until_{};  // after a fault of the host
 };
 
 // The body of `check-hand-in`: checks one hand-in and prints the answer as JSON. The exit code is
 // that of `submit`.
 Result<int> check_hand_in(system::Files& files, const Folder& folder, const std::string& team,
-                          int entry, const std::string& file, std::int64_t at);
+                          int entry, const std::string& file, std::int64_t at, int compile_seconds);
 
 }  // namespace mirocup::league

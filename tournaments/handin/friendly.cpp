@@ -38,11 +38,11 @@ void Friendlies::begin(const std::string& team, int number) {
   turn_[team] = ++turns_;
 }
 
-void Friendlies::wait_again(const std::string& team, int number) {
+void Friendlies::wait_again(const std::string& team, int number, bool is_spoiled) {
   const auto found = all_.find({team, number});
   if (found == all_.end() || found->second.state != FriendlyState::playing) return;
   found->second.state = FriendlyState::waiting;
-  ++found->second.failures;
+  if (is_spoiled) ++found->second.failures;
 }
 
 const Friendly* Friendlies::next() const {

@@ -62,7 +62,8 @@ class Friendlies {
               const std::string& end);
 
   void begin(const std::string& team, int number);
-  void wait_again(const std::string& team, int number);
+  // It waits again: the host has spoiled the leg, or has stopped it for a check.
+  void wait_again(const std::string& team, int number, bool is_spoiled);
 
   // Returns the leg that is to be played next: of the team that has waited for its turn longest,
   // one at a time of each team. Null if none may be played.

@@ -27,7 +27,9 @@ class FriendlyBook {
                       int against, const std::string& end, std::int64_t at);
 
   void begin(const std::string& team, int number) { friendlies_.begin(team, number); }
-  void wait_again(const std::string& team, int number) { friendlies_.wait_again(team, number); }
+  void wait_again(const std::string& team, int number, bool is_spoiled) {
+    friendlies_.wait_again(team, number, is_spoiled);
+  }
 
  private:
   explicit FriendlyBook(Journal journal) : journal_(std::move(journal)) {}

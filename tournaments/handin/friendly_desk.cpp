@@ -229,9 +229,14 @@ Result<void> FriendlyDesk::played(const Friendly& friendly, std::int64_t now) {
                       end->end, now);
 }
 
+void FriendlyDesk::give_way(const Friendly& friendly) {
+  const std::lock_guard lock(mutex_);
+  book_.wait_again(friendly.team, friendly.number, false);
+}
+
 Result<void> FriendlyDesk::failed(const Friendly& friendly, std::int64_t now) {
   const std::lock_guard lock(mutex_);
-  book_.wait_again(friendly.team, friendly.number);
+  book_.wait_again(friendly.team, friendly.number, true);
   const Friendly* known = book_.friendlies().find(friendly.team, friendly.number);
   if (known == nullptr || known->failures < most_failures) return {};
   return book_.finish(friendly.team, friendly.number, FriendlyState::void_, 0, 0,

@@ -52,6 +52,8 @@ class FriendlyDesk {
   std::optional<Friendly> begin_next();
   Result<void> played(const Friendly& friendly, std::int64_t now);
   Result<void> failed(const Friendly& friendly, std::int64_t now);
+  // It was stopped for a check, and waits again.
+  void give_way(const Friendly& friendly);
 
  private:
   FriendlyDesk(system::Files& files, Folder folder, FriendlyOptions options, FriendlyBook book)

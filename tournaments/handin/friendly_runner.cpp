@@ -11,6 +11,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
+constexpr auto turn = 3s;                // on the clock; then it may have to give way to a check
 constexpr auto most_time_of_leg = 600s;  // on the clock; a leg of the longest half takes minutes
 
 }  // namespace
@@ -36,7 +37,12 @@ bool FriendlyRunner::book(const system::Exit& exit, std::int64_t now) {
   const auto found = running_.find(exit.tag);
   if (found == running_.end()) return false;
   const Friendly friendly = std::move(found->second.friendly);
+  const bool gives_way = found->second.gives_way;
   running_.erase(found);
+  if (gives_way && exit.signal != 0) {
+    desk_.give_way(friendly);
+    return true;
+  }
   (void)(exit.signal == 0 && exit.code == exit_yes ? desk_.played(friendly, now)
                                                    : desk_.failed(friendly, now));
   return true;
@@ -47,6 +53,18 @@ void FriendlyRunner::look_at_time() {
   for (const auto& [tag, leg] : running_) {
     if (now - leg.begun > most_time_of_leg) ::kill(leg.pid, SIGKILL);
   }
+}
+
+bool FriendlyRunner::give_way() {
+  const auto now = std::chrono::steady_clock::now();
+  for (auto& [tag, leg] : running_) {
+    if (leg.gives_way) return true;
+    if (now - leg.begun < turn) continue;
+    ::kill(leg.pid, SIGKILL);
+    leg.gives_way = true;
+    return true;
+  }
+  return false;
 }
 
 }  // namespace mirocup::league

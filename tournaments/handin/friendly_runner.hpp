@@ -29,6 +29,10 @@ class FriendlyRunner {
   // Kills legs that take too long.
   void look_at_time();
 
+  // Stops a leg that has taken some seconds, so that a check can begin; it is played again later.
+  // Returns false if there is none.
+  bool give_way();
+
   int running() const { return static_cast<int>(running_.size()); }
 
  private:
@@ -36,6 +40,7 @@ class FriendlyRunner {
     Friendly friendly;
     pid_t pid = 0;
     std::chrono::steady_clock::time_point begun;
+    bool gives_way = false;  // it was stopped
   };
 
   Folder folder_;

@@ -26,6 +26,7 @@ constexpr std::size_t max_file_name = 100;  // bytes
 constexpr std::size_t max_form = 4096;      // bytes
 constexpr int max_pins = 10;                // of a team in an hour
 constexpr int max_failures = 10;            // of the host, until a hand-in is void
+constexpr int max_spent = 2;                // checks that used up their time, until it is refused
 
 constexpr const char* page_policy =
     "default-src 'none'; style-src 'self'; script-src 'self'; connect-src 'self'; "
@@ -545,6 +546,11 @@ std::optional<WaitingHandIn> Portal::begin_next() {
   return begun;
 }
 
+bool Portal::has_next() {
+  const std::lock_guard lock(mutex_);
+  return book_.queue().next() != nullptr;
+}
+
 void Portal::set_step(const std::string& team, int entry, const CheckStep& step) {
   const std::lock_guard lock(mutex_);
   CheckStep& known = steps_[{team, entry}];
@@ -580,9 +586,49 @@ Result<void> Portal::wait_again(const std::string& team, int entry) {
     ++version_;
   }
   if (!is_void) return {};
-  return close(team, entry, HandInState::void_,
-               team + ": entry " + std::to_string(entry) +
-                   " could not be checked, which is this computer's fault; hand it in again");
+  return close_unchecked(
+      team, entry, HandInState::void_,
+      team + ": entry " + std::to_string(entry) +
+          " could not be checked, which is this computer's fault; hand it in again");
+}
+
+// Its files have no verdict, by which entries are counted and removed later.
+Result<void> Portal::close_unchecked(const std::string& team, int entry, HandInState state,
+                                     const std::string& message) {
+  auto closed = close(team, entry, state, message);
+  if (!closed) return closed;
+  (void)files_.remove(folder_.library(team, entry));
+  (void)files_.remove(folder_.source(team, entry));
+  return {};
+}
+
+std::optional<WaitingHandIn> Portal::to_stop(const std::vector<RunningCheck>& running) {
+  const std::lock_guard lock(mutex_);
+  const WaitingHandIn* stopped = book_.queue().to_stop(running);
+  return stopped == nullptr ? std::nullopt : std::optional(*stopped);
+}
+
+void Portal::give_way(const std::string& team, int entry) {
+  const std::lock_guard lock(mutex_);
+  book_.give_way(team, entry);
+  steps_.erase({team, entry});
+  ++version_;
+}
+
+Result<void> Portal::spend(const std::string& team, int entry, double seconds) {
+  {
+    const std::lock_guard lock(mutex_);
+    const int spent = book_.spend(team, entry);
+    steps_.erase({team, entry});
+    ++version_;
+    if (spent < max_spent) return {};
+  }
+  return close_unchecked(
+      team, entry, HandInState::refused,
+      team + ": entry " + std::to_string(entry) + " was not accepted: its check took more than " +
+          std::to_string(static_cast<int>(seconds)) +
+          " s of processor time, and did so twice; let the team compute less while it is "
+          "loaded and in each tick");
 }
 
 }  // namespace mirocup::league

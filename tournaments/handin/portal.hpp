@@ -58,6 +58,7 @@ class Portal {
 
   // Marks the next hand-in as being checked and returns it; nothing if none is to be checked.
   std::optional<WaitingHandIn> begin_next();
+  bool has_next();
 
   void set_step(const std::string& team, int entry, const CheckStep& step);
 
@@ -68,12 +69,22 @@ class Portal {
   // The host has spoiled a check: it is tried again, and after some failures the hand-in is void.
   Result<void> wait_again(const std::string& team, int entry);
 
+  // HandInQueue::to_stop(), and what follows when the check has been stopped.
+  std::optional<WaitingHandIn> to_stop(const std::vector<RunningCheck>& running);
+  void give_way(const std::string& team, int entry);
+
+  // A check has used up the processor time that there is for one, s. That is the file's own fault,
+  // but one time it may have had bad luck: the second time the hand-in is refused.
+  Result<void> spend(const std::string& team, int entry, double seconds);
+
  private:
   struct Upload;
 
   Portal(system::Files& files, Folder folder, PortalOptions options, HandInBook book,
          std::unique_ptr<FriendlyDesk> friendlies);
   Result<void> finish_what_was_begun();
+  Result<void> close_unchecked(const std::string& team, int entry, HandInState state,
+                               const std::string& message);
 
   std::variant<Visitor, web::Reply> visitor(const web::Request& request, Purpose purpose);
   web::Reply api(const web::Request& request, const web::Body& body);

@@ -30,11 +30,16 @@ std::string language_of(SourceKind kind) {
 
 void HandInQueue::add(WaitingHandIn handed) {
   const Key key{handed.team, handed.entry};
+  put_behind(all_[key] = std::move(handed));
+}
+
+void HandInQueue::put_behind(WaitingHandIn& handed) {
+  const Key key{handed.team, handed.entry};
   const auto last = last_round_.find(handed.team);
   handed.round = last == last_round_.end() ? round_ : std::max(round_, last->second + 1);
   last_round_[handed.team] = handed.round;
+  std::erase(waiting_, key);
   if (!is_final(handed.state)) waiting_.push_back(key);
-  all_[key] = std::move(handed);
 }
 
 void HandInQueue::answer(const std::string& team, int entry, HandInState state,
@@ -60,6 +65,43 @@ void HandInQueue::wait_again(const std::string& team, int entry) {
   if (found == all_.end() || is_final(found->second.state)) return;
   found->second.state = HandInState::queued;
   ++found->second.failures;
+}
+
+void HandInQueue::give_way(const std::string& team, int entry) {
+  const auto found = all_.find({team, entry});
+  if (found == all_.end() || is_final(found->second.state)) return;
+  found->second.state = HandInState::queued;
+  ++found->second.gave_way;
+  put_behind(found->second);
+}
+
+int HandInQueue::spend(const std::string& team, int entry) {
+  const auto found = all_.find({team, entry});
+  if (found == all_.end() || is_final(found->second.state)) return 0;
+  found->second.state = HandInState::queued;
+  put_behind(found->second);
+  return ++found->second.spent;
+}
+
+const WaitingHandIn* HandInQueue::to_stop(const std::vector<RunningCheck>& running) const {
+  if (next() == nullptr) return nullptr;
+  // The first in the order of turns, so that it stays the same until its end.
+  const auto ordered = order();
+  const auto left_alone =
+      std::find_if(ordered.begin(), ordered.end(), [](const WaitingHandIn* handed) {
+        return handed->state != HandInState::queued && handed->gave_way >= gives_way_at_most;
+      });
+  const WaitingHandIn* stopped = nullptr;
+  double longest = 0.0;
+  for (const RunningCheck& check : running) {
+    const WaitingHandIn* handed = find(check.team, check.entry);
+    const bool is_left_alone = left_alone != ordered.end() && handed == *left_alone;
+    const double used = check.processor + check.asleep;
+    if (handed == nullptr || is_left_alone || used < turn || used < longest) continue;
+    stopped = handed;
+    longest = used;
+  }
+  return stopped;
 }
 
 std::vector<const WaitingHandIn*> HandInQueue::order() const {

@@ -4,6 +4,11 @@
 // fair between teams: checks go in rounds, and a team has one in each. Who comes joins the round
 // that is being checked, or the one after its own last. A team has one check at a time.
 //
+// A check that takes long gives way to the check of another team that waits: it is stopped, and its
+// hand-in comes in a later round, as if it were handed in anew. So that each comes to its end, one
+// check at a time that has given way often enough is left alone. The others still give way, so on
+// two processors a short check never waits for two long ones.
+//
 // A pure function of the events that it is given. Threads: one at a time.
 #pragma once
 
@@ -13,6 +18,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -53,11 +59,49 @@ struct WaitingHandIn {
   HandInState state = HandInState::queued;
   std::string message = {};  // the answer to the team, once there is one
   int round = 0;             // in which it is checked
-  int failures = 0;          // checks that the host has spoiled since the server started
+  // Since the server started:
+  int failures = 0;  // checks that the host has spoiled
+  int gave_way = 0;  // checks that were stopped for those of other teams
+  int spent = 0;     // checks that used up their processor time
+};
+
+// A check that runs, and what it has used so far, s.
+struct RunningCheck {
+  std::string team;
+  int entry = 0;
+  double processor = 0.0;  // of all its processes together
+  double asleep = 0.0;     // none of them wanted a processor
+};
+
+// Processor time that the sources of each team may take to be compiled, s. A team whose source was
+// not compiled within the short time gets that for its next one, until one is.
+class CompileTime {
+ public:
+  static constexpr int usual = 60;
+  static constexpr int after_slow_one = 20;
+
+  int of(const std::string& team) const { return slow_.contains(team) ? after_slow_one : usual; }
+
+  // Says how a source ended, after its compiler used that time.
+  void note(const std::string& team, bool is_compiled, double used) {
+    if (is_compiled) {
+      slow_.erase(team);
+    } else if (used >= 0.9 * after_slow_one) {
+      slow_.insert(team);
+    }
+  }
+
+ private:
+  std::set<std::string> slow_;  // teams
 };
 
 class HandInQueue {
  public:
+  // What a check uses before it may have to give way, asleep or not, s. The time for which it waits
+  // for a processor is not its own.
+  static constexpr double turn = 3.0;
+  static constexpr int gives_way_at_most = 2;  // times; then it may be the one that is left alone
+
   // Adds a hand-in that waits. Precondition: the team has none of this number.
   void add(WaitingHandIn handed);
 
@@ -67,6 +111,15 @@ class HandInQueue {
   // Its check begins, or has ended without an answer: then it waits again in its old place.
   void begin(const std::string& team, int entry, HandInState state = HandInState::checking);
   void wait_again(const std::string& team, int entry);
+
+  // Its check was stopped because it took long: it waits again, behind the other teams. spend()
+  // returns how often it has used up its processor time.
+  void give_way(const std::string& team, int entry);
+  int spend(const std::string& team, int entry);
+
+  // Returns which of the checks, all that run, is to be stopped so that the next can begin; null if
+  // none is. For a caller that has no processor for the next.
+  const WaitingHandIn* to_stop(const std::vector<RunningCheck>& running) const;
 
   // Returns the hand-in that is to be checked next; null if none may be.
   const WaitingHandIn* next() const;
@@ -90,6 +143,8 @@ class HandInQueue {
 
   // The hand-ins without an answer in the order in which they are taken.
   std::vector<const WaitingHandIn*> order() const;
+  // Puts it into the round in which it would be if it came now.
+  void put_behind(WaitingHandIn& handed);
 
   int round_ = 0;                          // of the last check that began or was answered
   std::map<std::string, int> last_round_;  // of each team

@@ -17,16 +17,27 @@ constexpr std::string_view before_hash = ",\"hash\":\"";
 // A line of ours has some twenty values and a few sentences.
 constexpr record::JsonLimits line_limits{.bytes = 8u << 20, .values = 10'000};
 
+// A line is not deep: parse_json() has seen to that.
+std::size_t values_of(const Json& json) {
+  std::size_t values = 1;
+  if (json.is_structured()) {
+    for (const Json& part : json) values += values_of(part);
+  }
+  return values;
+}
+
 }  // namespace
 
 // Defined here, where Json is a complete type.
-Journal::Journal(system::Files& files, std::string path) : files_(&files), path_(std::move(path)) {}
+Journal::Journal(system::Files& files, std::string path, std::size_t most_values)
+    : files_(&files), path_(std::move(path)), most_values_(most_values) {}
 Journal::Journal(Journal&&) noexcept = default;
 Journal& Journal::operator=(Journal&&) noexcept = default;
 Journal::~Journal() = default;
 
-Result<Journal> Journal::open(system::Files& files, std::string path, std::string* notice) {
-  Journal journal(files, std::move(path));
+Result<Journal> Journal::open(system::Files& files, std::string path, std::string* notice,
+                              std::size_t most_values) {
+  Journal journal(files, std::move(path), most_values);
   if (auto read = journal.refresh(); !read) return tl::unexpected(read.error());
   if (journal.is_torn_ && notice != nullptr) {
     *notice = journal.path_ + ": line " + std::to_string(journal.lines_.size() + 1) +
@@ -71,8 +82,19 @@ Result<void> Journal::read_line(std::string_view line) {
     }
   }
   if (problem) return tl::unexpected(record::error_of(*problem, where, Errc::damaged));
+  if (auto added = add_values_of(parsed.value, where); !added) return added;
   last_hash_ = system::sha256(line);
   lines_.push_back(std::move(parsed.value));
+  return {};
+}
+
+Result<void> Journal::add_values_of(const Json& line, const std::string& where) {
+  const std::size_t more = values_of(line);
+  if (values_ + more > most_values_) {
+    return fail(Errc::damaged, where + ": with it the journal has more than " +
+                                   std::to_string(most_values_) + " values, the most for one");
+  }
+  values_ += more;
   return {};
 }
 
@@ -89,10 +111,10 @@ Result<void> Journal::append(const std::string& kind, Json fields) {
   const std::string hash = system::sha256(text);
   line["hash"] = hash;
   text.append(before_hash).append(hash).append("\"}");
-  // What readers would refuse is not written.
   if (const auto parsed = record::parse_json(text, line_limits); parsed.problem) {
     return tl::unexpected(record::error_of(*parsed.problem, path_, Errc::input));
   }
+  if (auto added = add_values_of(line, path_); !added) return added;
   if (auto written = files_->append(path_, text + "\n"); !written) {
     is_torn_ = true;  // part of the line may have been written
     return written;

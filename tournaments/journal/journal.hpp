@@ -25,10 +25,13 @@ using Json = nlohmann::ordered_json;
 
 class Journal {
  public:
+  // Of all lines together, which stay in memory: those of a million legs.
+  static constexpr std::size_t max_values = 20'000'000;
+
   // Reads the file; a missing file is an empty journal. `notice` gets a sentence for the user if an
   // incomplete last line was ignored. `files` must outlive the journal.
-  static Result<Journal> open(system::Files& files, std::string path,
-                              std::string* notice = nullptr);
+  static Result<Journal> open(system::Files& files, std::string path, std::string* notice = nullptr,
+                              std::size_t most_values = max_values);
   Journal(Journal&&) noexcept;
   Journal& operator=(Journal&&) noexcept;
   ~Journal();
@@ -40,19 +43,23 @@ class Journal {
   Result<void> refresh();
 
   // Writes a line: "n", "kind", the fields, "prev" and "hash". After an error the journal is as
-  // before.
+  // before. What readers would refuse is not written.
   Result<void> append(const std::string& kind, Json fields);
 
  private:
-  Journal(system::Files& files, std::string path);
+  Journal(system::Files& files, std::string path, std::size_t most_values);
 
   Result<void> read_line(std::string_view line);
+  // Counts the values of a line. Returns an error if there are too many.
+  Result<void> add_values_of(const Json& line, const std::string& where);
 
   system::Files* files_;
   std::string path_;
   std::vector<Json> lines_;
   std::string last_hash_;
-  std::size_t size_ = 0;  // bytes of whole lines
+  std::size_t size_ = 0;    // bytes of whole lines
+  std::size_t values_ = 0;  // of all lines
+  std::size_t most_values_;
   bool is_torn_ = false;  // true: an incomplete line follows them
 };
 

@@ -194,10 +194,11 @@ Result<std::optional<Json>> compile(system::Files& files, const Folder& folder,
   const std::string log = folder.compile_log(handed.team, number);
   const std::string name = handed.name.empty() ? handed.source : handed.name;
   system::ProcessSet processes;
-  const auto started = processes.start(
-      {system::sibling_program("mirocup"), "compile", handed.source, "-o",
-       folder.library(handed.team, number), "--json", "--language", handed.language},
-      0, -1, log);
+  const auto started =
+      processes.start({system::sibling_program("mirocup"), "compile", handed.source, "-o",
+                       folder.library(handed.team, number), "--json", "--language", handed.language,
+                       "--seconds", std::to_string(handed.compile_seconds)},
+                      0, -1, log);
   if (!started) return tl::unexpected(started.error());
   const auto exit = processes.wait();
   if (!exit) return fail(Errc::interrupted, "interrupted while a source was compiled");

@@ -29,6 +29,7 @@ struct HandIn {
   // A source that waited: the library is made from it first. "": `path` is the library.
   std::string source = {};
   std::string language = {};  // of the source: "c", "c++", or "project", which is an archive
+  int compile_seconds = 60;   // of processor time, that compiling it may take
   std::string name = {};      // what its team calls the file, for its verdict; "": the path
   bool is_house = false;      // the host hands in the house team `name`, "house:NAME"
 

@@ -216,6 +216,22 @@ TEST_P(HostileSource, DoesNoHarm) {
       << done->why_not << done->output;
 }
 
+// Catches a limit on the clock, by which a busy machine refuses a good source, and one of a single
+// process: the compiler's driver uses nothing itself.
+TEST(HostileSources, HaveProcessorTimeOfAllProcessesTogether) {
+  const fs::path build = fs::path(program("mirocup")).parent_path();
+  const plugins::CompilerKit kit{.headers = build / "include" / "mirocup",
+                                 .predict = build / "lib" / "libmirocup_predict.a",
+                                 .project_compiler = program("mirocup-project-compiler")};
+  const auto done =
+      plugins::compile_in_sandbox("#include <regex>\nstd::regex any(\".*\");\n",
+                                  plugins::SourceLanguage::cpp, kit, {.seconds = 0.1});
+  if (!done && done.error().code == Errc::unavailable) GTEST_SKIP() << done.error().what;
+  ASSERT_TRUE(done) << done.error().what;
+  EXPECT_EQ(done->why_not.find("compiling it takes more than 0 s of processor time"), 0u)
+      << done->why_not;
+}
+
 INSTANTIATE_TEST_SUITE_P(Kinds, HostileSource, testing::ValuesIn(kinds()),
                          [](const auto& kind) { return std::string(kind.param.name); });
 

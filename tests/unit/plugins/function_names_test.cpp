@@ -5,12 +5,19 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <dlfcn.h>
 #include <elf.h>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace mirocup::plugins {
 namespace {
+
+std::string function_at(std::string_view library, std::uint64_t address) {
+  return functions_at(library, {&address, 1}).names.at(0);
+}
 
 TEST(FunctionNames, AreReadable) {
   EXPECT_EQ(readable_name("decide"), "decide");
@@ -55,6 +62,69 @@ TEST(FunctionNames, OfACutOrChangedFileAreNotReadBeyondItsEnd) {
     changed[at] = static_cast<char>(0xff);
     function_at(changed, 0x1200);
   }
+}
+
+// A file of one table of symbols, `symbols` functions of one byte each, that `tables` sections claim
+// for themselves: every second one for what is exported.
+std::string library_of(std::size_t symbols, std::size_t tables) {
+  const std::string texts("\0first\0other\0", 13);
+  std::string file(sizeof(Elf64_Ehdr), '\0');
+  const auto add = [&file](const auto& item) {
+    file.append(reinterpret_cast<const char*>(&item), sizeof item);
+  };
+  for (std::size_t i = 0; i < symbols; ++i) {
+    add(Elf64_Sym{.st_name = i == 0 ? 1u : 7u,
+                  .st_info = ELF64_ST_INFO(STB_GLOBAL, STT_FUNC),
+                  .st_other = 0,
+                  .st_shndx = 1,
+                  .st_value = 0x1000 + i,
+                  .st_size = 1});
+  }
+  const std::size_t texts_at = file.size();
+  file += texts;
+  Elf64_Ehdr header{};
+  std::memcpy(header.e_ident, ELFMAG, SELFMAG);
+  header.e_shentsize = sizeof(Elf64_Shdr);
+  header.e_shnum = static_cast<Elf64_Half>(tables + 1);
+  header.e_shoff = file.size();
+  Elf64_Shdr section{};
+  section.sh_type = SHT_STRTAB;
+  section.sh_offset = texts_at;
+  section.sh_size = texts.size();
+  add(section);
+  for (std::size_t i = 0; i < tables; ++i) {
+    section.sh_type = i % 2 == 0 ? SHT_SYMTAB : SHT_DYNSYM;
+    section.sh_offset = sizeof header;
+    section.sh_size = symbols * sizeof(Elf64_Sym);
+    section.sh_link = 0;
+    add(section);
+  }
+  std::memcpy(file.data(), &header, sizeof header);
+  return file;
+}
+
+// Catches a reader that bounds each table, and not the number of tables or of addresses: a thousand
+// sections on one table of a million symbols took trusted code 100 s for each crash.
+TEST(FunctionNames, AreReadOnceForAllAddressesWhateverTheSectionsClaim) {
+  constexpr std::size_t count = 1000;
+  const std::string file = library_of(count, 1023);
+  std::vector<std::uint64_t> addresses(24, 1);  // which no function has
+  addresses[7] = 0x1000;
+  addresses[23] = 0x1000 + count - 1;
+  const FunctionNames found = functions_at(file, addresses);
+  EXPECT_EQ(found.symbols_read, 2 * count);
+  EXPECT_EQ(found.names.at(7), "first");
+  EXPECT_EQ(found.names.at(23), "other");
+  EXPECT_EQ(found.names.at(0), "");
+  EXPECT_EQ(functions_at(file, {}).names.size(), 0u);
+}
+
+TEST(FunctionNames, AreLookedForInTwoMillionSymbolsAtMost) {
+  const std::string file = library_of(std::size_t{3} << 19, 2);
+  const std::uint64_t last = 0x1000 + (std::size_t{3} << 19) - 1;
+  const FunctionNames found = functions_at(file, {&last, 1});
+  EXPECT_EQ(found.symbols_read, std::size_t{1} << 21);
+  EXPECT_EQ(found.names.at(0), "other");
 }
 
 }  // namespace

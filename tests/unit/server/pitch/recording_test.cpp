@@ -48,6 +48,27 @@ TEST(PitchRecording, ReadsATable) {
   EXPECT_TRUE(recording->frames[1].commands[0].empty());
 }
 
+// Catches bounds for a line where there is none for the file: a short line becomes a picture of 22
+// robots, and 256 MB of them took 100 GB.
+TEST(PitchRecording, HasABoundOfPicturesAndColumns) {
+  const std::string table = "t\n1\n2\n3\n";
+  EXPECT_TRUE(parse_csv(table, "r.csv", 3));
+  const auto too_long = parse_csv(table, "r.csv", 2);
+  ASSERT_FALSE(too_long);
+  EXPECT_EQ(too_long.error().what.find("r.csv, line 4: a recording has at most 2 pictures"), 0u)
+      << too_long.error().what;
+  EXPECT_TRUE(parse_recording(good_recording, "r.jsonl", 2));
+  const auto lines_too_long = parse_recording(good_recording, "r.jsonl", 1);
+  ASSERT_FALSE(lines_too_long);
+  EXPECT_NE(lines_too_long.error().what.find("at most 1 pictures"), std::string::npos);
+  std::string columns = "t";
+  for (int i = 0; i < 200; ++i) columns += ",t";
+  const auto too_wide = parse_csv(columns + "\n", "r.csv");
+  ASSERT_FALSE(too_wide);
+  EXPECT_NE(too_wide.error().what.find("r.csv, line 1: at most 113 columns"), std::string::npos)
+      << too_wide.error().what;
+}
+
 // Catches a message that does not say where the mistake is, and a mistake that passes.
 TEST(PitchRecording, NamesLineKeyAndReason) {
   const auto what = [](const std::string& text) {

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <sys/resource.h>
 #include <zstd.h>
 
 namespace mirocup::record {
@@ -46,6 +48,25 @@ TEST(ReplayFile, DecompressesNoMoreThanTheRecordNeeds) {
   EXPECT_EQ(error_of(std::string(16u << 20, '\0'), 4'000'000),
             "r: it is too short for the ticks of the record");
   EXPECT_EQ(error_of("", SIZE_MAX), "r: it is too short for the ticks of the record");
+}
+
+std::size_t peak_mebibytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::size_t>(usage.ru_maxrss) >> 10;
+}
+
+// Of a leg of 30 hours, 16 MB may say that they have answers at restarts in every tick: 2 GiB.
+TEST(ReplayFile, TakesAGibibyteAtMost) {
+  std::string frame("\x28\xb5\x2f\xfd\xe0", 5);  // with eight bytes of size
+  for (int i = 0; i < 8; ++i) frame += static_cast<char>((std::uint64_t{2} << 30) >> (8 * i));
+  frame += std::string(16u << 20, '\0');
+  const std::size_t before = peak_mebibytes();
+  const auto replay =
+      unpack_replay("mirocup/replay/2\n" + frame, {.robots = 11, .ticks = 4'000'000}, "r");
+  ASSERT_FALSE(replay);
+  EXPECT_EQ(replay.error().what, "r: the compressed data is damaged");
+  EXPECT_LT(peak_mebibytes() - before, 200u) << "of memory";
 }
 
 TEST(ReplayFile, HasOneFrame) {

@@ -127,6 +127,33 @@ class Desk : public testing::Test {
   bool is_body_read_ = false;
 };
 
+// Catches a file that keeps a processor busy with check after check, at the host's cost.
+TEST_F(Desk, RefusesAFileWhoseCheckUsesUpItsTimeTwice) {
+  ASSERT_EQ(ask(put(alpha_), "ELF").status, 202);
+  int begun = 0;
+  while (const auto next = portal_->begin_next()) {
+    ASSERT_LE(++begun, 2);
+    ASSERT_TRUE(portal_->spend("alpha", next->entry, 40.0));
+  }
+  EXPECT_EQ(begun, 2);
+  EXPECT_FALSE(disk_.exists(folder_.library("alpha", 1))) << "its bytes would stay for ever";
+  const Json state = json_of(ask(api("/api/v1/entries/1", alpha_)));
+  EXPECT_EQ(state["state"], "refused");
+  EXPECT_NE(state["message"].get<std::string>().find("40 s of processor time, and did so twice"),
+            std::string::npos)
+      << state.dump();
+}
+
+// Catches a check that gives way and then counts as one that the host has spoiled.
+TEST_F(Desk, ACheckThatGivesWayIsBegunAgain) {
+  ASSERT_EQ(ask(put(alpha_), "ELF").status, 202);
+  for (int i = 0; i < 20; ++i) {
+    ASSERT_TRUE(portal_->begin_next());
+    portal_->give_way("alpha", 1);
+  }
+  EXPECT_EQ(json_of(ask(api("/api/v1/entries/1", alpha_)))["state"], "queued");
+}
+
 // A request of one route. All of alpha: nobody else may get its answer.
 struct Route {
   const char* method;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Catches a team that others wait for because it hands in often, two checks of one team at once,
-// and a book that loses or doubles a hand-in.
+// Catches a team that others wait for because it hands in often or slow files, two checks of one
+// team at once, and a book that loses or doubles a hand-in.
 #include "tests/support/temporary_folder.hpp"
 #include "tournaments/handin/book.hpp"
 
@@ -9,6 +9,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <set>
 
 namespace mirocup::league {
 namespace {
@@ -60,6 +62,150 @@ TEST(HandInQueue, LetsNobodyPassByHandingInAgainAtOnce) {
   queue.add(hand_in("d", 1));
   queue.add(hand_in("a", 3));
   EXPECT_EQ(order_of(queue).substr(0, 5), "b1 c1");
+}
+
+// A queue of two processors on a clock of its own. Each hand-in needs some seconds of processor time
+// for its check; one that gives way begins anew.
+class Hall {
+ public:
+  void hand_in_at(double time, const std::string& team, int entry, double needed) {
+    coming_.push_back({time, hand_in(team, entry)});
+    needed_[{team, entry}] = needed;
+  }
+
+  // Returns when each hand-in had its answer, s.
+  std::map<std::string, double> run() {
+    constexpr double step = 0.25;
+    std::map<std::string, double> answered;
+    for (time_ = 0.0; time_ < 3600.0 && answered.size() < needed_.size(); time_ += step) {
+      for (const auto& [at, handed] : coming_) {
+        if (at == time_) queue_.add(handed);
+      }
+      for (auto& check : running_) check.processor += step;
+      for (const RunningCheck& check : running_) {
+        if (check.processor < needed_.at({check.team, check.entry})) continue;
+        answered[check.team + std::to_string(check.entry)] = time_;
+        queue_.answer(check.team, check.entry, HandInState::accepted, "");
+      }
+      std::erase_if(running_, [&](const RunningCheck& check) {
+        return is_final(queue_.find(check.team, check.entry)->state);
+      });
+      if (running_.size() == 2) stop_one();
+      while (running_.size() < 2 && queue_.next() != nullptr) {
+        const WaitingHandIn next = *queue_.next();
+        queue_.begin(next.team, next.entry);
+        running_.push_back({.team = next.team, .entry = next.entry});
+        ++begun[next.team];
+      }
+      std::set<std::string> teams;
+      for (const RunningCheck& check : running_)
+        EXPECT_TRUE(teams.insert(check.team).second) << "two checks of one team at once";
+    }
+    return answered;
+  }
+
+  std::map<std::string, int> begun;  // checks of each team
+
+ private:
+  void stop_one() {
+    const WaitingHandIn* stopped = queue_.to_stop(running_);
+    if (stopped == nullptr) return;
+    const auto [team, entry] = std::pair(stopped->team, stopped->entry);
+    queue_.give_way(team, entry);
+    std::erase_if(running_, [&](const RunningCheck& c) { return c.team == team; });
+  }
+
+  HandInQueue queue_;
+  std::vector<std::pair<double, WaitingHandIn>> coming_;
+  std::map<std::pair<std::string, int>, double> needed_;  // s
+  std::vector<RunningCheck> running_;
+  double time_ = 0.0;
+};
+
+// Catches checks that keep all processors for as long as they like, and, in the last line, a check
+// that gives way again and again and never ends.
+TEST(HandInQueue, LongChecksGiveWayAndComeToTheirEnd) {
+  Hall hall;
+  for (int entry = 1; entry <= 4; ++entry) {
+    hall.hand_in_at(0.0, "a", entry, 40.0);
+    hall.hand_in_at(0.0, "b", entry, 40.0);
+  }
+  for (int entry = 1; entry <= 30; ++entry) hall.hand_in_at(1.0 + 7.0 * entry, "c", entry, 2.0);
+  const auto answered = hall.run();
+  EXPECT_EQ(answered.size(), 38u);
+  for (int entry = 1; entry <= 30; ++entry)
+    EXPECT_LE(answered.at("c" + std::to_string(entry)) - (1.0 + 7.0 * entry), 6.0) << entry;
+  // One after the other on the processor where they are left alone.
+  for (const char* team : {"a", "b"}) {
+    for (const char* entry : {"1", "2", "3", "4"})
+      EXPECT_LE(answered.at(std::string(team) + entry), 8 * 40.0 + 60.0);
+  }
+}
+
+// Catches a long check that starves while short ones of many teams keep coming.
+TEST(HandInQueue, ALongCheckEndsWhileOthersKeepComing) {
+  Hall hall;
+  hall.hand_in_at(0.0, "slow", 1, 20.0);
+  for (int i = 0; i < 200; ++i)
+    hall.hand_in_at(1.0 * i, "t" + std::to_string(i % 20), 1 + i / 20, 2.5);
+  const auto answered = hall.run();
+  ASSERT_TRUE(answered.contains("slow1"));
+  EXPECT_LE(answered.at("slow1"), 120.0) << "three rounds of 20 teams, and its own time";
+  EXPECT_LE(hall.begun.at("slow"), 1 + HandInQueue::gives_way_at_most);
+}
+
+TEST(HandInQueue, NothingGivesWayWhereNobodyWaits) {
+  Hall hall;
+  hall.hand_in_at(0.0, "a", 1, 40.0);
+  hall.hand_in_at(0.0, "b", 1, 40.0);
+  hall.hand_in_at(0.0, "b", 2, 1.0);  // of a team that is being checked
+  EXPECT_EQ(hall.run().at("a1"), 40.0);
+  EXPECT_EQ(hall.begun.at("a"), 1);
+}
+
+// Catches a check that sleeps and so never uses processor time.
+TEST(HandInQueue, ASleepingCheckGivesWay) {
+  HandInQueue queue;
+  queue.add(hand_in("a", 1));
+  queue.begin("a", 1);
+  RunningCheck check{.team = "a", .entry = 1, .processor = 0.1, .asleep = 2.5};
+  EXPECT_EQ(queue.to_stop({check}), nullptr) << "nobody waits";
+  queue.add(hand_in("b", 1));
+  EXPECT_EQ(queue.to_stop({check}), nullptr);
+  check.asleep = 3.0;
+  ASSERT_NE(queue.to_stop({check}), nullptr);
+  queue.give_way("a", 1);
+  EXPECT_EQ(queue.next()->team, "b");
+  EXPECT_EQ(queue.find("a", 1)->failures, 0) << "it is not the host's fault";
+  check = {.team = "b", .entry = 1, .processor = 3.5, .asleep = 0.0};
+  queue.begin("b", 1);
+  ASSERT_NE(queue.to_stop({check}), nullptr) << "a waits again";
+}
+
+TEST(HandInQueue, CountsChecksThatUseUpTheirTime) {
+  HandInQueue queue;
+  queue.add(hand_in("a", 1));
+  queue.add(hand_in("b", 1));
+  queue.begin("a", 1);
+  EXPECT_EQ(queue.spend("a", 1), 1);
+  EXPECT_EQ(queue.next()->team, "b") << "it waits behind the others";
+  EXPECT_EQ(queue.spend("a", 1), 2);
+}
+
+TEST(CompileTime, IsShorterAfterASourceThatWasNotCompiledInTime) {
+  CompileTime time;
+  EXPECT_EQ(time.of("a"), 60);
+  time.note("a", false, 2.0);  // a mistake of the language
+  EXPECT_EQ(time.of("a"), 60);
+  time.note("a", true, 45.0);  // an honest large project
+  EXPECT_EQ(time.of("a"), 60);
+  time.note("a", false, 60.0);
+  EXPECT_EQ(time.of("a"), 20);
+  EXPECT_EQ(time.of("b"), 60);
+  time.note("a", false, 20.0);
+  EXPECT_EQ(time.of("a"), 20);
+  time.note("a", true, 3.0);
+  EXPECT_EQ(time.of("a"), 60);
 }
 
 TEST(HandInQueue, KeepsTheFirstAnswer) {

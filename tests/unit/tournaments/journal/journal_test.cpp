@@ -41,6 +41,24 @@ TEST(Journal, ReadsBackWhatWasAppended) {
   EXPECT_EQ(journal.lines()[2]["leg"], 2);
 }
 
+// Catches a bound for each line where there is none for all: a file of 256 MiB took 15 GiB.
+TEST(Journal, AllLinesTogetherHaveABound) {
+  MemoryFiles files;
+  write_three_lines(files);
+  constexpr std::size_t line = 6;  // values: the object, n, kind, prev, hash, and one of its own
+  EXPECT_TRUE(Journal::open(files, "journal.jsonl", nullptr, 3 * line + 2));
+  const auto too_large = Journal::open(files, "journal.jsonl", nullptr, 3 * line + 1);
+  ASSERT_FALSE(too_large);
+  EXPECT_EQ(too_large.error().code, Errc::damaged);
+  EXPECT_EQ(too_large.error().what.find("journal.jsonl: line 3: with it"), 0u)
+      << too_large.error().what;
+  auto full = Journal::open(files, "journal.jsonl", nullptr, 4 * line + 1);
+  ASSERT_TRUE(full);
+  EXPECT_FALSE(full->append("leg", {{"fixture", "r1-f2"}, {"leg", 1}})) << "nobody could read it";
+  EXPECT_TRUE(full->append("stop", {}));
+  EXPECT_TRUE(Journal::open(files, "journal.jsonl", nullptr, 4 * line + 1));
+}
+
 TEST(Journal, SurvivesBeingCutOffAtAnyByte) {
   MemoryFiles whole;
   write_three_lines(whole);
