@@ -20,6 +20,7 @@ std::string program_of_game(system::Files& files, const Folder& folder, const st
 
 // Returns the behaviour of the program that played a record, a path inside the folder; "" if the
 // record cannot be read, or is from before it was written down.
-std::string game_of_record(system::Files& files, const Folder& folder, const std::string& record);
+Result<std::string> game_of_record(system::Files& files, const Folder& folder,
+                                   const std::string& record);
 
 }  // namespace mirocup::league

@@ -38,7 +38,7 @@ bool has_page(system::Files& files, const Folder& folder, const std::string& rec
   if (!files.exists(folder.site() + "/" + replay_page_of(record))) return false;
   if (has_statistics(files, folder, record)) return true;
   return files.exists(folder.site() + "/" + statistics_file_of(record)) &&
-         program_of_game(files, folder, game_of_record(files, folder, record)) !=
+         program_of_game(files, folder, game_of_record(files, folder, record).value_or("")) !=
              system::sibling_program("mirocup");
 }
 
@@ -68,7 +68,8 @@ std::vector<MissingPage> missing_pages(system::Files& files, const Folder& folde
   for (const FixtureState& f : state.fixtures) {
     for (const std::string& record : records_of(files, folder, f)) {
       if (has_page(files, folder, record)) continue;
-      const std::string game = game_of_record(files, folder, record);
+      // Of a record that cannot be read no program makes a page, and it is counted as failed.
+      const std::string game = game_of_record(files, folder, record).value_or("");
       MissingPage page{.record = record, .programs = {program_of_game(files, folder, game)}};
       if (page.programs.front() != own) page.programs.push_back(own);
       missing.push_back(std::move(page));
@@ -116,16 +117,16 @@ Result<int> make_missing_pages(system::Files& files, const Folder& folder, const
   return failed;
 }
 
-// Writes the links of each page that has others by now. A page that cannot be read is left as it
-// is.
+// Writes the links of each page that has others by now.
 Result<void> link_pages(system::Files& files, const Folder& folder, const Overview& overview) {
   for (const FixtureState& f : overview.state.fixtures) {
     for (const std::string& record : records_of(files, folder, f)) {
       const std::string path = folder.site() + "/" + replay_page_of(record);
-      const auto page = files.read(path, {.max_size = system::size_limit::page});
-      if (!page) continue;
-      const std::string linked = with_league_links(*page, overview, record);
-      if (linked == *page) continue;
+      const auto page = files.read_if_there(path, {.max_size = system::size_limit::page});
+      if (!page) return tl::unexpected(page.error());
+      if (!*page) continue;
+      const std::string linked = with_league_links(**page, overview, record);
+      if (linked == **page) continue;
       if (auto written = files.write(path, linked); !written) return written;
     }
   }
