@@ -107,7 +107,7 @@ TEST_F(FileOfALeague, FoldersAreNotEmptyIfTheyCannotBeRead) {
   expect_told_of_folder(entries + "/a", [&] { return error_of(next_entry(disk_, folder_, "a")); });
   expect_told_of_folder(entries, [&] { return error_of(teams_of_user(disk_, folder_, 1)); });
   const std::string site = folder_.site();
-  expect_told_of_folder(site + "/replays/",
+  expect_told_of_folder(site + "/replays",
                         [&] { return error_of(remove_former_pages(disk_, site, "replays/", {})); });
 }
 
